@@ -1,0 +1,105 @@
+// Tests for base/nonlinear_program.cpp.
+
+#include "base/nonlinear_program.h"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kClose = 1e-7;  // what limited-memory steps reach at the default tolerance
+
+// Distance to (2, 1) squared, without bounds.
+NonlinearProgram nearest_to_2_1() {
+  NonlinearProgram program;
+  program.lower = VectorXd::Constant(2, -kInfinity);
+  program.upper = VectorXd::Constant(2, kInfinity);
+  program.objective = [](const VectorXd& x) { return (x - Vector2d(2, 1)).squaredNorm(); };
+  program.gradient = [](const VectorXd& x) -> VectorXd { return 2 * (x - Vector2d(2, 1)); };
+  return program;
+}
+
+// The same, on the disc of radius 1: the optimum is (2, 1) / sqrt(5).
+NonlinearProgram nearest_in_disc() {
+  NonlinearProgram program = nearest_to_2_1();
+  program.row_lower = VectorXd::Constant(1, -kInfinity);
+  program.row_upper = VectorXd::Constant(1, 1.0);
+  program.constraints = [](const VectorXd& x) -> VectorXd {
+    return VectorXd::Constant(1, x.squaredNorm());
+  };
+  program.jacobian = [](const VectorXd& x) -> MatrixXd { return 2 * x.transpose(); };
+  return program;
+}
+
+TEST(NonlinearProgram, FindsFreeMinimum) {
+  const NonlinearResult result = solve_ipopt(nearest_to_2_1(), Vector2d::Zero());
+  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1), kClose));
+}
+
+TEST(NonlinearProgram, StopsAtBounds) {
+  NonlinearProgram program = nearest_to_2_1();
+  program.upper = Vector2d(1, kInfinity);
+  EXPECT_TRUE(matrix_near(solve_ipopt(program, Vector2d::Zero()).x, Vector2d(1, 1), kClose));
+}
+
+TEST(NonlinearProgram, ObeysNonlinearConstraint) {
+  const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1));
+  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1) / std::sqrt(5.0), kClose));
+}
+
+TEST(NonlinearProgram, ExactHessianFindsTheSamePoint) {
+  NonlinearProgram program = nearest_in_disc();
+  program.hessian = [](const VectorXd&, double factor, const VectorXd& multipliers) -> MatrixXd {
+    return 2 * (factor + multipliers(0)) * MatrixXd::Identity(2, 2);
+  };
+  const NonlinearResult result = solve_ipopt(program, Vector2d(0.1, 0.1));
+  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1) / std::sqrt(5.0), kClose));
+}
+
+TEST(NonlinearProgram, ReportsContradiction) {
+  NonlinearProgram program = nearest_in_disc();
+  program.row_upper(0) = -1;  // no square is negative
+  EXPECT_EQ(solve_ipopt(program, Vector2d(0.1, 0.1)).status, NonlinearStatus::kInfeasible);
+}
+
+TEST(NonlinearProgram, ReportsIterationLimit) {
+  NonlinearOptions options;
+  options.max_iterations = 1;
+  const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), options);
+  EXPECT_EQ(result.status, NonlinearStatus::kStalled);
+  EXPECT_EQ(result.message, "iteration limit reached");
+}
+
+TEST(NonlinearProgram, PassesOnAnExceptionOfTheCaller) {
+  NonlinearProgram program = nearest_to_2_1();
+  program.gradient = [](const VectorXd&) -> VectorXd { throw std::range_error("mine"); };
+  EXPECT_THROW((void)solve_ipopt(program, Vector2d::Zero()), std::range_error);
+}
+
+TEST(NonlinearProgram, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  (void)solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1));
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(NonlinearProgram, RefusesNaNStart) {
+  EXPECT_THROW((void)solve_ipopt(nearest_to_2_1(), Vector2d(std::nan(""), 0)), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
