@@ -1,0 +1,37 @@
+// From a block's type to the function that draws it.
+
+import { el, paragraphs } from "./dom.js";
+import { errorBox } from "./figure.js";
+import { faults } from "./check.js";
+import { drawBars } from "./bars.js";
+import { drawInterval } from "./interval.js";
+import { drawLines } from "./lines.js";
+import { drawScene } from "./scene_block.js";
+import { drawTable } from "./table.js";
+import { drawVectors } from "./vectors.js";
+
+const drawText = (block) => el("div", { class: "prose" }, ...paragraphs(block.text));
+
+const drawRow = (block) => el("div", { class: "row" }, ...block.blocks.map(drawBlock));
+
+const DRAW = {
+  table: drawTable,
+  lines: drawLines,
+  vectors: drawVectors,
+  scene: drawScene,
+  bars: drawBars,
+  interval: drawInterval,
+  text: drawText,
+  row: drawRow,
+};
+
+/// The element for one block; for one that is wrong or unknown, a box that says so.
+export function drawBlock(block) {
+  const wrong = faults(block);
+  if (wrong.length) return errorBox(wrong.join("; "));
+  try {
+    return DRAW[block.type](block);
+  } catch (error) {
+    return errorBox(`block "${block.type}" could not be drawn: ${error.message}`);
+  }
+}

@@ -1,0 +1,90 @@
+// Says what is wrong with a report before it is drawn. Knows nothing of the browser.
+
+const isArray = Array.isArray;
+const isVector = (n) => (v) => isArray(v) && v.length === n;
+const isText = (v) => typeof v === "string";
+const list = (inner) => (v) => isArray(v) && v.every(inner);
+const shape = (keys) => (v) =>
+  v !== null && typeof v === "object" && Object.entries(keys).every(([k, ok]) => ok(v[k]));
+
+const ITEMS = {
+  segment: { a: isVector(3), b: isVector(3) },
+  axis: { point: isVector(3), direction: isVector(3) },
+  arrow: { from: isVector(3), vector: isVector(3) },
+  hull: { vertices: list(isVector(3)), faces: list(isVector(3)) },
+  points: { positions: list(isVector(3)) },
+  line: { positions: list(isVector(3)) },
+};
+const isItem = (v) => v && v.kind in ITEMS && shape(ITEMS[v.kind])(v);
+
+const sameLength = (s) =>
+  s.x.length === s.y.length &&
+  [s.band_low, s.band_high, s.labels].every((extra) => !extra || extra.length === s.x.length);
+const isSeries = (s) => shape({ name: isText, x: isArray, y: isArray })(s) && sameLength(s);
+
+const isArrow = shape({ group: isText, measured: isVector(2), predicted: isVector(2) });
+const isPlane = shape({
+  name: isText,
+  panels: list(shape({ title: isText, arrows: list(isArrow) })),
+});
+
+// What each type of block must carry, and in words for the message.
+const NEEDS = {
+  table: {
+    columns: [list(shape({ name: isText })), "a list of {name}"],
+    rows: [list(isArray), "a list of lists"],
+  },
+  lines: { series: [list(isSeries), "a list of {name, x, y}, all of one length"] },
+  vectors: {
+    planes: [
+      list(isPlane),
+      "a list of {name, panels: [{title, arrows: [{group, measured: [2], predicted: [2]}]}]}",
+    ],
+  },
+  scene: {
+    layers: [
+      list(shape({ name: isText, items: list(isItem) })),
+      `a list of {name, items}, items of kind ${Object.keys(ITEMS).join(", ")} with coordinates`,
+    ],
+  },
+  bars: {
+    groups: [
+      list(shape({ name: isText, values: list(shape({ series: isText })) })),
+      "a list of {name, values: [{series, value}]}",
+    ],
+  },
+  interval: { rows: [list(shape({ name: isText })), "a list of {name, estimate, low, high}"] },
+  text: { text: [isText, "a string"] },
+  row: { blocks: [isArray, "a list of blocks"] },
+};
+
+export const BLOCK_TYPES = Object.keys(NEEDS);
+
+function raggedRow(block) {
+  const index = block.rows.findIndex((row) => row.length !== block.columns.length);
+  return index < 0
+    ? []
+    : [`table: row ${index} has ${block.rows[index].length} cells, wanted ${block.columns.length}`];
+}
+
+/// What is wrong with one block, in words; empty if nothing is. Blocks inside a row answer for
+/// themselves.
+export function faults(block) {
+  if (!block || !(block.type in NEEDS))
+    return [`unknown block type "${block?.type}"; known are ${BLOCK_TYPES.join(", ")}`];
+  const found = Object.entries(NEEDS[block.type])
+    .filter(([key, [ok]]) => !ok(block[key]))
+    .map(([key, [, wanted]]) => `${block.type}: "${key}" must be ${wanted}`);
+  return block.type === "table" && !found.length ? raggedRow(block) : found;
+}
+
+/// The same for a whole report, rows opened; each fault starts with its section.
+export function reportFaults(report) {
+  if (!isText(report?.title)) return ['report: "title" must be a string'];
+  if (!isArray(report.sections)) return ['report: "sections" must be a list'];
+  const deep = (block) =>
+    block?.type === "row" && isArray(block.blocks) ? block.blocks.flatMap(deep) : faults(block);
+  return report.sections.flatMap((section) =>
+    (section.blocks ?? []).flatMap(deep).map((fault) => `section "${section.id}": ${fault}`),
+  );
+}

@@ -1,0 +1,43 @@
+// A 3D view inside the report: frame, caption, and what to do where there is no WebGL.
+
+import { mountScene } from "../scene/view.js";
+import { el } from "./dom.js";
+import { errorBox, figure, remark } from "./figure.js";
+import { hexColor } from "./palette.js";
+import { onThemeChange, themeColor } from "./theme.js";
+
+const HINT = "Drag to turn; click, then scroll to zoom; double-click to fit.";
+
+const withColors = (layers) =>
+  layers.map((layer, i) => ({ ...layer, color: layer.color ?? hexColor(i) }));
+
+/// The scene follows the page's colours.
+const theme = () => ({
+  ink: themeColor("--ink"),
+  muted: themeColor("--muted"),
+  page: themeColor("--page"),
+  faint: themeColor("--faint"),
+});
+
+function fillFrame(frame, block, notes) {
+  const scene = { ...block, layers: withColors(block.layers) };
+  const view = mountScene(frame, scene, theme);
+  onThemeChange(view.draw);
+  if (view.lost)
+    notes.append(
+      remark(`${view.lost} items have coordinates that are not numbers (n/a) and are not drawn.`),
+    );
+}
+
+export function drawScene(block) {
+  const frame = el("div", { class: "scene", "data-label": block.caption ?? "3D view" }),
+    notes = el("div");
+  requestAnimationFrame(() => {
+    try {
+      fillFrame(frame, block, notes);
+    } catch (error) {
+      frame.replaceChildren(errorBox(`The 3D view cannot be drawn: ${error.message}`));
+    }
+  });
+  return figure("figure", block.caption, frame, el("p", { class: "hint" }, HINT), notes);
+}

@@ -1,0 +1,115 @@
+// A table that can be sorted, searched, unfolded and saved.
+
+import { csvOf } from "./csv.js";
+import { el } from "./dom.js";
+import { figure } from "./figure.js";
+import { formatCell } from "../numbers/format.js";
+import { bestRows, isNumeric, matching, sortedBy } from "./table_model.js";
+
+const FOLDED_ROWS = 15;
+
+const cell = (block, c, value, best) =>
+  el(
+    "td",
+    { class: `${isNumeric(block, c) ? "number" : ""} ${best ? "best" : ""}` },
+    formatCell(value, block.columns[c].digits),
+    best ? el("span", { class: "hidden-words" }, " (best)") : null,
+  );
+
+function bodyRows(block, rows, best) {
+  if (!rows.length)
+    return [el("tr", {}, el("td", { colspan: block.columns.length, class: "empty" }, "no rows"))];
+  return rows.map((row) =>
+    el(
+      "tr",
+      {},
+      ...row.map((value, c) => cell(block, c, value, c === block.highlight_best && best.has(row))),
+    ),
+  );
+}
+
+function headCell(block, c, onSort) {
+  const { name, unit } = block.columns[c];
+  const label = el(
+    "button",
+    { type: "button", title: `Sort by ${name}`, onclick: onSort },
+    name,
+    unit ? el("span", { class: "unit" }, ` [${unit}]`) : null,
+  );
+  return el("th", { scope: "col", class: isNumeric(block, c) ? "number" : "" }, label);
+}
+
+function saveButton(block) {
+  const save = () => {
+    const link = el("a", {
+      href: URL.createObjectURL(new Blob([csvOf(block)], { type: "text/csv" })),
+      download: "table.csv",
+    });
+    link.click();
+    URL.revokeObjectURL(link.href);
+  };
+  return el("button", { type: "button", onclick: save }, "Save CSV");
+}
+
+const searchBox = (onSearch) =>
+  el("input", {
+    type: "search",
+    placeholder: "Search rows",
+    "aria-label": "Search rows",
+    oninput: (event) => onSearch(event.target.value),
+  });
+
+function foldButton(frame, count) {
+  if (count <= FOLDED_ROWS) return null;
+  frame.classList.add("folded");
+  const button = el(
+    "button",
+    { type: "button", "aria-expanded": "false" },
+    `Show all ${count} rows`,
+  );
+  button.addEventListener("click", () => {
+    const folded = frame.classList.toggle("folded");
+    button.textContent = folded ? `Show all ${count} rows` : `Show the first ${FOLDED_ROWS} rows`;
+    button.setAttribute("aria-expanded", String(!folded));
+  });
+  return button;
+}
+
+export function drawTable(block) {
+  const best = bestRows(block),
+    view = { column: null, descending: false, text: "" };
+  const body = el("tbody");
+  const fillBody = () =>
+    body.replaceChildren(...bodyRows(block, sortedBy(matching(block.rows, view.text), view), best));
+  const sort = (c) => {
+    view.descending = view.column === c && !view.descending;
+    view.column = c;
+    heads.forEach((head, i) =>
+      head.setAttribute(
+        "aria-sort",
+        i !== c ? "none" : view.descending ? "descending" : "ascending",
+      ),
+    );
+    fillBody();
+  };
+  const heads = block.columns.map((_, c) => headCell(block, c, () => sort(c)));
+  const frame = el(
+    "div",
+    { class: "table-frame", tabindex: 0, role: "region", "aria-label": block.caption ?? "Table" },
+    el("table", {}, el("thead", {}, el("tr", {}, ...heads)), body),
+  );
+  fillBody();
+  const tools = el(
+    "div",
+    { class: "tools" },
+    block.search
+      ? searchBox((text) => {
+          view.text = text;
+          fillBody();
+        })
+      : null,
+    foldButton(frame, block.rows.length),
+    saveButton(block),
+  );
+  return figure("table", block.caption, frame, tools);
+}

@@ -1,0 +1,40 @@
+// One small box that follows the pointer and tells numbers.
+
+import { el } from "./dom.js";
+
+let box = null;
+
+function place(event) {
+  const margin = 14,
+    width = box.offsetWidth,
+    height = box.offsetHeight;
+  const left =
+    event.clientX + margin + width > innerWidth
+      ? event.clientX - margin - width
+      : event.clientX + margin;
+  const top =
+    event.clientY + margin + height > innerHeight
+      ? event.clientY - margin - height
+      : event.clientY + margin;
+  box.style.left = `${Math.max(0, left)}px`;
+  box.style.top = `${Math.max(0, top)}px`;
+}
+
+export function showTooltip(event, lines) {
+  box ??= document.body.appendChild(el("div", { class: "tooltip", role: "status" }));
+  box.replaceChildren(...lines.map((line, i) => el(i === 0 ? "strong" : "div", {}, line)));
+  box.hidden = false;
+  place(event);
+}
+
+export function hideTooltip() {
+  if (box) box.hidden = true;
+}
+
+/// Tells `lines` while the pointer is over `node`; the same text is its accessible name.
+export function describe(node, lines) {
+  node.setAttribute("aria-label", lines.join(", "));
+  node.addEventListener("pointermove", (event) => showTooltip(event, lines));
+  node.addEventListener("pointerleave", hideTooltip);
+  return node;
+}

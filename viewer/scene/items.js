@@ -1,0 +1,50 @@
+// From the items of a scene to three.js objects. Knows nothing of pages, cameras or panels.
+
+import { Color, Group, MeshLambertMaterial } from "three";
+import { buildArrow, buildAxis } from "./arrows.js";
+import { buildSegment, buildPoints } from "./solids.js";
+import { buildHull, buildLine } from "./surfaces.js";
+
+const BUILD = {
+  segment: buildSegment,
+  axis: buildAxis,
+  arrow: buildArrow,
+  hull: buildHull,
+  points: buildPoints,
+  line: buildLine,
+};
+
+/// Whether every number of an item is one: NaN arrives as null.
+export const isComplete = (value) =>
+  value !== null && typeof value === "object"
+    ? Object.entries(value).every(([key, part]) => key === "label" || isComplete(part))
+    : value !== null && !Number.isNaN(value);
+
+/// One layer as a group; `labels` collects { position, text, color } for whoever writes on the
+/// picture. `size` is the diagonal of the scene, from which items without a radius get one.
+function buildLayer(layer, size) {
+  const group = new Group(),
+    labels = [];
+  const look = {
+    color: new Color(layer.color),
+    material: new MeshLambertMaterial({ color: layer.color }),
+    size,
+  };
+  const complete = layer.items.filter(isComplete);
+  for (const item of complete) {
+    const object = BUILD[item.kind](item, look);
+    group.add(object);
+    if (item.label) labels.push({ position: object.userData.labelAt, text: item.label });
+  }
+  group.name = layer.name;
+  group.visible = layer.visible !== false;
+  return {
+    group,
+    labels,
+    name: layer.name,
+    color: layer.color,
+    lost: layer.items.length - complete.length,
+  };
+}
+
+export const buildLayers = (layers, size) => layers.map((layer) => buildLayer(layer, size));

@@ -1,0 +1,66 @@
+// Hulls as transparent surfaces with their edges, and lines such as tendons.
+
+import {
+  BufferGeometry,
+  DoubleSide,
+  EdgesGeometry,
+  Float32BufferAttribute,
+  Group,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshLambertMaterial,
+  Vector3,
+} from "three";
+import { Line2 } from "three/addons/lines/Line2.js";
+import { LineGeometry } from "three/addons/lines/LineGeometry.js";
+import { LineMaterial } from "three/addons/lines/LineMaterial.js";
+
+export const HULL_OPACITY = 0.35;
+const LINE_WIDTH = 2.5; // [px]
+
+function hullGeometry(vertices, faces) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(vertices.flat(), 3));
+  geometry.setIndex(faces.flat());
+  const flat = geometry.toNonIndexed();
+  flat.computeVertexNormals();
+  return flat;
+}
+
+/// `userData.hull` marks the material whose opacity the reader may change.
+export function buildHull({ vertices, faces }, { color }) {
+  const geometry = hullGeometry(vertices, faces),
+    group = new Group();
+  const material = new MeshLambertMaterial({
+    color,
+    transparent: true,
+    opacity: HULL_OPACITY,
+    side: DoubleSide,
+    depthWrite: false,
+  });
+  group.add(
+    new Mesh(geometry, material),
+    new LineSegments(new EdgesGeometry(geometry, 5), new LineBasicMaterial({ color })),
+  );
+  group.children[0].userData.hull = true;
+  geometry.computeBoundingSphere();
+  group.userData.labelAt = geometry.boundingSphere?.center ?? new Vector3();
+  return group;
+}
+
+/// A polyline of constant width on the screen.
+export function buildLine({ positions, dashed = false }, { color, size }) {
+  if (positions.length < 2) return new Group();
+  const material = new LineMaterial({
+    color,
+    linewidth: LINE_WIDTH * (globalThis.devicePixelRatio ?? 1),
+    dashed,
+    dashSize: 0.015 * size,
+    gapSize: 0.01 * size,
+  });
+  const line = new Line2(new LineGeometry().setPositions(positions.flat()), material);
+  line.computeLineDistances();
+  line.userData.labelAt = new Vector3(...positions[Math.floor(positions.length / 2)]);
+  return line;
+}

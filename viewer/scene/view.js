@@ -1,0 +1,108 @@
+// One 3D view: a canvas in a container, drawn when something changes and not before.
+
+import { Scene, Vector3 } from "three";
+import { fitCamera, makeCamera, setAspect } from "./camera_fit.js";
+import { addControls } from "./controls.js";
+import { diagonal, extentOf } from "./extent.js";
+import { buildGrid } from "./grid.js";
+import { addPanel } from "./gui.js";
+import { buildLayers } from "./items.js";
+import { addLights } from "./lights.js";
+import { drawLabels, drawScaleBar, drawTriad } from "./overlay.js";
+import { link } from "./linked.js";
+import { renderTo } from "./renderer.js";
+
+function makeCanvas(container) {
+  const canvas = document.createElement("canvas");
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", container.dataset.label ?? "3D view");
+  container.append(canvas);
+  return canvas;
+}
+
+/// Builds everything that does not depend on the canvas.
+function assemble({ layers, up = [0, 0, 1], view }) {
+  const box = extentOf(layers),
+    size = diagonal(box),
+    upward = new Vector3(...up).normalize();
+  const scene = new Scene(),
+    camera = makeCamera(upward),
+    built = buildLayers(layers, size);
+  const { grid } = buildGrid(box, size, upward);
+  scene.add(grid, ...built.map((layer) => layer.group));
+  addLights(scene, camera, upward);
+  return {
+    scene,
+    camera,
+    box,
+    grid,
+    layers: built,
+    show: { labels: true },
+    from: view && new Vector3(...view).normalize(),
+  };
+}
+
+function paint(view, context, theme, unit) {
+  const { canvas } = context,
+    ratio = devicePixelRatio;
+  const look = { ...theme(), width: canvas.width / ratio, height: canvas.height / ratio };
+  renderTo(context, view.scene, view.camera);
+  context.save();
+  context.scale(ratio, ratio);
+  const labels = view.layers
+    .filter((layer) => layer.group.visible)
+    .flatMap((layer) => layer.labels);
+  if (view.show.labels) drawLabels(context, labels, view.camera, look);
+  drawTriad(context, view.camera, look);
+  drawScaleBar(context, view.camera, unit, look);
+  context.restore();
+}
+
+/// Sets the canvas to the size of its container, in device pixels.
+function resize(canvas, container) {
+  canvas.width = Math.max(1, Math.round(container.clientWidth * devicePixelRatio));
+  canvas.height = Math.max(1, Math.round(container.clientHeight * devicePixelRatio));
+  return canvas.width / canvas.height;
+}
+
+/// Calls `work` at most once a frame.
+function oncePerFrame(work) {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => {
+      waiting = false;
+      work();
+    });
+  };
+}
+
+/// Draws `spec` = { layers, unit, up, view } into `container`; `theme()` returns the colours { ink,
+/// page }. Returns the view: draw(), fit(), its layers, and `lost`, the number of items with
+/// missing coordinates.
+export function mountScene(container, spec, theme) {
+  const canvas = makeCanvas(container),
+    context = canvas.getContext("2d"),
+    view = assemble(spec);
+  const paintNow = () => paint(view, context, theme, spec.unit ?? "mm");
+  view.draw = oncePerFrame(paintNow);
+  const controls = addControls(view.camera, canvas, view.draw);
+  view.fit = () => {
+    controls.target.copy(fitCamera(view.camera, view.box, canvas.width / canvas.height, view.from));
+    controls.update();
+    view.draw();
+  };
+  canvas.addEventListener("dblclick", view.fit);
+  resize(canvas, container);
+  view.fit();
+  addPanel(container, view);
+  if (spec.link) link(spec.link, view, controls);
+  new ResizeObserver(() => {
+    setAspect(view.camera, resize(canvas, container));
+    paintNow();
+  }).observe(container);
+  view.lost = view.layers.reduce((sum, layer) => sum + layer.lost, 0);
+  return view;
+}

@@ -1,0 +1,140 @@
+// Opens the sample report in Chromium, asserts that it draws and answers, and leaves screenshots in
+// tests/screenshots. Run `npm run bundle` first. Needs a chromium on the path, or its path in CHROMIUM.
+
+import assert from "node:assert/strict";
+import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { pageOf } from "../sample/page.js";
+import { startBrowser } from "./browser.js";
+import { boxOf, hideFirstTendon, isReady, look, picture } from "./probes.js";
+
+const SHOTS = join(import.meta.dirname, "screenshots");
+const VIEWS = {
+  light: { width: 1280, scheme: "light" },
+  dark: { width: 1280, scheme: "dark" },
+  phone: { width: 390, scheme: "light" },
+};
+const LEAST_COVERED = 0.02; // of a scene's canvas; labels, triad and scale bar alone stay below it
+const SETTLE = 800; // [ms] for the frames that follow the first
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/// Runs a probe in the page.
+async function ask(browser, probe, ...values) {
+  const { result, exceptionDetails } = await browser.send("Runtime.evaluate", {
+    expression: `(${probe})(${values.map((value) => JSON.stringify(value)).join(",")})`,
+    returnByValue: true,
+  });
+  assert.equal(exceptionDetails, undefined, exceptionDetails?.exception?.description);
+  return result.value;
+}
+
+async function open(browser, path, { width, scheme }) {
+  const metrics = { width, height: 900, deviceScaleFactor: 1, mobile: false };
+  await browser.send("Emulation.setDeviceMetricsOverride", metrics);
+  const features = [{ name: "prefers-color-scheme", value: scheme }];
+  await browser.send("Emulation.setEmulatedMedia", { features });
+  await browser.send("Page.navigate", { url: `file://${path}` });
+  for (let i = 0; i < 100 && !(await ask(browser, isReady)); ++i) await pause(100);
+  await pause(SETTLE);
+}
+
+async function shoot(browser, name, selector) {
+  const clip = { ...(await ask(browser, boxOf, selector)), scale: 1 };
+  const options = { captureBeyondViewport: true, clip };
+  const { data } = await browser.send("Page.captureScreenshot", options);
+  writeFileSync(join(SHOTS, `${name}.png`), Buffer.from(data, "base64"));
+}
+
+/// The whole page, and each section by itself.
+async function shootAll(browser, name, sections) {
+  await shoot(browser, name, "html");
+  for (const { id } of sections) await shoot(browser, `${name}-${id}`, `#${id}`);
+}
+
+function judge(name, seen) {
+  assert.deepEqual(seen.errors, [], `${name}: error boxes`);
+  assert.equal(seen.scenes.length, 3, `${name}: number of scenes`);
+  for (const [i, { covered }] of seen.scenes.entries())
+    assert.ok(covered > LEAST_COVERED, `${name}: scene ${i} is blank, ${covered} of it covered`);
+  for (const [i, { colors }] of seen.charts.entries())
+    assert.ok(colors > 5, `${name}: chart ${i} has only ${colors} colours`);
+  assert.equal(seen.tables, 2, `${name}: number of tables`);
+  assert.equal(seen.plots, 10, `${name}: number of SVG plots`);
+  assert.ok(seen.overflow <= 0, `${name}: the page is ${seen.overflow} px wider than its window`);
+}
+
+async function drag(browser, { x, y }, dx) {
+  const mouse = (type, at, buttons) =>
+    browser.send("Input.dispatchMouseEvent", { type, x: at, y, button: "left", buttons });
+  await mouse("mousePressed", x, 1);
+  await mouse("mouseMoved", x + dx, 1);
+  await mouse("mouseReleased", x + dx, 0);
+  await pause(SETTLE);
+}
+
+/// A drag turns a scene, and the one that is linked to it, and no other.
+async function checkTurning(browser) {
+  const pictures = async () => [
+    await ask(browser, picture, 0),
+    await ask(browser, picture, 2),
+    await ask(browser, picture, 1),
+  ];
+  const before = await pictures();
+  await drag(browser, before[2], 80);
+  const after = await pictures();
+  const changed = after.map(({ image }, i) => image !== before[i].image);
+  assert.deepEqual(changed, [false, true, true], "scenes changed: first, linked, dragged");
+}
+
+async function print(browser) {
+  const options = { printBackground: true, preferCSSPageSize: true };
+  const { data } = await browser.send("Page.printToPDF", options);
+  writeFileSync(join(SHOTS, "print.pdf"), Buffer.from(data, "base64"));
+}
+
+/// Nothing was thrown, and nothing was asked from outside the file.
+function judgeEvents(events) {
+  const thrown = events.filter(({ method }) => method === "Runtime.exceptionThrown");
+  assert.deepEqual(
+    thrown.map(({ params }) => params.exceptionDetails.exception?.description),
+    [],
+    "exceptions in the page",
+  );
+  const requests = events.filter(({ method }) => method === "Network.requestWillBeSent");
+  const urls = requests.map(({ params }) => params.request.url);
+  assert.ok(urls.length > 0, "no request was seen, not even that of the page");
+  const outside = urls.filter((url) => !/^(file|blob|data):/.test(url));
+  assert.deepEqual(outside, [], "requests to the network");
+}
+
+mkdirSync(SHOTS, { recursive: true });
+const path = join(mkdtempSync(join(tmpdir(), "thenar-report-")), "report.html");
+const sample = join(import.meta.dirname, "../sample/report.json");
+const report = JSON.parse(readFileSync(sample, "utf8"));
+writeFileSync(path, pageOf(report));
+const browser = await startBrowser();
+try {
+  for (const domain of ["Runtime", "Page", "Network"]) await browser.send(`${domain}.enable`);
+  for (const [name, view] of Object.entries(VIEWS)) {
+    await open(browser, path, view);
+    const seen = await ask(browser, look);
+    await shootAll(browser, name, report.sections);
+    judge(name, seen);
+    const shares = seen.scenes.map(({ covered }) => `${(100 * covered).toFixed(1)} %`);
+    console.log(`${name}: scenes covered ${shares.join(", ")}`);
+  }
+  await open(browser, path, VIEWS.light);
+  await checkTurning(browser);
+  assert.equal(
+    await ask(browser, hideFirstTendon),
+    8,
+    "a tendon is hidden in 4 panels of 2 planes",
+  );
+  await print(browser);
+  judgeEvents(browser.events);
+} finally {
+  await browser.close();
+}
+console.log(`the page draws and answers; see ${SHOTS}`);

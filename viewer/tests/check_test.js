@@ -1,0 +1,62 @@
+// Tests for report/check.js.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import test from "node:test";
+import { BLOCK_TYPES, faults, reportFaults } from "../report/check.js";
+
+const sample = JSON.parse(readFileSync(join(import.meta.dirname, "../sample/report.json"), "utf8"));
+
+test("the sample has no faults", () => assert.deepEqual(reportFaults(sample), []));
+
+test("the sample shows every block type", () => {
+  const open = (block) => [block.type, ...(block.blocks ?? []).flatMap(open)];
+  const shown = new Set(sample.sections.flatMap((section) => section.blocks.flatMap(open)));
+  assert.deepEqual([...shown].sort(), [...BLOCK_TYPES].sort());
+});
+
+test("an unknown type is named", () => {
+  assert.match(faults({ type: "pie" })[0], /^unknown block type "pie"; known are table/);
+  assert.match(faults(null)[0], /unknown block type/);
+});
+
+test("a block without its content says what is wanted", () => {
+  for (const type of BLOCK_TYPES) assert.ok(faults({ type }).length > 0, type);
+  assert.match(faults({ type: "text" })[0], /^text: "text" must be a string/);
+});
+
+test("a ragged table names the row", () => {
+  const block = { type: "table", columns: [{ name: "a" }, { name: "b" }], rows: [[1, 2], [3]] };
+  assert.deepEqual(faults(block), ["table: row 1 has 1 cells, wanted 2"]);
+});
+
+test("a series of unequal lengths is refused", () => {
+  const series = (more) => ({
+    type: "lines",
+    series: [{ name: "s", x: [1, 2], y: [1, 2], ...more }],
+  });
+  assert.equal(faults(series({})).length, 0);
+  assert.equal(faults(series({ y: [1] })).length, 1);
+  assert.equal(faults(series({ band_low: [0] })).length, 1);
+});
+
+test("an item of unknown kind, or without its coordinates, is refused", () => {
+  const scene = (item) => ({ type: "scene", layers: [{ name: "l", items: [item] }] });
+  assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0], b: [0, 0, 1] })).length, 0);
+  assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0] })).length, 1);
+  assert.equal(faults(scene({ kind: "torus" })).length, 1);
+});
+
+test("missing numbers are no fault", () => {
+  const arrow = { group: "FDS", measured: [null, null], predicted: [1, 2] };
+  const planes = [{ name: "p", panels: [{ title: "t", arrows: [arrow] }] }];
+  assert.deepEqual(faults({ type: "vectors", planes }), []);
+  assert.deepEqual(faults({ type: "interval", rows: [{ name: "r", estimate: null }] }), []);
+});
+
+test("faults inside a row are found, with their section", () => {
+  const blocks = [{ type: "row", blocks: [{ type: "pie" }] }];
+  const report = { title: "t", sections: [{ id: "s", title: "S", blocks }] };
+  assert.match(reportFaults(report)[0], /^section "s": unknown block type "pie"/);
+});

@@ -1,0 +1,54 @@
+// Functions that are sent into the page and run there.
+
+/// Whether everything that draws itself a frame later has its canvas.
+export function isReady() {
+  const count = (selector) => document.querySelectorAll(selector).length;
+  return (
+    document.readyState === "complete" &&
+    count("#report > header") === 1 &&
+    count(".scene") === count(".scene canvas, .scene .error") &&
+    count(".uplot canvas") > 0
+  );
+}
+
+/// What a reader would see. The background of a canvas is transparent: `covered` is the share of its pixels
+/// that something was painted on, `colors` how many different ones.
+export function look() {
+  const paint = (canvas) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    const pixels = new Uint32Array(data.buffer).filter((pixel) => pixel >>> 24 > 200);
+    return { covered: pixels.length / (width * height), colors: new Set(pixels).size };
+  };
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  return {
+    scenes: all(".scene canvas").map(paint),
+    charts: all(".uplot canvas").map(paint),
+    errors: all(".error").map((box) => box.textContent),
+    tables: all("table").length,
+    plots: all("svg.plot").length,
+    overflow: document.documentElement.scrollWidth - innerWidth,
+  };
+}
+
+/// Where an element stands on the page, with a margin.
+export function boxOf(selector) {
+  const { x, y, width, height } = document.querySelector(selector).getBoundingClientRect();
+  const left = Math.max(0, x - 16);
+  return { x: left, y: y + scrollY, width: Math.min(innerWidth - left, width + 32), height };
+}
+
+/// The picture of one scene, and the middle of its canvas in the window, scrolled into view.
+export function picture(index) {
+  const canvas = document.querySelectorAll(".scene canvas")[index];
+  canvas.scrollIntoView({ block: "center", behavior: "instant" });
+  const { x, y, width, height } = canvas.getBoundingClientRect();
+  return { image: canvas.toDataURL(), x: x + width / 2, y: y + height / 2 };
+}
+
+/// Clicks the first legend button and tells how many force pairs are hidden.
+export function hideFirstTendon() {
+  document.querySelector(".legend button").click();
+  return [...document.querySelectorAll(".pair")].filter((pair) => pair.style.display === "none")
+    .length;
+}

@@ -1,0 +1,119 @@
+// Tests for scene/: what can be said without a browser.
+
+import assert from "node:assert/strict";
+import test from "node:test";
+import { Box3, Vector3 } from "three";
+import { fitCamera, makeCamera } from "../scene/camera_fit.js";
+import { diagonal, extentOf } from "../scene/extent.js";
+import { buildGrid } from "../scene/grid.js";
+import { buildLayers } from "../scene/items.js";
+
+const ITEMS = [
+  { kind: "segment", a: [0, 0, 0], b: [0, 0, 40], radius: 5 },
+  { kind: "axis", point: [0, 0, 40], direction: [2, 0, 0], length: 30, label: "PIP" },
+  { kind: "arrow", from: [0, 0, 40], vector: [0, 10, 0], label: "2 N" },
+  {
+    kind: "hull",
+    vertices: [
+      [0, 0, 0],
+      [9, 0, 0],
+      [0, 9, 0],
+      [0, 0, 9],
+    ],
+    faces: [
+      [0, 2, 1],
+      [0, 1, 3],
+      [0, 3, 2],
+      [1, 2, 3],
+    ],
+  },
+  {
+    kind: "points",
+    positions: [
+      [1, 2, 3],
+      [4, 5, 6],
+    ],
+    radius: 1,
+  },
+  {
+    kind: "line",
+    positions: [
+      [0, 0, 0],
+      [1, 1, 1],
+    ],
+    dashed: true,
+  },
+];
+const layer = (items) => ({ name: "layer", color: "#0072b2", items });
+const boxOf = (object) => new Box3().setFromObject(object);
+
+test("every kind of item becomes an object", () => {
+  const [built] = buildLayers([layer(ITEMS)], 50);
+  assert.equal(built.group.children.length, ITEMS.length);
+  assert.equal(built.lost, 0);
+});
+
+test("a segment reaches from end to end, caps included", () => {
+  const [{ group }] = buildLayers([layer([ITEMS[0]])], 50);
+  const { min, max } = boxOf(group);
+  assert.ok(min.distanceTo(new Vector3(-5, -5, -5)) < 1e-4);
+  assert.ok(max.distanceTo(new Vector3(5, 5, 45)) < 1e-4);
+});
+
+test("an axis is centred on its point, has its length, and is labelled at its head", () => {
+  const [{ group, labels }] = buildLayers([layer([ITEMS[1]])], 50);
+  const { min, max } = boxOf(group);
+  assert.ok(Math.abs(min.x + 15) < 1e-4 && Math.abs(max.x - 15) < 1e-4);
+  assert.deepEqual(labels[0].position.toArray(), [15, 0, 40]);
+});
+
+test("an arrow ends at from + vector", () => {
+  const [{ labels }] = buildLayers([layer([ITEMS[2]])], 50);
+  assert.deepEqual(labels[0].position.toArray(), [0, 10, 40]);
+});
+
+test("items with missing coordinates are counted, not drawn", () => {
+  const broken = { kind: "segment", a: [0, null, 0], b: [0, 0, 1], radius: 1 };
+  const [built] = buildLayers([layer([broken, ITEMS[4]])], 50);
+  assert.equal(built.lost, 1);
+  assert.equal(built.group.children.length, 1);
+  assert.ok(!extentOf([layer([broken])]).containsPoint(new Vector3(0, 0, 1)));
+});
+
+test("a hidden layer still counts for the extent", () => {
+  const box = extentOf([{ ...layer([ITEMS[0]]), visible: false }]);
+  assert.deepEqual([box.min.z, box.max.z], [-5, 45]);
+  assert.ok(Math.abs(diagonal(box) - Math.hypot(10, 10, 50)) < 1e-9);
+});
+
+test("the camera sees the whole box, from any side and in any shape of window", () => {
+  const box = new Box3(new Vector3(-10, 0, 5), new Vector3(30, 8, 90));
+  for (const aspect of [0.4, 1, 3])
+    for (const direction of [undefined, new Vector3(1, 0, 0), new Vector3(1, 2, 3).normalize()]) {
+      const camera = makeCamera(new Vector3(0, 0, 1));
+      fitCamera(camera, box, aspect, direction);
+      for (const x of [-10, 30])
+        for (const y of [0, 8])
+          for (const z of [5, 90]) {
+            const seen = new Vector3(x, y, z).project(camera);
+            assert.ok(
+              Math.max(...seen.toArray().map(Math.abs)) <= 1,
+              `corner at ${seen.toArray()}`,
+            );
+          }
+    }
+});
+
+test("the grid lies under the scene", () => {
+  const box = new Box3(new Vector3(0, 0, 5), new Vector3(10, 10, 50));
+  const { grid, step } = buildGrid(box, diagonal(box), new Vector3(0, 0, 1));
+  assert.ok(Math.abs(grid.position.z - 5) < 1e-9);
+  assert.equal(step, 5); // diagonal 47.2: a twelfth is 3.9
+});
+
+test("an empty scene is no error", () => {
+  const box = extentOf([layer([])]);
+  assert.equal(diagonal(box), 1);
+  fitCamera(makeCamera(new Vector3(0, 1, 0)), box, 1);
+  buildGrid(box, 1, new Vector3(0, 1, 0));
+});
