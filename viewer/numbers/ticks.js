@@ -21,8 +21,8 @@ export function ticks(low, high, count = 5) {
 export function extent(values, margin = 0) {
   const finite = values.filter(Number.isFinite);
   if (finite.length === 0) return [0, 1];
-  const low = Math.min(...finite),
-    high = Math.max(...finite);
+  const low = Math.min(...finite);
+  const high = Math.max(...finite);
   const pad = high > low ? margin * (high - low) : 0.5 * (Math.abs(low) || 1);
   return [low - pad, high + pad];
 }

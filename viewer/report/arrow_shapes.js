@@ -7,13 +7,13 @@ const HEAD = 7; // length of an arrow's head [px]
 
 /// A line with a head; a dot where there is no length.
 export function shaft(kind, from, to) {
-  const dx = to[0] - from[0],
-    dy = to[1] - from[1],
-    length = Math.hypot(dx, dy);
+  const dx = to[0] - from[0];
+  const dy = to[1] - from[1];
+  const length = Math.hypot(dx, dy);
   if (length < 0.5) return [svg("circle", { class: kind, cx: to[0], cy: to[1], r: 2 })];
-  const head = Math.min(HEAD, 0.6 * length),
-    ux = dx / length,
-    uy = dy / length;
+  const head = Math.min(HEAD, 0.6 * length);
+  const ux = dx / length;
+  const uy = dy / length;
   const base = [to[0] - head * ux, to[1] - head * uy];
   const wing = (side) => `${base[0] - side * 0.4 * head * uy},${base[1] + side * 0.4 * head * ux}`;
   return [

@@ -9,11 +9,11 @@ import { extent, linear, ticks } from "../numbers/ticks.js";
 import { describe } from "./tooltip.js";
 import { axisBelow, references, textWidth } from "./svg_axis.js";
 
-const BAR = 15,
-  GAP = 12,
-  WIDTH = 900,
-  TOP = 26,
-  BOTTOM = 42; // [px]
+const BAR = 15;
+const GAP = 12;
+const WIDTH = 900;
+const TOP = 26;
+const BOTTOM = 42; // [px]
 
 function rangeOf(block) {
   const values = block.groups.flatMap((g) => g.values.flatMap((v) => [v.value, v.low, v.high]));
@@ -25,9 +25,9 @@ function rangeOf(block) {
 }
 
 function bar(v, name, x, y, color) {
-  const known = isNumber(v.value),
-    end = known ? x(v.value) : x(0),
-    right = Math.max(x(0), end, isNumber(v.high) ? x(v.high) : 0);
+  const known = isNumber(v.value);
+  const end = known ? x(v.value) : x(0);
+  const right = Math.max(x(0), end, isNumber(v.high) ? x(v.high) : 0);
   const whisker =
     isNumber(v.low) && isNumber(v.high)
       ? [
@@ -64,8 +64,8 @@ function group(g, top, x, left, color) {
 
 function chart(block, index) {
   const left = 14 + Math.max(60, ...block.groups.map((g) => textWidth(g.name)));
-  const range = rangeOf(block),
-    x = linear(range, [left, WIDTH - 56]);
+  const range = rangeOf(block);
+  const x = linear(range, [left, WIDTH - 56]);
   let top = TOP;
   const rows = block.groups.flatMap((g) => {
     const drawn = group(g, top, x, left, (name) => cssColor(index.get(name)));
@@ -87,8 +87,8 @@ function chart(block, index) {
 }
 
 export function drawBars(block) {
-  const names = block.groups.flatMap((g) => g.values.map((v) => v.series)),
-    index = indexByName(names);
+  const names = block.groups.flatMap((g) => g.values.map((v) => v.series));
+  const index = indexByName(names);
   const frame = el("div", { class: "chart" }, chart(block, index));
   const toggle = (name, shown) =>
     frame.querySelectorAll(".bar").forEach((node) => {

@@ -1,8 +1,8 @@
 // From a block's type to the function that draws it.
 
 import { el, paragraphs } from "./dom.js";
-import { errorBox } from "./figure.js";
-import { faults } from "./check.js";
+import { errorBox, figure, remark } from "./figure.js";
+import { faults, isEmpty } from "./check.js";
 import { drawBars } from "./bars.js";
 import { drawInterval } from "./interval.js";
 import { drawLines } from "./lines.js";
@@ -29,6 +29,7 @@ const DRAW = {
 export function drawBlock(block) {
   const wrong = faults(block);
   if (wrong.length) return errorBox(wrong.join("; "));
+  if (isEmpty(block)) return figure("figure", block.caption, remark("No data."));
   try {
     return DRAW[block.type](block);
   } catch (error) {

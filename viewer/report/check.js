@@ -58,6 +58,18 @@ const NEEDS = {
   row: { blocks: [isArray, "a list of blocks"] },
 };
 
+// What is empty if the list of this name is.
+const CONTENT = {
+  lines: "series",
+  vectors: "planes",
+  scene: "layers",
+  bars: "groups",
+  interval: "rows",
+};
+
+/// Whether a faultless block has nothing to draw.
+export const isEmpty = (block) => block[CONTENT[block.type]]?.length === 0;
+
 export const BLOCK_TYPES = Object.keys(NEEDS);
 
 function raggedRow(block) {

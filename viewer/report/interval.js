@@ -8,10 +8,10 @@ import { extent, linear, ticks } from "../numbers/ticks.js";
 import { describe } from "./tooltip.js";
 import { axisBelow, references, textWidth } from "./svg_axis.js";
 
-const ROW = 24,
-  WIDTH = 900,
-  TOP = 26,
-  BOTTOM = 42; // [px]
+const ROW = 24;
+const WIDTH = 900;
+const TOP = 26;
+const BOTTOM = 42; // [px]
 const INK = "var(--blue)";
 
 /// What stands at the right of a row: its own words, or estimate and interval.
@@ -77,15 +77,15 @@ function line(row, y, x, left, right) {
 }
 
 function chart(block) {
-  const { rows } = block,
-    values = rows
-      .flatMap((r) => [r.estimate, r.low, r.high, r.prior_low, r.prior_high, r.truth])
-      .filter(isNumber);
+  const { rows } = block;
+  const values = rows
+    .flatMap((r) => [r.estimate, r.low, r.high, r.prior_low, r.prior_high, r.truth])
+    .filter(isNumber);
   const range = extent([...values, ...(block.reference_lines ?? []).map((r) => r.value)], 0.04);
   const left = 18 + Math.max(60, ...rows.map((r) => textWidth(r.name)));
   const right = WIDTH - 24 - Math.max(...rows.map((r) => textWidth(sideText(r))), 60);
-  const x = linear(range, [left, right]),
-    bottom = TOP + rows.length * ROW;
+  const x = linear(range, [left, right]);
+  const bottom = TOP + rows.length * ROW;
   return svg(
     "svg",
     {

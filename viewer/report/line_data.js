@@ -46,9 +46,9 @@ function columnsOf(points, xs, hasBand) {
 /// `lost` counts the points no axis can show.
 export function lineData(block) {
   const all = block.series.map((series) => ordered(series, block));
-  const xs = unionX(all),
-    data = [xs],
-    plan = [];
+  const xs = unionX(all);
+  const data = [xs];
+  const plan = [];
   let lost = 0;
   block.series.forEach((series, s) => {
     const hasBand = Boolean(series.band_low && series.band_high);

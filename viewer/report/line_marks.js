@@ -81,8 +81,8 @@ function marksOf(plot, points, shown, half) {
     .flatMap((list, s) => (shown[s] ? list : []))
     .filter(({ y }) => y !== null)
     .map((point) => {
-      const x = plot.valToPos(point.x, "x", true),
-        y = plot.valToPos(point.y, "y", true);
+      const x = plot.valToPos(point.x, "x", true);
+      const y = plot.valToPos(point.y, "y", true);
       return { left: x - half, right: x + half, top: y - half, bottom: y + half };
     });
 }
@@ -96,8 +96,8 @@ export function labelPoints(plot, block, points, shown) {
     .filter(({ label, y }) => label && y !== null);
   if (!named.length) return;
   onCanvas(plot, (ctx, box, ratio) => {
-    const height = 13 * ratio,
-      taken = marksOf(plot, points, shown, 4 * ratio);
+    const height = 13 * ratio;
+    const taken = marksOf(plot, points, shown, 4 * ratio);
     ctx.textBaseline = "middle";
     for (const { x, y, s, label } of named) {
       const place = freePlace(

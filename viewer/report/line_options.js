@@ -46,9 +46,9 @@ const axis = (label, log) => ({
 
 /// Ticks of a logarithmic axis: 1, 2, 5 within two decades, else every decade, or every few.
 function decades(plot, axisIndex, low, high) {
-  const first = Math.floor(Math.log10(low)),
-    last = Math.ceil(Math.log10(high)),
-    every = Math.ceil((last - first) / 9);
+  const first = Math.floor(Math.log10(low));
+  const last = Math.ceil(Math.log10(high));
+  const every = Math.ceil((last - first) / 9);
   const factors = last - first <= 2 ? [1, 2, 5] : [1];
   const values = [];
   for (let power = Math.ceil(first / every) * every; power <= last; power += every)

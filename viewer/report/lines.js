@@ -75,8 +75,8 @@ function lostWords(block, lost) {
 }
 
 export function drawLines(block) {
-  const model = lineData(block),
-    shown = block.series.map(() => true);
+  const model = lineData(block);
+  const shown = block.series.map(() => true);
   const frame = el("div", {
     class: "chart",
     role: "img",

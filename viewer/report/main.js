@@ -8,8 +8,7 @@ const root = document.getElementById("report");
 
 function readReport() {
   const holder = document.getElementById("thenar-report");
-  if (!holder)
-    throw new Error("the page has no element thenar-report");
+  if (!holder) throw new Error("the page has no element thenar-report");
   return JSON.parse(holder.textContent);
 }
 

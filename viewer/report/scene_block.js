@@ -23,15 +23,13 @@ function fillFrame(frame, block, notes) {
   const scene = { ...block, layers: withColors(block.layers) };
   const view = mountScene(frame, scene, theme);
   onThemeChange(view.draw);
-  if (view.lost)
-    notes.append(
-      remark(`${view.lost} items have coordinates that are not numbers (n/a) and are not drawn.`),
-    );
+  const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;
+  if (view.lost) notes.append(remark(lost));
 }
 
 export function drawScene(block) {
-  const frame = el("div", { class: "scene", "data-label": block.caption ?? "3D view" }),
-    notes = el("div");
+  const frame = el("div", { class: "scene", "data-label": block.caption ?? "3D view" });
+  const notes = el("div");
   requestAnimationFrame(() => {
     try {
       fillFrame(frame, block, notes);

@@ -76,8 +76,8 @@ function foldButton(frame, count) {
 }
 
 export function drawTable(block) {
-  const best = bestRows(block),
-    view = { column: null, descending: false, text: "" };
+  const best = bestRows(block);
+  const view = { column: null, descending: false, text: "" };
   const body = el("tbody");
   const fillBody = () =>
     body.replaceChildren(...bodyRows(block, sortedBy(matching(block.rows, view.text), view), best));

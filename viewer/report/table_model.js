@@ -40,8 +40,8 @@ const compare = (a, b) =>
 /// A sorted copy; missing values always come last.
 export function sortedBy(rows, { column, descending }) {
   if (column === null) return rows;
-  const known = rows.filter((row) => row[column] !== null),
-    missing = rows.filter((row) => row[column] === null);
+  const known = rows.filter((row) => row[column] !== null);
+  const missing = rows.filter((row) => row[column] === null);
   known.sort((a, b) => compare(a[column], b[column]) * (descending ? -1 : 1));
   return [...known, ...missing];
 }

@@ -5,9 +5,9 @@ import { el } from "./dom.js";
 let box = null;
 
 function place(event) {
-  const margin = 14,
-    width = box.offsetWidth,
-    height = box.offsetHeight;
+  const margin = 14;
+  const width = box.offsetWidth;
+  const height = box.offsetHeight;
   const left =
     event.clientX + margin + width > innerWidth
       ? event.clientX - margin - width

@@ -13,8 +13,8 @@ const MARGIN = { left: 46, right: 8, top: 24, bottom: 38 }; // [px]
 
 /// Pixel position of a force, for a plane's range and a scale in pixels per unit.
 function projection([xs, ys], scale) {
-  const width = scale * (xs[1] - xs[0]),
-    height = scale * (ys[1] - ys[0]);
+  const width = scale * (xs[1] - xs[0]);
+  const height = scale * (ys[1] - ys[0]);
   return {
     x: linear(xs, [MARGIN.left, MARGIN.left + width]),
     y: linear(ys, [MARGIN.top + height, MARGIN.top]),
@@ -24,8 +24,8 @@ function projection([xs, ys], scale) {
 }
 
 function frame({ x, y, width, height }, [xs, ys], plane) {
-  const count = (span) => Math.max(2, Math.round(span / 32)),
-    bottom = MARGIN.top + height;
+  const count = (span) => Math.max(2, Math.round(span / 32));
+  const bottom = MARGIN.top + height;
   const line = (kind, x1, y1, x2, y2) => svg("line", { class: kind, x1, y1, x2, y2 });
   const vertical = ticks(...xs, count(width)).flatMap((v) => [
     line(v === 0 ? "zero" : "grid", x(v), MARGIN.top, x(v), bottom),
@@ -104,8 +104,8 @@ function pair(a, index, at, title) {
 /// The SVG of one panel; `index` gives each tendon its colour.
 export function vectorPanel(panel, plane, range, scale, index) {
   const at = projection(range, scale);
-  const width = at.width + MARGIN.left + MARGIN.right,
-    height = at.height + MARGIN.top + MARGIN.bottom;
+  const width = at.width + MARGIN.left + MARGIN.right;
+  const height = at.height + MARGIN.top + MARGIN.bottom;
   return svg(
     "svg",
     { class: "plot vector-panel", width, height, viewBox: `0 0 ${width} ${height}` },

@@ -30,10 +30,10 @@ const planeOf = (plane, range, scale, index) =>
   );
 
 export function drawVectors(block) {
-  const groups = groupsOf(block),
-    index = indexByName(groups);
-  const ranges = block.planes.map(planeRange),
-    room = block.planes.some((plane) => plane.panels.length > 3) ? NARROW_PANEL : PANEL.width;
+  const groups = groupsOf(block);
+  const index = indexByName(groups);
+  const ranges = block.planes.map(planeRange);
+  const room = block.planes.some((plane) => plane.panels.length > 3) ? NARROW_PANEL : PANEL.width;
   const scale = commonScale(ranges, room, PANEL.height);
   const body = el(
     "div",
@@ -45,8 +45,8 @@ export function drawVectors(block) {
       if (pair.dataset.group === name) pair.style.display = shown ? "" : "none";
     });
   const arrows = block.planes.flatMap((plane) => plane.panels.flatMap((panel) => panel.arrows));
-  const lost = arrows.filter((a) => misfit(a) === null).length,
-    sds = arrows.some((a) => a.sd || a.predicted_sd);
+  const lost = arrows.filter((a) => misfit(a) === null).length;
+  const sds = arrows.some((a) => a.sd || a.predicted_sd);
   return figure(
     "figure",
     block.caption,

@@ -40,8 +40,8 @@ function plane(name, x_label, y_label, flatten) {
 function residualTable() {
   const rows = Object.keys(POSTURES).flatMap((posture) =>
     Object.keys(TENDONS).map((tendon) => {
-      const force = 0.3 + Math.abs(noise(1)),
-        error = Math.abs(noise(0.12));
+      const force = 0.3 + Math.abs(noise(1));
+      const error = Math.abs(noise(0.12));
       return [
         posture,
         tendon,
@@ -117,9 +117,9 @@ const PARAMETERS = [
 
 function intervals() {
   const rows = PARAMETERS.map((name, i) => {
-    const unit = name.includes("tilt") ? "deg" : name.includes("offset") ? "mm" : "",
-      spread = [0.2, 0.35, 0.3, 0.15, 0.5, 0.25, 0.9, 0.4][i],
-      estimate = round(noise(0.6));
+    const unit = name.includes("tilt") ? "deg" : name.includes("offset") ? "mm" : "";
+    const spread = [0.2, 0.35, 0.3, 0.15, 0.5, 0.25, 0.9, 0.4][i];
+    const estimate = round(noise(0.6));
     const row = {
       name,
       estimate,
@@ -166,8 +166,8 @@ function profiles() {
 }
 
 function residualBand() {
-  const x = Array.from({ length: 40 }, (_, i) => -20 + 2.5 * i),
-    y = x.map((v) => round(-1.3 + 0.6 * Math.cos(v / 30) + noise(0.01)));
+  const x = Array.from({ length: 40 }, (_, i) => -20 + 2.5 * i);
+  const y = x.map((v) => round(-1.3 + 0.6 * Math.cos(v / 30) + noise(0.01)));
   return {
     type: "lines",
     caption:

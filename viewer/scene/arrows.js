@@ -5,12 +5,12 @@ import { lay } from "./solids.js";
 
 /// A shaft from `from` to `to` whose last part is a head; radius and head length in scene units.
 function shaftAndHead(from, to, radius, headLength, material) {
-  const direction = to.clone().sub(from),
-    length = direction.length(),
-    group = new Group();
+  const direction = to.clone().sub(from);
+  const length = direction.length();
+  const group = new Group();
   if (length === 0) return group;
-  const head = Math.min(headLength, 0.5 * length),
-    neck = to.clone().addScaledVector(direction, -head / length);
+  const head = Math.min(headLength, 0.5 * length);
+  const neck = to.clone().addScaledVector(direction, -head / length);
   group.add(
     lay(new Mesh(new CylinderGeometry(radius, radius, length - head, 12), material), from, neck),
   );
@@ -20,8 +20,8 @@ function shaftAndHead(from, to, radius, headLength, material) {
 
 /// A force, or any vector in scene units.
 export function buildArrow({ from, vector, radius }, { material, size }) {
-  const start = new Vector3(...from),
-    end = start.clone().add(new Vector3(...vector));
+  const start = new Vector3(...from);
+  const end = start.clone().add(new Vector3(...vector));
   const group = shaftAndHead(start, end, radius ?? 0.005 * size, 0.035 * size, material);
   group.userData.labelAt = end;
   return group;
@@ -30,8 +30,8 @@ export function buildArrow({ from, vector, radius }, { material, size }) {
 /// A joint axis, its point in the middle; the head shows the direction of positive rotation by the
 /// right hand.
 export function buildAxis({ point, direction, length }, { material, size }) {
-  const half = new Vector3(...direction).normalize().multiplyScalar((length ?? 0.2 * size) / 2),
-    middle = new Vector3(...point);
+  const half = new Vector3(...direction).normalize().multiplyScalar((length ?? 0.2 * size) / 2);
+  const middle = new Vector3(...point);
   const end = middle.clone().add(half);
   const group = shaftAndHead(middle.clone().sub(half), end, 0.0035 * size, 0.025 * size, material);
   group.userData.labelAt = end;

@@ -31,8 +31,8 @@ const corners = ({ min, max }) =>
 
 /// Half of the box's width and height as the camera sees them.
 function seenHalfSize(camera, box, center) {
-  const right = new Vector3(),
-    up = new Vector3();
+  const right = new Vector3();
+  const up = new Vector3();
   camera.matrixWorld.extractBasis(right, up, new Vector3());
   const reach = (axis) =>
     Math.max(...corners(box).map((corner) => Math.abs(corner.sub(center).dot(axis))));
@@ -52,8 +52,8 @@ export function setAspect(camera, aspect) {
 /// looked at.
 export function fitCamera(camera, box, aspect, direction) {
   const filled = box.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : box;
-  const center = filled.getCenter(new Vector3()),
-    radius = filled.getSize(new Vector3()).length() / 2 || 1;
+  const center = filled.getCenter(new Vector3());
+  const radius = filled.getSize(new Vector3()).length() / 2 || 1;
   camera.position.copy(center).addScaledVector(direction ?? slanted(camera.up), 4 * radius);
   camera.near = 0.01 * radius;
   camera.far = 20 * radius;

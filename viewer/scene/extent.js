@@ -22,8 +22,8 @@ function reach(item) {
 /// The box around all complete items, hidden layers included so that switching them on does not
 /// move the view.
 export function extentOf(layers) {
-  const box = new Box3(),
-    point = new Vector3();
+  const box = new Box3();
+  const point = new Vector3();
   for (const item of layers.flatMap((layer) => layer.items).filter(isComplete)) {
     for (const p of reach(item)) box.expandByPoint(point.fromArray(p));
     if (item.radius && item.kind === "segment")

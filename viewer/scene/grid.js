@@ -7,8 +7,8 @@ const Y = new Vector3(0, 1, 0);
 
 /// Grid across `up`, at the lowest point of the box; returns it with its spacing in scene units.
 export function buildGrid(box, size, up) {
-  const step = niceStep(size / 12),
-    cells = 2 * Math.ceil((0.6 * size) / step);
+  const step = niceStep(size / 12);
+  const cells = 2 * Math.ceil((0.6 * size) / step);
   const grid = new GridHelper(cells * step, cells, "#888888", "#888888");
   grid.material.transparent = true;
   grid.material.opacity = 0.28;

@@ -23,8 +23,8 @@ export const isComplete = (value) =>
 /// One layer as a group; `labels` collects { position, text, color } for whoever writes on the
 /// picture. `size` is the diagonal of the scene, from which items without a radius get one.
 function buildLayer(layer, size) {
-  const group = new Group(),
-    labels = [];
+  const group = new Group();
+  const labels = [];
   const look = {
     color: new Color(layer.color),
     material: new MeshLambertMaterial({ color: layer.color }),

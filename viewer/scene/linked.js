@@ -18,8 +18,8 @@ function follow(other, leader) {
 
 /// Adds a view to the group of that name.
 export function link(name, view, controls) {
-  const group = groups.get(name) ?? [],
-    member = { view, controls };
+  const group = groups.get(name) ?? [];
+  const member = { view, controls };
   groups.set(name, [...group, member]);
   controls.addEventListener("change", () => {
     if (following) return;

@@ -40,10 +40,10 @@ export function drawLabels(context, labels, camera, { width, height, ink, page }
   context.textBaseline = "middle";
   const taken = [];
   for (const { position, text } of labels) {
-    const [x, y] = project(position, camera, width, height),
-      wide = context.measureText(text).width;
-    const left = Math.min(x + 6, width - wide - 4),
-      row = freeRow(left, y, wide, taken);
+    const [x, y] = project(position, camera, width, height);
+    const wide = context.measureText(text).width;
+    const left = Math.min(x + 6, width - wide - 4);
+    const row = freeRow(left, y, wide, taken);
     taken.push({ x: left, y: row, width: wide });
     halo(context, text, left, row, ink, page);
   }
@@ -52,9 +52,9 @@ export function drawLabels(context, labels, camera, { width, height, ink, page }
 /// A bar of round length, in the unit of the scene.
 export function drawScaleBar(context, camera, unit, { width, height, ink, page }) {
   const pixelsPerUnit = (width * camera.zoom) / (camera.right - camera.left);
-  const length = niceStep(50 / pixelsPerUnit),
-    end = width - 16,
-    y = height - 14;
+  const length = niceStep(50 / pixelsPerUnit);
+  const end = width - 16;
+  const y = height - 14;
   context.strokeStyle = ink;
   context.lineWidth = 2;
   context.beginPath();
@@ -72,8 +72,8 @@ export function drawScaleBar(context, camera, unit, { width, height, ink, page }
 
 /// Directions of the axes as the camera sees them, in the lower left corner.
 export function drawTriad(context, camera, { height, ink, page }) {
-  const origin = [38, height - 38],
-    length = 24;
+  const origin = [38, height - 38];
+  const length = 24;
   const seen = TRIAD.map(([name, color, axis]) => ({
     name,
     color,

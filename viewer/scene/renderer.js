@@ -5,15 +5,16 @@ import { WebGLRenderer } from "three";
 
 let renderer = null;
 
-function shared() {
+/// The shared context; throws where the browser has no WebGL.
+export function sharedRenderer() {
   renderer ??= new WebGLRenderer({ antialias: true, alpha: true });
   return renderer;
 }
 
 /// Renders onto the 2D canvas, at its own size in device pixels.
 export function renderTo(context, scene, camera) {
-  const { width, height } = context.canvas,
-    gl = shared();
+  const { width, height } = context.canvas;
+  const gl = sharedRenderer();
   const size = gl.domElement;
   if (size.width !== width || size.height !== height) gl.setSize(width, height, false);
   gl.render(scene, camera);

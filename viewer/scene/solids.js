@@ -12,8 +12,8 @@ export function lay(mesh, a, b) {
 }
 
 export function buildSegment({ a, b, radius }, { material, size }) {
-  const start = new Vector3(...a),
-    end = new Vector3(...b);
+  const start = new Vector3(...a);
+  const end = new Vector3(...b);
   const mesh = new Mesh(
     new CapsuleGeometry(radius ?? 0.02 * size, start.distanceTo(end), 8, 20),
     material,

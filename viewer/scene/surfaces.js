@@ -30,8 +30,8 @@ function hullGeometry(vertices, faces) {
 
 /// `userData.hull` marks the material whose opacity the reader may change.
 export function buildHull({ vertices, faces }, { color }) {
-  const geometry = hullGeometry(vertices, faces),
-    group = new Group();
+  const geometry = hullGeometry(vertices, faces);
+  const group = new Group();
   const material = new MeshLambertMaterial({
     color,
     transparent: true,

@@ -10,7 +10,7 @@ import { buildLayers } from "./items.js";
 import { addLights } from "./lights.js";
 import { drawLabels, drawScaleBar, drawTriad } from "./overlay.js";
 import { link } from "./linked.js";
-import { renderTo } from "./renderer.js";
+import { renderTo, sharedRenderer } from "./renderer.js";
 
 function makeCanvas(container) {
   const canvas = document.createElement("canvas");
@@ -23,12 +23,12 @@ function makeCanvas(container) {
 
 /// Builds everything that does not depend on the canvas.
 function assemble({ layers, up = [0, 0, 1], view }) {
-  const box = extentOf(layers),
-    size = diagonal(box),
-    upward = new Vector3(...up).normalize();
-  const scene = new Scene(),
-    camera = makeCamera(upward),
-    built = buildLayers(layers, size);
+  const box = extentOf(layers);
+  const size = diagonal(box);
+  const upward = new Vector3(...up).normalize();
+  const scene = new Scene();
+  const camera = makeCamera(upward);
+  const built = buildLayers(layers, size);
   const { grid } = buildGrid(box, size, upward);
   scene.add(grid, ...built.map((layer) => layer.group));
   addLights(scene, camera, upward);
@@ -44,8 +44,8 @@ function assemble({ layers, up = [0, 0, 1], view }) {
 }
 
 function paint(view, context, theme, unit) {
-  const { canvas } = context,
-    ratio = devicePixelRatio;
+  const { canvas } = context;
+  const ratio = devicePixelRatio;
   const look = { ...theme(), width: canvas.width / ratio, height: canvas.height / ratio };
   renderTo(context, view.scene, view.camera);
   context.save();
@@ -82,10 +82,12 @@ function oncePerFrame(work) {
 /// Draws `spec` = { layers, unit, up, view } into `container`; `theme()` returns the colours { ink,
 /// page }. Returns the view: draw(), fit(), its layers, and `lost`, the number of items with
 /// missing coordinates.
+/// Throws where the browser has no WebGL.
 export function mountScene(container, spec, theme) {
-  const canvas = makeCanvas(container),
-    context = canvas.getContext("2d"),
-    view = assemble(spec);
+  sharedRenderer();
+  const canvas = makeCanvas(container);
+  const context = canvas.getContext("2d");
+  const view = assemble(spec);
   const paintNow = () => paint(view, context, theme, spec.unit ?? "mm");
   view.draw = oncePerFrame(paintNow);
   const controls = addControls(view.camera, canvas, view.draw);

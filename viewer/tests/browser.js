@@ -36,10 +36,10 @@ export async function startBrowser(command = process.env.CHROMIUM ?? "chromium")
   const child = spawn(command, [...FLAGS, `--user-data-dir=${profile}`, "about:blank"], {
     stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
   });
-  const waiting = new Map(),
-    events = [];
-  let next = 1,
-    sessionId;
+  const waiting = new Map();
+  const events = [];
+  let next = 1;
+  let sessionId;
   onMessages(child.stdio[4], (message) => {
     const call = waiting.get(message.id);
     if (!call) return events.push(message);

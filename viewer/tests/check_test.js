@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import test from "node:test";
-import { BLOCK_TYPES, faults, reportFaults } from "../report/check.js";
+import { BLOCK_TYPES, faults, isEmpty, reportFaults } from "../report/check.js";
 
 const sample = JSON.parse(readFileSync(join(import.meta.dirname, "../sample/report.json"), "utf8"));
 
@@ -46,6 +46,12 @@ test("an item of unknown kind, or without its coordinates, is refused", () => {
   assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0], b: [0, 0, 1] })).length, 0);
   assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0] })).length, 1);
   assert.equal(faults(scene({ kind: "torus" })).length, 1);
+});
+
+test("a chart without series is empty, not wrong", () => {
+  assert.deepEqual(faults({ type: "lines", series: [] }), []);
+  assert.equal(isEmpty({ type: "lines", series: [] }), true);
+  assert.equal(isEmpty({ type: "text", text: "" }), false);
 });
 
 test("missing numbers are no fault", () => {
