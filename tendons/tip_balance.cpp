@@ -1,0 +1,82 @@
+#include "tendons/tip_balance.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/SVD>
+
+#include "base/error.h"
+
+namespace thenar::internal {
+
+void require_statics(const TipStatics& statics) {
+  const Eigen::Index n = statics.J.cols(), m = statics.R.rows();
+  require(n > 0, "a finger without joints balances nothing");
+  require(statics.R.cols() == n, "R has {} joints, J has {}", statics.R.cols(), n);
+  require(statics.W.cols() == 0 || statics.W.cols() == n, "W has {} joints, J has {}",
+          statics.W.cols(), n);
+  require(statics.tau_0.size() == n, "tau_0 has {} joints, J has {}", statics.tau_0.size(), n);
+  require(statics.max_tension.size() == m, "R has {} tendons, max_tension has {}", m,
+          statics.max_tension.size());
+  require(statics.J.allFinite() && statics.W.allFinite() && statics.R.allFinite() &&
+              statics.tau_0.allFinite(),
+          "J, W, R and tau_0 must be finite");
+  for (Eigen::Index i = 0; i < m; ++i)
+    require(statics.max_tension(i) >= 0, "tendon {} has a greatest tension of {} N, wanted >= 0", i,
+            statics.max_tension(i));
+}
+
+void require_tension(Eigen::Index tendons, const Eigen::Ref<const Eigen::VectorXd>& t) {
+  require(tendons == t.size(), "R has {} tendons, t has {}", tendons, t.size());
+  for (Eigen::Index i = 0; i < t.size(); ++i)
+    require(t(i) >= 0 && t(i) < std::numeric_limits<double>::infinity(),
+            "tendon {} cannot push: tension {} N", i, t(i));
+}
+
+TipBalance tip_balance(const TipStatics& statics) {
+  require_statics(statics);
+  TipBalance balance;
+
+  // The force side, with a straight finger's zeros made exact.
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(statics.J, Eigen::ComputeFullU | Eigen::ComputeThinV);
+  Eigen::VectorXd sigma = svd.singularValues();
+  sigma = (sigma.array() > kRankTolerance * sigma(0)).select(sigma, 0);
+  balance.U = svd.matrixU();
+  balance.rank = static_cast<int>((sigma.array() > 0).count());
+  balance.force_part = Eigen::MatrixXd::Zero(statics.J.cols(), 3);
+  balance.force_part.leftCols(sigma.size()) = svd.matrixV() * sigma.asDiagonal();
+
+  // The tension side, in parts of the greatest tension.
+  const auto& F0 = statics.max_tension;
+  const auto usable = F0.array().isFinite() && F0.array() > 0;
+  balance.unit = usable.select(F0, 1.0);
+  balance.most = usable.select(Eigen::VectorXd::Ones(F0.size()), F0);
+  balance.tension_part = -statics.R.transpose() * balance.unit.asDiagonal();
+  balance.constant = statics.tau_0;
+
+  // Rows to order one, so that a solver's tolerance means the same at every joint; but a row that
+  // is nothing except rounding stays small.
+  Eigen::MatrixXd rows(statics.J.cols(), F0.size() + 1);
+  rows << balance.tension_part, balance.constant;
+  const Eigen::VectorXd largest = rows.cwiseAbs().rowwise().maxCoeff();
+  const double floor = largest.maxCoeff() > 0 ? 1e-6 * largest.maxCoeff() : 1;
+  const Eigen::VectorXd scale = largest.cwiseMax(floor).cwiseInverse();
+  balance.force_part = scale.asDiagonal() * balance.force_part;
+  balance.tension_part = scale.asDiagonal() * balance.tension_part;
+  balance.constant = scale.cwiseProduct(balance.constant);
+  return balance;
+}
+
+Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) {
+  const auto& F0 = statics.max_tension;
+  return (F0.array() > 0).select(t.array() / F0.array().max(1e-300), 0);
+}
+
+Eigen::VectorXd unit_direction(const Eigen::Ref<const Eigen::VectorXd>& direction) {
+  require(direction.allFinite(), "a direction must be finite");
+  const double largest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0;
+  require(largest > 0, "a direction must not be zero");
+  return (direction / largest).normalized();
+}
+
+}  // namespace thenar::internal

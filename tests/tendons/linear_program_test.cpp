@@ -1,0 +1,90 @@
+// Tests for tendons/linear_program.cpp.
+
+#include "tendons/linear_program.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// maximise 3x + 2y with x + y <= 4, x + 3y <= 6, 0 <= x <= 3: by hand (3, 1), value 11.
+LinearProgram textbook() {
+  LinearProgram program;
+  program.objective = Vector2d(3, 2);
+  program.A = (MatrixXd(2, 2) << 1, 1, 1, 3).finished();
+  program.row_lower = VectorXd::Constant(2, -kInfinity);
+  program.row_upper = Vector2d(4, 6);
+  program.lower = Vector2d::Zero();
+  program.upper = Vector2d(3, kInfinity);
+  return program;
+}
+
+TEST(LinearProgram, FindsTextbookVertex) {
+  const LinearResult result = solve(textbook());
+  EXPECT_EQ(result.status, LinearStatus::kSolved);
+  EXPECT_TRUE(matrix_near(result.x, Vector2d(3, 1), 1e-12));
+  EXPECT_NEAR(result.objective, 11, 1e-12);
+}
+
+TEST(LinearProgram, HoldsEqualities) {
+  LinearProgram program = textbook();
+  program.row_lower(0) = program.row_upper(0) = 2;
+  EXPECT_TRUE(matrix_near(solve(program).x, Vector2d(2, 0), 1e-12));
+}
+
+TEST(LinearProgram, ReportsContradiction) {
+  LinearProgram program = textbook();
+  program.row_lower(0) = 5;  // against row_upper(1): x + 3y <= 6 and x <= 3 allow x + y <= 4
+  program.row_upper(0) = 6;
+  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+}
+
+TEST(LinearProgram, ReportsUnboundedGrowth) {
+  LinearProgram program = textbook();
+  program.row_upper.setConstant(kInfinity);
+  EXPECT_EQ(solve(program).status, LinearStatus::kUnbounded);
+}
+
+// Unbounded in one variable and contradictory in another: there is no feasible point to grow from.
+TEST(LinearProgram, CallsContradictoryAndUnboundedInfeasible) {
+  LinearProgram program = textbook();
+  program.A << 1, 0, 1, 0;
+  program.row_lower = Vector2d(2, -kInfinity);
+  program.row_upper = Vector2d(kInfinity, 1);
+  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+}
+
+TEST(LinearProgram, SolvesWithoutRows) {
+  LinearProgram program = textbook();
+  program.A.resize(0, 2);
+  program.row_lower.resize(0);
+  program.row_upper.resize(0);
+  program.upper(1) = 7;
+  EXPECT_TRUE(matrix_near(solve(program).x, Vector2d(3, 7), 1e-12));
+}
+
+TEST(LinearProgram, PrintsNothing) {
+  testing::internal::CaptureStdout();
+  (void)solve(textbook());
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(LinearProgram, RefusesNaN) {
+  LinearProgram program = textbook();
+  program.upper(0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)solve(program), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
