@@ -1,29 +1,30 @@
 #pragma once
 
-/// Comparison of matrices that names the element, both values and the tolerance.
+/// Comparing matrices in tests: says which element is off, and by how much.
 
 #include <cmath>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <Eigen/Core>
 
 namespace thenar {
 
-/// True if shapes agree and every |actual - expected| <= tolerance.
-template <typename A, typename B>
-[[nodiscard]] testing::AssertionResult matrix_near(const Eigen::MatrixBase<A>& actual,
-                                                   const Eigen::MatrixBase<B>& expected,
-                                                   double tolerance) {
+/// Every element of `actual` within `tolerance` of `expected`; NaN is never near.
+[[nodiscard]] inline testing::AssertionResult matrix_near(const Eigen::MatrixXd& actual,
+                                                          const Eigen::MatrixXd& expected,
+                                                          double tolerance) {
   if (actual.rows() != expected.rows() || actual.cols() != expected.cols())
     return testing::AssertionFailure()
-           << "shape " << actual.rows() << " x " << actual.cols() << ", expected "
-           << expected.rows() << " x " << expected.cols();
-  const Eigen::MatrixXd a = actual, b = expected;
-  for (Eigen::Index i = 0; i < a.rows(); ++i)
-    for (Eigen::Index j = 0; j < a.cols(); ++j)
-      if (!(std::abs(a(i, j) - b(i, j)) <= tolerance))
-        return testing::AssertionFailure() << "element (" << i << ", " << j << ") is " << a(i, j)
-                                           << ", expected " << b(i, j) << " within " << tolerance;
+           << fmt::format("shape is {} x {}, expected {} x {}", actual.rows(), actual.cols(),
+                          expected.rows(), expected.cols());
+  for (Eigen::Index i = 0; i < actual.rows(); ++i)
+    for (Eigen::Index j = 0; j < actual.cols(); ++j)
+      if (!(std::abs(actual(i, j) - expected(i, j)) <= tolerance))
+        return testing::AssertionFailure() << fmt::format(
+                   "element ({}, {}) is {:.17g}, expected {:.17g}, off by {:.3g} > {:.3g}", i, j,
+                   actual(i, j), expected(i, j), std::abs(actual(i, j) - expected(i, j)),
+                   tolerance);
   return testing::AssertionSuccess();
 }
 

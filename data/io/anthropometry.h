@@ -1,0 +1,53 @@
+#pragma once
+
+/// Proportions of the hand, as fractions of its length and breadth.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// Which way a joint of a simple, orthogonal hand turns.
+enum class SimpleAxis { kFlexion, kAbduction };
+
+/// A joint in front of a segment.
+struct SimpleJoint {
+  std::string name;  // "MCP2_FE"
+  SimpleAxis axis = SimpleAxis::kFlexion;
+  double lower = 0;  // joint limit [rad]
+  double upper = 0;  // joint limit [rad]
+};
+
+/// A bone as a fraction of the hand's length, with the joints at its proximal end.
+struct SegmentProportion {
+  std::string name;                 // "PP2"
+  double length = 0;                // times hand length [1]
+  std::vector<SimpleJoint> joints;  // from the wrist outwards
+};
+
+/// A digit of a flat hand.
+struct DigitProportion {
+  std::string name;         // "index"
+  double joint_distal = 0;  // first joint, distal of the wrist, times hand length [1]
+  double joint_radial = 0;  // first joint, radial of the middle finger, times hand breadth [1]
+  double splay = 0;         // turned away from the middle finger, radially [rad]
+  double roll = 0;          // turned about its own length, thumb pad towards the palm [rad]
+  double metacarpal = 0;    // length of the metacarpal, times hand length [1]
+  std::vector<SegmentProportion> segments;
+};
+
+/// A whole hand.
+struct HandProportions {
+  std::string name;
+  std::string description;
+  std::vector<DigitProportion> digits;
+};
+
+/// Reads data/anthropometry/*.toml; the format is in docs/data_format.md.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] HandProportions read_proportions(const std::string& path);
+
+/// The same from text already in memory; `path` only names it in messages.
+[[nodiscard]] HandProportions parse_proportions(const std::string& text, const std::string& path);
+
+}  // namespace thenar

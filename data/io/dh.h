@@ -1,0 +1,55 @@
+#pragma once
+
+/// Denavit-Hartenberg parameters and joint axes, one into the other.
+///
+/// Standard (distal) convention: joint i turns about z of frame i-1, and
+///   X_(i-1,i) = Rz(theta + q) Tz(d) Tx(a) Rx(alpha).
+/// Source: [Denavit1955].
+
+#include <vector>
+
+#include "base/spatial.h"
+
+namespace thenar {
+
+/// One row of a Denavit-Hartenberg table, at joint angle zero.
+struct DhRow {
+  double theta = 0;  // about z of the frame before  [rad]
+  double d = 0;      // along z of the frame before  [m]
+  double a = 0;      // along the common normal      [m]
+  double alpha = 0;  // twist between the axes       [rad]
+};
+
+/// A joint axis as a line.
+struct AxisLine {
+  Eigen::Vector3d point{0, 0, 0};      // any point of it [m] (3)
+  Eigen::Vector3d direction{0, 0, 1};  // unit (3)
+};
+
+/// The axes of a chain at joint angles zero, and the frame at its end.
+struct DhAxes {
+  std::vector<AxisLine> axes;        // one a row
+  std::vector<Pose<double>> frames;  // after each row
+};
+
+/// A whole chain:  X_end = base * row_1 * .. * row_n * tool.
+struct DhChain {
+  Pose<double> base;        // its z is the first axis
+  std::vector<DhRow> rows;  // one an axis
+  Pose<double> tool;        // from the last row's frame to the end frame
+};
+
+/// The motion across one row.
+[[nodiscard]] Pose<double> dh_motion(const DhRow& row);
+
+/// Axes (in the frame that `base` is given in) of a table of rows.
+[[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
+
+/// A table for given axes, by their common normals; exact for skew, parallel, intersecting
+/// and coincident neighbours. Four numbers a row leave freedom, taken so: the base carries
+/// theta and d of row 1, the last row reaches the tip point, `tool` is a pure rotation.
+/// @param tip  end frame at joint angles zero
+/// @throws InputError for no axes.
+[[nodiscard]] DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip);
+
+}  // namespace thenar

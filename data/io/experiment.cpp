@@ -1,0 +1,174 @@
+#include "data/io/experiment.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "data/io/nearest_name.h"
+#include "data/io/toml_table.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// How a load becomes a tendon tension.
+struct Pulley {
+  double gravity = 9.80665;  // standard gravity [m/s^2]
+  double efficiency = 1;     // tension after the pulley / weight before it [1]
+};
+
+/// A word for a direction of the digit as signed (proximal, dorsal, radial).
+Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word) {
+  static const std::map<std::string, Eigen::RowVector3i> words{
+      {"proximal", {1, 0, 0}}, {"distal", {-1, 0, 0}}, {"dorsal", {0, 1, 0}},
+      {"palmar", {0, -1, 0}},  {"radial", {0, 0, 1}},  {"ulnar", {0, 0, -1}}};
+  const bool negative = !word.empty() && word[0] == '-';
+  const auto found = words.find(negative ? word.substr(1) : word);
+  if (found == words.end())
+    table.fail(fmt::format("wanted each of 'components' to be one of proximal, distal, dorsal, "
+                           "palmar, radial, ulnar or its negative, got '{}'",
+                           word),
+               "components");
+  return negative ? Eigen::RowVector3i(-found->second) : found->second;
+}
+
+void read_force_axes(TomlTable& table, Experiment& experiment) {
+  experiment.force_segment = table.text("segment");
+  const std::vector<std::string> words = table.texts("components");
+  if (words.size() != 3)
+    table.fail(fmt::format("wanted 3 'components', got {}", words.size()), "components");
+  for (int i = 0; i < 3; ++i)
+    experiment.axes_of_digit.row(i) = signed_axis(table, words[static_cast<std::size_t>(i)]);
+  if (experiment.axes_of_digit.cast<double>().determinant() == 0)
+    table.fail("wanted 'components' along three different directions", "components");
+  table.done();
+}
+
+Pulley read_protocol(TomlTable& table, Experiment& experiment) {
+  experiment.hold =
+      table.choice("hold", {"rigid", "pinned"}) == "rigid" ? TipHold::kRigid : TipHold::kPinned;
+  Pulley pulley;
+  pulley.gravity =
+      table.number_or(Dimension::kAcceleration, "gravity", pulley.gravity, Range::kPositive);
+  pulley.efficiency =
+      table.number_or(Dimension::kNumber, "pulley_efficiency", pulley.efficiency, Range::kFraction);
+  table.done();
+  return pulley;
+}
+
+void read_noise(TomlTable& table, Experiment& experiment) {
+  experiment.sd_relative = table.number_or(Dimension::kNumber, "relative", 0, Range::kNotNegative);
+  experiment.sd_floor = table.number_or(Dimension::kForce, "floor", 0, Range::kNotNegative);
+  if (experiment.sd_floor == 0)
+    table.fail("[noise] needs 'floor_N' > 0: a force of zero is not known exactly");
+  table.done();
+}
+
+PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
+  PostureRecord posture{table.text("name"), table.named(Dimension::kAngle, "angles")};
+  for (const PostureRecord& other : experiment.postures)
+    if (other.name == posture.name)
+      table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
+  table.done();
+  return posture;
+}
+
+/// Tensions as stated, or as hung weights after the pulley.
+std::map<std::string, double> read_tensions(TomlTable& table, const Pulley& pulley) {
+  const bool weights = table.has(Dimension::kMass, "load");
+  if (!weights && !table.has(Dimension::kForce, "tension"))
+    table.fail("a trial needs 'load_g' or 'tension_N'");
+  std::map<std::string, double> result =
+      weights ? table.named(Dimension::kMass, "load") : table.named(Dimension::kForce, "tension");
+  for (auto& [muscle, pull] : result) {
+    if (pull < 0)
+      table.fail(fmt::format("tendon '{}' cannot push, got {:.6g} {}", muscle, pull,
+                             weights ? "kg" : "N"));
+    if (weights) pull *= pulley.gravity * pulley.efficiency;
+  }
+  return result;
+}
+
+std::string read_trial_posture(TomlTable& table, const Experiment& experiment) {
+  const std::string name = table.text("posture");
+  std::vector<std::string> names;
+  for (const PostureRecord& posture : experiment.postures) {
+    if (posture.name == name) return name;
+    names.push_back(posture.name);
+  }
+  table.fail(fmt::format("posture '{}' is not defined{}", name, did_you_mean(name, names)));
+}
+
+Vector3d read_sd(TomlTable& table) {
+  const std::vector<double> sd = table.numbers(Dimension::kForce, "sd", 3, Range::kPositive);
+  return {sd[0], sd[1], sd[2]};
+}
+
+Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& pulley) {
+  Trial trial;
+  trial.posture = read_trial_posture(table, experiment);
+  trial.tension = read_tensions(table, pulley);
+  trial.force = table.vector(Dimension::kForce, "force");
+  if (table.has(Dimension::kMoment, "moment"))
+    trial.moment = table.vector(Dimension::kMoment, "moment");
+  if (table.has(Dimension::kForce, "sd"))
+    trial.sd = read_sd(table);
+  else if (experiment.sd_floor == 0)
+    table.fail("a trial needs 'sd_N', or the file a [noise] table");
+  table.done();
+  return trial;
+}
+
+TomlTable need_table(TomlTable& top, const std::string& key, const std::string& why) {
+  if (std::optional<TomlTable> table = top.table(key)) return *table;
+  top.fail(fmt::format("the file needs [{}]: {}", key, why));
+}
+
+void read_header(TomlTable& top, Experiment& experiment) {
+  experiment.name = top.text("name");
+  experiment.specimen = top.text_or("specimen", experiment.name);
+  experiment.species = top.text_or("species", "human");
+  experiment.description = top.text_or("description", "");
+  experiment.digit = top.text("digit");
+  experiment.source = top.source();
+  if (experiment.source.empty()) top.fail("the top level needs 'source' (a citation key)");
+}
+
+}  // namespace
+
+Experiment parse_experiment(const std::string& text, const std::string& path) {
+  const TomlFile file(text, path);
+  TomlTable top = file.top();
+  Experiment experiment;
+  read_header(top, experiment);
+
+  // How the finger was held, in which axes its force was read, and how well.
+  TomlTable protocol = need_table(top, "protocol", "how the fingertip was held");
+  const Pulley pulley = read_protocol(protocol, experiment);
+  TomlTable force = need_table(top, "force", "the segment and the axes of the forces");
+  read_force_axes(force, experiment);
+  if (std::optional<TomlTable> noise = top.table("noise")) read_noise(*noise, experiment);
+
+  // What was done, and what came of it.
+  for (TomlTable& table : top.tables("posture"))
+    experiment.postures.push_back(read_posture(table, experiment));
+  TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
+  for (TomlTable& row : trials.tables("rows"))
+    experiment.trials.push_back(read_trial(row, experiment, pulley));
+  trials.done();
+  top.done();
+  return experiment;
+}
+
+Experiment read_experiment(const std::string& path) {
+  return parse_experiment(read_text_file(path), path);
+}
+
+Vector3d force_sd(const Experiment& experiment, const Trial& trial) {
+  if (trial.sd) return *trial.sd;
+  const double relative = experiment.sd_relative * trial.force.norm();
+  return Vector3d::Constant(std::hypot(experiment.sd_floor, relative));
+}
+
+}  // namespace thenar

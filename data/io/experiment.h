@@ -1,0 +1,63 @@
+#pragma once
+
+/// Measured fingertip forces under known tendon loads: what a fit is fitted to.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// How the fingertip was held.
+enum class TipHold {
+  kPinned,  // a point contact: three forces, no moment
+  kRigid    // clamped to the load cell: force and moment
+};
+
+/// One set of joint angles.
+struct PostureRecord {
+  std::string name;
+  std::map<std::string, double> angles;  // joint name -> angle; joints not named are 0 [rad]
+};
+
+/// One loading and what the load cell read.
+struct Trial {
+  std::string posture;
+  std::map<std::string, double> tension;  // muscle -> tendon tension, after pulley losses [N]
+  Eigen::Vector3d force{0, 0, 0};         // of the tip on the world, experiment axes [N] (3)
+  std::optional<Eigen::Vector3d> moment;  // of the tip on the world, about the tip [N m] (3)
+  std::optional<Eigen::Vector3d> sd;      // of the force, if stated for this row [N] (3)
+};
+
+/// One specimen under one protocol.
+struct Experiment {
+  std::string name;      // "H01"
+  std::string specimen;  // the individual; several experiments may share one
+  std::string species;   // "human"
+  std::string description;
+  std::string source;  // citation key
+  std::string digit;   // "middle"
+  TipHold hold = TipHold::kPinned;
+  std::string force_segment;  // segment whose axes the force components use: "DP3"
+  Eigen::Matrix3i axes_of_digit = Eigen::Matrix3i::Identity();
+  // row i: component i as signed (proximal, dorsal, radial) of the digit (3, 3)
+  double sd_relative = 0;  // force noise: sd^2 = sd_floor^2 + (sd_relative |F|)^2 [1]
+  double sd_floor = 0;     // [N]
+  std::vector<PostureRecord> postures;
+  std::vector<Trial> trials;
+};
+
+/// Reads an experiment from TOML; the format is in docs/data_format.md.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] Experiment read_experiment(const std::string& path);
+
+/// The same from text already in memory; `path` only names it in messages.
+[[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
+
+/// Standard deviation of the force components of a trial [N] (3): its own, or the stated noise.
+[[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
+
+}  // namespace thenar

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Which parameters a fit may move, how far, and what is believed of them beforehand.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/io/units.h"
+
+namespace thenar {
+
+enum class ParameterState { kFree, kFixed, kTied };
+
+/// What applies to every parameter whose name matches; later rows win.
+/// Numbers are SI; the reader converts from the unit in the key.
+struct ParameterRule {
+  std::string match;                         // glob on parameter names: "path/*/dorsal"
+  std::optional<ParameterState> state;       // absent: as an earlier row said
+  std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
+  std::optional<double> sd;                  // prior sd of the population mean [SI]; infinite: flat
+  std::optional<double> between_sd;          // sd between specimens [SI]
+  std::optional<double> range;               // bounds: mean -+ range [SI]
+  std::optional<double> lower, upper;        // absolute bounds [SI]
+  std::string tie_to;                        // kTied: moves as `tie_ratio` times this parameter
+  double tie_ratio = 1;                      // [1]
+  Dimension dimension = Dimension::kNumber;  // of the numbers above, if there are any
+  int line = 0;                              // where the row stands, for messages
+};
+
+/// An anatomical bound on the distance between two joint axes (common normal).
+struct AxisDistance {
+  std::string joint_a, joint_b;
+  double lower = 0, upper = 0;  // [m]
+};
+
+/// Settings of one kind of fit.
+struct FitSettings {
+  std::string path;  // of the file, for messages
+  std::vector<ParameterRule> rules;
+  std::vector<AxisDistance> axis_distances;  // used by the constrained solver
+  double robust_scale = 0;                   // Cauchy scale in noise sds; 0: plain squares [1]
+};
+
+/// Reads fit settings from TOML; the format is in docs/data_format.md.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] FitSettings read_fit_settings(const std::string& path);
+
+/// The same from text already in memory; `path` only names it in messages.
+[[nodiscard]] FitSettings parse_fit_settings(const std::string& text, const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,75 @@
+#pragma once
+
+/// The parts of a subject file, in the order in which they are read: every reference is
+/// checked where it stands, against what has been read before.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/subject.h"
+#include "data/io/toml_table.h"
+
+namespace thenar::internal {
+
+/// A frame in which a publication gives path points:  p = origin + axes' * c.
+struct PointFrame {
+  std::string segment;                                 // segment that carries it
+  Eigen::Vector3d origin{0, 0, 0};                     // [m] (3)
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rows: its axes in the subject (3, 3)
+  double unit = 0;                                     // what ratios are multiples of [m]; 0: none
+};
+
+/// A subject while it is being read.
+struct SubjectDraft {
+  Subject subject;
+  double specific_tension = 0;                 // of all muscles that state none [Pa]
+  std::map<std::string, std::string> aliases;  // other name of a segment -> its name
+  std::map<std::string, PointFrame> frames;
+  std::map<std::string, Eigen::Vector3d> chain_ends;  // digit -> end of its DH chain [m] (3)
+};
+
+void read_segments(TomlTable& top, SubjectDraft& draft);
+void read_joints(TomlTable& top, SubjectDraft& draft);
+void read_dh_chains(TomlTable& top, SubjectDraft& draft);
+void read_frames(TomlTable& top, SubjectDraft& draft);
+void read_strands(TomlTable& top, SubjectDraft& draft);
+void read_muscles(TomlTable& top, SubjectDraft& draft);
+void read_digits(TomlTable& top, SubjectDraft& draft);
+void read_tip_maps(TomlTable& top, SubjectDraft& draft);
+
+/// Adds a joint. @throws DataError unless the joints still form a tree, in order.
+void add_joint(TomlTable& table, const JointAxis& joint, SubjectDraft& draft);
+
+/// Reads `range_deg = [lower, upper]`, if given, into the joint.
+void read_range(TomlTable& table, JointAxis& joint);
+
+/// Reads a hood under a digit.
+[[nodiscard]] HoodRule read_hood(TomlTable& table, const SubjectDraft& draft);
+
+/// Names of all parts of a kind.
+template <typename Part>
+[[nodiscard]] std::vector<std::string> names_of(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  return names;
+}
+
+/// The table's `name`, which no earlier part of its kind may have.
+[[nodiscard]] std::string new_name(TomlTable& table, const std::vector<std::string>& taken);
+
+/// Refuses a name that is not among `names`; `what` is "segment", `key` where it stands.
+void check_reference(const TomlTable& table, const std::string& key, const std::string& what,
+                     const std::string& name, const std::vector<std::string>& names);
+
+/// The value of `key`, which must be among `names`.
+[[nodiscard]] std::string reference(TomlTable& table, const std::string& key,
+                                    const std::string& what, const std::vector<std::string>& names);
+
+/// The value of `key`, a segment or an alias of one.
+[[nodiscard]] std::string segment_reference(TomlTable& table, const std::string& key,
+                                            const SubjectDraft& draft);
+
+}  // namespace thenar::internal

@@ -1,0 +1,111 @@
+// The one fence of toml++.
+
+#include "data/io/toml_node.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include <toml++/toml.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
+
+TomlNode convert(const toml::node& from);
+
+TomlNode convert_array(const toml::array& array) {
+  TomlNode node;
+  node.kind = TomlKind::kArray;
+  for (const toml::node& item : array) node.items.push_back(convert(item));
+  return node;
+}
+
+TomlNode convert_table(const toml::table& table) {
+  // toml++ sorts keys by name; a reader wants them as they were written.
+  std::vector<std::pair<toml::source_position, std::pair<std::string, TomlNode>>> found;
+  for (const auto& [key, value] : table) {
+    TomlNode member = convert(value);
+    if (!value.is_table() && !value.is_array()) member.line = line_of(key.source());
+    found.push_back({key.source().begin, {std::string(key.str()), std::move(member)}});
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return std::make_pair(a.first.line, a.first.column) <
+           std::make_pair(b.first.line, b.first.column);
+  });
+  TomlNode node;
+  for (auto& entry : found) node.members.push_back(std::move(entry.second));
+  return node;
+}
+
+TomlNode convert_value(const toml::node& from) {
+  TomlNode node;
+  if (const auto* text = from.as_string()) {
+    node.kind = TomlKind::kText;
+    node.text = text->get();
+  } else if (const auto* flag = from.as_boolean()) {
+    node.kind = TomlKind::kFlag;
+    node.flag = flag->get();
+  } else if (from.is_number()) {
+    node.kind = TomlKind::kNumber;
+    node.number = *from.value<double>();
+  } else {
+    node.kind = TomlKind::kDate;
+  }
+  return node;
+}
+
+TomlNode convert(const toml::node& from) {
+  TomlNode node = from.is_table()   ? convert_table(*from.as_table())
+                  : from.is_array() ? convert_array(*from.as_array())
+                                    : convert_value(from);
+  node.line = line_of(from.source());
+  return node;
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::find(const std::string& key) const {
+  for (const auto& [name, node] : members)
+    if (name == key) return &node;
+  return nullptr;
+}
+
+TomlNode parse_toml(const std::string& text, const std::string& path) {
+  try {
+    return convert(toml::parse(text, path));
+  } catch (const toml::parse_error& e) {
+    throw DataError(path, line_of(e.source()), std::string(e.description()));
+  }
+}
+
+std::string kind_name(TomlKind kind) {
+  switch (kind) {
+    case TomlKind::kText:
+      return "a text";
+    case TomlKind::kNumber:
+      return "a number";
+    case TomlKind::kFlag:
+      return "true or false";
+    case TomlKind::kDate:
+      return "a date";
+    case TomlKind::kArray:
+      return "a list";
+    case TomlKind::kTable:
+      break;
+  }
+  return "a table";
+}
+
+std::string read_text_file(const std::string& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw DataError(path, 1, "cannot be read");
+  return text.str();
+}
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#pragma once
+
+/// A TOML text as a plain tree that remembers its lines.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thenar {
+
+/// What a TOML value is.
+enum class TomlKind { kText, kNumber, kFlag, kDate, kArray, kTable };
+
+/// One value, with everything below it.
+struct TomlNode {
+  TomlKind kind = TomlKind::kTable;
+  int line = 1;                                           // where it stands in the file, from 1
+  std::string text;                                       // of kText
+  double number = 0;                                      // of kNumber, integers too
+  bool flag = false;                                      // of kFlag
+  std::vector<TomlNode> items;                            // of kArray
+  std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
+
+  /// The member of that name, or null.
+  [[nodiscard]] const TomlNode* find(const std::string& key) const;
+};
+
+/// Parses TOML 1.0. @throws DataError at the line of the first syntax error.
+[[nodiscard]] TomlNode parse_toml(const std::string& text, const std::string& path);
+
+/// How a kind is called in messages: "a number".
+[[nodiscard]] std::string kind_name(TomlKind kind);
+
+/// The whole content of a text file. @throws DataError if it cannot be opened.
+[[nodiscard]] std::string read_text_file(const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,296 @@
+#include "data/io/toml_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "data/io/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+std::string key_of(const std::string& base, const Unit& unit) {
+  return unit.suffix.empty() ? base : base + "_" + unit.suffix;
+}
+
+std::vector<std::string> keys_of(const std::string& base, Dimension dimension) {
+  std::vector<std::string> keys;
+  for (const Unit& unit : units_of(dimension)) keys.push_back(key_of(base, unit));
+  return keys;
+}
+
+bool holds(Range range, double value) {
+  switch (range) {
+    case Range::kAny:
+      return true;
+    case Range::kNotNegative:
+      return value >= 0;
+    case Range::kPositive:
+      return value > 0;
+    case Range::kFraction:
+      break;
+  }
+  return value >= 0 && value <= 1;
+}
+
+std::string range_name(Range range) {
+  switch (range) {
+    case Range::kAny:
+      return "finite";
+    case Range::kNotNegative:
+      return ">= 0";
+    case Range::kPositive:
+      return "> 0";
+    case Range::kFraction:
+      break;
+  }
+  return "in 0..1";
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+TomlTable::TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
+                     std::vector<std::string> sources)
+    : file_(&file), node_(&node), title_(std::move(title)), sources_(std::move(sources)) {
+  if (node.kind != TomlKind::kTable)
+    fail_at(node.line, fmt::format("wanted {} as a table, got {}", title_, kind_name(node.kind)));
+  const TomlNode* own = node.find("source");
+  ignore("source");
+  if (own == nullptr) return;
+  sources_ = own->kind == TomlKind::kArray ? texts("source") : std::vector{text("source")};
+  for (const std::string& key : sources_)
+    if (!contains(file.sources(), key))
+      fail(fmt::format("source '{}' is neither in data/sources.bib nor in this file's [sources]{}",
+                       key, did_you_mean(key, file.sources())),
+           "source");
+}
+
+bool TomlTable::has(const std::string& key) {
+  ignore(key);
+  return node_->find(key) != nullptr;
+}
+
+std::string TomlTable::text(const std::string& key) { return need(key, TomlKind::kText).text; }
+
+std::string TomlTable::text_or(const std::string& key, const std::string& fallback) {
+  return has(key) ? text(key) : fallback;
+}
+
+std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& of) {
+  const std::string got = text(key);
+  if (!contains(of, got))
+    fail(fmt::format("wanted '{}' to be one of {}, got '{}'", key, fmt::join(of, ", "), got), key);
+  return got;
+}
+
+std::vector<std::string> TomlTable::texts(const std::string& key) {
+  std::vector<std::string> found;
+  for (const TomlNode& item : need(key, TomlKind::kArray).items) {
+    if (item.kind != TomlKind::kText)
+      fail(fmt::format("wanted '{}' as a list of texts, got {} in it", key, kind_name(item.kind)),
+           key);
+    found.push_back(item.text);
+  }
+  return found;
+}
+
+bool TomlTable::has(Dimension dimension, const std::string& base) {
+  return find(dimension, base).has_value();
+}
+
+double TomlTable::number(Dimension dimension, const std::string& base, Range range) {
+  const Found found = need(dimension, base);
+  return value(*found.node, found.key, range) * found.to_si;
+}
+
+double TomlTable::number_or(Dimension dimension, const std::string& base, double fallback,
+                            Range range) {
+  return has(dimension, base) ? number(dimension, base, range) : fallback;
+}
+
+std::vector<double> TomlTable::numbers(Dimension dimension, const std::string& base, int count,
+                                       Range range) {
+  const Found found = need(dimension, base);
+  std::vector<double> result = values(*found.node, found.key, count, range);
+  for (double& entry : result) entry *= found.to_si;
+  return result;
+}
+
+Eigen::Vector3d TomlTable::vector(Dimension dimension, const std::string& base) {
+  const std::vector<double> v = numbers(dimension, base, 3);
+  return {v[0], v[1], v[2]};
+}
+
+Eigen::Vector3d TomlTable::vector_or(Dimension dimension, const std::string& base,
+                                     const Eigen::Vector3d& fallback) {
+  return has(dimension, base) ? vector(dimension, base) : fallback;
+}
+
+Eigen::Vector3d TomlTable::direction(const std::string& key) {
+  const Eigen::Vector3d d = vector(Dimension::kNumber, key);
+  if (d.norm() < 1e-9) fail(fmt::format("wanted '{}' as a direction, got a zero vector", key), key);
+  return d.normalized();
+}
+
+Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
+  const TomlNode& node = need(key, TomlKind::kArray);
+  if (node.items.size() != 3)
+    fail(fmt::format("wanted '{}' as 3 rows, got {}", key, node.items.size()), key);
+  Eigen::Matrix3d rows;
+  for (int i = 0; i < 3; ++i) {
+    const std::vector<double> row =
+        values(node.items[static_cast<std::size_t>(i)], key, 3, Range::kAny);
+    rows.row(i) << row[0], row[1], row[2];
+  }
+  return rows;
+}
+
+std::map<std::string, double> TomlTable::named(Dimension dimension, const std::string& base,
+                                               Range range) {
+  std::map<std::string, double> result;
+  const std::optional<Found> found = find(dimension, base);
+  if (!found) return result;
+  if (found->node->kind != TomlKind::kTable)
+    fail(fmt::format("wanted '{}' as a table, got {}", found->key, kind_name(found->node->kind)),
+         found->key);
+  for (const auto& [name, node] : found->node->members)
+    result[name] = value(node, found->key + "." + name, range) * found->to_si;
+  return result;
+}
+
+std::map<std::string, double> TomlTable::all(Dimension dimension) {
+  std::map<std::string, double> result;
+  for (const auto& [key, node] : node_->members) {
+    if (key == "source") continue;
+    const std::size_t underscore = key.rfind('_');
+    result[key.substr(0, underscore)] = number(dimension, key.substr(0, underscore));
+  }
+  return result;
+}
+
+std::vector<NamedNumbers> TomlTable::lists(const std::string& key) {
+  std::vector<NamedNumbers> result;
+  for (const auto& [name, node] : need(key, TomlKind::kTable).members)
+    result.push_back({name, values(node, key + "." + name, 0, Range::kAny)});
+  return result;
+}
+
+std::optional<TomlTable> TomlTable::table(const std::string& key) {
+  if (!has(key)) return std::nullopt;
+  return inner(need(key, TomlKind::kTable), "[" + key + "]");
+}
+
+std::vector<TomlTable> TomlTable::tables(const std::string& key) {
+  std::vector<TomlTable> result;
+  if (!has(key)) return result;
+  for (const TomlNode& node : need(key, TomlKind::kArray).items)
+    result.push_back(inner(node, "[[" + key + "]]"));
+  return result;
+}
+
+std::string TomlTable::source() const { return fmt::format("{}", fmt::join(sources_, ", ")); }
+
+void TomlTable::done() const {
+  for (const auto& [key, node] : node_->members)
+    if (!contains(known_, key))
+      fail_at(node.line, fmt::format("unknown key '{}'{}", key, did_you_mean(key, known_)));
+}
+
+void TomlTable::fail(const std::string& what, const std::string& key) const {
+  const TomlNode* node = node_->find(key);
+  fail_at(node == nullptr ? node_->line : node->line, what);
+}
+
+std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::string& base) {
+  std::optional<Found> found;
+  for (const Unit& unit : units_of(dimension)) {
+    const std::string key = key_of(base, unit);
+    ignore(key);
+    const TomlNode* node = node_->find(key);
+    if (node == nullptr) continue;
+    if (found) fail(fmt::format("given twice: '{}' and '{}'", found->key, key), key);
+    found = Found{key, node, unit.to_si};
+  }
+  if (!found) refuse_wrong_unit(dimension, base);
+  return found;
+}
+
+TomlTable::Found TomlTable::need(Dimension dimension, const std::string& base) {
+  const std::optional<Found> found = find(dimension, base);
+  if (found) return *found;
+  for (const std::string& key : keys_of(base, dimension)) refuse_misspelt(key);
+  fail(fmt::format("{} needs {} ({})", title_, dimension_name(dimension),
+                   fmt::join(keys_of(base, dimension), ", ")));
+}
+
+const TomlNode& TomlTable::need(const std::string& key, TomlKind kind) {
+  ignore(key);
+  const TomlNode* node = node_->find(key);
+  if (node == nullptr) {
+    refuse_misspelt(key);
+    fail(fmt::format("{} needs '{}' ({})", title_, key, kind_name(kind)));
+  }
+  if (node->kind != kind)
+    fail(fmt::format("wanted '{}' as {}, got {}", key, kind_name(kind), kind_name(node->kind)),
+         key);
+  return *node;
+}
+
+double TomlTable::value(const TomlNode& node, const std::string& key, Range range) const {
+  if (node.kind != TomlKind::kNumber)
+    fail_at(node.line, fmt::format("wanted '{}' as a number, got {}", key, kind_name(node.kind)));
+  if (!std::isfinite(node.number))
+    fail_at(node.line, fmt::format("wanted '{}' as a finite number, got {}", key, node.number));
+  if (!holds(range, node.number))
+    fail_at(node.line, fmt::format("wanted '{}' {}, got {}", key, range_name(range), node.number));
+  if (sources_.empty())
+    fail_at(node.line, fmt::format("'{}' has no source: add source = \"Key\" to its table or to "
+                                   "the top of the file",
+                                   key));
+  return node.number;
+}
+
+std::vector<double> TomlTable::values(const TomlNode& node, const std::string& key, int count,
+                                      Range range) const {
+  if (node.kind != TomlKind::kArray)
+    fail_at(node.line, fmt::format("wanted '{}' as a list, got {}", key, kind_name(node.kind)));
+  const int size = static_cast<int>(node.items.size());
+  if (count > 0 && size != count)
+    fail_at(node.line, fmt::format("wanted {} numbers in '{}', got {}", count, key, size));
+  std::vector<double> result;
+  for (const TomlNode& item : node.items) result.push_back(value(item, key, range));
+  return result;
+}
+
+TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const {
+  return {*file_, node, title, sources_};
+}
+
+/// A key nobody asked for that is nearly the wanted one is the wanted one, misspelt.
+void TomlTable::refuse_misspelt(const std::string& wanted) const {
+  for (const auto& [key, node] : node_->members)
+    if (!contains(known_, key) && edit_distance(key, wanted) <= 2)
+      fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
+}
+
+/// The key with no unit, or with a unit of another dimension, is the wanted one as well.
+void TomlTable::refuse_wrong_unit(Dimension dimension, const std::string& base) const {
+  for (const Unit& unit : all_units()) {
+    const std::string key = key_of(base, unit);
+    if (unit.dimension == dimension || node_->find(key) == nullptr || contains(known_, key))
+      continue;
+    fail(fmt::format("wanted {} ({}), got '{}'", dimension_name(dimension),
+                     fmt::join(keys_of(base, dimension), ", "), key),
+         key);
+  }
+}
+
+void TomlTable::fail_at(int line, const std::string& what) const {
+  throw DataError(file_->path(), line, what);
+}
+
+}  // namespace thenar

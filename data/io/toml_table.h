@@ -1,0 +1,107 @@
+#pragma once
+
+/// Reading one table of a data file: typed, with units, and with errors a user can act on.
+///
+/// A quantity's unit stands at the end of its key: whoever asks for the length "point" is
+/// given metres from `point_mm`, `point_cm` or `point_m`. A number needs a citation: a
+/// `source` key in its table or in one around it. Every getter notes what was asked for, so
+/// that done() can refuse the keys that nobody knows.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/error.h"
+#include "data/io/toml_file.h"
+#include "data/io/units.h"
+
+namespace thenar {
+
+/// Which numbers are sensible.
+enum class Range { kAny, kNotNegative, kPositive, kFraction };
+
+/// A list of numbers under a name.
+struct NamedNumbers {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// A reader of one table. All getters throw DataError `path:line: what was wanted, what came`.
+class TomlTable {
+ public:
+  /// @param title    how messages call it: "[[joint]]"
+  /// @param sources  citation keys in force around it
+  TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
+            std::vector<std::string> sources);
+
+  [[nodiscard]] bool has(const std::string& key);
+  [[nodiscard]] std::string text(const std::string& key);
+  [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
+  [[nodiscard]] std::string choice(const std::string& key, const std::vector<std::string>& of);
+  [[nodiscard]] std::vector<std::string> texts(const std::string& key);
+
+  /// Quantities in SI; `base` is the key without its unit.
+  [[nodiscard]] bool has(Dimension dimension, const std::string& base);
+  [[nodiscard]] double number(Dimension dimension, const std::string& base,
+                              Range range = Range::kAny);
+  [[nodiscard]] double number_or(Dimension dimension, const std::string& base, double fallback,
+                                 Range range = Range::kAny);
+  /// @param count  how many are wanted; 0: any number
+  [[nodiscard]] std::vector<double> numbers(Dimension dimension, const std::string& base,
+                                            int count = 0, Range range = Range::kAny);
+  [[nodiscard]] Eigen::Vector3d vector(Dimension dimension, const std::string& base);
+  [[nodiscard]] Eigen::Vector3d vector_or(Dimension dimension, const std::string& base,
+                                          const Eigen::Vector3d& fallback);
+  [[nodiscard]] Eigen::Vector3d direction(const std::string& key);  // normalised (3)
+  [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);      // three rows of three
+
+  /// `arms_mm = {PIP3 = 5.6}`: names to quantities. Empty if absent.
+  [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
+                                                    Range range = Range::kAny);
+  /// Every key of this table as a quantity, by its base: for tables of free names.
+  [[nodiscard]] std::map<std::string, double> all(Dimension dimension);
+  /// `rows = {Fx = [..], Fy = [..]}` in file order.
+  [[nodiscard]] std::vector<NamedNumbers> lists(const std::string& key);
+
+  [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
+  [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
+
+  [[nodiscard]] const std::string& title() const { return title_; }
+  [[nodiscard]] int line() const { return node_->line; }
+  [[nodiscard]] std::string source() const;  // citation keys in force, "A, B"
+  void ignore(const std::string& key) { known_.push_back(key); }
+
+  /// @throws DataError for the first key that no getter asked for.
+  void done() const;
+
+  /// Throws a DataError at this table, or at one of its keys if that is there.
+  [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
+
+ private:
+  struct Found {
+    std::string key;
+    const TomlNode* node;
+    double to_si;
+  };
+  [[nodiscard]] std::optional<Found> find(Dimension dimension, const std::string& base);
+  [[nodiscard]] Found need(Dimension dimension, const std::string& base);
+  [[nodiscard]] const TomlNode& need(const std::string& key, TomlKind kind);
+  [[nodiscard]] double value(const TomlNode& node, const std::string& key, Range range) const;
+  [[nodiscard]] std::vector<double> values(const TomlNode& node, const std::string& key, int count,
+                                           Range range) const;
+  [[nodiscard]] TomlTable inner(const TomlNode& node, const std::string& title) const;
+  void refuse_misspelt(const std::string& wanted) const;
+  void refuse_wrong_unit(Dimension dimension, const std::string& base) const;
+  [[noreturn]] void fail_at(int line, const std::string& what) const;
+
+  const TomlFile* file_;
+  const TomlNode* node_;
+  std::string title_;
+  std::vector<std::string> sources_;
+  std::vector<std::string> known_;  // keys asked for so far
+};
+
+}  // namespace thenar

@@ -1,0 +1,84 @@
+#include "data/io/units.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kRadianPerDegree = 3.141592653589793 / 180;
+
+}  // namespace
+
+const std::vector<Unit>& all_units() {
+  static const std::vector<Unit> units{
+      {"", Dimension::kNumber, 1},
+      {"mm", Dimension::kLength, 1e-3},
+      {"cm", Dimension::kLength, 1e-2},
+      {"m", Dimension::kLength, 1},
+      {"deg", Dimension::kAngle, kRadianPerDegree},
+      {"rad", Dimension::kAngle, 1},
+      {"g", Dimension::kMass, 1e-3},
+      {"kg", Dimension::kMass, 1},
+      {"N", Dimension::kForce, 1},
+      {"Nmm", Dimension::kMoment, 1e-3},
+      {"Nm", Dimension::kMoment, 1},
+      {"mm2", Dimension::kArea, 1e-6},
+      {"cm2", Dimension::kArea, 1e-4},
+      {"m2", Dimension::kArea, 1},
+      {"g_mm2", Dimension::kInertia, 1e-9},
+      {"kg_m2", Dimension::kInertia, 1},
+      {"N_cm2", Dimension::kStress, 1e4},
+      {"MPa", Dimension::kStress, 1e6},
+      {"kPa", Dimension::kStress, 1e3},
+      {"Pa", Dimension::kStress, 1},
+      {"m_s2", Dimension::kAcceleration, 1},
+      {"Nm_per_rad", Dimension::kAngularStiffness, 1},
+      {"Nmm_per_rad", Dimension::kAngularStiffness, 1e-3},
+      {"Nm_per_deg", Dimension::kAngularStiffness, 1 / kRadianPerDegree},
+      {"Nmm_per_deg", Dimension::kAngularStiffness, 1e-3 / kRadianPerDegree},
+      {"Nms_per_rad", Dimension::kAngularDamping, 1},
+      {"Nmms_per_rad", Dimension::kAngularDamping, 1e-3},
+      {"s", Dimension::kTime, 1},
+      {"ms", Dimension::kTime, 1e-3},
+  };
+  return units;
+}
+
+std::vector<Unit> units_of(Dimension dimension) {
+  std::vector<Unit> found;
+  for (const Unit& unit : all_units())
+    if (unit.dimension == dimension) found.push_back(unit);
+  return found;
+}
+
+std::string dimension_name(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::kNumber:
+      return "a plain number";
+    case Dimension::kLength:
+      return "a length";
+    case Dimension::kAngle:
+      return "an angle";
+    case Dimension::kMass:
+      return "a mass";
+    case Dimension::kForce:
+      return "a force";
+    case Dimension::kMoment:
+      return "a moment";
+    case Dimension::kArea:
+      return "an area";
+    case Dimension::kInertia:
+      return "a moment of inertia";
+    case Dimension::kStress:
+      return "a stress";
+    case Dimension::kAcceleration:
+      return "an acceleration";
+    case Dimension::kAngularStiffness:
+      return "an angular stiffness";
+    case Dimension::kAngularDamping:
+      return "an angular damping";
+    case Dimension::kTime:
+      break;
+  }
+  return "a time";
+}
+
+}  // namespace thenar
