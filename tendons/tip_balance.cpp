@@ -60,11 +60,20 @@ TipBalance tip_balance(const TipStatics& statics) {
   rows << balance.tension_part, balance.constant;
   const Eigen::VectorXd largest = rows.cwiseAbs().rowwise().maxCoeff();
   const double floor = largest.maxCoeff() > 0 ? 1e-6 * largest.maxCoeff() : 1;
-  const Eigen::VectorXd scale = largest.cwiseMax(floor).cwiseInverse();
-  balance.force_part = scale.asDiagonal() * balance.force_part;
-  balance.tension_part = scale.asDiagonal() * balance.tension_part;
-  balance.constant = scale.cwiseProduct(balance.constant);
+  balance.row_scale = largest.cwiseMax(floor).cwiseInverse();
+  balance.force_part = balance.row_scale.asDiagonal() * balance.force_part;
+  balance.tension_part = balance.row_scale.asDiagonal() * balance.tension_part;
+  balance.constant = balance.row_scale.cwiseProduct(balance.constant);
+
+  // Force columns to the size of tendon columns.
+  const double force_size = balance.force_part.norm(), tension_size = balance.tension_part.norm();
+  balance.force_unit = force_size > 0 && tension_size > 0 ? tension_size / force_size : 1;
+  balance.force_part *= balance.force_unit;
   return balance;
+}
+
+Eigen::VectorXd tension(const TipBalance& balance, const Eigen::VectorXd& a) {
+  return balance.unit.cwiseProduct(a.cwiseMax(0).cwiseMin(balance.most));
 }
 
 Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) {
@@ -72,9 +81,13 @@ Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) 
   return (F0.array() > 0).select(t.array() / F0.array().max(1e-300), 0);
 }
 
-Eigen::VectorXd unit_direction(const Eigen::Ref<const Eigen::VectorXd>& direction) {
+Eigen::Matrix3Xd without_rounding(const Eigen::Matrix3Xd& unit_vectors) {
+  return (unit_vectors.array().abs() > kUnitRounding).select(unit_vectors, 0);
+}
+
+Eigen::Vector3d unit_direction(const Eigen::Vector3d& direction) {
   require(direction.allFinite(), "a direction must be finite");
-  const double largest = direction.size() > 0 ? direction.cwiseAbs().maxCoeff() : 0;
+  const double largest = direction.cwiseAbs().maxCoeff();
   require(largest > 0, "a direction must not be zero");
   return (direction / largest).normalized();
 }

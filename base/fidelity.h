@@ -1,0 +1,60 @@
+#pragma once
+
+/// All physics that may be left out, on one page.
+///
+/// Each ladder goes from the cheapest rung to the richest; a rung names the
+/// assumption it makes. A question states what it needs beside its declaration, and
+/// `a | b` takes the richer rung of every ladder. No other code asks `if (fidelity)`:
+/// only the builders look at it.
+
+#include <algorithm>
+#include <string>
+
+namespace thenar {
+
+enum class Motion { kPosed, kStatic, kDynamic };
+enum class Joint { kHinge, kCompliant };
+enum class Path { kNone, kConstant, kViaPoint, kFitted, kWrapped };
+enum class Hood { kSeparate, kFractions, kFloatingNet };
+enum class Muscle { kBounds, kRigidTendon, kElasticTendon };
+enum class Contact { kNone, kHardPoint, kSoftFinger, kElasticFoundation, kFiniteElement };
+
+/// One rung of every ladder; the default is the cheapest hand there is.
+struct Fidelity {
+  Motion motion = Motion::kPosed;    // posed < static < dynamic
+  Joint joint = Joint::kHinge;       // hinge axes < compliant
+  Path path = Path::kNone;           // none < constant arms < via points < fitted < wrapped
+  Hood hood = Hood::kSeparate;       // separate tendons < fixed fractions < floating net
+  Muscle muscle = Muscle::kBounds;   // bounds < rigid-tendon Hill < elastic tendon
+  Contact contact = Contact::kNone;  // none < point < soft finger < foundation < finite elements
+
+  Fidelity() = default;
+
+  /// Sets the named rungs and leaves the other ladders at their lowest.
+  template <typename... Rungs>
+  constexpr explicit Fidelity(Rungs... rungs) {
+    (set(rungs), ...);
+  }
+
+  constexpr void set(Motion rung) { motion = rung; }
+  constexpr void set(Joint rung) { joint = rung; }
+  constexpr void set(Path rung) { path = rung; }
+  constexpr void set(Hood rung) { hood = rung; }
+  constexpr void set(Muscle rung) { muscle = rung; }
+  constexpr void set(Contact rung) { contact = rung; }
+};
+
+/// The least fidelity that serves both questions.
+[[nodiscard]] constexpr Fidelity operator|(const Fidelity& a, const Fidelity& b) {
+  return Fidelity(std::max(a.motion, b.motion), std::max(a.joint, b.joint),
+                  std::max(a.path, b.path), std::max(a.hood, b.hood), std::max(a.muscle, b.muscle),
+                  std::max(a.contact, b.contact));
+}
+
+/// One line for reports: "static, hinge, via points, fixed fractions, bounds, none".
+[[nodiscard]] std::string describe(const Fidelity& fidelity);
+
+/// Throws InputError naming the first ladder on which `have` stands below `need`.
+void require_fidelity(const Fidelity& have, const Fidelity& need, const std::string& question);
+
+}  // namespace thenar

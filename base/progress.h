@@ -1,0 +1,19 @@
+#pragma once
+
+/// How long work talks to whoever waits for it: a report upwards, a stop request down.
+
+#include <functional>
+#include <string>
+
+namespace thenar {
+
+/// Callbacks of a long computation; the default hears nothing and never stops.
+struct Progress {
+  std::function<void(double fraction, const std::string& what)> report;  // fraction 0..1
+  std::function<bool()> stop_requested;  // true: return the best result so far
+
+  void operator()(double fraction, const std::string& what) const;
+  [[nodiscard]] bool stop() const;
+};
+
+}  // namespace thenar

@@ -1,0 +1,62 @@
+#pragma once
+
+/// Rigid motions on any scalar: double, Ceres' Jet, or a vector of lanes.
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace thenar {
+
+template <typename T>
+using Vec3 = Eigen::Matrix<T, 3, 1>;
+template <typename T>
+using Mat3 = Eigen::Matrix<T, 3, 3>;
+
+/// X_AB: carries coordinates from frame B to frame A,  p_A = R_AB p_B + p_AB.
+template <typename T>
+struct Pose {
+  Mat3<T> R = Mat3<T>::Identity();  // rotation R_AB                    (3, 3)
+  Vec3<T> p = Vec3<T>::Zero();      // origin of B, seen from A     [m] (3)
+
+  [[nodiscard]] Vec3<T> operator*(const Vec3<T>& point) const { return R * point + p; }
+  [[nodiscard]] Pose operator*(const Pose& b) const { return {R * b.R, R * b.p + p}; }
+  [[nodiscard]] Pose inverse() const { return {R.transpose(), -(R.transpose() * p)}; }
+};
+
+/// Rodrigues' formula  R = I + sin(a) [d] + (1 - cos(a)) [d]^2.
+/// @param d  unit axis (3);  @param a  angle [rad]
+template <typename T>
+[[nodiscard]] Mat3<T> rotation_about(const Vec3<T>& d, const T& a) {
+  using std::cos;
+  using std::sin;
+  const T s = sin(a), c = cos(a), v = T(1) - c;
+  Mat3<T> R;
+  R << c + v * d.x() * d.x(), v * d.x() * d.y() - s * d.z(), v * d.x() * d.z() + s * d.y(),
+      v * d.x() * d.y() + s * d.z(), c + v * d.y() * d.y(), v * d.y() * d.z() - s * d.x(),
+      v * d.x() * d.z() - s * d.y(), v * d.y() * d.z() + s * d.x(), c + v * d.z() * d.z();
+  return R;
+}
+
+/// The motion of a hinge: turns by `a` about the axis of unit direction `d` through `point`.
+template <typename T>
+[[nodiscard]] Pose<T> screw_motion(const Vec3<T>& d, const Vec3<T>& point, const T& a) {
+  const Mat3<T> R = rotation_about(d, a);
+  return {R, point - R * point};
+}
+
+/// Two unit vectors that complete `d` to a right-handed frame (e1, e2, d).
+/// Constant in the sense of [Duff2017]: continuous except at d.z = 0-, exact to rounding.
+struct Tangents {
+  Eigen::Vector3d e1;  // first tangent  (3)
+  Eigen::Vector3d e2;  // second tangent (3)
+};
+[[nodiscard]] inline Tangents tangents(const Eigen::Vector3d& d) {
+  const double sign = std::copysign(1.0, d.z());
+  const double a = -1.0 / (sign + d.z()), b = d.x() * d.y() * a;
+  return {{1 + sign * d.x() * d.x() * a, sign * b, -sign * d.x()},
+          {b, sign + d.y() * d.y() * a, -d.y()}};
+}
+
+}  // namespace thenar

@@ -1,0 +1,29 @@
+# Our own flags, the same in every build type that matters.
+#
+# NDEBUG is never defined: Simbody's State has members under #ifndef NDEBUG, and Debian built its
+# library with them; CMake's own Release flags would add it and the program would crash.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
+
+option(THENAR_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(THENAR_TIDY "Run clang-tidy on every file" OFF)
+
+add_library(thenar_warnings INTERFACE)
+target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror)
+
+if(THENAR_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(THENAR_TIDY)
+  set(CMAKE_CXX_CLANG_TIDY clang-tidy --quiet)
+endif()
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()

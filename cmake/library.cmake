@@ -1,0 +1,16 @@
+# thenar_library(NAME SOURCES ... PUBLIC ... PRIVATE ...)
+#
+# One folder, one library. PUBLIC lists the floor below; PRIVATE lists third
+# parties, which only .cpp files may include. Its headers are installed.
+function(thenar_library name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(thenar_${name} ${ARG_SOURCES})
+  add_library(thenar::${name} ALIAS thenar_${name})
+  target_include_directories(thenar_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/thenar>)
+  target_compile_features(thenar_${name} PUBLIC cxx_std_17)
+  target_link_libraries(thenar_${name} PUBLIC ${ARG_PUBLIC}
+    PRIVATE $<BUILD_INTERFACE:thenar_warnings> ${ARG_PRIVATE})
+  set_target_properties(thenar_${name} PROPERTIES EXPORT_NAME ${name})
+  thenar_install_library(${name})
+endfunction()

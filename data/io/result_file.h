@@ -1,0 +1,48 @@
+#pragma once
+
+/// Results as HDF5: named arrays with units and labelled dimensions, texts, groups by "a/b".
+/// The one fence of the HDF5 library.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// An array as it stands in a file, row-major.
+struct ResultArray {
+  std::vector<double> values;       // row-major (product of shape)
+  std::vector<std::size_t> shape;   // at most 3 dimensions
+  std::string unit;                 // "N", "1"
+  std::vector<std::string> labels;  // name of each dimension: {"trial", "component"}
+};
+
+/// Everything of one result file, in memory. Keys are paths: "fit/z".
+struct ResultFile {
+  std::map<std::string, ResultArray> arrays;
+  std::map<std::string, std::vector<std::string>> texts;  // lists of strings; one entry: a scalar
+
+  void add(const std::string& key, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+           const std::string& unit, const std::vector<std::string>& labels);
+  void add(const std::string& key, double value, const std::string& unit);
+  void add(const std::string& key, const std::string& text);
+  void add(const std::string& key, std::vector<std::string> texts);
+
+  /// @throws InputError naming the key, if it is absent or of another shape.
+  [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;
+  [[nodiscard]] double number(const std::string& key) const;
+  [[nodiscard]] const std::string& text(const std::string& key) const;
+  [[nodiscard]] const std::vector<std::string>& list(const std::string& key) const;
+};
+
+/// Writes to `path + ".tmp"` and renames when complete, so that nothing half-written is left.
+/// Dimensions become HDF5 dimension scales, so that xarray opens the file.
+/// @throws InputError if the file cannot be written.
+void write_result(const ResultFile& file, const std::string& path);
+
+/// @throws DataError if there is no such file, or it is not one of ours.
+[[nodiscard]] ResultFile read_result(const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,100 @@
+#include "hand/axis_derivatives.h"
+
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+/// Does hinge i move link j?
+bool moves(const Tree<double>& tree, int i, int j) {
+  while (j > i) j = tree[j].parent;
+  return i == j;
+}
+
+/// The hinge in question with everything that its turn needs.
+class MovedAxis {
+ public:
+  explicit MovedAxis(const AxisQuestion& question)
+      : hinge_(question.tree[question.hinge]),
+        state_(question.state[question.hinge]),
+        angle_(hinge_.ratio * question.q[hinge_.coordinate] + hinge_.offset),
+        tangents_(tangents(hinge_.direction)) {
+    if (hinge_.parent >= 0) R_parent_ = question.state[hinge_.parent].X.R;
+  }
+
+  /// Of a point beyond the hinge.
+  [[nodiscard]] ByAxis point(const Eigen::Vector3d& x) const {
+    ByAxis D = direction(x - state_.point);
+    D.rightCols<3>() = R_parent_ - state_.X.R;
+    return D;
+  }
+
+  /// Of a direction beyond the hinge.
+  [[nodiscard]] ByAxis direction(const Eigen::Vector3d& now) const {
+    const Eigen::Vector3d& d = hinge_.direction;
+    const Eigen::Vector3d v = state_.X.R.transpose() * now;
+    const auto tilt = [&](const Eigen::Vector3d& e) -> Eigen::Vector3d {
+      return R_parent_ * (std::sin(angle_) * e.cross(v) +
+                          (1 - std::cos(angle_)) * (e * d.dot(v) + d * e.dot(v)));
+    };
+    ByAxis D = ByAxis::Zero();
+    D << tilt(tangents_.e1), tilt(tangents_.e2), Eigen::Matrix3d::Zero();
+    return D;
+  }
+
+  /// Of its own direction.
+  [[nodiscard]] ByAxis own_direction() const {
+    ByAxis D;
+    D << R_parent_ * tangents_.e1, R_parent_ * tangents_.e2, Eigen::Matrix3d::Zero();
+    return D;
+  }
+
+  /// Of its own point.
+  [[nodiscard]] ByAxis own_point() const {
+    ByAxis D = ByAxis::Zero();
+    D.rightCols<3>() = R_parent_;
+    return D;
+  }
+
+ private:
+  const Hinge<double>& hinge_;
+  const LinkState<double>& state_;
+  double angle_;  // [rad]
+  Tangents tangents_;
+  Eigen::Matrix3d R_parent_ = Eigen::Matrix3d::Identity();
+};
+
+}  // namespace
+
+ByAxis position_by_axis(const AxisQuestion& question, int link, const Eigen::Vector3d& x) {
+  if (!moves(question.tree, question.hinge, link)) return ByAxis::Zero();
+  return MovedAxis(question).point(x);
+}
+
+std::vector<ByAxis> jacobian_by_axis(const AxisQuestion& question, int link,
+                                     const Eigen::Vector3d& x) {
+  std::vector<ByAxis> result(static_cast<std::size_t>(question.q.size()), ByAxis::Zero());
+  const Tree<double>& tree = question.tree;
+  if (!moves(tree, question.hinge, link)) return result;
+
+  const MovedAxis moved_axis(question);
+  const ByAxis dx = moved_axis.point(x);
+  for_each_hinge_to_base(tree, link, [&](int j) {
+    const LinkState<double>& own = question.state[j];
+    ByAxis d_axis = ByAxis::Zero(), d_point = ByAxis::Zero();
+    if (j == question.hinge) {
+      d_axis = moved_axis.own_direction();
+      d_point = moved_axis.own_point();
+    } else if (moves(tree, question.hinge, j)) {
+      d_axis = moved_axis.direction(own.axis);
+      d_point = moved_axis.point(own.point);
+    }
+    ByAxis& column = result[tree[j].coordinate];
+    for (int k = 0; k < 5; ++k)
+      column.col(k) += tree[j].ratio * (d_axis.col(k).cross(x - own.point) +
+                                        own.axis.cross(dx.col(k) - d_point.col(k)));
+  });
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,40 @@
+#pragma once
+
+/// How kinematics change when the axis of one hinge is placed differently, in closed form.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hand/chain.h"
+
+namespace thenar {
+
+/// Derivative of a position by the five parameters of an axis (3, 5): columns are the tilts of
+/// the direction along tangents() e1 and e2 [m/rad], then x, y, z of its point [m/m].
+using ByAxis = Eigen::Matrix<double, 3, 5>;
+
+/// One hinge of a posed tree whose axis is to be moved.
+struct AxisQuestion {
+  const Tree<double>& tree;
+  const TreeState<double>& state;  // pose_tree(tree, q)
+  Eigen::VectorXd q;               // (coordinates) [rad]
+  int hinge;                       // its axis is the variable
+};
+
+/// d x / d axis of a point of a link. With P the parent of the hinge, R its own turn by angle a,
+/// d its direction, and v from its point to x before the turn:
+///   d x / d point  = R_P (I - R)
+///   d x / d tilt e = R_P (sin a  e x v + (1 - cos a) (e (d'v) + d (e'v)))
+/// Zero if the hinge does not move the link. A shift of the point along d changes nothing.
+/// @param x  the point where it is now [m] (3)
+[[nodiscard]] ByAxis position_by_axis(const AxisQuestion& question, int link,
+                                      const Eigen::Vector3d& x);
+
+/// d (J column) / d axis of the position Jacobian of a point of a link, one entry per coordinate
+/// [m/rad per parameter]. Columns are  axis x (x - point); each of the three may change.
+/// @param x  the point where it is now [m] (3)
+[[nodiscard]] std::vector<ByAxis> jacobian_by_axis(const AxisQuestion& question, int link,
+                                                   const Eigen::Vector3d& x);
+
+}  // namespace thenar

@@ -1,0 +1,191 @@
+#include "hand/skeleton.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/error.h"
+#include "hand/segment_mass.h"
+
+namespace thenar {
+namespace {
+
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// Segments between the tips of the kept digits and the base.
+std::set<std::string> kept_segments(const Subject& subject,
+                                    const std::vector<std::string>& digits) {
+  std::set<std::string> kept;
+  for (const Digit& digit : subject.digits)
+    if (digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0)
+      kept.insert(digit.tip_segment);
+  for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
+    if (kept.count(joint->child) > 0) kept.insert(joint->parent);
+  return kept;
+}
+
+void require_known(const Subject& subject, const SkeletonOptions& options) {
+  for (const std::string& name : options.digits)
+    require(std::any_of(subject.digits.begin(), subject.digits.end(),
+                        [&](const Digit& digit) { return digit.name == name; }),
+            "subject '{}' has no digit '{}'", subject.name, name);
+  for (const auto& [name, angle] : options.frozen) {
+    const auto joint = std::find_if(subject.joints.begin(), subject.joints.end(),
+                                    [&, &n = name](const JointAxis& j) { return j.name == n; });
+    require(joint != subject.joints.end(), "subject '{}' has no joint '{}' to freeze", subject.name,
+            name);
+    require(angle >= joint->lower && angle <= joint->upper,
+            "joint '{}' cannot be frozen at {} rad, outside its limits {} .. {}", name, angle,
+            joint->lower, joint->upper);
+  }
+}
+
+/// Grows the skeleton joint by joint, from the wrist outwards.
+class Builder {
+ public:
+  Builder(const Subject& subject, const SkeletonOptions& options)
+      : options_(options), kept_(kept_segments(subject, options.digits)) {
+    skeleton_.link_of_segment[subject.base] = -1;
+    skeleton_.segment_at[subject.base] = {};
+    for (const JointAxis& joint : subject.joints)
+      if (kept_.count(joint.child) > 0) add(joint);
+    for (const Segment& segment : subject.segments) add_mass(segment);
+    for (const Digit& digit : subject.digits) add_tip(digit);
+  }
+
+  Skeleton take() { return std::move(skeleton_); }
+
+ private:
+  void add(const JointAxis& joint) {
+    // A second joint between the same segments follows the first.
+    const bool follows = skeleton_.link_of_segment.count(joint.child) > 0;
+    const std::string& from = follows ? joint.child : joint.parent;
+    require(skeleton_.link_of_segment.count(from) > 0,
+            "joint '{}' hangs on segment '{}', which no earlier joint reaches", joint.name, from);
+    const int parent = skeleton_.link_of_segment.at(from);
+    const Pose<double> at = skeleton_.segment_at.at(from);
+    const Eigen::Vector3d direction = at.R * joint.direction, point = at * joint.point;
+
+    if (const auto angle = frozen_angle(joint)) {
+      skeleton_.link_of_segment[joint.child] = parent;
+      skeleton_.segment_at[joint.child] = screw_motion(direction, point, *angle) * at;
+    } else {
+      skeleton_.link_of_segment[joint.child] = add_hinge(joint, parent, direction, point);
+      skeleton_.segment_at[joint.child] = at;
+    }
+  }
+
+  std::optional<double> frozen_angle(const JointAxis& joint) {
+    const auto asked = options_.frozen.find(joint.name);
+    std::optional<double> angle;
+    if (asked != options_.frozen.end()) {
+      angle = asked->second;
+    } else if (joint.coupling && welded_.count(joint.coupling->leader) > 0) {
+      angle = joint.coupling->ratio * welded_[joint.coupling->leader] + joint.coupling->offset;
+    }
+    if (angle) welded_[joint.name] = *angle;
+    return angle;
+  }
+
+  int add_hinge(const JointAxis& joint, int parent, const Eigen::Vector3d& direction,
+                const Eigen::Vector3d& point) {
+    int coordinate = skeleton_.coordinates();
+    double ratio = 1, offset = 0;
+    if (joint.coupling) {
+      coordinate = coordinate_of(joint.coupling->leader, joint.name);
+      ratio = joint.coupling->ratio;
+      offset = joint.coupling->offset;
+      add_passive(skeleton_.limits[coordinate], joint, *joint.coupling);
+    } else {
+      skeleton_.coordinate_names.push_back(joint.name);
+      skeleton_.limits.push_back(
+          {joint.lower, joint.upper, joint.rest, joint.stiffness, joint.damping});
+    }
+    skeleton_.hinge_names.push_back(joint.name);
+    skeleton_.tree.push_back({parent, coordinate, ratio, offset, direction, point});
+    skeleton_.masses.emplace_back();
+    return static_cast<int>(skeleton_.tree.size()) - 1;
+  }
+
+  /// Spring and damper of a follower, felt by its leader; two springs are one with a new rest.
+  static void add_passive(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
+    const double stiffness = by.ratio * by.ratio * joint.stiffness;
+    const double moment =
+        leader.stiffness * leader.rest + by.ratio * joint.stiffness * (joint.rest - by.offset);
+    leader.stiffness += stiffness;
+    leader.damping += by.ratio * by.ratio * joint.damping;
+    if (leader.stiffness > 0) leader.rest = moment / leader.stiffness;
+  }
+
+  int coordinate_of(const std::string& leader, const std::string& follower) const {
+    const auto& names = skeleton_.coordinate_names;
+    const auto found = std::find(names.begin(), names.end(), leader);
+    require(found != names.end(), "joint '{}' is coupled to '{}', which was not built before it",
+            follower, leader);
+    return static_cast<int>(found - names.begin());
+  }
+
+  void add_mass(const Segment& segment) {
+    const auto link = skeleton_.link_of_segment.find(segment.name);
+    if (link == skeleton_.link_of_segment.end() || link->second < 0) return;
+    LinkMass& mass = skeleton_.masses[link->second];
+    mass = combine(mass, displace(skeleton_.segment_at.at(segment.name), segment_mass(segment)));
+  }
+
+  void add_tip(const Digit& digit) {
+    const auto link = skeleton_.link_of_segment.find(digit.tip_segment);
+    if (link == skeleton_.link_of_segment.end()) return;
+    const Pose<double>& at = skeleton_.segment_at.at(digit.tip_segment);
+    Eigen::Matrix3d axes;
+    axes << digit.proximal, digit.dorsal, digit.radial;
+    skeleton_.tips.push_back({digit.name, link->second, at * digit.tip, at.R * axes});
+  }
+
+  const SkeletonOptions& options_;
+  std::set<std::string> kept_;
+  std::map<std::string, double> welded_;  // joint -> angle it is frozen at [rad]
+  Skeleton skeleton_;
+};
+
+}  // namespace
+
+Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options) {
+  require_known(subject, options);
+  return Builder(subject, options).take();
+}
+
+Eigen::VectorXd posture(const Skeleton& skeleton, const std::map<std::string, double>& angles) {
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
+  const auto& names = skeleton.coordinate_names;
+  for (const auto& [name, angle] : angles) {
+    const auto found = std::find(names.begin(), names.end(), name);
+    require(found != names.end(), "no joint '{}' to pose; there are {}", name, listed(names));
+    require(std::isfinite(angle), "angle of joint '{}' must be finite, got {}", name, angle);
+    q[found - names.begin()] = angle;
+  }
+  return q;
+}
+
+const SkeletonTip& tip(const Skeleton& skeleton, const std::string& digit) {
+  std::vector<std::string> names;
+  for (const SkeletonTip& candidate : skeleton.tips) {
+    if (candidate.digit == digit) return candidate;
+    names.push_back(candidate.digit);
+  }
+  throw InputError(fmt::format("no digit '{}'; there are {}", digit, listed(names)));
+}
+
+Eigen::VectorXd passive_torque(const Skeleton& skeleton,
+                               const Eigen::Ref<const Eigen::VectorXd>& q) {
+  Eigen::VectorXd tau(skeleton.coordinates());
+  for (int i = 0; i < skeleton.coordinates(); ++i)
+    tau[i] = -skeleton.limits[i].stiffness * (q[i] - skeleton.limits[i].rest);
+  return tau;
+}
+
+}  // namespace thenar

@@ -1,0 +1,78 @@
+#pragma once
+
+/// A subject's bones and hinges, reduced to what a question needs.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/subject.h"
+#include "hand/chain.h"
+
+namespace thenar {
+
+/// Which part of the subject to build. Segments across a frozen joint are welded.
+struct SkeletonOptions {
+  std::vector<std::string> digits;       // digits to keep; empty: all
+  std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]
+};
+
+/// What a coordinate may do and how it resists. Springs and dampers of coupled hinges are
+/// included, as their leader feels them; limits are those of the leader.
+struct CoordinateLimits {
+  double lower;      // [rad]
+  double upper;      // [rad]
+  double rest;       // [rad]
+  double stiffness;  // passive torque = -stiffness (q - rest) [N m/rad]
+  double damping;    // [N m s/rad]
+};
+
+/// Mass of everything welded to one link, at the reference posture.
+struct LinkMass {
+  double mass = 0;                                    // [kg]
+  Eigen::Vector3d com{0, 0, 0};                       // [m] (3)
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
+};
+
+/// The tip of a digit.
+struct SkeletonTip {
+  std::string digit;
+  int link;              // -1: welded to the base
+  Eigen::Vector3d p;     // reference posture [m] (3)
+  Eigen::Matrix3d axes;  // columns proximal, dorsal, radial; reference posture (3, 3)
+};
+
+/// A constant tree of hinges with names.
+struct Skeleton {
+  Tree<double> tree;                               // parents before children
+  std::vector<std::string> hinge_names;            // of every hinge, coupled ones too
+  std::vector<std::string> coordinate_names;       // joint that owns each entry of q
+  std::vector<CoordinateLimits> limits;            // of each coordinate
+  std::vector<LinkMass> masses;                    // of each link
+  std::map<std::string, int> link_of_segment;      // -1: the base
+  std::map<std::string, Pose<double>> segment_at;  // reference displacement by frozen joints
+  std::vector<SkeletonTip> tips;
+
+  [[nodiscard]] int coordinates() const { return static_cast<int>(coordinate_names.size()); }
+};
+
+/// Builds the least skeleton that serves `options`.
+/// @throws InputError for an unknown digit or joint, a frozen angle outside the joint's limits.
+[[nodiscard]] Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options = {});
+
+/// Coordinates from named angles; joints not named stay at the reference posture.
+/// @return q (coordinates) [rad]
+/// @throws InputError for an unknown joint or a non-finite angle.
+[[nodiscard]] Eigen::VectorXd posture(const Skeleton& skeleton,
+                                      const std::map<std::string, double>& angles);
+
+/// The tip of the named digit. @throws InputError naming the digits there are.
+[[nodiscard]] const SkeletonTip& tip(const Skeleton& skeleton, const std::string& digit);
+
+/// Passive joint torque  -stiffness (q - rest)  [N m] (coordinates).
+[[nodiscard]] Eigen::VectorXd passive_torque(const Skeleton& skeleton,
+                                             const Eigen::Ref<const Eigen::VectorXd>& q);
+
+}  // namespace thenar

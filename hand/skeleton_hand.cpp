@@ -1,0 +1,66 @@
+#include "hand/skeleton_hand.h"
+
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+HandLayout layout_of(const Skeleton& skeleton) {
+  HandLayout layout;
+  layout.coordinates = skeleton.coordinate_names;
+  layout.actuators = skeleton.coordinate_names;
+  layout.lower.resize(skeleton.coordinates());
+  layout.upper.resize(skeleton.coordinates());
+  for (int i = 0; i < skeleton.coordinates(); ++i) {
+    layout.lower[i] = skeleton.limits[i].lower;
+    layout.upper[i] = skeleton.limits[i].upper;
+  }
+  for (const SkeletonTip& tip : skeleton.tips) layout.tips.push_back(tip.digit);
+  return layout;
+}
+
+}  // namespace
+
+SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits)
+    : skeleton_(std::move(skeleton)), limits_(std::move(limits)), layout_(layout_of(skeleton_)) {
+  const Eigen::Index n = skeleton_.coordinates();
+  require(limits_.lower.size() == n && limits_.upper.size() == n,
+          "{} coordinates want as many torque limits, got {} lower and {} upper", n,
+          limits_.lower.size(), limits_.upper.size());
+  for (Eigen::Index i = 0; i < n; ++i)
+    require(limits_.lower[i] <= limits_.upper[i], "torque limits of joint '{}' cross: {} .. {} N m",
+            layout_.coordinates[i], limits_.lower[i], limits_.upper[i]);
+}
+
+std::vector<Pose<double>> SkeletonHand::pose(const Eigen::VectorXd& q) const {
+  require_posture(q);
+  std::vector<Pose<double>> poses;
+  for (const LinkState<double>& link : pose_tree(skeleton_.tree, q)) poses.push_back(link.X);
+  return poses;
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> SkeletonHand::jacobian(const Eigen::VectorXd& q, int link,
+                                                                const Eigen::Vector3d& p) const {
+  require_posture(q);
+  const int links = static_cast<int>(skeleton_.tree.size());
+  require(link >= -1 && link < links, "no link {}; there are {}", link, links);
+  const TreeState<double> state = pose_tree(skeleton_.tree, q);
+  return spatial_jacobian(skeleton_.tree, state, link, moved(state, link, p),
+                          skeleton_.coordinates());
+}
+
+Actuation SkeletonHand::actuation(const Eigen::VectorXd& q) const {
+  require_posture(q);
+  const Eigen::Index n = skeleton_.coordinates();
+  return {Eigen::MatrixXd::Identity(n, n), passive_torque(skeleton_, q), limits_.lower,
+          limits_.upper};
+}
+
+void SkeletonHand::require_posture(const Eigen::VectorXd& q) const {
+  require(q.size() == skeleton_.coordinates(), "the hand has {} coordinates, q has {}",
+          skeleton_.coordinates(), q.size());
+}
+
+}  // namespace thenar

@@ -1,0 +1,36 @@
+#pragma once
+
+/// A hand without tendons: ideal motors at its joints. For rungs on which muscles do not matter.
+
+#include "hand/hand.h"
+#include "hand/skeleton.h"
+
+namespace thenar {
+
+/// What the motor of every coordinate can do.
+struct TorqueLimits {
+  Eigen::VectorXd lower;  // [N m] (coordinates)
+  Eigen::VectorXd upper;  // [N m] (coordinates)
+};
+
+/// A skeleton as a Hand: B = I, u = motor torques, tau_0 = passive joint torque.
+class SkeletonHand final : public Hand {
+ public:
+  /// @throws InputError if the limits have the wrong length or cross.
+  SkeletonHand(Skeleton skeleton, TorqueLimits limits);
+
+  [[nodiscard]] const HandLayout& layout() const override { return layout_; }
+  [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;
+  [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
+      const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const override;
+  [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
+
+ private:
+  void require_posture(const Eigen::VectorXd& q) const;
+
+  Skeleton skeleton_;
+  TorqueLimits limits_;
+  HandLayout layout_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#pragma once
+
+/// What the data taught about each parameter, from the curvature at the fit.
+
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/fit_problem.h"
+
+namespace thenar {
+
+/// Belief about one coordinate after the fit.
+struct Learnt {
+  std::string name;   // of the entry of z
+  double z;           // estimate, in prior sds [1]
+  double sd;          // afterwards, in prior sds: 1 = nothing learnt [1]
+  double null_share;  // of the coordinate that lies in null directions, 0..1 [1]
+};
+
+/// A direction of z along which the data say nothing at all.
+struct NullDirection {
+  std::string text;           // "axis/MCP3_FE/point/along: not identifiable"
+  Eigen::VectorXd direction;  // unit, in z (size)
+};
+
+/// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors.
+struct Covariance {
+  Eigen::MatrixXd C;                 // of z (size, size) [1]
+  std::vector<Learnt> learnt;        // one per entry of z
+  std::vector<NullDirection> nulls;  // data curvature below 1e-9 of a prior's
+  double effective_parameters = 0;   // trace of data curvature times C [1]
+};
+
+/// @param z  the fitted point (size)
+[[nodiscard]] Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z);
+
+}  // namespace thenar

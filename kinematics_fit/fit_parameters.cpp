@@ -1,0 +1,88 @@
+#include "kinematics_fit/fit_parameters.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// State of every parameter while rules are applied.
+struct Choice {
+  ParameterState state = ParameterState::kFixed;
+  std::string tie_to;
+  double tie_ratio = 1;
+};
+
+void apply_belief(const ParameterRule& rule, Parameter& p) {
+  const double range_low = p.mean - p.lower, range_high = p.upper - p.mean;
+  if (rule.mean) {
+    p.mean = *rule.mean;
+    p.lower = p.mean - range_low;
+    p.upper = p.mean + range_high;
+  }
+  if (rule.sd) p.sd = *rule.sd;
+  if (rule.between_sd) p.between_sd = *rule.between_sd;
+  if (rule.range) {
+    p.lower = p.mean - *rule.range;
+    p.upper = p.mean + *rule.range;
+  }
+  if (rule.lower) p.lower = *rule.lower;
+  if (rule.upper) p.upper = *rule.upper;
+  require(p.lower <= p.mean && p.mean <= p.upper, "prior mean {} of '{}' is outside {} .. {} [SI]",
+          p.mean, p.name, p.lower, p.upper);
+}
+
+void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<Parameter>& all,
+                std::vector<Choice>& choices) {
+  bool matched = false;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    if (!matches(rule.match, all[p].name)) continue;
+    matched = true;
+    apply_belief(rule, all[p]);
+    if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio};
+  }
+  require(matched, "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file,
+          rule.line, rule.match);
+}
+
+/// Gives coordinates to free parameters first, then points the tied ones at theirs.
+void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
+  for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    const bool moves = fit.all[p].sd > 0 || fit.all[p].between_sd > 0;
+    if (choices[p].state != ParameterState::kFree || !moves) continue;
+    fit.coordinate[p] = fit.coordinates();
+    fit.leader.push_back(static_cast<int>(p));
+  }
+  for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    if (choices[p].state != ParameterState::kTied) continue;
+    const auto leader = std::find_if(fit.leader.begin(), fit.leader.end(),
+                                     [&](int q) { return fit.all[q].name == choices[p].tie_to; });
+    require(leader != fit.leader.end(), "'{}' is tied to '{}', which is not a free parameter",
+            fit.all[p].name, choices[p].tie_to);
+    fit.coordinate[p] = static_cast<int>(leader - fit.leader.begin());
+    fit.ratio[p] = choices[p].tie_ratio;
+  }
+}
+
+}  // namespace
+
+FitParameters choose_parameters(std::vector<Parameter> all, const FitSettings& settings,
+                                const std::vector<std::string>& also_free) {
+  FitParameters fit;
+  std::vector<Choice> choices(all.size());
+  for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);
+  for (const std::string& glob : also_free) {
+    ParameterRule rule;
+    rule.match = glob;
+    rule.state = ParameterState::kFree;
+    apply_rule(rule, "--free", all, choices);
+  }
+  fit.coordinate.assign(all.size(), -1);
+  fit.ratio.assign(all.size(), 1);
+  fit.all = std::move(all);
+  number_coordinates(choices, fit);
+  return fit;
+}
+
+}  // namespace thenar

@@ -1,0 +1,45 @@
+#pragma once
+
+/// Parameters and the coordinates that a fit moves them by.
+
+#include <string>
+#include <vector>
+
+#include "data/io/fit_settings.h"
+#include "kinematics_fit/parameter.h"
+
+namespace thenar {
+
+/// A choice of free, fixed and tied parameters. A free parameter p has the value
+///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
+/// with standard normal z beforehand; tied ones share the u of their leader.
+struct FitParameters {
+  std::vector<Parameter> all;   // in the order of list_parameters()
+  std::vector<int> coordinate;  // of each parameter; -1: fixed
+  std::vector<double> ratio;    // of each parameter to its coordinate [1]
+  std::vector<int> leader;      // parameter that owns each coordinate
+
+  [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
+};
+
+/// Applies the rules of a settings file, then frees everything that matches `also_free`.
+/// @throws InputError if a rule matches no parameter, or ties to one that is not free.
+[[nodiscard]] FitParameters choose_parameters(std::vector<Parameter> all,
+                                              const FitSettings& settings,
+                                              const std::vector<std::string>& also_free = {});
+
+/// Value of every parameter for coordinates u  [SI] (all).
+template <typename T, typename U>
+[[nodiscard]] std::vector<T> parameter_values(const FitParameters& parameters, const U& u) {
+  std::vector<T> values;
+  values.reserve(parameters.all.size());
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    T value(parameters.all[p].mean);
+    if (parameters.coordinate[p] >= 0)
+      value += T(parameters.ratio[p]) * u[parameters.coordinate[p]];
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace thenar

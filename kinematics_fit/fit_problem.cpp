@@ -1,0 +1,146 @@
+#include "kinematics_fit/fit_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "kinematics_fit/force_jacobian.h"
+
+namespace thenar {
+namespace {
+
+/// Shrinks the three residuals of one trial so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2).
+void shrink(double c, Eigen::Ref<Eigen::Vector3d> r, Eigen::Ref<Eigen::MatrixXd> J) {
+  const double s = r.squaredNorm() / (c * c);
+  if (s < 1e-12) return;  // the factor is 1 - s/4 + ...
+  const double factor = std::sqrt(std::log1p(s) / s);
+  // d factor / d s, from factor^2 = log(1 + s) / s
+  const double slope = (1 / (1 + s) - factor * factor) / (2 * factor * s);
+  if (J.size() > 0) {
+    const Eigen::RowVectorXd ds = 2 / (c * c) * r.transpose() * J;
+    J = (factor * J + slope * r * ds).eval();
+  }
+  r *= factor;
+}
+
+}  // namespace
+
+FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
+                       std::vector<Experiment> experiments, double robust_scale)
+    : digit_(std::move(digit)),
+      parameters_(std::move(parameters)),
+      experiments_(std::move(experiments)),
+      robust_scale_(robust_scale) {
+  require(parameters_.coordinates() > 0, "nothing to fit: every parameter is fixed");
+  require(!experiments_.empty(), "nothing to fit to: no experiment");
+  for (const Experiment& experiment : experiments_) {
+    plans_.push_back(plan_experiment(digit_, experiment));
+    const auto known = std::find(specimens_.begin(), specimens_.end(), experiment.specimen);
+    specimen_of_.push_back(static_cast<int>(known - specimens_.begin()));
+    if (known == specimens_.end()) specimens_.push_back(experiment.specimen);
+  }
+  scale_coordinates();
+  bound_coordinates();
+}
+
+void FitProblem::scale_coordinates() {
+  const bool alone = specimens_.size() == 1;
+  const int n = parameters_.coordinates();
+  population_sd_ = deviation_sd_ = Eigen::VectorXd::Zero(n);
+  population_.assign(n, -1);
+  deviation_.assign(n, -1);
+  for (int c = 0; c < n; ++c) {
+    const Parameter& p = parameters_.all[parameters_.leader[c]];
+    population_sd_[c] = alone ? std::hypot(p.sd, p.between_sd) : p.sd;
+    deviation_sd_[c] = alone ? 0 : p.between_sd;
+    if (population_sd_[c] > 0) population_[c] = population_size_++;
+    if (deviation_sd_[c] > 0) deviation_[c] = deviation_size_++;
+  }
+}
+
+void FitProblem::bound_coordinates() {
+  const int size = population_size_ + deviation_size_ * static_cast<int>(specimens_.size());
+  lower_ = Eigen::VectorXd::Constant(size, -std::numeric_limits<double>::infinity());
+  upper_ = -lower_;
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    const Parameter& p = parameters_.all[parameters_.leader[c]];
+    if (population_[c] < 0) continue;
+    lower_[population_[c]] = (p.lower - p.mean) / population_sd_[c];
+    upper_[population_[c]] = (p.upper - p.mean) / population_sd_[c];
+  }
+}
+
+Eigen::VectorXd FitProblem::displacements(const Eigen::VectorXd& z, int specimen) const {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters_.coordinates());
+  const int block = population_size_ + specimen * deviation_size_;
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    if (population_[c] >= 0) u[c] += population_sd_[c] * z[population_[c]];
+    if (deviation_[c] >= 0 && specimen >= 0) u[c] += deviation_sd_[c] * z[block + deviation_[c]];
+  }
+  return u;
+}
+
+Eigen::MatrixXd FitProblem::displacement_jacobian(int specimen) const {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(parameters_.coordinates(), size());
+  const int block = population_size_ + specimen * deviation_size_;
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    if (population_[c] >= 0) J(c, population_[c]) = population_sd_[c];
+    if (deviation_[c] >= 0 && specimen >= 0) J(c, block + deviation_[c]) = deviation_sd_[c];
+  }
+  return J;
+}
+
+FitProblem::Prediction FitProblem::predict(const Eigen::VectorXd& z, int e,
+                                           WithJacobian want) const {
+  require(z.size() == size() && z.allFinite(), "fit has {} coordinates, all finite; got {}", size(),
+          z.size());
+  const int specimen = specimen_of_[e];
+  const Eigen::VectorXd u = displacements(z, specimen);
+  if (want == WithJacobian::kNo) return {force_values(digit_, parameters_, plans_[e], u), {}};
+  ForceJacobian forces = force_jacobian(digit_, parameters_, plans_[e], u);
+  return {std::move(forces.force), forces.J * displacement_jacobian(specimen)};
+}
+
+int FitProblem::data_rows() const {
+  int rows = 0;
+  for (const ExperimentPlan& plan : plans_) rows += 3 * static_cast<int>(plan.force.cols());
+  return rows;
+}
+
+Residuals FitProblem::evaluate(const Eigen::VectorXd& z, WithJacobian want) const {
+  const bool jacobian = want == WithJacobian::kYes;
+  const int data = data_rows();
+  Residuals out;
+  out.r.resize(data + size());
+  if (jacobian) out.J = Eigen::MatrixXd::Zero(data + size(), size());
+  int row = 0;
+  for (std::size_t e = 0; e < plans_.size(); ++e) {
+    const Prediction prediction = predict(z, static_cast<int>(e), want);
+    for (Eigen::Index i = 0; i < prediction.force.cols(); ++i, row += 3) {
+      const Eigen::Vector3d sd = plans_[e].sd.col(i);
+      Eigen::Vector3d r = (prediction.force.col(i) - plans_[e].force.col(i)).cwiseQuotient(sd);
+      Eigen::MatrixXd J(3, jacobian ? size() : 0);
+      if (jacobian) J = sd.cwiseInverse().asDiagonal() * prediction.J.middleRows<3>(3 * i);
+      if (robust_scale_ > 0) shrink(robust_scale_, r, J);
+      out.r.segment<3>(row) = r;
+      if (jacobian) out.J.middleRows<3>(row) = J;
+    }
+  }
+  // Priors: every coordinate is standard normal.
+  out.r.tail(size()) = z;
+  if (jacobian) out.J.bottomRows(size()).setIdentity();
+  return out;
+}
+
+std::vector<std::string> FitProblem::names() const {
+  std::vector<std::string> names(size());
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    const std::string& name = parameters_.all[parameters_.leader[c]].name;
+    if (population_[c] >= 0) names[population_[c]] = name;
+    for (std::size_t s = 0; s < specimens_.size() && deviation_[c] >= 0; ++s)
+      names[population_size_ + s * deviation_size_ + deviation_[c]] = specimens_[s] + ": " + name;
+  }
+  return names;
+}
+
+}  // namespace thenar

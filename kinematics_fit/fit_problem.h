@@ -1,0 +1,77 @@
+#pragma once
+
+/// Measured forces, a digit and its free parameters, as a least-squares problem.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/experiment.h"
+#include "kinematics_fit/least_squares.h"
+#include "kinematics_fit/predict_forces.h"
+
+namespace thenar {
+
+/// The problem  min 1/2 |r(z)|^2  over whitened coordinates z, all N(0, 1) beforehand.
+///
+/// z holds the population's coordinates, then each specimen's deviations from it (absent when
+/// there is one specimen: its deviation and the population's cannot be told apart, so the prior
+/// variances add). Data residuals are (predicted - measured) / sd; with a robust scale c each
+/// trial's r is shrunk so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
+class FitProblem {
+ public:
+  /// @throws InputError if an experiment does not fit the digit, or nothing is free.
+  FitProblem(TendonDigit digit, FitParameters parameters, std::vector<Experiment> experiments,
+             double robust_scale = 0);
+
+  [[nodiscard]] int size() const { return static_cast<int>(lower_.size()); }
+  [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }  // of z (size)
+  [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }  // of z (size)
+  [[nodiscard]] Residuals evaluate(const Eigen::VectorXd& z, WithJacobian want) const;
+  [[nodiscard]] int data_rows() const;  // residuals that are data; the rest are priors
+
+  /// Forces of experiment `e` [N] (3, trials); with kYes also their Jacobian by z.
+  struct Prediction {
+    Eigen::Matrix3Xd force;  // [N] (3, trials)
+    Eigen::MatrixXd J;       // [N] (3 trials, size)
+  };
+  [[nodiscard]] Prediction predict(const Eigen::VectorXd& z, int e, WithJacobian want) const;
+
+  /// Displacements u of the parameters of a specimen (-1: the population)  [SI] (coordinates).
+  [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& z, int specimen) const;
+
+  /// du/dz of a specimen (-1: the population), (coordinates, size) [SI].
+  [[nodiscard]] Eigen::MatrixXd displacement_jacobian(int specimen) const;
+
+  /// Name of every entry of z: the leading parameter, with "specimen: " before deviations.
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  [[nodiscard]] const TendonDigit& digit() const { return digit_; }
+  [[nodiscard]] const FitParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const std::vector<Experiment>& experiments() const { return experiments_; }
+  [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
+  [[nodiscard]] const std::vector<std::string>& specimens() const { return specimens_; }
+  [[nodiscard]] double robust_scale() const { return robust_scale_; }
+
+ private:
+  void scale_coordinates();
+  void bound_coordinates();
+
+  TendonDigit digit_;
+  FitParameters parameters_;
+  std::vector<Experiment> experiments_;
+  std::vector<ExperimentPlan> plans_;
+  std::vector<std::string> specimens_;
+  std::vector<int> specimen_of_;  // of each experiment
+  std::vector<int> population_;   // entry of z per coordinate; -1: varies between specimens only
+  std::vector<int> deviation_;    // entry in a specimen's block per coordinate; -1: none
+  int population_size_ = 0, deviation_size_ = 0;
+  Eigen::VectorXd population_sd_;  // [SI] (coordinates)
+  Eigen::VectorXd deviation_sd_;   // [SI] (coordinates)
+  Eigen::VectorXd lower_, upper_;
+  double robust_scale_;
+};
+
+}  // namespace thenar

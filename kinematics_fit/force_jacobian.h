@@ -1,0 +1,23 @@
+#pragma once
+
+/// Predicted forces and their exact derivatives: the fence of Ceres' automatic differentiation.
+
+#include "kinematics_fit/predict_forces.h"
+
+namespace thenar {
+
+/// Forces and their derivatives by the displacements u of the free coordinates.
+struct ForceJacobian {
+  Eigen::Matrix3Xd force;  // [N] (3, trials)
+  Eigen::MatrixXd J;       // [N per SI] (3 trials, coordinates)
+};
+
+[[nodiscard]] Eigen::Matrix3Xd force_values(const TendonDigit& digit,
+                                            const FitParameters& parameters,
+                                            const ExperimentPlan& plan, const Eigen::VectorXd& u);
+
+[[nodiscard]] ForceJacobian force_jacobian(const TendonDigit& digit,
+                                           const FitParameters& parameters,
+                                           const ExperimentPlan& plan, const Eigen::VectorXd& u);
+
+}  // namespace thenar

@@ -1,0 +1,80 @@
+#pragma once
+
+/// min 1/2 |r(z)|^2 within bounds, and what the solvers say of it.
+
+#include <functional>
+#include <string>
+
+#include <Eigen/Core>
+
+#include "base/progress.h"
+
+namespace thenar {
+
+enum class WithJacobian { kNo, kYes };
+
+/// Residuals r and, when asked for, J = dr/dz.
+struct Residuals {
+  Eigen::VectorXd r;  // (rows)
+  Eigen::MatrixXd J;  // (rows, n); empty if not asked for
+};
+
+/// Smooth constraints  lower <= c(z) <= upper, with C = dc/dz.
+struct ConstraintValues {
+  Eigen::VectorXd c;  // (constraints)
+  Eigen::MatrixXd C;  // (constraints, n)
+};
+
+/// A least-squares problem, however it came about.
+struct LeastSquares {
+  Eigen::VectorXd lower, upper;  // bounds, may be infinite (n)
+  std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
+  Eigen::VectorXd c_lower, c_upper;  // of the constraints; empty: none
+  std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;
+};
+
+/// Which solver. All minimise the same function; only Ipopt honours constraints.
+enum class FitMethod {
+  kCeres,        // Levenberg-Marquardt with exact derivatives
+  kNloptLocal,   // BOBYQA: local, without derivatives
+  kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
+  kIpopt         // interior point, BFGS; with constraints
+};
+
+struct SolveOptions {
+  FitMethod method = FitMethod::kCeres;
+  int max_evaluations = 0;   // of the residuals; 0: the method's own limit
+  double tolerance = 1e-10;  // relative change of the cost at which to stop [1]
+  unsigned seed = 1;         // of the global search
+  Progress progress;
+};
+
+enum class SolveStatus { kConverged, kLimit, kStopped, kFailed };
+
+/// The best point found, whatever happened.
+struct [[nodiscard]] Solution {
+  Eigen::VectorXd z;  // (n)
+  double cost = 0;    // 1/2 |r|^2 [1]
+  SolveStatus status = SolveStatus::kFailed;
+  std::string message;  // the solver's own words
+  int evaluations = 0;  // of the residuals
+  double seconds = 0;   // wall time [s]
+};
+
+/// Minimises from `start` (n), which is first brought within the bounds.
+/// @throws InputError if shapes disagree, start is not finite, or the residuals at it are not.
+Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
+               const SolveOptions& options = {});
+
+/// "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError for another name.
+[[nodiscard]] FitMethod fit_method(const std::string& name);
+[[nodiscard]] std::string name_of(FitMethod method);
+[[nodiscard]] std::string name_of(SolveStatus status);
+
+namespace internal {
+Solution solve_ceres(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+Solution solve_ipopt_fit(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+}  // namespace internal
+
+}  // namespace thenar

@@ -1,0 +1,159 @@
+#include "kinematics_fit/parameter.h"
+
+#include <fmt/format.h>
+
+namespace thenar {
+namespace {
+
+constexpr double kDegree = 3.141592653589793 / 180;
+constexpr double kMm = 1e-3;
+constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
+
+/// Default belief of each kind: sd of the population, sd between specimens, half range of bounds.
+struct Belief {
+  double sd, between_sd, range;
+};
+Belief belief(ParameterKind kind) {
+  switch (kind) {
+    case ParameterKind::kAxisDirection:
+    case ParameterKind::kSensorTilt:
+      return {8 * kDegree, 5 * kDegree, 45 * kDegree};
+    case ParameterKind::kAngle:
+      return {5 * kDegree, 3 * kDegree, 20 * kDegree};
+    case ParameterKind::kHoodEntry:
+    case ParameterKind::kHoodCentral:
+      return {0.2, 0.1, 1};
+    case ParameterKind::kGain:
+      return {0.1, 0.05, 0.5};
+    case ParameterKind::kLength:
+      return {3 * kMm, 2 * kMm, 15 * kMm};
+    case ParameterKind::kAxisPoint:
+    case ParameterKind::kPathPoint:
+    case ParameterKind::kArm:
+    case ParameterKind::kTip:
+      return {1.5 * kMm, 1 * kMm, 10 * kMm};
+  }
+  return {};
+}
+
+/// Collects parameters with the default belief of their kind.
+class Lister {
+ public:
+  explicit Lister(const TendonDigit& digit) : digit_(digit) {
+    list_axes();
+    list_strands();
+    list_hood();
+    list_mounting();
+  }
+  std::vector<Parameter> take() { return std::move(list_); }
+
+ private:
+  void add(std::string name, ParameterKind kind, int item, int point, int component,
+           double mean = 0) {
+    const Belief b = belief(kind);
+    Parameter p{std::move(name), kind,           item,          point, component, mean, b.sd,
+                b.between_sd,    mean - b.range, mean + b.range};
+    if (kind == ParameterKind::kHoodEntry || kind == ParameterKind::kHoodCentral) {
+      p.lower = 0;
+      p.upper = 1;
+    }
+    list_.push_back(std::move(p));
+  }
+
+  void list_axes() {
+    constexpr const char* kAlong[] = {"1", "2", "along"};
+    for (int i = 0; i < static_cast<int>(digit_.names.hinges.size()); ++i) {
+      const std::string& joint = digit_.names.hinges[i];
+      for (int c = 0; c < 2; ++c)
+        add(fmt::format("axis/{}/direction/{}", joint, c + 1), ParameterKind::kAxisDirection, i, 0,
+            c);
+      for (int c = 0; c < 3; ++c)
+        add(fmt::format("axis/{}/point/{}", joint, kAlong[c]), ParameterKind::kAxisPoint, i, 0, c);
+      add(fmt::format("length/{}", joint), ParameterKind::kLength, i, 0, 0);
+    }
+  }
+
+  void list_strands() {
+    for (int s = 0; s < static_cast<int>(digit_.names.strands.size()); ++s) {
+      const std::string& strand = digit_.names.strands[s];
+      for (int k = 0; k < static_cast<int>(digit_.model.paths[s].size()); ++k)
+        for (int c = 0; c < 3; ++c)
+          add(fmt::format("path/{}/{}/{}", strand, k + 1, kDirections[c]),
+              ParameterKind::kPathPoint, s, k, c);
+      if (!digit_.model.paths[s].empty()) continue;
+      for (int j = 0; j < digit_.model.coordinates; ++j)
+        add(fmt::format("arm/{}/{}", strand, digit_.names.coordinates[j]), ParameterKind::kArm, s,
+            0, j, digit_.model.constant_arms(s, j));
+    }
+  }
+
+  void list_hood() {
+    for (int b = 0; b < static_cast<int>(digit_.model.hood_shares.size()); ++b) {
+      const HoodShare<double>& share = digit_.model.hood_shares[b];
+      const std::string& muscle = digit_.names.muscles[share.muscle];
+      add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0, share.into_hood);
+      add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0,
+          share.to_central);
+    }
+  }
+
+  void list_mounting() {
+    for (int c = 0; c < 3; ++c) {
+      add(fmt::format("tip/{}", kDirections[c]), ParameterKind::kTip, 0, 0, c);
+      add(fmt::format("sensor/{}", kDirections[c]), ParameterKind::kSensorTilt, 0, 0, c);
+    }
+    for (int j = 0; j < digit_.model.coordinates; ++j)
+      add(fmt::format("angle/{}", digit_.names.coordinates[j]), ParameterKind::kAngle, j, 0, 0);
+    for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m)
+      add(fmt::format("gain/{}", digit_.names.muscles[m]), ParameterKind::kGain, m, 0, 0, 1);
+  }
+
+  const TendonDigit& digit_;
+  std::vector<Parameter> list_;
+};
+
+}  // namespace
+
+std::string display_unit(const Parameter& parameter) {
+  switch (parameter.kind) {
+    case ParameterKind::kAxisDirection:
+    case ParameterKind::kSensorTilt:
+    case ParameterKind::kAngle:
+      return "deg";
+    case ParameterKind::kHoodEntry:
+    case ParameterKind::kHoodCentral:
+    case ParameterKind::kGain:
+      return "1";
+    default:
+      return "mm";
+  }
+}
+
+double display_scale(const Parameter& parameter) {
+  const std::string unit = display_unit(parameter);
+  return unit == "deg" ? 1 / kDegree : unit == "mm" ? 1 / kMm : 1;
+}
+
+std::vector<Parameter> list_parameters(const TendonDigit& digit) { return Lister(digit).take(); }
+
+bool matches(const std::string& glob, const std::string& name) {
+  // Remembers the last star and how far it has swallowed; linear in practice.
+  std::size_t g = 0, n = 0, star = std::string::npos, swallowed = 0;
+  while (n < name.size()) {
+    if (g < glob.size() && (glob[g] == '?' || glob[g] == name[n])) {
+      ++g, ++n;
+    } else if (g < glob.size() && glob[g] == '*') {
+      star = g++;
+      swallowed = n;
+    } else if (star != std::string::npos) {
+      g = star + 1;
+      n = ++swallowed;
+    } else {
+      return false;
+    }
+  }
+  while (g < glob.size() && glob[g] == '*') ++g;
+  return g == glob.size();
+}
+
+}  // namespace thenar

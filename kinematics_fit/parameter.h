@@ -1,0 +1,54 @@
+#pragma once
+
+/// The numbers of a digit that a fit may move, by name.
+
+#include <string>
+#include <vector>
+
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// What a parameter changes. Directions of points are the digit's proximal, dorsal, radial.
+enum class ParameterKind {
+  kAxisDirection,  // axis/<joint>/direction/<1|2>: tilt along a tangent of the sphere [rad]
+  kAxisPoint,      // axis/<joint>/point/<1|2|along>: shift of the axis                 [m]
+  kPathPoint,      // path/<strand>/<k>/<proximal|dorsal|radial>                        [m]
+  kArm,            // arm/<strand>/<joint>: constant moment arm                         [m]
+  kHoodEntry,      // hood/<muscle>/into                                                [1]
+  kHoodCentral,    // hood/<muscle>/central                                             [1]
+  kLength,         // length/<joint>: of the bone beyond the joint                      [m]
+  kTip,            // tip/<proximal|dorsal|radial>                                      [m]
+  kSensorTilt,     // sensor/<proximal|dorsal|radial>: of the load cell                 [rad]
+  kAngle,          // angle/<joint>: error of the posture                               [rad]
+  kGain            // gain/<muscle>: tension at the digit per stated tension            [1]
+};
+
+/// One number. Its value is `mean` before the fit.
+struct Parameter {
+  std::string name;
+  ParameterKind kind;
+  int item = 0;           // hinge, strand or muscle, by kind
+  int point = 0;          // point of the path, by kind
+  int component = 0;      // of a direction, point or coordinate
+  double mean = 0;        // subject's value and prior mean [SI]
+  double sd = 0;          // prior sd of the population mean [SI]
+  double between_sd = 0;  // prior sd between specimens [SI]
+  double lower = 0;       // bounds [SI]
+  double upper = 0;
+};
+
+/// "mm", "deg" or "1": the unit in which people read and write the parameter.
+[[nodiscard]] std::string display_unit(const Parameter& parameter);
+
+/// Display units per SI unit: 1000 for lengths, 180/pi for angles.
+[[nodiscard]] double display_scale(const Parameter& parameter);
+
+/// Every parameter of a digit, with default priors. Offsets (tilts, shifts, angle errors) have
+/// mean zero; lengths, hood fractions and gains have the subject's value.
+[[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit);
+
+/// Does a name match a glob with `*` (any run of characters, also none) and `?`?
+[[nodiscard]] bool matches(const std::string& glob, const std::string& name);
+
+}  // namespace thenar

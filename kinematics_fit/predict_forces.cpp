@@ -1,0 +1,56 @@
+#include "kinematics_fit/predict_forces.h"
+
+#include <algorithm>
+
+#include <fmt/ranges.h>
+
+namespace thenar {
+namespace {
+
+Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
+  const std::vector<std::string>& names = digit.names.muscles;
+  Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
+  for (const auto& [muscle, tension] : trial.tension) {
+    const auto found = std::find(names.begin(), names.end(), muscle);
+    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", muscle,
+            fmt::join(names, ", "));
+    t[found - names.begin()] = tension;
+  }
+  return t;
+}
+
+int posture_index(const ExperimentPlan& plan, const std::string& name) {
+  const auto& names = plan.posture_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "trial names posture '{}', which is not defined", name);
+  return static_cast<int>(found - names.begin());
+}
+
+}  // namespace
+
+ExperimentPlan plan_experiment(const TendonDigit& digit, const Experiment& experiment) {
+  const auto link = digit.skeleton.link_of_segment.find(experiment.force_segment);
+  require(link != digit.skeleton.link_of_segment.end(),
+          "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,
+          experiment.force_segment);
+  ExperimentPlan plan;
+  plan.hold = experiment.hold;
+  plan.force_link = link->second;
+  plan.components = experiment.axes_of_digit.cast<double>();
+  for (const PostureRecord& record : experiment.postures) {
+    plan.postures.push_back(posture(digit.skeleton, record.angles));
+    plan.posture_names.push_back(record.name);
+  }
+  plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
+  plan.sd.resize(3, plan.force.cols());
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    plan.posture_of_trial.push_back(posture_index(plan, trial.posture));
+    plan.tension.push_back(tensions(digit, trial));
+    plan.force.col(i) = trial.force;
+    plan.sd.col(i) = force_sd(experiment, trial);
+  }
+  return plan;
+}
+
+}  // namespace thenar

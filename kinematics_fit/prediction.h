@@ -1,0 +1,50 @@
+#pragma once
+
+/// Predicted forces beside measured ones, and how far apart they are.
+
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/covariance.h"
+#include "kinematics_fit/fit_problem.h"
+
+namespace thenar {
+
+/// One trial, predicted.
+struct PredictedTrial {
+  std::string posture;
+  std::string loads;          // "FDS" or "FDS+EDC"
+  Eigen::Vector3d measured;   // [N] (3)
+  Eigen::Vector3d predicted;  // [N] (3)
+  Eigen::Vector3d sd;         // predictive, of each component; zero if not asked for [N] (3)
+};
+
+/// How far predictions are from measurements.
+struct ForceError {
+  double rms = 0;               // root of the mean squared |predicted - measured| [N]
+  double relative = 0;          // rms / root of the mean squared |measured| [1]
+  double relative_flexion = 0;  // the same of the proximal and dorsal components alone [1]
+  double direction = 0;         // median angle between predicted and measured [rad]
+  double covered = 0;           // share of components within 1.96 predictive sds; 0 without sds [1]
+};
+
+/// One experiment, predicted.
+struct Prediction {
+  std::string experiment;
+  std::vector<PredictedTrial> trials;
+  ForceError error;
+};
+
+[[nodiscard]] ForceError force_error(const std::vector<PredictedTrial>& trials);
+
+/// Experiment `e` of the problem at z, without predictive sds.
+[[nodiscard]] Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e);
+
+/// An experiment of a specimen that was never fitted, from the population. The predictive
+/// variance adds what is not known of the population, how specimens differ, and the noise:
+///   V = J_z C J_z' + J_u diag(between_sd^2) J_u' + diag(sd^2).
+/// @throws InputError if the experiment does not fit the digit.
+[[nodiscard]] Prediction predict_unseen(const FitProblem& fitted, const Eigen::VectorXd& z,
+                                        const Eigen::MatrixXd& C, const Experiment& experiment);
+
+}  // namespace thenar

@@ -1,0 +1,89 @@
+#include "base/nonlinear_program.h"
+#include "kinematics_fit/least_squares.h"
+
+namespace thenar::internal {
+namespace {
+
+/// Thrown through the solver to leave it; the best point is kept by then.
+struct StopRequested {};
+
+/// Remembers residuals at the last point, since cost, gradient and Hessian ask for the same one.
+class Evaluator {
+ public:
+  Evaluator(const LeastSquares& problem, const SolveOptions& options, Solution& best)
+      : problem_(problem), options_(options), best_(best) {}
+
+  const Residuals& at(const Eigen::VectorXd& z) {
+    if (z_.size() == z.size() && z_ == z) return last_;
+    z_ = z;
+    last_ = problem_.residuals(z, WithJacobian::kYes);
+    ++best_.evaluations;
+    options_.progress(0, "ipopt");
+    if (options_.progress.stop()) throw StopRequested();
+    return last_;
+  }
+
+ private:
+  const LeastSquares& problem_;
+  const SolveOptions& options_;
+  Solution& best_;
+  Eigen::VectorXd z_;
+  Residuals last_;
+};
+
+NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
+  NonlinearProgram program;
+  program.lower = problem.lower;
+  program.upper = problem.upper;
+  program.row_lower = problem.c_lower;
+  program.row_upper = problem.c_upper;
+  program.objective = [&](const Eigen::VectorXd& z) {
+    return 0.5 * evaluator.at(z).r.squaredNorm();
+  };
+  program.gradient = [&](const Eigen::VectorXd& z) -> Eigen::VectorXd {
+    const Residuals& now = evaluator.at(z);
+    return now.J.transpose() * now.r;
+  };
+  // Gauss-Newton: the curvature of residuals and constraints is left out.
+  program.hessian = [&](const Eigen::VectorXd& z, double factor, const Eigen::VectorXd&) {
+    const Residuals& now = evaluator.at(z);
+    return Eigen::MatrixXd(factor * now.J.transpose() * now.J);
+  };
+  if (problem.constraints) {
+    program.constraints = [&](const Eigen::VectorXd& z) { return problem.constraints(z).c; };
+    program.jacobian = [&](const Eigen::VectorXd& z) { return problem.constraints(z).C; };
+  }
+  return program;
+}
+
+SolveStatus status_of(NonlinearStatus status) {
+  if (status == NonlinearStatus::kSolved || status == NonlinearStatus::kAcceptable)
+    return SolveStatus::kConverged;
+  return status == NonlinearStatus::kStalled ? SolveStatus::kLimit : SolveStatus::kFailed;
+}
+
+}  // namespace
+
+Solution solve_ipopt_fit(const LeastSquares& problem, const Eigen::VectorXd& start,
+                         const SolveOptions& options) {
+  Solution best;
+  best.z = start;
+  Evaluator evaluator(problem, options, best);
+  NonlinearOptions settings;
+  settings.tolerance = 1e-8;
+  if (options.max_evaluations > 0) settings.max_iterations = options.max_evaluations;
+  try {
+    const NonlinearResult result =
+        thenar::solve_ipopt(program_of(problem, evaluator), start, settings);
+    best.z = result.x;
+    best.status = status_of(result.status);
+    best.message = result.message;
+  } catch (const StopRequested&) {
+    best.status = SolveStatus::kStopped;
+    best.message = "stopped";
+  }
+  best.cost = 0.5 * problem.residuals(best.z, WithJacobian::kNo).r.squaredNorm();
+  return best;
+}
+
+}  // namespace thenar::internal

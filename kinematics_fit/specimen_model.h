@@ -1,0 +1,131 @@
+#pragma once
+
+/// A digit with its parameters set, on any scalar, and the forces it predicts.
+
+#include <vector>
+
+#include "data/io/experiment.h"
+#include "kinematics_fit/parameter.h"
+#include "kinematics_fit/tip_map.h"
+
+namespace thenar {
+
+/// A digit as it was mounted in one experiment.
+template <typename T>
+struct SpecimenModel {
+  TendonModel<T> digit;
+  VectorX<T> angle_error;                 // added to every posture [rad] (coordinates)
+  VectorX<T> gain;                        // tension at the digit per stated one [1] (muscles)
+  Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
+};
+
+/// The model on another scalar, every number constant.
+template <typename T>
+[[nodiscard]] SpecimenModel<T> start_model(const TendonModel<double>& from) {
+  SpecimenModel<T> to;
+  to.digit.coordinates = from.coordinates;
+  to.digit.tip_link = from.tip_link;
+  to.digit.tip = from.tip.cast<T>();
+  to.digit.tip_axes = from.tip_axes.cast<T>();
+  to.digit.constant_arms = from.constant_arms.cast<T>();
+  to.digit.pulls = from.pulls;
+  to.digit.hood = from.hood;
+  for (const Hinge<double>& hinge : from.tree)
+    to.digit.tree.push_back({hinge.parent, hinge.coordinate, hinge.ratio, hinge.offset,
+                             hinge.direction.cast<T>(), hinge.point.cast<T>()});
+  for (const TendonPath<double>& path : from.paths) {
+    to.digit.paths.emplace_back();
+    for (const PathNode<double>& node : path)
+      to.digit.paths.back().push_back({node.link, node.p.cast<T>()});
+  }
+  for (const HoodShare<double>& share : from.hood_shares)
+    to.digit.hood_shares.push_back(
+        {share.muscle, share.side, T(share.into_hood), T(share.to_central)});
+  to.angle_error = VectorX<T>::Zero(from.coordinates);
+  to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
+  return to;
+}
+
+/// Shifts everything beyond hinge `i` along the bone that the hinge moves. Points on that bone
+/// shift in proportion to how far along it they lie.
+template <typename T>
+void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonModel<T>& to) {
+  const auto beyond = [&](int link) {
+    while (link > i) link = from.tree[link].parent;
+    return link == i;
+  };
+  // The bone runs from its own hinge to the next one outwards, or to the tip.
+  Eigen::Vector3d end = from.tip;
+  for (int next = static_cast<int>(from.tree.size()) - 1; next > i; --next)
+    if (beyond(next) && (from.tree[next].point - from.tree[i].point).norm() > 1e-6)
+      end = from.tree[next].point;
+  const Eigen::Vector3d bone = end - from.tree[i].point;
+  const double length = bone.norm();
+  if (length == 0) return;
+  const auto shift = [&](const Eigen::Vector3d& p) -> Vec3<T> {
+    const double along = (p - from.tree[i].point).dot(bone) / (length * length);
+    return (bone / length).cast<T>() * (by * T(std::min(1.0, std::max(0.0, along))));
+  };
+  for (std::size_t k = i + 1; k < from.tree.size(); ++k)
+    if (beyond(static_cast<int>(k))) to.tree[k].point += shift(from.tree[k].point);
+  for (std::size_t s = 0; s < from.paths.size(); ++s)
+    for (std::size_t k = 0; k < from.paths[s].size(); ++k)
+      if (beyond(from.paths[s][k].link)) to.paths[s][k].p += shift(from.paths[s][k].p);
+  if (beyond(from.tip_link)) to.tip += shift(from.tip);
+}
+
+/// Sets one parameter that the model still has at its start.
+/// Axis directions are left unnormalised: finish_model() puts them back on the sphere, which
+/// makes the two tilts a gnomonic chart about the start direction.
+template <typename T>
+void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
+                   SpecimenModel<T>& to) {
+  const T by = value - T(p.mean);
+  const auto along_digit = [&](int c) { return Vec3<T>(from.tip_axes.col(c).cast<T>() * by); };
+  switch (p.kind) {
+    case ParameterKind::kAxisDirection:
+    case ParameterKind::kAxisPoint: {
+      const Eigen::Vector3d& d = from.tree[p.item].direction;
+      const Tangents e = tangents(d);
+      const Eigen::Vector3d along = p.component == 0 ? e.e1 : p.component == 1 ? e.e2 : d;
+      Hinge<T>& hinge = to.digit.tree[p.item];
+      (p.kind == ParameterKind::kAxisPoint ? hinge.point : hinge.direction) +=
+          along.cast<T>() * value;
+      break;
+    }
+    case ParameterKind::kPathPoint:
+      to.digit.paths[p.item][p.point].p += along_digit(p.component);
+      break;
+    case ParameterKind::kArm:
+      to.digit.constant_arms(p.item, p.component) += by;
+      break;
+    case ParameterKind::kHoodEntry:
+      to.digit.hood_shares[p.item].into_hood = value;
+      break;
+    case ParameterKind::kHoodCentral:
+      to.digit.hood_shares[p.item].to_central = value;
+      break;
+    case ParameterKind::kLength:
+      lengthen_bone(from, p.item, value, to.digit);
+      break;
+    case ParameterKind::kTip:
+      to.digit.tip += along_digit(p.component);
+      break;
+    case ParameterKind::kSensorTilt:
+      to.sensor_tilt[p.component] = value;
+      break;
+    case ParameterKind::kAngle:
+      to.angle_error[p.item] = value;
+      break;
+    case ParameterKind::kGain:
+      to.gain[p.item] = value;
+      break;
+  }
+}
+
+template <typename T>
+void finish_model(SpecimenModel<T>& model) {
+  for (Hinge<T>& hinge : model.digit.tree) hinge.direction.normalize();
+}
+
+}  // namespace thenar

@@ -1,0 +1,67 @@
+#pragma once
+
+/// The largest static force or wrench of a fingertip, by linear programming.
+
+#include <Eigen/Core>
+
+#include "tendons/tip_statics.h"
+
+namespace thenar {
+
+enum class ForceStatus {
+  kSolved,      // the rest of the result is the answer
+  kInfeasible,  // no tensions balance any force asked for; forces and tensions are zero
+  kUnbounded,   // F0 is infinite where it matters, or the skeleton alone carries the load
+  kStalled      // the numerical method gave up; forces and tensions are not to be used
+};
+
+struct LargestForce {
+  ForceStatus status;          // read this first
+  Eigen::Vector3d force;       // of the tip on the world, world frame           [N] (3)
+  double magnitude;            // its component along the direction; infinite if unbounded [N]
+  Eigen::VectorXd tension;     // that makes it                                  [N] (m)
+  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
+};
+
+struct LargestForceOptions {
+  double tolerance = 0;  // half angle of the cone about the direction, in [0, pi/2)  [rad]
+};
+
+/// The largest force of a pinned tip along a direction:
+///
+///   maximise d' f  subject to  J' f = R' t + tau_0,  0 <= t <= F0,  angle(f, d) <= tolerance.
+///
+/// Every joint torque is balanced; the tip carries no moment. With a tolerance the cone is met
+/// exactly, to 1e-10 of the force, by cutting planes. A straight finger carries any force along
+/// itself: that is `kUnbounded`, not a large number.
+///
+/// @param statics    one posture; W is not looked at
+/// @param direction  wanted direction of the force, any length but zero   3   [1]
+/// @throws InputError if the statics are inconsistent or not finite, the direction is zero or not
+///         finite, or the tolerance is outside its range.
+/// Source: [ValeroCuevas1998]; the cutting planes are Kelley's [Kelley1960].
+[[nodiscard]] LargestForce largest_force(const TipStatics& statics,
+                                         const Eigen::Vector3d& direction,
+                                         const LargestForceOptions& options = {});
+
+struct LargestWrench {
+  ForceStatus status;          // read this first
+  double multiple;             // of the wrench asked for; infinite if unbounded [1]
+  Eigen::VectorXd tension;     // that makes it                                  [N] (m)
+  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
+};
+
+/// The largest multiple of a wrench that a tip can hold, all other components zero:
+///
+///   maximise s >= 0  subject to  s (J' f + W' m) = R' t + tau_0,  0 <= t <= F0.
+///
+/// @param statics  one posture; W may be absent if `moment` is zero
+/// @param moment   m, about the tip, world frame   3   [N m]
+/// @param force    f, world frame                  3   [N]
+/// @throws InputError as largest_force(), or if a moment is asked for and W is absent.
+/// Source: [ValeroCuevas1998].
+[[nodiscard]] LargestWrench largest_wrench(const TipStatics& statics,
+                                           const Eigen::Vector3d& moment,
+                                           const Eigen::Vector3d& force);
+
+}  // namespace thenar

@@ -1,0 +1,62 @@
+#pragma once
+
+/// Tendons as straight runs through points fixed in bones, on any scalar.
+
+#include <vector>
+
+#include "hand/chain.h"
+
+namespace thenar {
+
+/// A point that a tendon runs through.
+template <typename T>
+struct PathNode {
+  int link;   // link that carries it; -1: the base
+  Vec3<T> p;  // at the reference posture [m] (3)
+};
+
+template <typename T>
+using TendonPath = std::vector<PathNode<T>>;
+
+/// Length of a path  L = sum |p_{k+1} - p_k|  [m].
+template <typename T>
+[[nodiscard]] T path_length(const TreeState<T>& state, const TendonPath<T>& path) {
+  T length(0);
+  for (std::size_t k = 1; k < path.size(); ++k)
+    length +=
+        (moved(state, path[k].link, path[k].p) - moved(state, path[k - 1].link, path[k - 1].p))
+            .norm();
+  return length;
+}
+
+/// Moment arms of a path by virtual work,  R_j = -dL/dq_j,  flexion positive where the tendon
+/// shortens in flexion. Only hinges between the two links of a run contribute to it.
+/// Zero-length runs have no direction and are not allowed between links (checked at build).
+/// @return row of moment arms [m/rad] (coordinates)
+/// Source: [An1983] for the sign.
+template <typename T>
+[[nodiscard]] Eigen::Matrix<T, 1, Eigen::Dynamic> moment_arms(const Tree<T>& tree,
+                                                              const TreeState<T>& state,
+                                                              const TendonPath<T>& path,
+                                                              int coordinates) {
+  Eigen::Matrix<T, 1, Eigen::Dynamic> R(coordinates);
+  R.setZero();
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    int a = path[k - 1].link, b = path[k].link;
+    if (a == b) continue;
+    const Vec3<T> p_a = moved(state, a, path[k - 1].p), p_b = moved(state, b, path[k].p);
+    const Vec3<T> u = (p_b - p_a).normalized();
+    // Climb from both links to their common ancestor; parents have smaller indices.
+    while (a != b) {
+      const bool climb_b = b > a;
+      const int i = climb_b ? b : a;
+      const Vec3<T>& p = climb_b ? p_b : p_a;
+      const T pull = u.dot(state[i].axis.cross(p - state[i].point));
+      R[tree[i].coordinate] += T(tree[i].ratio) * (climb_b ? -pull : pull);
+      (climb_b ? b : a) = tree[i].parent;
+    }
+  }
+  return R;
+}
+
+}  // namespace thenar

@@ -1,0 +1,158 @@
+#include "tendons/tendon_model.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// Index of a name, or -1.
+int find(const std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? -1 : static_cast<int>(found - names.begin());
+}
+
+const Digit& digit_of(const Subject& subject, const std::string& name) {
+  for (const Digit& digit : subject.digits)
+    if (digit.name == name) return digit;
+  throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
+}
+
+/// Path with points on the kept links; points on dropped segments end it.
+TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
+  TendonPath<double> path;
+  for (const PathPoint& point : strand.path) {
+    const auto link = skeleton.link_of_segment.find(point.segment);
+    if (link == skeleton.link_of_segment.end()) continue;
+    path.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
+  }
+  for (std::size_t k = 1; k < path.size(); ++k)
+    require(path[k].link == path[k - 1].link || (path[k].p - path[k - 1].p).norm() > 1e-9,
+            "path of strand '{}' has a zero-length run across a joint at point {}", strand.name, k);
+  return path;
+}
+
+bool crosses_a_joint(const TendonPath<double>& path) {
+  return std::any_of(path.begin(), path.end(),
+                     [&](const PathNode<double>& node) { return node.link != path.front().link; });
+}
+
+/// Builds the parts of one digit in order: strands, muscles, hood.
+class DigitBuilder {
+ public:
+  DigitBuilder(const Subject& subject, const std::string& name, const TendonOptions& options)
+      : subject_(subject), digit_(digit_of(subject, name)), options_(options) {
+    built_.skeleton = build_skeleton(subject, {{name}, options.frozen});
+    set_bones();
+    for (const Strand& strand : subject.strands) add_strand(strand);
+    for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);
+    if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
+    built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
+        max_tension_.data(), static_cast<Eigen::Index>(max_tension_.size()));
+    built_.fidelity = Fidelity(Motion::kStatic, options.path,
+                               built_.model.hood ? Hood::kFractions : Hood::kSeparate);
+  }
+
+  TendonDigit take() { return std::move(built_); }
+
+ private:
+  void set_bones() {
+    const Skeleton& skeleton = built_.skeleton;
+    const SkeletonTip& tip = thenar::tip(skeleton, digit_.name);
+    built_.model.tree = skeleton.tree;
+    built_.model.coordinates = skeleton.coordinates();
+    built_.model.tip_link = tip.link;
+    built_.model.tip = tip.p;
+    built_.model.tip_axes = tip.axes;
+    built_.names.coordinates = skeleton.coordinate_names;
+    built_.names.hinges = skeleton.hinge_names;
+  }
+
+  /// Constant arms of a strand at the kept coordinates [m/rad].
+  Eigen::RowVectorXd arms_of(const Strand& strand) const {
+    Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(built_.model.coordinates);
+    for (const auto& [joint, arm] : strand.arms) {
+      const int j = find(built_.names.coordinates, joint);
+      if (j >= 0) arms[j] = arm;
+    }
+    return arms;
+  }
+
+  void add_strand(const Strand& strand) {
+    TendonModel<double>& model = built_.model;
+    const Eigen::RowVectorXd arms = arms_of(strand);
+    TendonPath<double> path;
+    if (options_.path != Path::kConstant || strand.arms.empty())
+      path = kept_path(built_.skeleton, strand);
+    if (!crosses_a_joint(path)) path.clear();
+    if (path.empty() && arms.isZero(0)) return;
+    require(path.empty() || options_.path != Path::kConstant,
+            "strand '{}' of subject '{}' has no constant moment arms (arms_mm)", strand.name,
+            subject_.name);
+    model.paths.push_back(std::move(path));
+    model.constant_arms.conservativeResize(static_cast<Eigen::Index>(model.paths.size()),
+                                           model.coordinates);
+    model.constant_arms.bottomRows<1>() = arms;
+    built_.names.strands.push_back(strand.name);
+  }
+
+  void add_muscle(const MuscleUnit& muscle) {
+    const int strand = find(built_.names.strands, muscle.strand);
+    if (strand < 0) return;
+    built_.model.pulls.push_back(strand);
+    built_.names.muscles.push_back(muscle.name);
+    max_tension_.push_back(muscle.max_force > 0 ? muscle.max_force
+                                                : std::numeric_limits<double>::infinity());
+  }
+
+  int hood_row(const std::string& strand) const {
+    const int row = find(built_.names.strands, strand);
+    require(row >= 0, "hood of digit '{}' names strand '{}', which crosses none of its joints",
+            digit_.name, strand);
+    return row;
+  }
+
+  void add_hood_rule(const HoodRule& rule) {
+    built_.model.hood = HoodRows{hood_row(rule.central_slip), hood_row(rule.radial_band),
+                                 hood_row(rule.ulnar_band), hood_row(rule.terminal_slip)};
+    for (const HoodBranch& branch : rule.branches) {
+      const int muscle = find(built_.names.muscles, branch.muscle);
+      require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
+              digit_.name, branch.muscle);
+      built_.model.hood_shares.push_back(
+          {muscle, branch.side, branch.into_hood, branch.to_central});
+    }
+  }
+
+  const Subject& subject_;
+  const Digit& digit_;
+  const TendonOptions& options_;
+  std::vector<double> max_tension_;
+  TendonDigit built_;
+};
+
+}  // namespace
+
+TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
+                               const TendonOptions& options) {
+  return DigitBuilder(subject, digit, options).take();
+}
+
+TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  const TendonModel<double>& model = digit.model;
+  require(q.size() == model.coordinates, "posture has {} angles, the digit {} joints", q.size(),
+          model.coordinates);
+  require(q.allFinite(), "posture has an angle that is not finite");
+  const TreeState<double> state = pose_tree(model.tree, q);
+  const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
+  return {position_jacobian(model.tree, state, model.tip_link, tip, model.coordinates),
+          rotation_jacobian(model.tree, state, model.tip_link, model.coordinates),
+          muscle_arms(model, state),
+          passive_torque(digit.skeleton, q),
+          digit.max_tension,
+          digit.names.muscles};
+}
+
+}  // namespace thenar

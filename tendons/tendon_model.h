@@ -1,0 +1,96 @@
+#pragma once
+
+/// One digit with its tendons, on any scalar: all that static fingertip forces depend on.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/fidelity.h"
+#include "hand/skeleton.h"
+#include "tendons/hood.h"
+#include "tendons/path.h"
+#include "tendons/tip_statics.h"
+
+namespace thenar {
+
+template <typename T>
+using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
+template <typename T>
+using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+
+/// Numbers of a digit; names are in TendonNames.
+template <typename T>
+struct TendonModel {
+  Tree<T> tree;                      // hinges from the wrist to the tip
+  int coordinates;                   // entries of q
+  int tip_link;                      // link that carries the tip
+  Vec3<T> tip;                       // reference posture [m] (3)
+  Mat3<T> tip_axes;                  // columns proximal, dorsal, radial (3, 3)
+  std::vector<TendonPath<T>> paths;  // of each strand; empty: constant arms
+  MatrixX<T> constant_arms;          // of strands without a path [m/rad] (strands, coordinates)
+  std::vector<int> pulls;            // strand that each muscle pulls whole
+  std::optional<HoodRows> hood;      // absent: separate tendons
+  std::vector<HoodShare<T>> hood_shares;
+};
+
+/// Names that go with the rows of a TendonModel.
+struct TendonNames {
+  std::vector<std::string> coordinates;
+  std::vector<std::string> hinges;
+  std::vector<std::string> strands;
+  std::vector<std::string> muscles;
+};
+
+/// A digit ready for questions: model, names, limits.
+struct TendonDigit {
+  TendonModel<double> model;
+  TendonNames names;
+  Skeleton skeleton;            // the digit alone
+  Eigen::VectorXd max_tension;  // F0, infinite where the subject does not say [N] (muscles)
+  Fidelity fidelity;            // what was built
+};
+
+/// Which tendons to build.
+struct TendonOptions {
+  Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
+  Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
+  std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
+};
+
+/// Builds one digit of a subject with every muscle that crosses one of its joints.
+/// @throws InputError if the digit, or an arm or path of a crossing strand, is missing.
+[[nodiscard]] TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
+                                             const TendonOptions& options = {});
+
+/// Everything at the digit's tip at posture q (coordinates) [rad].
+[[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
+
+/// Strand tension per muscle tension (strands, muscles) [1].
+template <typename T>
+[[nodiscard]] MatrixX<T> strand_matrix(const TendonModel<T>& model) {
+  MatrixX<T> S(model.paths.size(), model.pulls.size());
+  S.setZero();
+  for (std::size_t m = 0; m < model.pulls.size(); ++m) S(model.pulls[m], m) = T(1);
+  if (model.hood) add_hood(*model.hood, model.hood_shares, S);
+  return S;
+}
+
+/// Moment arms of every strand at a pose [m/rad] (strands, coordinates).
+template <typename T>
+[[nodiscard]] MatrixX<T> strand_arms(const TendonModel<T>& model, const TreeState<T>& state) {
+  MatrixX<T> R = model.constant_arms;
+  for (std::size_t s = 0; s < model.paths.size(); ++s)
+    if (!model.paths[s].empty())
+      R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
+  return R;
+}
+
+/// Moment arms of every muscle through the hood,  R = S' R_strands  [m/rad] (muscles, coordinates).
+template <typename T>
+[[nodiscard]] MatrixX<T> muscle_arms(const TendonModel<T>& model, const TreeState<T>& state) {
+  return strand_matrix(model).transpose() * strand_arms(model, state);
+}
+
+}  // namespace thenar

@@ -1,0 +1,26 @@
+#pragma once
+
+/// One digit at one posture, as everything that acts at its tip in static balance.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Balance of a digit whose tip pushes the world with f and m while tendons pull with t:
+///
+///   J' f + W' m = R' t + tau_0
+///
+/// A published tip-force map f = A t is the same with J' = [1; 0], W absent and R' = A.
+struct TipStatics {
+  Eigen::Matrix3Xd J;                // position Jacobian of the tip (3, n)         [m/rad]
+  Eigen::Matrix3Xd W;                // rotation Jacobian of the tip (3, n)         [1]
+  Eigen::MatrixXd R;                 // moment arms -d(length)/dq, flexion + (m, n) [m/rad]
+  Eigen::VectorXd tau_0;             // torque without tendons: passive (n)         [N m]
+  Eigen::VectorXd max_tension;       // F0 (m); infinite if unknown                 [N]
+  std::vector<std::string> muscles;  // (m)
+};
+
+}  // namespace thenar
