@@ -90,10 +90,14 @@ LinearResult maximise(LoadProblem problem) {
 
 ForceStatus force_status(LinearStatus status) {
   switch (status) {
-    case LinearStatus::kSolved: return ForceStatus::kSolved;
-    case LinearStatus::kInfeasible: return ForceStatus::kInfeasible;
-    case LinearStatus::kUnbounded: return ForceStatus::kUnbounded;
-    default: return ForceStatus::kStalled;
+    case LinearStatus::kSolved:
+      return ForceStatus::kSolved;
+    case LinearStatus::kInfeasible:
+      return ForceStatus::kInfeasible;
+    case LinearStatus::kUnbounded:
+      return ForceStatus::kUnbounded;
+    default:
+      return ForceStatus::kStalled;
   }
 }
 

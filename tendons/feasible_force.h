@@ -60,8 +60,7 @@ struct LargestWrench {
 /// @param force    f, world frame                  3   [N]
 /// @throws InputError as largest_force(), or if a moment is asked for and W is absent.
 /// Source: [ValeroCuevas1998].
-[[nodiscard]] LargestWrench largest_wrench(const TipStatics& statics,
-                                           const Eigen::Vector3d& moment,
+[[nodiscard]] LargestWrench largest_wrench(const TipStatics& statics, const Eigen::Vector3d& moment,
                                            const Eigen::Vector3d& force);
 
 }  // namespace thenar
