@@ -11,7 +11,7 @@ import { cssColor } from "./palette.js";
 import { onThemeChange } from "./theme.js";
 import { hideTooltip, showTooltip } from "./tooltip.js";
 
-const REACH = 40; // of the pointer, to the point it tells about [px]
+const REACH = 28; // of the pointer, to the point it tells about [px]
 
 function nearest(plot, points, shown) {
   let best = null;
@@ -28,19 +28,33 @@ function nearest(plot, points, shown) {
   return best && best.d < REACH ? best : null;
 }
 
-function tellNearest(plot, event, block, points, shown) {
-  const p = nearest(plot, points, shown);
-  if (!p) return hideTooltip();
-  const band =
-    p.low !== null && p.high !== null
-      ? [`band ${formatNumber(p.low)} to ${formatNumber(p.high)}`]
-      : [];
-  showTooltip(event, [
-    p.label ? `${block.series[p.s].name}: ${p.label}` : block.series[p.s].name,
+function wordsOf(block, p) {
+  const { name } = block.series[p.s];
+  const band = p.low !== null && p.high !== null;
+  return [
+    p.label ? `${name}: ${p.label}` : name,
     `${block.x_label ?? "x"}: ${formatNumber(p.x)}`,
     `${block.y_label ?? "y"}: ${formatNumber(p.y)}`,
-    ...band,
-  ]);
+    ...(band ? [`band ${formatNumber(p.low)} to ${formatNumber(p.high)}`] : []),
+  ];
+}
+
+/// Tells about the point nearest to the pointer, and rings it.
+function followPointer(plot, block, points, shown) {
+  const ring = plot.over.appendChild(el("span", { class: "ring", hidden: true }));
+  const leave = () => {
+    ring.hidden = true;
+    hideTooltip();
+  };
+  plot.over.addEventListener("pointerleave", leave);
+  plot.over.addEventListener("pointermove", (event) => {
+    const p = nearest(plot, points, shown);
+    if (!p) return leave();
+    ring.hidden = false;
+    ring.style.left = `${plot.valToPos(p.x, "x")}px`;
+    ring.style.top = `${plot.valToPos(p.y, "y")}px`;
+    showTooltip(event, wordsOf(block, p));
+  });
 }
 
 function entries(block) {
@@ -58,10 +72,7 @@ function mount(frame, block, model, shown) {
     model.data,
     frame,
   );
-  plot.over.addEventListener("pointermove", (event) =>
-    tellNearest(plot, event, block, model.points, shown),
-  );
-  plot.over.addEventListener("pointerleave", hideTooltip);
+  followPointer(plot, block, model.points, shown);
   new ResizeObserver(() => plot.setSize({ width: frame.clientWidth, height: plot.height })).observe(
     frame,
   );

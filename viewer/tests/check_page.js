@@ -7,7 +7,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
-import { boxOf, hideFirstTendon, isReady, look, picture } from "./probes.js";
+import { boxOf, chartWithoutSeries, hideFirstTendon, isReady, look } from "./probes.js";
+import { middleOf, picture, tooltipText } from "./probes.js";
 
 const SHOTS = join(import.meta.dirname, "screenshots");
 const VIEWS = {
@@ -25,6 +26,7 @@ async function ask(browser, probe, ...values) {
   const { result, exceptionDetails } = await browser.send("Runtime.evaluate", {
     expression: `(${probe})(${values.map((value) => JSON.stringify(value)).join(",")})`,
     returnByValue: true,
+    awaitPromise: true,
   });
   assert.equal(exceptionDetails, undefined, exceptionDetails?.exception?.description);
   return result.value;
@@ -88,6 +90,15 @@ async function checkTurning(browser) {
   assert.deepEqual(changed, [false, true, true], "scenes changed: first, linked, dragged");
 }
 
+/// The pointer over an arrow tells its numbers. A first move only brings the pointer into the page.
+async function checkTooltip(browser) {
+  const { x, y } = await ask(browser, middleOf, ".pair line.measured");
+  for (const dx of [2, 0])
+    await browser.send("Input.dispatchMouseEvent", { type: "mouseMoved", x: x + dx, y });
+  await pause(SETTLE);
+  assert.match(await ask(browser, tooltipText), /measured.*predicted.*difference/s);
+}
+
 async function print(browser) {
   const options = { printBackground: true, preferCSSPageSize: true };
   const { data } = await browser.send("Page.printToPDF", options);
@@ -127,6 +138,8 @@ try {
   }
   await open(browser, path, VIEWS.light);
   await checkTurning(browser);
+  await checkTooltip(browser);
+  assert.ok(await ask(browser, chartWithoutSeries), "a legend switches its series off");
   assert.equal(
     await ask(browser, hideFirstTendon),
     8,

@@ -52,3 +52,26 @@ export function hideFirstTendon() {
   return [...document.querySelectorAll(".pair")].filter((pair) => pair.style.display === "none")
     .length;
 }
+
+/// The middle of an element, scrolled into view.
+export function middleOf(selector) {
+  const element = document.querySelector(selector);
+  element.scrollIntoView({ block: "center", behavior: "instant" });
+  const { x, y, width, height } = element.getBoundingClientRect();
+  return { x: x + width / 2, y: y + height / 2 };
+}
+
+/// The tooltip's text; empty while it is hidden.
+export function tooltipText() {
+  const box = document.querySelector(".tooltip");
+  return box && !box.hidden ? box.innerText : "";
+}
+
+/// Whether the first chart changes when its first series is switched off.
+export function chartWithoutSeries() {
+  const figure = document.querySelector(".uplot").closest("figure");
+  const image = () => figure.querySelector("canvas").toDataURL();
+  const before = image();
+  figure.querySelector(".legend button").click();
+  return new Promise((resolve) => setTimeout(() => resolve(image() !== before), 300));
+}
