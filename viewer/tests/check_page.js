@@ -1,5 +1,6 @@
 // Opens the sample report in Chromium, asserts that it draws and answers, and leaves screenshots in
-// tests/screenshots. Run `npm run bundle` first. Needs a chromium on the path, or its path in CHROMIUM.
+// tests/screenshots. Run `npm run bundle` first. Needs chromium on the path, or its path in
+// CHROMIUM.
 
 import assert from "node:assert/strict";
 import { mkdirSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";

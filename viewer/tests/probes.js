@@ -11,8 +11,8 @@ export function isReady() {
   );
 }
 
-/// What a reader would see. The background of a canvas is transparent: `covered` is the share of its pixels
-/// that something was painted on, `colors` how many different ones.
+/// What a reader would see. The background of a canvas is transparent: `covered` is the share of
+/// its pixels that something was painted on, `colors` how many different ones.
 export function look() {
   const paint = (canvas) => {
     const { width, height } = canvas;
