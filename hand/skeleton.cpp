@@ -65,6 +65,10 @@ class Builder {
     // A second joint between the same segments follows the first.
     const bool follows = skeleton_.link_of_segment.count(joint.child) > 0;
     const std::string& from = follows ? joint.child : joint.parent;
+    const std::string& carrier = carrier_.emplace(joint.child, joint.parent).first->second;
+    require(carrier == joint.parent,
+            "joint '{}' moves segment '{}' from '{}', an earlier joint from '{}'", joint.name,
+            joint.child, joint.parent, carrier);
     require(skeleton_.link_of_segment.count(from) > 0,
             "joint '{}' hangs on segment '{}', which no earlier joint reaches", joint.name, from);
     const int parent = skeleton_.link_of_segment.at(from);
@@ -125,8 +129,8 @@ class Builder {
   int coordinate_of(const std::string& leader, const std::string& follower) const {
     const auto& names = skeleton_.coordinate_names;
     const auto found = std::find(names.begin(), names.end(), leader);
-    require(found != names.end(), "joint '{}' is coupled to '{}', which was not built before it",
-            follower, leader);
+    require(found != names.end(),
+            "joint '{}' is coupled to '{}', which is not a free joint before it", follower, leader);
     return static_cast<int>(found - names.begin());
   }
 
@@ -148,7 +152,8 @@ class Builder {
 
   const SkeletonOptions& options_;
   std::set<std::string> kept_;
-  std::map<std::string, double> welded_;  // joint -> angle it is frozen at [rad]
+  std::map<std::string, std::string> carrier_;  // segment -> the one that its joints hang on
+  std::map<std::string, double> welded_;        // joint -> angle it is frozen at [rad]
   Skeleton skeleton_;
 };
 
