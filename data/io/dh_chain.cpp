@@ -1,5 +1,9 @@
 // [[dh_chain]]: a digit's joints as published in a Denavit-Hartenberg table.
 
+#include <cmath>
+#include <tuple>
+#include <utility>
+
 #include "data/io/dh.h"
 #include "data/io/subject_parts.h"
 
@@ -23,8 +27,9 @@ DhRow read_row(TomlTable& table) {
           table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
-/// A joint of the chain; its axis is known once all rows are read.
-JointAxis read_joint(TomlTable& table, const std::string& parent, const SubjectDraft& draft) {
+/// The joint about z of frame X.
+JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<double>& X,
+                     const SubjectDraft& draft) {
   JointAxis joint;
   joint.name = table.text("joint");
   for (const JointAxis& other : draft.subject.joints)
@@ -33,6 +38,10 @@ JointAxis read_joint(TomlTable& table, const std::string& parent, const SubjectD
   joint.parent = parent;
   joint.child = segment_reference(table, "child", draft);
   read_range(table, joint);
+  const double sign = table.sign("sign");
+  joint.point = X.p;
+  joint.direction = sign * X.R.col(2);
+  if (sign < 0) std::tie(joint.lower, joint.upper) = std::pair(-joint.upper, -joint.lower);
   return joint;
 }
 
@@ -41,9 +50,7 @@ void read_chain(TomlTable& table, SubjectDraft& draft) {
   std::string parent = segment_reference(table, "parent", draft);
   Pose<double> X = read_base(table);
   for (TomlTable& row : table.tables("rows")) {
-    JointAxis joint = read_joint(row, parent, draft);
-    joint.point = X.p;
-    joint.direction = X.R.col(2);
+    const JointAxis joint = read_joint(row, parent, X, draft);
     X = X * dh_motion(read_row(row));
     row.done();
     add_joint(row, joint, draft);

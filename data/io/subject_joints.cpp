@@ -24,7 +24,7 @@ void read_resistance(TomlTable& table, JointAxis& joint) {
 }
 
 void read_axis(TomlTable& table, JointAxis& joint) {
-  joint.direction = table.direction("direction");
+  joint.direction = table.sign("direction_sign") * table.direction("direction");
   joint.point = table.vector(Dimension::kLength, "point");
   joint.direction_sd = table.number_or(Dimension::kAngle, "direction_sd", 0, Range::kNotNegative);
   joint.point_sd = table.number_or(Dimension::kLength, "point_sd", 0, Range::kNotNegative);

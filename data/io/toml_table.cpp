@@ -136,6 +136,12 @@ Eigen::Vector3d TomlTable::direction(const std::string& key) {
   return d.normalized();
 }
 
+double TomlTable::sign(const std::string& key) {
+  const double sign = number_or(Dimension::kNumber, key, 1);
+  if (std::abs(sign) != 1) fail(fmt::format("wanted '{}' to be 1 or -1, got {}", key, sign), key);
+  return sign;
+}
+
 Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
   const TomlNode& node = need(key, TomlKind::kArray);
   if (node.items.size() != 3)
@@ -195,6 +201,7 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
 std::string TomlTable::source() const { return fmt::format("{}", fmt::join(sources_, ", ")); }
 
 void TomlTable::done() const {
+  for (const Quantity& wanted : asked_) refuse_wrong_unit(wanted);
   for (const auto& [key, node] : node_->members)
     if (!contains(known_, key))
       fail_at(node.line, fmt::format("unknown key '{}'{}", key, did_you_mean(key, known_)));
@@ -206,6 +213,7 @@ void TomlTable::fail(const std::string& what, const std::string& key) const {
 }
 
 std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::string& base) {
+  asked_.push_back({dimension, base});
   std::optional<Found> found;
   for (const Unit& unit : units_of(dimension)) {
     const std::string key = key_of(base, unit);
@@ -215,13 +223,13 @@ std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::
     if (found) fail(fmt::format("given twice: '{}' and '{}'", found->key, key), key);
     found = Found{key, node, unit.to_si};
   }
-  if (!found) refuse_wrong_unit(dimension, base);
   return found;
 }
 
 TomlTable::Found TomlTable::need(Dimension dimension, const std::string& base) {
   const std::optional<Found> found = find(dimension, base);
   if (found) return *found;
+  refuse_wrong_unit({dimension, base});
   for (const std::string& key : keys_of(base, dimension)) refuse_misspelt(key);
   fail(fmt::format("{} needs {} ({})", title_, dimension_name(dimension),
                    fmt::join(keys_of(base, dimension), ", ")));
@@ -277,14 +285,13 @@ void TomlTable::refuse_misspelt(const std::string& wanted) const {
       fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
 }
 
-/// The key with no unit, or with a unit of another dimension, is the wanted one as well.
-void TomlTable::refuse_wrong_unit(Dimension dimension, const std::string& base) const {
+/// A key with no unit, or with a unit of another dimension, is the wanted one as well.
+void TomlTable::refuse_wrong_unit(const Quantity& wanted) const {
   for (const Unit& unit : all_units()) {
-    const std::string key = key_of(base, unit);
-    if (unit.dimension == dimension || node_->find(key) == nullptr || contains(known_, key))
-      continue;
-    fail(fmt::format("wanted {} ({}), got '{}'", dimension_name(dimension),
-                     fmt::join(keys_of(base, dimension), ", "), key),
+    const std::string key = key_of(wanted.base, unit);
+    if (node_->find(key) == nullptr || contains(known_, key)) continue;
+    fail(fmt::format("wanted {} ({}), got '{}'", dimension_name(wanted.dimension),
+                     fmt::join(keys_of(wanted.base, wanted.dimension), ", "), key),
          key);
   }
 }

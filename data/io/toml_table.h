@@ -56,6 +56,7 @@ class TomlTable {
   [[nodiscard]] Eigen::Vector3d vector_or(Dimension dimension, const std::string& base,
                                           const Eigen::Vector3d& fallback);
   [[nodiscard]] Eigen::Vector3d direction(const std::string& key);  // normalised (3)
+  [[nodiscard]] double sign(const std::string& key);                // 1 if absent, or -1
   [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);      // three rows of three
 
   /// `arms_mm = {PIP3 = 5.6}`: names to quantities. Empty if absent.
@@ -86,6 +87,10 @@ class TomlTable {
     const TomlNode* node;
     double to_si;
   };
+  struct Quantity {
+    Dimension dimension;
+    std::string base;
+  };
   [[nodiscard]] std::optional<Found> find(Dimension dimension, const std::string& base);
   [[nodiscard]] Found need(Dimension dimension, const std::string& base);
   [[nodiscard]] const TomlNode& need(const std::string& key, TomlKind kind);
@@ -94,7 +99,7 @@ class TomlTable {
                                            Range range) const;
   [[nodiscard]] TomlTable inner(const TomlNode& node, const std::string& title) const;
   void refuse_misspelt(const std::string& wanted) const;
-  void refuse_wrong_unit(Dimension dimension, const std::string& base) const;
+  void refuse_wrong_unit(const Quantity& wanted) const;
   [[noreturn]] void fail_at(int line, const std::string& what) const;
 
   const TomlFile* file_;
@@ -102,6 +107,7 @@ class TomlTable {
   std::string title_;
   std::vector<std::string> sources_;
   std::vector<std::string> known_;  // keys asked for so far
+  std::vector<Quantity> asked_;     // quantities asked for so far
 };
 
 }  // namespace thenar
