@@ -88,19 +88,6 @@ LinearResult maximise(LoadProblem problem) {
   return {LinearStatus::kStalled, VectorXd(), kInfinity};
 }
 
-ForceStatus force_status(LinearStatus status) {
-  switch (status) {
-    case LinearStatus::kSolved:
-      return ForceStatus::kSolved;
-    case LinearStatus::kInfeasible:
-      return ForceStatus::kInfeasible;
-    case LinearStatus::kUnbounded:
-      return ForceStatus::kUnbounded;
-    default:
-      return ForceStatus::kStalled;
-  }
-}
-
 /// What a result says before, or instead of, an answer.
 double amount_without_answer(ForceStatus status) {
   return status == ForceStatus::kUnbounded ? kInfinity : 0;
@@ -126,7 +113,7 @@ LargestForce largest_force(const TipStatics& statics, const Vector3d& direction,
   turned.rightCols(axes.cols() - 1) *= slope;
 
   const LinearResult best = maximise({balance, balance.force_part * turned, {}});
-  const ForceStatus status = force_status(best.status);
+  const ForceStatus status = internal::force_status(best.status);
   LargestForce result{status, Vector3d::Zero(), amount_without_answer(status),
                       VectorXd::Zero(balance.most.size()), VectorXd::Zero(balance.most.size())};
   if (status != ForceStatus::kSolved) return result;
@@ -158,7 +145,7 @@ LargestWrench largest_wrench(const TipStatics& statics, const Vector3d& moment,
   load *= unit;
 
   const LinearResult best = maximise({balance, load, {}});
-  const ForceStatus status = force_status(best.status);
+  const ForceStatus status = internal::force_status(best.status);
   LargestWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
                        VectorXd::Zero(balance.most.size())};
   if (status != ForceStatus::kSolved) return result;

@@ -4,16 +4,10 @@
 
 #include <Eigen/Core>
 
+#include "tendons/force_status.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
-
-enum class ForceStatus {
-  kSolved,      // the rest of the result is the answer
-  kInfeasible,  // no tensions balance any force asked for; forces and tensions are zero
-  kUnbounded,   // F0 is infinite where it matters, or the skeleton alone carries the load
-  kStalled      // the numerical method gave up; forces and tensions are not to be used
-};
 
 struct LargestForce {
   ForceStatus status;          // read this first
