@@ -208,8 +208,9 @@ void TomlTable::done() const {
 }
 
 void TomlTable::fail(const std::string& what, const std::string& key) const {
-  const TomlNode* node = node_->find(key);
-  fail_at(node == nullptr ? node_->line : node->line, what);
+  for (const auto& [name, node] : node_->members)
+    if (name == key || (!key.empty() && name.rfind(key + "_", 0) == 0)) fail_at(node.line, what);
+  fail_at(node_->line, what);
 }
 
 std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::string& base) {
@@ -280,8 +281,9 @@ TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const
 
 /// A key nobody asked for that is nearly the wanted one is the wanted one, misspelt.
 void TomlTable::refuse_misspelt(const std::string& wanted) const {
+  const int near = wanted.size() < 6 ? 1 : 2;  // letters that may differ
   for (const auto& [key, node] : node_->members)
-    if (!contains(known_, key) && edit_distance(key, wanted) <= 2)
+    if (!contains(known_, key) && edit_distance(key, wanted) <= near)
       fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
 }
 

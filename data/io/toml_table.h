@@ -78,7 +78,7 @@ class TomlTable {
   /// @throws DataError for the first key that no getter asked for.
   void done() const;
 
-  /// Throws a DataError at this table, or at one of its keys if that is there.
+  /// Throws a DataError at this table, or at one of its keys (its unit may be left out).
   [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
 
  private:

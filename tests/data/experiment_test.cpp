@@ -1,0 +1,171 @@
+// Tests for data/io/experiment.cpp.
+
+#include "data/io/experiment.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+const std::string kGood = R"(name = "E1"
+species = "human"
+source = "Synek2019"
+digit = "middle"
+[protocol]
+hold = "rigid"
+gravity_m_s2 = 10
+pulley_efficiency = 0.8
+[force]
+segment = "DP3"
+components = ["-proximal", "palmar", "radial"]
+[noise]
+relative = 0.3
+floor_N = 0.4
+[[posture]]
+name = "Hook"
+angles_deg = {PIP3 = 90}
+[trials]
+rows = [
+  {posture = "Hook", load_g = {FDS = 500}, force_N = [1, 0, 0], moment_Nmm = [1, 2, 3]},
+  {posture = "Hook", tension_N = {FDP = 7}, force_N = [0, 2, 0], sd_N = [0.1, 0.2, 0.3]},
+]
+)";
+
+std::string broken(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+/// What the reader says of kGood with `from` replaced by `to`.
+std::string refusal(const std::string& from, const std::string& to) {
+  try {
+    (void)parse_experiment(broken(from, to), "e.toml");
+  } catch (const DataError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+class ExperimentFile : public testing::Test {
+ protected:
+  const Experiment experiment_ = parse_experiment(kGood, "e.toml");
+};
+
+TEST_F(ExperimentFile, HeaderIsRead) {
+  EXPECT_EQ(experiment_.name, "E1");
+  EXPECT_EQ(experiment_.specimen, "E1") << "one experiment a specimen unless stated";
+  EXPECT_EQ(experiment_.source, "Synek2019");
+  EXPECT_EQ(experiment_.hold, TipHold::kRigid);
+}
+
+// 0.5 kg x 10 m/s^2 x 0.8
+TEST_F(ExperimentFile, LoadBecomesTension) {
+  EXPECT_DOUBLE_EQ(experiment_.trials[0].tension.at("FDS"), 4);
+  EXPECT_DOUBLE_EQ(experiment_.trials[1].tension.at("FDP"), 7) << "stated tension stays";
+}
+
+TEST_F(ExperimentFile, ComponentsAreSignedDigitDirections) {
+  Eigen::Matrix3i expected;
+  expected << -1, 0, 0, 0, -1, 0, 0, 0, 1;
+  EXPECT_EQ(experiment_.axes_of_digit, expected);
+}
+
+TEST_F(ExperimentFile, MomentIsInNewtonMetres) {
+  EXPECT_TRUE(matrix_near(*experiment_.trials[0].moment, Vector3d(1e-3, 2e-3, 3e-3), 1e-18));
+  EXPECT_FALSE(experiment_.trials[1].moment);
+}
+
+TEST_F(ExperimentFile, AnglesAreInRadians) {
+  EXPECT_NEAR(experiment_.postures[0].angles.at("PIP3"), 1.5707963267948966, 1e-15);
+}
+
+// hypot(0.4 N, 0.3 x 1 N) = 0.5 N
+TEST_F(ExperimentFile, NoiseIsFloorAndFraction) {
+  EXPECT_TRUE(
+      matrix_near(force_sd(experiment_, experiment_.trials[0]), Vector3d::Constant(0.5), 1e-15));
+  EXPECT_TRUE(
+      matrix_near(force_sd(experiment_, experiment_.trials[1]), Vector3d(0.1, 0.2, 0.3), 0));
+}
+
+TEST(ExperimentErrors, MissingForceFrame) {
+  EXPECT_EQ(refusal("[force]\nsegment = \"DP3\"\ncomponents = [\"-proximal\", \"palmar\", "
+                    "\"radial\"]\n",
+                    ""),
+            "e.toml:1: the file needs [force]: the segment and the axes of the forces");
+}
+
+TEST(ExperimentErrors, UnknownComponent) {
+  EXPECT_EQ(refusal("palmar", "upward"),
+            "e.toml:11: wanted each of 'components' to be one of proximal, distal, dorsal, palmar, "
+            "radial, ulnar or its negative, got 'upward'");
+}
+
+TEST(ExperimentErrors, ComponentsAlongOneDirection) {
+  EXPECT_EQ(refusal("palmar", "distal"),
+            "e.toml:11: wanted 'components' along three different directions");
+}
+
+TEST(ExperimentErrors, UndefinedPosture) {
+  EXPECT_EQ(refusal("{posture = \"Hook\"", "{posture = \"Hock\""),
+            "e.toml:20: posture 'Hock' is not defined, did you mean 'Hook'?");
+}
+
+TEST(ExperimentErrors, TendonThatPushes) {
+  EXPECT_EQ(refusal("FDS = 500", "FDS = -500"), "e.toml:20: tendon 'FDS' cannot push, got -0.5 kg");
+}
+
+TEST(ExperimentErrors, NotANumber) {
+  EXPECT_EQ(refusal("[1, 0, 0]", "[1, nan, 0]"),
+            "e.toml:20: wanted 'force_N' as a finite number, got nan");
+}
+
+TEST(ExperimentErrors, WrongUnit) {
+  EXPECT_EQ(refusal("force_N = [1", "force_mm = [1"),
+            "e.toml:20: wanted a force (force_N), got 'force_mm'");
+  EXPECT_EQ(refusal("angles_deg", "angles_mm"),
+            "e.toml:17: wanted an angle (angles_deg, angles_rad), got 'angles_mm'");
+}
+
+TEST(ExperimentErrors, UnknownKey) {
+  EXPECT_EQ(refusal("moment_Nmm", "momant_Nmm"),
+            "e.toml:20: unknown key 'momant_Nmm', did you mean 'moment_Nmm'?");
+}
+
+TEST(ExperimentErrors, NoLoad) {
+  EXPECT_EQ(refusal("load_g = {FDS = 500}, ", ""),
+            "e.toml:20: a trial needs 'load_g' or 'tension_N'");
+}
+
+TEST(ExperimentErrors, NoNoise) {
+  EXPECT_EQ(refusal("[noise]\nrelative = 0.3\nfloor_N = 0.4\n", ""),
+            "e.toml:17: a trial needs 'sd_N', or the file a [noise] table");
+  EXPECT_EQ(refusal("floor_N = 0.4\n", ""),
+            "e.toml:12: [noise] needs 'floor_N' > 0: a force of zero is not known exactly");
+}
+
+TEST(ExperimentErrors, PostureGivenTwice) {
+  EXPECT_EQ(refusal("[trials]", "[[posture]]\nname = \"Hook\"\n[trials]"),
+            "e.toml:19: posture 'Hook' is given twice");
+}
+
+TEST(ExperimentErrors, BadHold) {
+  EXPECT_EQ(refusal("rigid", "loose"),
+            "e.toml:6: wanted 'hold' to be one of rigid, pinned, got 'loose'");
+}
+
+TEST(ExperimentErrors, NoSource) {
+  EXPECT_EQ(refusal("source = \"Synek2019\"\n", ""),
+            "e.toml:1: the top level needs 'source' (a citation key)");
+}
+
+}  // namespace
+}  // namespace thenar
