@@ -61,7 +61,7 @@ template <typename V>
 THENAR_INLINE void FastKinematics::run(Angles& a, PosedHand& hand) const {
   const std::size_t hinges = turns_.size();
   for (std::size_t i = 0; i < hinges; i += 4) {
-    const internal::SinCos sc = internal::sin_cos(load<Lanes>(&a.angle[i]));
+    const auto sc = internal::sin_cos(load<Lanes>(&a.angle[i]));
     store(&a.sine[i], sc.sine);
     store(&a.cosine[i], sc.cosine);
   }

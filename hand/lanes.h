@@ -17,9 +17,12 @@ namespace thenar::internal {
 using Lanes = double __attribute__((vector_size(32)));
 using LaneBits = std::int64_t __attribute__((vector_size(32)));
 
+/// Half of that: two doubles in one register of any x86-64.
+using Half = double __attribute__((vector_size(16)));
+using HalfBits = std::int64_t __attribute__((vector_size(16)));
+
 /// Four doubles in two registers of any x86-64. The compiler splits Lanes too, but badly.
 struct TwoLanes {
-  using Half = double __attribute__((vector_size(16)));
   Half low, high;
 
   friend THENAR_INLINE TwoLanes operator+(const TwoLanes& a, const TwoLanes& b) {
@@ -50,15 +53,16 @@ THENAR_INLINE void store(double* x, const V& v) {
 }
 
 THENAR_INLINE LaneBits bits(const Lanes& v) { return reinterpret_cast<const LaneBits&>(v); }
+THENAR_INLINE HalfBits bits(const Half& v) { return reinterpret_cast<const HalfBits&>(v); }
 
 THENAR_INLINE Lanes lanes(const LaneBits& b) { return reinterpret_cast<const Lanes&>(b); }
+THENAR_INLINE Half lanes(const HalfBits& b) { return reinterpret_cast<const Half&>(b); }
 
 /// (y, z, x) of a vector in the first three lanes; the fourth stays.
 THENAR_INLINE Lanes rotated(const Lanes& v) { return __builtin_shuffle(v, LaneBits{1, 2, 0, 3}); }
 THENAR_INLINE TwoLanes rotated(const TwoLanes& v) {
-  using Pick = std::int64_t __attribute__((vector_size(16)));
-  return {__builtin_shuffle(v.low, v.high, Pick{1, 2}),
-          __builtin_shuffle(v.low, v.high, Pick{0, 3})};
+  return {__builtin_shuffle(v.low, v.high, HalfBits{1, 2}),
+          __builtin_shuffle(v.low, v.high, HalfBits{0, 3})};
 }
 
 /// Cross product in the first three lanes; the fourth means nothing.
@@ -67,36 +71,37 @@ THENAR_INLINE V cross(const V& a, const V& b) {
   return rotated(a * rotated(b) - rotated(a) * b);
 }
 
+template <typename V>
 struct SinCos {
-  Lanes sine, cosine;
+  V sine, cosine;
 };
 
 inline constexpr double kSinCosBound = 1e5;  // of |angle| for sin_cos() [rad]
 
-/// Sine and cosine to 1e-16, for |angle| <= kSinCosBound.
+/// Sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is Lanes or Half.
 ///
 /// The angle is brought to |r| <= pi/4 by subtracting n pi/2 in three parts whose products with
 /// n are exact; polynomials of degree 13 and 14 do the rest.
 /// Source: [Sun1993] fdlibm, k_sin.c, k_cos.c and e_rem_pio2.c.
-THENAR_INLINE SinCos sin_cos(const Lanes& angle) {
+template <typename V>
+THENAR_INLINE SinCos<V> sin_cos(const V& angle) {
   const double kRound = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
-  const Lanes shifted = angle * 6.36619772367581382433e-01 + kRound;
-  const LaneBits n = bits(shifted);
-  const Lanes turns = shifted - kRound;
-  const Lanes r =
-      ((angle - turns * 1.57079632673412561417e+00) - turns * 6.07710050630396597660e-11) -
-      turns * 2.02226624879595063154e-21;
+  const V shifted = angle * 6.36619772367581382433e-01 + kRound;
+  const auto n = bits(shifted);
+  const V turns = shifted - kRound;
+  const V r = ((angle - turns * 1.57079632673412561417e+00) - turns * 6.07710050630396597660e-11) -
+              turns * 2.02226624879595063154e-21;
 
-  const Lanes z = r * r;
-  const Lanes s =
+  const V z = r * r;
+  const V s =
       r + r * z *
               (-1.66666666666666324348e-01 +
                z * (8.33333333332248946124e-03 +
                     z * (-1.98412698298579493134e-04 +
                          z * (2.75573137070700676789e-06 + z * (-2.50507602534068634195e-08 +
                                                                 z * 1.58969099521155010221e-10)))));
-  const Lanes half = 0.5 * z, head = 1.0 - half;
-  const Lanes c =
+  const V half = 0.5 * z, head = 1.0 - half;
+  const V c =
       head +
       (((1.0 - head) - half) +
        z * z *
@@ -107,9 +112,9 @@ THENAR_INLINE SinCos sin_cos(const Lanes& angle) {
                            z * (2.08757232129817482790e-09 + z * -1.13596475577881948265e-11))))));
 
   // Odd quarter turns swap the two; bit 1 of n, or of n + 1, is the sign.
-  const LaneBits swap = -(n & 1), sine_sign = (n & 2) << 62, cosine_sign = ((n + 1) & 2) << 62;
-  const LaneBits sine = (bits(c) & swap) | (bits(s) & ~swap);
-  const LaneBits cosine = (bits(s) & swap) | (bits(c) & ~swap);
+  const auto swap = -(n & 1), sine_sign = (n & 2) << 62, cosine_sign = ((n + 1) & 2) << 62;
+  const auto sine = (bits(c) & swap) | (bits(s) & ~swap);
+  const auto cosine = (bits(s) & swap) | (bits(c) & ~swap);
   return {lanes(sine ^ sine_sign), lanes(cosine ^ cosine_sign)};
 }
 

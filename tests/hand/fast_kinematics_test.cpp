@@ -98,7 +98,7 @@ TEST(SinCos, IsRightToTheLastBits) {
     for (int trial = 0; trial < 20000; ++trial) {
       alignas(32) double a[4], s[4], c[4];
       for (double& angle : a) angle = draw.number(-bound, bound);
-      const internal::SinCos sc = internal::sin_cos(internal::load<internal::Lanes>(a));
+      const auto sc = internal::sin_cos(internal::load<internal::Lanes>(a));
       internal::store(s, sc.sine);
       internal::store(c, sc.cosine);
       for (int k = 0; k < 4; ++k) {

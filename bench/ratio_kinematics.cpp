@@ -1,0 +1,95 @@
+// Poses of all links and five tip Jacobians of a hand of 21 hinges, against plain Simbody.
+
+#include <Simbody.h>
+
+#include "bench/ratios.h"
+#include "hand/fast_kinematics.h"
+#include "tests/hand/sample_subjects.h"
+
+namespace thenar::bench {
+namespace {
+
+SimTK::Vec3 vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// Simbody used as its manual says: one call for all five Jacobians, which is its fastest way.
+class PlainSimbody {
+ public:
+  explicit PlainSimbody(const Skeleton& skeleton) : matter_(system_) {
+    const SimTK::Body::Rigid body(SimTK::MassProperties(1, SimTK::Vec3(0), SimTK::Inertia(1)));
+    for (const Hinge<double>& hinge : skeleton.tree) {
+      const SimTK::Transform X(
+          SimTK::Rotation(SimTK::UnitVec3(vec3(hinge.direction)), SimTK::ZAxis), vec3(hinge.point));
+      SimTK::MobilizedBody::Pin(
+          matter_.updMobilizedBody(SimTK::MobilizedBodyIndex(hinge.parent + 1)), X, body, X);
+    }
+    for (const SkeletonTip& tip : skeleton.tips) {
+      bodies_.push_back(SimTK::MobilizedBodyIndex(tip.link + 1));
+      stations_.push_back(vec3(tip.p));
+    }
+    state_ = system_.realizeTopology();
+    system_.realizeModel(state_);
+    for (std::size_t i = 0; i < skeleton.tree.size(); ++i)
+      column_.push_back(matter_.getMobilizedBody(SimTK::MobilizedBodyIndex(static_cast<int>(i) + 1))
+                            .getFirstQIndex(state_));
+  }
+
+  /// One Vec3 per tip and pin.
+  const SimTK::Matrix_<SimTK::Vec3>& jacobians(const Eigen::VectorXd& q) {
+    for (std::size_t i = 0; i < column_.size(); ++i)
+      state_.updQ()[column_[i]] = q[static_cast<Eigen::Index>(i)];
+    system_.realize(state_, SimTK::Stage::Position);
+    matter_.calcStationJacobian(state_, bodies_, stations_, J_);
+    return J_;
+  }
+
+  [[nodiscard]] SimTK::Vec3 element(int tip, int hinge) const {
+    return J_(tip, column_[static_cast<std::size_t>(hinge)]);
+  }
+
+  [[nodiscard]] SimTK::Vec3 link(int i) const {
+    return matter_.getMobilizedBody(SimTK::MobilizedBodyIndex(i + 1)).getBodyOriginLocation(state_);
+  }
+
+ private:
+  SimTK::MultibodySystem system_;
+  SimTK::SimbodyMatterSubsystem matter_;
+  SimTK::State state_;
+  SimTK::Array_<SimTK::MobilizedBodyIndex> bodies_;
+  SimTK::Array_<SimTK::Vec3> stations_;
+  SimTK::Matrix_<SimTK::Vec3> J_;
+  std::vector<int> column_;  // of each hinge
+};
+
+double difference(const PosedHand& hand, const PlainSimbody& simbody, int hinges, int tips) {
+  double error = 0;
+  for (int i = 0; i < hinges; ++i)
+    for (int k = 0; k < 3; ++k) {
+      error = std::max(error, std::abs(hand.link(i).p[k] - simbody.link(i)[k]));
+      for (int t = 0; t < tips; ++t)
+        error = std::max(error, std::abs(hand.tip_jacobian(t)(k, i) - simbody.element(t, i)[k]));
+    }
+  return error;
+}
+
+}  // namespace
+
+Row ratio_kinematics() {
+  const Skeleton skeleton = build_skeleton(sample::random_hand(1, 1));
+  const int hinges = static_cast<int>(skeleton.tree.size());
+  const FastKinematics fast(skeleton);
+  PlainSimbody simbody(skeleton);
+  sample::Draw draw(2);
+  std::vector<Eigen::VectorXd> postures;
+  for (int i = 0; i < 64; ++i) postures.push_back(draw.posture(skeleton));
+
+  Duel duel{"poses and 5 tip Jacobians, 21 hinges", {}, {}, 40, 0, 1e-12};
+  for (const Eigen::VectorXd& q : postures) {
+    (void)simbody.jacobians(q);
+    duel.error = std::max(duel.error, difference(fast.pose(q), simbody, hinges, 5));
+  }
+  duel.ours = [&, i = 0U]() mutable { keep(fast.pose(postures[i++ % 64])); };
+  duel.rival = [&, i = 0U]() mutable { keep(simbody.jacobians(postures[i++ % 64])); };
+  return measure(duel);
+}
+
+}  // namespace thenar::bench

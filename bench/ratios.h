@@ -1,0 +1,51 @@
+#pragma once
+
+/// Our speed against a rival's on the same task, measured in turns in the same run.
+
+#include <functional>
+#include <string>
+
+namespace thenar::bench {
+
+/// Keeps the compiler from dropping a result.
+template <typename T>
+void keep(const T& value) {
+  asm volatile("" : : "r,m"(&value) : "memory");
+}
+
+/// One comparison; each call of `ours` or `rival` does the whole task once.
+struct Duel {
+  std::string name;
+  std::function<void()> ours;
+  std::function<void()> rival;
+  double required = 1;   // least rival / ours [1]
+  double error = 0;      // greatest difference of the two answers
+  double tolerance = 0;  // that `error` must not exceed
+};
+
+/// One line of the table.
+struct Row {
+  std::string name;
+  double ours = 0;      // median time of one task [us]
+  double rival = 0;     // median time of one task [us]
+  double ratio = 0;     // median of rival / ours over the turns [1]
+  double required = 0;  // [1]
+  double error = 0;
+  double tolerance = 0;
+
+  [[nodiscard]] bool pass() const { return ratio >= required && error <= tolerance; }
+};
+
+/// How long to measure.
+struct Patience {
+  int turns = 41;          // of ours and rival, one after the other
+  double seconds = 0.005;  // of each, per turn; a slow task runs once
+};
+
+[[nodiscard]] Row measure(const Duel& duel, const Patience& patience = {});
+
+// One function a file.
+[[nodiscard]] Row ratio_kinematics();  // ratio_kinematics.cpp
+[[nodiscard]] Row ratio_force_map();   // ratio_force_map.cpp
+
+}  // namespace thenar::bench
