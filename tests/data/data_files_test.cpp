@@ -9,12 +9,10 @@
 #include "data/io/experiment.h"
 #include "data/io/scaled_hand.h"
 #include "data/io/subject.h"
-#include "tests/matrix_near.h"
+#include "data/io/toml_node.h"
 
 namespace thenar {
 namespace {
-
-using Eigen::Vector3d;
 
 const std::string kData = THENAR_DATA_DIR;
 
@@ -47,6 +45,25 @@ TEST(DataFiles, EveryExperimentReads) {
 TEST(DataFiles, EveryProportionReads) {
   for (const std::string& path : files_in("anthropometry"))
     EXPECT_FALSE(read_proportions(path).digits.empty());
+}
+
+/// The TOML examples of docs/data_format.md, in order.
+std::vector<std::string> documented_examples() {
+  const std::string text = read_text_file(kData + "/../docs/data_format.md");
+  const std::string open = "```toml\n", close = "```";
+  std::vector<std::string> examples;
+  for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {
+    const std::size_t begin = at + open.size();
+    examples.push_back(text.substr(begin, text.find(close, begin) - begin));
+  }
+  return examples;
+}
+
+TEST(DataFiles, DocumentedExamplesRead) {
+  const std::vector<std::string> examples = documented_examples();
+  ASSERT_EQ(examples.size(), 2U);
+  EXPECT_EQ(parse_subject(examples[0], "subject.toml").name, "my_index");
+  EXPECT_EQ(parse_experiment(examples[1], "experiment.toml").trials.size(), 2U);
 }
 
 }  // namespace
