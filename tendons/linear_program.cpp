@@ -1,6 +1,5 @@
 #include "tendons/linear_program.h"
 
-#include <algorithm>
 #include <limits>
 
 #include <ClpSimplex.hpp>
@@ -10,9 +9,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // primal and dual, in the units of rows and columns
+using Eigen::VectorXd;
 
-Eigen::VectorXd clp_bounds(const Eigen::VectorXd& bounds) {
+constexpr double kFeasible = 1e-12;       // violation of a row that is asked for
+constexpr double kBarelyFeasible = 1e-9;  // violation that is accepted where that fails
+constexpr double kOptimal = 1e-9;         // of reduced costs
+
+VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
 }
 
@@ -25,16 +28,16 @@ void check(const LinearProgram& program) {
           "A has {} rows, its bounds {} and {}", program.A.rows(), rows, program.row_upper.size());
   require(program.A.allFinite() && program.objective.allFinite(),
           "A and the objective must be finite");
-  const auto any_nan = [](const Eigen::VectorXd& v) { return v.array().isNaN().any(); };
+  const auto any_nan = [](const VectorXd& v) { return v.array().isNaN().any(); };
   require(!any_nan(program.lower) && !any_nan(program.upper) && !any_nan(program.row_lower) &&
               !any_nan(program.row_upper),
           "a bound is NaN");
 }
 
-void load(ClpSimplex& simplex, const LinearProgram& program) {
-  const Eigen::VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
-  const Eigen::VectorXd row_lower = clp_bounds(program.row_lower);
-  const Eigen::VectorXd row_upper = clp_bounds(program.row_upper);
+void load(ClpSimplex& simplex, const LinearProgram& program, double tolerance) {
+  const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
+  const VectorXd row_lower = clp_bounds(program.row_lower);
+  const VectorXd row_upper = clp_bounds(program.row_upper);
   CoinPackedMatrix A(true, 0, 0);  // by columns
   A.setDimensions(static_cast<int>(program.A.rows()), static_cast<int>(program.A.cols()));
   for (int j = 0; j < program.A.cols(); ++j)
@@ -43,49 +46,56 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
   simplex.loadProblem(A, lower.data(), upper.data(), program.objective.data(), row_lower.data(),
                       row_upper.data());
   simplex.setOptimizationDirection(-1);  // maximise
-  simplex.setPrimalTolerance(kTolerance);
-  simplex.setDualTolerance(kTolerance);
+  simplex.setPrimalTolerance(tolerance);
+  simplex.setDualTolerance(kOptimal);
   simplex.setPerturbation(100);  // none: the same program gives the same vertex
   simplex.setLogLevel(0);
 }
 
-bool feasible(LinearProgram program) {
+bool feasible(LinearProgram program, double tolerance) {
   ClpSimplex simplex;
   program.objective.setZero();
-  load(simplex, program);
+  load(simplex, program, tolerance);
   simplex.primal();
   return simplex.status() == 0;
 }
 
-LinearStatus status_of(const ClpSimplex& simplex, const LinearProgram& program) {
+LinearStatus status_of(const ClpSimplex& simplex, const LinearProgram& program, double tolerance) {
   switch (simplex.status()) {
     case 0:
       return LinearStatus::kSolved;
     case 1:
       return LinearStatus::kInfeasible;
     case 2:
-      return feasible(program) ? LinearStatus::kUnbounded : LinearStatus::kInfeasible;
+      return feasible(program, tolerance) ? LinearStatus::kUnbounded : LinearStatus::kInfeasible;
     default:
       return LinearStatus::kStalled;
   }
+}
+
+LinearResult solve_to(const LinearProgram& program, double tolerance) {
+  ClpSimplex simplex;
+  load(simplex, program, tolerance);
+  simplex.primal();
+  LinearResult result{status_of(simplex, program, tolerance),
+                      VectorXd::Zero(program.objective.size()),
+                      std::numeric_limits<double>::quiet_NaN()};
+  if (result.status != LinearStatus::kSolved) return result;
+  if (result.x.size() > 0)
+    result.x = Eigen::Map<const VectorXd>(simplex.primalColumnSolution(), result.x.size());
+  result.x = result.x.cwiseMax(program.lower).cwiseMin(program.upper);
+  result.objective = program.objective.dot(result.x);
+  return result;
 }
 
 }  // namespace
 
 LinearResult solve(const LinearProgram& program) {
   check(program);
-  ClpSimplex simplex;
-  load(simplex, program);
-  simplex.primal();
-
-  LinearResult result{status_of(simplex, program), Eigen::VectorXd::Zero(program.objective.size()),
-                      std::numeric_limits<double>::quiet_NaN()};
-  if (result.status != LinearStatus::kSolved) return result;
-  if (result.x.size() > 0)
-    result.x = Eigen::Map<const Eigen::VectorXd>(simplex.primalColumnSolution(), result.x.size());
-  result.x = result.x.cwiseMax(program.lower).cwiseMin(program.upper);
-  result.objective = program.objective.dot(result.x);
-  return result;
+  const LinearResult sharp = solve_to(program, kFeasible);
+  if (sharp.status == LinearStatus::kSolved || sharp.status == LinearStatus::kUnbounded)
+    return sharp;
+  return solve_to(program, kBarelyFeasible);  // feasible but for rounding?
 }
 
 }  // namespace thenar

@@ -30,7 +30,7 @@ struct LinearResult {
 
 /// Solves by the simplex method of CLP, whose answer is a vertex, exact to rounding.
 ///
-/// Rows and columns should be of order one: feasibility is judged to 1e-9 in their units.
+/// Rows and columns should be of order one. Rows are met to 1e-12; if that fails, to 1e-9.
 ///
 /// @throws InputError if shapes disagree, an entry of A or the objective is not finite, or a bound
 ///         is NaN.

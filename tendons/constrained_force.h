@@ -1,0 +1,51 @@
+#pragma once
+
+/// The largest fingertip force under limits that are not linear.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tendons/force_limits.h"
+#include "tendons/force_status.h"
+#include "tendons/tip_statics.h"
+
+namespace thenar {
+
+/// What the direction given to constrained_force() means.
+enum class Aim {
+  kAlong,     // the force has this direction exactly
+  kComponent  // the force is free; its component along the direction is what grows
+};
+
+struct ConstrainedForce {
+  ForceStatus status;          // read this first
+  Eigen::Vector3d force;       // of the tip on the world, world frame          [N] (3)
+  double magnitude;            // its component along the direction             [N]
+  Eigen::VectorXd tension;     // that makes it                                 [N] (m)
+  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero  [1] (m)
+  double excess;               // largest g of all limits; <= 1e-8 if solved    [unit of g]
+  std::string message;         // the solver's own word for how it ended
+  int iterations;              // of the interior-point method
+};
+
+/// The largest force of a pinned tip along a direction, under further limits:
+///
+///   maximise d' f  subject to  J' f = R' t + tau_0,  0 <= t <= F0,  g(f, t) <= 0.
+///
+/// Balance is kept exactly by parametrising its null space. With convex limits the answer is the
+/// global optimum to about 1e-7; otherwise it is a local one, found from the middle of the set that
+/// has no limits. Without limits largest_force() does the same exactly and a hundred times faster.
+///
+/// @param statics    one posture; W is not looked at
+/// @param direction  any length but zero   3   [1]
+/// @param aim        whether the force must lie along the direction
+/// @param limits     any number; smooth on the feasible set
+/// @throws InputError as largest_force(), or if a limit returns wrong shapes.
+/// Source: [Wachter2006] for the interior-point method.
+[[nodiscard]] ConstrainedForce constrained_force(const TipStatics& statics,
+                                                 const Eigen::Vector3d& direction, Aim aim,
+                                                 const std::vector<ForceLimit>& limits);
+
+}  // namespace thenar
