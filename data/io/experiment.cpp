@@ -91,7 +91,7 @@ std::map<std::string, double> read_tensions(TomlTable& table, const Pulley& pull
 }
 
 std::string read_trial_posture(TomlTable& table, const Experiment& experiment) {
-  const std::string name = table.text("posture");
+  std::string name = table.text("posture");
   std::vector<std::string> names;
   for (const PostureRecord& posture : experiment.postures) {
     if (posture.name == name) return name;

@@ -81,7 +81,7 @@ std::string TomlTable::text_or(const std::string& key, const std::string& fallba
 }
 
 std::string TomlTable::choice(const std::string& key, const std::vector<std::string>& of) {
-  const std::string got = text(key);
+  std::string got = text(key);
   if (!contains(of, got))
     fail(fmt::format("wanted '{}' to be one of {}, got '{}'", key, fmt::join(of, ", "), got), key);
   return got;
