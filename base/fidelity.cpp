@@ -1,28 +1,28 @@
 #include "base/fidelity.h"
 
-#include <array>
-
 #include "base/error.h"
 
 namespace thenar {
 namespace {
 
-constexpr std::array kMotion{"posed", "static", "dynamic"};
-constexpr std::array kJoint{"hinge axes", "compliant joints"};
-constexpr std::array kPath{"no tendons", "constant moment arms", "via points", "fitted paths",
-                           "wrapped paths"};
-constexpr std::array kHood{"separate tendons", "fixed force fractions", "floating net"};
-constexpr std::array kMuscle{"force bounds", "rigid-tendon Hill", "elastic tendon"};
-constexpr std::array kContact{"no contact", "hard point", "soft finger", "elastic foundation",
-                              "finite-element pad"};
+constexpr const char* kMotion[] = {"posed", "static", "dynamic"};
+constexpr const char* kJoint[] = {"hinge axes", "compliant joints"};
+constexpr const char* kPath[] = {"no tendons", "constant moment arms", "via points", "fitted paths",
+                                 "wrapped paths"};
+constexpr const char* kHood[] = {"separate tendons", "fixed force fractions", "floating net"};
+constexpr const char* kMuscle[] = {"force bounds", "rigid-tendon Hill", "elastic tendon"};
+constexpr const char* kContact[] = {"no contact", "hard point", "soft finger", "elastic foundation",
+                                    "finite-element pad"};
 
-template <typename Names, typename Rung>
-const char* name(const Names& names, Rung rung) {
+using Names = const char* const*;  // of the rungs of one ladder
+
+template <typename Rung>
+const char* name(Names names, Rung rung) {
   return names[static_cast<std::size_t>(rung)];
 }
 
-template <typename Names, typename Rung>
-void require_rung(const Names& names, Rung have, Rung need, const std::string& question) {
+template <typename Rung>
+void require_rung(Names names, Rung have, Rung need, const std::string& question) {
   require(have >= need, "{} needs '{}', but the model was built with '{}'", question,
           name(names, need), name(names, have));
 }

@@ -4,31 +4,29 @@ find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # Eigen3::Eigen
 find_package(fmt 9.1 REQUIRED)               # fmt::fmt
 find_package(tomlplusplus 3.3 REQUIRED)      # tomlplusplus::tomlplusplus
 find_package(nlohmann_json 3.11 REQUIRED)    # nlohmann_json::nlohmann_json
-find_package(CLI11 2.2 REQUIRED)             # CLI11::CLI11
+find_package(CLI11 2.1 REQUIRED)             # CLI11::CLI11
 find_package(Ceres 2.1 REQUIRED)             # Ceres::ceres
 find_package(Simbody 3.7 REQUIRED)           # thenar::simbody, below
+find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # OpenSSL::Crypto
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx>=2.7)       # PkgConfig::NLOPT
 pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp>=1.17)              # PkgConfig::CLP
 pkg_check_modules(QHULL REQUIRED IMPORTED_TARGET qhull_r>=8)           # PkgConfig::QHULL
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial>=1.10)     # PkgConfig::HDF5
 
-add_library(thenar_simbody INTERFACE)
-add_library(thenar::simbody ALIAS thenar_simbody)
-target_include_directories(thenar_simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
-target_link_libraries(thenar_simbody INTERFACE ${Simbody_LIBRARIES})
+add_library(thenar::simbody INTERFACE IMPORTED)
+target_include_directories(thenar::simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
+target_link_libraries(thenar::simbody INTERFACE ${Simbody_LIBRARIES})
 
 # Ipopt's pkg-config file drags in a MUMPS with a fake MPI; the library alone is enough.
 find_library(IPOPT_LIBRARY ipopt REQUIRED)
 find_path(IPOPT_INCLUDE_DIR IpTNLP.hpp PATH_SUFFIXES coin REQUIRED)
-add_library(thenar_ipopt INTERFACE)
-add_library(thenar::ipopt ALIAS thenar_ipopt)
-target_include_directories(thenar_ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIR})
-target_link_libraries(thenar_ipopt INTERFACE ${IPOPT_LIBRARY})
+add_library(thenar::ipopt INTERFACE IMPORTED)
+target_include_directories(thenar::ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIR})
+target_link_libraries(thenar::ipopt INTERFACE ${IPOPT_LIBRARY})
 
 find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
-add_library(thenar_hdf5 INTERFACE)
-add_library(thenar::hdf5 ALIAS thenar_hdf5)
-target_link_libraries(thenar_hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
+add_library(thenar::hdf5 INTERFACE IMPORTED)
+target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
 
 if(THENAR_TESTS)
   find_package(GTest 1.12 REQUIRED)  # GTest::gtest_main

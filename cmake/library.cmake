@@ -1,10 +1,11 @@
-# thenar_library(NAME SOURCES ... PUBLIC ... PRIVATE ...)
+# thenar_library(NAME PUBLIC ... PRIVATE ...)
 #
-# One folder, one library. PUBLIC lists the floor below; PRIVATE lists third
+# One folder, one library of all its .cpp files. PUBLIC lists the floor below; PRIVATE lists third
 # parties, which only .cpp files may include. Its headers are installed.
 function(thenar_library name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
-  add_library(thenar_${name} ${ARG_SOURCES})
+  cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS *.cpp)
+  add_library(thenar_${name} ${sources})
   add_library(thenar::${name} ALIAS thenar_${name})
   target_include_directories(thenar_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/thenar>)

@@ -60,9 +60,11 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   const std::vector<std::string> names = problem.names();
   const auto nulls = (lambda.array() < kNull).count();
   const Eigen::MatrixXd N = V.leftCols(nulls);  // eigenvalues are sorted
-  if (nulls > 0)
-    for (const auto& row : sparse_basis(N.transpose()).rowwise())
-      out.nulls.push_back({describe(row.transpose(), names), row.transpose()});
+  if (nulls > 0) {
+    const Eigen::MatrixXd basis = sparse_basis(N.transpose());
+    for (Eigen::Index k = 0; k < nulls; ++k)
+      out.nulls.push_back({describe(basis.row(k).transpose(), names), basis.row(k).transpose()});
+  }
   for (Eigen::Index i = 0; i < z.size(); ++i)
     out.learnt.push_back({names[i], z[i], std::sqrt(out.C(i, i)), N.row(i).squaredNorm()});
   return out;

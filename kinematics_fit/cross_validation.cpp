@@ -49,7 +49,7 @@ Eigen::Matrix3Xd forces_of(const FitProblem& fitted, const Eigen::VectorXd& z,
   const int known = index_of(fitted.specimens(), experiment.specimen);
   const int specimen = known < static_cast<int>(fitted.specimens().size()) ? known : -1;
   return force_values(fitted.digit(), fitted.parameters(),
-                      plan_experiment(fitted.digit(), experiment),
+                      plan_experiment(fitted.digit(), fitted.parameters(), experiment),
                       fitted.displacements(z, specimen));
 }
 

@@ -14,6 +14,18 @@ struct Choice {
   double tie_ratio = 1;
 };
 
+/// A rule in mm cannot speak of angles.
+void require_dimension(const ParameterRule& rule, const std::string& file, const Parameter& p) {
+  const bool numbers =
+      rule.mean || rule.sd || rule.between_sd || rule.range || rule.lower || rule.upper;
+  const std::string unit = display_unit(p);
+  const Dimension wanted = unit == "mm"    ? Dimension::kLength
+                           : unit == "deg" ? Dimension::kAngle
+                                           : Dimension::kNumber;
+  require(!numbers || rule.dimension == wanted, "{}:{}: '{}' is {}, the row states {}", file,
+          rule.line, p.name, dimension_name(wanted), dimension_name(rule.dimension));
+}
+
 void apply_belief(const ParameterRule& rule, Parameter& p) {
   const double range_low = p.mean - p.lower, range_high = p.upper - p.mean;
   if (rule.mean) {
@@ -39,11 +51,13 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
   for (std::size_t p = 0; p < all.size(); ++p) {
     if (!matches(rule.match, all[p].name)) continue;
     matched = true;
+    require_dimension(rule, file, all[p]);
     apply_belief(rule, all[p]);
     if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio};
   }
-  require(matched, "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file,
-          rule.line, rule.match);
+  require(matched || rule.optional,
+          "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file, rule.line,
+          rule.match);
 }
 
 /// Gives coordinates to free parameters first, then points the tied ones at theirs.
@@ -67,9 +81,12 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
 
 }  // namespace
 
-FitParameters choose_parameters(std::vector<Parameter> all, const FitSettings& settings,
+FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std::string>& postures,
+                                const FitSettings& settings,
                                 const std::vector<std::string>& also_free) {
   FitParameters fit;
+  fit.postures = postures;
+  std::vector<Parameter> all = list_parameters(digit, postures);
   std::vector<Choice> choices(all.size());
   for (const ParameterRule& rule : settings.rules) apply_rule(rule, settings.path, all, choices);
   for (const std::string& glob : also_free) {

@@ -14,17 +14,19 @@ namespace thenar {
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
 /// with standard normal z beforehand; tied ones share the u of their leader.
 struct FitParameters {
-  std::vector<Parameter> all;   // in the order of list_parameters()
-  std::vector<int> coordinate;  // of each parameter; -1: fixed
-  std::vector<double> ratio;    // of each parameter to its coordinate [1]
-  std::vector<int> leader;      // parameter that owns each coordinate
+  std::vector<Parameter> all;         // in the order of list_parameters()
+  std::vector<std::string> postures;  // whose angles may be in error one by one
+  std::vector<int> coordinate;        // of each parameter; -1: fixed
+  std::vector<double> ratio;          // of each parameter to its coordinate [1]
+  std::vector<int> leader;            // parameter that owns each coordinate
 
   [[nodiscard]] int coordinates() const { return static_cast<int>(leader.size()); }
 };
 
 /// Applies the rules of a settings file, then frees everything that matches `also_free`.
 /// @throws InputError if a rule matches no parameter, or ties to one that is not free.
-[[nodiscard]] FitParameters choose_parameters(std::vector<Parameter> all,
+[[nodiscard]] FitParameters choose_parameters(const TendonDigit& digit,
+                                              const std::vector<std::string>& postures,
                                               const FitSettings& settings,
                                               const std::vector<std::string>& also_free = {});
 

@@ -34,7 +34,7 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
   require(parameters_.coordinates() > 0, "nothing to fit: every parameter is fixed");
   require(!experiments_.empty(), "nothing to fit to: no experiment");
   for (const Experiment& experiment : experiments_) {
-    plans_.push_back(plan_experiment(digit_, experiment));
+    plans_.push_back(plan_experiment(digit_, parameters_, experiment));
     const auto known = std::find(specimens_.begin(), specimens_.end(), experiment.specimen);
     specimen_of_.push_back(static_cast<int>(known - specimens_.begin()));
     if (known == specimens_.end()) specimens_.push_back(experiment.specimen);
@@ -47,12 +47,14 @@ void FitProblem::scale_coordinates() {
   const bool alone = specimens_.size() == 1;
   const int n = parameters_.coordinates();
   population_sd_ = deviation_sd_ = Eigen::VectorXd::Zero(n);
+  population_share_ = Eigen::VectorXd::Ones(n);
   population_.assign(n, -1);
   deviation_.assign(n, -1);
   for (int c = 0; c < n; ++c) {
     const Parameter& p = parameters_.all[parameters_.leader[c]];
     population_sd_[c] = alone ? std::hypot(p.sd, p.between_sd) : p.sd;
     deviation_sd_[c] = alone ? 0 : p.between_sd;
+    if (alone) population_share_[c] = std::pow(p.sd / population_sd_[c], 2);
     if (population_sd_[c] > 0) population_[c] = population_size_++;
     if (deviation_sd_[c] > 0) deviation_[c] = deviation_size_++;
   }
@@ -74,7 +76,8 @@ Eigen::VectorXd FitProblem::displacements(const Eigen::VectorXd& z, int specimen
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters_.coordinates());
   const int block = population_size_ + specimen * deviation_size_;
   for (int c = 0; c < parameters_.coordinates(); ++c) {
-    if (population_[c] >= 0) u[c] += population_sd_[c] * z[population_[c]];
+    const double share = specimen < 0 ? population_share_[c] : 1;
+    if (population_[c] >= 0) u[c] += share * population_sd_[c] * z[population_[c]];
     if (deviation_[c] >= 0 && specimen >= 0) u[c] += deviation_sd_[c] * z[block + deviation_[c]];
   }
   return u;
@@ -84,10 +87,23 @@ Eigen::MatrixXd FitProblem::displacement_jacobian(int specimen) const {
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(parameters_.coordinates(), size());
   const int block = population_size_ + specimen * deviation_size_;
   for (int c = 0; c < parameters_.coordinates(); ++c) {
-    if (population_[c] >= 0) J(c, population_[c]) = population_sd_[c];
+    const double share = specimen < 0 ? population_share_[c] : 1;
+    if (population_[c] >= 0) J(c, population_[c]) = share * population_sd_[c];
     if (deviation_[c] >= 0 && specimen >= 0) J(c, block + deviation_[c]) = deviation_sd_[c];
   }
   return J;
+}
+
+Eigen::VectorXd FitProblem::unseen_variance() const {
+  Eigen::VectorXd variance(parameters_.coordinates());
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    const Parameter& p = parameters_.all[parameters_.leader[c]];
+    // Given the sum of two normals, each still varies by share (1 - share) of its variance.
+    const double share = population_share_[c];
+    const double unsaid = share * (1 - share) * std::pow(population_sd_[c], 2);
+    variance[c] = unsaid + std::pow(p.between_sd, 2);
+  }
+  return variance;
 }
 
 FitProblem::Prediction FitProblem::predict(const Eigen::VectorXd& z, int e,

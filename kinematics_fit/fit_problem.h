@@ -16,10 +16,11 @@ namespace thenar {
 
 /// The problem  min 1/2 |r(z)|^2  over whitened coordinates z, all N(0, 1) beforehand.
 ///
-/// z holds the population's coordinates, then each specimen's deviations from it (absent when
-/// there is one specimen: its deviation and the population's cannot be told apart, so the prior
-/// variances add). Data residuals are (predicted - measured) / sd; with a robust scale c each
-/// trial's r is shrunk so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
+/// z holds the population's coordinates, then each specimen's deviations from it. One specimen
+/// alone cannot tell its deviation from the population's, so there z holds only their sum, whose
+/// prior variances add; the most probable share of the population is sd^2 / (sd^2 + between^2).
+/// Data residuals are (predicted - measured) / sd; with a robust scale c each trial's r is shrunk
+/// so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
 class FitProblem {
  public:
   /// @throws InputError if an experiment does not fit the digit, or nothing is free.
@@ -45,6 +46,10 @@ class FitProblem {
   /// du/dz of a specimen (-1: the population), (coordinates, size) [SI].
   [[nodiscard]] Eigen::MatrixXd displacement_jacobian(int specimen) const;
 
+  /// Variance of an unseen specimen's u about displacements(z, -1) that no data can lessen, and
+  /// of what one specimen alone cannot say of the population [SI^2] (coordinates).
+  [[nodiscard]] Eigen::VectorXd unseen_variance() const;
+
   /// Name of every entry of z: the leading parameter, with "specimen: " before deviations.
   [[nodiscard]] std::vector<std::string> names() const;
 
@@ -68,8 +73,9 @@ class FitProblem {
   std::vector<int> population_;   // entry of z per coordinate; -1: varies between specimens only
   std::vector<int> deviation_;    // entry in a specimen's block per coordinate; -1: none
   int population_size_ = 0, deviation_size_ = 0;
-  Eigen::VectorXd population_sd_;  // [SI] (coordinates)
-  Eigen::VectorXd deviation_sd_;   // [SI] (coordinates)
+  Eigen::VectorXd population_sd_;     // of z's population entries [SI] (coordinates)
+  Eigen::VectorXd population_share_;  // of those that belongs to the population [1] (coordinates)
+  Eigen::VectorXd deviation_sd_;      // of z's deviations [SI] (coordinates)
   Eigen::VectorXd lower_, upper_;
   double robust_scale_;
 };

@@ -19,10 +19,16 @@ Belief belief(ParameterKind kind) {
     case ParameterKind::kSensorTilt:
       return {8 * kDegree, 5 * kDegree, 45 * kDegree};
     case ParameterKind::kAngle:
+    case ParameterKind::kPostureAngle:
       return {5 * kDegree, 3 * kDegree, 20 * kDegree};
     case ParameterKind::kHoodEntry:
     case ParameterKind::kHoodCentral:
-      return {0.2, 0.1, 1};
+    case ParameterKind::kHoodSlope:
+      return {0.4, 0.3, 5};
+    case ParameterKind::kFriction:
+      return {0.05, 0.02, 0.5};
+    case ParameterKind::kOutOfPlane:
+      return {10 * kMm, 0, 200 * kMm};
     case ParameterKind::kGain:
       return {0.1, 0.05, 0.5};
     case ParameterKind::kLength:
@@ -39,7 +45,8 @@ Belief belief(ParameterKind kind) {
 /// Collects parameters with the default belief of their kind.
 class Lister {
  public:
-  explicit Lister(const TendonDigit& digit) : digit_(digit) {
+  Lister(const TendonDigit& digit, const std::vector<std::string>& postures)
+      : digit_(digit), postures_(postures) {
     list_axes();
     list_strands();
     list_hood();
@@ -51,13 +58,8 @@ class Lister {
   void add(std::string name, ParameterKind kind, int item, int point, int component,
            double mean = 0) {
     const Belief b = belief(kind);
-    Parameter p{std::move(name), kind,           item,          point, component, mean, b.sd,
-                b.between_sd,    mean - b.range, mean + b.range};
-    if (kind == ParameterKind::kHoodEntry || kind == ParameterKind::kHoodCentral) {
-      p.lower = 0;
-      p.upper = 1;
-    }
-    list_.push_back(std::move(p));
+    list_.push_back({std::move(name), kind, item, point, component, mean, b.sd, b.between_sd,
+                     mean - b.range, mean + b.range});
   }
 
   void list_axes() {
@@ -76,6 +78,8 @@ class Lister {
   void list_strands() {
     for (int s = 0; s < static_cast<int>(digit_.names.strands.size()); ++s) {
       const std::string& strand = digit_.names.strands[s];
+      add(fmt::format("friction/{}", strand), ParameterKind::kFriction, s, 0, 0,
+          digit_.model.friction[s]);
       for (int k = 0; k < static_cast<int>(digit_.model.paths[s].size()); ++k)
         for (int c = 0; c < 3; ++c)
           add(fmt::format("path/{}/{}/{}", strand, k + 1, kDirections[c]),
@@ -89,11 +93,10 @@ class Lister {
 
   void list_hood() {
     for (int b = 0; b < static_cast<int>(digit_.model.hood_shares.size()); ++b) {
-      const HoodShare<double>& share = digit_.model.hood_shares[b];
-      const std::string& muscle = digit_.names.muscles[share.muscle];
-      add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0, share.into_hood);
-      add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0,
-          share.to_central);
+      const std::string& muscle = digit_.names.muscles[digit_.model.hood_shares[b].muscle];
+      add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0);
+      add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0);
+      add(fmt::format("hood/{}/slope", muscle), ParameterKind::kHoodSlope, b, 0, 0);
     }
   }
 
@@ -102,13 +105,19 @@ class Lister {
       add(fmt::format("tip/{}", kDirections[c]), ParameterKind::kTip, 0, 0, c);
       add(fmt::format("sensor/{}", kDirections[c]), ParameterKind::kSensorTilt, 0, 0, c);
     }
-    for (int j = 0; j < digit_.model.coordinates; ++j)
-      add(fmt::format("angle/{}", digit_.names.coordinates[j]), ParameterKind::kAngle, j, 0, 0);
+    for (int j = 0; j < digit_.model.coordinates; ++j) {
+      const std::string& joint = digit_.names.coordinates[j];
+      add(fmt::format("angle/{}", joint), ParameterKind::kAngle, j, 0, 0);
+      for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
+        add(fmt::format("angle/{}/{}", joint, postures_[k]), ParameterKind::kPostureAngle, j, k, 0);
+    }
+    add("hold/out_of_plane", ParameterKind::kOutOfPlane, 0, 0, 0);
     for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m)
       add(fmt::format("gain/{}", digit_.names.muscles[m]), ParameterKind::kGain, m, 0, 0, 1);
   }
 
   const TendonDigit& digit_;
+  const std::vector<std::string>& postures_;
   std::vector<Parameter> list_;
 };
 
@@ -119,9 +128,13 @@ std::string display_unit(const Parameter& parameter) {
     case ParameterKind::kAxisDirection:
     case ParameterKind::kSensorTilt:
     case ParameterKind::kAngle:
+    case ParameterKind::kPostureAngle:
       return "deg";
+    case ParameterKind::kHoodSlope:
+      return "1/rad";
     case ParameterKind::kHoodEntry:
     case ParameterKind::kHoodCentral:
+    case ParameterKind::kFriction:
     case ParameterKind::kGain:
       return "1";
     default:
@@ -134,7 +147,10 @@ double display_scale(const Parameter& parameter) {
   return unit == "deg" ? 1 / kDegree : unit == "mm" ? 1 / kMm : 1;
 }
 
-std::vector<Parameter> list_parameters(const TendonDigit& digit) { return Lister(digit).take(); }
+std::vector<Parameter> list_parameters(const TendonDigit& digit,
+                                       const std::vector<std::string>& postures) {
+  return Lister(digit, postures).take();
+}
 
 bool matches(const std::string& glob, const std::string& name) {
   // Remembers the last star and how far it has swallowed; linear in practice.

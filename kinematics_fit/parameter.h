@@ -15,12 +15,16 @@ enum class ParameterKind {
   kAxisPoint,      // axis/<joint>/point/<1|2|along>: shift of the axis                 [m]
   kPathPoint,      // path/<strand>/<k>/<proximal|dorsal|radial>                        [m]
   kArm,            // arm/<strand>/<joint>: constant moment arm                         [m]
-  kHoodEntry,      // hood/<muscle>/into                                                [1]
-  kHoodCentral,    // hood/<muscle>/central                                             [1]
+  kHoodEntry,      // hood/<muscle>/into: shift of the fraction's logit                 [1]
+  kHoodCentral,    // hood/<muscle>/central: shift of the fraction's logit              [1]
+  kHoodSlope,      // hood/<muscle>/slope: of that logit by knuckle flexion             [1/rad]
+  kFriction,       // friction/<strand>: Euler's belt coefficient in the sheath         [1]
   kLength,         // length/<joint>: of the bone beyond the joint                      [m]
   kTip,            // tip/<proximal|dorsal|radial>                                      [m]
   kSensorTilt,     // sensor/<proximal|dorsal|radial>: of the load cell                 [rad]
-  kAngle,          // angle/<joint>: error of the posture                               [rad]
+  kAngle,          // angle/<joint>: error of all postures                              [rad]
+  kPostureAngle,   // angle/<joint>/<posture>: error of one posture                     [rad]
+  kOutOfPlane,     // hold/out_of_plane: length that prices out-of-plane moments         [m]
   kGain            // gain/<muscle>: tension at the digit per stated tension            [1]
 };
 
@@ -38,15 +42,17 @@ struct Parameter {
   double upper = 0;
 };
 
-/// "mm", "deg" or "1": the unit in which people read and write the parameter.
+/// "mm", "deg", "1" or "1/rad": the unit in which people read and write the parameter.
 [[nodiscard]] std::string display_unit(const Parameter& parameter);
 
 /// Display units per SI unit: 1000 for lengths, 180/pi for angles.
 [[nodiscard]] double display_scale(const Parameter& parameter);
 
-/// Every parameter of a digit, with default priors. Offsets (tilts, shifts, angle errors) have
-/// mean zero; lengths, hood fractions and gains have the subject's value.
-[[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit);
+/// Every parameter of a digit, with default priors. Constant arms, gains and friction have the
+/// subject's value as mean; all others are shifts from the subject and have mean zero.
+/// @param postures  names of the postures that may be in error one by one
+[[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit,
+                                                     const std::vector<std::string>& postures = {});
 
 /// Does a name match a glob with `*` (any run of characters, also none) and `?`?
 [[nodiscard]] bool matches(const std::string& glob, const std::string& name);

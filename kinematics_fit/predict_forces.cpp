@@ -28,7 +28,8 @@ int posture_index(const ExperimentPlan& plan, const std::string& name) {
 
 }  // namespace
 
-ExperimentPlan plan_experiment(const TendonDigit& digit, const Experiment& experiment) {
+ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
+                               const Experiment& experiment) {
   const auto link = digit.skeleton.link_of_segment.find(experiment.force_segment);
   require(link != digit.skeleton.link_of_segment.end(),
           "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,
@@ -40,6 +41,9 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const Experiment& exper
   for (const PostureRecord& record : experiment.postures) {
     plan.postures.push_back(posture(digit.skeleton, record.angles));
     plan.posture_names.push_back(record.name);
+    const auto& known = parameters.postures;
+    const auto key = std::find(known.begin(), known.end(), record.name);
+    plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
   }
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
   plan.sd.resize(3, plan.force.cols());

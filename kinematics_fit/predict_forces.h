@@ -17,14 +17,17 @@ struct ExperimentPlan {
   Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial)
   std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)
   std::vector<std::string> posture_names;
+  std::vector<int> posture_key;  // column of posture_error of each posture; -1: none
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
   Eigen::Matrix3Xd force;                // measured [N] (3, trials)
   Eigen::Matrix3Xd sd;                   // [N] (3, trials)
 };
 
+/// @param parameters  says which postures may be in error one by one
 /// @throws InputError if the experiment names a joint, muscle or segment the digit has not.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
+                                             const FitParameters& parameters,
                                              const Experiment& experiment);
 
 /// The digit as mounted, for these parameter values [SI] (all).
@@ -32,7 +35,8 @@ template <typename T>
 [[nodiscard]] SpecimenModel<T> specimen_model(const TendonDigit& digit,
                                               const FitParameters& parameters,
                                               const std::vector<T>& values) {
-  SpecimenModel<T> model = start_model<T>(digit.model);
+  SpecimenModel<T> model =
+      start_model<T>(digit.model, static_cast<int>(parameters.postures.size()));
   for (std::size_t p = 0; p < parameters.all.size(); ++p)
     set_parameter(digit.model, parameters.all[p], values[p], model);
   finish_model(model);
@@ -52,10 +56,12 @@ template <typename T>
 /// Map from stated tensions to the force components the load cell reads (3, muscles), one posture.
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
-                                        const Eigen::VectorXd& q) {
-  const VectorX<T> angles = q.cast<T>() + model.angle_error;
+                                        std::size_t posture) {
+  VectorX<T> angles = plan.postures[posture].cast<T>() + model.angle_error;
+  if (plan.posture_key[posture] >= 0) angles += model.posture_error.col(plan.posture_key[posture]);
   const TreeState<T> state = pose_tree(model.digit.tree, angles);
-  MatrixX<T> map = tip_force_map(model.digit, state, plan.hold) * model.gain.asDiagonal();
+  MatrixX<T> map = tip_force_map(model.digit, state, angles, plan.hold, model.out_of_plane) *
+                   model.gain.asDiagonal();
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {
       return link < 0 ? model.digit.tip_axes : Mat3<T>(state[link].X.R * model.digit.tip_axes);
@@ -70,7 +76,8 @@ template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> predict_forces(const SpecimenModel<T>& model,
                                                                  const ExperimentPlan& plan) {
   std::vector<MatrixX<T>> maps;
-  for (const Eigen::VectorXd& q : plan.postures) maps.push_back(cell_force_map(model, plan, q));
+  for (std::size_t k = 0; k < plan.postures.size(); ++k)
+    maps.push_back(cell_force_map(model, plan, k));
   Eigen::Matrix<T, 3, Eigen::Dynamic> forces(3, plan.force.cols());
   for (Eigen::Index i = 0; i < forces.cols(); ++i)
     forces.col(i) = maps[plan.posture_of_trial[i]] * plan.tension[i].cast<T>();

@@ -68,16 +68,13 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 
 Prediction predict_unseen(const FitProblem& fitted, const Eigen::VectorXd& z,
                           const Eigen::MatrixXd& C, const Experiment& experiment) {
-  const ExperimentPlan plan = plan_experiment(fitted.digit(), experiment);
+  const ExperimentPlan plan = plan_experiment(fitted.digit(), fitted.parameters(), experiment);
   const FitParameters& parameters = fitted.parameters();
   const ForceJacobian forces =
       force_jacobian(fitted.digit(), parameters, plan, fitted.displacements(z, -1));
   const Eigen::MatrixXd J_z = forces.J * fitted.displacement_jacobian(-1);
-  Eigen::VectorXd between(parameters.coordinates());
-  for (int c = 0; c < parameters.coordinates(); ++c)
-    between[c] = parameters.all[parameters.leader[c]].between_sd;
-  Eigen::VectorXd variance = (J_z * C).cwiseProduct(J_z).rowwise().sum() +
-                             (forces.J * between.asDiagonal()).rowwise().squaredNorm();
+  Eigen::VectorXd variance =
+      (J_z * C).cwiseProduct(J_z).rowwise().sum() + forces.J.cwiseAbs2() * fitted.unseen_variance();
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
   return table(experiment, forces.force,

@@ -42,7 +42,7 @@ struct Prediction {
 
 /// An experiment of a specimen that was never fitted, from the population. The predictive
 /// variance adds what is not known of the population, how specimens differ, and the noise:
-///   V = J_z C J_z' + J_u diag(between_sd^2) J_u' + diag(sd^2).
+///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + diag(sd^2).
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] Prediction predict_unseen(const FitProblem& fitted, const Eigen::VectorXd& z,
                                         const Eigen::MatrixXd& C, const Experiment& experiment);

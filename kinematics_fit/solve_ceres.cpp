@@ -77,7 +77,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   }
 
   ceres::Solver::Options settings;
-  settings.linear_solver_type = ceres::DENSE_QR;
+  settings.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   settings.max_num_iterations = options.max_evaluations > 0 ? options.max_evaluations : 500;
   settings.function_tolerance = options.tolerance;
   settings.parameter_tolerance = 1e-12;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "data/io/experiment.h"
+#include "kinematics_fit/held_tip.h"
 #include "kinematics_fit/parameter.h"
-#include "kinematics_fit/tip_map.h"
 
 namespace thenar {
 
@@ -15,13 +15,15 @@ template <typename T>
 struct SpecimenModel {
   TendonModel<T> digit;
   VectorX<T> angle_error;                 // added to every posture [rad] (coordinates)
+  MatrixX<T> posture_error;               // added to each posture [rad] (coordinates, postures)
+  T out_of_plane = T(0);                  // hold length of out-of-plane moments [m]
   VectorX<T> gain;                        // tension at the digit per stated one [1] (muscles)
   Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
 };
 
 /// The model on another scalar, every number constant.
 template <typename T>
-[[nodiscard]] SpecimenModel<T> start_model(const TendonModel<double>& from) {
+[[nodiscard]] SpecimenModel<T> start_model(const TendonModel<double>& from, int postures) {
   SpecimenModel<T> to;
   to.digit.coordinates = from.coordinates;
   to.digit.tip_link = from.tip_link;
@@ -29,6 +31,8 @@ template <typename T>
   to.digit.tip_axes = from.tip_axes.cast<T>();
   to.digit.constant_arms = from.constant_arms.cast<T>();
   to.digit.pulls = from.pulls;
+  to.digit.flexions = from.flexions;
+  to.digit.friction = from.friction.cast<T>();
   to.digit.hood = from.hood;
   for (const Hinge<double>& hinge : from.tree)
     to.digit.tree.push_back({hinge.parent, hinge.coordinate, hinge.ratio, hinge.offset,
@@ -40,8 +44,9 @@ template <typename T>
   }
   for (const HoodShare<double>& share : from.hood_shares)
     to.digit.hood_shares.push_back(
-        {share.muscle, share.side, T(share.into_hood), T(share.to_central)});
+        {share.muscle, share.side, T(share.into_hood), T(share.to_central), T(share.slope)});
   to.angle_error = VectorX<T>::Zero(from.coordinates);
+  to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
   return to;
 }
@@ -100,10 +105,21 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       to.digit.constant_arms(p.item, p.component) += by;
       break;
     case ParameterKind::kHoodEntry:
-      to.digit.hood_shares[p.item].into_hood = value;
+      to.digit.hood_shares[p.item].into_hood =
+          shift_fraction(T(from.hood_shares[p.item].into_hood), value);
       break;
     case ParameterKind::kHoodCentral:
-      to.digit.hood_shares[p.item].to_central = value;
+      to.digit.hood_shares[p.item].to_central =
+          shift_fraction(T(from.hood_shares[p.item].to_central), value);
+      break;
+    case ParameterKind::kHoodSlope:
+      to.digit.hood_shares[p.item].slope = value;
+      break;
+    case ParameterKind::kFriction:
+      to.digit.friction[p.item] = value;
+      break;
+    case ParameterKind::kOutOfPlane:
+      to.out_of_plane = value;
       break;
     case ParameterKind::kLength:
       lengthen_bone(from, p.item, value, to.digit);
@@ -116,6 +132,9 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       break;
     case ParameterKind::kAngle:
       to.angle_error[p.item] = value;
+      break;
+    case ParameterKind::kPostureAngle:
+      to.posture_error(p.item, p.point) = value;
       break;
     case ParameterKind::kGain:
       to.gain[p.item] = value;

@@ -2,6 +2,7 @@
 
 /// The extensor hood as fixed force fractions, on any scalar.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,20 @@ struct HoodShare {
   int muscle;     // column of the strand matrix
   HoodSide side;  // lateral band(s) that it feeds
   T into_hood;    // fraction of the tension that enters the hood [1]
-  T to_central;   // fraction of that in the central slip [1]
+  T to_central;   // fraction of that in the central slip, at kHoodAngle [1]
+  T slope;        // change of its logit per angle of the metacarpophalangeal joint [1/rad]
 };
+
+/// Metacarpophalangeal flexion at which `to_central` is stated: the middle of a grasp [rad].
+inline constexpr double kHoodAngle = 0.33;
+
+/// A fraction c moved by u on the logit scale:  logistic(logit(c) + u), exact at c = 0 and 1.
+template <typename T>
+[[nodiscard]] T shift_fraction(const T& c, const T& u) {
+  using std::exp;
+  const T odds = c * exp(u);
+  return odds / (T(1) - c + odds);
+}
 
 /// Rows of the strand matrix that belong to the hood.
 struct HoodRows {
@@ -27,17 +40,20 @@ struct HoodRows {
 
 /// Adds the hood to S, the matrix (strands, muscles) of strand tension per muscle tension:
 ///   central  += h c t,   lateral += h (1 - c) t,   terminal = radial + ulnar,
-/// with h = into_hood, c = to_central; a muscle of both sides feeds each band half.
-/// Source: [Synek2019] supplement; fractions of [Chao1989] as the special case c = 1/2.
+/// with h = into_hood and c = to_central shifted by  slope (angle - kHoodAngle)  on the logit
+/// scale, because the slips share differently in different postures; a muscle of both sides feeds
+/// each band half. Source: [Synek2019] supplement, where slope = 0.
+/// @param angle  flexion of the metacarpophalangeal joint [rad]
 template <typename T>
-void add_hood(const HoodRows& rows, const std::vector<HoodShare<T>>& shares,
+void add_hood(const HoodRows& rows, const std::vector<HoodShare<T>>& shares, const T& angle,
               Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>& S) {
   for (const HoodShare<T>& share : shares) {
-    const T lateral = share.into_hood * (T(1) - share.to_central);
+    const T central = shift_fraction(share.to_central, T(share.slope * (angle - T(kHoodAngle))));
+    const T lateral = share.into_hood * (T(1) - central);
     const T radial = share.side == HoodSide::kRadial  ? lateral
                      : share.side == HoodSide::kUlnar ? T(0)
                                                       : T(0.5) * lateral;
-    S(rows.central_slip, share.muscle) += share.into_hood * share.to_central;
+    S(rows.central_slip, share.muscle) += share.into_hood * central;
     S(rows.radial_band, share.muscle) += radial;
     S(rows.ulnar_band, share.muscle) += lateral - radial;
     S(rows.terminal_slip, share.muscle) += lateral;

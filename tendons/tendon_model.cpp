@@ -34,6 +34,9 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   return path;
 }
 
+/// Cosine to the digit's radial direction above which a hinge counts as flexion: 45 degrees.
+constexpr double kFlexion = 0.7071;
+
 bool crosses_a_joint(const TendonPath<double>& path) {
   return std::any_of(path.begin(), path.end(),
                      [&](const PathNode<double>& node) { return node.link != path.front().link; });
@@ -51,6 +54,7 @@ class DigitBuilder {
     if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
     built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
         max_tension_.data(), static_cast<Eigen::Index>(max_tension_.size()));
+    built_.model.friction = Eigen::VectorXd::Zero(built_.model.constant_arms.rows());
     built_.fidelity = Fidelity(Motion::kStatic, options.path,
                                built_.model.hood ? Hood::kFractions : Hood::kSeparate);
   }
@@ -68,6 +72,10 @@ class DigitBuilder {
     built_.model.tip_axes = tip.axes;
     built_.names.coordinates = skeleton.coordinate_names;
     built_.names.hinges = skeleton.hinge_names;
+    for (const Hinge<double>& hinge : skeleton.tree)
+      if (std::abs(hinge.direction.dot(tip.axes.col(2))) > kFlexion)
+        if (built_.model.flexions.empty() || built_.model.flexions.back() != hinge.coordinate)
+          built_.model.flexions.push_back(hinge.coordinate);
   }
 
   /// Constant arms of a strand at the kept coordinates [m/rad].
@@ -122,7 +130,7 @@ class DigitBuilder {
       require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
               digit_.name, branch.muscle);
       built_.model.hood_shares.push_back(
-          {muscle, branch.side, branch.into_hood, branch.to_central});
+          {muscle, branch.side, branch.into_hood, branch.to_central, 0});
     }
   }
 
@@ -149,7 +157,7 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
   return {position_jacobian(model.tree, state, model.tip_link, tip, model.coordinates),
           rotation_jacobian(model.tree, state, model.tip_link, model.coordinates),
-          muscle_arms(model, state),
+          muscle_arms(model, state, q),
           passive_torque(digit.skeleton, q),
           digit.max_tension,
           digit.names.muscles};

@@ -30,6 +30,8 @@ struct TendonModel {
   Mat3<T> tip_axes;                  // columns proximal, dorsal, radial (3, 3)
   std::vector<TendonPath<T>> paths;  // of each strand; empty: constant arms
   MatrixX<T> constant_arms;          // of strands without a path [m/rad] (strands, coordinates)
+  std::vector<int> flexions;         // coordinates that flex, from the wrist to the tip
+  VectorX<T> friction;               // of each strand in its sheath [1/rad] (strands)
   std::vector<int> pulls;            // strand that each muscle pulls whole
   std::optional<HoodRows> hood;      // absent: separate tendons
   std::vector<HoodShare<T>> hood_shares;
@@ -67,30 +69,65 @@ struct TendonOptions {
 /// Everything at the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
 
-/// Strand tension per muscle tension (strands, muscles) [1].
+/// Flexion of the metacarpophalangeal joint, third from the tip; 0 in shorter digits [rad].
 template <typename T>
-[[nodiscard]] MatrixX<T> strand_matrix(const TendonModel<T>& model) {
+[[nodiscard]] T knuckle_angle(const TendonModel<T>& model, const VectorX<T>& q) {
+  return model.flexions.size() < 3 ? T(0) : q[model.flexions[model.flexions.size() - 3]];
+}
+
+/// Strand tension per muscle tension at posture q, before friction (strands, muscles) [1].
+template <typename T>
+[[nodiscard]] MatrixX<T> strand_matrix(const TendonModel<T>& model, const VectorX<T>& q) {
   MatrixX<T> S(model.paths.size(), model.pulls.size());
   S.setZero();
   for (std::size_t m = 0; m < model.pulls.size(); ++m) S(model.pulls[m], m) = T(1);
-  if (model.hood) add_hood(*model.hood, model.hood_shares, S);
+  if (model.hood) add_hood(*model.hood, model.hood_shares, knuckle_angle(model, q), S);
   return S;
 }
 
-/// Moment arms of every strand at a pose [m/rad] (strands, coordinates).
+/// Share of a strand's tension that is left at each joint after the sheath's friction,
+///   exp(-mu sum |q_k|)  over the flexion joints k nearer the muscle (Euler's belt formula).
+/// |q| is smoothed within 0.01 rad, so that derivatives exist in the straight finger.
 template <typename T>
-[[nodiscard]] MatrixX<T> strand_arms(const TendonModel<T>& model, const TreeState<T>& state) {
+[[nodiscard]] VectorX<T> tension_left(const TendonModel<T>& model, const VectorX<T>& q,
+                                      const T& mu) {
+  using std::exp;
+  using std::sqrt;
+  VectorX<T> left = VectorX<T>::Ones(model.coordinates);
+  T bend(0);
+  std::size_t next = 0;
+  for (int j = 0; j < model.coordinates; ++j) {
+    // A joint feels the bends before it; a universal joint counts as one.
+    if (next < model.flexions.size() && model.flexions[next] == j) {
+      left[j] = exp(-mu * bend);
+      bend += sqrt(q[j] * q[j] + T(1e-4));
+      ++next;
+    } else {
+      left[j] = next == 0 ? T(1) : left[model.flexions[next - 1]];
+    }
+  }
+  return left;
+}
+
+/// Moment arms of every strand at a pose, times the tension left (strands, coordinates) [m/rad].
+template <typename T>
+[[nodiscard]] MatrixX<T> strand_arms(const TendonModel<T>& model, const TreeState<T>& state,
+                                     const VectorX<T>& q) {
   MatrixX<T> R = model.constant_arms;
-  for (std::size_t s = 0; s < model.paths.size(); ++s)
+  for (std::size_t s = 0; s < model.paths.size(); ++s) {
     if (!model.paths[s].empty())
       R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
+    if (model.friction[s] != T(0))
+      R.row(s) = R.row(s).cwiseProduct(tension_left(model, q, model.friction[s]).transpose());
+  }
   return R;
 }
 
 /// Moment arms of every muscle through the hood,  R = S' R_strands  [m/rad] (muscles, coordinates).
 template <typename T>
-[[nodiscard]] MatrixX<T> muscle_arms(const TendonModel<T>& model, const TreeState<T>& state) {
-  return strand_matrix(model).transpose() * strand_arms(model, state);
+[[nodiscard]] MatrixX<T> muscle_arms(const TendonModel<T>& model, const TreeState<T>& state,
+                                     const VectorX<T>& q) {
+  return strand_matrix(model, q).transpose() * strand_arms(model, state, q);
 }
 
 }  // namespace thenar

@@ -33,6 +33,7 @@ ParameterRule read_rule(TomlTable& table) {
   ParameterRule rule;
   rule.line = table.line();
   rule.match = table.text("match");
+  rule.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
   if (table.has("state")) {
     const std::string state = table.choice("state", {"free", "fixed", "tied"});
     rule.state = state == "free"    ? ParameterState::kFree

@@ -16,6 +16,7 @@ enum class ParameterState { kFree, kFixed, kTied };
 /// Numbers are SI; the reader converts from the unit in the key.
 struct ParameterRule {
   std::string match;                         // glob on parameter names: "path/*/dorsal"
+  bool optional = false;                     // no error if nothing matches
   std::optional<ParameterState> state;       // absent: as an earlier row said
   std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
   std::optional<double> sd;                  // prior sd of the population mean [SI]; infinite: flat

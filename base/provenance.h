@@ -1,0 +1,16 @@
+#pragma once
+
+/// Where a number came from: hashes of its inputs and versions of what computed it.
+
+#include <map>
+#include <string>
+
+namespace thenar {
+
+/// SHA-256 of a text, in hexadecimal.
+[[nodiscard]] std::string sha256(const std::string& text);
+
+/// Versions of thenar, its compiler and libraries known to this floor, by name.
+[[nodiscard]] std::map<std::string, std::string> versions();
+
+}  // namespace thenar

@@ -1,0 +1,60 @@
+#include "kinematics_fit/fit.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+
+#include "base/error.h"
+#include "kinematics_fit/cross_validation.h"
+
+namespace thenar {
+namespace internal {
+const std::map<std::string, std::string_view>& fit_settings();  // data/fits, by file name
+}
+
+namespace {
+
+/// Names of the postures of all experiments, each once.
+std::vector<std::string> posture_names(const std::vector<Experiment>& experiments) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : experiments)
+    for (const PostureRecord& posture : experiment.postures)
+      if (std::find(names.begin(), names.end(), posture.name) == names.end())
+        names.push_back(posture.name);
+  return names;
+}
+
+}  // namespace
+
+SourceText built_in_settings(const std::string& digit) {
+  const std::string name = digit == "thumb" ? "thumb.toml" : "finger.toml";
+  return {"built-in " + name, std::string(internal::fit_settings().at(name))};
+}
+
+FitProblem build_problem(const FitInputs& inputs) {
+  require(!inputs.experiments.empty(), "a fit needs at least one experiment");
+  std::vector<Experiment> experiments;
+  for (const SourceText& source : inputs.experiments)
+    experiments.push_back(parse_experiment(source.text, source.path));
+  for (const Experiment& experiment : experiments)
+    require(experiment.digit == experiments.front().digit,
+            "experiments are of different digits: '{}' of the {}, '{}' of the {}",
+            experiments.front().name, experiments.front().digit, experiment.name, experiment.digit);
+
+  const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
+  TendonDigit digit = build_tendon_digit(subject, experiments.front().digit);
+  const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
+  FitParameters parameters =
+      choose_parameters(digit, posture_names(experiments), settings, inputs.also_free);
+  return {std::move(digit), std::move(parameters), std::move(experiments), settings.robust_scale};
+}
+
+Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
+  FitProblem problem = build_problem(inputs);
+  Solution solution = solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
+  Covariance covariance = posterior_covariance(problem, solution.z);
+  return {inputs,       std::move(problem),  options.method,
+          options.seed, std::move(solution), std::move(covariance)};
+}
+
+}  // namespace thenar

@@ -1,0 +1,133 @@
+// The result file of a fit: everything needed to run it again, and everything it found.
+
+#include "base/error.h"
+#include "base/provenance.h"
+#include "kinematics_fit/fit.h"
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+constexpr const char* kFormat = "thenar fit 1";
+
+void add_inputs(const FitInputs& inputs, ResultFile& file) {
+  const auto add = [&](const std::string& key, const SourceText& source) {
+    file.add(key + "/path", source.path);
+    file.add(key + "/text", source.text);
+    file.add("provenance/sha256/" + key, sha256(source.text));
+  };
+  add("inputs/subject", inputs.subject);
+  add("inputs/settings", inputs.settings);
+  for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
+    add(fmt::format("inputs/experiment{}", e), inputs.experiments[e]);
+  file.add("inputs/also_free", inputs.also_free);
+}
+
+FitInputs inputs_of(const ResultFile& file) {
+  const auto get = [&](const std::string& key) {
+    return SourceText{file.text(key + "/path"), file.text(key + "/text")};
+  };
+  FitInputs inputs{
+      get("inputs/subject"), get("inputs/settings"), {}, file.list("inputs/also_free")};
+  for (int e = 0; file.texts.count(fmt::format("inputs/experiment{}/text", e)) > 0; ++e)
+    inputs.experiments.push_back(get(fmt::format("inputs/experiment{}", e)));
+  return inputs;
+}
+
+/// Values of every parameter of the population, in the units that people read.
+void add_parameters(const Fit& fit, ResultFile& file) {
+  const FitParameters& parameters = fit.problem.parameters();
+  const std::vector<double> values =
+      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, -1));
+  Eigen::VectorXd shown(static_cast<Eigen::Index>(values.size()));
+  std::vector<std::string> names, units;
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    shown[static_cast<Eigen::Index>(p)] = values[p] * display_scale(parameters.all[p]);
+    names.push_back(parameters.all[p].name);
+    units.push_back(display_unit(parameters.all[p]));
+  }
+  file.add("parameters/value", shown, "see parameters/unit", {"parameter"});
+  file.add("parameters/name", names);
+  file.add("parameters/unit", units);
+}
+
+void add_predictions(const Fit& fit, ResultFile& file) {
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Prediction prediction = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+    const std::string group = "predictions/" + prediction.experiment;
+    const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
+    Eigen::MatrixXd measured(trials, 3), predicted(trials, 3);
+    for (Eigen::Index i = 0; i < trials; ++i) {
+      measured.row(i) = prediction.trials[i].measured;
+      predicted.row(i) = prediction.trials[i].predicted;
+    }
+    file.add(group + "/measured", measured, "N", {"trial", "component"});
+    file.add(group + "/predicted", predicted, "N", {"trial", "component"});
+    file.add(group + "/relative_error", prediction.error.relative, "1");
+  }
+}
+
+void add_provenance(const Fit& fit, ResultFile& file) {
+  for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
+  file.add("provenance/fidelity", describe(fit.problem.digit().fidelity));
+  file.add("provenance/method", name_of(fit.method));
+  file.add("provenance/seed", fit.seed, "1");
+}
+
+SolveStatus status_of(const std::string& name) {
+  for (const SolveStatus status :
+       {SolveStatus::kConverged, SolveStatus::kLimit, SolveStatus::kStopped, SolveStatus::kFailed})
+    if (name_of(status) == name) return status;
+  throw InputError(fmt::format("no solver status '{}'", name));
+}
+
+}  // namespace
+
+void write_fit(const Fit& fit, const std::string& path) {
+  ResultFile file;
+  file.add("format", kFormat);
+  add_inputs(fit.inputs, file);
+  file.add("fit/z", fit.solution.z, "1", {"coordinate"});
+  file.add("fit/name", fit.problem.names());
+  file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
+  file.add("fit/cost", fit.solution.cost, "1");
+  file.add("fit/status", name_of(fit.solution.status));
+  file.add("fit/message", fit.solution.message);
+  file.add("fit/evaluations", fit.solution.evaluations, "1");
+  file.add("fit/seconds", fit.solution.seconds, "s");
+  std::vector<std::string> nulls;
+  for (const NullDirection& null : fit.covariance.nulls) nulls.push_back(null.text);
+  file.add("fit/not_identifiable", nulls);
+  add_parameters(fit, file);
+  add_predictions(fit, file);
+  add_provenance(fit, file);
+  write_result(file, path);
+}
+
+Fit read_fit(const std::string& path) {
+  const ResultFile file = read_result(path);
+  if (file.texts.count("format") == 0 || file.text("format") != kFormat)
+    throw DataError(path, 1, fmt::format("wanted a '{}' file", kFormat));
+  const FitInputs inputs = inputs_of(file);
+  FitProblem problem = build_problem(inputs);
+  const Eigen::VectorXd z = file.matrix("fit/z");
+  if (z.size() != problem.size())
+    throw DataError(
+        path, 1,
+        fmt::format("the fit has {} coordinates, its inputs give {}", z.size(), problem.size()));
+  Solution solution{z,
+                    file.number("fit/cost"),
+                    status_of(file.text("fit/status")),
+                    file.text("fit/message"),
+                    static_cast<int>(file.number("fit/evaluations")),
+                    file.number("fit/seconds")};
+  Covariance covariance = posterior_covariance(problem, z);
+  return {inputs,
+          std::move(problem),
+          fit_method(file.text("provenance/method")),
+          static_cast<unsigned>(file.number("provenance/seed")),
+          std::move(solution),
+          std::move(covariance)};
+}
+
+}  // namespace thenar
