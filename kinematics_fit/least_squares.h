@@ -43,9 +43,9 @@ enum class FitMethod {
 
 struct SolveOptions {
   FitMethod method = FitMethod::kCeres;
-  int max_evaluations = 0;   // of the residuals; 0: the method's own limit
-  double tolerance = 1e-10;  // relative change of the cost at which to stop [1]
-  unsigned seed = 1;         // of the global search
+  int max_evaluations = 0;  // of the residuals; 0: the method's own limit
+  double tolerance = 1e-8;  // relative change of the cost at which to stop [1]
+  unsigned seed = 1;        // of the global search
   Progress progress;
 };
 
