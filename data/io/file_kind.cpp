@@ -1,0 +1,59 @@
+#include "data/io/file_kind.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "base/error.h"
+#include "data/io/toml_node.h"
+
+namespace thenar {
+namespace {
+
+/// The first bytes of every HDF5 file.
+const std::string kHdf5 = "\x89HDF\r\n\x1a\n";
+
+bool has_any(const TomlNode& table, const std::vector<std::string>& keys) {
+  return std::any_of(keys.begin(), keys.end(),
+                     [&](const std::string& key) { return table.find(key) != nullptr; });
+}
+
+/// Digits of proportions are given as parts of a hand's length.
+bool has_proportions(const TomlNode& top) {
+  const TomlNode* digits = top.find("digit");
+  return digits != nullptr && !digits->items.empty() &&
+         has_any(digits->items.front(), {"metacarpal_ratio", "joint_distal_ratio", "segment"});
+}
+
+}  // namespace
+
+std::string name_of(FileKind kind) {
+  switch (kind) {
+    case FileKind::kSubject:
+      return "subject";
+    case FileKind::kExperiment:
+      return "experiment";
+    case FileKind::kFitSettings:
+      return "fit settings";
+    case FileKind::kProportions:
+      return "proportions";
+    case FileKind::kResult:
+      return "result";
+  }
+  return "";
+}
+
+FileKind find_file_kind(const std::string& path) {
+  const std::string text = read_text_file(path);
+  if (text.compare(0, kHdf5.size(), kHdf5) == 0) return FileKind::kResult;
+  const TomlNode top = parse_toml(text, path);
+  if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
+  if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
+  if (has_proportions(top)) return FileKind::kProportions;
+  if (has_any(top, {"side", "segment", "joint", "dh_chain", "muscle", "strand", "tip_map"}))
+    return FileKind::kSubject;
+  throw DataError(path, 1,
+                  "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
+                  "[trials]), fit settings ([[parameter]]) or proportions ([[digit]]), got none");
+}
+
+}  // namespace thenar

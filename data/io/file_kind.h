@@ -1,0 +1,18 @@
+#pragma once
+
+/// What a data file is, by what it holds.
+
+#include <string>
+
+namespace thenar {
+
+enum class FileKind { kSubject, kExperiment, kFitSettings, kProportions, kResult };
+
+/// "subject", "experiment", "fit settings", "proportions" or "result".
+[[nodiscard]] std::string name_of(FileKind kind);
+
+/// Tells an HDF5 result by its first bytes, a TOML file by the keys of its top level.
+/// @throws DataError if the file cannot be read, is not TOML, or has no key that tells.
+[[nodiscard]] FileKind find_file_kind(const std::string& path);
+
+}  // namespace thenar
