@@ -20,6 +20,7 @@ using Eigen::VectorXd;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
+constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
 constexpr int kMostCuts = 200;            // about 20 are needed
 
 /// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
@@ -66,7 +67,7 @@ LinearProgram recession(LinearProgram program) {
 /// Adds the tangent plane that cuts x off, if x is outside the cone.
 bool cut_off(const VectorXd& x, LoadProblem& problem) {
   if (problem.loads.cols() == 1) return false;
-  if (std::hypot(x(1), x(2)) <= (1 + kConeViolation) * x(0)) return false;
+  if (std::hypot(x(1), x(2)) <= (1 + kConeViolation) * x(0) + kRounding) return false;
   problem.cuts.push_back(std::atan2(x(2), x(1)));
   return true;
 }

@@ -26,8 +26,8 @@ struct LargestForceOptions {
 ///   maximise d' f  subject to  J' f = R' t + tau_0,  0 <= t <= F0,  angle(f, d) <= tolerance.
 ///
 /// Every joint torque is balanced; the tip carries no moment. With a tolerance the cone is met
-/// exactly, to 1e-10 of the force, by cutting planes. A straight finger carries any force along
-/// itself: that is `kUnbounded`, not a large number.
+/// to 1e-10 of the force (or 1e-11 of what tendons make, if that is more) by cutting planes. A
+/// straight finger carries any force along itself: that is `kUnbounded`, not a large number.
 ///
 /// @param statics    one posture; W is not looked at
 /// @param direction  wanted direction of the force, any length but zero   3   [1]

@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 
 constexpr double kCertified = 1e-9;     // support may exceed a facet by this part of the extent
 constexpr double kFlat = 1e-9;          // width, as part of the size, below which a set is flat
-constexpr double kNoForce = 1e-12;      // size, in force units, below which nothing is made
+constexpr double kNoForce = 1e-9;       // size, in force units, below which nothing is made
 constexpr double kSamePoint = 1e-10;    // of the extent: two support points are one
 constexpr double kStraightEdge = 1e-6;  // sine of an angle below which a corner is none
 constexpr int kMostRounds = 200;        // of hull growth; about 6 are needed
@@ -86,20 +86,21 @@ void append(const VectorXd& column, MatrixXd& matrix) {
   matrix.rightCols<1>() = column;
 }
 
-/// The unit vector across `known` along which the points differ most; any, if they do not.
-VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points, double flat) {
+/// The longest difference of points across `known`.
+VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points) {
   VectorXd best = VectorXd::Zero(points.front().phi.size());
   for (const Point& point : points) {
     VectorXd across = point.phi - points.front().phi;
-    across -= known * (known.transpose() * across);
+    for (int twice = 0; twice < 2; ++twice) across -= known * (known.transpose() * across);
     if (across.norm() > best.norm()) best = across;
   }
-  if (best.norm() <= flat) {
-    const Eigen::HouseholderQR<MatrixXd> qr(known);
-    return MatrixXd(qr.householderQ()).col(known.cols());
-  }
-  best -= known * (known.transpose() * best);  // once more: rounding
-  return best.normalized();
+  return best;
+}
+
+/// Any unit vector across `known`.
+VectorXd any_across(const MatrixXd& known) {
+  const Eigen::HouseholderQR<MatrixXd> qr(known);
+  return MatrixXd(qr.householderQ()).col(known.cols());
 }
 
 /// Finds the affine hull: the set is flat across every direction that is not in the frame.
@@ -118,10 +119,13 @@ Frame span(SupportOracle& oracle, std::vector<Point>& points) {
   Frame frame{VectorXd::Zero(r), MatrixXd(r, 0), VectorXd(0)};
   MatrixXd known(r, 0);
   while (known.cols() < r) {
-    const VectorXd u = widest_across(known, points, flat);
+    VectorXd u = widest_across(known, points);
+    const bool seen = u.norm() > flat;
+    u = seen ? u.normalized() : any_across(known);
     const double width = add_both_ways(u);
+    if (!seen && width > flat) continue;  // now there is a difference to follow
     append(u, known);
-    if (width <= flat) continue;
+    if (!seen) continue;
     append(u, frame.axes);
     frame.half.conservativeResize(frame.axes.cols());
     frame.half(frame.axes.cols() - 1) = width / 2;

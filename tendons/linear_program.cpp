@@ -73,16 +73,22 @@ LinearStatus status_of(const ClpSimplex& simplex, const LinearProgram& program, 
   }
 }
 
-LinearResult solve_to(const LinearProgram& program, double tolerance) {
+enum class Method { kPrimal, kDual };
+
+LinearResult solve_to(const LinearProgram& program, double tolerance, Method method) {
   ClpSimplex simplex;
   load(simplex, program, tolerance);
-  simplex.primal();
+  if (method == Method::kPrimal)
+    simplex.primal();
+  else
+    simplex.dual();
   LinearResult result{status_of(simplex, program, tolerance),
                       VectorXd::Zero(program.objective.size()),
                       std::numeric_limits<double>::quiet_NaN()};
   if (result.status != LinearStatus::kSolved) return result;
   if (result.x.size() > 0)
     result.x = Eigen::Map<const VectorXd>(simplex.primalColumnSolution(), result.x.size());
+  if (!result.x.allFinite()) result = {LinearStatus::kStalled, VectorXd::Zero(result.x.size()), 0};
   result.x = result.x.cwiseMax(program.lower).cwiseMin(program.upper);
   result.objective = program.objective.dot(result.x);
   return result;
@@ -92,10 +98,10 @@ LinearResult solve_to(const LinearProgram& program, double tolerance) {
 
 LinearResult solve(const LinearProgram& program) {
   check(program);
-  const LinearResult sharp = solve_to(program, kFeasible);
+  const LinearResult sharp = solve_to(program, kFeasible, Method::kPrimal);
   if (sharp.status == LinearStatus::kSolved || sharp.status == LinearStatus::kUnbounded)
     return sharp;
-  return solve_to(program, kBarelyFeasible);  // feasible but for rounding?
+  return solve_to(program, kBarelyFeasible, Method::kDual);  // feasible but for rounding?
 }
 
 }  // namespace thenar

@@ -206,6 +206,30 @@ TEST(FeasibleForceSet, MapWithoutARowIsFlatAndCarriesNothing) {
   EXPECT_EQ(set.carried.cols(), 0);
 }
 
+// Three muscles on four joints, one of which only tendons load: t_3 = t_1 + t_2 and t_3 <= 1 leave
+// the triangle 0, g_1 + g_3, g_2 + g_3, here (1,0,1) and (0,1,1), of area sqrt(3) / 2.
+TEST(FeasibleForceSet, FewMusclesMakeATiltedTriangle) {
+  MatrixXd A(4, 3);
+  A << 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, -1;
+  const FeasibleForceSet set =
+      feasible_force_set(statics_of_map(A, Vector3d(1, 0, 0), Vector3d(1, 1, 1)));
+  EXPECT_EQ(set.dimension, 2);
+  EXPECT_EQ(set.vertices.rows(), 3);
+  EXPECT_NEAR(set.volume, std::sqrt(3.0) / 2, 1e-12);
+}
+
+// The same with random arms: two muscles never make a solid.
+TEST(FeasibleForceSet, TwoMusclesMakeAParallelogram) {
+  std::mt19937 rng(3);
+  for (int trial = 0; trial < 100; ++trial) {
+    const MatrixXd A = random_matrix(3, 2, rng);
+    const FeasibleForceSet set = feasible_force_set(map_of(A, Eigen::Vector2d(1, 1)));
+    EXPECT_EQ(set.dimension, 2);
+    EXPECT_EQ(set.vertices.rows(), 4);
+    EXPECT_NEAR(set.volume, A.col(0).head<3>().cross(A.col(1).head<3>()).norm(), 1e-9);
+  }
+}
+
 TEST(FeasibleForceSet, SlackFingerIsAPoint) {
   TipStatics statics = published_index();
   statics.max_tension.setZero();
