@@ -5,7 +5,8 @@ include(CMakePackageConfigHelpers)
 function(thenar_install_library name)
   install(TARGETS thenar_${name} EXPORT thenarTargets)
   file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${CMAKE_CURRENT_SOURCE_DIR})
-  install(DIRECTORY . DESTINATION include/thenar/${folder} FILES_MATCHING PATTERN "*.h")
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/thenar/${folder})
 endfunction()
 
 install(EXPORT thenarTargets NAMESPACE thenar:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/thenar)
@@ -13,7 +14,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/thenarConfig.cmake.in
   ${PROJECT_BINARY_DIR}/thenarConfig.cmake
   INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/thenar)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/thenarConfigVersion.cmake
-  COMPATIBILITY SameMajorVersion)
+  COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/thenarConfig.cmake
               ${PROJECT_BINARY_DIR}/thenarConfigVersion.cmake
               ${PROJECT_SOURCE_DIR}/cmake/dependencies.cmake

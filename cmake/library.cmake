@@ -8,7 +8,7 @@ function(thenar_library name)
   add_library(thenar_${name} ${sources})
   add_library(thenar::${name} ALIAS thenar_${name})
   target_include_directories(thenar_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:include/thenar>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/thenar>)
   target_compile_features(thenar_${name} PUBLIC cxx_std_17)
   target_link_libraries(thenar_${name} PUBLIC ${ARG_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:thenar_warnings> ${ARG_PRIVATE})

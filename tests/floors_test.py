@@ -1,25 +1,100 @@
-"""A folder may include only from floors below it. Run from the repository root."""
+"""Who may include whom: folders stand on floors, third parties behind fences, packages in one file.
+
+Run from the repository root. Prints every offence as path:line and fails if there is one.
+"""
 import pathlib
 import re
 import sys
 
+# A folder may include only from floors below it.
 MAY_SEE = {
     "base": [],
-    "data/io": ["base"],
-    "hand": ["base", "data/io"],
-    "tendons": ["base", "data/io", "hand"],
-    "kinematics_fit": ["base", "data/io", "hand", "tendons"],
-    "grasp": ["base", "data/io", "hand/hand.h", "hand/multibody.h"],  # the interface, and nothing else of hand/
+    "data/io": ["base/"],
+    "hand": ["base/", "data/io/"],
+    "tendons": ["base/", "data/io/", "hand/"],
+    "kinematics_fit": ["base/", "data/io/", "hand/", "tendons/"],
+    # The interface of a hand, and nothing else of hand/.
+    "grasp": ["base/", "data/io/", "hand/hand.h", "hand/multibody.h"],
+}
+LIBRARIES = [folder + "/" for folder in MAY_SEE]
+MAY_SEE |= {
+    "viewer": LIBRARIES,
+    "apps": LIBRARIES + ["viewer/"],
+    "python": LIBRARIES,
+    "bench": LIBRARIES + ["tests/"],  # the sample scenes
+    "tests": LIBRARIES + ["viewer/"],
 }
 
-bad = []
-for folder, below in MAY_SEE.items():
-    for path in sorted(pathlib.Path(folder).rglob("*")):
-        if path.suffix not in (".h", ".cpp"):
+# Third parties, and the only files that may include them. A folder's name allows the folder.
+FENCES = {
+    r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "bench/", "tests/hand/"],
+    r"ceres/jet\.h": ["kinematics_fit/force_jacobian.cpp", "bench/", "tests/"],
+    r"ceres/.*": ["kinematics_fit/solve_ceres.cpp"],
+    r"nlopt\..*": ["kinematics_fit/solve_nlopt.cpp"],
+    r"(coin/)?Ip[A-Z].*\.hpp": ["base/nonlinear_program.cpp"],
+    r"(coin/)?(Clp|Coin|Osi|Cbc).*": ["tendons/linear_program.cpp"],
+    r"libqhull.*": ["tendons/convex_hull.cpp"],
+    r"(hdf5|H5).*": ["data/io/result_file.cpp", "tests/data/"],
+    r"toml(\+\+|\.hpp).*": ["data/io/toml_node.cpp"],
+    r"openssl/.*": ["base/provenance.cpp"],
+    r"nlohmann/.*": ["viewer/", "apps/", "tests/"],
+    r"CLI/.*": ["apps/"],
+    r"benchmark/.*": ["bench/"],
+    r"g(test|mock)/.*": ["tests/"],
+}
+# Everywhere: Eigen, fmt, the standard library, a terminal, processor intrinsics.
+ANYWHERE = r"Eigen/.*|fmt/.*|[a-z_0-9]+|(unistd|immintrin|cpuid)\.h"
+
+
+def one_of(name, prefixes):
+    return name.startswith(tuple(prefixes))
+
+
+def ours(path, folder, name):
+    """Complaint about #include "name", if any."""
+    if not one_of(name, MAY_SEE[folder] + [folder + "/"]):
+        return f"{folder} may not include {name}"
+    if not pathlib.Path(name).is_file():
+        return f"there is no {name}"
+    return None
+
+
+def theirs(path, folder, name):
+    """Complaint about #include <name>, if any."""
+    if re.fullmatch(ANYWHERE, name):
+        return None
+    for pattern, files in FENCES.items():
+        if re.fullmatch(pattern, name):
+            return None if one_of(str(path), files) else f"<{name}> belongs in {', '.join(files)}"
+    return f"<{name}> has no fence in tests/floors_test.py"
+
+
+def includes():
+    """Complaints about the sources of all folders."""
+    for folder in MAY_SEE:
+        for path in sorted(pathlib.Path(folder).rglob("*")):
+            if path.suffix not in (".h", ".cpp") or "node_modules" in path.parts:
+                continue
+            for line, text in enumerate(path.read_text().splitlines(), 1):
+                found = re.match(r'\s*#\s*include\s*(["<])([^">]+)', text)
+                complaint = found and (ours if found[1] == '"' else theirs)(path, folder, found[2])
+                if complaint:
+                    yield f"{path}:{line}: {complaint}"
+
+
+def packages():
+    """Complaints about finding packages outside cmake/dependencies.cmake."""
+    for path in [*pathlib.Path(".").glob("**/CMakeLists.txt"), *pathlib.Path("cmake").glob("*")]:
+        if one_of(str(path), ["build/", "out/", "cmake/dependencies.cmake", "tests/install/"]):
+            continue
+        if "node_modules" in path.parts:
             continue
         for line, text in enumerate(path.read_text().splitlines(), 1):
-            found = re.match(r'#include "([^"]+)"', text)
-            if found and not found[1].startswith(tuple([folder + "/"] + below)):
-                bad.append(f"{path}:{line}: {folder} may not include {found[1]}")
+            found = re.match(r"\s*(find_(?:package|library|path)|pkg_(?:check|search)_modules?)\b", text)
+            if found:
+                yield f"{path}:{line}: {found[1]} belongs in cmake/dependencies.cmake"
+
+
+bad = [*includes(), *packages()]
 print("\n".join(bad))
 sys.exit(bool(bad))

@@ -1,0 +1,81 @@
+// Tests for base/write_file.h.
+
+#include "base/write_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for every test, gone afterwards.
+class WriteFile : public ::testing::Test {
+ protected:
+  WriteFile() { fs::create_directories(folder_); }
+  ~WriteFile() override { fs::remove_all(folder_); }
+  WriteFile(const WriteFile&) = delete;
+  WriteFile& operator=(const WriteFile&) = delete;
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_ / name).string();
+  }
+
+ private:
+  fs::path folder_ = fs::path(::testing::TempDir()) /
+                     (std::string("thenar_write_file_") +
+                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
+};
+
+std::string content(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST_F(WriteFile, KeepsEveryByte) {
+  const std::string text("two\r\nlines\0", 11);
+  write_file(path("a"), text);
+  EXPECT_EQ(content(path("a")), text);
+}
+
+TEST_F(WriteFile, MakesMissingFolders) {
+  write_file(path("new/folder/a"), "text");
+  EXPECT_EQ(content(path("new/folder/a")), "text");
+}
+
+TEST_F(WriteFile, ReplacesAndLeavesNoTemporary) {
+  write_file(path("a"), "a longer text");
+  write_file(path("a"), "short");
+  EXPECT_EQ(content(path("a")), "short");
+  EXPECT_FALSE(fs::exists(path("a") + ".tmp"));
+}
+
+// A file cannot be a folder, for whoever asks.
+TEST_F(WriteFile, NamesTheFileItCannotWrite) {
+  write_file(path("a"), "a file");
+  const std::string below = path("a") + "/b";
+  try {
+    write_file(below, "text");
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_EQ(e.what(), "cannot write '" + below + ".tmp'");
+  }
+  EXPECT_EQ(content(path("a")), "a file");
+}
+
+// Renaming over a folder fails after the text was written.
+TEST_F(WriteFile, RefusesToReplaceAFolder) {
+  write_file(path("folder/a"), "text");
+  EXPECT_THROW(write_file(path("folder"), "text"), InputError);
+  EXPECT_EQ(content(path("folder/a")), "text");
+}
+
+}  // namespace
+}  // namespace thenar

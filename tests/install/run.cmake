@@ -1,0 +1,17 @@
+# Installs the build tree BUILD below WORK, then configures, builds and runs this folder with what
+# was installed, and asks the installed command for its version. SOURCE is this folder.
+function(run)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE status)
+  if(status)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "${command}: ${status}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${WORK})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
+    "-DCMAKE_CXX_FLAGS=${FLAGS}")
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+run(${WORK}/build/uses_thenar ${WORK}/prefix/share/thenar/subjects/synek2019_middle.toml)
+run(${WORK}/prefix/bin/thenar --version)
