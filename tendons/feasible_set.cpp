@@ -10,7 +10,6 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "base/error.h"
 #include "tendons/convex_hull.h"
 #include "tendons/linear_program.h"
 #include "tendons/tip_balance.h"

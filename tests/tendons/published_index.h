@@ -9,7 +9,7 @@
 namespace thenar {
 
 /// Rows Fx Fy Fz [N/N] and tx [N m/N], columns FDP FDS EIP EDC LUM DI PI: the map J^-T R' of an
-/// index finger and its F0, as distributed with [Cohn2018] (github.com/bc/stfeasibility, R/main.r).
+/// index finger and its F0, as distributed in [CohnStf] (github.com/bc/stfeasibility, R/main.r).
 inline TipStatics published_index() {
   Eigen::MatrixXd A(4, 7);
   A << -0.08941, -0.0447, -0.009249, 0.03669, 0.1421, 0.2087, -0.2138,  //
