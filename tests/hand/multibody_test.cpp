@@ -3,6 +3,8 @@
 #include "hand/multibody.h"
 
 #include <gtest/gtest.h>
+#include <thread>
+
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
@@ -152,6 +154,26 @@ TEST(Multibody, DampingTakesPower) {
   Eigen::VectorXd expected = -passive_torque(skeleton, motion.q);
   for (int i = 0; i < 3; ++i) expected[i] += skeleton.limits[i].damping * motion.q_dot[i];
   EXPECT_TRUE(matrix_near(extra, expected, 1e-15));
+}
+
+// One object per thread is the rule; objects then do not disturb each other.
+TEST(Multibody, WorksInThreadsOfItsOwn) {
+  const Skeleton skeleton = build_skeleton(sample::random_hand(10));
+  std::vector<int> wrong(4, 0);
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      sample::Draw draw(100 + t);
+      Multibody body(skeleton);
+      for (int trial = 0; trial < 50; ++trial) {
+        const Eigen::VectorXd q = draw.posture(skeleton);
+        const Eigen::VectorXd difference =
+            body.load_torque(q, kGravity) - load_torque(skeleton, q, kGravity);
+        if (!(difference.cwiseAbs().maxCoeff() < 1e-12)) ++wrong[t];
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, std::vector<int>(4, 0));
 }
 
 TEST(Multibody, SaysWhatHasNoMass) {
