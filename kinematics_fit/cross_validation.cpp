@@ -39,18 +39,12 @@ std::vector<std::string> list_folds(const FitProblem& problem, LeaveOut what) {
   return folds;
 }
 
-int index_of(const std::vector<std::string>& names, const std::string& name) {
-  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
-}
-
 /// Forces of a whole experiment by a fit that need not contain it.
 Eigen::Matrix3Xd forces_of(const FitProblem& fitted, const Eigen::VectorXd& z,
                            const Experiment& experiment) {
-  const int known = index_of(fitted.specimens(), experiment.specimen);
-  const int specimen = known < static_cast<int>(fitted.specimens().size()) ? known : -1;
   return force_values(fitted.digit(), fitted.parameters(),
                       plan_experiment(fitted.digit(), fitted.parameters(), experiment),
-                      fitted.displacements(z, specimen));
+                      fitted.displacements(z, find_specimen(fitted, experiment.specimen)));
 }
 
 }  // namespace

@@ -66,19 +66,25 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
   return table(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
 }
 
-Prediction predict_unseen(const FitProblem& fitted, const Eigen::VectorXd& z,
-                          const Eigen::MatrixXd& C, const Experiment& experiment) {
+Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
+                              const Eigen::MatrixXd& C, const Experiment& experiment,
+                              int specimen) {
   const ExperimentPlan plan = plan_experiment(fitted.digit(), fitted.parameters(), experiment);
-  const FitParameters& parameters = fitted.parameters();
   const ForceJacobian forces =
-      force_jacobian(fitted.digit(), parameters, plan, fitted.displacements(z, -1));
-  const Eigen::MatrixXd J_z = forces.J * fitted.displacement_jacobian(-1);
-  Eigen::VectorXd variance =
-      (J_z * C).cwiseProduct(J_z).rowwise().sum() + forces.J.cwiseAbs2() * fitted.unseen_variance();
+      force_jacobian(fitted.digit(), fitted.parameters(), plan, fitted.displacements(z, specimen));
+  const Eigen::MatrixXd J_z = forces.J * fitted.displacement_jacobian(specimen);
+  Eigen::VectorXd variance = (J_z * C).cwiseProduct(J_z).rowwise().sum();
+  if (specimen < 0) variance += forces.J.cwiseAbs2() * fitted.unseen_variance();
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
   return table(experiment, forces.force,
                Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
+}
+
+int find_specimen(const FitProblem& fitted, const std::string& specimen) {
+  const auto& known = fitted.specimens();
+  const auto found = std::find(known.begin(), known.end(), specimen);
+  return found == known.end() ? -1 : static_cast<int>(found - known.begin());
 }
 
 }  // namespace thenar

@@ -40,11 +40,17 @@ struct Prediction {
 /// Experiment `e` of the problem at z, without predictive sds.
 [[nodiscard]] Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e);
 
-/// An experiment of a specimen that was never fitted, from the population. The predictive
-/// variance adds what is not known of the population, how specimens differ, and the noise:
+/// Any experiment, also of a specimen that was never fitted: then the population predicts. The
+/// predictive variance adds what is not known of the parameters, how an unseen specimen differs
+/// from the population, and the noise:
 ///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + diag(sd^2).
+/// @param specimen  index in fitted.specimens(), or -1: one that was never fitted
 /// @throws InputError if the experiment does not fit the digit.
-[[nodiscard]] Prediction predict_unseen(const FitProblem& fitted, const Eigen::VectorXd& z,
-                                        const Eigen::MatrixXd& C, const Experiment& experiment);
+[[nodiscard]] Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
+                                            const Eigen::MatrixXd& C, const Experiment& experiment,
+                                            int specimen);
+
+/// Index of a fitted specimen, or -1.
+[[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);
 
 }  // namespace thenar

@@ -1,0 +1,17 @@
+#pragma once
+
+/// The subcommands of `thenar`; each stands in the file of its name.
+
+#include <CLI/CLI.hpp>
+
+namespace thenar {
+
+void add_explain(CLI::App& app);
+void add_feasible_force(CLI::App& app);
+void add_fit(CLI::App& app);
+void add_pose(CLI::App& app);
+void add_predict(CLI::App& app);
+void add_tip_force(CLI::App& app);
+void add_validate(CLI::App& app);
+
+}  // namespace thenar

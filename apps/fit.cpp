@@ -1,0 +1,160 @@
+// thenar fit EXPERIMENT.toml... --subject SUBJECT.toml -o FIT.h5
+//
+// Fits the parameters of a digit to measured fingertip forces. Several specimens are fitted
+// together, as people who differ from their population.
+
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.h"
+#include "apps/progress_bar.h"
+#include "apps/read_source.h"
+#include "base/error.h"
+#include "kinematics_fit/cross_validation.h"
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::vector<std::string> experiments;
+  std::string subject, settings, output, method = "ceres";
+  std::vector<std::string> free, leave_out;
+  unsigned seed = 1;
+  int max_evaluations = 0;
+  bool json = false;
+};
+
+FitInputs inputs_of(const Options& options) {
+  FitInputs inputs;
+  inputs.subject = read_source(options.subject);
+  for (const std::string& path : options.experiments)
+    inputs.experiments.push_back(read_source(path));
+  const SourceText& first = inputs.experiments.front();
+  inputs.settings = options.settings.empty()
+                        ? built_in_settings(parse_experiment(first.text, first.path).digit)
+                        : read_source(options.settings);
+  inputs.also_free = options.free;
+  return inputs;
+}
+
+LeaveOut leave_out(const std::string& name) {
+  if (name == "posture") return LeaveOut::kPosture;
+  if (name == "tendon") return LeaveOut::kTendon;
+  if (name == "specimen") return LeaveOut::kSpecimen;
+  throw InputError(
+      fmt::format("cannot leave out a '{}'; wanted posture, tendon or specimen", name));
+}
+
+nlohmann::json error_json(const Prediction& prediction) {
+  return {{"experiment", prediction.experiment},
+          {"rms_error_N", prediction.error.rms},
+          {"relative_error", prediction.error.relative},
+          {"relative_error_flexion_plane", prediction.error.relative_flexion}};
+}
+
+nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& validations) {
+  nlohmann::json out{{"status", name_of(fit.solution.status)},
+                     {"message", fit.solution.message},
+                     {"cost", fit.solution.cost},
+                     {"evaluations", fit.solution.evaluations},
+                     {"seconds", fit.solution.seconds},
+                     {"free_coordinates", fit.problem.size()},
+                     {"effective_parameters", fit.covariance.effective_parameters}};
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e)
+    out["in_sample"].push_back(
+        error_json(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e))));
+  for (const NullDirection& null : fit.covariance.nulls)
+    out["not_identifiable"].push_back(null.text);
+  for (const CrossValidation& validation : validations)
+    for (const Prediction& prediction : validation.experiments) {
+      out["left_out"].push_back(error_json(prediction));
+      out["left_out"].back()["what"] = name_of(validation.what);
+    }
+  return out;
+}
+
+/// The coordinates that the data moved or pinned down most.
+void print_learnt(const Fit& fit, std::size_t count) {
+  std::vector<Learnt> learnt = fit.covariance.learnt;
+  std::sort(learnt.begin(), learnt.end(),
+            [](const Learnt& a, const Learnt& b) { return a.sd < b.sd; });
+  fmt::print("\nlearnt most (estimate and sd in units of the prior sd):\n");
+  for (std::size_t i = 0; i < std::min(count, learnt.size()); ++i)
+    fmt::print("  {:<34} {:+6.2f} +- {:.2f}\n", learnt[i].name, learnt[i].z, learnt[i].sd);
+}
+
+void print_nulls(const Fit& fit, std::size_t count) {
+  const auto& nulls = fit.covariance.nulls;
+  if (nulls.empty()) return;
+  fmt::print("\n{} of {} directions are known from the prior alone:\n", nulls.size(),
+             fit.problem.size());
+  for (std::size_t i = 0; i < std::min(count, nulls.size()); ++i)
+    fmt::print("  {}\n", nulls[i].text);
+  if (nulls.size() > count) fmt::print("  ... all are in the result file (--json lists them)\n");
+}
+
+void print_summary(const Fit& fit, const std::vector<CrossValidation>& validations,
+                   const std::string& output) {
+  fmt::print("{}: {} after {} evaluations, {:.2f} s; {} coordinates, {:.1f} learnt\n",
+             name_of(fit.method), name_of(fit.solution.status), fit.solution.evaluations,
+             fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Prediction p = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+    fmt::print("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
+               p.error.rms, p.error.relative);
+  }
+  for (const CrossValidation& validation : validations)
+    for (const Prediction& p : validation.experiments)
+      fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
+                 name_of(validation.what), p.error.rms, p.error.relative);
+  print_learnt(fit, 8);
+  print_nulls(fit, 4);
+  fmt::print("\nwrote {}\n", output);
+}
+
+void run(const Options& options) {
+  SolveOptions solve_options;
+  solve_options.method = fit_method(options.method);
+  solve_options.seed = options.seed;
+  solve_options.max_evaluations = options.max_evaluations;
+  solve_options.progress = terminal_progress();
+  std::vector<LeaveOut> left_out;
+  for (const std::string& name : options.leave_out) left_out.push_back(leave_out(name));
+
+  const Fit fit = run_fit(inputs_of(options), solve_options);
+  write_fit(fit, options.output);
+  std::vector<CrossValidation> validations;
+  for (const LeaveOut what : left_out)
+    if (!interrupted()) validations.push_back(cross_validate(fit.problem, what, solve_options));
+  if (options.json)
+    fmt::print("{}\n", summary(fit, validations).dump(2));
+  else
+    print_summary(fit, validations, options.output);
+  if (interrupted()) throw CLI::RuntimeError("stopped; the file holds the best point so far", 130);
+}
+
+}  // namespace
+
+void add_fit(CLI::App& app) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
+  command->add_option("experiments", options->experiments, "Experiment files")->required();
+  command->add_option("--subject", options->subject, "Subject file to start from")->required();
+  command->add_option("-o,--output", options->output, "Result file (HDF5)")->required();
+  command->add_option("--method", options->method, "ceres|nlopt|nlopt-global|ipopt");
+  command->add_option("--settings", options->settings,
+                      "Which parameters move (default: built in, see `thenar explain`)");
+  command->add_option("--free", options->free, "Also free the parameters matching these globs");
+  command->add_option("--cross-validate", options->leave_out,
+                      "Also leave out one posture|tendon|specimen at a time");
+  command->add_option("--seed", options->seed, "Of the global search");
+  command->add_option("--max-evaluations", options->max_evaluations, "0: the method's own limit");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

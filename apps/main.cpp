@@ -1,0 +1,27 @@
+// thenar: the human hand, fitted to forces. `thenar --help` lists the subcommands.
+
+#include <exception>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+
+int main(int argc, char** argv) {
+  CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", THENAR_VERSION);
+  thenar::add_validate(app);
+  thenar::add_explain(app);
+  thenar::add_pose(app);
+  thenar::add_tip_force(app);
+  thenar::add_feasible_force(app);
+  thenar::add_fit(app);
+  thenar::add_predict(app);
+  try {
+    CLI11_PARSE(app, argc, argv);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "thenar: {}\n", e.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,105 @@
+// thenar predict FIT.h5 EXPERIMENT.toml...
+//
+// Predicts the forces of any experiment on the fitted digit, also of a specimen that was never
+// fitted, and compares them with what was measured.
+
+#include <cmath>
+#include <memory>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.h"
+#include "apps/read_source.h"
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string fit;
+  std::vector<std::string> experiments;
+  bool population = false;
+  bool json = false;
+};
+
+constexpr double kDegrees = 180 / 3.141592653589793;
+
+double direction_error_deg(const PredictedTrial& trial) {
+  const Eigen::Vector3d &a = trial.predicted, &b = trial.measured;
+  return kDegrees * std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+nlohmann::json to_json(const Prediction& prediction, const std::string& specimen, bool fitted) {
+  nlohmann::json vectors = nlohmann::json::array();
+  for (const PredictedTrial& trial : prediction.trials)
+    vectors.push_back({{"posture", trial.posture},
+                       {"loads", trial.loads},
+                       {"measured_N", list(trial.measured)},
+                       {"predicted_N", list(trial.predicted)},
+                       {"sd_N", list(trial.sd)},
+                       {"error_N", (trial.predicted - trial.measured).norm()},
+                       {"direction_error_deg", direction_error_deg(trial)}});
+  return {{"experiment", prediction.experiment},
+          {"specimen", specimen},
+          {"specimen_was_fitted", fitted},
+          {"rms_error_N", prediction.error.rms},
+          {"relative_error", prediction.error.relative},
+          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"direction_error_deg", prediction.error.direction * kDegrees},
+          {"covered_95", prediction.error.covered},
+          {"vectors", vectors}};
+}
+
+void print(const Prediction& prediction, const std::string& specimen, bool fitted) {
+  fmt::print("{}: specimen {} {}\n", prediction.experiment, specimen,
+             fitted ? "was fitted; its own parameters predict"
+                    : "was never fitted; the population predicts");
+  fmt::print("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
+             "measured [N]", "predicted [N]", "sd [N]", "error", "deg");
+  for (const PredictedTrial& t : prediction.trials)
+    fmt::print(
+        "  {:<12} {:<10} {:8.3f}{:8.3f}{:8.3f} {:8.3f}{:8.3f}{:8.3f}   {:6.2f}{:6.2f}{:6.2f} "
+        "{:7.3f} {:6.1f}\n",
+        t.posture, t.loads, t.measured.x(), t.measured.y(), t.measured.z(), t.predicted.x(),
+        t.predicted.y(), t.predicted.z(), t.sd.x(), t.sd.y(), t.sd.z(),
+        (t.predicted - t.measured).norm(), direction_error_deg(t));
+  fmt::print(
+      "  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg, "
+      "{:.0f} % of components within the 95 % interval\n",
+      prediction.error.rms, prediction.error.relative, prediction.error.direction * kDegrees,
+      100 * prediction.error.covered);
+}
+
+void run(const Options& options) {
+  const Fit fit = read_fit(options.fit);
+  nlohmann::json out = nlohmann::json::array();
+  for (const std::string& path : options.experiments) {
+    const Experiment experiment = read_experiment(path);
+    const int specimen = options.population ? -1 : find_specimen(fit.problem, experiment.specimen);
+    const Prediction prediction =
+        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
+    if (options.json)
+      out.push_back(to_json(prediction, experiment.specimen, specimen >= 0));
+    else
+      print(prediction, experiment.specimen, specimen >= 0);
+  }
+  if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
+}
+
+}  // namespace
+
+void add_predict(CLI::App& app) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand("predict", "Predict the forces of an experiment");
+  command->add_option("fit", options->fit, "Result file of `thenar fit`")->required();
+  command->add_option("experiments", options->experiments, "Experiment files")->required();
+  command->add_flag("--population", options->population,
+                    "Predict a fitted specimen as if it had never been seen");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "base/progress.h"
+
+namespace thenar {
+
+/// A progress bar on stderr, drawn only on a terminal and only for work longer than a second;
+/// Ctrl-C asks the work to stop and keep what it has, a second one kills.
+[[nodiscard]] Progress terminal_progress();
+
+/// Was Ctrl-C pressed?
+[[nodiscard]] bool interrupted();
+
+}  // namespace thenar
