@@ -1,0 +1,128 @@
+#include "apps/feasible_report.h"
+
+#include <fmt/format.h>
+
+#include "apps/print_table.h"
+#include "apps/to_json.h"
+
+namespace thenar {
+namespace {
+
+/// What a status means to whoever asked for a force.
+std::string meaning(ForceStatus status) {
+  switch (status) {
+    case ForceStatus::kSolved:
+      return "";
+    case ForceStatus::kInfeasible:
+      return "no tensions make any force this way with every joint in balance";
+    case ForceStatus::kUnbounded:
+      return "the bones alone carry any force this way (a singular posture)";
+    case ForceStatus::kStalled:
+      return "the numerical method gave up";
+  }
+  return "";
+}
+
+std::string status_line(ForceStatus status) {
+  const std::string words = meaning(status);
+  return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
+}
+
+Table vertex_table(const ForceAxes& axes, const FeasibleForceSet& set) {
+  Table table{{"vertex", axes.names[0] + "_N", axes.names[1] + "_N", axes.names[2] + "_N"}, {}};
+  const Eigen::MatrixX3d vertices = set.vertices * axes.to_world;
+  for (Eigen::Index k = 0; k < vertices.rows(); ++k)
+    table.rows.push_back(row({{std::to_string(k + 1)}, cells(vertices.row(k), 3)}));
+  return table;
+}
+
+std::string axis_name(const ForceAxes& axes, std::size_t k) {
+  return (k % 2 == 0 ? "+" : "-") + axes.names[k / 2];
+}
+
+}  // namespace
+
+std::string name_of(ForceStatus status) {
+  switch (status) {
+    case ForceStatus::kSolved:
+      return "solved";
+    case ForceStatus::kInfeasible:
+      return "infeasible";
+    case ForceStatus::kUnbounded:
+      return "unbounded";
+    case ForceStatus::kStalled:
+      return "stalled";
+  }
+  return "";
+}
+
+WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes) {
+  WholeSet whole{feasible_force_set(at.statics), {}};
+  for (int k = 0; k < 6; ++k)
+    whole.along.push_back(
+        largest_force(at.statics, (k % 2 == 0 ? 1 : -1) * axes.to_world.col(k / 2)));
+  return whole;
+}
+
+nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
+                               const LargestForce& largest) {
+  return {{"status", name_of(largest.status)},
+          {"axes", axes.name},
+          {"force_N", to_json(axes.to_world.transpose() * largest.force)},
+          {"magnitude_N", largest.magnitude},
+          {"activation", to_json(at.statics.muscles, largest.activation)},
+          {"tension_N", to_json(at.statics.muscles, largest.tension)}};
+}
+
+nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
+  const FeasibleForceSet& set = whole.set;
+  nlohmann::ordered_json largest;
+  for (std::size_t k = 0; k < whole.along.size(); ++k)
+    largest[axis_name(axes, k)] = whole.along[k].magnitude;
+  return {{"set",
+           {{"status", name_of(set.status)},
+            {"axes", axes.name},
+            {"dimension", set.dimension},
+            {"volume", set.volume},
+            {"vertices_N", to_json(set.vertices * axes.to_world)},
+            {"triangles", to_json(set.triangles)},
+            {"carried_by_bones", to_json(set.carried.transpose() * axes.to_world)},
+            {"largest_N", largest}}}};
+}
+
+std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const LargestForce& largest) {
+  if (largest.status != ForceStatus::kSolved) return status_line(largest.status) + "\n";
+  const Eigen::Vector3d force = axes.to_world.transpose() * largest.force;
+  Table muscles{{"muscle", "activation", "tension_N", "F0_N"}, {}};
+  for (Eigen::Index i = 0; i < largest.tension.size(); ++i)
+    muscles.rows.push_back({at.statics.muscles[static_cast<std::size_t>(i)],
+                            shown(largest.activation[i], 4), shown(largest.tension[i], 2),
+                            shown(at.statics.max_tension[i], 2)});
+  return fmt::format("Largest force: {:.4g} N\nas ({}) = ({}) N in {} axes\n\n{}\n",
+                     largest.magnitude, fmt::join(axes.names, ", "),
+                     fmt::join(cells(force, 3), ", "), axes.name, aligned(muscles));
+}
+
+std::string text_of(const ForceAxes& axes, const WholeSet& whole) {
+  const FeasibleForceSet& set = whole.set;
+  Table along{{"direction", "largest_N", "status"}, {}};
+  for (std::size_t k = 0; k < whole.along.size(); ++k)
+    along.rows.push_back(
+        {axis_name(axes, k), shown(whole.along[k].magnitude, 3), name_of(whole.along[k].status)});
+  std::string text =
+      fmt::format("All forces the tip can make: dimension {}, volume {:.5g} {}, {} vertices\n",
+                  set.dimension, set.volume,
+                  set.dimension > 0 ? fmt::format("N^{}", set.dimension) : "(a point)",
+                  set.vertices.rows()) +
+      status_line(set.status);
+  for (Eigen::Index c = 0; c < set.carried.cols(); ++c)
+    text += fmt::format(
+        "plus any force along ({}), which the bones carry alone; vertices are across it\n",
+        fmt::join(cells(axes.to_world.transpose() * set.carried.col(c), 3), ", "));
+  return text +
+         fmt::format("\nLargest pure force along each of the {} axes\n{}\n", axes.name,
+                     aligned(along)) +
+         (set.vertices.rows() == 0 ? "" : "Vertices\n" + aligned(vertex_table(axes, set)) + "\n");
+}
+
+}  // namespace thenar

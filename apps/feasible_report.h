@@ -1,0 +1,40 @@
+#pragma once
+
+/// The answers of `thenar feasible-force`.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "apps/digit_question.h"
+#include "tendons/feasible_force.h"
+#include "tendons/feasible_set.h"
+
+namespace thenar {
+
+/// Axes in which forces are asked for and shown.
+struct ForceAxes {
+  std::string name;                  // "world", "tip" or "map"
+  std::array<std::string, 3> names;  // of each axis
+  Eigen::Matrix3d to_world;          // columns: the axes, world frame (3, 3)
+};
+
+/// The set, and the largest pure force along each axis.
+struct WholeSet {
+  FeasibleForceSet set;
+  std::vector<LargestForce> along;  // +1, -1, +2, -2, +3, -3 (6)
+};
+
+[[nodiscard]] WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes);
+
+/// "solved", "infeasible", "unbounded" or "stalled".
+[[nodiscard]] std::string name_of(ForceStatus status);
+
+[[nodiscard]] nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
+                                             const LargestForce& largest);
+[[nodiscard]] nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole);
+[[nodiscard]] std::string text_of(const DigitAtPosture& at, const ForceAxes& axes,
+                                  const LargestForce& largest);
+[[nodiscard]] std::string text_of(const ForceAxes& axes, const WholeSet& whole);
+
+}  // namespace thenar

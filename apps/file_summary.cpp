@@ -1,0 +1,94 @@
+#include "apps/file_summary.h"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "apps/print_table.h"
+#include "data/io/anthropometry.h"
+#include "data/io/experiment.h"
+#include "data/io/file_kind.h"
+#include "data/io/fit_settings.h"
+#include "kinematics_fit/fit.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+namespace {
+
+std::string summary(const Subject& subject) {
+  std::vector<std::string> digits;
+  for (const Digit& digit : subject.digits) {
+    (void)build_tendon_digit(subject, digit.name);  // throws if tendons and bones do not fit
+    digits.push_back(digit.name);
+  }
+  std::string text = fmt::format(
+      "subject '{}': {}, {}, {}, {}", subject.name, counted(subject.segments.size(), "segment"),
+      counted(subject.joints.size(), "joint"), counted(subject.muscles.size(), "muscle"),
+      counted(digits.size(), "digit"));
+  if (!digits.empty()) text += fmt::format(" ({})", listed(digits));
+  if (!subject.tip_maps.empty()) text += ", " + counted(subject.tip_maps.size(), "tip map");
+  return text;
+}
+
+std::string summary(const Experiment& experiment) {
+  std::set<std::string> muscles;
+  for (const Trial& trial : experiment.trials)
+    for (const auto& [muscle, tension] : trial.tension) muscles.insert(muscle);
+  return fmt::format("experiment '{}': {} {} of specimen {}, {}, {}, {} loaded", experiment.name,
+                     experiment.species, experiment.digit, experiment.specimen,
+                     counted(experiment.trials.size(), "trial"),
+                     counted(experiment.postures.size(), "posture"),
+                     counted(muscles.size(), "muscle"));
+}
+
+std::string summary(const FitSettings& settings) {
+  return fmt::format("fit settings: {}, {}", counted(settings.rules.size(), "parameter rule"),
+                     counted(settings.axis_distances.size(), "axis distance"));
+}
+
+std::string summary(const HandProportions& hand) {
+  std::size_t segments = 0, joints = 0;
+  for (const DigitProportion& digit : hand.digits)
+    for (const SegmentProportion& segment : digit.segments) {
+      ++segments;
+      joints += segment.joints.size();
+    }
+  return fmt::format("proportions '{}': {}, {}, {}", hand.name,
+                     counted(hand.digits.size(), "digit"), counted(segments, "segment"),
+                     counted(joints, "joint"));
+}
+
+std::string summary(const Fit& fit) {
+  std::size_t trials = 0;
+  for (const Experiment& experiment : fit.problem.experiments()) trials += experiment.trials.size();
+  return fmt::format("fit of {} to {} of {}: {}, {}", fit.inputs.subject.path,
+                     counted(trials, "trial"),
+                     counted(fit.problem.experiments().size(), "experiment"),
+                     counted(static_cast<std::size_t>(fit.problem.size()), "coordinate"),
+                     name_of(fit.solution.status));
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
+std::string summarise_file(const std::string& path) {
+  switch (find_file_kind(path)) {
+    case FileKind::kSubject:
+      return summary(read_subject(path));
+    case FileKind::kExperiment:
+      return summary(read_experiment(path));
+    case FileKind::kFitSettings:
+      return summary(read_fit_settings(path));
+    case FileKind::kProportions:
+      return summary(read_proportions(path));
+    case FileKind::kResult:
+      return summary(read_fit(path));
+  }
+  return "";
+}
+
+}  // namespace thenar

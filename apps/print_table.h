@@ -1,0 +1,43 @@
+#pragma once
+
+/// Plain aligned text for people.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// Rows of cells under a header that carries the units: "angle_deg".
+struct Table {
+  std::vector<std::string> header;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// The table with columns two blanks apart; columns of numbers are flush right.
+[[nodiscard]] std::string aligned(const Table& table);
+
+/// aligned() on stdout, with a title above and an empty line below; nothing if there are no rows.
+void print_table(const std::string& title, const Table& table);
+
+/// A number with so many decimals: never "-0.00"; "inf" where infinite.
+[[nodiscard]] std::string shown(double value, int decimals);
+
+/// A number with four significant digits, for columns that mix sizes.
+[[nodiscard]] std::string shown(double value);
+
+/// Numbers of a vector as cells.
+template <typename Vector>
+[[nodiscard]] std::vector<std::string> cells(const Vector& values, int decimals) {
+  std::vector<std::string> result;
+  for (int i = 0; i < static_cast<int>(values.size()); ++i)
+    result.push_back(shown(values[i], decimals));
+  return result;
+}
+
+/// A row put together from lists of cells.
+[[nodiscard]] std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts);
+
+/// "a, b, c", or "none".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+}  // namespace thenar

@@ -1,0 +1,137 @@
+// thenar tip-force SUBJECT --digit D --posture ... --tension FDP=10 ... [--hold pinned|rigid]
+//
+// The static force of one fingertip under given tendon tensions.
+
+#include "tendons/tip_force.h"
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/digit_question.h"
+#include "apps/named_numbers.h"
+#include "apps/print_table.h"
+#include "apps/to_json.h"
+#include "base/error.h"
+#include "tendons/tip_wrench.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNmm = 1e-3;  // [N m]
+
+struct Options {
+  DigitQuestion question;
+  std::vector<std::string> tension;
+  std::string hold = "pinned";
+  double hold_length_mm = 1e3 * TipWrenchOptions().length;
+  bool json = false;
+};
+
+/// A pinned or a held tip; a pinned one has no moment.
+struct Answer {
+  Eigen::Vector3d force, moment;  // of the tip on the world, world axes [N], [N m] (3)
+  Eigen::VectorXd left;           // torque that nothing balances [N m] (rows)
+  double condition;
+  std::string note;  // what to beware of; may be empty
+};
+
+Answer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
+  const TipForce result = tip_force(at.statics, t);
+  Answer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, ""};
+  if (result.rank < 3)
+    answer.note = "singular posture: of the forces that balance, this is the least";
+  return answer;
+}
+
+Answer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
+  const TipWrench result = tip_wrench(at.statics, t, {length});
+  Answer answer{result.f_W, result.m_W, result.tau_left, result.condition, ""};
+  if (result.minimum_norm)
+    answer.note = fmt::format(
+        "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
+        "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
+        at.q.size(), 1e3 * length);
+  return answer;
+}
+
+void print_json(const Options& options, const DigitAtPosture& at, const Eigen::VectorXd& t,
+                const Answer& answer) {
+  nlohmann::ordered_json json = json_header(at);
+  json["hold"] = options.hold;
+  json["tension_N"] = to_json(at.statics.muscles, t);
+  json["force_N"] = to_json(answer.force);
+  if (at.tip_axes)
+    json["force_tip_axes_N"] =
+        to_json({"proximal", "dorsal", "radial"}, at.tip_axes->transpose() * answer.force);
+  json["magnitude_N"] = answer.force.norm();
+  if (options.hold == "rigid") json["moment_N_mm"] = to_json(answer.moment / kNmm);
+  if (at.map.empty()) {
+    json["leftover_torque_N_mm"] = to_json(at.rows, answer.left / kNmm);
+    json["condition"] = answer.condition;
+  } else {
+    const std::vector<std::string> moments(at.rows.begin() + 3, at.rows.end());
+    json["tip_moment_N_mm"] = to_json(moments, answer.left.tail(answer.left.size() - 3) / kNmm);
+  }
+  if (!answer.note.empty()) json["note"] = answer.note;
+  fmt::print("{}\n", json.dump(2));
+}
+
+void print_text(const Options& options, const DigitAtPosture& at, const Answer& answer) {
+  fmt::print("{}\n", text_header(at));
+  Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
+  const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
+    force.rows.push_back(row({{axes}, cells(f, 4), {shown(f.norm(), 4)}}));
+  };
+  add(at.map.empty() ? "world x y z" : "map x y z", answer.force);
+  if (at.tip_axes) add("proximal dorsal radial", at.tip_axes->transpose() * answer.force);
+  print_table(at.map.empty() ? fmt::format("Force of the tip on the world, hold {}", options.hold)
+                             : "Force of the tip on the world",
+              force);
+
+  if (options.hold == "rigid")
+    print_table("Moment of the tip on the world, about the tip, world axes",
+                {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(answer.moment / kNmm, 3)}});
+  // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
+  Table left{{at.map.empty() ? "joint" : "moment", "N_mm"}, {}};
+  for (std::size_t i = at.map.empty() ? 0 : 3; i < at.rows.size(); ++i)
+    left.rows.push_back({at.rows[i], shown(answer.left[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+  print_table(at.map.empty() ? "Joint torque left over, that no tip load balances"
+                             : "Moment at the tip, that the hold must carry",
+              left);
+  if (at.map.empty()) fmt::print("condition: {:.4g}\n", answer.condition);
+  if (!answer.note.empty()) fmt::print("note: {}\n", answer.note);
+}
+
+void run(const Options& options) {
+  const DigitAtPosture at = find_digit(options.question);
+  require(at.map.empty() || options.hold == "pinned",
+          "tip map '{}' gives forces whatever the hold; leave out --hold rigid", at.map);
+  const Eigen::VectorXd t =
+      in_order(parse_named_numbers(options.tension, "MUSCLE=newton"), at.statics.muscles, "muscle");
+  for (Eigen::Index i = 0; i < t.size(); ++i)
+    require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
+            at.statics.muscles[static_cast<std::size_t>(i)], t[i]);
+  const Answer answer =
+      options.hold == "rigid" ? held(at, t, 1e-3 * options.hold_length_mm) : pinned(at, t);
+  options.json ? print_json(options, at, t, answer) : print_text(options, at, answer);
+}
+
+}  // namespace
+
+void add_tip_force(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("tip-force", "Force of a fingertip from tendon tensions");
+  add_options(*command, options->question);
+  command->add_option("--tension", options->tension, "MUSCLE=newton ...; others are slack")
+      ->required();
+  command->add_option("--hold", options->hold, "pinned: no moment; rigid: clamped")
+      ->check(CLI::IsMember({"pinned", "rigid"}));
+  command->add_option("--hold-length", options->hold_length_mm,
+                      "How the norm of a rigid hold weighs moments [mm]");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar
