@@ -53,6 +53,7 @@ void read_range(TomlTable& table, JointAxis& joint);
 template <typename Part>
 [[nodiscard]] std::vector<std::string> names_of(const std::vector<Part>& parts) {
   std::vector<std::string> names;
+  names.reserve(parts.size());
   for (const Part& part : parts) names.push_back(part.name);
   return names;
 }

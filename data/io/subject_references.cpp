@@ -6,7 +6,7 @@
 namespace thenar::internal {
 
 std::string new_name(TomlTable& table, const std::vector<std::string>& taken) {
-  const std::string name = table.text("name");
+  std::string name = table.text("name");
   if (std::find(taken.begin(), taken.end(), name) != taken.end())
     table.fail(fmt::format("{} '{}' is given twice", table.title(), name), "name");
   return name;
@@ -22,13 +22,13 @@ void check_reference(const TomlTable& table, const std::string& key, const std::
 
 std::string reference(TomlTable& table, const std::string& key, const std::string& what,
                       const std::vector<std::string>& names) {
-  const std::string name = table.text(key);
+  std::string name = table.text(key);
   check_reference(table, key, what, name, names);
   return name;
 }
 
 std::string segment_reference(TomlTable& table, const std::string& key, const SubjectDraft& draft) {
-  const std::string name = table.text(key);
+  std::string name = table.text(key);
   const auto alias = draft.aliases.find(name);
   if (alias != draft.aliases.end()) return alias->second;
   check_reference(table, key, "segment", name, names_of(draft.subject.segments));

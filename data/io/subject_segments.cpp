@@ -53,7 +53,7 @@ Matrix3d read_inertia(TomlTable& table, const Segment& segment) {
   const bool slender = table.has(Dimension::kInertia, "inertia_axial");
   const bool tensor = table.has(Dimension::kInertia, "inertia");
   if (!slender && !tensor) return Matrix3d::Zero();
-  const Matrix3d inertia = slender ? read_slender(table, segment) : read_tensor(table);
+  Matrix3d inertia = slender ? read_slender(table, segment) : read_tensor(table);
   check_inertia(table, inertia);
   return inertia;
 }

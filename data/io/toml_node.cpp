@@ -6,16 +6,25 @@
 #include <fstream>
 #include <sstream>
 
-#include <toml++/toml.h>
-
 #include "base/error.h"
+
+namespace {
+/// Thrown where toml++ would abort the program: some syntax errors break its assertions.
+struct ParserGaveUp {};
+[[noreturn]] void give_up() { throw ParserGaveUp{}; }
+}  // namespace
+#undef TOML_SHARED_LIB  // the shared library has assertions of its own
+#undef TOML_HEADER_ONLY
+#define TOML_HEADER_ONLY 1
+#define TOML_ASSERT(expr) ((expr) ? void() : give_up())
+#include <toml++/toml.h>
 
 namespace thenar {
 namespace {
 
 int line_of(const toml::source_region& region) { return static_cast<int>(region.begin.line); }
 
-TomlNode convert(const toml::node& from);
+TomlNode convert(const toml::node& from);  // NOLINT(misc-no-recursion): as deep as the text
 
 TomlNode convert_array(const toml::array& array) {
   TomlNode node;
@@ -66,6 +75,23 @@ TomlNode convert(const toml::node& from) {
   return node;
 }
 
+/// The line at which the parser gives up: the first whose end it cannot reach.
+int line_given_up(const std::string& text) {
+  int line = 0;
+  for (std::size_t end = 0; end != std::string::npos;) {
+    end = text.find('\n', end == 0 ? 0 : end + 1);
+    ++line;
+    try {
+      (void)toml::parse(text.substr(0, end));
+    } catch (const toml::parse_error&) {
+      continue;  // a statement that goes on in the next line
+    } catch (const ParserGaveUp&) {
+      return line;
+    }
+  }
+  return line;
+}
+
 }  // namespace
 
 const TomlNode* TomlNode::find(const std::string& key) const {
@@ -79,6 +105,8 @@ TomlNode parse_toml(const std::string& text, const std::string& path) {
     return convert(toml::parse(text, path));
   } catch (const toml::parse_error& e) {
     throw DataError(path, line_of(e.source()), std::string(e.description()));
+  } catch (const ParserGaveUp&) {
+    throw DataError(path, line_given_up(text), "is not TOML");
   }
 }
 

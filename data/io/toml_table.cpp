@@ -164,7 +164,7 @@ std::map<std::string, double> TomlTable::named(Dimension dimension, const std::s
     fail(fmt::format("wanted '{}' as a table, got {}", found->key, kind_name(found->node->kind)),
          found->key);
   for (const auto& [name, node] : found->node->members)
-    result[name] = value(node, found->key + "." + name, range) * found->to_si;
+    result[name] = value(node, fmt::format("{}.{}", found->key, name), range) * found->to_si;
   return result;
 }
 
@@ -181,7 +181,7 @@ std::map<std::string, double> TomlTable::all(Dimension dimension) {
 std::vector<NamedNumbers> TomlTable::lists(const std::string& key) {
   std::vector<NamedNumbers> result;
   for (const auto& [name, node] : need(key, TomlKind::kTable).members)
-    result.push_back({name, values(node, key + "." + name, 0, Range::kAny)});
+    result.push_back({name, values(node, fmt::format("{}.{}", key, name), 0, Range::kAny)});
   return result;
 }
 

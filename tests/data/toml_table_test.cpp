@@ -162,6 +162,14 @@ TEST(TomlTable, SyntaxErrorNamesItsLine) {
   EXPECT_EQ(said.substr(0, 10), "a.toml:2: ") << said;
 }
 
+// Texts on which the parser's own assertions would end the program.
+TEST(TomlTable, BrokenKeysAreErrorsToo) {
+  for (const char* const text : {"a = 1\nb.[c] = 2", "a = 1\nb.= 2", "a = 1\n[b.[c]]"}) {
+    const std::string said = refusal(text, kReadNothing);
+    EXPECT_EQ(said.substr(0, 10), "a.toml:2: ") << text << ": " << said;
+  }
+}
+
 TEST(TomlTable, MissingFileIsNamed) {
   try {
     (void)read_text_file("/nowhere/a.toml");
