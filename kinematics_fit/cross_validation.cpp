@@ -62,6 +62,10 @@ LeastSquares least_squares(const FitProblem& problem) {
   out.residuals = [&problem](const Eigen::VectorXd& z, WithJacobian want) {
     return problem.evaluate(z, want);
   };
+  if (problem.axis_distances().empty()) return out;
+  out.c_lower = problem.constraint_lower();
+  out.c_upper = Eigen::VectorXd::Ones(out.c_lower.size());
+  out.constraints = [&problem](const Eigen::VectorXd& z) { return problem.constraints(z); };
   return out;
 }
 
@@ -75,7 +79,8 @@ FitProblem subset(const FitProblem& problem,
                  trials.end());
     if (!trials.empty()) kept.push_back(std::move(experiment));
   }
-  return {problem.digit(), problem.parameters(), std::move(kept), problem.robust_scale()};
+  return {problem.digit(), problem.parameters(), std::move(kept), problem.robust_scale(),
+          problem.axis_distances()};
 }
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,

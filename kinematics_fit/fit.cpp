@@ -46,7 +46,8 @@ FitProblem build_problem(const FitInputs& inputs) {
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
   FitParameters parameters =
       choose_parameters(digit, posture_names(experiments), settings, inputs.also_free);
-  return {std::move(digit), std::move(parameters), std::move(experiments), settings.robust_scale};
+  return {std::move(digit), std::move(parameters), std::move(experiments), settings.robust_scale,
+          settings.axis_distances};
 }
 
 Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {

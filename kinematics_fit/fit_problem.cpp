@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "kinematics_fit/force_jacobian.h"
+#include <fmt/ranges.h>
 
 namespace thenar {
 namespace {
@@ -26,11 +26,13 @@ void shrink(double c, Eigen::Ref<Eigen::Vector3d> r, Eigen::Ref<Eigen::MatrixXd>
 }  // namespace
 
 FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
-                       std::vector<Experiment> experiments, double robust_scale)
+                       std::vector<Experiment> experiments, double robust_scale,
+                       std::vector<AxisDistance> axis_distances)
     : digit_(std::move(digit)),
       parameters_(std::move(parameters)),
       experiments_(std::move(experiments)),
-      robust_scale_(robust_scale) {
+      robust_scale_(robust_scale),
+      axis_distances_(std::move(axis_distances)) {
   require(parameters_.coordinates() > 0, "nothing to fit: every parameter is fixed");
   require(!experiments_.empty(), "nothing to fit to: no experiment");
   for (const Experiment& experiment : experiments_) {
@@ -41,6 +43,24 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
   }
   scale_coordinates();
   bound_coordinates();
+  find_axes();
+}
+
+void FitProblem::find_axes() {
+  const std::vector<std::string>& names = digit_.names.hinges;
+  const auto hinge = [&](const std::string& joint) {
+    const auto found = std::find(names.begin(), names.end(), joint);
+    require(found != names.end(), "axis distance of joint '{}', which the digit has not; it has {}",
+            joint, fmt::join(names, ", "));
+    return static_cast<int>(found - names.begin());
+  };
+  for (const AxisDistance& wanted : axis_distances_) {
+    require(wanted.lower <= wanted.upper && wanted.upper > 0,
+            "axes of '{}' and '{}' cannot be {} .. {} m apart", wanted.joint_a, wanted.joint_b,
+            wanted.lower, wanted.upper);
+    axis_pairs_.push_back(
+        {hinge(wanted.joint_a), hinge(wanted.joint_b), wanted.lower, wanted.upper});
+  }
 }
 
 void FitProblem::scale_coordinates() {
@@ -66,9 +86,17 @@ void FitProblem::bound_coordinates() {
   upper_ = -lower_;
   for (int c = 0; c < parameters_.coordinates(); ++c) {
     const Parameter& p = parameters_.all[parameters_.leader[c]];
-    if (population_[c] < 0) continue;
-    lower_[population_[c]] = (p.lower - p.mean) / population_sd_[c];
-    upper_[population_[c]] = (p.upper - p.mean) / population_sd_[c];
+    if (population_[c] >= 0) {
+      lower_[population_[c]] = (p.lower - p.mean) / population_sd_[c];
+      upper_[population_[c]] = (p.upper - p.mean) / population_sd_[c];
+      continue;
+    }
+    // Where the population does not move, a deviation alone can be kept within bounds.
+    for (std::size_t s = 0; s < specimens_.size(); ++s) {
+      const auto at = static_cast<int>(population_size_ + s * deviation_size_ + deviation_[c]);
+      lower_[at] = (p.lower - p.mean) / deviation_sd_[c];
+      upper_[at] = (p.upper - p.mean) / deviation_sd_[c];
+    }
   }
 }
 
@@ -115,6 +143,41 @@ FitProblem::Prediction FitProblem::predict(const Eigen::VectorXd& z, int e,
   if (want == WithJacobian::kNo) return {force_values(digit_, parameters_, plans_[e], u), {}};
   ForceJacobian forces = force_jacobian(digit_, parameters_, plans_[e], u);
   return {std::move(forces.force), forces.J * displacement_jacobian(specimen)};
+}
+
+ConstraintValues FitProblem::constraints(const Eigen::VectorXd& z) const {
+  const auto pairs = static_cast<Eigen::Index>(axis_pairs_.size());
+  const auto specimens = static_cast<Eigen::Index>(specimens_.size());
+  ConstraintValues out{Eigen::VectorXd(pairs * specimens),
+                       Eigen::MatrixXd(pairs * specimens, size())};
+  for (Eigen::Index s = 0; s < specimens && pairs > 0; ++s) {
+    const int specimen = static_cast<int>(s);
+    const ConstraintValues own =
+        axis_constraints(digit_, parameters_, axis_pairs_, displacements(z, specimen));
+    out.c.segment(s * pairs, pairs) = own.c;
+    out.C.middleRows(s * pairs, pairs) = own.C * displacement_jacobian(specimen);
+  }
+  return out;
+}
+
+Eigen::VectorXd FitProblem::constraint_lower() const {
+  Eigen::VectorXd lower(static_cast<Eigen::Index>(axis_pairs_.size()));
+  for (Eigen::Index k = 0; k < lower.size(); ++k)
+    lower[k] = std::pow(axis_pairs_[k].lower / axis_pairs_[k].upper, 2);
+  return lower.replicate(static_cast<Eigen::Index>(specimens_.size()), 1);
+}
+
+std::vector<std::string> FitProblem::warnings() const {
+  constexpr double kNearlySingular = 1e6;  // a hundredth of a degree from straight [1]
+  std::vector<std::string> warnings;
+  for (std::size_t e = 0; e < plans_.size(); ++e)
+    for (std::size_t k = 0; k < plans_[e].postures.size(); ++k)
+      if (plans_[e].condition[k] > kNearlySingular)
+        warnings.push_back(fmt::format(
+            "posture '{}' of experiment '{}' is nearly singular (condition {:.1e}): its forces "
+            "hang on angles that nobody can measure",
+            plans_[e].posture_names[k], experiments_[e].name, plans_[e].condition[k]));
+  return warnings;
 }
 
 int FitProblem::data_rows() const {

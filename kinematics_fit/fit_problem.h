@@ -9,8 +9,7 @@
 #include <Eigen/Core>
 
 #include "data/io/experiment.h"
-#include "kinematics_fit/least_squares.h"
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/force_jacobian.h"
 
 namespace thenar {
 
@@ -23,9 +22,12 @@ namespace thenar {
 /// so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
 class FitProblem {
  public:
-  /// @throws InputError if an experiment does not fit the digit, or nothing is free.
+  /// @param robust_scale    c, in noise sds; 0: plain squares [1]
+  /// @param axis_distances  what constraints() asks of every specimen
+  /// @throws InputError if an experiment does not fit the digit, a posture is singular, nothing is
+  /// free, or an axis distance names a joint the digit has not.
   FitProblem(TendonDigit digit, FitParameters parameters, std::vector<Experiment> experiments,
-             double robust_scale = 0);
+             double robust_scale = 0, std::vector<AxisDistance> axis_distances = {});
 
   [[nodiscard]] int size() const { return static_cast<int>(lower_.size()); }
   [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }  // of z (size)
@@ -39,6 +41,13 @@ class FitProblem {
     Eigen::MatrixXd J;       // [N] (3 trials, size)
   };
   [[nodiscard]] Prediction predict(const Eigen::VectorXd& z, int e, WithJacobian want) const;
+
+  /// Axis distances of every specimen in turn, scaled as axis_constraints() does; empty if none.
+  [[nodiscard]] ConstraintValues constraints(const Eigen::VectorXd& z) const;
+  [[nodiscard]] Eigen::VectorXd constraint_lower() const;  // (axis distances x specimens) [1]
+
+  /// What to know before trusting a fit: postures in which the held tip is nearly singular.
+  [[nodiscard]] std::vector<std::string> warnings() const;
 
   /// Displacements u of the parameters of a specimen (-1: the population)  [SI] (coordinates).
   [[nodiscard]] Eigen::VectorXd displacements(const Eigen::VectorXd& z, int specimen) const;
@@ -59,8 +68,10 @@ class FitProblem {
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
   [[nodiscard]] const std::vector<std::string>& specimens() const { return specimens_; }
   [[nodiscard]] double robust_scale() const { return robust_scale_; }
+  [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
 
  private:
+  void find_axes();
   void scale_coordinates();
   void bound_coordinates();
 
@@ -78,6 +89,8 @@ class FitProblem {
   Eigen::VectorXd deviation_sd_;      // of z's deviations [SI] (coordinates)
   Eigen::VectorXd lower_, upper_;
   double robust_scale_;
+  std::vector<AxisDistance> axis_distances_;
+  std::vector<AxisPair> axis_pairs_;
 };
 
 }  // namespace thenar

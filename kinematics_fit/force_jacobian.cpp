@@ -2,6 +2,8 @@
 
 #include <ceres/jet.h>
 
+#include "kinematics_fit/axis_distance.h"
+
 namespace thenar {
 namespace {
 
@@ -37,6 +39,27 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
       out.force.data()[i] = f.a;
       for (int lane = 0; lane < kLanes && first + lane < n; ++lane)
         out.J(i, first + lane) = f.v[lane];
+    }
+  }
+  return out;
+}
+
+ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters& parameters,
+                                  const std::vector<AxisPair>& pairs, const Eigen::VectorXd& u) {
+  const int n = parameters.coordinates();
+  const auto count = static_cast<Eigen::Index>(pairs.size());
+  ConstraintValues out{Eigen::VectorXd(count), Eigen::MatrixXd(count, n)};
+  for (int first = 0; first < n; first += kLanes) {
+    const Tree<Jet> tree =
+        specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)))
+            .digit.tree;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const AxisPair& pair = pairs[k];
+      const Jet c =
+          squared_axis_distance(tree[pair.first], tree[pair.second]) / (pair.upper * pair.upper);
+      out.c[k] = c.a;
+      for (int lane = 0; lane < kLanes && first + lane < n; ++lane)
+        out.C(k, first + lane) = c.v[lane];
     }
   }
   return out;

@@ -1,7 +1,9 @@
 #pragma once
 
-/// Predicted forces and their exact derivatives: the fence of Ceres' automatic differentiation.
+/// Predicted forces, distances between axes and their exact derivatives: the fence of Ceres'
+/// automatic differentiation.
 
+#include "kinematics_fit/least_squares.h"
 #include "kinematics_fit/predict_forces.h"
 
 namespace thenar {
@@ -19,5 +21,17 @@ struct ForceJacobian {
 [[nodiscard]] ForceJacobian force_jacobian(const TendonDigit& digit,
                                            const FitParameters& parameters,
                                            const ExperimentPlan& plan, const Eigen::VectorXd& u);
+
+/// Two hinges whose axes must keep a distance.
+struct AxisPair {
+  int first, second;    // hinges
+  double lower, upper;  // [m]
+};
+
+/// c = (distance / upper)^2 of every pair, wanted in (lower / upper)^2 .. 1, and dc/du.
+[[nodiscard]] ConstraintValues axis_constraints(const TendonDigit& digit,
+                                                const FitParameters& parameters,
+                                                const std::vector<AxisPair>& pairs,
+                                                const Eigen::VectorXd& u);
 
 }  // namespace thenar

@@ -28,6 +28,19 @@ Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
   }
 }
 
+/// A solver that knows no constraints at least says which its answer breaks.
+void tell_broken_constraints(const LeastSquares& problem, Solution& solution) {
+  if (!problem.constraints) return;
+  constexpr double kSlack = 1e-9;  // of rounding in scaled constraints [1]
+  const Eigen::VectorXd c = problem.constraints(solution.z).c;
+  const auto broken = ((c.array() < problem.c_lower.array() - kSlack) ||
+                       (c.array() > problem.c_upper.array() + kSlack))
+                          .count();
+  if (broken > 0)
+    solution.message +=
+        fmt::format("; breaks {} of {} constraints, which only ipopt honours", broken, c.size());
+}
+
 }  // namespace
 
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
@@ -39,6 +52,7 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
           "residuals at the start are not finite");
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = dispatch(problem, inside, options);
+  if (options.method != FitMethod::kIpopt) tell_broken_constraints(problem, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;

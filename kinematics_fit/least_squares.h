@@ -38,7 +38,7 @@ enum class FitMethod {
   kCeres,        // Levenberg-Marquardt with exact derivatives
   kNloptLocal,   // BOBYQA: local, without derivatives
   kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
-  kIpopt         // interior point, BFGS; with constraints
+  kIpopt         // interior point, Gauss-Newton Hessian; with constraints
 };
 
 struct SolveOptions {

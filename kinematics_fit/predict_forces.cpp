@@ -3,9 +3,12 @@
 #include <algorithm>
 
 #include <fmt/ranges.h>
+#include <Eigen/SVD>
 
 namespace thenar {
 namespace {
+
+constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
 
 Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
   const std::vector<std::string>& names = digit.names.muscles;
@@ -24,6 +27,24 @@ int posture_index(const ExperimentPlan& plan, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   require(found != names.end(), "trial names posture '{}', which is not defined", name);
   return static_cast<int>(found - names.begin());
+}
+
+/// Condition of the loads of every posture, with all parameters at their prior means.
+std::vector<double> conditions(const TendonDigit& digit, const FitParameters& parameters,
+                               const ExperimentPlan& plan) {
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  std::vector<double> conditions;
+  for (const Eigen::VectorXd& q : plan.postures) {
+    const Eigen::VectorXd sigma =
+        held_loads(model.digit, pose_tree(model.digit.tree, Eigen::VectorXd(q + model.angle_error)),
+                   plan.hold, model.out_of_plane)
+            .jacobiSvd()
+            .singularValues();
+    conditions.push_back(sigma[0] / sigma[sigma.size() - 1]);
+  }
+  return conditions;
 }
 
 }  // namespace
@@ -45,6 +66,12 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     const auto key = std::find(known.begin(), known.end(), record.name);
     plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
   }
+  plan.condition = conditions(digit, parameters, plan);
+  for (std::size_t k = 0; k < plan.postures.size(); ++k)
+    require(plan.condition[k] < kSingular,
+            "posture '{}' of experiment '{}' is singular: the held tip carries loads that no joint "
+            "feels; leave it out",
+            plan.posture_names[k], experiment.name);
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
   plan.sd.resize(3, plan.force.cols());
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {

@@ -17,7 +17,8 @@ struct ExperimentPlan {
   Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial)
   std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)
   std::vector<std::string> posture_names;
-  std::vector<int> posture_key;  // column of posture_error of each posture; -1: none
+  std::vector<int> posture_key;   // column of posture_error of each posture; -1: none
+  std::vector<double> condition;  // of each posture's held_loads() before the fit [1]
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
   Eigen::Matrix3Xd force;                // measured [N] (3, trials)
@@ -25,7 +26,8 @@ struct ExperimentPlan {
 };
 
 /// @param parameters  says which postures may be in error one by one
-/// @throws InputError if the experiment names a joint, muscle or segment the digit has not.
+/// @throws InputError if the experiment names a joint, muscle or segment the digit has not, or a
+/// posture in which the held tip is singular: no force there follows from the tendons' torques.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);

@@ -18,12 +18,27 @@ class Evaluator {
     z_ = z;
     last_ = problem_.residuals(z, WithJacobian::kYes);
     ++best_.evaluations;
+    keep_best();
     options_.progress(0, "ipopt");
     if (options_.progress.stop()) throw StopRequested();
     return last_;
   }
 
  private:
+  /// For whoever stops half-way: the lowest cost yet that honours the constraints.
+  void keep_best() {
+    constexpr double kSlack = 1e-6;  // of scaled constraints [1]
+    const double cost = 0.5 * last_.r.squaredNorm();
+    if (!(best_.evaluations == 1 || cost < best_.cost)) return;
+    if (problem_.constraints && best_.evaluations > 1) {
+      const Eigen::VectorXd c = problem_.constraints(z_).c;
+      if ((c.array() < problem_.c_lower.array() - kSlack).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kSlack).any()) return;
+    }
+    best_.cost = cost;
+    best_.z = z_;
+  }
+
   const LeastSquares& problem_;
   const SolveOptions& options_;
   Solution& best_;

@@ -35,9 +35,10 @@ double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, voi
   return std::isfinite(value) ? value : HUGE_VAL;
 }
 
-std::vector<double> finite(const Eigen::VectorXd& bound) {
-  const Eigen::VectorXd b = bound.cwiseMax(-kFarAway).cwiseMin(kFarAway);
-  return {b.data(), b.data() + b.size()};
+/// Brings bounds or a start within what the solver can search.
+std::vector<double> finite(const Eigen::VectorXd& z) {
+  const Eigen::VectorXd near = z.cwiseMax(-kFarAway).cwiseMin(kFarAway);
+  return {near.data(), near.data() + near.size()};
 }
 
 /// One run of one algorithm from best.z; updates best.
@@ -51,7 +52,7 @@ void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOpt
   optimiser.set_maxeval(limit);
   optimiser.set_ftol_rel(options.tolerance);
   if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(0.5);
-  std::vector<double> x(best.z.data(), best.z.data() + best.z.size());
+  std::vector<double> x = finite(best.z);
   double value = 0;
   try {
     const nlopt::result result = optimiser.optimize(x, value);

@@ -85,8 +85,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
 template <typename T>
 void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
                    SpecimenModel<T>& to) {
-  const T by = value - T(p.mean);
-  const auto along_digit = [&](int c) { return Vec3<T>(from.tip_axes.col(c).cast<T>() * by); };
+  const auto along_digit = [&](int c) { return Vec3<T>(from.tip_axes.col(c).cast<T>() * value); };
   switch (p.kind) {
     case ParameterKind::kAxisDirection:
     case ParameterKind::kAxisPoint: {
@@ -102,7 +101,7 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
       to.digit.paths[p.item][p.point].p += along_digit(p.component);
       break;
     case ParameterKind::kArm:
-      to.digit.constant_arms(p.item, p.component) += by;
+      to.digit.constant_arms(p.item, p.component) = value;
       break;
     case ParameterKind::kHoodEntry:
       to.digit.hood_shares[p.item].into_hood =

@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "base/fidelity.h"
@@ -117,7 +118,8 @@ template <typename T>
   for (std::size_t s = 0; s < model.paths.size(); ++s) {
     if (!model.paths[s].empty())
       R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
-    if (model.friction[s] != T(0))
+    // Where derivatives are carried, they must not be lost at zero.
+    if (!std::is_same_v<T, double> || model.friction[s] != T(0))
       R.row(s) = R.row(s).cwiseProduct(tension_left(model, q, model.friction[s]).transpose());
   }
   return R;

@@ -70,9 +70,8 @@ inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
 /// Writes the forces that the digit makes for displacements u, with noise, into an experiment.
 inline void simulate(const Setup& setup, const Eigen::VectorXd& u, double noise, std::mt19937& rng,
                      Experiment& experiment) {
-  const Eigen::Matrix3Xd force =
-      force_values(setup.digit, setup.parameters,
-                   plan_experiment(setup.digit, setup.parameters, experiment), u);
+  const Eigen::Matrix3Xd force = force_values(
+      setup.digit, setup.parameters, plan_experiment(setup.digit, setup.parameters, experiment), u);
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)
     experiment.trials[i].force =
         force.col(static_cast<Eigen::Index>(i)) + noise * Eigen::Vector3d(normal(3, rng));

@@ -19,12 +19,11 @@ using sample::finger_inputs;
 
 /// A subject as its file says, nothing fitted: no friction, moments only in the flexion plane.
 ForceError error_without_fit(const SourceText& subject, const std::string& specimen) {
-  const TendonDigit digit =
-      build_tendon_digit(parse_subject(subject.text, subject.path), "middle");
+  const TendonDigit digit = build_tendon_digit(parse_subject(subject.text, subject.path), "middle");
   const Experiment measured = experiment(specimen);
   const FitParameters fixed = choose_parameters(digit, {}, {});
-  const Eigen::Matrix3Xd force = force_values(
-      digit, fixed, plan_experiment(digit, fixed, measured), Eigen::VectorXd::Zero(0));
+  const Eigen::Matrix3Xd force =
+      force_values(digit, fixed, plan_experiment(digit, fixed, measured), Eigen::VectorXd::Zero(0));
   std::vector<PredictedTrial> trials;
   for (Eigen::Index i = 0; i < force.cols(); ++i)
     trials.push_back({"", "", measured.trials[i].force, force.col(i), Vector3d::Zero()});

@@ -1,0 +1,137 @@
+#include "kinematics_fit/profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "kinematics_fit/cross_validation.h"
+
+namespace thenar {
+namespace {
+
+Eigen::VectorXd without(const Eigen::VectorXd& z, int i) {
+  Eigen::VectorXd rest(z.size() - 1);
+  rest << z.head(i), z.tail(z.size() - 1 - i);
+  return rest;
+}
+
+Eigen::MatrixXd without_column(const Eigen::MatrixXd& J, int i) {
+  Eigen::MatrixXd rest(J.rows(), J.cols() - 1);
+  rest << J.leftCols(i), J.rightCols(J.cols() - 1 - i);
+  return rest;
+}
+
+Eigen::VectorXd with(const Eigen::VectorXd& rest, int i, double value) {
+  Eigen::VectorXd z(rest.size() + 1);
+  z << rest.head(i), value, rest.tail(rest.size() - i);
+  return z;
+}
+
+/// The problem of all other coordinates with coordinate i held.
+LeastSquares hold(const LeastSquares& problem, int i, double value) {
+  LeastSquares rest;
+  rest.lower = without(problem.lower, i);
+  rest.upper = without(problem.upper, i);
+  rest.residuals = [&problem, i, value](const Eigen::VectorXd& others, WithJacobian want) {
+    Residuals out = problem.residuals(with(others, i, value), want);
+    if (want == WithJacobian::kYes) out.J = without_column(out.J, i);
+    return out;
+  };
+  if (!problem.constraints) return rest;
+  rest.c_lower = problem.c_lower;
+  rest.c_upper = problem.c_upper;
+  rest.constraints = [&problem, i, value](const Eigen::VectorXd& others) {
+    ConstraintValues out = problem.constraints(with(others, i, value));
+    out.C = without_column(out.C, i);
+    return out;
+  };
+  return rest;
+}
+
+/// Refits from the estimate to one end of the grid, each point starting at the last.
+void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
+          const ProfileOptions& options, Profile& profile) {
+  Eigen::VectorXd others = without(z, i);
+  for (int k = 1; k <= options.steps && !options.solver.progress.stop(); ++k) {
+    const double value = z[i] + (end - z[i]) * k / options.steps;
+    const Solution fit = solve(hold(problem, i, value), others, options.solver);
+    if (fit.status != SolveStatus::kConverged) ++profile.not_converged;
+    others = fit.z;
+    profile.points.push_back({value, fit.cost, 0, 0});
+  }
+}
+
+/// Lowest value of a sampled curve: the vertex of the parabola through the lowest three points.
+double least(const std::vector<double>& x, const std::vector<double>& y) {
+  const auto at = std::min_element(y.begin(), y.end()) - y.begin();
+  const auto k = static_cast<std::size_t>(at);
+  if (k == 0 || k + 1 == y.size()) return y[k];
+  const double left = (y[k] - y[k - 1]) / (x[k] - x[k - 1]);
+  const double right = (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
+  const double curvature = (right - left) / (x[k + 1] - x[k - 1]);
+  if (!(curvature > 0)) return y[k];
+  const double slope = left + curvature * (x[k] - x[k - 1]);
+  return y[k] - slope * slope / (4 * curvature);
+}
+
+/// First crossing of `rise` outwards from the lowest point; a parabola's root rises linearly.
+std::optional<double> crossing(const std::vector<double>& x, const std::vector<double>& rises,
+                               double rise, int direction) {
+  const auto lowest = std::min_element(rises.begin(), rises.end()) - rises.begin();
+  const auto size = static_cast<std::ptrdiff_t>(rises.size());
+  for (auto k = lowest + direction; k >= 0 && k < size; k += direction) {
+    const auto outer = static_cast<std::size_t>(k), inner = static_cast<std::size_t>(k - direction);
+    if (rises[outer] < rise) continue;
+    // Around the lowest point the root changes its sign with the side of the vertex.
+    double a = std::sqrt(std::max(0.0, rises[inner]));
+    const double b = std::sqrt(rises[outer]);
+    const auto beyond = k - 2 * direction;
+    if (inner == static_cast<std::size_t>(lowest) && beyond >= 0 && beyond < size) {
+      const double c = std::sqrt(std::max(0.0, rises[static_cast<std::size_t>(beyond)]));
+      const double same = (b - a) / (x[outer] - x[inner]) - (a + c) / (x[inner] - x[beyond]);
+      const double other = (b + a) / (x[outer] - x[inner]) - (c - a) / (x[inner] - x[beyond]);
+      if (std::abs(other) < std::abs(same)) a = -a;
+    }
+    return x[inner] + (x[outer] - x[inner]) * (std::sqrt(rise) - a) / (b - a);
+  }
+  return {};
+}
+
+}  // namespace
+
+Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z, int i,
+                           const ProfileOptions& options) {
+  require(i >= 0 && i < z.size(), "no coordinate {}: there are {}", i, z.size());
+  Profile profile;
+  profile.points.push_back(
+      {z[i], 0.5 * problem.residuals(z, WithJacobian::kNo).r.squaredNorm(), 0, 0});
+  walk(problem, z, i, std::max(problem.lower[i], z[i] - options.reach), options, profile);
+  walk(problem, z, i, std::min(problem.upper[i], z[i] + options.reach), options, profile);
+  std::sort(profile.points.begin(), profile.points.end(),
+            [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; });
+
+  std::vector<double> x, cost, own_free;
+  for (const ProfilePoint& point : profile.points) {
+    x.push_back(point.z);
+    cost.push_back(point.cost);
+    own_free.push_back(point.cost - 0.5 * point.z * point.z);
+  }
+  const double base = least(x, cost), own_free_base = least(x, own_free);
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    cost[k] = profile.points[k].rise = cost[k] - base;
+    own_free[k] = profile.points[k].own_free = own_free[k] - own_free_base;
+  }
+  profile.bounds = {crossing(x, cost, options.rise, -1), crossing(x, cost, options.rise, 1)};
+  profile.own_free = {crossing(x, own_free, options.rise, -1),
+                      crossing(x, own_free, options.rise, 1)};
+  return profile;
+}
+
+Profile profile_likelihood(const FitProblem& problem, const Eigen::VectorXd& z, int i,
+                           const ProfileOptions& options) {
+  Profile profile = profile_likelihood(least_squares(problem), z, i, options);
+  profile.name = problem.names()[static_cast<std::size_t>(i)];
+  return profile;
+}
+
+}  // namespace thenar
