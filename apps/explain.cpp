@@ -1,4 +1,70 @@
+// thenar explain FILE [--digit D] [--settings FITS.toml] [--json]
+//
+// What a file makes thenar do: what is built and dropped, assumed and spent, fitted and found.
+
+#include <memory>
+
+#include <fmt/format.h>
+
 #include "apps/commands.h"
+#include "apps/digit_question.h"
+#include "apps/explanation.h"
+#include "apps/file_summary.h"
+#include "base/error.h"
+#include "data/io/file_kind.h"
+#include "data/io/toml_node.h"
+
 namespace thenar {
-void add_explain(CLI::App&) {}
+namespace {
+
+struct Options {
+  std::string file, digit, settings;
+  bool json = false;
+};
+
+Explanation explain_subject_file(const Options& options) {
+  const Subject subject = read_subject(options.file);
+  const std::string digit = choose_digit(subject, options.digit);
+  const SourceText settings = options.settings.empty()
+                                  ? built_in_settings(digit)
+                                  : SourceText{options.settings, read_text_file(options.settings)};
+  return explain(subject, digit, settings);
+}
+
+Explanation explain_file(const Options& options) {
+  const FileKind kind = find_file_kind(options.file);
+  if (kind == FileKind::kSubject) return explain_subject_file(options);
+  require(options.digit.empty() && options.settings.empty(),
+          "--digit and --settings explain subjects; '{}' is of kind: {}", options.file,
+          name_of(kind));
+  if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));
+  if (kind == FileKind::kResult) return explain(read_fit(options.file));
+  // Settings and proportions do nothing by themselves.
+  Section section{"file", summarise_file(options.file), {}, {}};
+  if (kind == FileKind::kFitSettings)
+    section.lines.push_back("see what they do: thenar explain SUBJECT --settings " + options.file);
+  return {section};
+}
+
+void run(const Options& options) {
+  const Explanation explanation = explain_file(options);
+  if (options.json)
+    fmt::print("{}\n", json_of(explanation).dump(2));
+  else
+    fmt::print("{}", text_of(explanation));
+}
+
+}  // namespace
+
+void add_explain(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
+  command->add_option("file", options->file, "Subject, experiment or fit")->required();
+  command->add_option("--digit", options->digit, "Digit of a subject to explain");
+  command->add_option("--settings", options->settings, "Fit settings instead of the built-in ones");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
 }  // namespace thenar

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace thenar {
 
@@ -53,6 +54,16 @@ struct Fidelity {
 
 /// One line for reports: "static, hinge, via points, fixed fractions, bounds, none".
 [[nodiscard]] std::string describe(const Fidelity& fidelity);
+
+/// One rung in words.
+struct RungWords {
+  std::string ladder;   // "motion"
+  std::string rung;     // "static"
+  std::string assumes;  // "inertia and damping do not matter"
+};
+
+/// The rung of every ladder, with what it assumes.
+[[nodiscard]] std::vector<RungWords> explain(const Fidelity& fidelity);
 
 /// Throws InputError naming the first ladder on which `have` stands below `need`.
 void require_fidelity(const Fidelity& have, const Fidelity& need, const std::string& question);

@@ -1,0 +1,99 @@
+// What was fitted to what, how it ended, and what it taught.
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "apps/explanation.h"
+#include "apps/posture_options.h"
+#include "base/provenance.h"
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+Section explain_status(const Fit& fit) {
+  const Solution& found = fit.solution;
+  return {"status",
+          fmt::format("Fit of the {}", fit.problem.experiments().front().digit),
+          {fmt::format("{} by {}: {}", name_of(found.status), name_of(fit.method), found.message),
+           fmt::format("cost {:.5g} after {} evaluations in {:.2g} s; seed {}", found.cost,
+                       found.evaluations, found.seconds, fit.seed),
+           fmt::format("{} coordinates, worth {:.3g} parameters that the data determine",
+                       fit.problem.size(), fit.covariance.effective_parameters),
+           fmt::format("model: {}", describe(fit.problem.digit().fidelity))},
+          {}};
+}
+
+Section explain_error(const Fit& fit) {
+  Section section{"error",
+                  "Error of the trials that were fitted",
+                  {},
+                  {{"experiment", "trials", "rms_N", "relative_percent", "flexion_plane_percent",
+                    "direction_deg"},
+                   {}}};
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Prediction at = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+    section.table.rows.push_back({at.experiment, std::to_string(at.trials.size()),
+                                  shown(at.error.rms, 4), shown(100 * at.error.relative, 1),
+                                  shown(100 * at.error.relative_flexion, 1),
+                                  shown(at.error.direction / kDegree, 1)});
+  }
+  return section;
+}
+
+/// Best known coordinates first.
+Section explain_learnt(const Fit& fit) {
+  Section section{"learnt",
+                  "What the data taught, in prior sds; sd 1: nothing",
+                  {},
+                  {{"coordinate", "estimate", "sd_after", "not_identifiable_share"}, {}}};
+  std::vector<Learnt> learnt = fit.covariance.learnt;
+  std::sort(learnt.begin(), learnt.end(),
+            [](const Learnt& a, const Learnt& b) { return a.sd < b.sd; });
+  for (const Learnt& coordinate : learnt)
+    section.table.rows.push_back({coordinate.name, shown(coordinate.z, 3), shown(coordinate.sd, 3),
+                                  shown(coordinate.null_share, 3)});
+  for (const NullDirection& null : fit.covariance.nulls) section.lines.push_back(null.text);
+  return section;
+}
+
+Section explain_values(const Fit& fit) {
+  Section section{"values",
+                  "Parameters that moved (of the population)",
+                  {},
+                  {{"parameter", "unit", "before", "after"}, {}}};
+  const FitParameters& parameters = fit.problem.parameters();
+  const std::vector<double> values =
+      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, -1));
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const Parameter& parameter = parameters.all[p];
+    if (parameters.coordinate[p] < 0 || values[p] == parameter.mean) continue;
+    const double scale = display_scale(parameter);
+    section.table.rows.push_back({parameter.name, display_unit(parameter),
+                                  shown(scale * parameter.mean), shown(scale * values[p])});
+  }
+  return section;
+}
+
+Section explain_provenance(const Fit& fit) {
+  Section section{"provenance", "Inputs, kept whole in the file", {}, {{"input", "sha256"}, {}}};
+  const auto add = [&](const SourceText& source) {
+    section.table.rows.push_back({source.path, sha256(source.text)});
+  };
+  add(fit.inputs.subject);
+  add(fit.inputs.settings);
+  for (const SourceText& experiment : fit.inputs.experiments) add(experiment);
+  if (!fit.inputs.also_free.empty())
+    section.lines.push_back("also freed: " + listed(fit.inputs.also_free));
+  return section;
+}
+
+}  // namespace
+
+Explanation explain(const Fit& fit) {
+  return {explain_status(fit), explain_error(fit), explain_provenance(fit), explain_values(fit),
+          explain_learnt(fit)};
+}
+
+}  // namespace thenar

@@ -1,0 +1,134 @@
+// What is built of a subject's digit, and what can be asked of it.
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/explanation.h"
+#include "apps/file_summary.h"
+#include "tendons/explain_digit.h"
+
+namespace thenar {
+namespace {
+
+Section explain_kept(const DigitExplanation& says) {
+  Section section{"kept", "Kept", {}, {{"part", "count", "names"}, {}}};
+  const auto add = [&](const std::string& part, const std::vector<std::string>& names) {
+    section.table.rows.push_back({part, std::to_string(names.size()), listed(names)});
+  };
+  add("segments", says.segments);
+  add("joints", says.joints);
+  add("strands", says.strands);
+  add("muscles", says.muscles);
+  section.table.rows.push_back(
+      {"hood", says.hood.compare(0, 4, "none") == 0 ? "0" : "1", says.hood});
+  return section;
+}
+
+/// Parts dropped for the same reason share a row.
+Section explain_dropped(const DigitExplanation& says) {
+  Section section{"dropped", "Dropped", {}, {{"part", "count", "why", "names"}, {}}};
+  std::vector<std::vector<std::string>> names;
+  auto& rows = section.table.rows;
+  for (const DroppedPart& part : says.dropped) {
+    if (rows.empty() || rows.back()[0] != part.what || rows.back()[2] != part.why) {
+      rows.push_back({part.what, "", part.why, ""});
+      names.emplace_back();
+    }
+    names.back().push_back(part.name);
+    rows.back()[1] = std::to_string(names.back().size());
+    rows.back()[3] = listed(names.back());
+  }
+  if (rows.empty()) section.lines.push_back("nothing: this digit uses all of the subject");
+  return section;
+}
+
+Section explain_rungs(const Fidelity& fidelity) {
+  Section section{
+      "fidelity", "Built with, and so assumed", {}, {{"ladder", "rung", "assumes"}, {}}};
+  for (const RungWords& words : explain(fidelity))
+    section.table.rows.push_back({words.ladder, words.rung, words.assumes});
+  return section;
+}
+
+std::vector<std::string> without_limit(const TendonDigit& built) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < built.names.muscles.size(); ++i)
+    if (std::isinf(built.max_tension[static_cast<Eigen::Index>(i)]))
+      names.push_back(built.names.muscles[i]);
+  return names;
+}
+
+Section explain_questions(const TendonDigit& built) {
+  const bool pulled = !built.names.muscles.empty();
+  const std::vector<std::string> unlimited = without_limit(built);
+  const std::string tendons = pulled ? "yes" : "no: no muscle crosses a joint of this digit";
+  const std::string limits = !pulled             ? tendons
+                             : unlimited.empty() ? "yes"
+                                                 : "no: F0 unknown of " + listed(unlimited);
+  return {
+      "questions",
+      "Questions",
+      {},
+      {{"question", "needs", "can_be_asked"},
+       {{"pose", "posed, hinge axes", "yes"},
+        {"tip-force", "static, constant moment arms or richer", tendons},
+        {"feasible-force", "static, constant moment arms or richer, F0 of every muscle", limits},
+        {"fit, predict", "static, constant moment arms or richer, an experiment", tendons}}}};
+}
+
+Section explain_muscles(const Subject& subject, const std::vector<std::string>& kept) {
+  Section section{"muscles", "Muscles", {}, {{"muscle", "strand", "F0_N"}, {}}};
+  for (const std::string& name : kept)
+    for (const MuscleUnit& muscle : subject.muscles)
+      if (muscle.name == name)
+        section.table.rows.push_back(
+            {name, muscle.strand.empty() ? "-" : muscle.strand,
+             muscle.max_force > 0 ? shown(muscle.max_force, 2) : "unknown"});
+  return section;
+}
+
+/// A digit of which nothing but published maps is known.
+Explanation explain_maps(const Subject& subject, const std::string& digit) {
+  Section maps{"tip_maps", "Published maps from tendon tensions to the tip's wrench", {}, {}};
+  maps.table.header = {"map", "rows", "muscles"};
+  std::vector<std::string> muscles;
+  for (const TipMap& map : subject.tip_maps)
+    if (map.digit == digit) {
+      maps.table.rows.push_back({map.name, listed(map.rows), listed(map.muscles)});
+      muscles = map.muscles;
+    }
+  maps.lines = {"a map stands for one posture; the first is used unless --map names another",
+                "there are no bones: joints, postures and fits cannot be asked about"};
+  return {maps, explain_muscles(subject, muscles)};
+}
+
+}  // namespace
+
+Explanation explain(const Subject& subject, const std::string& digit, const SourceText& settings) {
+  Section header{"subject", fmt::format("{} of subject '{}'", digit, subject.name), {}, {}};
+  header.lines = {subject.description,
+                  fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};
+  if (subject.base.empty()) header.lines.back() = subject.side + " hand";
+  bool bones = false;
+  for (const Digit& d : subject.digits) bones = bones || d.name == digit;
+  Explanation explanation{header};
+  if (!bones) {
+    for (Section& section : explain_maps(subject, digit)) explanation.push_back(section);
+    return explanation;
+  }
+
+  const TendonOptions options;
+  const TendonDigit built = build_tendon_digit(subject, digit, options);
+  const DigitExplanation says = explain_digit(subject, digit, options, built);
+  explanation.push_back(explain_kept(says));
+  explanation.push_back(explain_dropped(says));
+  explanation.push_back(explain_muscles(subject, says.muscles));
+  explanation.push_back(explain_rungs(built.fidelity));
+  explanation.push_back(explain_questions(built));
+  explanation.push_back(explain_cost(subject, digit, built));
+  explanation.push_back(explain_parameters(built, settings));
+  return explanation;
+}
+
+}  // namespace thenar

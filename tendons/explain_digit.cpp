@@ -1,0 +1,104 @@
+#include "tendons/explain_digit.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace thenar {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Sorts every part of the subject into kept and dropped.
+class Explainer {
+ public:
+  Explainer(const Subject& subject, const std::string& digit, const TendonOptions& options,
+            const TendonDigit& built)
+      : digit_(digit), options_(options), built_(built) {
+    for (const Segment& segment : subject.segments) explain_segment(segment);
+    for (const JointAxis& joint : subject.joints) explain_joint(joint);
+    for (const Strand& strand : subject.strands) explain_strand(strand);
+    for (const MuscleUnit& muscle : subject.muscles) explain_muscle(muscle);
+    for (const Digit& digit_of : subject.digits)
+      if (digit_of.name == digit) explain_hood(digit_of);
+  }
+
+  DigitExplanation take() { return std::move(says_); }
+
+ private:
+  void drop(const std::string& what, const std::string& name, const std::string& why) {
+    says_.dropped.push_back({what, name, why});
+  }
+
+  bool kept_segment(const std::string& name) const {
+    return built_.skeleton.link_of_segment.count(name) > 0;
+  }
+
+  void explain_segment(const Segment& segment) {
+    if (kept_segment(segment.name))
+      says_.segments.push_back(segment.name);
+    else
+      drop("segment", segment.name, fmt::format("not between wrist and {} tip", digit_));
+  }
+
+  void explain_joint(const JointAxis& joint) {
+    if (contains(built_.names.hinges, joint.name)) {
+      says_.joints.push_back(joint.name);
+    } else if (!kept_segment(joint.child)) {
+      drop("joint", joint.name, "moves a segment that is dropped");
+    } else if (options_.frozen.count(joint.name) > 0) {
+      drop("joint", joint.name,
+           fmt::format("frozen: {} and {} are welded", joint.parent, joint.child));
+    } else {
+      drop("joint", joint.name, "coupled to a frozen joint");
+    }
+  }
+
+  void explain_strand(const Strand& strand) {
+    if (contains(built_.names.strands, strand.name))
+      says_.strands.push_back(strand.name);
+    else if (strand.path.empty() && strand.arms.empty())
+      drop("strand", strand.name, "has neither path points nor moment arms");
+    else
+      drop("strand", strand.name, "crosses no kept joint");
+  }
+
+  void explain_muscle(const MuscleUnit& muscle) {
+    if (contains(built_.names.muscles, muscle.name))
+      says_.muscles.push_back(muscle.name);
+    else
+      drop("muscle", muscle.name, "its strand crosses no kept joint");
+  }
+
+  void explain_hood(const Digit& digit) {
+    if (!digit.hood) {
+      says_.hood = "none stated: every muscle pulls its own strand";
+    } else if (!built_.model.hood) {
+      says_.hood = "dropped: every muscle pulls its own strand";
+      drop("hood", digit.name, "separate tendons were asked for");
+    } else {
+      const HoodRule& rule = *digit.hood;
+      std::vector<std::string> muscles;
+      for (const HoodBranch& branch : rule.branches) muscles.push_back(branch.muscle);
+      says_.hood = fmt::format("{} feed central slip {}, bands {} and {}, terminal slip {}",
+                               fmt::join(muscles, ", "), rule.central_slip, rule.radial_band,
+                               rule.ulnar_band, rule.terminal_slip);
+    }
+  }
+
+  const std::string& digit_;
+  const TendonOptions& options_;
+  const TendonDigit& built_;
+  DigitExplanation says_;
+};
+
+}  // namespace
+
+DigitExplanation explain_digit(const Subject& subject, const std::string& name,
+                               const TendonOptions& options, const TendonDigit& built) {
+  return Explainer(subject, name, options, built).take();
+}
+
+}  // namespace thenar
