@@ -6,6 +6,7 @@
 
 namespace thenar {
 
+void add_demo(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_feasible_force(CLI::App& app);
 void add_fit(CLI::App& app);

@@ -13,6 +13,7 @@
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
+#include "base/write_file.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/prediction.h"
 
@@ -125,6 +126,7 @@ void run(const Options& options) {
   std::vector<LeaveOut> left_out;
   for (const std::string& name : options.leave_out) left_out.push_back(leave_out(name));
 
+  require_writable(options.output);
   const Fit fit = run_fit(inputs_of(options), solve_options);
   write_fit(fit, options.output);
   std::vector<CrossValidation> validations;

@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   thenar::add_feasible_force(app);
   thenar::add_fit(app);
   thenar::add_predict(app);
+  thenar::add_demo(app);
   try {
     CLI11_PARSE(app, argc, argv);
   } catch (const std::exception& e) {

@@ -9,4 +9,9 @@ namespace thenar {
 /// @throws InputError if it cannot be written.
 void write_file(const std::string& path, const std::string& content);
 
+/// Makes the missing folders of `path`, and checks that a file can be written there: to be called
+/// before long work whose result goes to it.
+/// @throws InputError if it cannot.
+void require_writable(const std::string& path);
+
 }  // namespace thenar

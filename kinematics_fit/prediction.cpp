@@ -8,25 +8,6 @@
 namespace thenar {
 namespace {
 
-std::string describe_loads(const Trial& trial) {
-  std::string loads;
-  for (const auto& [muscle, tension] : trial.tension)
-    if (tension > 0) loads += (loads.empty() ? "" : "+") + muscle;
-  return loads;
-}
-
-Prediction table(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
-                 const Eigen::Matrix3Xd& sd) {
-  Prediction out{experiment.name, {}, {}};
-  for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
-    const Trial& trial = experiment.trials[i];
-    out.trials.push_back(
-        {trial.posture, describe_loads(trial), trial.force, predicted.col(i), sd.col(i)});
-  }
-  out.error = force_error(out.trials);
-  return out;
-}
-
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
@@ -39,6 +20,25 @@ double median(std::vector<double> values) {
 }
 
 }  // namespace
+
+std::string describe_loads(const Trial& trial) {
+  std::string loads;
+  for (const auto& [muscle, tension] : trial.tension)
+    if (tension > 0) loads += (loads.empty() ? "" : "+") + muscle;
+  return loads;
+}
+
+Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
+                   const Eigen::Matrix3Xd& sd) {
+  Prediction out{experiment.name, {}, {}};
+  for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    out.trials.push_back(
+        {trial.posture, describe_loads(trial), trial.force, predicted.col(i), sd.col(i)});
+  }
+  out.error = force_error(out.trials);
+  return out;
+}
 
 ForceError force_error(const std::vector<PredictedTrial>& trials) {
   double residual = 0, flexion = 0, total = 0, total_flexion = 0;
@@ -63,7 +63,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   const Eigen::Matrix3Xd force = problem.predict(z, e, WithJacobian::kNo).force;
-  return table(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
+  return compare(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
 }
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
@@ -77,8 +77,8 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   if (specimen < 0) variance += forces.J.cwiseAbs2() * fitted.unseen_variance();
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
-  return table(experiment, forces.force,
-               Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
+  return compare(experiment, forces.force,
+                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

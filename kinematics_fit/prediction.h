@@ -35,6 +35,13 @@ struct Prediction {
   ForceError error;
 };
 
+/// The muscles that pull in a trial: "FDS" or "EDC+FDS".
+[[nodiscard]] std::string describe_loads(const Trial& trial);
+
+/// Predicted forces beside the measured ones. @param predicted, sd  [N] (3, trials)
+[[nodiscard]] Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
+                                 const Eigen::Matrix3Xd& sd);
+
 [[nodiscard]] ForceError force_error(const std::vector<PredictedTrial>& trials);
 
 /// Experiment `e` of the problem at z, without predictive sds.

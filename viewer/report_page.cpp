@@ -25,8 +25,8 @@ std::string replaced(const std::string& text, char from, const std::string& to) 
 }  // namespace
 
 std::string report_page(const nlohmann::json& report) {
-  const std::string title = replaced(
-      replaced(report.value("title", "thenar"), '&', "&amp;"), '<', "&lt;");
+  const std::string title =
+      replaced(replaced(report.value("title", "thenar"), '&', "&amp;"), '<', "&lt;");
   // No "</script>" may stand inside the data.
   const std::string data = replaced(report.dump(), '<', "\\u003c");
   return fmt::format(

@@ -9,6 +9,7 @@
 #include <hdf5_hl.h>
 
 #include "base/error.h"
+#include "base/write_file.h"
 
 namespace thenar {
 namespace {
@@ -211,6 +212,7 @@ const std::string& ResultFile::text(const std::string& key) const {
 
 void write_result(const ResultFile& file, const std::string& path) {
   be_quiet();
+  require_writable(path);
   const std::string temporary = path + ".tmp";
   {
     const Handle h5(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,

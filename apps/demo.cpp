@@ -1,0 +1,114 @@
+// thenar demo --data data -o out
+//
+// The main job on real data: fits the middle fingers of two hands to measured forces by every
+// solver, cross-validates, predicts what was not seen, compares two thumbs, and writes it all as
+// one page.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/progress_bar.h"
+#include "apps/read_source.h"
+#include "base/provenance.h"
+#include "base/write_file.h"
+#include "viewer/fit_pages.h"
+#include "viewer/report_page.h"
+#include "viewer/thumb_page.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string data = "data";
+  std::string output = "out";
+};
+
+StudyInputs inputs_of(const Options& options) {
+  const auto read = [&](const std::string& file) { return read_source(options.data + "/" + file); };
+  StudyInputs inputs;
+  inputs.specimen.subject = read("subjects/an_chao_middle.toml");
+  inputs.specimen.settings = read("fits/finger.toml");
+  inputs.specimen.experiments = {read("experiments/synek2019_H01.toml"),
+                                 read("experiments/synek2019_H02.toml")};
+  inputs.population_subject = read("subjects/synek2019_middle.toml");
+  inputs.unseen = {read("experiments/synek2019_B01.toml")};
+  inputs.rivals = {inputs.population_subject, inputs.specimen.subject};
+  inputs.methods = {FitMethod::kCeres, FitMethod::kIpopt, FitMethod::kNloptLocal,
+                    FitMethod::kNloptGlobal};
+  return inputs;
+}
+
+/// A thumb with every joint at the middle of its range.
+ThumbCase thumb_case(const Options& options, const std::string& file, const std::string& title) {
+  ThumbCase thumb{title, read_subject(options.data + "/subjects/" + file), {}};
+  const Skeleton skeleton = build_skeleton(thumb.subject, {{"thumb"}, {}});
+  for (int j = 0; j < skeleton.coordinates(); ++j)
+    thumb.posture[skeleton.coordinate_names[j]] =
+        0.5 * (skeleton.limits[j].lower + skeleton.limits[j].upper);
+  return thumb;
+}
+
+Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seconds) {
+  Json out = Json::object();
+  const auto add = [&](const SourceText& source) {
+    out[source.path] = "sha256 " + sha256(source.text);
+  };
+  add(inputs.specimen.subject);
+  add(inputs.specimen.settings);
+  add(inputs.population_subject);
+  for (const SourceText& source : inputs.specimen.experiments) add(source);
+  for (const SourceText& source : inputs.unseen) add(source);
+  for (const auto& [name, version] : versions()) out[name] = version;
+  out["seed"] = "1";
+  out["fidelity"] = describe(fidelity);
+  out["wall time of the whole"] = fmt::format("{:.1f} s", seconds);
+  return out;
+}
+
+void run(const Options& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Progress progress = terminal_progress();
+  const StudyInputs inputs = inputs_of(options);
+  const std::string path = options.output + "/report.html";
+  require_writable(path);
+  const std::vector<SpecimenStudy> studies = study_specimens(inputs, progress);
+  const PopulationStudy population = study_population(inputs, progress);
+  for (const SpecimenStudy& study : studies)
+    write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
+  write_fit(population.fit, options.output + "/population.h5");
+
+  Json sections = Json::array(
+      {accuracy_page(studies), force_page(studies), solver_page(studies), parameter_page(studies),
+       finger_page(studies), population_page(population, studies),
+       thumb_page({thumb_case(options, "graspit_orthogonal_thumb.toml", "Orthogonal axes"),
+                   thumb_case(options, "graspit_skewed_thumb.toml", "Skewed axes")})});
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  write_report(
+      {{"title", "thenar: a finger fitted to its forces"},
+       {"subtitle", "Middle fingers of two human hands [Synek2019], and two thumbs"},
+       {"provenance", provenance(inputs, studies.front().fit.problem.digit().fidelity, seconds)},
+       {"sections", sections}},
+      path);
+  for (const SpecimenStudy& study : studies)
+    fmt::print("{}: relative error {:.3f} in sample, {:.3f} with one posture left out\n",
+               study.in_sample.experiment, study.in_sample.error.relative,
+               study.postures.experiments.front().error.relative);
+  fmt::print("wrote {} in {:.1f} s\n", std::filesystem::absolute(path).string(), seconds);
+}
+
+}  // namespace
+
+void add_demo(CLI::App& app) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand("demo", "Fit real data and write a report");
+  command->add_option("--data", options->data, "Folder with subjects/, experiments/ and fits/");
+  command->add_option("-o,--output", options->output, "Folder for the report");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,124 @@
+#include "kinematics_fit/fit_study.h"
+
+#include "base/error.h"
+#include "kinematics_fit/force_jacobian.h"
+
+namespace thenar {
+namespace {
+
+/// Progress of a part, as a share of the whole.
+Progress part_of(const Progress& whole, double begin, double share) {
+  Progress part;
+  part.stop_requested = whole.stop_requested;
+  part.report = [&whole, begin, share](double fraction, const std::string& what) {
+    whole(begin + share * fraction, what);
+  };
+  return part;
+}
+
+std::vector<Rival> rivals_of(const StudyInputs& inputs, const Experiment& experiment) {
+  std::vector<Rival> rivals;
+  for (const SourceText& subject : inputs.rivals)
+    rivals.push_back({parse_subject(subject.text, subject.path).description, "as published",
+                      predict_as_published(subject, experiment)});
+  rivals.push_back({"Mean of the tendon's other postures", "other postures of the same specimen",
+                    mean_of_other_postures(experiment)});
+  return rivals;
+}
+
+std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs& inputs,
+                                   const Progress& progress) {
+  std::vector<SolverRun> runs;
+  for (std::size_t k = 0; k < inputs.methods.size(); ++k) {
+    SolveOptions options;
+    options.method = inputs.methods[k];
+    options.progress = part_of(progress, static_cast<double>(k) / inputs.methods.size(),
+                               1.0 / static_cast<double>(inputs.methods.size()));
+    Solution solution =
+        solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
+    const ForceError error = predict_fitted(problem, solution.z, 0).error;
+    runs.push_back({options.method, std::move(solution), error});
+  }
+  return runs;
+}
+
+SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experiment,
+                             const Progress& progress) {
+  FitInputs one = inputs.specimen;
+  one.experiments = {experiment};
+  Fit fit = run_fit(one);
+  const Experiment& measured = fit.problem.experiments().front();
+  Prediction in_sample =
+      predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, measured, 0);
+  SolveOptions options;
+  options.progress = part_of(progress, 0, 0.2);
+  CrossValidation postures = cross_validate(fit.problem, LeaveOut::kPosture, options);
+  CrossValidation tendons = cross_validate(fit.problem, LeaveOut::kTendon, options);
+  std::vector<SolverRun> runs = run_solvers(fit.problem, inputs, part_of(progress, 0.2, 0.8));
+  std::vector<Rival> rivals = rivals_of(inputs, measured);
+  return {std::move(fit),     std::move(in_sample), std::move(postures),
+          std::move(tendons), std::move(runs),      std::move(rivals)};
+}
+
+}  // namespace
+
+std::vector<SpecimenStudy> study_specimens(const StudyInputs& inputs, const Progress& progress) {
+  std::vector<SpecimenStudy> studies;
+  const auto count = static_cast<double>(inputs.specimen.experiments.size());
+  for (const SourceText& experiment : inputs.specimen.experiments)
+    studies.push_back(
+        study_specimen(inputs, experiment,
+                       part_of(progress, static_cast<double>(studies.size()) / count, 1 / count)));
+  return studies;
+}
+
+PopulationStudy study_population(const StudyInputs& inputs, const Progress& progress) {
+  FitInputs together = inputs.specimen;
+  together.subject = inputs.population_subject;
+  SolveOptions options;
+  options.progress = part_of(progress, 0, 0.3);
+  Fit fit = run_fit(together, options);
+  std::vector<Prediction> own, as_unseen, unseen;
+  const auto predict = [&](const Experiment& experiment, int specimen) {
+    return predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
+  };
+  for (const Experiment& experiment : fit.problem.experiments()) {
+    own.push_back(predict(experiment, find_specimen(fit.problem, experiment.specimen)));
+    as_unseen.push_back(predict(experiment, -1));
+  }
+  for (const SourceText& source : inputs.unseen)
+    unseen.push_back(predict(parse_experiment(source.text, source.path), -1));
+  options.progress = part_of(progress, 0.3, 0.7);
+  CrossValidation specimens = cross_validate(fit.problem, LeaveOut::kSpecimen, options);
+  return {std::move(fit), std::move(own), std::move(as_unseen), std::move(specimens),
+          std::move(unseen)};
+}
+
+Prediction predict_as_published(const SourceText& subject, const Experiment& experiment) {
+  const TendonDigit digit =
+      build_tendon_digit(parse_subject(subject.text, subject.path), experiment.digit);
+  const FitParameters fixed = choose_parameters(digit, {}, {});
+  const Eigen::Matrix3Xd force = force_values(
+      digit, fixed, plan_experiment(digit, fixed, experiment), Eigen::VectorXd::Zero(0));
+  return compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()));
+}
+
+Prediction mean_of_other_postures(const Experiment& experiment) {
+  Prediction out{experiment.name, {}, {}};
+  for (const Trial& trial : experiment.trials) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    int count = 0;
+    for (const Trial& other : experiment.trials)
+      if (other.posture != trial.posture && other.tension == trial.tension) {
+        sum += other.force;
+        ++count;
+      }
+    if (count > 0)
+      out.trials.push_back({trial.posture, describe_loads(trial), trial.force, sum / count,
+                            Eigen::Vector3d::Zero()});
+  }
+  out.error = force_error(out.trials);
+  return out;
+}
+
+}  // namespace thenar

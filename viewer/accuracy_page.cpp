@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "viewer/fit_pages.h"
+#include "viewer/force_panels.h"
+
+namespace thenar {
+namespace {
+
+Json error_row(const std::string& specimen, const std::string& what, const std::string& seen,
+               const ForceError& error) {
+  return Json::array({specimen, what, seen, error.relative, error.relative_flexion, error.rms,
+                      error.direction * 180 / 3.141592653589793});
+}
+
+/// All predictions of one specimen, best known first.
+Json rows_of(const SpecimenStudy& study) {
+  const std::string specimen = study.fit.problem.specimens().front();
+  Json rows = Json::array();
+  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample.error));
+  rows.push_back(error_row(specimen, "Fit, one posture left out", "other postures",
+                           study.postures.experiments.front().error));
+  rows.push_back(error_row(specimen, "Fit, one tendon left out", "other tendons",
+                           study.tendons.experiments.front().error));
+  for (const Rival& rival : study.rivals)
+    rows.push_back(error_row(specimen, rival.name, rival.note, rival.prediction.error));
+  return rows;
+}
+
+Json bars(const std::vector<SpecimenStudy>& studies) {
+  Json groups = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    Json values = Json::array();
+    for (const Json& row : rows_of(study)) {
+      values.push_back({{"series", row[1]}, {"value", row[3]}});
+    }
+    groups.push_back({{"name", study.fit.problem.specimens().front()}, {"values", values}});
+  }
+  return {{"type", "bars"},
+          {"caption", "Relative error of predicted fingertip forces: RMS residual over RMS force"},
+          {"x_label", "relative error"},
+          {"groups", groups},
+          {"reference_lines", Json::array({{{"value", 0.106}, {"label", "noise floor"}}})}};
+}
+
+}  // namespace
+
+Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (const SpecimenStudy& study : studies)
+    for (const Json& row : rows_of(study)) rows.push_back(row);
+  Json table = table_block("Errors on the same 24 force vectors of each specimen",
+                           {{"specimen", ""},
+                            {"prediction", ""},
+                            {"has seen", ""},
+                            {"relative error", "", 3},
+                            {"in the flexion plane", "", 3},
+                            {"RMS error", "N", 3},
+                            {"median direction error", "deg", 1}},
+                           rows);
+  return section(
+      "accuracy", "How well the forces are predicted",
+      "Six tendons were loaded one at a time in four postures, and the force of the clamped "
+      "fingertip was measured [Synek2019]. A fit moves path points, hood fractions, axes, the load "
+      "cell and the postures within anatomical priors. What counts is the error on postures and "
+      "tendons that the fit has not seen.\n\nThe noise floor is the mean error of linearity of the "
+      "same data: no linear map can honestly do better on unseen loads. The published calibrated "
+      "model was calibrated on these specimens, so its error is in sample.",
+      Json::array({bars(studies), table}));
+}
+
+Json force_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    blocks.push_back(force_panels(
+        study.in_sample, fmt::format("{}, in sample. Measured solid, predicted dashed; ellipses "
+                                     "hold 95 % of the predictive distribution",
+                                     specimen)));
+    blocks.push_back(force_panels(
+        study.postures.experiments.front(),
+        fmt::format("{}, each posture predicted by a fit to the other three", specimen)));
+  }
+  return section("forces", "Measured and predicted forces",
+                 "Forces of the fingertip on the load cell, in the axes of the distal phalanx.",
+                 blocks);
+}
+
+Json solver_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array(), series = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    double best = study.fit.solution.cost;
+    for (const SolverRun& run : study.runs) best = std::min(best, run.solution.cost);
+    for (const SolverRun& run : study.runs) {
+      const Solution& s = run.solution;
+      rows.push_back({specimen, name_of(run.method), name_of(s.status), s.cost, run.error.relative,
+                      s.evaluations, s.seconds});
+      series.push_back({{"name", fmt::format("{} {}", specimen, name_of(run.method))},
+                        {"style", "points"},
+                        {"x", {s.seconds}},
+                        {"y", {std::max(s.cost / best - 1, 1e-12)}}});
+    }
+  }
+  return section(
+      "solvers", "Speed and accuracy of the solvers",
+      "Every solver minimises the same function from the same start. Ceres and Ipopt use exact "
+      "derivatives; the two of NLopt use none.",
+      Json::array(
+          {table_block("Solvers on the same problem",
+                       {{"specimen", ""},
+                        {"method", ""},
+                        {"status", ""},
+                        {"cost", "", 4},
+                        {"relative error", "", 3},
+                        {"evaluations", "", 0},
+                        {"time", "s", 3}},
+                       rows),
+           {{"type", "lines"},
+            {"caption", "Cost above the best known, over wall time (1e-12 stands for none)"},
+            {"x_label", "wall time [s]"},
+            {"y_label", "relative excess of cost"},
+            {"log_x", true},
+            {"log_y", true},
+            {"series", series}}}));
+}
+
+}  // namespace thenar

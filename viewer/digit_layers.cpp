@@ -1,0 +1,73 @@
+#include "viewer/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+Json layer(const std::string& name, const std::string& color, Json items) {
+  return {{"name", name}, {"color", color}, {"items", std::move(items)}};
+}
+
+Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>& state) {
+  return moved(state, model.tip_link, model.tip);
+}
+
+}  // namespace
+
+Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  Json items = Json::array();
+  const auto bone = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    if ((b - a).norm() > 1e-6)
+      items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
+  };
+  for (std::size_t i = 1; i < state.size(); ++i)
+    if (digit.model.tree[i].parent >= 0)
+      bone(state[digit.model.tree[i].parent].point, state[i].point);
+  if (digit.model.tip_link >= 0)
+    bone(state[digit.model.tip_link].point, tip_of(digit.model, state));
+  return layer("bones", color, items);
+}
+
+Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
+                const std::string& color, double length, bool labelled) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  Json items = Json::array();
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    Json item{{"kind", "axis"},
+              {"point", in_mm(state[i].point)},
+              {"direction", list(state[i].axis)},
+              {"length", 1000 * length}};
+    if (labelled) item["label"] = digit.names.hinges[i];
+    items.push_back(std::move(item));
+  }
+  return layer(name, color, items);
+}
+
+Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
+                  const std::string& color) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  Json items = Json::array();
+  for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
+    Json positions = Json::array();
+    for (const PathNode<double>& node : digit.model.paths[s])
+      positions.push_back(in_mm(moved(state, node.link, node.p)));
+    if (positions.size() > 1)
+      items.push_back(
+          {{"kind", "line"}, {"positions", positions}, {"label", digit.names.strands[s]}});
+  }
+  return layer(name, color, items);
+}
+
+Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                     const FeasibleForceSet& set, double mm_per_N, const std::string& color) {
+  const Eigen::Vector3d tip = tip_of(digit.model, pose_tree(digit.model.tree, q));
+  Json vertices = Json::array(), faces = Json::array();
+  for (Eigen::Index i = 0; i < set.vertices.rows(); ++i)
+    vertices.push_back(list(1000 * tip + mm_per_N * set.vertices.row(i).transpose()));
+  for (Eigen::Index i = 0; i < set.triangles.rows(); ++i)
+    faces.push_back({set.triangles(i, 0), set.triangles(i, 1), set.triangles(i, 2)});
+  return layer("feasible forces", color,
+               Json::array({{{"kind", "hull"}, {"vertices", vertices}, {"faces", faces}}}));
+}
+
+}  // namespace thenar

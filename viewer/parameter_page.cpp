@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "kinematics_fit/specimen_model.h"
+#include "viewer/digit_layers.h"
+#include "viewer/fit_pages.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::size_t kShown = 24;  // rows of the forest plot
+
+/// One coordinate of a single-specimen fit, in units of its prior sd.
+Json interval_row(const Fit& fit, std::size_t c) {
+  const Learnt& learnt = fit.covariance.learnt[c];
+  const Parameter& p = fit.problem.parameters().all[fit.problem.parameters().leader[c]];
+  const double unit = std::hypot(p.sd, p.between_sd) * display_scale(p);
+  const double value = p.mean * display_scale(p) + unit * learnt.z;
+  return {{"name", learnt.name},
+          {"estimate", learnt.z},
+          {"low", learnt.z - 1.96 * learnt.sd},
+          {"high", learnt.z + 1.96 * learnt.sd},
+          {"prior_low", -1.96},
+          {"prior_high", 1.96},
+          {"null", learnt.null_share > 0.99},
+          {"display",
+           fmt::format("{:+.2f} \u00b1 {:.2f} {}", value, unit * learnt.sd, display_unit(p))}};
+}
+
+/// The coordinates that the data pinned down most, then some that they do not know.
+Json forest(const SpecimenStudy& study) {
+  const std::vector<Learnt>& learnt = study.fit.covariance.learnt;
+  std::vector<std::size_t> order(learnt.size());
+  for (std::size_t c = 0; c < order.size(); ++c) order[c] = c;
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return learnt[a].sd < learnt[b].sd; });
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k)
+    rows.push_back(interval_row(study.fit, order[k]));
+  for (std::size_t k = order.size() - std::min<std::size_t>(4, order.size()); k < order.size(); ++k)
+    if (k >= kShown) rows.push_back(interval_row(study.fit, order[k]));
+  return {{"type", "interval"},
+          {"caption", fmt::format("{}: the {} parameters that the forces taught most about, and "
+                                  "four they taught least; 95 % intervals in prior sds",
+                                  study.fit.problem.specimens().front(), kShown)},
+          {"x_label", "estimate in prior standard deviations"},
+          {"rows", rows}};
+}
+
+Json null_table(const SpecimenStudy& study) {
+  Json rows = Json::array();
+  for (const NullDirection& null : study.fit.covariance.nulls) rows.push_back({null.text});
+  return table_block(
+      fmt::format(
+          "{}: {} of {} directions are known from the prior alone ({} forces were measured)",
+          study.fit.problem.specimens().front(), rows.size(), study.fit.problem.size(),
+          study.fit.problem.data_rows()),
+      {{"direction, in prior sds", ""}}, rows);
+}
+
+/// The digit as fitted, for drawing.
+TendonDigit fitted_digit(const Fit& fit) {
+  TendonDigit digit = fit.problem.digit();
+  const FitParameters& parameters = fit.problem.parameters();
+  digit.model = specimen_model(digit, parameters,
+                               parameter_values<double>(
+                                   parameters, fit.problem.displacements(fit.solution.z, 0)))
+                    .digit;
+  return digit;
+}
+
+Json scene(const SpecimenStudy& study) {
+  const TendonDigit& before = study.fit.problem.digit();
+  const TendonDigit after = fitted_digit(study.fit);
+  const Eigen::VectorXd q = study.fit.problem.plans().front().postures.front();
+  return {{"type", "scene"},
+          {"caption", fmt::format("{} in posture {}: tendons and axes before and after the fit",
+                                  study.fit.problem.specimens().front(),
+                                  study.fit.problem.plans().front().posture_names.front())},
+          {"link", "fingers"},
+          {"up", {0, 1, 0}},
+          {"layers", Json::array({bone_layer(before, q, "#b8a48a"),
+                                  axis_layer(before, q, "axes before", "#999999", 0.03, false),
+                                  axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
+                                  tendon_layer(before, q, "tendons before", "#999999"),
+                                  tendon_layer(after, q, "tendons fitted", "#d55e00")})}};
+}
+
+}  // namespace
+
+Json parameter_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    blocks.push_back(forest(study));
+    blocks.push_back(null_table(study));
+  }
+  return section("parameters", "What the forces tell about the finger",
+                 "Every parameter has a prior from anatomy; its sd is the unit here, and an "
+                 "interval as wide as the prior means that nothing was learnt. Directions along "
+                 "which no measured force changes are named, not hidden.",
+                 blocks);
+}
+
+Json finger_page(const std::vector<SpecimenStudy>& studies) {
+  Json scenes = Json::array();
+  for (const SpecimenStudy& study : studies) scenes.push_back(scene(study));
+  return section("finger", "The fitted finger",
+                 "Joint axes and straight tendon runs; the layers can be switched. The scenes turn "
+                 "together.",
+                 Json::array({row_block(scenes)}));
+}
+
+}  // namespace thenar

@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include "viewer/fit_pages.h"
+#include "viewer/force_panels.h"
+
+namespace thenar {
+namespace {
+
+Json row(const std::string& specimen, const std::string& what, const ForceError& error) {
+  return Json::array({specimen, what, error.relative, error.relative_flexion, error.rms,
+                      error.covered > 0 ? Json(100 * error.covered) : Json(nullptr)});
+}
+
+}  // namespace
+
+Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (std::size_t e = 0; e < study.own.size(); ++e) {
+    const std::string& specimen = study.fit.problem.experiments()[e].specimen;
+    rows.push_back(row(specimen, "by its own parameters, in sample", study.own[e].error));
+    rows.push_back(row(specimen, "by the population, in sample", study.as_unseen[e].error));
+    rows.push_back(row(specimen, "by the other specimens alone (left out)",
+                       study.specimens.experiments[e].error));
+    for (const Rival& rival : studies[e].rivals)
+      rows.push_back(row(specimen, rival.name, rival.prediction.error));
+  }
+  for (const Prediction& unseen : study.unseen)
+    rows.push_back(row(unseen.experiment, "never fitted, by the population", unseen.error));
+  Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
+                                         {{"specimen", ""},
+                                          {"prediction", ""},
+                                          {"relative error", "", 3},
+                                          {"in the flexion plane", "", 3},
+                                          {"RMS error", "N", 3},
+                                          {"within the 95 % interval", "%", 0}},
+                                         rows)});
+  for (const Prediction& unseen : study.unseen)
+    blocks.push_back(force_panels(
+        unseen, fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",
+                            unseen.experiment)));
+  return section(
+      "population", "A population, and a specimen it has not seen",
+      "All specimens are fitted together as people who differ from their population; an unseen "
+      "specimen is predicted by the population alone, and its interval holds what is not known of "
+      "the population, how people differ, and the noise.\n\nThe population starts from the "
+      "published calibrated model, which has seen both specimens: its left-out errors here are "
+      "therefore somewhat flattered. A bonobo is no human, and is shown for how far the model "
+      "carries.",
+      blocks);
+}
+
+}  // namespace thenar

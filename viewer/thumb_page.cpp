@@ -1,0 +1,87 @@
+#include "viewer/thumb_page.h"
+
+#include <fmt/format.h>
+
+#include "tendons/feasible_force.h"
+#include "tendons/feasible_set.h"
+#include "tendons/tendon_model.h"
+#include "viewer/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kMmPerNewton = 1;
+constexpr const char* kDirections[] = {"proximal", "distal", "dorsal", "palmar", "radial", "ulnar"};
+
+/// A thumb with all that is shown of it.
+struct Shown {
+  const ThumbCase& of;
+  TendonDigit digit;
+  Eigen::VectorXd q;
+  TipStatics statics;
+  FeasibleForceSet set;
+};
+
+Shown prepare(const ThumbCase& of) {
+  TendonDigit digit = build_tendon_digit(of.subject, "thumb");
+  const Eigen::VectorXd q = posture(digit.skeleton, of.posture);
+  TipStatics statics = tip_statics(digit, q);
+  FeasibleForceSet set = feasible_force_set(statics);
+  return {of, std::move(digit), q, std::move(statics), std::move(set)};
+}
+
+Json scene(const Shown& thumb) {
+  return {
+      {"type", "scene"},
+      {"caption", fmt::format("{}: joint axes and feasible thumbtip forces, {} mm per newton",
+                              thumb.of.title, kMmPerNewton)},
+      {"link", "thumbs"},
+      {"layers",
+       Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
+                    axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
+                    tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7"),
+                    force_set_layer(thumb.digit, thumb.q, thumb.set, kMmPerNewton, "#e69f00")})}};
+}
+
+/// Largest force along the six directions of the tip [N].
+Json row(const Shown& thumb) {
+  const TreeState<double> state = pose_tree(thumb.digit.model.tree, thumb.q);
+  const Eigen::Matrix3d axes = state[thumb.digit.model.tip_link].X.R * thumb.digit.model.tip_axes;
+  Json cells = Json::array(
+      {thumb.of.title, thumb.set.dimension, thumb.set.vertices.rows(), thumb.set.volume});
+  for (int k = 0; k < 6; ++k) {
+    const LargestForce most =
+        largest_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
+    cells.push_back(most.status == ForceStatus::kSolved ? Json(most.magnitude) : Json(nullptr));
+  }
+  return cells;
+}
+
+}  // namespace
+
+Json thumb_page(const std::vector<ThumbCase>& cases) {
+  Json scenes = Json::array(), rows = Json::array();
+  for (const ThumbCase& of : cases) {
+    const Shown thumb = prepare(of);
+    scenes.push_back(scene(thumb));
+    rows.push_back(row(thumb));
+  }
+  std::vector<Column> columns{
+      {"thumb", "", -1}, {"dimension", "", 0}, {"corners", "", 0}, {"volume", "N\u00b3", 0}};
+  for (const char* direction : kDirections) columns.push_back({direction, "N", 1});
+  return section(
+      "thumbs", "The thumb: orthogonal and skewed axes",
+      "Every force that the pinned thumbtip can make with tendon tensions between zero and their "
+      "largest, every joint torque balanced. The tendons, their constant moment arms "
+      "[Nakajima2022] and largest forces [McFarland2023] are the same in the first two; only the "
+      "axes differ [GraspIt]. Constant arms are borrowed from a third thumb, so compare shapes, "
+      "not newtons.\n\nThe scenes turn together.",
+      Json::array(
+          {row_block(scenes),
+           table_block("Feasible thumbtip forces: the set, and the largest pure force along "
+                       "the thumb's own directions; n/a where no tension balances every "
+                       "joint",
+                       columns, rows)}));
+}
+
+}  // namespace thenar
