@@ -18,11 +18,13 @@ target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshad
   -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds -Wno-maybe-uninitialized)
 
 if(THENAR_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
+                      -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
 endif()
 if(THENAR_TIDY)
-  set(CMAKE_CXX_CLANG_TIDY clang-tidy --quiet)
+  # It reads gcc's command lines, and does not know all of gcc's warnings.
+  set(CMAKE_CXX_CLANG_TIDY clang-tidy --quiet --extra-arg=-Wno-unknown-warning-option)
 endif()
 
 find_program(CCACHE_PROGRAM ccache)
