@@ -12,6 +12,7 @@
 #include "apps/file_summary.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
+#include "data/io/result_file.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
@@ -31,6 +32,17 @@ Explanation explain_subject_file(const Options& options) {
   return explain(subject, digit, settings);
 }
 
+Explanation explain_fit_file(const std::string& path) {
+  Explanation explanation = explain(read_fit(path));
+  Section section{"versions", "Written by", {}, {{"program", "version"}, {}}};
+  const std::string prefix = "provenance/versions/";
+  for (const auto& [key, texts] : read_result(path).texts)
+    if (key.compare(0, prefix.size(), prefix) == 0)
+      section.table.rows.push_back({key.substr(prefix.size()), listed(texts)});
+  explanation.push_back(section);
+  return explanation;
+}
+
 Explanation explain_file(const Options& options) {
   const FileKind kind = find_file_kind(options.file);
   if (kind == FileKind::kSubject) return explain_subject_file(options);
@@ -38,7 +50,7 @@ Explanation explain_file(const Options& options) {
           "--digit and --settings explain subjects; '{}' is of kind: {}", options.file,
           name_of(kind));
   if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));
-  if (kind == FileKind::kResult) return explain(read_fit(options.file));
+  if (kind == FileKind::kResult) return explain_fit_file(options.file);
   // Settings and proportions do nothing by themselves.
   Section section{"file", summarise_file(options.file), {}, {}};
   if (kind == FileKind::kFitSettings)

@@ -28,13 +28,16 @@ Section explain_parameters(const TendonDigit& built, const SourceText& settings)
   try {
     fit = choose_parameters(built, {kPosture}, parse_fit_settings(settings.text, settings.path));
   } catch (const InputError& e) {
-    section.lines = {fmt::format("these settings do not suit this digit: {}", e.what())};
-    return section;
+    section.lines = {fmt::format("these settings do not suit this digit: {}", e.what()),
+                     "without them, all are fixed and have these priors:"};
+    fit = choose_parameters(built, {kPosture}, {});
   }
-  section.lines = {fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "
-                               "experiment",
-                               fit.all.size(), fit.coordinates(), kPosture),
-                   "sd: of the population's mean; between_sd: from one specimen to the next"};
+  section.lines.push_back(
+      fmt::format("{} parameters, {} coordinates; '{}' stands for each posture of an "
+                  "experiment",
+                  fit.all.size(), fit.coordinates(), kPosture));
+  section.lines.push_back(
+      "sd: of the population's mean; between_sd: from one specimen to the next");
   section.table.header = {"parameter",  "unit",  "prior_mean", "sd",
                           "between_sd", "lower", "upper",      "state"};
   for (std::size_t p = 0; p < fit.all.size(); ++p) {

@@ -29,6 +29,7 @@ nlohmann::ordered_json json_of(const Table& table) {
 std::string text_of(const Explanation& explanation) {
   std::string text;
   for (const Section& section : explanation) {
+    if (!text.empty() && section.lines.empty() && section.table.rows.empty()) continue;
     text += section.title + "\n";
     for (const std::string& line : section.lines) text += "  " + line + "\n";
     if (!section.table.rows.empty()) text += aligned(section.table);

@@ -55,7 +55,7 @@ class DigitBuilder {
     built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
         max_tension_.data(), static_cast<Eigen::Index>(max_tension_.size()));
     built_.model.friction = Eigen::VectorXd::Zero(built_.model.constant_arms.rows());
-    built_.fidelity = Fidelity(Motion::kStatic, options.path,
+    built_.fidelity = Fidelity(Motion::kStatic, built_path(),
                                built_.model.hood ? Hood::kFractions : Hood::kSeparate);
   }
 
@@ -76,6 +76,15 @@ class DigitBuilder {
       if (std::abs(hinge.direction.dot(tip.axes.col(2))) > kFlexion)
         if (built_.model.flexions.empty() || built_.model.flexions.back() != hinge.coordinate)
           built_.model.flexions.push_back(hinge.coordinate);
+  }
+
+  /// The rung that the paths are really on, which the subject's data may keep below the one asked.
+  Path built_path() const {
+    const auto& paths = built_.model.paths;
+    if (paths.empty()) return Path::kNone;
+    const bool constant = std::all_of(paths.begin(), paths.end(),
+                                      [](const TendonPath<double>& path) { return path.empty(); });
+    return constant ? Path::kConstant : options_.path;
   }
 
   /// Constant arms of a strand at the kept coordinates [m/rad].
