@@ -10,6 +10,16 @@ endfunction()
 
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
+
+# What was installed may be moved: it names neither the sources nor the build tree.
+file(GLOB targets ${WORK}/prefix/lib*/cmake/thenar/*.cmake ${WORK}/prefix/lib*/*/cmake/thenar/*.cmake)
+foreach(file IN LISTS targets)
+  file(STRINGS ${file} found REGEX "${BUILD}")
+  if(found)
+    message(FATAL_ERROR "${file} names the build tree: ${found}")
+  endif()
+endforeach()
+
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build -G Ninja -DCMAKE_PREFIX_PATH=${WORK}/prefix
     "-DCMAKE_CXX_FLAGS=${FLAGS}")
 run(${CMAKE_COMMAND} --build ${WORK}/build)
