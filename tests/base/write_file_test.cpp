@@ -65,9 +65,15 @@ TEST_F(WriteFile, NamesTheFileItCannotWrite) {
     write_file(below, "text");
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
-    EXPECT_EQ(e.what(), "cannot write '" + below + ".tmp'");
+    EXPECT_EQ(e.what(), "cannot write '" + below + "'");
   }
   EXPECT_EQ(content(path("a")), "a file");
+}
+
+TEST_F(WriteFile, AsksBeforehandAndLeavesNothing) {
+  require_writable(path("folder/a"));
+  EXPECT_FALSE(fs::exists(path("folder/a")));
+  EXPECT_TRUE(fs::is_empty(path("folder")));
 }
 
 // Renaming over a folder fails after the text was written.
