@@ -36,20 +36,23 @@ StudyInputs inputs_of(const Options& options) {
                                  read("experiments/synek2019_H02.toml")};
   inputs.population_subject = read("subjects/synek2019_middle.toml");
   inputs.unseen = {read("experiments/synek2019_B01.toml")};
-  inputs.rivals = {inputs.population_subject, inputs.specimen.subject};
+  inputs.rivals = {{"Published calibrated model", inputs.population_subject},
+                   {"Normative finger", inputs.specimen.subject}};
   inputs.methods = {FitMethod::kCeres, FitMethod::kIpopt, FitMethod::kNloptLocal,
                     FitMethod::kNloptGlobal};
   return inputs;
 }
 
-/// A thumb with every joint at the middle of its range.
-ThumbCase thumb_case(const Options& options, const std::string& file, const std::string& title) {
-  ThumbCase thumb{title, read_subject(options.data + "/subjects/" + file), {}};
-  const Skeleton skeleton = build_skeleton(thumb.subject, {{"thumb"}, {}});
-  for (int j = 0; j < skeleton.coordinates(); ++j)
-    thumb.posture[skeleton.coordinate_names[j]] =
-        0.5 * (skeleton.limits[j].lower + skeleton.limits[j].upper);
-  return thumb;
+/// Thumbs that differ in their axes, bent alike, and a measured one as it was digitised.
+std::vector<ThumbCase> thumb_cases(const Options& options) {
+  const double bent = 30 * 3.141592653589793 / 180;  // [rad]
+  const std::map<std::string, double> pinch{{"MCP1_FE", bent}, {"IP1", bent}};
+  const auto read = [&](const char* file) {
+    return read_subject(options.data + "/subjects/" + file);
+  };
+  return {{"Orthogonal axes", read("graspit_orthogonal_thumb.toml"), pinch},
+          {"Skewed axes", read("graspit_skewed_thumb.toml"), pinch},
+          {"Measured axes and tendons", read("mirakhorlo2016.toml"), {}}};
 }
 
 Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seconds) {
@@ -81,11 +84,10 @@ void run(const Options& options) {
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
   write_fit(population.fit, options.output + "/population.h5");
 
-  Json sections = Json::array(
-      {accuracy_page(studies), force_page(studies), solver_page(studies), parameter_page(studies),
-       finger_page(studies), population_page(population, studies),
-       thumb_page({thumb_case(options, "graspit_orthogonal_thumb.toml", "Orthogonal axes"),
-                   thumb_case(options, "graspit_skewed_thumb.toml", "Skewed axes")})});
+  Json sections =
+      Json::array({accuracy_page(studies), force_page(studies), solver_page(studies),
+                   parameter_page(studies), finger_page(studies),
+                   population_page(population, studies), thumb_page(thumb_cases(options))});
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_report(

@@ -164,6 +164,18 @@ Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options) 
   return Builder(subject, options).take();
 }
 
+std::vector<std::string> shared_joints(const Subject& subject) {
+  std::vector<std::string> shared;
+  for (const JointAxis& joint : subject.joints) {
+    const auto moves = [&](const Digit& digit) {
+      return kept_segments(subject, {digit.name}).count(joint.child) > 0;
+    };
+    if (std::count_if(subject.digits.begin(), subject.digits.end(), moves) > 1)
+      shared.push_back(joint.name);
+  }
+  return shared;
+}
+
 Eigen::VectorXd posture(const Skeleton& skeleton, const std::map<std::string, double>& angles) {
   Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
   const auto& names = skeleton.coordinate_names;

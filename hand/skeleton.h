@@ -62,6 +62,9 @@ struct Skeleton {
 /// @throws InputError for an unknown digit or joint, a frozen angle outside the joint's limits.
 [[nodiscard]] Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options = {});
 
+/// Joints between the base and more than one digit: the wrist.
+[[nodiscard]] std::vector<std::string> shared_joints(const Subject& subject);
+
 /// Coordinates from named angles; joints not named stay at the reference posture.
 /// @return q (coordinates) [rad]
 /// @throws InputError for an unknown joint or a non-finite angle.

@@ -107,7 +107,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
       for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
         const Trial& trial = experiment.trials[i];
         if (!in_fold(what, fold, experiment, trial)) continue;
-        out.experiments[e].trials.push_back({trial.posture, fold, trial.force,
+        out.experiments[e].trials.push_back({trial.posture, describe_loads(trial), trial.force,
                                              force.col(static_cast<Eigen::Index>(i)),
                                              Eigen::Vector3d::Zero()});
       }

@@ -18,11 +18,10 @@ Progress part_of(const Progress& whole, double begin, double share) {
 
 std::vector<Rival> rivals_of(const StudyInputs& inputs, const Experiment& experiment) {
   std::vector<Rival> rivals;
-  for (const SourceText& subject : inputs.rivals)
-    rivals.push_back({parse_subject(subject.text, subject.path).description, "as published",
-                      predict_as_published(subject, experiment)});
-  rivals.push_back({"Mean of the tendon's other postures", "other postures of the same specimen",
-                    mean_of_other_postures(experiment)});
+  for (const NamedSubject& rival : inputs.rivals)
+    rivals.push_back({rival.name, "as published", predict_as_published(rival.source, experiment)});
+  rivals.push_back(
+      {"Mean of other postures", "other postures", mean_of_other_postures(experiment)});
   return rivals;
 }
 

@@ -44,12 +44,18 @@ struct PopulationStudy {
   std::vector<Prediction> unseen;     // experiments that were not fitted
 };
 
+/// A subject by the name it goes by in the report.
+struct NamedSubject {
+  std::string name;
+  SourceText source;
+};
+
 /// What a study fits, and what it compares with.
 struct StudyInputs {
   FitInputs specimen;              // subject and settings of the single fits; all experiments
   SourceText population_subject;   // where the population starts
   std::vector<SourceText> unseen;  // experiments to predict and never to fit
-  std::vector<SourceText> rivals;  // subjects used as they are, in the plane of the finger
+  std::vector<NamedSubject> rivals;  // used as they are, in the plane of the finger
   std::vector<FitMethod> methods;
 };
 

@@ -42,12 +42,20 @@ bool crosses_a_joint(const TendonPath<double>& path) {
                      [&](const PathNode<double>& node) { return node.link != path.front().link; });
 }
 
+/// Joints frozen by name, and the trunk unless it is free.
+std::map<std::string, double> frozen_joints(const Subject& subject, const TendonOptions& options) {
+  std::map<std::string, double> frozen = options.frozen;
+  if (options.trunk == Trunk::kWelded)
+    for (const std::string& joint : shared_joints(subject)) frozen.emplace(joint, 0);
+  return frozen;
+}
+
 /// Builds the parts of one digit in order: strands, muscles, hood.
 class DigitBuilder {
  public:
   DigitBuilder(const Subject& subject, const std::string& name, const TendonOptions& options)
       : subject_(subject), digit_(digit_of(subject, name)), options_(options) {
-    built_.skeleton = build_skeleton(subject, {{name}, options.frozen});
+    built_.skeleton = build_skeleton(subject, {{name}, frozen_joints(subject, options)});
     set_bones();
     for (const Strand& strand : subject.strands) add_strand(strand);
     for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);

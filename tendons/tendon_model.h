@@ -55,11 +55,18 @@ struct TendonDigit {
   Fidelity fidelity;            // what was built
 };
 
+/// What becomes of joints that other digits share: the wrist.
+enum class Trunk {
+  kWelded,  // at the reference posture, or where `frozen` says: a question of one fingertip
+  kFree     // they move, and every tendon across them counts
+};
+
 /// Which tendons to build.
 struct TendonOptions {
   Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
   Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
   std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
+  Trunk trunk = Trunk::kWelded;
 };
 
 /// Builds one digit of a subject with every muscle that crosses one of its joints.

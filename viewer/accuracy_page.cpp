@@ -19,9 +19,9 @@ Json rows_of(const SpecimenStudy& study) {
   const std::string specimen = study.fit.problem.specimens().front();
   Json rows = Json::array();
   rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample.error));
-  rows.push_back(error_row(specimen, "Fit, one posture left out", "other postures",
+  rows.push_back(error_row(specimen, "Fit, posture left out", "other postures",
                            study.postures.experiments.front().error));
-  rows.push_back(error_row(specimen, "Fit, one tendon left out", "other tendons",
+  rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
                            study.tendons.experiments.front().error));
   for (const Rival& rival : study.rivals)
     rows.push_back(error_row(specimen, rival.name, rival.note, rival.prediction.error));
@@ -50,15 +50,17 @@ Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
   Json rows = Json::array();
   for (const SpecimenStudy& study : studies)
     for (const Json& row : rows_of(study)) rows.push_back(row);
-  Json table = table_block("Errors on the same 24 force vectors of each specimen",
-                           {{"specimen", ""},
-                            {"prediction", ""},
-                            {"has seen", ""},
-                            {"relative error", "", 3},
-                            {"in the flexion plane", "", 3},
-                            {"RMS error", "N", 3},
-                            {"median direction error", "deg", 1}},
-                           rows);
+  Json table = table_block(
+      "Errors on the same 24 force vectors of each specimen: in space, in the flexion plane alone, "
+      "and the median angle between predicted and measured",
+      {{"specimen", ""},
+       {"prediction", ""},
+       {"has seen", ""},
+       {"relative error", "", 3},
+       {"in plane", "", 3},
+       {"RMS error", "N", 3},
+       {"direction error", "deg", 1}},
+      rows);
   return section(
       "accuracy", "How well the forces are predicted",
       "Six tendons were loaded one at a time in four postures, and the force of the clamped "

@@ -19,20 +19,20 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     const std::string& specimen = study.fit.problem.experiments()[e].specimen;
     rows.push_back(row(specimen, "by its own parameters, in sample", study.own[e].error));
     rows.push_back(row(specimen, "by the population, in sample", study.as_unseen[e].error));
-    rows.push_back(row(specimen, "by the other specimens alone (left out)",
-                       study.specimens.experiments[e].error));
+    rows.push_back(
+        row(specimen, "by the other specimens, left out", study.specimens.experiments[e].error));
     for (const Rival& rival : studies[e].rivals)
       rows.push_back(row(specimen, rival.name, rival.prediction.error));
   }
   for (const Prediction& unseen : study.unseen)
-    rows.push_back(row(unseen.experiment, "never fitted, by the population", unseen.error));
+    rows.push_back(row(unseen.experiment, "by the population, never fitted", unseen.error));
   Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
                                          {{"specimen", ""},
                                           {"prediction", ""},
                                           {"relative error", "", 3},
-                                          {"in the flexion plane", "", 3},
+                                          {"in plane", "", 3},
                                           {"RMS error", "N", 3},
-                                          {"within the 95 % interval", "%", 0}},
+                                          {"in 95 % interval", "%", 0}},
                                          rows)});
   for (const Prediction& unseen : study.unseen)
     blocks.push_back(force_panels(

@@ -1,5 +1,7 @@
 #include "viewer/thumb_page.h"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "tendons/feasible_force.h"
@@ -10,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kMmPerNewton = 1;
+constexpr double kMmPerNewton = 0.25;
 constexpr const char* kDirections[] = {"proximal", "distal", "dorsal", "palmar", "radial", "ulnar"};
 
 /// A thumb with all that is shown of it.
@@ -52,7 +54,9 @@ Json row(const Shown& thumb) {
   for (int k = 0; k < 6; ++k) {
     const LargestForce most =
         largest_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
-    cells.push_back(most.status == ForceStatus::kSolved ? Json(most.magnitude) : Json(nullptr));
+    cells.push_back(most.status == ForceStatus::kSolved
+                        ? Json(std::round(1e6 * most.magnitude) / 1e6)
+                        : Json(nullptr));
   }
   return cells;
 }
@@ -72,10 +76,14 @@ Json thumb_page(const std::vector<ThumbCase>& cases) {
   return section(
       "thumbs", "The thumb: orthogonal and skewed axes",
       "Every force that the pinned thumbtip can make with tendon tensions between zero and their "
-      "largest, every joint torque balanced. The tendons, their constant moment arms "
-      "[Nakajima2022] and largest forces [McFarland2023] are the same in the first two; only the "
-      "axes differ [GraspIt]. Constant arms are borrowed from a third thumb, so compare shapes, "
-      "not newtons.\n\nThe scenes turn together.",
+      "largest, every joint torque balanced. The first two thumbs bend 30 degrees at MCP and IP "
+      "and "
+      "have the same seven tendons, constant moment arms [Nakajima2022] and largest forces "
+      "[McFarland2023]; their axes differ: four that cross or run parallel, and five that do "
+      "neither [GraspIt]. The arms are borrowed from yet another thumb, so compare shapes, not "
+      "newtons. The third has measured axes and straight tendon runs [Mirakhorlo2016], in the "
+      "posture in which it was digitised.\n\nThe more axes must be balanced at once by the same "
+      "tendons, the smaller the set: a fifth axis costs force. The scenes turn together.",
       Json::array(
           {row_block(scenes),
            table_block("Feasible thumbtip forces: the set, and the largest pure force along "
