@@ -5,8 +5,9 @@
 namespace thenar {
 namespace {
 
-/// A cell as a number where it is one; "-" and "inf" are null.
-nlohmann::json json_of_cell(const std::string& cell) {
+/// A cell as a number where it is one; "-" and "inf" are null. The unit "1" stays a text.
+nlohmann::json json_of_cell(const std::string& header, const std::string& cell) {
+  if (header == "unit") return cell;
   if (cell == "-" || cell == "inf" || cell == "-inf") return nullptr;
   char* end = nullptr;
   const double value = std::strtod(cell.c_str(), &end);
@@ -18,7 +19,8 @@ nlohmann::ordered_json json_of(const Table& table) {
   nlohmann::ordered_json rows = nlohmann::ordered_json::array();
   for (const auto& cells : table.rows) {
     nlohmann::ordered_json object;
-    for (std::size_t c = 0; c < cells.size(); ++c) object[table.header[c]] = json_of_cell(cells[c]);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      object[table.header[c]] = json_of_cell(table.header[c], cells[c]);
     rows.push_back(object);
   }
   return rows;

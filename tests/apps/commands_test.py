@@ -1,0 +1,377 @@
+"""End-to-end tests of the command `thenar`; expected numbers are computed here by hand.
+
+Usage: commands_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
+"""
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SUBJECTS = ROOT / "data/subjects"
+PROGRAM = os.environ.get("THENAR", "thenar")
+
+MIDDLE = str(SUBJECTS / "an_chao_middle.toml")
+INDEX_MAPS = str(SUBJECTS / "valero_cuevas_index.toml")
+WHOLE = str(SUBJECTS / "mirakhorlo2016.toml")
+SKEWED = str(SUBJECTS / "graspit_skewed_thumb.toml")
+H01 = str(ROOT / "data/experiments/synek2019_H01.toml")
+
+# Joint centres and tip of the straight middle finger along x [mm], from the head of its file.
+MCP, PIP, DIP, TIP = 94.8694, 47.8457, 19.0171, 0.0
+
+
+def run(*words):
+    return subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def ask(*words):
+    """The JSON answer."""
+    result = run(*words, "--json")
+    assert result.returncode == 0, result.stderr
+    return json.loads(result.stdout)
+
+
+def complaint(*words):
+    """The one line of an error, after checking that the program failed with code 1."""
+    result = run(*words)
+    assert result.returncode == 1, (result.returncode, result.stdout)
+    assert result.stdout == "", result.stdout
+    return result.stderr.removesuffix("\n")
+
+
+class PlanarFinger:
+    """The middle finger in its plane of flexion, angles in degrees from the wrist outwards."""
+
+    def __init__(self, angles):
+        bend = [math.radians(sum(angles[:k + 1])) for k in range(3)]
+        self.joints = [(MCP, 0.0)]
+        for length, turn in zip((MCP - PIP, PIP - DIP, DIP - TIP), bend):
+            x, y = self.joints[-1]
+            self.joints.append((x - length * math.cos(turn), y - length * math.sin(turn)))
+        self.tip = self.joints.pop()
+        self.bend = dict(zip(("PP3", "MP3", "DP3"), bend))
+        self.centre = dict(zip(("PP3", "MP3", "DP3"), zip((MCP, PIP, DIP), self.joints)))
+
+    def jacobian(self):
+        """Rows: dx, dy of the tip by each flexion [mm/rad]."""
+        x, y = self.tip
+        return [[-(y - jy) for _, jy in self.joints], [x - jx for jx, _ in self.joints]]
+
+    def place(self, segment, p):
+        """Where a point of a segment is now; p in the straight finger [mm]."""
+        if segment == "MC3":
+            return p
+        straight, (x, y) = self.centre[segment]
+        c, s = math.cos(self.bend[segment]), math.sin(self.bend[segment])
+        return (x + c * (p[0] - straight) - s * p[1], y + s * (p[0] - straight) + c * p[1], p[2])
+
+
+def strand_points(name):
+    """(segment, point of the straight finger [mm]) of a strand, read without thenar."""
+    subject = tomllib.loads(pathlib.Path(MIDDLE).read_text())
+    frames = {frame["name"]: frame for frame in subject["frame"]}
+    unit = subject["reference_length_mm"]
+    points = []
+    for row in next(s for s in subject["strand"] if s["name"] == name)["path"]:
+        frame = frames[row["frame"]]
+        point = tuple(o + unit * r for o, r in zip(frame["origin_mm"], row["point_ratio"]))
+        points.append((frame["segment"], point))
+    return points
+
+
+def path_length(points, angles):
+    finger = PlanarFinger(angles)
+    placed = [finger.place(*point) for point in points]
+    return sum(math.dist(a, b) for a, b in zip(placed, placed[1:]))
+
+
+def moment_arms(points, angles, step=1e-3):
+    """-dL/dq of each flexion by central differences [mm/rad]."""
+    arms = []
+    for k in range(3):
+        ends = []
+        for sign in (1, -1):
+            bent = list(angles)
+            bent[k] += sign * step
+            ends.append(path_length(points, bent))
+        arms.append(-(ends[0] - ends[1]) / math.radians(2 * step))
+    return arms
+
+
+def least_squares(J, torque):
+    """The (fx, fy) of least |J' f - torque|, by Cramer's rule on the normal equations."""
+    dot = lambda a, b: sum(x * y for x, y in zip(a, b))
+    xx, xy, yy = dot(J[0], J[0]), dot(J[0], J[1]), dot(J[1], J[1])
+    bx, by = dot(J[0], torque), dot(J[1], torque)
+    det = xx * yy - xy * xy
+    return [(bx * yy - by * xy) / det, (xx * by - xy * bx) / det]
+
+
+class Near(unittest.TestCase):
+    def near(self, got, want, tolerance):
+        self.assertEqual(len(got), len(want))
+        for g, w in zip(got, want):
+            self.assertAlmostEqual(g, w, delta=tolerance)
+
+
+class Pose(Near):
+    def test_straight_finger_lies_along_x(self):
+        pose = ask("pose", MIDDLE)
+        points = {joint["name"]: joint["point_mm"] for joint in pose["joints"]}
+        for name, x in (("MCP3_FE", MCP), ("MCP3_AA", MCP), ("PIP3", PIP), ("DIP3", DIP)):
+            self.near(points[name], [x, 0, 0], 1e-9)
+        self.near(pose["tips"][0]["position_mm"], [TIP, 0, 0], 1e-9)
+
+    def test_bent_finger_follows_planar_trigonometry(self):
+        finger = PlanarFinger([40, 55, 35])
+        tip = ask("pose", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=55", "DIP3=35")["tips"][0]
+        self.near(tip["position_mm"], [*finger.tip, 0], 1e-9)
+        flexions = [tip["joints"].index(name) for name in ("MCP3_FE", "PIP3", "DIP3")]
+        for got, want in zip(tip["jacobian_mm_per_rad"], finger.jacobian()):
+            self.near([got[k] for k in flexions], want, 1e-9)
+
+    def test_plain_angles_are_in_joint_order_and_may_be_negative(self):
+        tip = ask("pose", MIDDLE, "--posture", -20, 0, 50, 45)["tips"][0]
+        self.near(tip["position_mm"], [*PlanarFinger([-20, 50, 45]).tip, 0], 1e-9)
+
+    def test_frozen_joint_poses_alike_and_leaves_the_jacobian(self):
+        tip = ask("pose", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=55", "--frozen", "DIP3=35")["tips"][0]
+        self.near(tip["position_mm"], [*PlanarFinger([40, 55, 35]).tip, 0], 1e-9)
+        self.assertEqual(tip["joints"], ["MCP3_FE", "MCP3_AA", "PIP3"])
+
+    def test_straight_finger_is_called_singular(self):
+        tip = ask("pose", MIDDLE)["tips"][0]
+        self.assertEqual(tip["rank"], 2)
+        self.assertIsNone(tip["condition"])
+        self.assertEqual(tip["mobility"], "singular: cannot move along (1, 0, 0), and carries any "
+                                          "force there without tendons")
+
+    def test_angle_beyond_its_limit_warns_but_answers(self):
+        result = run("pose", MIDDLE, "--posture", "DIP3=95")
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(result.stderr, "thenar: warning: joint 'DIP3' at 95 deg is outside "
+                                        "-8.4 .. 84.5 deg\n")
+
+    def test_digits_can_be_chosen(self):
+        pose = ask("pose", WHOLE, "--digit", "index", "thumb")
+        self.assertEqual([tip["digit"] for tip in pose["tips"]], ["thumb", "index"])
+
+
+class TipForce(Near):
+    def test_pinned_force_balances_path_torques(self):
+        angles = [40, 55, 35]
+        torque = [7 * arm for arm in moment_arms(strand_points("FDP"), angles)]  # [N mm]
+        J = PlanarFinger(angles).jacobian()
+        force = least_squares(J, torque)
+        answer = ask("tip-force", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=55", "DIP3=35",
+                     "--tension", "FDP=7")
+        self.near(answer["force_N"][:2], force, 1e-6)
+        left = [t - x * force[0] - y * force[1] for t, x, y in zip(torque, *J)]
+        got = answer["leftover_torque_N_mm"]
+        self.near([got[name] for name in ("MCP3_FE", "PIP3", "DIP3")], left, 1e-4)
+
+    def test_tip_axes_turn_with_the_tip(self):
+        # Bent by 90 degrees in all, proximal (x) looks along y and dorsal (y) along -x.
+        answer = ask("tip-force", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=50", "--tension", "FDP=7")
+        x, y, z = answer["force_N"]
+        axes = answer["force_tip_axes_N"]
+        self.near([axes["proximal"], axes["dorsal"], axes["radial"]], [y, -x, z], 1e-12)
+
+    def test_rigid_hold_says_that_it_is_of_minimum_norm(self):
+        answer = ask("tip-force", MIDDLE, "--posture", "PIP3=55", "--tension", "FDP=7",
+                     "--hold", "rigid")
+        self.assertTrue(answer["note"].startswith("minimum norm: 4 joints leave the wrench"))
+        self.near(answer["leftover_torque_N_mm"].values(), [0] * 4, 1e-9)
+
+    def test_map_is_a_matrix_product(self):
+        answer = ask("tip-force", INDEX_MAPS, "--tension", "FDP=10", "DI=2")
+        self.near(answer["force_N"], [-0.8941 + 2 * 0.2087, -0.4689, 0.6472 + 2 * 0.0568], 1e-12)
+        self.near([answer["tip_moment_N_mm"]["tx"]], [10 * 3.081 + 2 * 0.1579], 1e-9)
+
+    def test_named_map_is_used(self):
+        answer = ask("tip-force", INDEX_MAPS, "--tension", "FDP=10", "--map", "cadaver_hand4")
+        self.near(answer["force_N"], [-0.55472, 0.085059, -0.4143], 1e-12)
+
+
+class FeasibleForce(Near):
+    def test_published_largest_force(self):
+        # [CohnStf]: 28.81 N along +x.
+        answer = ask("feasible-force", INDEX_MAPS, "--digit", "index", "--direction", 1, 0, 0)
+        self.assertAlmostEqual(answer["magnitude_N"], 28.81, delta=0.005)
+        self.near(answer["force_N"], [answer["magnitude_N"], 0, 0], 1e-9)
+        self.assertEqual(list(answer["activation"]),
+                         ["FDP", "FDS", "EIP", "EDC", "LUM", "DI", "PI"])
+        self.assertTrue(all(0 <= a <= 1 for a in answer["activation"].values()))
+
+    def test_force_is_the_map_times_its_tensions(self):
+        answer = ask("feasible-force", INDEX_MAPS, "--direction", 1, 2, -1)
+        subject = tomllib.loads(pathlib.Path(INDEX_MAPS).read_text())
+        rows = subject["tip_map"][0]["rows"]
+        tension = answer["tension_N"].values()
+        product = lambda row: sum(a * t for a, t in zip(rows[row], tension))
+        self.near(answer["force_N"], [product("Fx"), product("Fy"), product("Fz")], 1e-9)
+        self.assertAlmostEqual(product("tx"), 0, delta=1e-9)
+
+    def test_cone_can_only_help(self):
+        narrow = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0)["magnitude_N"]
+        wide = ask("feasible-force", INDEX_MAPS, "--direction", 0, 1, 0, "--tolerance-deg", 10)
+        self.assertGreater(wide["magnitude_N"], narrow)
+        x, y, z = wide["force_N"]
+        self.assertLessEqual(math.degrees(math.atan2(math.hypot(x, z), y)), 10 + 1e-6)
+
+    def test_directions_in_tip_axes_are_world_directions_turned(self):
+        posture = ("--posture", "MCP3_FE=40", "PIP3=50")  # 90 degrees in all: dorsal is -x
+        tip = ask("feasible-force", MIDDLE, *posture, "--direction", 0, 1, 0, "--axes", "tip")
+        world = ask("feasible-force", MIDDLE, *posture, "--direction", -1, 0, 0)
+        self.assertAlmostEqual(tip["magnitude_N"], world["magnitude_N"], delta=1e-9)
+        self.near(tip["force_N"], [0, tip["magnitude_N"], 0], 1e-9)
+
+    def test_set_holds_its_own_largest_forces(self):
+        whole = ask("feasible-force", INDEX_MAPS)["set"]
+        self.assertEqual((whole["status"], whole["dimension"]), ("solved", 3))
+        self.assertGreater(whole["volume"], 0)
+        self.assertAlmostEqual(whole["largest_N"]["+x"], 28.81, delta=0.005)
+        self.assertGreaterEqual(max(v[0] for v in whole["vertices_N"]), whole["largest_N"]["+x"])
+
+    def test_straight_finger_carries_force_along_itself(self):
+        answer = ask("feasible-force", MIDDLE, "--direction", 1, 0, 0)
+        self.assertEqual(answer["status"], "unbounded")
+        self.assertIsNone(answer["magnitude_N"])
+
+
+class Validate(Near):
+    def test_every_data_file_is_recognised(self):
+        files = sorted((ROOT / "data").glob("*/*.toml"))
+        result = run("validate", *files)
+        self.assertEqual(result.returncode, 0, result.stdout)
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), len(files))
+        self.assertIn(f"{MIDDLE}: subject 'an_chao_middle': 5 segments, 4 joints, 6 muscles, "
+                      "1 digit (middle)", lines)
+        self.assertIn(f"{H01}: experiment 'synek2019_H01': human middle of specimen H01, "
+                      "24 trials, 4 postures, 6 muscles loaded", lines)
+
+    def test_goes_on_after_an_error_and_fails(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bad = pathlib.Path(folder) / "bad.toml"
+            bad.write_text('name = "x"\nside = "upper"\n[[joint]]\n')
+            result = run("validate", bad, MIDDLE)
+        self.assertEqual(result.returncode, 1)
+        first, second = result.stdout.splitlines()
+        self.assertTrue(first.startswith(f"{bad}:2: "), first)
+        self.assertTrue(second.startswith(f"{MIDDLE}: subject"), second)
+
+    def test_absent_file_is_an_error(self):
+        result = run("validate", "/nowhere.toml")
+        self.assertEqual((result.returncode, result.stdout),
+                         (1, "/nowhere.toml:1: cannot be read\n"))
+
+
+class Explain(Near):
+    def test_says_what_a_digit_of_a_whole_hand_keeps(self):
+        said = ask("explain", WHOLE, "--digit", "index")
+        kept = {row["part"]: row["count"] for row in said["kept"]["rows"]}
+        # Wrist 2, MCP 2, PIP, DIP of 22 joints; the radius and what these joints move.
+        self.assertEqual((kept["joints"], kept["segments"]), (6, 7))
+        dropped = {row["part"]: row["count"] for row in said["dropped"]["rows"]}
+        self.assertEqual((dropped["joint"], dropped["segment"]), (22 - 6, 23 - 7))
+        self.assertEqual(kept["muscles"] + dropped["muscle"], 41)
+
+    def test_lists_parameters_with_their_priors(self):
+        rows = {row["parameter"]: row for row in ask("explain", MIDDLE)["parameters"]["rows"]}
+        self.assertEqual(rows["friction/FDS"]["state"], "tied to friction/FDP")
+        self.assertEqual(rows["friction/FDP"], {
+            "parameter": "friction/FDP", "unit": "1", "prior_mean": 0.1, "sd": 0.05,
+            "between_sd": 0, "lower": 0, "upper": 0.5, "state": "free"})
+
+    def test_names_the_rung_that_was_built(self):
+        rung = lambda subject, *digit: {row["ladder"]: row["rung"] for row in
+                                        ask("explain", subject, *digit)["fidelity"]["rows"]}
+        self.assertEqual(rung(MIDDLE)["path"], "via points")
+        self.assertEqual(rung(MIDDLE)["hood"], "fixed force fractions")
+        self.assertEqual(rung(SUBJECTS / "arms_thumb.toml")["path"], "constant moment arms")
+        self.assertEqual(rung(SKEWED, "--digit", "index")["path"], "no tendons")
+
+    def test_costs_are_measured(self):
+        for row in ask("explain", MIDDLE)["cost"]["rows"]:
+            self.assertGreater(row["median_us"], 0)
+
+    def test_tells_an_experiment(self):
+        said = ask("explain", H01)
+        self.assertEqual([row["trials"] for row in said["postures"]["rows"]], [6] * 4)
+        loads = {row["loaded"]: row for row in said["trials"]["rows"]}
+        self.assertAlmostEqual(loads["FDS"]["tension_to_N"], 0.950 * 9.81 * 0.835, delta=1e-3)
+
+
+class EverySubject(Near):
+    def test_answers_parse_whatever_the_subject(self):
+        for path in sorted(SUBJECTS.glob("*.toml")):
+            subject = tomllib.loads(path.read_text())
+            digits = {part["digit"] for part in subject.get("tip_map", [])}
+            digits |= {digit["name"] for digit in subject.get("digit", [])}
+            for digit in digits:
+                with self.subTest(subject=path.name, digit=digit):
+                    ask("explain", path, "--digit", digit)
+                    if "digit" in subject:
+                        ask("pose", path, "--digit", digit)
+
+
+class Complaints(unittest.TestCase):
+    def test_they_say_what_was_wanted_and_what_came(self):
+        posed = ("pose", MIDDLE)
+        cases = [
+            (("pose", MIDDLE, "--posture", "PIP=3"),
+             "no free joint 'PIP'; there are MCP3_FE, MCP3_AA, PIP3, DIP3"),
+            ((*posed, "--posture", 1, 2), "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2"),
+            ((*posed, "--posture", "PIP3=ten"), "wanted JOINT=degrees for 'PIP3', got 'ten'"),
+            ((*posed, "--posture", "PIP3=1", "PIP3=2"), "'PIP3' is given twice"),
+            ((*posed, "--frozen", "PIP3=120"),
+             "joint 'PIP3' can be frozen at -15.6 .. 96.2 deg, got 120 deg"),
+            (("pose", INDEX_MAPS),
+             "subject 'valero_cuevas_index' has no joints to pose, only maps from tendon tensions "
+             "to tip forces; ask tip-force or feasible-force"),
+            (("tip-force", MIDDLE, "--tension", "FPD=1"),
+             "no muscle 'FPD'; there are EDC, FDP, FDS, RI, LU, UI"),
+            (("tip-force", MIDDLE, "--tension", "FDP=-1"), "wanted a tension >= 0 of 'FDP', got -1 N"),
+            (("tip-force", WHOLE, "--tension", "FDP=1"),
+             "wanted --digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little"),
+            (("tip-force", MIDDLE, "--digit", "thumb", "--tension", "FDP=1"),
+             "subject 'an_chao_middle' has no digit 'thumb'; there are middle"),
+            (("tip-force", SKEWED, "--digit", "index", "--tension", "FPL=1"),
+             "no muscle of subject 'graspit_skewed_thumb' crosses a free joint of digit 'index'; "
+             "digits with muscles: thumb"),
+            (("feasible-force", INDEX_MAPS, "--map", "JinvTR"),
+             "digit 'index' of subject 'valero_cuevas_index' has no tip map 'JinvTR'; there are "
+             "JinvT_R, fvc_hentz_2002, cadaver_hand4"),
+            (("feasible-force", INDEX_MAPS, "--posture", "PIP2=3"),
+             "tip map 'JinvT_R' stands for one posture of its own; leave out --posture and --frozen"),
+            (("feasible-force", WHOLE, "--digit", "ring", "--direction", 0, 0, 0),
+             None),
+            (("explain", H01, "--digit", "index"), f"--digit and --settings explain subjects; '{H01}' is of kind: experiment"),
+        ]
+        for words, text in cases:
+            with self.subTest(words=words):
+                said = complaint(*words)
+                self.assertTrue(said.startswith("thenar: "), said)
+                self.assertNotIn("\n", said)
+                if text:
+                    self.assertEqual(said, "thenar: " + text)
+
+    def test_unknown_largest_forces_are_named(self):
+        said = complaint("feasible-force", WHOLE, "--digit", "index", "--direction", 1, 0, 0)
+        self.assertIn("ECRL", said)
+        self.assertNotIn("FPL", said)  # known
+        self.assertIn("max_force_N", said)
+        self.assertIn(WHOLE, said)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        PROGRAM = sys.argv.pop(1)
+    unittest.main()

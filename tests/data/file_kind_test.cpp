@@ -1,0 +1,41 @@
+// Tests for data/io/file_kind.cpp.
+
+#include "data/io/file_kind.h"
+
+#include <cstdio>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+const std::string kData = THENAR_DATA_DIR;
+
+std::string written(const std::string& text) {
+  const std::string path = testing::TempDir() + "file_kind_test.toml";
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(FileKind, TellsDataFilesByWhatTheyHold) {
+  EXPECT_EQ(find_file_kind(kData + "/subjects/an_chao_middle.toml"), FileKind::kSubject);
+  EXPECT_EQ(find_file_kind(kData + "/subjects/valero_cuevas_index.toml"), FileKind::kSubject);
+  EXPECT_EQ(find_file_kind(kData + "/experiments/synek2019_H01.toml"), FileKind::kExperiment);
+  EXPECT_EQ(find_file_kind(kData + "/fits/finger.toml"), FileKind::kFitSettings);
+  EXPECT_EQ(find_file_kind(kData + "/anthropometry/buchholz1992.toml"), FileKind::kProportions);
+}
+
+TEST(FileKind, TellsResultsByTheirFirstBytes) {
+  EXPECT_EQ(find_file_kind(written("\x89HDF\r\n\x1a\n and more")), FileKind::kResult);
+}
+
+TEST(FileKind, RefusesWhatIsNone) {
+  EXPECT_THROW((void)find_file_kind(written("name = \"x\"\n")), DataError);
+  EXPECT_THROW((void)find_file_kind(kData + "/nowhere.toml"), DataError);
+}
+
+}  // namespace
+}  // namespace thenar
