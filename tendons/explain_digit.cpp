@@ -52,7 +52,9 @@ class Explainer {
       drop("joint", joint.name,
            fmt::format("frozen: {} and {} are welded", joint.parent, joint.child));
     } else {
-      drop("joint", joint.name, "coupled to a frozen joint");
+      drop("joint", joint.name,
+           joint.coupling ? "coupled to a frozen joint"
+                          : "welded: other digits share it, and the question is of one tip");
     }
   }
 

@@ -35,6 +35,7 @@ TEST(ExplainDigit, SaysWhyPartsOfOtherDigitsAreDropped) {
   const DigitExplanation says = explained("mirakhorlo2016.toml", "index");
   EXPECT_EQ(why(says, "PP1"), "not between wrist and index tip");
   EXPECT_EQ(why(says, "IP1"), "moves a segment that is dropped");
+  EXPECT_EQ(why(says, "WRIST_FE"), "welded: other digits share it, and the question is of one tip");
   EXPECT_EQ(why(says, "FDP2"), "");
 }
 
