@@ -37,10 +37,11 @@ ForceAxes force_axes(const DigitAtPosture& at, const std::string& asked) {
 
 void require_limits(const DigitAtPosture& at, const std::string& path) {
   const std::vector<std::string> unknown = unlimited_muscles(at.statics);
-  require(unknown.empty(),
-          "feasible forces need the largest force of every muscle, and {} of {}; give each "
-          "[[muscle]] max_force_N, or pcsa_cm2 and specific_tension_N_cm2, in {}",
-          unknown.size() == 1 ? "one is unknown" : "some are unknown", listed(unknown), path);
+  require(
+      unknown.empty(),
+      "feasible forces need the largest force of every muscle; unknown: {}. Give each [[muscle]] "
+      "max_force_N, or pcsa_cm2 and specific_tension_N_cm2, in {}",
+      listed(unknown), path);
 }
 
 void run(const Options& options) {

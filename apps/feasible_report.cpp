@@ -92,6 +92,9 @@ nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
 
 std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const LargestForce& largest) {
   if (largest.status != ForceStatus::kSolved) return status_line(largest.status) + "\n";
+  constexpr double kNoForce = 1e-6;  // below the rounding of what the tendons make [N]
+  if (largest.magnitude < kNoForce)
+    return "Largest force: none; " + meaning(ForceStatus::kInfeasible) + "\n\n";
   const Eigen::Vector3d force = axes.to_world.transpose() * largest.force;
   Table muscles{{"muscle", "activation", "tension_N", "F0_N"}, {}};
   for (Eigen::Index i = 0; i < largest.tension.size(); ++i)

@@ -41,9 +41,9 @@ TEST(ExplainDigit, SaysWhyPartsOfOtherDigitsAreDropped) {
 
 TEST(ExplainDigit, SaysWhatFreezingWelds) {
   TendonOptions options;
-  options.frozen["DIP3"] = 0.1;
-  const DigitExplanation says = explained("an_chao_middle.toml", "middle", options);
-  EXPECT_EQ(why(says, "DIP3"), "frozen: MP3 and DP3 are welded");
+  options.frozen["DIP2"] = 0.1;
+  const DigitExplanation says = explained("mirakhorlo2016.toml", "index", options);
+  EXPECT_EQ(why(says, "DIP2"), "frozen: MP2 and DP2 are welded");
 }
 
 TEST(ExplainDigit, SaysThatTheHoodWasCut) {
