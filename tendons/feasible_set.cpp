@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -261,6 +263,17 @@ void write_facets(const internal::TipBalance& balance, const Frame& frame, const
   set.offsets = (set.normals * set.vertices.transpose()).rowwise().maxCoeff();
 }
 
+/// Is every edge run through once each way, so that the triangles close a surface?
+bool closed(const Eigen::MatrixX3i& triangles) {
+  std::set<std::pair<int, int>> open;
+  for (Index i = 0; i < triangles.rows(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::pair<int, int> edge(triangles(i, k), triangles(i, (k + 1) % 3));
+      if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
+    }
+  return open.empty();
+}
+
 /// The part of the set that has width in two or three directions.
 void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
                 SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
@@ -278,7 +291,13 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
   }
   if (set.dimension == 2) sort_ring(frame, points);
   write_points(statics, balance, points, set);
-  if (set.dimension == 3) return write_facets(balance, frame, hull, set);
+  if (set.dimension == 3) {
+    write_facets(balance, frame, hull, set);
+    if (closed(set.triangles)) return;
+    set.status = ForceStatus::kStalled;
+    set.failure = "nearly flat facets leave a gap in the hull";
+    return;
+  }
   std::vector<int> ring(points.size());
   std::iota(ring.begin(), ring.end(), 0);
   add_fan(ring, set);
