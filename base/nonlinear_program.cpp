@@ -101,6 +101,13 @@ class DenseTnlp : public Ipopt::TNLP {
     });
   }
 
+  /// Ends the search after an exception; Ipopt itself would try ever shorter steps for minutes.
+  bool intermediate_callback(Ipopt::AlgorithmMode, Index, Number, Number, Number, Number, Number,
+                             Number, Number, Number, Index, const Ipopt::IpoptData*,
+                             Ipopt::IpoptCalculatedQuantities*) override {
+    return !thrown_;
+  }
+
   void finalize_solution(Ipopt::SolverReturn, Index, const Number* x, const Number*, const Number*,
                          Index, const Number*, const Number*, Number value, const Ipopt::IpoptData*,
                          Ipopt::IpoptCalculatedQuantities*) override {
@@ -114,6 +121,7 @@ class DenseTnlp : public Ipopt::TNLP {
   /// Keeps an exception for solve_ipopt(), which throws it on: none may cross Ipopt.
   template <typename Work>
   bool guarded(const Work& work) {
+    if (thrown_) return false;
     try {
       work();
       return true;

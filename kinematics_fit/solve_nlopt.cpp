@@ -28,10 +28,9 @@ double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, voi
     best.cost = value;
     best.z = z;
   }
-  if (best.evaluations % 100 == 0) {
+  if (best.evaluations % 100 == 0)
     context.options.progress(static_cast<double>(best.evaluations) / context.limit, "nlopt");
-    if (context.options.progress.stop()) context.optimiser.force_stop();
-  }
+  if (context.options.progress.stop()) context.optimiser.force_stop();
   return std::isfinite(value) ? value : HUGE_VAL;
 }
 

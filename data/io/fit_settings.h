@@ -19,7 +19,7 @@ struct ParameterRule {
   bool optional = false;                     // no error if nothing matches
   std::optional<ParameterState> state;       // absent: as an earlier row said
   std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
-  std::optional<double> sd;                  // prior sd of the population mean [SI]; infinite: flat
+  std::optional<double> sd;                  // prior sd of the population mean [SI]
   std::optional<double> between_sd;          // sd between specimens [SI]
   std::optional<double> range;               // bounds: mean -+ range [SI]
   std::optional<double> lower, upper;        // absolute bounds [SI]

@@ -154,6 +154,12 @@ herr_t visit(hid_t /*root*/, const char* name, const H5O_info_t* info, void* dat
   return 0;
 }
 
+/// Removes a half-written file, whatever went wrong; once renamed, there is none.
+struct Remover {
+  std::string path;
+  ~Remover() { (void)std::remove(path.c_str()); }
+};
+
 /// The library prints its own stack of errors unless told not to.
 void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
@@ -214,6 +220,7 @@ void write_result(const ResultFile& file, const std::string& path) {
   be_quiet();
   require_writable(path);
   const std::string temporary = path + ".tmp";
+  const Remover remover{temporary};
   {
     const Handle h5(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
                     "write '" + temporary + "'");

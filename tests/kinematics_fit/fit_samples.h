@@ -33,8 +33,13 @@ inline Experiment experiment(const std::string& specimen) {
   return parse_experiment(text.text, text.path);
 }
 
+/// Settings written in a test; the first line of `rows` is line 2.
+inline FitSettings settings(const std::string& rows) {
+  return parse_fit_settings("source = 'Synek2019'\n" + rows, "fit.toml");
+}
+
 /// One digit with some parameters free and the experiments it is fitted to.
-struct Setup {
+struct FitSetup {
   TendonDigit digit;
   FitParameters parameters;
   std::vector<Experiment> experiments;
@@ -51,13 +56,13 @@ inline std::vector<std::string> postures_of(const Experiment& experiment) {
 }
 
 /// The published middle finger on one measured specimen with settings written in the test.
-inline Setup middle_finger(const std::string& settings, const std::string& specimen = "H01",
-                           const std::string& subject = "synek2019_middle") {
+inline FitSetup middle_finger(const std::string& rows, const std::string& specimen = "H01",
+                              const std::string& subject = "synek2019_middle") {
   const SourceText text = source("subjects/" + subject);
-  Setup setup{build_tendon_digit(parse_subject(text.text, text.path), "middle"), {}, {}};
+  FitSetup setup{build_tendon_digit(parse_subject(text.text, text.path), "middle"), {}, {}};
   setup.experiments = {experiment(specimen)};
-  setup.parameters = choose_parameters(setup.digit, postures_of(setup.experiments.front()),
-                                       parse_fit_settings(settings, "fit.toml"));
+  setup.parameters =
+      choose_parameters(setup.digit, postures_of(setup.experiments.front()), settings(rows));
   return setup;
 }
 
@@ -68,8 +73,8 @@ inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
 }
 
 /// Writes the forces that the digit makes for displacements u, with noise, into an experiment.
-inline void simulate(const Setup& setup, const Eigen::VectorXd& u, double noise, std::mt19937& rng,
-                     Experiment& experiment) {
+inline void simulate(const FitSetup& setup, const Eigen::VectorXd& u, double noise,
+                     std::mt19937& rng, Experiment& experiment) {
   const Eigen::Matrix3Xd force = force_values(
       setup.digit, setup.parameters, plan_experiment(setup.digit, setup.parameters, experiment), u);
   for (std::size_t i = 0; i < experiment.trials.size(); ++i)

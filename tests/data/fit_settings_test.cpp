@@ -1,0 +1,115 @@
+// Tests for data/io/fit_settings.cpp.
+
+#include "data/io/fit_settings.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+const std::string kGood = R"(name = "example"
+source = "Synek2019"
+robust_scale = 2
+[[parameter]]
+match = "path/*"
+state = "free"
+sd_mm = 0.5
+between_sd_mm = 1
+range_mm = 4
+[[parameter]]
+match = "axis/*/direction/*"
+optional = "yes"
+state = "free"
+sd_deg = 90
+[[parameter]]
+match = "friction/FDS"
+state = "tied"
+tie_to = "friction/FDP"
+tie_ratio = 0.5
+[[parameter]]
+match = "gain/*"
+state = "fixed"
+mean = 1.1
+lower = 0
+upper = 2
+[[axis_distance]]
+joints = ["CMC1_FE", "CMC1_AA"]
+range_mm = [5, 12]
+)";
+
+std::string refusal(const std::string& from, const std::string& to) {
+  std::string text = kGood;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  try {
+    (void)parse_fit_settings(text.replace(at, from.size(), to), "fit.toml");
+  } catch (const DataError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(FitSettingsFile, ReadsEverythingInSi) {
+  const FitSettings settings = parse_fit_settings(kGood, "fit.toml");
+  EXPECT_EQ(settings.path, "fit.toml");
+  EXPECT_EQ(settings.robust_scale, 2);
+  ASSERT_EQ(settings.rules.size(), 4U);
+  const ParameterRule& path = settings.rules[0];
+  EXPECT_EQ(path.match, "path/*");
+  EXPECT_EQ(path.line, 4);
+  EXPECT_EQ(path.state, ParameterState::kFree);
+  EXPECT_EQ(path.dimension, Dimension::kLength);
+  EXPECT_DOUBLE_EQ(*path.sd, 0.5e-3);
+  EXPECT_DOUBLE_EQ(*path.between_sd, 1e-3);
+  EXPECT_DOUBLE_EQ(*path.range, 4e-3);
+  EXPECT_FALSE(path.mean || path.lower || path.upper || path.optional);
+  const ParameterRule& axis = settings.rules[1];
+  EXPECT_TRUE(axis.optional);
+  EXPECT_DOUBLE_EQ(*axis.sd, 3.141592653589793 / 2);
+  const ParameterRule& tied = settings.rules[2];
+  EXPECT_EQ(tied.state, ParameterState::kTied);
+  EXPECT_EQ(tied.tie_to, "friction/FDP");
+  EXPECT_EQ(tied.tie_ratio, 0.5);
+  const ParameterRule& gain = settings.rules[3];
+  EXPECT_EQ(gain.state, ParameterState::kFixed);
+  EXPECT_EQ(*gain.mean, 1.1);
+  EXPECT_EQ(*gain.lower, 0);
+  EXPECT_EQ(*gain.upper, 2);
+  ASSERT_EQ(settings.axis_distances.size(), 1U);
+  EXPECT_EQ(settings.axis_distances[0].joint_b, "CMC1_AA");
+  EXPECT_DOUBLE_EQ(settings.axis_distances[0].lower, 5e-3);
+  EXPECT_DOUBLE_EQ(settings.axis_distances[0].upper, 12e-3);
+}
+
+TEST(FitSettingsFile, NamesMixedUnits) {
+  EXPECT_EQ(refusal("range_mm = 4", "range_deg = 4"),
+            "fit.toml:4: 'range' is an angle, but an earlier key of the row is a length");
+}
+
+TEST(FitSettingsFile, NamesTheUnknownState) {
+  const std::string message = refusal("state = \"free\"", "state = \"loose\"");
+  EXPECT_NE(message.find("fit.toml:6: "), std::string::npos) << message;
+  EXPECT_NE(message.find("loose"), std::string::npos) << message;
+}
+
+TEST(FitSettingsFile, NamesWrongAxisDistances) {
+  EXPECT_EQ(refusal("[\"CMC1_FE\", \"CMC1_AA\"]", "[\"CMC1_FE\"]"),
+            "fit.toml:26: wanted 2 'joints', got 1");
+  EXPECT_EQ(refusal("[5, 12]", "[12, 5]"),
+            "fit.toml:26: 'range' must go from the lower bound to the upper");
+}
+
+TEST(FitSettingsFile, RefusesNegativeAndInfiniteSds) {
+  EXPECT_NE(refusal("sd_mm = 0.5", "sd_mm = -0.5").find("fit.toml:7: "), std::string::npos);
+  EXPECT_NE(refusal("sd_mm = 0.5", "sd_mm = inf").find("fit.toml:7: "), std::string::npos);
+}
+
+TEST(FitSettingsFile, RefusesWhatItDoesNotKnow) {
+  EXPECT_NE(refusal("robust_scale = 2", "robust = 2"), "");
+  EXPECT_NE(refusal("tie_ratio = 0.5", "tie_factor = 0.5"), "");
+}
+
+}  // namespace
+}  // namespace thenar

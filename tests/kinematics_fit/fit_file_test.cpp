@@ -1,0 +1,122 @@
+// Tests for kinematics_fit/fit.cpp and fit_file.cpp: a fit survives its file.
+
+#include <filesystem>
+#include <fstream>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/kinematics_fit/fit_samples.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+FitInputs small_inputs() {
+  FitInputs inputs = sample::finger_inputs("synek2019_middle", {"H01"});
+  inputs.settings = {
+      "few.toml",
+      "source = 'Synek2019'\n[[parameter]]\nmatch = 'axis/*/direction/*'\nstate = 'free'\n"
+      "[[axis_distance]]\njoints = ['MCP3_FE', 'PIP3']\nrange_mm = [40, 60]\n"};
+  inputs.also_free = {"gain/LU"};
+  return inputs;
+}
+
+class FitFile : public testing::Test {
+ protected:
+  FitFile() { fs::create_directories(folder_); }
+  ~FitFile() override { fs::remove_all(folder_); }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      names.push_back(entry.path().filename().string());
+    return names;
+  }
+
+  const fs::path folder_ =
+      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
+};
+
+TEST_F(FitFile, ReadsBackWhatWasWritten) {
+  SolveOptions options;
+  options.method = FitMethod::kIpopt;
+  options.seed = 5;
+  const Fit fit = run_fit(small_inputs(), options);
+  const std::string path = (folder_ / "fit.h5").string();
+  write_fit(fit, path);
+  const Fit back = read_fit(path);
+  EXPECT_EQ(back.solution.z, fit.solution.z);  // to the last bit
+  EXPECT_EQ(back.problem.predict(back.solution.z, 0, WithJacobian::kNo).force,
+            fit.problem.predict(fit.solution.z, 0, WithJacobian::kNo).force);
+  EXPECT_EQ(back.solution.cost, fit.solution.cost);
+  EXPECT_EQ(back.solution.status, fit.solution.status);
+  EXPECT_EQ(back.solution.message, fit.solution.message);
+  EXPECT_EQ(back.solution.evaluations, fit.solution.evaluations);
+  EXPECT_EQ(back.method, FitMethod::kIpopt);
+  EXPECT_EQ(back.seed, 5U);
+  EXPECT_EQ(back.covariance.C, fit.covariance.C);
+  EXPECT_EQ(back.problem.names(), fit.problem.names());
+  EXPECT_EQ(back.problem.axis_distances().size(), 1U);
+  EXPECT_EQ(back.inputs.subject.text, fit.inputs.subject.text);
+  EXPECT_EQ(back.inputs.also_free, fit.inputs.also_free);
+  EXPECT_EQ(files(), std::vector<std::string>{"fit.h5"});
+}
+
+TEST_F(FitFile, LeavesNothingBehindWhereItCannotWrite) {
+  const Fit fit = run_fit(small_inputs());
+  std::ofstream(folder_ / "file") << "in the way";
+  EXPECT_THROW(write_fit(fit, (folder_ / "file" / "fit.h5").string()), InputError);
+  fs::remove(folder_ / "file");
+  fs::create_directories(folder_ / "taken" / "by a folder");
+  EXPECT_THROW(write_fit(fit, (folder_ / "taken").string()), InputError);
+  EXPECT_EQ(files(), std::vector<std::string>{"taken"});
+}
+
+TEST_F(FitFile, RefusesWhatIsNotAFit) {
+  ResultFile other;
+  other.add("format", std::string("thenar grasp 1"));
+  const std::string path = (folder_ / "other.h5").string();
+  write_result(other, path);
+  try {
+    (void)read_fit(path);
+    FAIL() << "expected DataError";
+  } catch (const DataError& e) {
+    EXPECT_EQ(e.what(), path + ":1: wanted a 'thenar fit 1' file");
+  }
+}
+
+TEST_F(FitFile, AStoppedFitIsStillAFit) {
+  SolveOptions options;
+  int asked = 0;
+  options.progress.stop_requested = [&] { return ++asked > 1; };
+  const Fit fit = run_fit(small_inputs(), options);
+  EXPECT_EQ(fit.solution.status, SolveStatus::kStopped);
+  const std::string path = (folder_ / "fit.h5").string();
+  write_fit(fit, path);
+  EXPECT_EQ(read_fit(path).solution.status, SolveStatus::kStopped);
+}
+
+TEST(BuildProblem, RefusesToMixDigits) {
+  FitInputs inputs = sample::finger_inputs("synek2019_middle", {"H01", "H02"});
+  std::string& text = inputs.experiments[1].text;
+  const std::string digit = "digit = \"middle\"";
+  text.replace(text.find(digit), digit.size(), "digit = \"index\"");
+  try {
+    (void)build_problem(inputs);
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "experiments are of different digits: 'synek2019_H01' of the middle, "
+                 "'synek2019_H02' of the index");
+  }
+}
+
+TEST(BuiltInSettings, AreThoseOfTheDigit) {
+  EXPECT_EQ(built_in_settings("middle").text, sample::source("fits/finger").text);
+  EXPECT_EQ(built_in_settings("thumb").text, sample::source("fits/thumb").text);
+}
+
+}  // namespace
+}  // namespace thenar

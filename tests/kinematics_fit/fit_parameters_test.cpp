@@ -1,0 +1,218 @@
+// Tests for kinematics_fit/parameter.cpp and fit_parameters.cpp.
+
+#include "kinematics_fit/fit_parameters.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/kinematics_fit/fit_samples.h"
+
+namespace thenar {
+namespace {
+
+using sample::middle_finger;
+
+const TendonDigit& finger() {
+  static const TendonDigit digit = middle_finger("").digit;
+  return digit;
+}
+
+FitParameters choose(const std::string& settings, const std::vector<std::string>& also_free = {}) {
+  return choose_parameters(finger(), {"Hook"}, sample::settings(settings), also_free);
+}
+
+std::string refusal(const std::string& settings, const std::vector<std::string>& also_free = {}) {
+  try {
+    (void)choose(settings, also_free);
+  } catch (const Error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+const Parameter& named(const FitParameters& parameters, const std::string& name) {
+  for (const Parameter& parameter : parameters.all)
+    if (parameter.name == name) return parameter;
+  throw InputError("no parameter " + name);
+}
+
+std::vector<std::string> free_names(const FitParameters& parameters) {
+  std::vector<std::string> names;
+  for (const int p : parameters.leader) names.push_back(parameters.all[p].name);
+  return names;
+}
+
+// -- Names ------------------------------------------------------------------------------------
+
+TEST(Globs, StarIsAnyRunAndQuestionMarkOneCharacter) {
+  EXPECT_TRUE(matches("path/*/dorsal", "path/FDP/3/dorsal"));
+  EXPECT_TRUE(matches("*", ""));
+  EXPECT_TRUE(matches("a*b*c", "a-b-b-c"));
+  EXPECT_TRUE(matches("gain/?I", "gain/UI"));
+  EXPECT_FALSE(matches("gain/?I", "gain/I"));
+  EXPECT_FALSE(matches("path/*", "Path/FDP"));
+  EXPECT_FALSE(matches("", "x"));
+  EXPECT_FALSE(matches("a*b", "a-b-c"));
+}
+
+TEST(Parameters, EveryKindIsNamedOnce) {
+  const std::vector<Parameter> all = list_parameters(finger(), {"Hook"});
+  std::set<std::string> names;
+  for (const Parameter& parameter : all) names.insert(parameter.name);
+  EXPECT_EQ(names.size(), all.size());
+  for (const char* name :
+       {"axis/MCP3_FE/direction/1", "axis/DIP3/point/along", "length/PIP3", "friction/FDP",
+        "path/FDS/1/proximal", "path/RI/2/radial", "hood/RI/into", "hood/EDC/central",
+        "hood/UI/slope", "tip/dorsal", "sensor/radial", "angle/MCP3_AA", "angle/PIP3/Hook",
+        "hold/out_of_plane", "gain/LU"})
+    EXPECT_EQ(names.count(name), 1U) << name;
+}
+
+TEST(Parameters, PathsReplaceArms) {
+  for (const Parameter& parameter : list_parameters(finger()))
+    EXPECT_FALSE(matches("arm/*", parameter.name)) << parameter.name;
+  const SourceText text = sample::source("subjects/arms_thumb");
+  const TendonDigit thumb = build_tendon_digit(parse_subject(text.text, text.path), "thumb");
+  int arms = 0;
+  for (const Parameter& parameter : list_parameters(thumb))
+    if (parameter.name == "arm/FPL/IP1") {
+      EXPECT_DOUBLE_EQ(parameter.mean, 6.3e-3);  // the subject's own [m]
+      ++arms;
+    }
+  EXPECT_EQ(arms, 1);
+}
+
+// -- Rules ------------------------------------------------------------------------------------
+
+TEST(ChooseParameters, LaterRulesWin) {
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "gain/*"
+state = "free"
+sd = 0.2
+[[parameter]]
+match = "gain/LU"
+state = "fixed"
+[[parameter]]
+match = "gain/UI"
+sd = 0.3
+)");
+  EXPECT_EQ(free_names(chosen),
+            (std::vector<std::string>{"gain/EDC", "gain/FDP", "gain/FDS", "gain/RI", "gain/UI"}));
+  EXPECT_DOUBLE_EQ(named(chosen, "gain/UI").sd, 0.3);
+  EXPECT_DOUBLE_EQ(named(chosen, "gain/RI").sd, 0.2);
+}
+
+TEST(ChooseParameters, AlsoFreeAddsToTheFile) {
+  EXPECT_EQ(free_names(choose("", {"gain/LU", "tip/d*"})),
+            (std::vector<std::string>{"tip/dorsal", "gain/LU"}));
+}
+
+TEST(ChooseParameters, BoundsMoveWithTheMeanUnlessStated) {
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "tip/dorsal"
+mean_mm = 2
+[[parameter]]
+match = "tip/radial"
+mean_mm = 2
+range_mm = 1
+[[parameter]]
+match = "tip/proximal"
+lower_mm = -3
+)");
+  EXPECT_NEAR(named(chosen, "tip/dorsal").lower, -8e-3, 1e-15);
+  EXPECT_NEAR(named(chosen, "tip/dorsal").upper, 12e-3, 1e-15);
+  EXPECT_NEAR(named(chosen, "tip/radial").lower, 1e-3, 1e-15);
+  EXPECT_NEAR(named(chosen, "tip/proximal").lower, -3e-3, 1e-15);
+}
+
+TEST(ChooseParameters, TiedOnesMoveByTheirRatio) {
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "tip/dorsal"
+state = "free"
+[[parameter]]
+match = "tip/radial"
+state = "tied"
+tie_to = "tip/dorsal"
+tie_ratio = -2
+)");
+  ASSERT_EQ(chosen.coordinates(), 1);
+  const std::vector<double> values =
+      parameter_values<double>(chosen, Eigen::VectorXd::Constant(1, 3e-3));
+  for (std::size_t p = 0; p < values.size(); ++p) {
+    const std::string& name = chosen.all[p].name;
+    if (!matches("tip/*", name)) continue;
+    EXPECT_DOUBLE_EQ(values[p], name == "tip/dorsal"   ? 3e-3
+                                : name == "tip/radial" ? -6e-3
+                                                       : 0)
+        << name;
+  }
+}
+
+// A mean that the settings state must be the value that the model has.
+TEST(ChooseParameters, StatedMeansReachTheModel) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(0);
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "tip/dorsal"
+mean_mm = 2
+[[parameter]]
+match = "path/FDS/1/proximal"
+mean_mm = 1
+[[parameter]]
+match = "gain/LU"
+mean = 1.5
+)");
+  const TendonModel<double>& from = finger().model;
+  const SpecimenModel<double> model =
+      specimen_model(finger(), chosen, parameter_values<double>(chosen, none));
+  EXPECT_NEAR((model.digit.tip - from.tip).y(), 2e-3, 1e-15);
+  const auto& strands = finger().names.strands;
+  const auto fds = std::find(strands.begin(), strands.end(), "FDS") - strands.begin();
+  EXPECT_NEAR((model.digit.paths[fds][0].p - from.paths[fds][0].p).x(), 1e-3, 1e-15);
+  EXPECT_NEAR(model.gain.maxCoeff(), 1.5, 1e-15);
+}
+
+TEST(ChooseParameters, StatedMeanOfAnArmReachesTheModel) {
+  const SourceText text = sample::source("subjects/arms_thumb");
+  const TendonDigit thumb = build_tendon_digit(parse_subject(text.text, text.path), "thumb");
+  const FitParameters chosen = choose_parameters(
+      thumb, {}, sample::settings("[[parameter]]\nmatch = 'arm/FPL/IP1'\nmean_mm = 7\n"));
+  const SpecimenModel<double> model =
+      specimen_model(thumb, chosen, parameter_values<double>(chosen, Eigen::VectorXd::Zero(0)));
+  EXPECT_NEAR((model.digit.constant_arms - thumb.model.constant_arms).sum(), 0.7e-3, 1e-15);
+}
+
+// -- Refusals ---------------------------------------------------------------------------------
+
+TEST(ChooseParameters, NamesTheRowThatMatchesNothing) {
+  EXPECT_EQ(refusal("\n[[parameter]]\nmatch = 'gane/*'\nstate = 'free'\n"),
+            "fit.toml:3: no parameter matches 'gane/*'; list them with `thenar explain`");
+  EXPECT_EQ(refusal("[[parameter]]\nmatch = 'gane/*'\noptional = 'yes'\n"), "");
+  EXPECT_EQ(refusal("", {"gane/*"}),
+            "--free:0: no parameter matches 'gane/*'; list them with `thenar explain`");
+}
+
+TEST(ChooseParameters, NamesTheWrongUnit) {
+  EXPECT_EQ(refusal("[[parameter]]\nmatch = 'gain/LU'\nsd_mm = 1\n"),
+            "fit.toml:2: 'gain/LU' is a plain number, the row states a length");
+  EXPECT_EQ(refusal("[[parameter]]\nmatch = 'sensor/dorsal'\nmean = 1\n"),
+            "fit.toml:2: 'sensor/dorsal' is an angle, the row states a plain number");
+}
+
+TEST(ChooseParameters, NamesTheTieToWhatIsNotFree) {
+  EXPECT_EQ(refusal("[[parameter]]\nmatch='gain/LU'\nstate='tied'\ntie_to='gain/UI'\n"),
+            "'gain/LU' is tied to 'gain/UI', which is not a free parameter");
+}
+
+TEST(ChooseParameters, NamesTheMeanOutsideItsBounds) {
+  EXPECT_EQ(refusal("[[parameter]]\nmatch='gain/LU'\nmean=1\nlower=2\nupper=3\n"),
+            "prior mean 1 of 'gain/LU' is outside 2 .. 3 [SI]");
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,316 @@
+// Tests for kinematics_fit/fit_problem.cpp and covariance.cpp: what is fitted, and what is learnt.
+
+#include "kinematics_fit/fit_problem.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/kinematics_fit/fit_samples.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+using sample::FitSetup;
+using sample::middle_finger;
+
+const std::string kAxes = R"(
+[[parameter]]
+match = "axis/*/direction/*"
+state = "free"
+sd_deg = 3
+between_sd_deg = 4
+)";
+
+const std::string kAxesAndPaths = kAxes + R"(
+[[parameter]]
+match = "path/FD?/*/dorsal"
+state = "free"
+sd_mm = 0.7
+between_sd_mm = 0.9
+)";
+
+Solution fit(const FitProblem& problem) {
+  SolveOptions options;
+  options.tolerance = 1e-14;
+  return solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+}
+
+VectorXd between_sds(const FitParameters& parameters) {
+  VectorXd sd(parameters.coordinates());
+  for (int c = 0; c < parameters.coordinates(); ++c)
+    sd[c] = parameters.all[parameters.leader[c]].between_sd;
+  return sd;
+}
+
+VectorXd population_sds(const FitParameters& parameters) {
+  VectorXd sd(parameters.coordinates());
+  for (int c = 0; c < parameters.coordinates(); ++c)
+    sd[c] = parameters.all[parameters.leader[c]].sd;
+  return sd;
+}
+
+/// A person's displacements, drawn as the prior says.
+VectorXd draw_person(const FitParameters& parameters, const VectorXd& population,
+                     std::mt19937& rng) {
+  const VectorXd sd = between_sds(parameters);
+  return population + sd.cwiseProduct(sample::normal(sd.size(), rng));
+}
+
+// -- Gauge ------------------------------------------------------------------------------------
+
+TEST(PosteriorCovariance, NamesWhatNoForceCanTell) {
+  const FitProblem problem =
+      middle_finger("[[parameter]]\nmatch='axis/MCP3_FE/*'\nstate='free'\n").problem();
+  const Covariance covariance = posterior_covariance(problem, VectorXd::Zero(problem.size()));
+  ASSERT_EQ(covariance.nulls.size(), 1U);
+  EXPECT_EQ(covariance.nulls[0].text, "axis/MCP3_FE/point/along: not identifiable");
+  for (const Learnt& learnt : covariance.learnt) {
+    const bool along = learnt.name == "axis/MCP3_FE/point/along";
+    EXPECT_NEAR(learnt.null_share, along ? 1 : 0, 1e-9) << learnt.name;
+    EXPECT_EQ(learnt.sd > 1 - 1e-9, along) << learnt.name;
+  }
+}
+
+TEST(PosteriorCovariance, IsTheInverseOfTheCurvature) {
+  const FitProblem problem = middle_finger(kAxesAndPaths).problem();
+  const VectorXd z = VectorXd::Constant(problem.size(), 0.1);
+  const Covariance covariance = posterior_covariance(problem, z);
+  const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J;
+  EXPECT_TRUE(matrix_near(covariance.C * (J.transpose() * J),
+                          Eigen::MatrixXd::Identity(z.size(), z.size()), 1e-8));
+  // Each parameter is learnt by 1 - C_ii; their sum is the trace of data curvature times C.
+  EXPECT_NEAR(covariance.effective_parameters, static_cast<double>(z.size()) - covariance.C.trace(),
+              1e-9);
+}
+
+// -- Synthetic recovery -----------------------------------------------------------------------
+
+TEST(FitProblem, RecoversPredictionsAndIdentifiableParametersWithoutNoise) {
+  FitSetup setup = middle_finger(kAxesAndPaths);
+  Experiment& experiment = setup.experiments.front();
+  experiment.sd_floor = 1e-6;  // [N]: the data outweigh the prior a million times
+  experiment.sd_relative = 0;
+  std::mt19937 rng(5);
+  const VectorXd truth =
+      draw_person(setup.parameters, VectorXd::Zero(setup.parameters.coordinates()), rng);
+  sample::simulate(setup, truth, 0, rng, experiment);
+  const FitProblem problem = setup.problem();
+  const Solution found = fit(problem);
+  ASSERT_EQ(found.status, SolveStatus::kConverged) << found.message;
+
+  const Eigen::Matrix3Xd force = problem.predict(found.z, 0, WithJacobian::kNo).force;
+  EXPECT_LT((force - problem.plans()[0].force).cwiseAbs().maxCoeff(), 1e-8);  // [N]
+
+  const VectorXd total =
+      (population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2())
+          .cwiseSqrt();
+  const VectorXd z_true = truth.cwiseQuotient(total);
+  int identifiable = 0;
+  const Covariance covariance = posterior_covariance(problem, found.z);
+  for (Eigen::Index i = 0; i < z_true.size(); ++i) {
+    if (covariance.learnt[i].sd > 1e-3) continue;
+    EXPECT_NEAR(found.z[i], z_true[i], 1e-4) << covariance.learnt[i].name;
+    ++identifiable;
+  }
+  EXPECT_GE(identifiable, 8);  // at least the axes
+}
+
+// (z - truth)' C^-1 (z - truth) is chi squared: truth drawn from the prior, noise as stated.
+TEST(FitProblem, EstimatesScatterAsTheirCovarianceSays) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().sd_floor = 0.02;  // [N]; small, so that the model is nearly linear
+  std::mt19937 rng(11);
+  constexpr int kDraws = 40;
+  double chi_squared = 0, count = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const VectorXd sd =
+        (population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2())
+            .cwiseSqrt();
+    const VectorXd z_true = sample::normal(sd.size(), rng);
+    sample::simulate(setup, sd.cwiseProduct(z_true), 0.02, rng, setup.experiments.front());
+    const FitProblem problem = setup.problem();
+    const Solution found = fit(problem);
+    const VectorXd error = found.z - z_true;
+    chi_squared += error.dot(posterior_covariance(problem, found.z).C.llt().solve(error));
+    count += static_cast<double>(error.size());
+  }
+  // Four standard deviations of a chi squared of `count` degrees of freedom.
+  EXPECT_NEAR(chi_squared / count, 1, 4 * std::sqrt(2 / count));
+}
+
+// -- Population -------------------------------------------------------------------------------
+
+// One specimen, written with population and deviation apart, has the same most probable
+// population: p = sd^2 / (sd^2 + between^2) u.
+TEST(FitProblem, OneSpecimenIsTheTwoLevelProblemSummedUp) {
+  const FitSetup setup = middle_finger(kAxes);
+  const FitProblem alone = setup.problem();
+  const VectorXd sd = population_sds(setup.parameters), between = between_sds(setup.parameters);
+  const VectorXd total = (sd.cwiseAbs2() + between.cwiseAbs2()).cwiseSqrt();
+  const Eigen::Index n = sd.size();
+
+  LeastSquares apart;
+  apart.lower = VectorXd::Constant(2 * n, -100);
+  apart.upper = VectorXd::Constant(2 * n, 100);
+  apart.residuals = [&](const VectorXd& z, WithJacobian) {
+    const VectorXd u = sd.cwiseProduct(z.head(n)) + between.cwiseProduct(z.tail(n));
+    const Residuals data = alone.evaluate(u.cwiseQuotient(total), WithJacobian::kYes);
+    const int rows = alone.data_rows();
+    Residuals out{VectorXd(rows + 2 * n), Eigen::MatrixXd(rows + 2 * n, 2 * n)};
+    out.r << data.r.head(rows), z;
+    const Eigen::MatrixXd by_u = data.J.topRows(rows) * total.cwiseInverse().asDiagonal();
+    out.J.topLeftCorner(rows, n) = by_u * sd.asDiagonal();
+    out.J.topRightCorner(rows, n) = by_u * between.asDiagonal();
+    out.J.bottomRows(2 * n).setIdentity();
+    return out;
+  };
+  SolveOptions options;
+  options.tolerance = 1e-15;
+  const Solution two_level = solve(apart, VectorXd::Zero(2 * n), options);
+  const Solution one = fit(alone);
+  EXPECT_NEAR(two_level.cost, one.cost, 1e-9 * one.cost);
+  EXPECT_TRUE(matrix_near(alone.displacements(one.z, -1), sd.cwiseProduct(two_level.z.head(n)),
+                          1e-5));  // [rad]
+  const VectorXd person =
+      sd.cwiseProduct(two_level.z.head(n)) + between.cwiseProduct(two_level.z.tail(n));
+  EXPECT_TRUE(matrix_near(alone.displacements(one.z, 0), person, 1e-5));
+}
+
+// Where data say nothing (C = 1), an unseen person varies by sd^2 + between^2 again.
+TEST(FitProblem, UnseenVarianceAddsUpToThePrior) {
+  const FitSetup setup = middle_finger(kAxes);
+  const FitProblem problem = setup.problem();
+  const Eigen::MatrixXd J = problem.displacement_jacobian(-1);
+  const VectorXd variance = (J * J.transpose()).diagonal() + problem.unseen_variance();
+  EXPECT_TRUE(matrix_near(
+      variance,
+      population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2(),
+      1e-15));
+}
+
+TEST(FitProblem, TwoSpecimensHaveAPopulationAndTwoDeviations) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.push_back(sample::experiment("H02"));
+  const FitProblem problem = setup.problem();
+  EXPECT_EQ(problem.size(), 3 * setup.parameters.coordinates());
+  EXPECT_EQ(problem.names()[0], "axis/MCP3_FE/direction/1");
+  EXPECT_EQ(problem.names()[8], "H01: axis/MCP3_FE/direction/1");
+  EXPECT_EQ(problem.names()[16], "H02: axis/MCP3_FE/direction/1");
+  VectorXd z = VectorXd::Zero(problem.size());
+  z[0] = 1;
+  z[16] = 2;
+  const double degree = 3.141592653589793 / 180;
+  EXPECT_NEAR(problem.displacements(z, -1)[0], 3 * degree, 1e-12);
+  EXPECT_NEAR(problem.displacements(z, 0)[0], 3 * degree, 1e-12);
+  EXPECT_NEAR(problem.displacements(z, 1)[0], (3 + 2 * 4) * degree, 1e-12);
+}
+
+TEST(FitProblem, BoundsHoldWhereOnlySpecimensDiffer) {
+  FitSetup setup = middle_finger(
+      "[[parameter]]\nmatch='gain/LU'\nstate='free'\nsd=0\nbetween_sd=0.1\nrange=0.2\n");
+  setup.experiments.push_back(sample::experiment("H02"));
+  const FitProblem problem = setup.problem();
+  ASSERT_EQ(problem.size(), 2);
+  EXPECT_TRUE(matrix_near(problem.lower(), Eigen::Vector2d(-2, -2), 1e-12));
+  EXPECT_TRUE(matrix_near(problem.upper(), Eigen::Vector2d(2, 2), 1e-12));
+}
+
+// Unseen people drawn from the prior lie within the 95 % intervals 95 % of the time.
+TEST(PredictExperiment, IntervalsCoverNewPeople) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.push_back(sample::experiment("H02"));
+  constexpr double kNoise = 0.05;  // [N]
+  constexpr int kDraws = 60;
+  for (Experiment& experiment : setup.experiments) experiment.sd_floor = kNoise;
+  Experiment unseen = setup.experiments.front();
+  std::mt19937 rng(17);
+  double covered = 0;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const VectorXd sd = population_sds(setup.parameters);
+    const VectorXd population = sd.cwiseProduct(sample::normal(sd.size(), rng));
+    for (Experiment& experiment : setup.experiments)
+      sample::simulate(setup, draw_person(setup.parameters, population, rng), kNoise, rng,
+                       experiment);
+    sample::simulate(setup, draw_person(setup.parameters, population, rng), kNoise, rng, unseen);
+    const FitProblem problem = setup.problem();
+    const Solution found = fit(problem);
+    const Eigen::MatrixXd C = posterior_covariance(problem, found.z).C;
+    covered += predict_experiment(problem, found.z, C, unseen, -1).error.covered / kDraws;
+  }
+  // One person's 72 components hang on 8 numbers: 60 x 8 trials of p = 0.95, four deviations.
+  EXPECT_NEAR(covered, 0.95, 4 * std::sqrt(0.95 * 0.05 / (kDraws * 8)));
+}
+
+// -- Robust loss ------------------------------------------------------------------------------
+
+TEST(RobustLoss, JacobianIsExactForSmallAndLargeResiduals) {
+  for (const double offset : {1e-7, 1e-3, 1.0, 1e4}) {  // [N] of the measured forces
+    FitSetup setup = middle_finger(kAxes);
+    std::mt19937 rng(2);
+    sample::simulate(setup, VectorXd::Zero(8), 0, rng, setup.experiments.front());
+    for (Trial& trial : setup.experiments.front().trials) trial.force.array() += offset;
+    const FitProblem problem = setup.problem(2.0);
+    const VectorXd z = VectorXd::Zero(problem.size());
+    const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J;
+    for (Eigen::Index i = 0; i < z.size(); ++i) {
+      const VectorXd step = 1e-6 * VectorXd::Unit(z.size(), i);
+      const VectorXd difference = (problem.evaluate(z + step, WithJacobian::kNo).r -
+                                   problem.evaluate(z - step, WithJacobian::kNo).r) /
+                                  2e-6;
+      EXPECT_TRUE(matrix_near(J.col(i), difference, 1e-6)) << "offset " << offset;
+    }
+  }
+}
+
+TEST(RobustLoss, IsCauchys) {
+  FitSetup setup = middle_finger(kAxes);
+  const VectorXd z = VectorXd::Zero(setup.parameters.coordinates());
+  const VectorXd plain = setup.problem().evaluate(z, WithJacobian::kNo).r;
+  const VectorXd robust = setup.problem(2.0).evaluate(z, WithJacobian::kNo).r;
+  for (Eigen::Index i = 0; i < 24; ++i)
+    EXPECT_NEAR(robust.segment<3>(3 * i).squaredNorm(),
+                4 * std::log1p(plain.segment<3>(3 * i).squaredNorm() / 4), 1e-10);
+  const VectorXd wide = setup.problem(1e6).evaluate(z, WithJacobian::kNo).r;
+  EXPECT_TRUE(matrix_near(wide, plain, 1e-8));  // the limit of no robustness
+}
+
+TEST(RobustLoss, OneGrossOutlierHardlyMovesTheFit) {
+  FitSetup setup = middle_finger(kAxes);
+  std::mt19937 rng(4);
+  sample::simulate(setup, VectorXd::Zero(8), 0.05, rng, setup.experiments.front());
+  FitSetup spoilt = setup;
+  spoilt.experiments.front().trials[3].force += Eigen::Vector3d(5, -5, 5);  // [N]
+  const double plain = (fit(spoilt.problem()).z - fit(setup.problem()).z).norm();
+  const double robust = (fit(spoilt.problem(2.0)).z - fit(setup.problem(2.0)).z).norm();
+  EXPECT_LT(robust, 0.1 * plain);
+}
+
+// -- Refusals ---------------------------------------------------------------------------------
+
+TEST(FitProblem, RefusesWhenNothingIsFree) {
+  try {
+    (void)middle_finger("").problem();
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "nothing to fit: every parameter is fixed");
+  }
+}
+
+TEST(FitProblem, NamesTheMuscleThatTheDigitHasNot) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().trials[0].tension = {{"FPL", 1.0}};
+  try {
+    (void)setup.problem();
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "no muscle 'FPL' pulls on this digit; there are EDC, FDP, FDS, RI, LU, UI");
+  }
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,193 @@
+// Tests for kinematics_fit/least_squares.cpp and the solvers behind it.
+
+#include "kinematics_fit/least_squares.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/kinematics_fit/fit_samples.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class EveryMethod : public testing::TestWithParam<FitMethod> {
+ protected:
+  SolveOptions options() const {
+    SolveOptions options;
+    options.method = GetParam();
+    return options;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Solvers, EveryMethod,
+                         testing::Values(FitMethod::kCeres, FitMethod::kNloptLocal,
+                                         FitMethod::kNloptGlobal, FitMethod::kIpopt),
+                         [](const auto& test) {
+                           std::string name = name_of(test.param);
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
+
+/// r = (z - target), plainly.
+LeastSquares distance_to(const VectorXd& target, double lower, double upper) {
+  LeastSquares problem;
+  problem.lower = VectorXd::Constant(target.size(), lower);
+  problem.upper = VectorXd::Constant(target.size(), upper);
+  problem.residuals = [target](const VectorXd& z, WithJacobian) {
+    return Residuals{z - target, Eigen::MatrixXd::Identity(z.size(), z.size())};
+  };
+  return problem;
+}
+
+TEST_P(EveryMethod, RespectsBounds) {
+  const LeastSquares problem = distance_to(Vector2d(3, 0.2), -1, 1);
+  const Solution fit = solve(problem, VectorXd::Zero(2), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 0.2), 1e-4));
+  EXPECT_LE(fit.z.maxCoeff(), 1 + 1e-7);  // Ipopt relaxes bounds by 1e-8 of themselves
+  EXPECT_NEAR(fit.cost, 2, 1e-6);
+}
+
+TEST_P(EveryMethod, BringsTheStartWithinBounds) {
+  const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -1, 1);
+  const Solution fit = solve(problem, Vector2d(50, -50), options());
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4));
+}
+
+TEST_P(EveryMethod, StartsFarAwayWhereNothingBoundsIt) {
+  const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -kInfinity, kInfinity);
+  const Solution fit = solve(problem, Vector2d(50, -50), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4));
+}
+
+TEST_P(EveryMethod, StaysOutOfNonsense) {
+  LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -2, 2);
+  problem.residuals = [plain = problem.residuals](const VectorXd& z, WithJacobian want) {
+    Residuals out = plain(z, want);
+    if (z[0] > 1) out.r.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return out;
+  };
+  const Solution fit = solve(problem, Vector2d(-1, 1), options());
+  EXPECT_TRUE(std::isfinite(fit.cost));
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4)) << fit.message;
+}
+
+const char* const kFewFree = R"(
+[[parameter]]
+match = "axis/*/direction/*"
+state = "free"
+sd_deg = 0
+between_sd_deg = 4
+)";
+
+TEST_P(EveryMethod, ReachesTheSameCostOnAFinger) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  const VectorXd start = VectorXd::Zero(problem.size());
+  SolveOptions exact;
+  exact.tolerance = 1e-14;
+  const Solution reference = solve(least_squares(problem), start, exact);
+  SolveOptions options = this->options();
+  options.tolerance = 1e-12;
+  const Solution fit = solve(least_squares(problem), start, options);
+  EXPECT_NEAR(fit.cost, reference.cost, 1e-6 * reference.cost) << fit.message;
+  const VectorXd r = problem.evaluate(fit.z, WithJacobian::kNo).r;
+  EXPECT_NEAR(fit.cost, 0.5 * r.squaredNorm(), 1e-12 * fit.cost);  // says what it has found
+}
+
+TEST_P(EveryMethod, StopRequestReturnsTheBestPointYet) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  int asked = 0;
+  SolveOptions options = this->options();
+  options.progress.stop_requested = [&] { return ++asked > 2; };
+  const VectorXd start = VectorXd::Zero(problem.size());
+  const Solution fit = solve(least_squares(problem), start, options);
+  EXPECT_EQ(fit.status, SolveStatus::kStopped) << fit.message;
+  EXPECT_TRUE(fit.z.allFinite());
+  EXPECT_TRUE((fit.z.array() >= problem.lower().array()).all());
+  EXPECT_TRUE((fit.z.array() <= problem.upper().array()).all());
+  const double before = 0.5 * problem.evaluate(start, WithJacobian::kNo).r.squaredNorm();
+  EXPECT_LE(fit.cost, before);
+  EXPECT_NEAR(fit.cost, 0.5 * problem.evaluate(fit.z, WithJacobian::kNo).r.squaredNorm(), 1e-9);
+}
+
+TEST_P(EveryMethod, SaysWhenTheLimitCameFirst) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  SolveOptions options = this->options();
+  options.max_evaluations = 2;
+  if (GetParam() == FitMethod::kNloptLocal || GetParam() == FitMethod::kNloptGlobal)
+    options.max_evaluations = 30;  // more than its first interpolation needs
+  const Solution fit = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  EXPECT_EQ(fit.status, SolveStatus::kLimit) << fit.message;
+}
+
+/// Two valleys at x = -1 and x = 1; the second is deeper.
+LeastSquares two_valleys() {
+  LeastSquares problem;
+  problem.lower = VectorXd::Constant(2, -3);
+  problem.upper = VectorXd::Constant(2, 3);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    Residuals out{Eigen::Vector3d(4 * (z[0] * z[0] - 1), 0.3 * (z[0] - 1), z[1]),
+                  Eigen::MatrixXd::Zero(3, 2)};
+    out.J << 8 * z[0], 0, 0.3, 0, 0, 1;
+    return out;
+  };
+  return problem;
+}
+
+TEST(LeastSquares, OnlyTheGlobalSearchLeavesTheWrongValley) {
+  SolveOptions options;
+  EXPECT_LT(solve(two_valleys(), Vector2d(-1.2, 0.5), options).z[0], 0);
+  options.method = FitMethod::kNloptGlobal;
+  const Solution global = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  EXPECT_TRUE(matrix_near(global.z, Vector2d(1, 0), 1e-3));
+}
+
+TEST(LeastSquares, GlobalSearchRepeatsItselfForTheSameSeed) {
+  SolveOptions options;
+  options.method = FitMethod::kNloptGlobal;
+  options.seed = 7;
+  const Solution a = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  const Solution b = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  EXPECT_EQ(a.z, b.z);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+}
+
+TEST(LeastSquares, RefusesAStartThatIsNonsense) {
+  LeastSquares problem = distance_to(Vector2d(0, 0), -1, 1);
+  EXPECT_THROW((void)solve(problem, VectorXd::Zero(3)), InputError);
+  EXPECT_THROW((void)solve(problem, Vector2d(0, NAN)), InputError);
+  problem.residuals = [](const VectorXd&, WithJacobian) {
+    return Residuals{VectorXd::Constant(1, NAN), {}};
+  };
+  try {
+    (void)solve(problem, VectorXd::Zero(2));
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "residuals at the start are not finite");
+  }
+}
+
+TEST(LeastSquares, MethodsHaveNames) {
+  for (const char* name : {"ceres", "nlopt", "nlopt-global", "ipopt"})
+    EXPECT_EQ(name_of(fit_method(name)), name);
+  try {
+    (void)fit_method("newton");
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "no fit method 'newton'; there are ceres, nlopt, nlopt-global, ipopt");
+  }
+}
+
+}  // namespace
+}  // namespace thenar
