@@ -58,7 +58,7 @@ int main() {
   fmt::print("{:<44}{:>11}{:>12}{:>9}{:>10}{:>10}{:>11}\n", "", "ours [us]", "rival [us]", "ratio",
              "required", "error", "");
   bool pass = true;
-  for (const auto& row_function : {ratio_kinematics, ratio_force_map}) {
+  for (const auto& row_function : {ratio_kinematics, ratio_force_map, ratio_fit}) {
     const Row row = row_function();
     fmt::print("{:<44}{:>11.3f}{:>12.2f}{:>9.1f}{:>10.0f}{:>10.1e}{:>11}\n", row.name, row.ours,
                row.rival, row.ratio, row.required, row.error, row.pass() ? "PASS" : "MISS");
