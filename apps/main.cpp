@@ -19,7 +19,11 @@ int main(int argc, char** argv) {
   thenar::add_predict(app);
   thenar::add_demo(app);
   try {
-    CLI11_PARSE(app, argc, argv);
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::RuntimeError& stopped) {
+    return stopped.get_exit_code();
   } catch (const std::exception& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return 1;

@@ -105,6 +105,21 @@ class DigitBuilder {
     return arms;
   }
 
+  /// A band of the hood, or what a muscle of the hood pulls, counts even where its own joint is
+  /// frozen: the tension goes on to the other bands.
+  bool in_hood(const std::string& strand) const {
+    if (!digit_.hood || options_.hood != Hood::kFractions) return false;
+    const HoodRule& rule = *digit_.hood;
+    const auto pulls = [&](const HoodBranch& branch) {
+      return std::any_of(subject_.muscles.begin(), subject_.muscles.end(), [&](const auto& m) {
+        return m.name == branch.muscle && m.strand == strand;
+      });
+    };
+    return strand == rule.central_slip || strand == rule.radial_band || strand == rule.ulnar_band ||
+           strand == rule.terminal_slip ||
+           std::any_of(rule.branches.begin(), rule.branches.end(), pulls);
+  }
+
   void add_strand(const Strand& strand) {
     TendonModel<double>& model = built_.model;
     const Eigen::RowVectorXd arms = arms_of(strand);
@@ -112,7 +127,7 @@ class DigitBuilder {
     if (options_.path != Path::kConstant || strand.arms.empty())
       path = kept_path(built_.skeleton, strand);
     if (!crosses_a_joint(path)) path.clear();
-    if (path.empty() && arms.isZero(0)) return;
+    if (path.empty() && arms.isZero(0) && !in_hood(strand.name)) return;
     require(path.empty() || options_.path != Path::kConstant,
             "strand '{}' of subject '{}' has no constant moment arms (arms_mm)", strand.name,
             subject_.name);

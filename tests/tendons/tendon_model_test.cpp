@@ -1,0 +1,142 @@
+// Tests for tendons/tendon_model.cpp on the normative middle finger.
+
+#include "tendons/tendon_model.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+Subject middle_finger() {
+  return read_subject(std::string(THENAR_DATA_DIR) + "/subjects/an_chao_middle.toml");
+}
+
+Subject specimen() {
+  return read_subject(std::string(THENAR_DATA_DIR) + "/subjects/mirakhorlo2016.toml");
+}
+
+int index_of(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+// Moment arms are minus the derivative of length: central differences of every path.
+TEST(TendonModel, StrandArmsAreMinusLengthDerivatives) {
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const Eigen::Vector4d q(0.6, 0.1, 0.8, 0.4);
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const Eigen::MatrixXd R = strand_arms<double>(digit.model, state, q);
+  constexpr double kStep = 1e-6;  // [rad]
+  for (int j = 0; j < 4; ++j) {
+    const Eigen::Vector4d h = kStep * Eigen::Vector4d::Unit(j);
+    const auto ahead = pose_tree(digit.model.tree, Eigen::Vector4d(q + h));
+    const auto behind = pose_tree(digit.model.tree, Eigen::Vector4d(q - h));
+    for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
+      const auto& path = digit.model.paths[s];
+      const double slope = (path_length(ahead, path) - path_length(behind, path)) / (2 * kStep);
+      EXPECT_NEAR(R(static_cast<Eigen::Index>(s), j), -slope, 1e-9) << digit.names.strands[s];
+    }
+  }
+}
+
+// Virtual work: muscle power equals the power of the torques it makes, hood and all.
+TEST(TendonModel, MuscleArmsConservePowerThroughTheHood) {
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const Eigen::VectorXd q = Eigen::Vector4d(0.6, 0.1, 0.8, 0.4);
+  const Eigen::Vector4d q_dot(0.3, -0.2, 0.5, 0.7);
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(6, 1, 6);
+  const Eigen::VectorXd strand_tension = strand_matrix<double>(digit.model, q) * t;
+  const Eigen::VectorXd shortening = strand_arms<double>(digit.model, state, q) * q_dot;
+  const Eigen::VectorXd torque = muscle_arms<double>(digit.model, state, q).transpose() * t;
+  EXPECT_NEAR(torque.dot(q_dot), strand_tension.dot(shortening), 1e-12);  // [W]
+}
+
+// By hand: EDC enters the hood whole and halves; each band takes half of the lateral half, and the
+// terminal slip carries both bands.
+TEST(TendonModel, HoodHalvesTheExtensor) {
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const Eigen::VectorXd q = Eigen::Vector4d::Zero();
+  const Eigen::MatrixXd S = strand_matrix<double>(digit.model, q);
+  const auto share = [&](const char* strand) {
+    return S(index_of(digit.names.strands, strand), index_of(digit.names.muscles, "EDC"));
+  };
+  EXPECT_NEAR(share("LE"), 1, 1e-15);
+  EXPECT_NEAR(share("ES"), 0.5, 1e-15);
+  EXPECT_NEAR(share("RB"), 0.25, 1e-15);
+  EXPECT_NEAR(share("UB"), 0.25, 1e-15);
+  EXPECT_NEAR(share("TE"), 0.5, 1e-15);
+}
+
+// A ladder: without its hood every muscle pulls its own strand and nothing else.
+TEST(TendonModel, SeparateTendonsLeaveTheHoodSlack) {
+  TendonOptions options;
+  options.hood = Hood::kSeparate;
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  const Eigen::VectorXd q = Eigen::Vector4d::Zero();
+  const Eigen::MatrixXd S = strand_matrix<double>(digit.model, q);
+  EXPECT_EQ(S.sum(), static_cast<double>(digit.names.muscles.size()));
+  EXPECT_EQ(digit.fidelity.hood, Hood::kSeparate);
+}
+
+// Freezing a joint that a band crosses alone keeps the band: its tension still reaches others.
+TEST(TendonModel, FrozenDistalJointKeepsTheHood) {
+  TendonOptions options;
+  options.frozen = {{"DIP3", 0.4}};
+  const TendonDigit frozen = build_tendon_digit(middle_finger(), "middle", options);
+  const TendonDigit whole = build_tendon_digit(middle_finger(), "middle");
+  const Eigen::VectorXd q3 = Eigen::Vector3d(0.6, 0.1, 0.8);
+  const Eigen::VectorXd q4 = Eigen::Vector4d(0.6, 0.1, 0.8, 0.4);
+  EXPECT_TRUE(matrix_near(tip_statics(frozen, q3).R, tip_statics(whole, q4).R.leftCols(3), 1e-12));
+}
+
+TEST(TendonModel, FrozenKnuckleKeepsTheInterosseiInTheHood) {
+  TendonOptions options;
+  options.frozen = {{"MCP3_FE", 0.6}, {"MCP3_AA", 0.1}};
+  const TendonDigit frozen = build_tendon_digit(middle_finger(), "middle", options);
+  EXPECT_EQ(frozen.names.muscles.size(), 6U);
+}
+
+TEST(TendonModel, WristIsWeldedForAQuestionOfOneFingertip) {
+  const TendonDigit welded = build_tendon_digit(specimen(), "thumb");
+  TendonOptions options;
+  options.trunk = Trunk::kFree;
+  const TendonDigit free = build_tendon_digit(specimen(), "thumb", options);
+  EXPECT_EQ(free.model.coordinates, welded.model.coordinates + 2);
+  EXPECT_GT(free.names.muscles.size(), welded.names.muscles.size());
+}
+
+// Euler's belt: a tendon over a bend of 1 rad with mu = 0.5 keeps exp(-0.5) of its tension; the
+// bend is smoothed by 0.01 rad in quadrature.
+TEST(TendonModel, FrictionFollowsEulersBelt) {
+  TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const Eigen::VectorXd q = Eigen::Vector4d(1, 0, 1, 0);
+  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  const double bend = std::sqrt(1 + 1e-4);
+  EXPECT_NEAR(left[0], 1, 1e-15);
+  EXPECT_NEAR(left[1], 1, 1e-15);
+  EXPECT_NEAR(left[2], std::exp(-0.5 * bend), 1e-15);
+  EXPECT_NEAR(left[3], std::exp(-0.5 * 2 * bend), 1e-15);
+}
+
+TEST(TendonModel, ShiftOfAFractionIsLogistic) {
+  EXPECT_NEAR(shift_fraction(0.25, std::log(3.0)), 0.5, 1e-15);
+  EXPECT_EQ(shift_fraction(0.0, 5.0), 0);
+  EXPECT_EQ(shift_fraction(1.0, -5.0), 1);
+}
+
+TEST(TendonModel, NamesTheDigitItHasNot) {
+  try {
+    (void)build_tendon_digit(middle_finger(), "ring");
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "subject 'an_chao_middle' has no digit 'ring'");
+  }
+}
+
+}  // namespace
+}  // namespace thenar
