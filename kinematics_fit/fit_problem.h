@@ -18,6 +18,8 @@ namespace thenar {
 /// z holds the population's coordinates, then each specimen's deviations from it. One specimen
 /// alone cannot tell its deviation from the population's, so there z holds only their sum, whose
 /// prior variances add; the most probable share of the population is sd^2 / (sd^2 + between^2).
+/// Bounds of a parameter hold for the population; for a specimen's deviation only where it has no
+/// population to deviate from, since a box cannot bound their sum.
 /// Data residuals are (predicted - measured) / sd; with a robust scale c each trial's r is shrunk
 /// so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2) (Cauchy's loss).
 class FitProblem {
