@@ -1,5 +1,8 @@
 #include "kinematics_fit/fit_study.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "base/error.h"
 #include "kinematics_fit/force_jacobian.h"
 
@@ -41,6 +44,28 @@ std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs&
   return runs;
 }
 
+/// Coordinates by falling knowledge, the first few.
+std::vector<int> best_known(const Covariance& covariance, std::size_t count) {
+  std::vector<int> order(covariance.learnt.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return covariance.learnt[static_cast<std::size_t>(a)].sd <
+           covariance.learnt[static_cast<std::size_t>(b)].sd;
+  });
+  order.resize(std::min(count, order.size()));
+  return order;
+}
+
+std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
+  constexpr std::size_t kProfiles = 4;
+  ProfileOptions options;
+  options.solver.progress = progress;
+  std::vector<Profile> profiles;
+  for (const int i : best_known(fit.covariance, kProfiles))
+    profiles.push_back(profile_likelihood(fit.problem, fit.solution.z, i, options));
+  return profiles;
+}
+
 SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experiment,
                              const Progress& progress) {
   FitInputs one = inputs.specimen;
@@ -50,13 +75,14 @@ SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experi
   Prediction in_sample =
       predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, measured, 0);
   SolveOptions options;
-  options.progress = part_of(progress, 0, 0.2);
+  options.progress = part_of(progress, 0, 0.1);
   CrossValidation postures = cross_validate(fit.problem, LeaveOut::kPosture, options);
   CrossValidation tendons = cross_validate(fit.problem, LeaveOut::kTendon, options);
+  std::vector<Profile> profiles = profiles_of(fit, part_of(progress, 0.1, 0.1));
   std::vector<SolverRun> runs = run_solvers(fit.problem, inputs, part_of(progress, 0.2, 0.8));
   std::vector<Rival> rivals = rivals_of(inputs, measured);
-  return {std::move(fit),     std::move(in_sample), std::move(postures),
-          std::move(tendons), std::move(runs),      std::move(rivals)};
+  return {std::move(fit),  std::move(in_sample), std::move(postures), std::move(tendons),
+          std::move(runs), std::move(profiles),  std::move(rivals)};
 }
 
 }  // namespace

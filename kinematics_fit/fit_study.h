@@ -8,6 +8,7 @@
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/prediction.h"
+#include "kinematics_fit/profile.h"
 
 namespace thenar {
 
@@ -27,11 +28,12 @@ struct Rival {
 
 /// One specimen, fitted alone.
 struct SpecimenStudy {
-  Fit fit;                      // by the first solver
-  Prediction in_sample;         // with predictive sds
-  CrossValidation postures;     // leave one posture out
-  CrossValidation tendons;      // leave one tendon out
-  std::vector<SolverRun> runs;  // every solver from the same start
+  Fit fit;                        // by the first solver
+  Prediction in_sample;           // with predictive sds
+  CrossValidation postures;       // leave one posture out
+  CrossValidation tendons;        // leave one tendon out
+  std::vector<SolverRun> runs;    // every solver from the same start
+  std::vector<Profile> profiles;  // of the coordinates that the data taught most about
   std::vector<Rival> rivals;
 };
 
@@ -52,9 +54,9 @@ struct NamedSubject {
 
 /// What a study fits, and what it compares with.
 struct StudyInputs {
-  FitInputs specimen;              // subject and settings of the single fits; all experiments
-  SourceText population_subject;   // where the population starts
-  std::vector<SourceText> unseen;  // experiments to predict and never to fit
+  FitInputs specimen;                // subject and settings of the single fits; all experiments
+  SourceText population_subject;     // where the population starts
+  std::vector<SourceText> unseen;    // experiments to predict and never to fit
   std::vector<NamedSubject> rivals;  // used as they are, in the plane of the finger
   std::vector<FitMethod> methods;
 };

@@ -49,6 +49,27 @@ Json forest(const SpecimenStudy& study) {
           {"rows", rows}};
 }
 
+/// Rise of the cost while one parameter is held and all others make up for it.
+Json profiles(const SpecimenStudy& study) {
+  Json series = Json::array();
+  for (const Profile& profile : study.profiles) {
+    Json x = Json::array(), y = Json::array();
+    for (const ProfilePoint& point : profile.points) {
+      x.push_back(point.z);
+      y.push_back(point.rise);
+    }
+    series.push_back({{"name", profile.name}, {"style", "both"}, {"x", x}, {"y", y}});
+  }
+  return {{"type", "lines"},
+          {"caption", fmt::format("{}: profiles of the best known parameters, priors included; a "
+                                  "profile is inside the line within its 95 % interval",
+                                  study.fit.problem.specimens().front())},
+          {"x_label", "held at [prior sds]"},
+          {"y_label", "rise of the cost"},
+          {"series", series},
+          {"reference_lines", Json::array({{{"value", 1.92}, {"label", "95 %"}}})}};
+}
+
 Json null_table(const SpecimenStudy& study) {
   Json rows = Json::array();
   for (const NullDirection& null : study.fit.covariance.nulls) rows.push_back({null.text});
@@ -94,13 +115,21 @@ Json parameter_page(const std::vector<SpecimenStudy>& studies) {
   Json blocks = Json::array();
   for (const SpecimenStudy& study : studies) {
     blocks.push_back(forest(study));
+    blocks.push_back(profiles(study));
     blocks.push_back(null_table(study));
   }
-  return section("parameters", "What the forces tell about the finger",
-                 "Every parameter has a prior from anatomy; its sd is the unit here, and an "
-                 "interval as wide as the prior means that nothing was learnt. Directions along "
-                 "which no measured force changes are named, not hidden.",
-                 blocks);
+  return section(
+      "parameters", "What the forces tell about the finger",
+      "Every parameter has a prior from anatomy; its sd is the unit here, and an "
+      "interval as wide as the prior means that nothing was learnt. Directions along "
+      "which no measured force changes are named, not hidden.\n\nNames: path/RI/2/dorsal "
+      "is how far the second point of the radial interosseous, counted from its "
+      "insertion, lies dorsal of where the subject file has it; axis/DIP3/direction/1 "
+      "tilts a joint axis; hood/EDC/central and /slope say how much of a tension goes "
+      "to the central slip, and how that changes as the knuckle bends (both on the "
+      "logit scale); angle/DIP3/Hook is the error of one joint in one posture; sensor/ "
+      "tilts the load cell.",
+      blocks);
 }
 
 Json finger_page(const std::vector<SpecimenStudy>& studies) {
