@@ -64,7 +64,8 @@ nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& valid
                      {"evaluations", fit.solution.evaluations},
                      {"seconds", fit.solution.seconds},
                      {"free_coordinates", fit.problem.size()},
-                     {"effective_parameters", fit.covariance.effective_parameters}};
+                     {"effective_parameters", fit.covariance.effective_parameters},
+                     {"warnings", fit.problem.warnings()}};
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e)
     out["in_sample"].push_back(
         error_json(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e))));
@@ -128,6 +129,8 @@ void run(const Options& options) {
 
   require_writable(options.output);
   const Fit fit = run_fit(inputs_of(options), solve_options);
+  for (const std::string& warning : fit.problem.warnings())
+    fmt::print(stderr, "thenar: warning: {}\n", warning);
   write_fit(fit, options.output);
   std::vector<CrossValidation> validations;
   for (const LeaveOut what : left_out)
