@@ -124,7 +124,7 @@ TEST(PublishedMiddleFinger, OneTrialFollowsFromPlaneStatics) {
   const double radial = mcp_torque.y() / Vector3d::UnitY().dot(tip.cross(Vector3d::UnitZ()));
   const Vector3d in_digit = along(-dip_angle, load.x(), load.y());
 
-  const sample::Setup setup = sample::middle_finger("");
+  const sample::FitSetup setup = sample::middle_finger("");
   const ExperimentPlan plan =
       plan_experiment(setup.digit, setup.parameters, setup.experiments.front());
   const Eigen::Matrix3Xd forces =
