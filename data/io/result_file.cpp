@@ -1,7 +1,6 @@
 #include "data/io/result_file.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <numeric>
 #include <set>
 
@@ -82,8 +81,10 @@ void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std
     const Handle scale(
         H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
         H5Dclose, "add dimension " + name);
-    H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data());
-    H5DSset_scale(scale, label.c_str());
+    require(
+        H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()) >= 0 &&
+            H5DSset_scale(scale, label.c_str()) >= 0,
+        "HDF5 could not write dimension {}", name);
   }
   const Handle scale(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open " + name);
   require(H5DSattach_scale(dataset, scale, axis) >= 0, "HDF5 could not label dimension {}", name);
@@ -133,7 +134,9 @@ void read_dataset(hid_t file, const std::string& key, ResultFile& out) {
   if (H5Tget_class(type) == H5T_STRING) {
     const Handle memory = string_type();
     std::vector<char*> chars(size, nullptr);
-    if (size > 0) H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, chars.data());
+    require(
+        size == 0 || H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, chars.data()) >= 0,
+        "HDF5 could not read {}", key);
     std::vector<std::string> texts(chars.begin(), chars.end());
     if (size > 0) H5Dvlen_reclaim(memory, space, H5P_DEFAULT, chars.data());
     out.texts[key] = std::move(texts);
@@ -143,7 +146,9 @@ void read_dataset(hid_t file, const std::string& key, ResultFile& out) {
                     {shape.begin(), shape.end()},
                     read_attribute(dataset, "units"),
                     {}};
-  H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data());
+  require(
+      H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) >= 0,
+      "HDF5 could not read {}", key);
   out.arrays[key] = std::move(array);
 }
 
@@ -154,11 +159,25 @@ herr_t visit(hid_t /*root*/, const char* name, const H5O_info_t* info, void* dat
   return 0;
 }
 
-/// Removes a half-written file, whatever went wrong; once renamed, there is none.
-struct Remover {
-  std::string path;
-  ~Remover() { (void)std::remove(path.c_str()); }
-};
+/// A file that lives in memory only. HDF5 cannot recover from a full disk: it crashes at exit.
+Handle memory_file(const std::string& path) {
+  constexpr std::size_t kIncrement = 1 << 16;  // memory is taken in such pieces [bytes]
+  const Handle options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
+  require(H5Pset_fapl_core(options, kIncrement, 0) >= 0, "HDF5 could not keep a file in memory");
+  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, options), H5Fclose,
+          "make '" + path + "'"};
+}
+
+/// The bytes that the file would have on disk.
+std::string image(hid_t file) {
+  require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "HDF5 could not complete a file");
+  const auto size = H5Fget_file_image(file, nullptr, 0);
+  require(size > 0, "HDF5 could not tell the size of a file");
+  std::string bytes(static_cast<std::size_t>(size), '\0');
+  require(H5Fget_file_image(file, bytes.data(), bytes.size()) == size,
+          "HDF5 could not copy a file of {} bytes", size);
+  return bytes;
+}
 
 /// The library prints its own stack of errors unless told not to.
 void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
@@ -219,17 +238,11 @@ const std::string& ResultFile::text(const std::string& key) const {
 void write_result(const ResultFile& file, const std::string& path) {
   be_quiet();
   require_writable(path);
-  const std::string temporary = path + ".tmp";
-  const Remover remover{temporary};
-  {
-    const Handle h5(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose,
-                    "write '" + temporary + "'");
-    write_attribute(h5, "program", "thenar");
-    for (const auto& [key, array] : file.arrays) write_array(h5, key, array);
-    for (const auto& [key, texts] : file.texts) write_texts(h5, key, texts);
-  }
-  require(std::rename(temporary.c_str(), path.c_str()) == 0, "cannot rename '{}' to '{}'",
-          temporary, path);
+  const Handle h5 = memory_file(path);
+  write_attribute(h5, "program", "thenar");
+  for (const auto& [key, array] : file.arrays) write_array(h5, key, array);
+  for (const auto& [key, texts] : file.texts) write_texts(h5, key, texts);
+  write_file(path, image(h5));
 }
 
 ResultFile read_result(const std::string& path) {
@@ -241,7 +254,8 @@ ResultFile read_result(const std::string& path) {
   if (read_attribute(h5, "program") != "thenar")
     throw DataError(path, 1, "wanted a result file of thenar, got another HDF5 file");
   std::vector<std::string> keys;
-  H5Ovisit2(h5, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &keys, H5O_INFO_BASIC);
+  require(H5Ovisit2(h5, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &keys, H5O_INFO_BASIC) >= 0,
+          "HDF5 could not list '{}'", path);
   ResultFile out;
   for (const std::string& key : keys) read_dataset(h5, key, out);
   return out;

@@ -3,7 +3,10 @@
 #include "base/write_file.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -81,6 +84,38 @@ TEST_F(WriteFile, RefusesToReplaceAFolder) {
   write_file(path("folder/a"), "text");
   EXPECT_THROW(write_file(path("folder"), "text"), InputError);
   EXPECT_EQ(content(path("folder/a")), "text");
+  EXPECT_FALSE(fs::exists(path("folder") + ".tmp"));
+}
+
+// Another program, or another run, may be writing to the same place.
+TEST_F(WriteFile, LeavesTheTemporariesOfOthersAlone) {
+  std::ofstream(path("a") + ".tmp") << "somebody else's";
+  require_writable(path("a"));
+  write_file(path("a"), "text");
+  EXPECT_EQ(content(path("a")), "text");
+  EXPECT_EQ(content(path("a") + ".tmp"), "somebody else's");
+  EXPECT_FALSE(fs::exists(path("a") + ".tmp1"));
+}
+
+/// Ends the process: 0 if `text` is refused where no file may exceed 4096 bytes.
+[[noreturn]] void exit_refused_on_a_full_disk(const std::string& path, const std::string& text) {
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{4096, 4096};
+  (void)setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    write_file(path, text);
+  } catch (const InputError&) {
+    std::exit(0);
+  }
+  std::exit(1);
+}
+
+TEST_F(WriteFile, KeepsTheOldFileOnAFullDisk) {
+  write_file(path("a"), "old");
+  EXPECT_EXIT(exit_refused_on_a_full_disk(path("a"), std::string(100000, 'x')),
+              testing::ExitedWithCode(0), "");
+  EXPECT_EQ(content(path("a")), "old");
+  EXPECT_FALSE(fs::exists(path("a") + ".tmp"));
 }
 
 }  // namespace

@@ -2,12 +2,15 @@
 
 #include "data/io/result_file.h"
 
+#include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <hdf5_hl.h>
+#include <sys/resource.h>
 
 #include "base/error.h"
 
@@ -107,6 +110,29 @@ TEST_F(ResultFileTest, KeepsTheOldFileWhereTheNewOneFails) {
   clash.add("number/below", 1, "1");
   EXPECT_THROW(write_result(clash, path("a.h5")), InputError);
   EXPECT_EQ(read_result(path("a.h5")).number("number"), 1.0 / 3);
+}
+
+/// Ends the process: 0 if the file is refused where none may exceed 4096 bytes. HDF5 tidies up at
+/// exit, which must work, too.
+[[noreturn]] void exit_refused_on_a_full_disk(const ResultFile& file, const std::string& path) {
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{4096, 4096};
+  (void)setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    write_result(file, path);
+  } catch (const InputError&) {
+    std::exit(0);
+  }
+  std::exit(1);
+}
+
+TEST_F(ResultFileTest, KeepsTheOldFileOnAFullDisk) {
+  write_result(example(), path("a.h5"));
+  ResultFile large = example();
+  large.add("large", Eigen::MatrixXd::Ones(100, 100), "1", {"row", "column"});  // 80 kB
+  EXPECT_EXIT(exit_refused_on_a_full_disk(large, path("a.h5")), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(read_result(path("a.h5")).number("number"), 1.0 / 3);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "no temporary is left";
 }
 
 TEST(ResultFileAccess, NamesWhatIsMissing) {
