@@ -156,6 +156,8 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
   for (TomlTable& row : trials.tables("rows"))
     experiment.trials.push_back(read_trial(row, experiment, pulley));
+  if (experiment.trials.empty())
+    trials.fail("wanted at least one trial in 'rows', got none", "rows");
   trials.done();
   top.done();
   return experiment;

@@ -145,6 +145,14 @@ TEST(ExperimentErrors, NoLoad) {
             "e.toml:20: a trial needs 'load_g' or 'tension_N'");
 }
 
+TEST(ExperimentErrors, NoTrials) {
+  const std::size_t rows = kGood.find("rows = [");
+  EXPECT_EQ(refusal(kGood.substr(rows), "rows = []\n"),
+            "e.toml:19: wanted at least one trial in 'rows', got none");
+  EXPECT_EQ(refusal(kGood.substr(rows), ""),
+            "e.toml:18: wanted at least one trial in 'rows', got none");
+}
+
 TEST(ExperimentErrors, NoNoise) {
   EXPECT_EQ(refusal("[noise]\nrelative = 0.3\nfloor_N = 0.4\n", ""),
             "e.toml:17: a trial needs 'sd_N', or the file a [noise] table");
