@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "base/error.h"
+#include "base/library_versions.h"  // written by CMake
 
 namespace thenar {
 
@@ -19,10 +20,12 @@ std::string sha256(const std::string& text) {
 }
 
 std::map<std::string, std::string> versions() {
-  return {{"thenar", THENAR_VERSION},
-          {"compiler", __VERSION__},
-          {"Eigen",
-           fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)}};
+  std::map<std::string, std::string> all(kLibraryVersions.begin(), kLibraryVersions.end());
+  all["thenar"] = THENAR_VERSION;
+  all["compiler"] = __VERSION__;
+  all["Eigen"] =
+      fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION);
+  return all;
 }
 
 }  // namespace thenar

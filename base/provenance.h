@@ -10,7 +10,8 @@ namespace thenar {
 /// SHA-256 of a text, in hexadecimal.
 [[nodiscard]] std::string sha256(const std::string& text);
 
-/// Versions of thenar, its compiler and libraries known to this floor, by name.
+/// Versions of thenar, its compiler and the libraries that answers depend on, by name; of shared
+/// libraries the ones that the build found.
 [[nodiscard]] std::map<std::string, std::string> versions();
 
 }  // namespace thenar

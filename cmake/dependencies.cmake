@@ -23,6 +23,8 @@ find_path(IPOPT_INCLUDE_DIR IpTNLP.hpp PATH_SUFFIXES coin REQUIRED)
 add_library(thenar::ipopt INTERFACE IMPORTED)
 target_include_directories(thenar::ipopt SYSTEM INTERFACE ${IPOPT_INCLUDE_DIR})
 target_link_libraries(thenar::ipopt INTERFACE ${IPOPT_LIBRARY})
+file(STRINGS ${IPOPT_INCLUDE_DIR}/IpoptConfig.h IPOPT_VERSION REGEX "define +IPOPT_VERSION +\"")
+string(REGEX REPLACE ".*\"(.*)\".*" "\\1" IPOPT_VERSION "${IPOPT_VERSION}")
 
 find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)

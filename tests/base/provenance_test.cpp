@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace thenar {
 namespace {
 
@@ -21,7 +24,13 @@ TEST(Sha256, SeesEveryByteAlsoZero) {
 
 TEST(Versions, NameEverythingThatComputes) {
   const auto all = versions();
-  for (const char* name : {"thenar", "compiler", "Eigen"}) EXPECT_FALSE(all.at(name).empty());
+  for (const char* name : {"thenar", "compiler", "Eigen", "Ceres", "Ipopt", "NLopt", "CLP", "HDF5",
+                           "Qhull", "Simbody"})
+    EXPECT_EQ(all.count(name), 1U) << name;
+  for (const auto& [name, version] : all) {
+    EXPECT_FALSE(version.empty()) << name;
+    EXPECT_TRUE(std::any_of(version.begin(), version.end(), isdigit)) << name << " " << version;
+  }
 }
 
 }  // namespace
