@@ -66,7 +66,7 @@ Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seco
   for (const SourceText& source : inputs.specimen.experiments) add(source);
   for (const SourceText& source : inputs.unseen) add(source);
   for (const auto& [name, version] : versions()) out[name] = version;
-  out["seed"] = "1";
+  out["seed"] = fmt::format("{}", SolveOptions{}.seed);
   out["fidelity"] = describe(fidelity);
   out["wall time of the whole"] = fmt::format("{:.1f} s", seconds);
   return out;
@@ -80,6 +80,7 @@ void run(const Options& options) {
   require_writable(path);
   const std::vector<SpecimenStudy> studies = study_specimens(inputs, progress);
   const PopulationStudy population = study_population(inputs, progress);
+  if (interrupted()) throw Interrupted("stopped before the report was complete");
   for (const SpecimenStudy& study : studies)
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
   write_fit(population.fit, options.output + "/population.h5");

@@ -139,7 +139,7 @@ void run(const Options& options) {
     fmt::print("{}\n", summary(fit, validations).dump(2));
   else
     print_summary(fit, validations, options.output);
-  if (interrupted()) throw CLI::RuntimeError("stopped; the file holds the best point so far", 130);
+  if (interrupted()) throw Interrupted("stopped; the file holds the best point so far");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/progress_bar.h"
 
 int main(int argc, char** argv) {
   CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
@@ -22,8 +23,11 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
-  } catch (const CLI::RuntimeError& stopped) {
-    return stopped.get_exit_code();
+  } catch (const CLI::RuntimeError& silent) {
+    return silent.get_exit_code();
+  } catch (const thenar::Interrupted& e) {
+    fmt::print(stderr, "thenar: {}\n", e.what());
+    return 130;  // as shells say of a program that Ctrl-C ended
   } catch (const std::exception& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return 1;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/error.h"
 #include "base/progress.h"
 
 namespace thenar {
@@ -10,5 +11,11 @@ namespace thenar {
 
 /// Was Ctrl-C pressed?
 [[nodiscard]] bool interrupted();
+
+/// Thrown by a command that Ctrl-C cut short, after it has saved what it had.
+class Interrupted : public Error {
+ public:
+  using Error::Error;
+};
 
 }  // namespace thenar
