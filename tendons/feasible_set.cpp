@@ -87,13 +87,19 @@ void append(const VectorXd& column, MatrixXd& matrix) {
   matrix.rightCols<1>() = column;
 }
 
-/// The longest difference of points across `known`.
+/// The difference a - b across `known`; taken out twice, so that rounding is out too.
+VectorXd across(const MatrixXd& known, const Point& a, const Point& b) {
+  VectorXd difference = a.phi - b.phi;
+  for (int twice = 0; twice < 2; ++twice) difference -= known * (known.transpose() * difference);
+  return difference;
+}
+
+/// The longest difference from the first point across `known`.
 VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points) {
   VectorXd best = VectorXd::Zero(points.front().phi.size());
   for (const Point& point : points) {
-    VectorXd across = point.phi - points.front().phi;
-    for (int twice = 0; twice < 2; ++twice) across -= known * (known.transpose() * across);
-    if (across.norm() > best.norm()) best = across;
+    const VectorXd difference = across(known, point, points.front());
+    if (difference.norm() > best.norm()) best = difference;
   }
   return best;
 }
@@ -121,12 +127,16 @@ Frame span(SupportOracle& oracle, std::vector<Point>& points) {
   MatrixXd known(r, 0);
   while (known.cols() < r) {
     VectorXd u = widest_across(known, points);
-    const bool seen = u.norm() > flat;
-    u = seen ? u.normalized() : any_across(known);
-    const double width = add_both_ways(u);
-    if (!seen && width > flat) continue;  // now there is a difference to follow
+    bool wide = u.norm() > flat;
+    u = wide ? u.normalized() : any_across(known);
+    double width = add_both_ways(u);
+    if (!wide && width > flat) {  // now there is a difference to follow, at least that long
+      wide = true;
+      u = across(known, points[points.size() - 2], points.back()).normalized();
+      width = add_both_ways(u);
+    }
     append(u, known);
-    if (!seen) continue;
+    if (!wide) continue;
     append(u, frame.axes);
     frame.half.conservativeResize(frame.axes.cols());
     frame.half(frame.axes.cols() - 1) = width / 2;

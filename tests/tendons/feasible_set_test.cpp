@@ -66,6 +66,18 @@ TEST(FeasibleForceSet, FourTendonsMakeTheZonotopeOfTheTriples) {
   EXPECT_EQ(set.normals.rows(), 12);
 }
 
+// A width near the flatness limit may count as flat or not, but the question must end. Beside a
+// size of order one the last row has a width of 4/3 of epsilon.
+TEST(FeasibleForceSet, EndsWhereAWidthIsNearTheLimitOfFlat) {
+  for (double epsilon = 0.5e-9; epsilon < 4e-9; epsilon += 0.02e-9) {
+    MatrixXd A(3, 4);
+    A << 1, 0, -1, 0.3, 0, 1, -0.5, -1, epsilon, 0, 0, -epsilon / 3;
+    const FeasibleForceSet set = feasible_force_set(map_of(A, VectorXd::Ones(4)));
+    EXPECT_TRUE(set.status == ForceStatus::kSolved || set.status == ForceStatus::kStalled);
+    EXPECT_GE(set.dimension, 2) << epsilon;
+  }
+}
+
 // A zonotope of n generators in general position has n (n - 1) facets and n (n - 1) + 2 vertices.
 TEST(FeasibleForceSet, CountsFacetsOfGeneralZonotopes) {
   std::mt19937 rng(1);
