@@ -50,6 +50,12 @@ Coordination report(const Task& task, ForceStatus status, const VectorXd& a, con
   return result;
 }
 
+/// No tensions and no force, because a linear program stopped short of an answer.
+Coordination unsolved(const Task& task, LinearStatus status) {
+  return report(task, internal::force_status(status), VectorXd::Zero(task.balance.most.size()),
+                Vector3d::Zero(), "a linear program stalled");
+}
+
 /// Effort as a function of y with exact second derivatives; |a|^p, so that a trial step beyond zero
 /// stays convex.
 NonlinearProgram effort_program(const internal::BalanceInterior& interior, double p) {
@@ -125,11 +131,13 @@ Coordination coordinate(const TipStatics& statics, const Vector3d& f,
     linear.objective.setConstant(-1);
     const LinearResult best = solve(linear);
     if (best.status == LinearStatus::kInfeasible) return nearest(task);
-    return report(task, internal::force_status(best.status), best.x, f, "linear program");
+    if (best.status != LinearStatus::kSolved) return unsolved(task, best.status);
+    return report(task, ForceStatus::kSolved, best.x, f, "linear program");
   }
 
   const internal::BalanceInterior interior = internal::balance_interior(linear);
   if (interior.status == LinearStatus::kInfeasible) return nearest(task);
+  if (interior.status != LinearStatus::kSolved) return unsolved(task, interior.status);
   NonlinearOptions sharp;  // a silent muscle is off by the p-th root of this
   sharp.tolerance = 1e-13;
   const NonlinearResult best =

@@ -16,7 +16,8 @@ struct CoordinationOptions {
 };
 
 struct Coordination {
-  ForceStatus status;          // kInfeasible: the force is out of reach; `force` is the nearest
+  ForceStatus status;          // kInfeasible: the force is out of reach; `force` is the nearest.
+                               // kStalled before any answer: `tension` and `force` are zero
   Eigen::VectorXd tension;     // of least effort; if infeasible, some that make `force`  [N] (m)
   Eigen::VectorXd activation;  // tension / F0                                           [1] (m)
   double effort;               // sum activation^p                                       [1]
