@@ -7,19 +7,13 @@
 #include "base/error.h"
 
 namespace thenar {
-namespace {
-
-/// Rounding of a few products at hand size is about 1e-16 of the largest singular value.
-constexpr double kRankTolerance = 1e-12;
-
-}  // namespace
 
 TipMobility tip_mobility(const Eigen::Ref<const Eigen::Matrix3Xd>& J) {
   require(J.cols() > 0, "a tip that no joint moves has no mobility");
   require(J.allFinite(), "a tip Jacobian must be finite");
   const Eigen::MatrixXd matrix = J;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU);
-  svd.setThreshold(kRankTolerance);
+  svd.setThreshold(internal::kRankTolerance);
   TipMobility mobility{Eigen::Vector3d::Zero(), svd.matrixU(), static_cast<int>(svd.rank()),
                        std::numeric_limits<double>::infinity()};
   mobility.speed.head(mobility.rank) = svd.singularValues().head(mobility.rank);

@@ -6,6 +6,14 @@
 
 namespace thenar {
 
+namespace internal {
+
+/// Singular values below this part of the largest are zero: a finger that straight is straight.
+/// Jacobians of hand size carry rounding of about 1e-16 from a few products, so 1e-12 clears it.
+inline constexpr double kRankTolerance = 1e-12;
+
+}  // namespace internal
+
 /// Singular values and directions of a tip's position Jacobian.
 struct TipMobility {
   Eigen::Vector3d speed;       // of the tip along each direction, largest first  [m/rad] (3)

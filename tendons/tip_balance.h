@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include "hand/tip_mobility.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -12,10 +13,6 @@ namespace thenar {
 [[nodiscard]] inline bool has_rotation(const TipStatics& statics) { return statics.W.cols() > 0; }
 
 namespace internal {
-
-/// Singular values below this part of the largest are zero: a finger that straight is straight.
-/// Jacobians of hand size carry rounding of about 1e-16 from a few products, so 1e-12 clears it.
-inline constexpr double kRankTolerance = 1e-12;
 
 /// Unit-vector components below this are rounding, not geometry.
 inline constexpr double kUnitRounding = 1e-14;

@@ -18,7 +18,7 @@ TipForce balance(const Eigen::Matrix3Xd& J_W, const Eigen::VectorXd& tau) {
   const auto& sigma = svd.singularValues();
 
   const Eigen::Vector3d f_W = svd.solve(tau);
-  const bool straight = sigma.size() < 3 || sigma(2) == 0;
+  const bool straight = svd.rank() < 3;
   const double condition = straight ? std::numeric_limits<double>::infinity() : sigma(0) / sigma(2);
   return {f_W, tau - Jt * f_W, condition, static_cast<int>(svd.rank())};
 }

@@ -11,7 +11,7 @@ namespace thenar {
 struct TipForce {
   Eigen::Vector3d f_W;       // force of the tip on the world, world frame   [N]    (3)
   Eigen::VectorXd tau_left;  // joint torque that no tip force can balance   [N m]  (n)
-  double condition;          // of J_W; infinite when the finger is straight [1]
+  double condition;          // of J_W; infinite if its rank is below 3      [1]
   int rank;                  // of J_W; below 3 some force meets no torque   [1]
 };
 

@@ -28,8 +28,9 @@ TipWrench tip_wrench(const TipStatics& statics, const Eigen::Ref<const Eigen::Ve
 
   const Eigen::VectorXd tau = statics.R.transpose() * t + statics.tau_0;
   const Eigen::VectorXd wrench = svd.solve(tau);
-  const double least = sigma(sigma.size() - 1);
-  const double condition = least > 0 ? sigma(0) / least : std::numeric_limits<double>::infinity();
+  const bool full = svd.rank() == sigma.size();
+  const double condition =
+      full ? sigma(0) / sigma(sigma.size() - 1) : std::numeric_limits<double>::infinity();
   return {options.length * wrench.head<3>(), wrench.tail<3>(), tau - balance * wrench, condition,
           static_cast<int>(svd.rank()),      svd.rank() < 6};
 }

@@ -49,8 +49,17 @@ TEST(TipForce, ReportsStraightFinger) {
   Eigen::Matrix3d J = kJ;
   J(2, 2) = 0;
   const TipForce result = tip_force(J, kArms, Eigen::Vector3d::Ones());
-  EXPECT_GT(result.condition, 1e12);
+  EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
   EXPECT_EQ(result.rank, 2);
+}
+
+// Rounding in a straight finger's Jacobian is no singular value: it must not read as a condition.
+TEST(TipForce, ReportsStraightFingerThroughRounding) {
+  Eigen::Matrix3d J = kJ;
+  J(1, 1) = J(2, 2) = 1e-17;
+  const TipForce result = tip_force(J, kArms, Eigen::Vector3d::Ones());
+  EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(result.rank, 1);
 }
 
 TEST(TipForce, TwoJointsNeverFixAForce) {

@@ -2,6 +2,8 @@
 
 #include "tendons/tip_wrench.h"
 
+#include <limits>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -66,6 +68,19 @@ TEST(TipWrench, OneHingeSharesByTheLength) {
   EXPECT_TRUE(matrix_near(result.m_W, Vector3d(0, 0, 0.16), 1e-13));
   EXPECT_TRUE(result.minimum_norm);
   EXPECT_EQ(result.rank, 1);
+}
+
+TEST(TipWrench, ConditionIsInfiniteWhereRankIsLostToRounding) {
+  TipStatics statics = six_joints();
+  statics.J(2, 2) = 1e-17;
+  const TipWrench result = tip_wrench(statics, VectorXd::Ones(6));
+  EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(result.rank, 5);
+}
+
+// Fewer joints than six, all independent, have a condition.
+TEST(TipWrench, ConditionOfOneHingeIsOne) {
+  EXPECT_NEAR(tip_wrench(one_hinge(), VectorXd::Ones(1)).condition, 1, 1e-15);
 }
 
 TEST(TipWrench, SeventhJointLeavesTorqueOver) {
