@@ -20,6 +20,8 @@ ForceLimit effort_limit(const VectorXd& max_tension, double p, double most) {
   const VectorXd weight =
       (max_tension.array() > 0).select(max_tension.array().max(1e-300).inverse(), 0);
   return [weight, p, most](const Vector3d&, const VectorXd& t) {
+    require(t.size() == weight.size(), "max_tension has {} tendons, t has {}", weight.size(),
+            t.size());
     const Eigen::ArrayXd a = weight.cwiseProduct(t).array();
     LimitValue value{VectorXd(1), Eigen::MatrixX3d::Zero(1, 3), MatrixXd(1, t.size())};
     value.g(0) = a.abs().pow(p).sum() - most;

@@ -157,6 +157,8 @@ TEST(ForceLimits, RefuseBadArguments) {
   const double infinity = std::numeric_limits<double>::infinity();
   EXPECT_THROW((void)effort_limit(Vector3d(1, 2, infinity), 2, 1), InputError);
   EXPECT_THROW((void)effort_limit(Vector3d(1, 2, 3), 0.5, 1), InputError);
+  EXPECT_THROW((void)effort_limit(Vector3d(1, 2, 3), 2, 1)(Vector3d(1, 0, 0), VectorXd::Ones(2)),
+               InputError);
   EXPECT_THROW((void)friction_limit(kX, -0.1), InputError);
   EXPECT_THROW((void)friction_limit(Vector3d::Zero(), 0.5), InputError);
   EXPECT_THROW((void)load_limit(Eigen::MatrixX3d(2, 3), MatrixXd(3, 1), VectorXd(2)), InputError);
