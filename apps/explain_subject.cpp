@@ -82,9 +82,8 @@ Section explain_muscles(const Subject& subject, const std::vector<std::string>& 
   for (const std::string& name : kept)
     for (const MuscleUnit& muscle : subject.muscles)
       if (muscle.name == name)
-        section.table.rows.push_back(
-            {name, muscle.strand.empty() ? "-" : muscle.strand,
-             muscle.max_force > 0 ? shown(muscle.max_force, 2) : "unknown"});
+        section.table.rows.push_back({name, muscle.strand.empty() ? "-" : muscle.strand,
+                                      muscle.max_force ? shown(*muscle.max_force, 2) : "unknown"});
   return section;
 }
 

@@ -18,7 +18,7 @@ Eigen::Index row_of(const TipMap& map, const std::string& name) {
 /// F0 of a muscle; infinite where the subject does not say [N].
 double max_tension(const Subject& subject, const std::string& name) {
   for (const MuscleUnit& muscle : subject.muscles)
-    if (muscle.name == name && muscle.max_force > 0) return muscle.max_force;
+    if (muscle.name == name && muscle.max_force) return *muscle.max_force;
   return std::numeric_limits<double>::infinity();
 }
 

@@ -143,8 +143,7 @@ class DigitBuilder {
     if (strand < 0) return;
     built_.model.pulls.push_back(strand);
     built_.names.muscles.push_back(muscle.name);
-    max_tension_.push_back(muscle.max_force > 0 ? muscle.max_force
-                                                : std::numeric_limits<double>::infinity());
+    max_tension_.push_back(muscle.max_force.value_or(std::numeric_limits<double>::infinity()));
   }
 
   int hood_row(const std::string& strand) const {

@@ -66,13 +66,13 @@ struct Strand {
 
 /// A muscle, as a bounded pull on one strand.
 struct MuscleUnit {
-  std::string name;         // "EDC"
-  std::string strand;       // the strand that it pulls whole: "LE"
-  double max_force = 0;     // F0 [N]; 0 if unknown
-  double pcsa = 0;          // physiological cross-section [m^2]; 0 if unknown
-  double fibre_length = 0;  // optimal [m]; 0 if unknown
-  double tendon_slack = 0;  // tendon slack length [m]; 0 if unknown
-  double pennation = 0;     // [rad]
+  std::string name;                 // "EDC"
+  std::string strand;               // the strand that it pulls whole: "LE"
+  std::optional<double> max_force;  // F0 [N]; absent if unknown, 0 for a muscle that cannot pull
+  double pcsa = 0;                  // physiological cross-section [m^2]; 0 if unknown
+  double fibre_length = 0;          // optimal [m]; 0 if unknown
+  double tendon_slack = 0;          // tendon slack length [m]; 0 if unknown
+  double pennation = 0;             // [rad]
 };
 
 /// Which lateral band of the hood a muscle feeds.

@@ -71,11 +71,13 @@ std::string read_pulled(TomlTable& table, const std::string& muscle, const Subje
   return muscle;
 }
 
-/// F0 as stated, or as PCSA times specific tension; 0 if neither is known.
-double read_max_force(TomlTable& table, double pcsa, double specific_tension) {
+/// F0 as stated, or as PCSA times specific tension; absent if neither is known.
+std::optional<double> read_max_force(TomlTable& table, double pcsa, double specific_tension) {
   const double tension =
       table.number_or(Dimension::kStress, "specific_tension", specific_tension, Range::kPositive);
-  return table.number_or(Dimension::kForce, "max_force", pcsa * tension, Range::kNotNegative);
+  if (table.has(Dimension::kForce, "max_force"))
+    return table.number(Dimension::kForce, "max_force", Range::kNotNegative);
+  return pcsa * tension > 0 ? std::optional<double>(pcsa * tension) : std::nullopt;
 }
 
 MuscleUnit read_muscle(TomlTable& table, const SubjectDraft& draft) {

@@ -223,7 +223,7 @@ TEST(ValeroCuevasIndex, PublishedActivationGivesPublishedForce) {
   const double activation[] = {0.204, 0.138, 0.323, 1, 1, 1, 0};
   Eigen::VectorXd tension(7);
   for (int i = 0; i < 7; ++i)
-    tension(i) = activation[i] * finger.muscles[static_cast<std::size_t>(i)].max_force;
+    tension(i) = activation[i] * finger.muscles[static_cast<std::size_t>(i)].max_force.value();
   EXPECT_NEAR((map.A * tension)(0), 28.81, 0.03);  // activations have three digits
 }
 

@@ -130,8 +130,8 @@ TEST_F(SubjectFile, ArmsAreInMetres) {
 
 // 4 cm^2 at 30 N/cm^2; a stated force wins.
 TEST_F(SubjectFile, ForceComesFromAreaUnlessStated) {
-  EXPECT_NEAR(subject_.muscles[0].max_force, 120, 1e-12);
-  EXPECT_DOUBLE_EQ(subject_.muscles[1].max_force, 100);
+  EXPECT_NEAR(subject_.muscles[0].max_force.value(), 120, 1e-12);
+  EXPECT_DOUBLE_EQ(subject_.muscles[1].max_force.value(), 100);
   EXPECT_DOUBLE_EQ(subject_.muscles[0].pcsa, 4e-4);
 }
 
@@ -167,6 +167,27 @@ inertia_kg_m2 = [3, 4, 5, 0.1, 0.2, 0.3])",
   Eigen::Matrix3d expected;
   expected << 3, 0.1, 0.2, 0.1, 4, 0.3, 0.2, 0.3, 5;
   EXPECT_TRUE(matrix_near(subject.segments[0].inertia, expected, 0));
+}
+
+// A stated zero is a muscle that cannot pull; one without any number is unknown.
+TEST(SubjectFileOf, ZeroForceIsNotAnUnknownForce) {
+  const Subject subject = parse_subject(R"(
+name = "map"
+side = "right"
+source = "An1983"
+[[muscle]]
+name = "cut"
+max_force_N = 0
+[[muscle]]
+name = "unknown"
+[[tip_map]]
+name = "A"
+digit = "index"
+muscles = ["cut"]
+rows = {Fz = [0.1]})",
+                                        "map.toml");
+  EXPECT_EQ(subject.muscles[0].max_force, 0.0);
+  EXPECT_EQ(subject.muscles[1].max_force, std::nullopt);
 }
 
 TEST(SubjectFileOf, TipMapsNeedNoGeometry) {

@@ -40,6 +40,12 @@ TEST(PublishedMap, TakesUnstatedLimitsAsInfinite) {
   EXPECT_TRUE(std::isinf(statics.max_tension[1]));
 }
 
+TEST(PublishedMap, KeepsAMuscleThatCannotPullAtZero) {
+  Subject subject = sample();
+  subject.muscles[0].max_force = 0;
+  EXPECT_EQ(map_statics(subject, subject.tip_maps[0]).max_tension[0], 0);
+}
+
 TEST(PublishedMap, NeedsAllThreeForces) {
   Subject subject = sample();
   subject.tip_maps[0].rows[1] = "tz";

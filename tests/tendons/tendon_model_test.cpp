@@ -129,6 +129,19 @@ TEST(TendonModel, ShiftOfAFractionIsLogistic) {
   EXPECT_EQ(shift_fraction(1.0, -5.0), 1);
 }
 
+// A stated zero takes the muscle out; only a muscle without a number has no limit.
+TEST(TendonModel, ZeroForceIsNotAnUnknownForce) {
+  Subject subject = middle_finger();
+  subject.muscles[0].max_force = 0;
+  subject.muscles[1].max_force.reset();
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  const auto limit = [&](std::size_t i) {
+    return digit.max_tension[index_of(digit.names.muscles, subject.muscles[i].name)];
+  };
+  EXPECT_EQ(limit(0), 0);
+  EXPECT_TRUE(std::isinf(limit(1)));
+}
+
 TEST(TendonModel, NamesTheDigitItHasNot) {
   try {
     (void)build_tendon_digit(middle_finger(), "ring");
