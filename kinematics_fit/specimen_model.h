@@ -31,7 +31,8 @@ template <typename T>
   to.digit.tip_axes = from.tip_axes.cast<T>();
   to.digit.constant_arms = from.constant_arms.cast<T>();
   to.digit.pulls = from.pulls;
-  to.digit.flexions = from.flexions;
+  to.digit.bends = from.bends;
+  to.digit.knuckle = from.knuckle;
   to.digit.friction = from.friction.cast<T>();
   to.digit.hood = from.hood;
   for (const Hinge<double>& hinge : from.tree)

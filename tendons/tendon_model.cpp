@@ -34,7 +34,9 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   return path;
 }
 
-/// Cosine to the digit's radial direction above which a hinge counts as flexion: 45 degrees.
+/// Cosine to the digit's flexion direction above which a joint flexes: 45 degrees, half way to a
+/// joint that purely abducts or pronates, so every joint counts as what it does more of. A choice of
+/// ours, not a measured number.
 constexpr double kFlexion = 0.7071;
 
 bool crosses_a_joint(const TendonPath<double>& path) {
@@ -54,9 +56,13 @@ std::map<std::string, double> frozen_joints(const Subject& subject, const Tendon
 class DigitBuilder {
  public:
   DigitBuilder(const Subject& subject, const std::string& name, const TendonOptions& options)
-      : subject_(subject), digit_(digit_of(subject, name)), options_(options) {
-    built_.skeleton = build_skeleton(subject, {{name}, frozen_joints(subject, options)});
+      : subject_(subject),
+        digit_(digit_of(subject, name)),
+        options_(options),
+        frozen_(frozen_joints(subject, options)) {
+    built_.skeleton = build_skeleton(subject, {{name}, frozen_});
     set_bones();
+    set_bends();
     for (const Strand& strand : subject.strands) add_strand(strand);
     for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);
     if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
@@ -80,10 +86,72 @@ class DigitBuilder {
     built_.model.tip_axes = tip.axes;
     built_.names.coordinates = skeleton.coordinate_names;
     built_.names.hinges = skeleton.hinge_names;
-    for (const Hinge<double>& hinge : skeleton.tree)
-      if (std::abs(hinge.direction.dot(tip.axes.col(2))) > kFlexion)
-        if (built_.model.flexions.empty() || built_.model.flexions.back() != hinge.coordinate)
-          built_.model.flexions.push_back(hinge.coordinate);
+  }
+
+  bool kept(const JointAxis& joint) const {
+    return built_.skeleton.link_of_segment.count(joint.child) > 0;
+  }
+
+  /// Cosine between a joint's axis and the direction about which the digit flexes: the radial one
+  /// of a right hand, the ulnar one of a left hand.
+  double flexion(const JointAxis& joint) const {
+    return joint.direction.dot(digit_.proximal.cross(digit_.dorsal));
+  }
+
+  /// The angle that a joint of the digit takes, or is frozen at.
+  PostureAngle angle_of(const JointAxis& joint) const {
+    const int i = find(built_.names.hinges, joint.name);
+    if (i >= 0) {
+      const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
+      return {hinge.coordinate, hinge.ratio, hinge.offset};
+    }
+    const auto asked = frozen_.find(joint.name);
+    if (asked != frozen_.end()) return {-1, 0, asked->second};
+    for (const JointAxis& leader : subject_.joints)  // it follows a frozen joint
+      if (joint.coupling && leader.name == joint.coupling->leader)
+        return {-1, 0, joint.coupling->ratio * angle_of(leader).offset + joint.coupling->offset};
+    return {};
+  }
+
+  void set_bends() {
+    std::vector<SheathBend>& bends = built_.model.bends;
+    for (const JointAxis& joint : subject_.joints)
+      if (kept(joint) && std::abs(flexion(joint)) > kFlexion)
+        bends.push_back({angle_of(joint), built_.model.coordinates});
+    // A coordinate feels a bend if all joints that it moves lie beyond.
+    int before = -1;
+    for (std::size_t k = 0; k < bends.size(); ++k) {
+      before = std::max(before, bends[k].angle.coordinate);
+      const auto beyond =
+          std::find_if(bends.begin() + static_cast<std::ptrdiff_t>(k) + 1, bends.end(),
+                       [&](const SheathBend& later) { return later.angle.coordinate > before; });
+      if (beyond != bends.end()) bends[k].felt_from = beyond->angle.coordinate;
+    }
+  }
+
+  /// Does the strand reach the segment that the joint moves?
+  static bool reaches(const Strand& strand, const JointAxis& joint) {
+    if (strand.path.empty()) return strand.arms.count(joint.name) > 0;
+    return std::any_of(strand.path.begin(), strand.path.end(),
+                       [&](const PathPoint& point) { return point.segment == joint.child; });
+  }
+
+  /// Flexion of the joint before the last one that the central slip crosses.
+  PostureAngle knuckle(const std::string& central_slip) const {
+    const auto slip = std::find_if(subject_.strands.begin(), subject_.strands.end(),
+                                   [&](const Strand& s) { return s.name == central_slip; });
+    std::vector<PostureAngle> flexions;  // from the wrist outwards, flexion positive
+    std::size_t crossed = 0;             // of them up to the middle phalanx
+    for (const JointAxis& joint : subject_.joints) {
+      if (!kept(joint)) continue;
+      if (std::abs(flexion(joint)) > kFlexion) {
+        const PostureAngle angle = angle_of(joint);
+        const double sign = flexion(joint) > 0 ? 1 : -1;
+        flexions.push_back({angle.coordinate, sign * angle.ratio, sign * angle.offset});
+      }
+      if (reaches(*slip, joint)) crossed = flexions.size();
+    }
+    return crossed < 2 ? PostureAngle{} : flexions[crossed - 2];
   }
 
   /// The rung that the paths are really on, which the subject's data may keep below the one asked.
@@ -156,6 +224,7 @@ class DigitBuilder {
   void add_hood_rule(const HoodRule& rule) {
     built_.model.hood = HoodRows{hood_row(rule.central_slip), hood_row(rule.radial_band),
                                  hood_row(rule.ulnar_band), hood_row(rule.terminal_slip)};
+    built_.model.knuckle = knuckle(rule.central_slip);
     for (const HoodBranch& branch : rule.branches) {
       const int muscle = find(built_.names.muscles, branch.muscle);
       require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
@@ -168,6 +237,7 @@ class DigitBuilder {
   const Subject& subject_;
   const Digit& digit_;
   const TendonOptions& options_;
+  std::map<std::string, double> frozen_;  // joint -> angle [rad]
   std::vector<double> max_tension_;
   TendonDigit built_;
 };

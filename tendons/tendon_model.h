@@ -2,6 +2,7 @@
 
 /// One digit with its tendons, on any scalar: all that static fingertip forces depend on.
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -21,6 +22,25 @@ using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 template <typename T>
 using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
 
+/// An angle of the posture:  ratio q[coordinate] + offset,  or the offset alone where it is frozen.
+struct PostureAngle {
+  int coordinate = -1;  // entry of q; -1: frozen
+  double ratio = 0;     // [rad/rad]
+  double offset = 0;    // [rad]
+};
+
+template <typename T>
+[[nodiscard]] T angle_at(const PostureAngle& angle, const VectorX<T>& q) {
+  if (angle.coordinate < 0) return T(angle.offset);
+  return T(angle.ratio) * q[angle.coordinate] + T(angle.offset);
+}
+
+/// A flexion joint, free, coupled or frozen, about which tendons bend in their sheaths.
+struct SheathBend {
+  PostureAngle angle;
+  int felt_from;  // first coordinate whose joint lies beyond the bend; `coordinates` if none does
+};
+
 /// Numbers of a digit; names are in TendonNames.
 template <typename T>
 struct TendonModel {
@@ -31,11 +51,12 @@ struct TendonModel {
   Mat3<T> tip_axes;                  // columns proximal, dorsal, radial (3, 3)
   std::vector<TendonPath<T>> paths;  // of each strand; empty: constant arms
   MatrixX<T> constant_arms;          // of strands without a path [m/rad] (strands, coordinates)
-  std::vector<int> flexions;         // coordinates that flex, from the wrist to the tip
+  std::vector<SheathBend> bends;     // from the wrist to the tip
   VectorX<T> friction;               // of each strand in its sheath [1/rad] (strands)
   std::vector<int> pulls;            // strand that each muscle pulls whole
   std::optional<HoodRows> hood;      // absent: separate tendons
   std::vector<HoodShare<T>> hood_shares;
+  PostureAngle knuckle;  // on which the hood's shares depend, flexion positive
 };
 
 /// Names that go with the rows of a TendonModel.
@@ -77,10 +98,12 @@ struct TendonOptions {
 /// Everything at the digit's tip at posture q (coordinates) [rad].
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q);
 
-/// Flexion of the metacarpophalangeal joint, third from the tip; 0 in shorter digits [rad].
+/// Flexion of the knuckle, the metacarpophalangeal joint of a finger: the flexion joint next to the
+/// wrist from the one that the hood's central slip crosses, be it free, coupled or frozen. It is 0
+/// without a hood and in a digit without such a joint [rad].
 template <typename T>
 [[nodiscard]] T knuckle_angle(const TendonModel<T>& model, const VectorX<T>& q) {
-  return model.flexions.size() < 3 ? T(0) : q[model.flexions[model.flexions.size() - 3]];
+  return angle_at(model.knuckle, q);
 }
 
 /// Strand tension per muscle tension at posture q, before friction (strands, muscles) [1].
@@ -93,25 +116,32 @@ template <typename T>
   return S;
 }
 
+/// How far a tendon bends: |angle|, smoothed within 0.01 rad where a coordinate moves it, so that
+/// derivatives exist in the straight finger [rad].
+template <typename T>
+[[nodiscard]] T bend_size(const PostureAngle& angle, const VectorX<T>& q) {
+  using std::sqrt;
+  if (angle.coordinate < 0) return T(std::abs(angle.offset));
+  const T bent = angle_at(angle, q);
+  return sqrt(bent * bent + T(1e-4));
+}
+
 /// Share of a strand's tension that is left at each joint after the sheath's friction,
-///   exp(-mu sum |q_k|)  over the flexion joints k nearer the muscle (Euler's belt formula).
-/// |q| is smoothed within 0.01 rad, so that derivatives exist in the straight finger.
+///   exp(-mu sum |angle_k|)  over the flexion joints k nearer the muscle (Euler's belt formula).
+/// Frozen joints bend the sheath like others. A joint that abducts feels as much as the flexion
+/// joint before it, so that a universal joint counts as one.
 template <typename T>
 [[nodiscard]] VectorX<T> tension_left(const TendonModel<T>& model, const VectorX<T>& q,
                                       const T& mu) {
   using std::exp;
-  using std::sqrt;
   VectorX<T> left = VectorX<T>::Ones(model.coordinates);
-  T bend(0);
-  std::size_t next = 0;
+  T bent(0);
+  auto bend = model.bends.begin();
   for (int j = 0; j < model.coordinates; ++j) {
-    // A joint feels the bends before it; a universal joint counts as one.
-    if (next < model.flexions.size() && model.flexions[next] == j) {
-      left[j] = exp(-mu * bend);
-      bend += sqrt(q[j] * q[j] + T(1e-4));
-      ++next;
-    } else {
-      left[j] = next == 0 ? T(1) : left[model.flexions[next - 1]];
+    if (j > 0) left[j] = left[j - 1];
+    for (; bend != model.bends.end() && bend->felt_from <= j; ++bend) {
+      bent += bend_size(bend->angle, q);
+      left[j] = exp(-mu * bent);
     }
   }
   return left;

@@ -2,6 +2,8 @@
 
 #include "tendons/tendon_model.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -22,6 +24,11 @@ Subject specimen() {
 
 int index_of(const std::vector<std::string>& names, const std::string& name) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+JointAxis& joint_of(Subject& subject, const std::string& name) {
+  return *std::find_if(subject.joints.begin(), subject.joints.end(),
+                       [&](const JointAxis& joint) { return joint.name == name; });
 }
 
 // Moment arms are minus the derivative of length: central differences of every path.
@@ -121,6 +128,89 @@ TEST(TendonModel, FrictionFollowsEulersBelt) {
   EXPECT_NEAR(left[1], 1, 1e-15);
   EXPECT_NEAR(left[2], std::exp(-0.5 * bend), 1e-15);
   EXPECT_NEAR(left[3], std::exp(-0.5 * 2 * bend), 1e-15);
+}
+
+TEST(TendonModel, FrozenBendsCountForFriction) {
+  TendonOptions options;
+  options.frozen = {{"MCP3_FE", 1}};
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  const Eigen::VectorXd q = Eigen::Vector3d(0, 1, 0);  // MCP3_AA, PIP3, DIP3
+  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  const double bend = std::sqrt(1 + 1e-4);  // a frozen one needs no smoothing
+  EXPECT_NEAR(left[0], 1, 1e-15);
+  EXPECT_NEAR(left[1], std::exp(-0.5), 1e-15);
+  EXPECT_NEAR(left[2], std::exp(-0.5 * (1 + bend)), 1e-15);
+}
+
+// PIP3 follows MCP3 by half and 0.1 rad; DIP3 lies beyond both bends.
+TEST(TendonModel, CoupledBendsCountForFriction) {
+  Subject subject = middle_finger();
+  joint_of(subject, "PIP3").coupling = Coupling{"MCP3_FE", 0.5, 0.1};
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  const Eigen::VectorXd q = Eigen::Vector3d(1, 0, 0);  // MCP3_FE, MCP3_AA, DIP3
+  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  EXPECT_NEAR(left[1], 1, 1e-15);
+  EXPECT_NEAR(left[2], std::exp(-0.5 * (std::sqrt(1 + 1e-4) + std::sqrt(0.36 + 1e-4))), 1e-15);
+}
+
+/// Share of EDC in the central slip at posture q, with a slope of 2 per radian.
+double central_share(TendonDigit digit, const Eigen::VectorXd& q) {
+  for (HoodShare<double>& share : digit.model.hood_shares) share.slope = 2;
+  const Eigen::MatrixXd S = strand_matrix<double>(digit.model, q);
+  return S(index_of(digit.names.strands, "ES"), index_of(digit.names.muscles, "EDC"));
+}
+
+// By hand: logistic(2 (0.7 - 0.33)), for a share of one half at 0.33 rad.
+const double kShareAt07 = 1 / (1 + std::exp(-2 * (0.7 - 0.33)));
+
+TEST(TendonModel, HoodFollowsTheKnuckle) {
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  EXPECT_NEAR(central_share(digit, Eigen::Vector4d(0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
+}
+
+TEST(TendonModel, HoodFollowsTheKnuckleBesideACoupledTip) {
+  Subject subject = middle_finger();
+  joint_of(subject, "DIP3").coupling = Coupling{"PIP3", 0.7, 0};
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  EXPECT_NEAR(central_share(digit, Eigen::Vector3d(0.7, 0.1, 0.9)), kShareAt07, 1e-15);
+}
+
+TEST(TendonModel, HoodFollowsACoupledKnuckle) {
+  Subject subject = middle_finger();
+  const auto at = std::find_if(subject.joints.begin(), subject.joints.end(),
+                               [](const JointAxis& joint) { return joint.name == "MCP3_FE"; });
+  at->coupling = Coupling{"lead", 0.5, 0.2};
+  JointAxis lead = *at;
+  lead.name = "lead";
+  lead.child = "lead_link";
+  lead.direction = Eigen::Vector3d::UnitX();  // along the finger: no flexion
+  lead.coupling.reset();
+  at->parent = "lead_link";
+  subject.joints.insert(at, lead);
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  EXPECT_NEAR(central_share(digit, Eigen::Vector4d(1, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
+}
+
+TEST(TendonModel, HoodKeepsTheAngleOfAFrozenKnuckle) {
+  TendonOptions options;
+  options.frozen = {{"MCP3_FE", 0.7}};
+  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  EXPECT_NEAR(central_share(digit, Eigen::Vector3d(0.1, 0.9, 0.4)), kShareAt07, 1e-15);
+}
+
+TEST(TendonModel, HoodFollowsFlexionAboutAReversedAxis) {
+  Subject subject = middle_finger();
+  joint_of(subject, "MCP3_FE").direction *= -1;
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  EXPECT_NEAR(central_share(digit, Eigen::Vector4d(-0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
+}
+
+// A left hand's radial direction is the other one, but it flexes the same way.
+TEST(TendonModel, HoodFollowsTheKnuckleOfALeftHand) {
+  Subject subject = middle_finger();
+  subject.digits[0].radial *= -1;
+  const TendonDigit digit = build_tendon_digit(subject, "middle");
+  EXPECT_NEAR(central_share(digit, Eigen::Vector4d(0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
 }
 
 TEST(TendonModel, ShiftOfAFractionIsLogistic) {
