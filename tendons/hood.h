@@ -22,7 +22,9 @@ struct HoodShare {
   T slope;        // change of its logit per angle of the metacarpophalangeal joint [1/rad]
 };
 
-/// Metacarpophalangeal flexion at which `to_central` is stated: the middle of a grasp [rad].
+/// Metacarpophalangeal flexion at which `to_central` is stated [rad]: the mean of the four postures
+/// measured in [Synek2019], 40, 55, -20 and 0 degrees: stated at the middle of its data, a fitted
+/// share depends least on the fitted slope. With a slope of 0 any angle does.
 inline constexpr double kHoodAngle = 0.33;
 
 /// A fraction c moved by u on the logit scale:  logistic(logit(c) + u), exact at c = 0 and 1.
