@@ -15,7 +15,8 @@ bool moves(const Tree<double>& tree, int i, int j) {
 class MovedAxis {
  public:
   explicit MovedAxis(const AxisQuestion& question)
-      : hinge_(question.tree[question.hinge]),
+      : question_(question),
+        hinge_(question.tree[question.hinge]),
         state_(question.state[question.hinge]),
         angle_(hinge_.ratio * question.q[hinge_.coordinate] + hinge_.offset),
         tangents_(tangents(hinge_.direction)) {
@@ -42,21 +43,26 @@ class MovedAxis {
     return D;
   }
 
-  /// Of its own direction.
-  [[nodiscard]] ByAxis own_direction() const {
+  /// Of the direction of hinge j now.
+  [[nodiscard]] ByAxis axis_of(int j) const {
+    if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
+    if (j != question_.hinge) return direction(question_.state[j].axis);
     ByAxis D;
     D << R_parent_ * tangents_.e1, R_parent_ * tangents_.e2, Eigen::Matrix3d::Zero();
     return D;
   }
 
-  /// Of its own point.
-  [[nodiscard]] ByAxis own_point() const {
+  /// Of the point of hinge j now.
+  [[nodiscard]] ByAxis point_of(int j) const {
+    if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
+    if (j != question_.hinge) return point(question_.state[j].point);
     ByAxis D = ByAxis::Zero();
     D.rightCols<3>() = R_parent_;
     return D;
   }
 
  private:
+  const AxisQuestion& question_;
   const Hinge<double>& hinge_;
   const LinkState<double>& state_;
   double angle_;  // [rad]
@@ -71,8 +77,8 @@ ByAxis position_by_axis(const AxisQuestion& question, int link, const Eigen::Vec
   return MovedAxis(question).point(x);
 }
 
-std::vector<ByAxis> jacobian_by_axis(const AxisQuestion& question, int link,
-                                     const Eigen::Vector3d& x) {
+std::vector<ByAxis> position_jacobian_by_axis(const AxisQuestion& question, int link,
+                                              const Eigen::Vector3d& x) {
   std::vector<ByAxis> result(static_cast<std::size_t>(question.q.size()), ByAxis::Zero());
   const Tree<double>& tree = question.tree;
   if (!moves(tree, question.hinge, link)) return result;
@@ -81,18 +87,23 @@ std::vector<ByAxis> jacobian_by_axis(const AxisQuestion& question, int link,
   const ByAxis dx = moved_axis.point(x);
   for_each_hinge_to_base(tree, link, [&](int j) {
     const LinkState<double>& own = question.state[j];
-    ByAxis d_axis = ByAxis::Zero(), d_point = ByAxis::Zero();
-    if (j == question.hinge) {
-      d_axis = moved_axis.own_direction();
-      d_point = moved_axis.own_point();
-    } else if (moves(tree, question.hinge, j)) {
-      d_axis = moved_axis.direction(own.axis);
-      d_point = moved_axis.point(own.point);
-    }
+    const ByAxis d_axis = moved_axis.axis_of(j), d_point = moved_axis.point_of(j);
     ByAxis& column = result[tree[j].coordinate];
     for (int k = 0; k < 5; ++k)
       column.col(k) += tree[j].ratio * (d_axis.col(k).cross(x - own.point) +
                                         own.axis.cross(dx.col(k) - d_point.col(k)));
+  });
+  return result;
+}
+
+std::vector<ByAxis> rotation_jacobian_by_axis(const AxisQuestion& question, int link) {
+  std::vector<ByAxis> result(static_cast<std::size_t>(question.q.size()), ByAxis::Zero());
+  const Tree<double>& tree = question.tree;
+  if (!moves(tree, question.hinge, link)) return result;
+
+  const MovedAxis moved_axis(question);
+  for_each_hinge_to_base(tree, link, [&](int j) {
+    result[tree[j].coordinate] += tree[j].ratio * moved_axis.axis_of(j);
   });
   return result;
 }

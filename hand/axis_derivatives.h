@@ -34,7 +34,12 @@ struct AxisQuestion {
 /// d (J column) / d axis of the position Jacobian of a point of a link, one entry per coordinate
 /// [m/rad per parameter]. Columns are  axis x (x - point); each of the three may change.
 /// @param x  the point where it is now [m] (3)
-[[nodiscard]] std::vector<ByAxis> jacobian_by_axis(const AxisQuestion& question, int link,
-                                                   const Eigen::Vector3d& x);
+[[nodiscard]] std::vector<ByAxis> position_jacobian_by_axis(const AxisQuestion& question, int link,
+                                                            const Eigen::Vector3d& x);
+
+/// d (J column) / d axis of the rotation Jacobian of a link, one entry per coordinate
+/// [1/rad for tilts, 1/m for the point]. Columns are  axis; a direction beyond the hinge tilts as
+/// a point does, the hinge's own direction d as  R_P e,  and no shift of the point turns anything.
+[[nodiscard]] std::vector<ByAxis> rotation_jacobian_by_axis(const AxisQuestion& question, int link);
 
 }  // namespace thenar

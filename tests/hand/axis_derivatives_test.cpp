@@ -13,6 +13,8 @@ namespace {
 
 using Jet = ceres::Jet<double, 5>;
 
+constexpr double kRounding = 1e-14;  // of derivatives up to 2, through a chain of five products
+
 struct PosedDigit {
   Skeleton skeleton;
   Eigen::VectorXd q;
@@ -63,13 +65,19 @@ void expect_equal_to_jets(const PosedDigit& s) {
     const Tree<Jet> tree = jet_tree(s.skeleton.tree, i);
     const TreeState<Jet> state = pose_tree(tree, s.q);
     const Vec3<Jet> x = moved(state, s.link, Vec3<Jet>(s.p.cast<Jet>()));
-    EXPECT_TRUE(matrix_near(position_by_axis(question, s.link, s.x), derivative(x), 1e-15));
+    EXPECT_TRUE(matrix_near(position_by_axis(question, s.link, s.x), derivative(x), kRounding));
 
     const auto J = position_jacobian(tree, state, s.link, x, s.skeleton.coordinates());
-    const std::vector<ByAxis> dJ = jacobian_by_axis(question, s.link, s.x);
+    const std::vector<ByAxis> dJ = position_jacobian_by_axis(question, s.link, s.x);
     ASSERT_EQ(static_cast<int>(dJ.size()), s.skeleton.coordinates());
     for (int c = 0; c < s.skeleton.coordinates(); ++c)
-      EXPECT_TRUE(matrix_near(dJ[c], derivative(J.col(c)), 1e-15));
+      EXPECT_TRUE(matrix_near(dJ[c], derivative(J.col(c)), kRounding));
+
+    const auto W = rotation_jacobian(tree, state, s.link, s.skeleton.coordinates());
+    const std::vector<ByAxis> dW = rotation_jacobian_by_axis(question, s.link);
+    ASSERT_EQ(static_cast<int>(dW.size()), s.skeleton.coordinates());
+    for (int c = 0; c < s.skeleton.coordinates(); ++c)
+      EXPECT_TRUE(matrix_near(dW[c], derivative(W.col(c)), kRounding));
   }
 }
 
@@ -105,6 +113,24 @@ TEST(AxisDerivatives, EqualFiniteDifferences) {
   }
 }
 
+TEST(AxisDerivatives, OfRotationEqualFiniteDifferences) {
+  const PosedDigit s = posed_digit(sample::random_hand(5), 6);
+  const double h = 1e-6;  // [rad] or [m]
+  const int n = s.skeleton.coordinates();
+  for (const int i : {0, 1, 3, 5}) {
+    const auto D = rotation_jacobian_by_axis({s.skeleton.tree, s.state, s.q, i}, s.link);
+    for (int k = 0; k < 5; ++k) {
+      const Eigen::Matrix<double, 5, 1> step = h * Eigen::Matrix<double, 5, 1>::Unit(k);
+      const auto at = [&](const Eigen::Matrix<double, 5, 1>& by) {
+        const Tree<double> tree = moved_axis(s.skeleton.tree, i, by);
+        return rotation_jacobian(tree, pose_tree(tree, s.q), s.link, n);
+      };
+      const Eigen::Matrix3Xd difference = (at(step) - at(-step)) / (2 * h);
+      for (int c = 0; c < n; ++c) EXPECT_TRUE(matrix_near(D[c].col(k), difference.col(c), 1e-9));
+    }
+  }
+}
+
 TEST(AxisDerivatives, VanishAlongTheAxis) {
   const PosedDigit s = posed_digit(sample::random_hand(7), 8);
   for (const int i : {0, 2, 4}) {
@@ -118,7 +144,8 @@ TEST(AxisDerivatives, AreZeroForOtherDigits) {
   const PosedDigit s = posed_digit(sample::random_hand(9), 10);
   const int other = s.skeleton.tips[1].link;
   EXPECT_TRUE(position_by_axis({s.skeleton.tree, s.state, s.q, other}, s.link, s.x).isZero(0));
-  for (const ByAxis& D : jacobian_by_axis({s.skeleton.tree, s.state, s.q, other}, s.link, s.x))
+  for (const ByAxis& D :
+       position_jacobian_by_axis({s.skeleton.tree, s.state, s.q, other}, s.link, s.x))
     EXPECT_TRUE(D.isZero(0));
 }
 
