@@ -131,6 +131,13 @@ struct Multibody::Parts {
     system.realize(state, SimTK::Stage::Velocity);
   }
 
+  /// Weights need mass only; motion needs its spread, too.
+  void require_inertia() const {
+    for (const LinkMass& link : skeleton.masses)
+      require(link.no_inertia.empty(),
+              "segment '{}' has mass but neither moments of inertia nor a radius", link.no_inertia);
+  }
+
   /// Weights and forces on every body, moved to its origin.
   SpatialVectors body_forces(const Loads& loads) const {
     SpatialVectors F(matter.getNumBodies(), SimTK::SpatialVec(SimTK::Vec3(0), SimTK::Vec3(0)));
@@ -202,6 +209,7 @@ Eigen::VectorXd Multibody::load_torque(const Eigen::Ref<const Eigen::VectorXd>& 
 }
 
 Eigen::MatrixXd Multibody::mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& q) {
+  parts_->require_inertia();
   parts_->set(q);
   SimTK::Matrix M;
   parts_->matter.calcM(parts_->state, M);
@@ -209,6 +217,7 @@ Eigen::MatrixXd Multibody::mass_matrix(const Eigen::Ref<const Eigen::VectorXd>& 
 }
 
 double Multibody::kinetic_energy(const JointMotion& motion) {
+  parts_->require_inertia();
   parts_->set(motion);
   return parts_->matter.calcKineticEnergy(parts_->state);
 }
@@ -216,6 +225,7 @@ double Multibody::kinetic_energy(const JointMotion& motion) {
 Eigen::VectorXd Multibody::inverse_dynamics(const JointMotion& motion,
                                             const Eigen::Ref<const Eigen::VectorXd>& q_ddot,
                                             const Loads& loads) {
+  parts_->require_inertia();
   parts_->set(motion);
   parts_->require_length("q_ddot", q_ddot);
   SimTK::Vector tau;
@@ -228,6 +238,7 @@ Eigen::VectorXd Multibody::inverse_dynamics(const JointMotion& motion,
 Eigen::VectorXd Multibody::forward_dynamics(const JointMotion& motion,
                                             const Eigen::Ref<const Eigen::VectorXd>& tau,
                                             const Loads& loads) {
+  parts_->require_inertia();
   parts_->set(motion);
   parts_->require_length("tau", tau);
   const std::vector<bool> carries = carries_mass(parts_->skeleton);

@@ -31,7 +31,8 @@ struct JointMotion {
 /// posed as long as something beyond them has mass and their axes are not the same line.
 ///
 /// Owns one Simbody System and State, which every call below changes: one object per thread.
-/// @throws InputError (every call) if a vector has the wrong length or a link is not there.
+/// @throws InputError (every call) if a vector has the wrong length or a link is not there;
+/// (masses, energies, dynamics) if a segment has mass but unknown moments of inertia.
 class Multibody {
  public:
   explicit Multibody(const Skeleton& skeleton, Passive passive = Passive::kOff);

@@ -12,7 +12,9 @@ inline constexpr double kHandDensity = 1160;
 
 /// Mass, centre and inertia of one segment at the reference posture.
 /// Measured values win; else a capsule from `proximal` to `distal` of `radius` and
-/// kHandDensity; all zero if the subject says neither.
+/// kHandDensity; all zero if the subject says neither. A measured mass without moments of inertia
+/// takes those of the capsule, scaled to the mass; without a radius they stay unknown, which
+/// LinkMass::no_inertia tells.
 [[nodiscard]] LinkMass segment_mass(const Segment& segment);
 
 /// Mass of two bodies moving as one (parallel-axis theorem).

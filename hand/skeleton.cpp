@@ -17,13 +17,16 @@ std::string listed(const std::vector<std::string>& names) {
   return list;
 }
 
+bool keeps(const std::vector<std::string>& digits, const Digit& digit) {
+  return digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0;
+}
+
 /// Segments between the tips of the kept digits and the base.
 std::set<std::string> kept_segments(const Subject& subject,
                                     const std::vector<std::string>& digits) {
   std::set<std::string> kept;
   for (const Digit& digit : subject.digits)
-    if (digits.empty() || std::count(digits.begin(), digits.end(), digit.name) > 0)
-      kept.insert(digit.tip_segment);
+    if (keeps(digits, digit)) kept.insert(digit.tip_segment);
   for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
     if (kept.count(joint->child) > 0) kept.insert(joint->parent);
   return kept;
@@ -45,17 +48,29 @@ void require_known(const Subject& subject, const SkeletonOptions& options) {
   }
 }
 
+/// The digits that a joint moves.
+std::vector<Digit> digits_moved(const Subject& subject, const std::string& joint) {
+  std::vector<Digit> moved;
+  for (const JointAxis& candidate : subject.joints)
+    for (const Digit& digit : subject.digits)
+      if (candidate.name == joint &&
+          kept_segments(subject, {digit.name}).count(candidate.child) > 0)
+        moved.push_back(digit);
+  return moved;
+}
+
 /// Grows the skeleton joint by joint, from the wrist outwards.
 class Builder {
  public:
   Builder(const Subject& subject, const SkeletonOptions& options)
-      : options_(options), kept_(kept_segments(subject, options.digits)) {
+      : subject_(subject), options_(options), kept_(kept_segments(subject, options.digits)) {
     skeleton_.link_of_segment[subject.base] = -1;
     skeleton_.segment_at[subject.base] = {};
     for (const JointAxis& joint : subject.joints)
       if (kept_.count(joint.child) > 0) add(joint);
     for (const Segment& segment : subject.segments) add_mass(segment);
-    for (const Digit& digit : subject.digits) add_tip(digit);
+    for (const Digit& digit : subject.digits)
+      if (keeps(options.digits, digit)) add_tip(digit);
   }
 
   Skeleton take() { return std::move(skeleton_); }
@@ -126,9 +141,20 @@ class Builder {
     if (leader.stiffness > 0) leader.rest = moment / leader.stiffness;
   }
 
+  /// Throws if the leader moves digits, but none that is kept.
+  void require_kept(const std::string& leader, const std::string& follower) const {
+    const std::vector<Digit> digits = digits_moved(subject_, leader);
+    require(
+        digits.empty() || std::any_of(digits.begin(), digits.end(),
+                                      [&](const Digit& d) { return keeps(options_.digits, d); }),
+        "joint '{}' is coupled to '{}' of a digit left out: keep digit '{}', too", follower, leader,
+        digits.empty() ? "" : digits.front().name);
+  }
+
   int coordinate_of(const std::string& leader, const std::string& follower) const {
     const auto& names = skeleton_.coordinate_names;
     const auto found = std::find(names.begin(), names.end(), leader);
+    if (found == names.end()) require_kept(leader, follower);
     require(found != names.end(),
             "joint '{}' is coupled to '{}', which is not a free joint before it", follower, leader);
     return static_cast<int>(found - names.begin());
@@ -150,6 +176,7 @@ class Builder {
     skeleton_.tips.push_back({digit.name, link->second, at * digit.tip, at.R * axes});
   }
 
+  const Subject& subject_;
   const SkeletonOptions& options_;
   std::set<std::string> kept_;
   std::map<std::string, std::string> carrier_;  // segment -> the one that its joints hang on

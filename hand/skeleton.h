@@ -34,6 +34,7 @@ struct LinkMass {
   double mass = 0;                                    // [kg]
   Eigen::Vector3d com{0, 0, 0};                       // [m] (3)
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
+  std::string no_inertia;  // a segment of it that has mass but unknown inertia; empty: none
 };
 
 /// The tip of a digit.
@@ -59,7 +60,8 @@ struct Skeleton {
 };
 
 /// Builds the least skeleton that serves `options`.
-/// @throws InputError for an unknown digit or joint, a frozen angle outside the joint's limits.
+/// @throws InputError for an unknown digit or joint, a frozen angle outside the joint's limits, a
+/// joint coupled to one of a digit left out.
 [[nodiscard]] Skeleton build_skeleton(const Subject& subject, const SkeletonOptions& options = {});
 
 /// Joints between the base and more than one digit: the wrist.

@@ -75,6 +75,8 @@ Segment read_segment(TomlTable& table, SubjectDraft& draft) {
   segment.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
   segment.com = table.vector_or(Dimension::kLength, "com", (segment.proximal + segment.distal) / 2);
   segment.inertia = read_inertia(table, segment);
+  if (segment.mass == 0 && !segment.inertia.isZero(0))
+    table.fail(fmt::format("segment '{}' has 'inertia' but no 'mass'", segment.name));
   table.done();
   return segment;
 }

@@ -129,6 +129,8 @@ TEST(SubjectErrors, ImpossibleInertia) {
   EXPECT_EQ(refusal("mass_g = 12", "inertia_g_mm2 = [1, 1, 3]"),
             "s.toml:7: no body has the principal moments of inertia 1e-09, 1e-09, 3e-09 kg m^2: "
             "the largest exceeds the sum of the others");
+  EXPECT_EQ(refusal("mass_g = 12", "inertia_g_mm2 = [1, 1, 2]"),
+            "s.toml:7: segment 'PP2' has 'inertia' but no 'mass'");
   EXPECT_EQ(refusal("mass_g = 12", "mass_g = -12"), "s.toml:9: wanted 'mass_g' >= 0, got -12");
 }
 

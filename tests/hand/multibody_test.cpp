@@ -56,6 +56,25 @@ TEST(Multibody, BaseDoesNotMove) {
   EXPECT_TRUE(body.jacobian(Eigen::Vector2d(1, 1), -1, {0.1, 0, 0}).isZero(0));
 }
 
+// Weights need mass only, motion its spread, too.
+TEST(Multibody, RefusesToMoveAMassOfUnknownSpread) {
+  Subject subject = sample::two_link();
+  subject.segments[2].mass = 0.02;
+  subject.segments[2].radius = 0;
+  Multibody body(build_skeleton(subject));
+  const Eigen::Vector2d q(0.1, 0.2), zero(0, 0);
+  EXPECT_TRUE(body.load_torque(q, kGravity).allFinite());
+  EXPECT_THROW((void)body.mass_matrix(q), InputError);
+  EXPECT_THROW((void)body.kinetic_energy({q, zero}), InputError);
+  EXPECT_THROW((void)body.inverse_dynamics({q, zero}, zero), InputError);
+  try {
+    (void)body.forward_dynamics({q, zero}, zero);
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "segment 'lower' has mass but neither moments of inertia nor a radius");
+  }
+}
+
 // Textbook: M11 = I1 + I2 + m1 c1^2 + m2 (l1^2 + c2^2 + 2 l1 c2 cos q2), and so on.
 TEST(Multibody, MassMatrixOfTwoLinks) {
   const Skeleton skeleton = build_skeleton(sample::two_link());

@@ -8,12 +8,11 @@
 
 #include <fmt/format.h>
 
+#include "base/angles.h"
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
 
 namespace thenar::sample {
-
-inline constexpr double kPi = 3.141592653589793;
 
 /// Numbers and vectors at random.
 class Draw {

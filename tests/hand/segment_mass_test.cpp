@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
+#include "base/angles.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
 
@@ -25,7 +26,7 @@ Moments sum_of_discs(double h, double r) {
     const double z = -h / 2 - r + (i + 0.5) * dz;
     const double beyond = std::max(std::abs(z) - h / 2, 0.0);
     const double radius2 = r * r - beyond * beyond;
-    const double mass = kHandDensity * sample::kPi * radius2 * dz;
+    const double mass = kHandDensity * kPi * radius2 * dz;
     sum.mass += mass;
     sum.along += mass * radius2 / 2;
     sum.across += mass * (radius2 / 4 + z * z);
@@ -75,6 +76,27 @@ TEST(SegmentMass, MeasuredValuesWin) {
   segment.com = {0.02, 0.001, 0};
   EXPECT_EQ(segment_mass(segment).mass, 0.02);
   EXPECT_EQ(segment_mass(segment).com, segment.com);
+}
+
+TEST(SegmentMass, MeasuredMassTakesTheSpreadOfTheCapsule) {
+  Segment segment = sample::bone("x", {0, 0, 0}, {0.05, 0, 0}, 0.01);
+  const LinkMass capsule = segment_mass(segment);
+  segment.mass = 3 * capsule.mass;
+  segment.com = {0.02, 0.001, 0};
+  const LinkMass body = segment_mass(segment);
+  EXPECT_TRUE(matrix_near(body.inertia, 3 * capsule.inertia, 1e-18));
+  EXPECT_EQ(body.com, segment.com);
+  EXPECT_EQ(body.no_inertia, "");
+}
+
+TEST(SegmentMass, MassOfUnknownSpreadSaysSo) {
+  Segment segment = sample::bone("x", {0, 0, 0}, {0.05, 0, 0}, 0);
+  segment.mass = 0.02;
+  const LinkMass body = segment_mass(segment),
+                 known{0.1, {0, 0, 0}, Eigen::Matrix3d::Identity(), {}};
+  EXPECT_EQ(body.no_inertia, "x");
+  EXPECT_EQ(combine(known, displace({}, body)).no_inertia, "x");
+  EXPECT_EQ(combine(body, known).no_inertia, "x");
 }
 
 TEST(SegmentMass, UnknownIsZero) {

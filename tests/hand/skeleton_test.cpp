@@ -195,6 +195,30 @@ TEST(Skeleton, SaysWhichLeaderIsMissing) {
             "joint 'DIP' is coupled to 'PIP9', which is not a free joint before it");
 }
 
+// A second tip may sit half-way down the path of the first.
+TEST(Skeleton, DropsADigitOnThePathOfAnother) {
+  Subject subject = sample::two_link();
+  subject.digits.push_back(sample::digit("knuckle", "upper", {0.02, 0, 0}));
+  SkeletonOptions options;
+  options.digits = {"index"};
+  const Skeleton kept = build_skeleton(subject, options);
+  ASSERT_EQ(kept.tips.size(), 1U);
+  EXPECT_EQ(kept.tips[0].digit, "index");
+}
+
+TEST(Skeleton, SaysWhichDigitItsLeaderIsOf) {
+  Subject subject = sample::random_hand(26);
+  for (JointAxis& joint : subject.joints)
+    if (joint.name == "little_2_0") joint.coupling = Coupling{"ring_2_0", 1, 0};
+  SkeletonOptions options;
+  options.digits = {"little"};
+  EXPECT_EQ(message([&] { (void)build_skeleton(subject, options); }),
+            "joint 'little_2_0' is coupled to 'ring_2_0' of a digit left out: keep digit 'ring', "
+            "too");
+  options.digits = {"ring", "little"};
+  EXPECT_EQ(build_skeleton(subject, options).coordinates(), 2 + 4 + 3);
+}
+
 TEST(Posture, PutsNamedAnglesInPlace) {
   const Skeleton skeleton = build_skeleton(sample::coupled_digit());
   EXPECT_EQ(posture(skeleton, {{"PIP", 0.5}, {"MCP_AA", -0.1}}), Eigen::Vector3d(-0.1, 0, 0.5));
