@@ -35,8 +35,8 @@ TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
 }
 
 /// Cosine to the digit's flexion direction above which a joint flexes: 45 degrees, half way to a
-/// joint that purely abducts or pronates, so every joint counts as what it does more of. A choice of
-/// ours, not a measured number.
+/// joint that purely abducts or pronates, so every joint counts as what it does more of. A choice
+/// of ours, not a measured number.
 constexpr double kFlexion = 0.7071;
 
 bool crosses_a_joint(const TendonPath<double>& path) {
