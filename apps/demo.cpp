@@ -13,6 +13,7 @@
 #include "apps/commands.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
+#include "base/angles.h"
 #include "base/provenance.h"
 #include "base/write_file.h"
 #include "viewer/fit_pages.h"
@@ -45,7 +46,7 @@ StudyInputs inputs_of(const Options& options) {
 
 /// Thumbs that differ in their axes, bent alike, and a measured one as it was digitised.
 std::vector<ThumbCase> thumb_cases(const Options& options) {
-  const double bent = 30 * 3.141592653589793 / 180;  // [rad]
+  const double bent = radians(30);
   const std::map<std::string, double> pinch{{"MCP1_FE", bent}, {"IP1", bent}};
   const auto read = [&](const char* file) {
     return read_subject(options.data + "/subjects/" + file);

@@ -6,12 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/angles.h"
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
 
 namespace thenar {
-
-inline constexpr double kDegree = 3.14159265358979323846 / 180;  // [rad]
 
 /// Coordinates from `JOINT=degrees` pairs, or from plain degrees in the order of the joints.
 /// @return q (coordinates) [rad]; joints not named stay at the reference posture

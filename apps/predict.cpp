@@ -11,6 +11,7 @@
 
 #include "apps/commands.h"
 #include "apps/read_source.h"
+#include "base/angles.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
@@ -23,11 +24,9 @@ struct Options {
   bool json = false;
 };
 
-constexpr double kDegrees = 180 / 3.141592653589793;
-
 double direction_error_deg(const PredictedTrial& trial) {
   const Eigen::Vector3d &a = trial.predicted, &b = trial.measured;
-  return kDegrees * std::atan2(a.cross(b).norm(), a.dot(b));
+  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
 }
 
 std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -48,7 +47,7 @@ nlohmann::json to_json(const Prediction& prediction, const std::string& specimen
           {"rms_error_N", prediction.error.rms},
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
-          {"direction_error_deg", prediction.error.direction * kDegrees},
+          {"direction_error_deg", degrees(prediction.error.direction)},
           {"covered_95", prediction.error.covered},
           {"vectors", vectors}};
 }
@@ -69,7 +68,7 @@ void print(const Prediction& prediction, const std::string& specimen, bool fitte
   fmt::print(
       "  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg, "
       "{:.0f} % of components within the 95 % interval\n",
-      prediction.error.rms, prediction.error.relative, prediction.error.direction * kDegrees,
+      prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction),
       100 * prediction.error.covered);
 }
 

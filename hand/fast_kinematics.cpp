@@ -42,7 +42,7 @@ FastKinematics::FastKinematics(const Skeleton& skeleton, Simd simd)
           kMaxFastHinges, skeleton.tree.size());
   require(skeleton.tips.size() <= kMaxFastTips, "at most {} tips here, the skeleton has {}",
           kMaxFastTips, skeleton.tips.size());
-  require(simd != Simd::kAvx2 || avx2_, "this processor has no AVX2{}", "");
+  require(simd != Simd::kAvx2 || avx2_, "this processor has no AVX2");
   for (const Hinge<double>& hinge : skeleton.tree) {
     turns_.push_back({column(hinge.direction), column(hinge.point), hinge.parent});
     drives_.push_back({hinge.coordinate, hinge.ratio, hinge.offset});

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "base/angles.h"
+
 namespace thenar {
 namespace {
 
-constexpr double kDegree = 3.141592653589793 / 180;
 constexpr double kMm = 1e-3;
 constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
 

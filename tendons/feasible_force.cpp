@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "base/spatial.h"
 #include "tendons/linear_program.h"
@@ -18,7 +19,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
 constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
 constexpr int kMostCuts = 200;            // about 20 are needed

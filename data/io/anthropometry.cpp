@@ -35,7 +35,6 @@ SegmentProportion read_segment(TomlTable& table) {
 DigitProportion read_digit(TomlTable& table) {
   DigitProportion digit;
   digit.name = table.text("name");
-  digit.metacarpal = table.number(Dimension::kNumber, "metacarpal_ratio", Range::kFraction);
   digit.joint_distal = table.number(Dimension::kNumber, "joint_distal_ratio");
   digit.joint_radial = table.number(Dimension::kNumber, "joint_radial_ratio");
   digit.splay = table.number_or(Dimension::kAngle, "splay", 0);

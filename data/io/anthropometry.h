@@ -32,7 +32,6 @@ struct DigitProportion {
   double joint_radial = 0;  // first joint, radial of the middle finger, times hand breadth [1]
   double splay = 0;         // turned away from the middle finger, radially [rad]
   double roll = 0;          // turned about its own length, thumb pad towards the palm [rad]
-  double metacarpal = 0;    // length of the metacarpal, times hand length [1]
   std::vector<SegmentProportion> segments;
 };
 

@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 /// Sine of the angle below which axes count as parallel: nearer to parallel, the feet of the
 /// common normal are so far away that rounding costs more than the angle left out.
-constexpr double kParallel = 1e-8;
+constexpr double kSameDirection = 1e-8;
 
 /// The common normal of two lines.
 struct Normal {
@@ -36,7 +36,7 @@ Normal common_normal(const AxisLine& first, const AxisLine& second, const Vector
                      const Vector3d& x) {
   const Vector3d n = first.direction.cross(second.direction);
   const double s = n.norm();
-  if (s < kParallel) return normal_of_parallels(second, origin, x);
+  if (s < kSameDirection) return normal_of_parallels(second, origin, x);
   const Vector3d between = second.point - first.point;
   const double along_first = between.cross(second.direction).dot(n) / (s * s);
   const double along_second = between.cross(first.direction).dot(n) / (s * s);

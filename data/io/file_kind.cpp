@@ -21,7 +21,7 @@ bool has_any(const TomlNode& table, const std::vector<std::string>& keys) {
 bool has_proportions(const TomlNode& top) {
   const TomlNode* digits = top.find("digit");
   return digits != nullptr && !digits->items.empty() &&
-         has_any(digits->items.front(), {"metacarpal_ratio", "joint_distal_ratio", "segment"});
+         has_any(digits->items.front(), {"joint_distal_ratio", "segment"});
 }
 
 }  // namespace

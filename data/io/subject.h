@@ -13,6 +13,8 @@
 
 #include <Eigen/Core>
 
+#include "base/angles.h"
+
 namespace thenar {
 
 /// A rigid bone with the soft tissue that moves with it.
@@ -42,8 +44,8 @@ struct JointAxis {
   Eigen::Vector3d point{0, 0, 0};      // any point of the axis [m] (3)
   double direction_sd = 0;             // of repeated measurements [rad]; 0 if unknown
   double point_sd = 0;                 // of repeated measurements [m]; 0 if unknown
-  double lower = -3.141592653589793;   // joint limit [rad]
-  double upper = 3.141592653589793;    // joint limit [rad]
+  double lower = -kPi;                 // joint limit [rad]
+  double upper = kPi;                  // joint limit [rad]
   double rest = 0;                     // angle without passive torque [rad]
   double stiffness = 0;                // passive torque = -stiffness (q - rest) [N m/rad]
   double damping = 0;                  // [N m s/rad]

@@ -1,19 +1,15 @@
 #include "data/io/units.h"
 
+#include "base/angles.h"
+
 namespace thenar {
-namespace {
-
-constexpr double kRadianPerDegree = 3.141592653589793 / 180;
-
-}  // namespace
-
 const std::vector<Unit>& all_units() {
   static const std::vector<Unit> units{
       {"", Dimension::kNumber, 1},
       {"mm", Dimension::kLength, 1e-3},
       {"cm", Dimension::kLength, 1e-2},
       {"m", Dimension::kLength, 1},
-      {"deg", Dimension::kAngle, kRadianPerDegree},
+      {"deg", Dimension::kAngle, kDegree},
       {"rad", Dimension::kAngle, 1},
       {"g", Dimension::kMass, 1e-3},
       {"kg", Dimension::kMass, 1},
@@ -32,12 +28,10 @@ const std::vector<Unit>& all_units() {
       {"m_s2", Dimension::kAcceleration, 1},
       {"Nm_per_rad", Dimension::kAngularStiffness, 1},
       {"Nmm_per_rad", Dimension::kAngularStiffness, 1e-3},
-      {"Nm_per_deg", Dimension::kAngularStiffness, 1 / kRadianPerDegree},
-      {"Nmm_per_deg", Dimension::kAngularStiffness, 1e-3 / kRadianPerDegree},
+      {"Nm_per_deg", Dimension::kAngularStiffness, 1 / kDegree},
+      {"Nmm_per_deg", Dimension::kAngularStiffness, 1e-3 / kDegree},
       {"Nms_per_rad", Dimension::kAngularDamping, 1},
       {"Nmms_per_rad", Dimension::kAngularDamping, 1e-3},
-      {"s", Dimension::kTime, 1},
-      {"ms", Dimension::kTime, 1e-3},
   };
   return units;
 }
@@ -74,11 +68,9 @@ std::string dimension_name(Dimension dimension) {
     case Dimension::kAngularStiffness:
       return "an angular stiffness";
     case Dimension::kAngularDamping:
-      return "an angular damping";
-    case Dimension::kTime:
       break;
   }
-  return "a time";
+  return "an angular damping";
 }
 
 }  // namespace thenar

@@ -20,8 +20,7 @@ enum class Dimension {
   kStress,
   kAcceleration,
   kAngularStiffness,
-  kAngularDamping,
-  kTime
+  kAngularDamping
 };
 
 /// One way to write a dimension: `point_mm = 5` is 5 * 0.001 m.

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "base/angles.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -15,7 +16,6 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kRounding = 1e-14;  // a few roundings of numbers of order one
-constexpr double kPi = 3.14159265358979323846;
 
 Vector3d random_unit(std::mt19937& rng) {
   std::normal_distribution<double> normal;

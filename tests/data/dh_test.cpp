@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "tests/matrix_near.h"
 
@@ -113,7 +114,7 @@ TEST(Dh, PublishedThumbAxesAreSkew) {
   const Vector3d p(0.0072, -0.0054, -0.0025);
   const DhChain chain = dh_from_axes({{{0, 0, 0}, flexion}, {p, abduction}}, {});
   EXPECT_NEAR(std::abs(chain.rows[0].a), 9.13e-3, 5e-6);
-  EXPECT_NEAR(chain.rows[0].alpha, 80.9 * 3.141592653589793 / 180, 1e-3);
+  EXPECT_NEAR(chain.rows[0].alpha, radians(80.9), 1e-3);
 }
 
 TEST(Dh, RefusesNoAxes) { EXPECT_THROW((void)dh_from_axes({}, {}), InputError); }

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
 
 namespace thenar {
@@ -67,7 +68,7 @@ TEST(FitSettingsFile, ReadsEverythingInSi) {
   EXPECT_FALSE(path.mean || path.lower || path.upper || path.optional);
   const ParameterRule& axis = settings.rules[1];
   EXPECT_TRUE(axis.optional);
-  EXPECT_DOUBLE_EQ(*axis.sd, 3.141592653589793 / 2);
+  EXPECT_DOUBLE_EQ(*axis.sd, kPi / 2);
   const ParameterRule& tied = settings.rules[2];
   EXPECT_EQ(tied.state, ParameterState::kTied);
   EXPECT_EQ(tied.tie_to, "friction/FDP");

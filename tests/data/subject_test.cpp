@@ -4,14 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = 3.141592653589793 / 180;
 
 // A straight finger along -x with one hinge, 20 mm from its tip.
 const std::string kFinger = R"(
@@ -162,6 +161,7 @@ base = "B"
 source = "An1983"
 [[segment]]
 name = "B"
+mass_kg = 1
 inertia_kg_m2 = [3, 4, 5, 0.1, 0.2, 0.3])",
                                         "box.toml");
   Eigen::Matrix3d expected;

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "data/io/nearest_name.h"
 #include "data/io/sources.h"
@@ -50,9 +51,9 @@ TEST(TomlTable, ConvertsCompoundUnits) {
   const TomlFile file(
       kSource + "range_deg = 180\ninertia_g_mm2 = 2\nk_Nmm_per_deg = 1\nt_N_cm2 = 45", "a.toml");
   TomlTable top = file.top();
-  EXPECT_DOUBLE_EQ(top.number(Dimension::kAngle, "range"), 3.141592653589793);
+  EXPECT_DOUBLE_EQ(top.number(Dimension::kAngle, "range"), kPi);
   EXPECT_DOUBLE_EQ(top.number(Dimension::kInertia, "inertia"), 2e-9);
-  EXPECT_DOUBLE_EQ(top.number(Dimension::kAngularStiffness, "k"), 0.18 / 3.141592653589793);
+  EXPECT_DOUBLE_EQ(top.number(Dimension::kAngularStiffness, "k"), 0.18 / kPi);
   EXPECT_DOUBLE_EQ(top.number(Dimension::kStress, "t"), 450000);
 }
 

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
@@ -203,10 +204,9 @@ TEST(FitProblem, TwoSpecimensHaveAPopulationAndTwoDeviations) {
   VectorXd z = VectorXd::Zero(problem.size());
   z[0] = 1;
   z[16] = 2;
-  const double degree = 3.141592653589793 / 180;
-  EXPECT_NEAR(problem.displacements(z, -1)[0], 3 * degree, 1e-12);
-  EXPECT_NEAR(problem.displacements(z, 0)[0], 3 * degree, 1e-12);
-  EXPECT_NEAR(problem.displacements(z, 1)[0], (3 + 2 * 4) * degree, 1e-12);
+  EXPECT_NEAR(problem.displacements(z, -1)[0], 3 * kDegree, 1e-12);
+  EXPECT_NEAR(problem.displacements(z, 0)[0], 3 * kDegree, 1e-12);
+  EXPECT_NEAR(problem.displacements(z, 1)[0], (3 + 2 * 4) * kDegree, 1e-12);
 }
 
 TEST(FitProblem, BoundsHoldWhereOnlySpecimensDiffer) {
@@ -239,10 +239,64 @@ TEST(PredictExperiment, IntervalsCoverNewPeople) {
     const FitProblem problem = setup.problem();
     const Solution found = fit(problem);
     const Eigen::MatrixXd C = posterior_covariance(problem, found.z).C;
-    covered += predict_experiment(problem, found.z, C, unseen, -1).error.covered / kDraws;
+    covered += predict_experiment(problem, found.z, C, unseen, -1).error.covered.value() / kDraws;
   }
   // One person's 72 components hang on 8 numbers: 60 x 8 trials of p = 0.95, four deviations.
   EXPECT_NEAR(covered, 0.95, 4 * std::sqrt(0.95 * 0.05 / (kDraws * 8)));
+}
+
+// A name is no knowledge: an unseen posture is as uncertain whatever it is called.
+TEST(PredictExperiment, IntervalsDoNotDependOnNamesOfPostures) {
+  FitSetup setup = middle_finger(kAxes + R"(
+[[parameter]]
+match = "angle/*/*"
+state = "free"
+sd_deg = 0
+between_sd_deg = 4
+)");
+  const FitProblem problem = setup.problem();
+  const Solution found = fit(problem);
+  const Eigen::MatrixXd C = posterior_covariance(problem, found.z).C;
+  Experiment unseen = sample::experiment("H02");
+  const Prediction named = predict_experiment(problem, found.z, C, unseen, -1);
+  for (PostureRecord& posture : unseen.postures) posture.name += "'";
+  for (Trial& trial : unseen.trials) trial.posture += "'";
+  const Prediction renamed = predict_experiment(problem, found.z, C, unseen, -1);
+  for (std::size_t i = 0; i < named.trials.size(); ++i) {
+    EXPECT_TRUE(matrix_near(renamed.trials[i].predicted, named.trials[i].predicted, 1e-12));
+    EXPECT_TRUE(matrix_near(renamed.trials[i].sd, named.trials[i].sd, 1e-12));
+  }
+}
+
+TEST(FitProblem, SaysThatMomentsAreNotFitted) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().trials[2].moment = Eigen::Vector3d(0.1, 0, 0);
+  EXPECT_EQ(setup.problem().warnings(),
+            std::vector<std::string>{"experiment 'synek2019_H01' holds 1 measured moments: they "
+                                     "are not fitted, only its forces are"});
+}
+
+TEST(FitProblem, TellsWrongSizeFromNonsense) {
+  const FitProblem problem = middle_finger(kAxes).problem();
+  const auto refusal = [&](const VectorXd& z) -> std::string {
+    try {
+      (void)problem.predict(z, 0, WithJacobian::kNo);
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal(VectorXd::Zero(3)), "fit has 8 coordinates, got 3");
+  EXPECT_EQ(refusal(VectorXd::Constant(8, std::nan(""))), "coordinates of a fit must be finite");
+}
+
+TEST(PosteriorCovariance, MarksWhatSitsOnItsBound) {
+  const FitProblem problem =
+      middle_finger("[[parameter]]\nmatch='gain/FD?'\nstate='free'\nrange=0.01\n").problem();
+  const VectorXd z = problem.upper().cwiseProduct(Eigen::Vector2d(1, 0.5));
+  const Covariance covariance = posterior_covariance(problem, z);
+  EXPECT_TRUE(covariance.learnt[0].at_bound);
+  EXPECT_FALSE(covariance.learnt[1].at_bound);
 }
 
 // -- Robust loss ------------------------------------------------------------------------------

@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "kinematics_fit/fit_study.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
 
@@ -19,15 +21,7 @@ using sample::finger_inputs;
 
 /// A subject as its file says, nothing fitted: no friction, moments only in the flexion plane.
 ForceError error_without_fit(const SourceText& subject, const std::string& specimen) {
-  const TendonDigit digit = build_tendon_digit(parse_subject(subject.text, subject.path), "middle");
-  const Experiment measured = experiment(specimen);
-  const FitParameters fixed = choose_parameters(digit, {}, {});
-  const Eigen::Matrix3Xd force =
-      force_values(digit, fixed, plan_experiment(digit, fixed, measured), Eigen::VectorXd::Zero(0));
-  std::vector<PredictedTrial> trials;
-  for (Eigen::Index i = 0; i < force.cols(); ++i)
-    trials.push_back({"", "", measured.trials[i].force, force.col(i), Vector3d::Zero()});
-  return force_error(trials);
+  return predict_as_published(subject, experiment(specimen)).error;
 }
 
 ForceError error_without_fit(const std::string& subject, const std::string& specimen) {
@@ -65,34 +59,17 @@ TEST(PublishedMiddleFinger, SignSlipOfTheSourceExplainsTheOtherNumber) {
   EXPECT_NEAR(error_without_fit(subject, "H02").relative, 0.66, kTwoDigits);
 }
 
-/// Error of predicting each force by the mean of the same tendon's other postures.
-double error_of_means(const std::string& specimen) {
-  const Experiment measured = experiment(specimen);
-  std::vector<PredictedTrial> trials;
-  for (const Trial& trial : measured.trials) {
-    Vector3d sum = Vector3d::Zero();
-    int count = 0;
-    for (const Trial& other : measured.trials)
-      if (other.posture != trial.posture && other.tension == trial.tension) {
-        sum += other.force;
-        ++count;
-      }
-    trials.push_back({"", "", trial.force, sum / count, Vector3d::Zero()});
-  }
-  return force_error(trials).relative;
-}
-
 // What a model has to beat at least: no mechanics at all.
 TEST(PublishedMiddleFinger, MeanOfOtherPosturesErrsAsComputedApart) {
-  EXPECT_NEAR(error_of_means("H01"), 0.36, kTwoDigits);
-  EXPECT_NEAR(error_of_means("H02"), 0.505, 0.0005);
+  EXPECT_NEAR(mean_of_other_postures(experiment("H01")).error.relative, 0.36, kTwoDigits);
+  EXPECT_NEAR(mean_of_other_postures(experiment("H02")).error.relative, 0.505, 0.0005);
 }
 
 // FDS in the hook, derived in the plane with nothing of the library: joint torques by levers of
 // straight runs, then three equations  z . (r_j x F) + M = tau_j  for Fx, Fy and the moment, and
 // one for the radial force about the abduction axis, which turns with the knuckle (here by zero).
 TEST(PublishedMiddleFinger, OneTrialFollowsFromPlaneStatics) {
-  constexpr double kUnit = 23.63e-3, kDegree = 3.141592653589793 / 180;
+  constexpr double kUnit = 23.63e-3;
   constexpr double kTension = 0.950 * 9.81 * 0.835;  // [N]
   const double pip_angle = 65 * kDegree, dip_angle = pip_angle + 50 * kDegree;
   const auto along = [](double angle, double x, double y) {

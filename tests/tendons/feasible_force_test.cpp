@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/published_index.h"
@@ -112,7 +113,7 @@ TEST(LargestForce, MeetsTheConeExactly) {
   MatrixXd A(3, 2);
   A << 1, 1, 1, 0, 0, 1;
   LargestForceOptions options;
-  options.tolerance = 40 * 3.14159265358979323846 / 180;
+  options.tolerance = radians(40);
   const double s = std::tan(options.tolerance) * std::tan(options.tolerance);
   const double b = (s + std::sqrt(2 * s - 1)) / (1 - s);  // of (1 - s) b^2 - 2 s b + (1 - s) = 0
   const LargestForce result = largest_force(map_of(A, Eigen::Vector2d(1, 10)), kX, options);
