@@ -42,8 +42,8 @@ FENCES = {
     r"benchmark/.*": ["bench/"],
     r"g(test|mock)/.*": ["tests/"],
 }
-# Everywhere: Eigen, fmt, the standard library, a terminal, processor intrinsics.
-ANYWHERE = r"Eigen/.*|fmt/.*|[a-z_0-9]+|(unistd|immintrin|cpuid)\.h"
+# Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
+ANYWHERE = r"Eigen/.*|fmt/.*|[a-z_0-9]+|(unistd|sys/resource|immintrin|cpuid)\.h"
 
 
 def one_of(name, prefixes):
@@ -54,7 +54,7 @@ def ours(path, folder, name):
     """Complaint about #include "name", if any."""
     if not one_of(name, MAY_SEE[folder] + [folder + "/"]):
         return f"{folder} may not include {name}"
-    if not pathlib.Path(name).is_file():
+    if not (pathlib.Path(name).is_file() or pathlib.Path(name + ".in").is_file()):
         return f"there is no {name}"
     return None
 
@@ -90,7 +90,8 @@ def packages():
         if "node_modules" in path.parts:
             continue
         for line, text in enumerate(path.read_text().splitlines(), 1):
-            found = re.match(r"\s*(find_(?:package|library|path)|pkg_(?:check|search)_modules?)\b", text)
+            found = re.match(
+                r"\s*(find_(?:package|library|path)|pkg_(?:check|search)_modules?)\b", text)
             if found:
                 yield f"{path}:{line}: {found[1]} belongs in cmake/dependencies.cmake"
 
