@@ -60,7 +60,27 @@ class PlainSimbody {
   std::vector<int> column_;  // of each hinge
 };
 
-double difference(const PosedHand& hand, const PlainSimbody& simbody, int hinges, int tips) {
+/// What FastKinematics answers, from the templated chain that fits run on jets.
+struct ChainPose {
+  TreeState<double> links;
+  std::vector<Eigen::Matrix3Xd> jacobians;
+
+  [[nodiscard]] const Pose<double>& link(int i) const { return links[i].X; }
+  [[nodiscard]] const Eigen::Matrix3Xd& tip_jacobian(int t) const { return jacobians[t]; }
+};
+
+ChainPose chain_pose(const Skeleton& skeleton, const Eigen::VectorXd& q) {
+  ChainPose pose{pose_tree(skeleton.tree, q), {}};
+  pose.jacobians.reserve(skeleton.tips.size());
+  for (const SkeletonTip& tip : skeleton.tips)
+    pose.jacobians.push_back(position_jacobian(skeleton.tree, pose.links, tip.link,
+                                               moved(pose.links, tip.link, tip.p),
+                                               skeleton.coordinates()));
+  return pose;
+}
+
+template <typename Hand>
+double difference(const Hand& hand, const PlainSimbody& simbody, int hinges, int tips) {
   double error = 0;
   for (int i = 0; i < hinges; ++i)
     for (int k = 0; k < 3; ++k) {
@@ -71,25 +91,39 @@ double difference(const PosedHand& hand, const PlainSimbody& simbody, int hinges
   return error;
 }
 
-}  // namespace
-
-Row ratio_kinematics() {
-  const Skeleton skeleton = build_skeleton(sample::random_hand(1, 1));
+/// The task, done by pose(q), against plain Simbody on the same postures.
+template <typename PoseAt>
+Row against_simbody(const std::string& name, double required, const Skeleton& skeleton,
+                    const PoseAt& pose) {
   const int hinges = static_cast<int>(skeleton.tree.size());
-  const FastKinematics fast(skeleton);
   PlainSimbody simbody(skeleton);
   sample::Draw draw(2);
   std::vector<Eigen::VectorXd> postures;
   for (int i = 0; i < 64; ++i) postures.push_back(draw.posture(skeleton));
 
-  Duel duel{"poses and 5 tip Jacobians, 21 hinges", {}, {}, 40, 0, 1e-12};
+  Duel duel{name, {}, {}, required, 0, 1e-12};
   for (const Eigen::VectorXd& q : postures) {
     (void)simbody.jacobians(q);
-    duel.error = std::max(duel.error, difference(fast.pose(q), simbody, hinges, 5));
+    duel.error = std::max(duel.error, difference(pose(q), simbody, hinges, 5));
   }
-  duel.ours = [&, i = 0U]() mutable { keep(fast.pose(postures[i++ % 64])); };
+  duel.ours = [&, i = 0U]() mutable { keep(pose(postures[i++ % 64])); };
   duel.rival = [&, i = 0U]() mutable { keep(simbody.jacobians(postures[i++ % 64])); };
   return measure(duel);
+}
+
+}  // namespace
+
+Row ratio_kinematics() {
+  const Skeleton skeleton = build_skeleton(sample::random_hand(1, 1));
+  const FastKinematics fast(skeleton);
+  return against_simbody("poses and 5 tip Jacobians, 21 hinges", 40, skeleton,
+                         [&](const Eigen::VectorXd& q) { return fast.pose(q); });
+}
+
+Row ratio_chain() {
+  const Skeleton skeleton = build_skeleton(sample::random_hand(1, 1));
+  return against_simbody("the same on the templated chain", 0, skeleton,
+                         [&](const Eigen::VectorXd& q) { return chain_pose(skeleton, q); });
 }
 
 }  // namespace thenar::bench

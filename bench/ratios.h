@@ -46,6 +46,7 @@ struct Patience {
 
 // One function a file.
 [[nodiscard]] Row ratio_kinematics();  // ratio_kinematics.cpp
+[[nodiscard]] Row ratio_chain();       // the same task on the templated chain
 [[nodiscard]] Row ratio_force_map();   // ratio_force_map.cpp
 [[nodiscard]] Row ratio_fit();         // ratio_fit.cpp; the rival is a limit
 
