@@ -141,7 +141,8 @@ class Pose(Near):
         self.near(tip["position_mm"], [*PlanarFinger([-20, 50, 45]).tip, 0], 1e-9)
 
     def test_frozen_joint_poses_alike_and_leaves_the_jacobian(self):
-        tip = ask("pose", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=55", "--frozen", "DIP3=35")["tips"][0]
+        tip = ask("pose", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=55",
+                  "--frozen", "DIP3=35")["tips"][0]
         self.near(tip["position_mm"], [*PlanarFinger([40, 55, 35]).tip, 0], 1e-9)
         self.assertEqual(tip["joints"], ["MCP3_FE", "MCP3_AA", "PIP3"])
 
@@ -178,7 +179,8 @@ class TipForce(Near):
 
     def test_tip_axes_turn_with_the_tip(self):
         # Bent by 90 degrees in all, proximal (x) looks along y and dorsal (y) along -x.
-        answer = ask("tip-force", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=50", "--tension", "FDP=7")
+        answer = ask("tip-force", MIDDLE, "--posture", "MCP3_FE=40", "PIP3=50",
+                     "--tension", "FDP=7")
         x, y, z = answer["force_N"]
         axes = answer["force_tip_axes_N"]
         self.near([axes["proximal"], axes["dorsal"], axes["radial"]], [y, -x, z], 1e-12)
@@ -333,7 +335,8 @@ class Complaints(unittest.TestCase):
         cases = [
             (("pose", MIDDLE, "--posture", "PIP=3"),
              "no free joint 'PIP'; there are MCP3_FE, MCP3_AA, PIP3, DIP3"),
-            ((*posed, "--posture", 1, 2), "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2"),
+            ((*posed, "--posture", 1, 2),
+             "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2"),
             ((*posed, "--posture", "PIP3=ten"), "wanted JOINT=degrees for 'PIP3', got 'ten'"),
             ((*posed, "--posture", "PIP3=1", "PIP3=2"), "'PIP3' is given twice"),
             ((*posed, "--frozen", "PIP3=120"),
@@ -343,7 +346,8 @@ class Complaints(unittest.TestCase):
              "to tip forces; ask tip-force or feasible-force"),
             (("tip-force", MIDDLE, "--tension", "FPD=1"),
              "no muscle 'FPD'; there are EDC, FDP, FDS, RI, LU, UI"),
-            (("tip-force", MIDDLE, "--tension", "FDP=-1"), "wanted a tension >= 0 of 'FDP', got -1 N"),
+            (("tip-force", MIDDLE, "--tension", "FDP=-1"),
+             "wanted a tension >= 0 of 'FDP', got -1 N"),
             (("tip-force", WHOLE, "--tension", "FDP=1"),
              "wanted --digit; subject 'mirakhorlo2016' has thumb, index, middle, ring, little"),
             (("tip-force", MIDDLE, "--digit", "thumb", "--tension", "FDP=1"),
@@ -355,10 +359,12 @@ class Complaints(unittest.TestCase):
              "digit 'index' of subject 'valero_cuevas_index' has no tip map 'JinvTR'; there are "
              "JinvT_R, fvc_hentz_2002, cadaver_hand4"),
             (("feasible-force", INDEX_MAPS, "--posture", "PIP2=3"),
-             "tip map 'JinvT_R' stands for one posture of its own; leave out --posture and --frozen"),
+             "tip map 'JinvT_R' stands for one posture of its own; "
+             "leave out --posture and --frozen"),
             (("feasible-force", WHOLE, "--digit", "ring", "--direction", 0, 0, 0),
              None),
-            (("explain", H01, "--digit", "index"), f"--digit and --settings explain subjects; '{H01}' is of kind: experiment"),
+            (("explain", H01, "--digit", "index"),
+             f"--digit and --settings explain subjects; '{H01}' is of kind: experiment"),
         ]
         for words, text in cases:
             with self.subTest(words=words):
