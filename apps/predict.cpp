@@ -48,7 +48,8 @@ nlohmann::json to_json(const Prediction& prediction, const std::string& specimen
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
           {"direction_error_deg", degrees(prediction.error.direction)},
-          {"covered_95", prediction.error.covered},
+          {"covered_95",
+           prediction.error.covered ? nlohmann::json(*prediction.error.covered) : nlohmann::json()},
           {"vectors", vectors}};
 }
 
@@ -69,7 +70,7 @@ void print(const Prediction& prediction, const std::string& specimen, bool fitte
       "  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg, "
       "{:.0f} % of components within the 95 % interval\n",
       prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction),
-      100 * prediction.error.covered);
+      100 * prediction.error.covered.value_or(0));
 }
 
 void run(const Options& options) {

@@ -65,8 +65,13 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
     for (Eigen::Index k = 0; k < nulls; ++k)
       out.nulls.push_back({describe(basis.row(k).transpose(), names), basis.row(k).transpose()});
   }
-  for (Eigen::Index i = 0; i < z.size(); ++i)
-    out.learnt.push_back({names[i], z[i], std::sqrt(out.C(i, i)), N.row(i).squaredNorm()});
+  constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    const bool at_bound =
+        z[i] < problem.lower()[i] + kOnBound || z[i] > problem.upper()[i] - kOnBound;
+    out.learnt.push_back(
+        {names[i], z[i], std::sqrt(out.C(i, i)), N.row(i).squaredNorm(), at_bound});
+  }
   return out;
 }
 

@@ -15,6 +15,8 @@ struct Learnt {
   double z;           // estimate, in prior sds [1]
   double sd;          // afterwards, in prior sds: 1 = nothing learnt [1]
   double null_share;  // of the coordinate that lies in null directions, 0..1 [1]
+  bool at_bound;      // the estimate sits on a bound, which the sd does not know of: beyond it the
+                      // belief is cut off, and where data push against it z is no optimum
 };
 
 /// A direction of z along which the data say nothing at all.
@@ -23,7 +25,8 @@ struct NullDirection {
   Eigen::VectorXd direction;  // unit, in z (size)
 };
 
-/// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors.
+/// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors. Bounds
+/// and axis distances are left out: see Learnt::at_bound.
 struct Covariance {
   Eigen::MatrixXd C;                 // of z (size, size) [1]
   std::vector<Learnt> learnt;        // one per entry of z

@@ -14,26 +14,22 @@ enum class LeaveOut { kPosture, kTendon, kSpecimen };
 
 [[nodiscard]] std::string name_of(LeaveOut what);
 
-/// Trials of one experiment predicted while left out, and what was left out when.
+/// Trials predicted while left out, and what was left out when.
 struct CrossValidation {
-  LeaveOut what;
-  std::vector<Prediction> experiments;  // every trial predicted by a fit that never saw it
-  std::vector<std::string> folds;       // "HyperExt", "FDS", "H02"
-  int not_converged = 0;                // folds whose fit did not converge [1]
+  LeaveOut what = LeaveOut::kPosture;
+  std::vector<Prediction> experiments;  // trials of the folds done, by fits that never saw them;
+                                        // error.trials says how many
+  std::vector<std::string> folds;       // "HyperExt", "FDS", "H02"; the first folds_done are done
+  int folds_done = 0;                   // folds fitted and predicted [1]
+  bool stopped = false;                 // by request; the fold under way then is left out
+  int not_converged = 0;                // folds done whose fit did not converge [1]
 };
 
 /// Refits once per fold and predicts the trials left out. A left-out specimen is predicted
-/// from the population; a left-out posture or tendon from the specimen's own parameters.
+/// from the population; a left-out posture or tendon from the specimen's own parameters, where
+/// the errors of a left-out posture's own angles keep their prior variance.
 /// @throws InputError if there are fewer than two folds.
 [[nodiscard]] CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
                                              const SolveOptions& options = {});
-
-/// The problem without the trials of one fold; empty experiments are dropped.
-/// @param keep  keep(experiment, trial)
-[[nodiscard]] FitProblem subset(const FitProblem& problem,
-                                const std::function<bool(const Experiment&, const Trial&)>& keep);
-
-/// The least-squares problem of a fit, for solve(); refers to `problem`.
-[[nodiscard]] LeastSquares least_squares(const FitProblem& problem);
 
 }  // namespace thenar

@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "kinematics_fit/cross_validation.h"
 
 namespace thenar {
 namespace internal {

@@ -81,6 +81,35 @@ SolveStatus status_of(const std::string& name) {
   throw InputError(fmt::format("no solver status '{}'", name));
 }
 
+/// @throws InputError for what is missing or does not fit together.
+Fit fit_of(const ResultFile& file) {
+  const FitInputs inputs = inputs_of(file);
+  FitProblem problem = build_problem(inputs);
+  const Eigen::VectorXd z = file.matrix("fit/z");
+  require(z.size() == problem.size(), "the fit has {} coordinates, its inputs give {}", z.size(),
+          problem.size());
+  require(z.allFinite(), "fit/z is not finite");
+  const std::vector<std::string>& names = file.list("fit/name");
+  const std::vector<std::string> wanted = problem.names();
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    require(i < names.size() && names[i] == wanted[i],
+            "coordinate {} of the fit is '{}', its inputs give '{}'", i,
+            i < names.size() ? names[i] : "", wanted[i]);
+  Solution solution{z,
+                    file.number("fit/cost"),
+                    status_of(file.text("fit/status")),
+                    file.text("fit/message"),
+                    static_cast<int>(file.number("fit/evaluations")),
+                    file.number("fit/seconds")};
+  Covariance covariance = posterior_covariance(problem, z);
+  return {inputs,
+          std::move(problem),
+          fit_method(file.text("provenance/method")),
+          static_cast<unsigned>(file.number("provenance/seed")),
+          std::move(solution),
+          std::move(covariance)};
+}
+
 }  // namespace
 
 void write_fit(const Fit& fit, const std::string& path) {
@@ -108,26 +137,11 @@ Fit read_fit(const std::string& path) {
   const ResultFile file = read_result(path);
   if (file.texts.count("format") == 0 || file.text("format") != kFormat)
     throw DataError(path, 1, fmt::format("wanted a '{}' file", kFormat));
-  const FitInputs inputs = inputs_of(file);
-  FitProblem problem = build_problem(inputs);
-  const Eigen::VectorXd z = file.matrix("fit/z");
-  if (z.size() != problem.size())
-    throw DataError(
-        path, 1,
-        fmt::format("the fit has {} coordinates, its inputs give {}", z.size(), problem.size()));
-  Solution solution{z,
-                    file.number("fit/cost"),
-                    status_of(file.text("fit/status")),
-                    file.text("fit/message"),
-                    static_cast<int>(file.number("fit/evaluations")),
-                    file.number("fit/seconds")};
-  Covariance covariance = posterior_covariance(problem, z);
-  return {inputs,
-          std::move(problem),
-          fit_method(file.text("provenance/method")),
-          static_cast<unsigned>(file.number("provenance/seed")),
-          std::move(solution),
-          std::move(covariance)};
+  try {
+    return fit_of(file);
+  } catch (const InputError& e) {
+    throw DataError(path, 1, e.what());
+  }
 }
 
 }  // namespace thenar

@@ -60,6 +60,24 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
           rule.match);
 }
 
+/// A leader must not carry those tied to it beyond their own bounds.
+void bound_leader(const Parameter& tied, double ratio, Parameter& leader) {
+  if (ratio == 0) return;
+  const double a = leader.mean + (tied.lower - tied.mean) / ratio;
+  const double b = leader.mean + (tied.upper - tied.mean) / ratio;
+  leader.lower = std::max(leader.lower, std::min(a, b));
+  leader.upper = std::min(leader.upper, std::max(a, b));
+}
+
+/// Forces are even in the weight of out-of-plane moments: from zero no fit can move it.
+void require_movable(const FitParameters& fit) {
+  for (std::size_t p = 0; p < fit.all.size(); ++p)
+    require(fit.all[p].kind != ParameterKind::kOutOfPlane || fit.coordinate[p] < 0 ||
+                fit.all[p].mean != 0,
+            "'{}' is free with mean 0, from where no fit can move it: give it a mean",
+            fit.all[p].name);
+}
+
 /// Gives coordinates to free parameters first, then points the tied ones at theirs.
 void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
@@ -76,6 +94,7 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
             fit.all[p].name, choices[p].tie_to);
     fit.coordinate[p] = static_cast<int>(leader - fit.leader.begin());
     fit.ratio[p] = choices[p].tie_ratio;
+    bound_leader(fit.all[p], fit.ratio[p], fit.all[*leader]);
   }
 }
 
@@ -99,6 +118,7 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);
   number_coordinates(choices, fit);
+  require_movable(fit);
   return fit;
 }
 

@@ -12,7 +12,8 @@ namespace thenar {
 
 /// A choice of free, fixed and tied parameters. A free parameter p has the value
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
-/// with standard normal z beforehand; tied ones share the u of their leader.
+/// with standard normal z beforehand; tied ones share the u of their leader, whose bounds are
+/// narrowed so that all stay within their own.
 struct FitParameters {
   std::vector<Parameter> all;         // in the order of list_parameters()
   std::vector<std::string> postures;  // whose angles may be in error one by one
@@ -24,7 +25,8 @@ struct FitParameters {
 };
 
 /// Applies the rules of a settings file, then frees everything that matches `also_free`.
-/// @throws InputError if a rule matches no parameter, or ties to one that is not free.
+/// @throws InputError if a rule matches no parameter, ties to one that is not free, or frees
+/// hold/out_of_plane at mean zero, where forces are even in it.
 [[nodiscard]] FitParameters choose_parameters(const TendonDigit& digit,
                                               const std::vector<std::string>& postures,
                                               const FitSettings& settings,

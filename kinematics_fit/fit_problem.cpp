@@ -136,8 +136,8 @@ Eigen::VectorXd FitProblem::unseen_variance() const {
 
 FitProblem::Prediction FitProblem::predict(const Eigen::VectorXd& z, int e,
                                            WithJacobian want) const {
-  require(z.size() == size() && z.allFinite(), "fit has {} coordinates, all finite; got {}", size(),
-          z.size());
+  require(z.size() == size(), "fit has {} coordinates, got {}", size(), z.size());
+  require(z.allFinite(), "coordinates of a fit must be finite");
   const int specimen = specimen_of_[e];
   const Eigen::VectorXd u = displacements(z, specimen);
   if (want == WithJacobian::kNo) return {force_values(digit_, parameters_, plans_[e], u), {}};
@@ -177,6 +177,15 @@ std::vector<std::string> FitProblem::warnings() const {
             "posture '{}' of experiment '{}' is nearly singular (condition {:.1e}): its forces "
             "hang on angles that nobody can measure",
             plans_[e].posture_names[k], experiments_[e].name, plans_[e].condition[k]));
+  for (const Experiment& experiment : experiments_) {
+    const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
+                                       [](const Trial& trial) { return trial.moment.has_value(); });
+    if (moments > 0)
+      warnings.push_back(
+          fmt::format("experiment '{}' holds {} measured moments: they are not fitted, only its "
+                      "forces are",
+                      experiment.name, moments));
+  }
   return warnings;
 }
 
@@ -220,6 +229,34 @@ std::vector<std::string> FitProblem::names() const {
       names[population_size_ + s * deviation_size_ + deviation_[c]] = specimens_[s] + ": " + name;
   }
   return names;
+}
+
+LeastSquares least_squares(const FitProblem& problem) {
+  LeastSquares out;
+  out.lower = problem.lower();
+  out.upper = problem.upper();
+  out.residuals = [&problem](const Eigen::VectorXd& z, WithJacobian want) {
+    return problem.evaluate(z, want);
+  };
+  if (problem.axis_distances().empty()) return out;
+  out.c_lower = problem.constraint_lower();
+  out.c_upper = Eigen::VectorXd::Ones(out.c_lower.size());
+  out.constraints = [&problem](const Eigen::VectorXd& z) { return problem.constraints(z); };
+  return out;
+}
+
+FitProblem subset(const FitProblem& problem,
+                  const std::function<bool(const Experiment&, const Trial&)>& keep) {
+  std::vector<Experiment> kept;
+  for (Experiment experiment : problem.experiments()) {
+    std::vector<Trial>& trials = experiment.trials;
+    trials.erase(std::remove_if(trials.begin(), trials.end(),
+                                [&](const Trial& trial) { return !keep(experiment, trial); }),
+                 trials.end());
+    if (!trials.empty()) kept.push_back(std::move(experiment));
+  }
+  return {problem.digit(), problem.parameters(), std::move(kept), problem.robust_scale(),
+          problem.axis_distances()};
 }
 
 }  // namespace thenar

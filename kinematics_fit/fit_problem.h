@@ -2,6 +2,7 @@
 
 /// Measured forces, a digit and its free parameters, as a least-squares problem.
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,7 +49,8 @@ class FitProblem {
   [[nodiscard]] ConstraintValues constraints(const Eigen::VectorXd& z) const;
   [[nodiscard]] Eigen::VectorXd constraint_lower() const;  // (axis distances x specimens) [1]
 
-  /// What to know before trusting a fit: postures in which the held tip is nearly singular.
+  /// What to know before trusting a fit: postures in which the held tip is nearly singular, and
+  /// measured moments, which no fit uses.
   [[nodiscard]] std::vector<std::string> warnings() const;
 
   /// Displacements u of the parameters of a specimen (-1: the population)  [SI] (coordinates).
@@ -94,5 +96,14 @@ class FitProblem {
   std::vector<AxisDistance> axis_distances_;
   std::vector<AxisPair> axis_pairs_;
 };
+
+/// The problem without the trials of one fold; empty experiments are dropped.
+/// @param keep  keep(experiment, trial)
+[[nodiscard]] FitProblem subset(const FitProblem& problem,
+                                const std::function<bool(const Experiment&, const Trial&)>& keep);
+
+/// The least-squares problem of a fit, for solve(); refers to `problem`, which must outlive it.
+[[nodiscard]] LeastSquares least_squares(const FitProblem& problem);
+LeastSquares least_squares(const FitProblem&& problem) = delete;
 
 }  // namespace thenar

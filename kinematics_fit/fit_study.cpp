@@ -142,7 +142,7 @@ Prediction mean_of_other_postures(const Experiment& experiment) {
       out.trials.push_back({trial.posture, describe_loads(trial), trial.force, sum / count,
                             Eigen::Vector3d::Zero()});
   }
-  out.error = force_error(out.trials);
+  if (!out.trials.empty()) out.error = force_error(out.trials);
   return out;
 }
 

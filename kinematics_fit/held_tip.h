@@ -2,15 +2,14 @@
 
 /// The linear map from tendon tensions to the force of a held fingertip, on any scalar.
 
-#include <Eigen/LU>
-
 #include "data/io/experiment.h"
+#include "kinematics_fit/orthogonal_solve.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
 
 /// Length that makes the flexion moment of a rigid hold comparable with its forces: a middle
-/// phalanx [m]. It matters only beside out-of-plane moments.
+/// phalanx [m]. It matters only where the hold carries more loads than there are joints.
 inline constexpr double kHoldLength = 0.0236;
 
 /// Torque about each joint per load that the hold can carry: force of the tip on the world along
@@ -46,16 +45,9 @@ template <typename T>
                                        const VectorX<T>& q, TipHold hold, const T& out_of_plane) {
   const MatrixX<T> L = held_loads(digit, state, hold, out_of_plane);
   const MatrixX<T> torque = muscle_arms(digit, state, q).transpose();
-  if (L.rows() == L.cols()) return L.partialPivLu().solve(torque).eval().template topRows<3>();
-  if (L.rows() < L.cols())
-    return (L.transpose() * (L * L.transpose()).partialPivLu().solve(torque))
-        .eval()
-        .template topRows<3>();
-  return (L.transpose() * L)
-      .partialPivLu()
-      .solve(L.transpose() * torque)
-      .eval()
-      .template topRows<3>();
+  const MatrixX<T> loads =
+      L.rows() < L.cols() ? solve_least_norm(L, torque) : solve_least_squares(L, torque);
+  return loads.template topRows<3>();
 }
 
 }  // namespace thenar

@@ -61,8 +61,10 @@ struct [[nodiscard]] Solution {
   double seconds = 0;   // wall time [s]
 };
 
-/// Minimises from `start` (n), which is first brought within the bounds.
-/// @throws InputError if shapes disagree, start is not finite, or the residuals at it are not.
+/// Minimises from `start` (n), which is first brought within the bounds; where a lower bound is the
+/// upper one, the coordinate is held.
+/// @throws InputError if shapes disagree, bounds are crossed, start is not finite, or the residuals
+/// at it are not.
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options = {});
 

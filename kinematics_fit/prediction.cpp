@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.h"
 #include "kinematics_fit/force_jacobian.h"
 
 namespace thenar {
@@ -14,9 +15,57 @@ double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+/// What is believed of the angle error of a joint in a posture, as the mean over known postures.
+struct AngleBelief {
+  double mean = 0;      // [rad]
+  double variance = 0;  // [rad^2]
+};
+
+AngleBelief angle_belief(const FitParameters& fitted, int joint) {
+  AngleBelief sum;
+  for (std::size_t p = 0; p < fitted.all.size(); ++p) {
+    if (fitted.all[p].kind != ParameterKind::kPostureAngle || fitted.all[p].item != joint) continue;
+    sum.mean += fitted.all[p].mean;
+    if (fitted.coordinate[p] < 0) continue;
+    const Parameter& leader = fitted.all[fitted.leader[fitted.coordinate[p]]];
+    sum.variance +=
+        std::pow(fitted.ratio[p], 2) * (std::pow(leader.sd, 2) + std::pow(leader.between_sd, 2));
+  }
+  const auto postures = static_cast<double>(fitted.postures.size());
+  return {sum.mean / postures, sum.variance / postures};
+}
+
+/// The parameters, and after them an angle error of every joint in every posture that they do not
+/// name yet.
+FitParameters with_postures(FitParameters fitted, const Experiment& experiment, int joints) {
+  const FitParameters known = fitted;
+  if (known.postures.empty()) return fitted;
+  for (const PostureRecord& posture : experiment.postures) {
+    const auto& names = fitted.postures;
+    if (std::find(names.begin(), names.end(), posture.name) != names.end()) continue;
+    const auto key = static_cast<int>(names.size());
+    fitted.postures.push_back(posture.name);
+    for (int joint = 0; joint < joints; ++joint) {
+      const AngleBelief belief = angle_belief(known, joint);
+      Parameter p;
+      p.name = "angle of " + posture.name;
+      p.kind = ParameterKind::kPostureAngle;
+      p.item = joint;
+      p.point = key;
+      p.mean = belief.mean;
+      p.between_sd = std::sqrt(belief.variance);
+      fitted.coordinate.push_back(belief.variance > 0 ? fitted.coordinates() : -1);
+      fitted.ratio.push_back(1);
+      if (belief.variance > 0) fitted.leader.push_back(static_cast<int>(fitted.all.size()));
+      fitted.all.push_back(std::move(p));
+    }
+  }
+  return fitted;
 }
 
 }  // namespace
@@ -41,6 +90,7 @@ Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predict
 }
 
 ForceError force_error(const std::vector<PredictedTrial>& trials) {
+  require(!trials.empty(), "an error needs at least one trial");
   double residual = 0, flexion = 0, total = 0, total_flexion = 0;
   int covered = 0, counted = 0;
   std::vector<double> angles;
@@ -50,15 +100,22 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
     flexion += r.head<2>().squaredNorm();
     total += trial.measured.squaredNorm();
     total_flexion += trial.measured.head<2>().squaredNorm();
-    angles.push_back(angle_between(trial.predicted, trial.measured));
+    if (trial.predicted.squaredNorm() > 0 && trial.measured.squaredNorm() > 0)
+      angles.push_back(angle_between(trial.predicted, trial.measured));
     if (trial.sd.minCoeff() <= 0) continue;
     covered += static_cast<int>((r.array().abs() <= 1.96 * trial.sd.array()).count());
     counted += 3;
   }
-  const auto count = static_cast<double>(trials.size());
-  return {count > 0 ? std::sqrt(residual / count) : 0, std::sqrt(residual / total),
-          std::sqrt(flexion / total_flexion), median(std::move(angles)),
-          counted > 0 ? static_cast<double>(covered) / counted : 0};
+  require(total > 0, "all {} measured forces are zero: an error relative to them is not defined",
+          trials.size());
+  ForceError error;
+  error.rms = std::sqrt(residual / static_cast<double>(trials.size()));
+  error.relative = std::sqrt(residual / total);
+  error.relative_flexion = std::sqrt(flexion / total_flexion);
+  error.direction = median(std::move(angles));
+  if (counted > 0) error.covered = static_cast<double>(covered) / counted;
+  error.trials = static_cast<int>(trials.size());
+  return error;
 }
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
@@ -69,12 +126,19 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const Eigen::MatrixXd& C, const Experiment& experiment,
                               int specimen) {
-  const ExperimentPlan plan = plan_experiment(fitted.digit(), fitted.parameters(), experiment);
-  const ForceJacobian forces =
-      force_jacobian(fitted.digit(), fitted.parameters(), plan, fitted.displacements(z, specimen));
-  const Eigen::MatrixXd J_z = forces.J * fitted.displacement_jacobian(specimen);
+  const FitParameters parameters =
+      with_postures(fitted.parameters(), experiment, fitted.digit().model.coordinates);
+  const int known = fitted.parameters().coordinates();
+  const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  u.head(known) = fitted.displacements(z, specimen);
+  const ForceJacobian forces = force_jacobian(fitted.digit(), parameters, plan, u);
+  const Eigen::MatrixXd J_z = forces.J.leftCols(known) * fitted.displacement_jacobian(specimen);
   Eigen::VectorXd variance = (J_z * C).cwiseProduct(J_z).rowwise().sum();
-  if (specimen < 0) variance += forces.J.cwiseAbs2() * fitted.unseen_variance();
+  if (specimen < 0) variance += forces.J.leftCols(known).cwiseAbs2() * fitted.unseen_variance();
+  for (int c = known; c < parameters.coordinates(); ++c)
+    variance +=
+        forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
   return compare(experiment, forces.force,

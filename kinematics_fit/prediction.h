@@ -2,6 +2,7 @@
 
 /// Predicted forces beside measured ones, and how far apart they are.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,12 @@ struct PredictedTrial {
 
 /// How far predictions are from measurements.
 struct ForceError {
-  double rms = 0;               // root of the mean squared |predicted - measured| [N]
-  double relative = 0;          // rms / root of the mean squared |measured| [1]
-  double relative_flexion = 0;  // the same of the proximal and dorsal components alone [1]
-  double direction = 0;         // median angle between predicted and measured [rad]
-  double covered = 0;           // share of components within 1.96 predictive sds; 0 without sds [1]
+  double rms = 0;                 // root of the mean squared |predicted - measured| [N]
+  double relative = 0;            // rms / root of the mean squared |measured| [1]
+  double relative_flexion = 0;    // the same of the proximal and dorsal components alone [1]
+  double direction = 0;           // median angle between them where neither is zero [rad]
+  std::optional<double> covered;  // share of components within 1.96 predictive sds; empty: no sds
+  int trials = 0;                 // that all this is of [1]
 };
 
 /// One experiment, predicted.
@@ -42,6 +44,7 @@ struct Prediction {
 [[nodiscard]] Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
                                  const Eigen::Matrix3Xd& sd);
 
+/// @throws InputError if there is no trial, or every measured force is zero.
 [[nodiscard]] ForceError force_error(const std::vector<PredictedTrial>& trials);
 
 /// Experiment `e` of the problem at z, without predictive sds.
@@ -50,7 +53,9 @@ struct Prediction {
 /// Any experiment, also of a specimen that was never fitted: then the population predicts. The
 /// predictive variance adds what is not known of the parameters, how an unseen specimen differs
 /// from the population, and the noise:
-///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + diag(sd^2).
+///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + J_q diag(angle variance) J_q' + diag(sd^2).
+/// Angles of a posture that the fit does not know by name err by the mean prior variance of those
+/// that it knows (J_q).
 /// @param specimen  index in fitted.specimens(), or -1: one that was never fitted
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,

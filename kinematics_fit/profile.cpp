@@ -4,59 +4,23 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "kinematics_fit/cross_validation.h"
 
 namespace thenar {
 namespace {
 
-Eigen::VectorXd without(const Eigen::VectorXd& z, int i) {
-  Eigen::VectorXd rest(z.size() - 1);
-  rest << z.head(i), z.tail(z.size() - 1 - i);
-  return rest;
-}
-
-Eigen::MatrixXd without_column(const Eigen::MatrixXd& J, int i) {
-  Eigen::MatrixXd rest(J.rows(), J.cols() - 1);
-  rest << J.leftCols(i), J.rightCols(J.cols() - 1 - i);
-  return rest;
-}
-
-Eigen::VectorXd with(const Eigen::VectorXd& rest, int i, double value) {
-  Eigen::VectorXd z(rest.size() + 1);
-  z << rest.head(i), value, rest.tail(rest.size() - i);
-  return z;
-}
-
-/// The problem of all other coordinates with coordinate i held.
-LeastSquares hold(const LeastSquares& problem, int i, double value) {
-  LeastSquares rest;
-  rest.lower = without(problem.lower, i);
-  rest.upper = without(problem.upper, i);
-  rest.residuals = [&problem, i, value](const Eigen::VectorXd& others, WithJacobian want) {
-    Residuals out = problem.residuals(with(others, i, value), want);
-    if (want == WithJacobian::kYes) out.J = without_column(out.J, i);
-    return out;
-  };
-  if (!problem.constraints) return rest;
-  rest.c_lower = problem.c_lower;
-  rest.c_upper = problem.c_upper;
-  rest.constraints = [&problem, i, value](const Eigen::VectorXd& others) {
-    ConstraintValues out = problem.constraints(with(others, i, value));
-    out.C = without_column(out.C, i);
-    return out;
-  };
-  return rest;
-}
-
 /// Refits from the estimate to one end of the grid, each point starting at the last.
 void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double end,
           const ProfileOptions& options, Profile& profile) {
-  Eigen::VectorXd others = without(z, i);
+  constexpr double kNothing = 1e-6;  // no side to walk: the estimate sits on its bound [1]
+  if (std::abs(end - z[i]) < kNothing) return;
+  LeastSquares held = problem;
+  Eigen::VectorXd start = z;
   for (int k = 1; k <= options.steps && !options.solver.progress.stop(); ++k) {
     const double value = z[i] + (end - z[i]) * k / options.steps;
-    const Solution fit = solve(hold(problem, i, value), others, options.solver);
+    held.lower[i] = held.upper[i] = value;
+    const Solution fit = solve(held, start, options.solver);
     if (fit.status != SolveStatus::kConverged) ++profile.not_converged;
-    others = fit.z;
+    start = fit.z;
     profile.points.push_back({value, fit.cost, 0, 0});
   }
 }

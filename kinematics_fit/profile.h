@@ -40,7 +40,7 @@ struct ProfileOptions {
 
 /// Holds coordinate i on a grid around z, a minimum, and refits the others from the neighbouring
 /// point. Bounds are exact where the profile is a parabola. Every coordinate's prior is z^2/2.
-/// A stop request leaves points out.
+/// A stop request leaves points out; an estimate on its bound has no points beyond.
 /// @param z  the fitted point (n)
 /// @throws InputError if there is no coordinate i.
 [[nodiscard]] Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z,

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/nonlinear_program.h"
 #include "kinematics_fit/least_squares.h"
 
@@ -85,7 +87,9 @@ Solution solve_ipopt_fit(const LeastSquares& problem, const Eigen::VectorXd& sta
   best.z = start;
   Evaluator evaluator(problem, options, best);
   NonlinearOptions settings;
-  settings.tolerance = 1e-8;
+  // At a minimum of whitened coordinates the scaled gradient falls with the change of the cost.
+  settings.tolerance = options.tolerance;
+  settings.acceptable_tolerance = std::max(1e-7, 10 * options.tolerance);
   if (options.max_evaluations > 0) settings.max_iterations = options.max_evaluations;
   try {
     const NonlinearResult result =

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <nlopt.hpp>
@@ -40,6 +41,15 @@ std::vector<double> finite(const Eigen::VectorXd& z) {
   return {near.data(), near.data() + near.size()};
 }
 
+/// Half a prior sd, or less where the bounds are close: the search must fit in twice over.
+std::vector<double> first_steps(const LeastSquares& problem) {
+  const std::vector<double> lower = finite(problem.lower), upper = finite(problem.upper);
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    steps.push_back(std::min(0.5, (upper[i] - lower[i]) / 4));
+  return steps;
+}
+
 /// One run of one algorithm from best.z; updates best.
 void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOptions& options,
          int limit, Solution& best) {
@@ -50,7 +60,7 @@ void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOpt
   optimiser.set_upper_bounds(finite(problem.upper));
   optimiser.set_maxeval(limit);
   optimiser.set_ftol_rel(options.tolerance);
-  if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(0.5);
+  if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(first_steps(problem));
   std::vector<double> x = finite(best.z);
   double value = 0;
   try {

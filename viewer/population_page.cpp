@@ -8,7 +8,7 @@ namespace {
 
 Json row(const std::string& specimen, const std::string& what, const ForceError& error) {
   return Json::array({specimen, what, error.relative, error.relative_flexion, error.rms,
-                      error.covered > 0 ? Json(100 * error.covered) : Json(nullptr)});
+                      error.covered ? Json(100 * *error.covered) : Json(nullptr)});
 }
 
 }  // namespace

@@ -40,6 +40,8 @@ bool left_out_with(const Spoilt& spoilt, const Experiment& experiment,
   return belongs(spoilt, experiment, {trial.posture, {{trial.loads, 1.0}}, {}, {}, {}});
 }
 
+void PrintTo(const Spoilt& spoilt, std::ostream* out) { *out << spoilt.fold; }
+
 class EveryFold : public testing::TestWithParam<Spoilt> {};
 
 TEST_P(EveryFold, IsPredictedWithoutBeingSeen) {
@@ -94,6 +96,37 @@ TEST(CrossValidation, NeedsTwoFolds) {
   }
 }
 
+// The fold under way when the stop comes is left out: what stays is what a whole run gives too.
+TEST(CrossValidation, InterruptedHoldsOnlyWholeFolds) {
+  const FitProblem problem = sample::middle_finger(kAxes).problem();
+  const CrossValidation whole = cross_validate(problem, LeaveOut::kPosture);
+  EXPECT_EQ(whole.folds_done, 4);
+  EXPECT_FALSE(whole.stopped);
+  for (int patience = 0; patience < 40; patience += 3) {
+    int asked = 0;
+    SolveOptions options;
+    options.progress.stop_requested = [&] { return ++asked > patience; };
+    const CrossValidation part = cross_validate(problem, LeaveOut::kPosture, options);
+    const Prediction& some = part.experiments[0];
+    EXPECT_EQ(part.stopped, part.folds_done < 4);
+    EXPECT_EQ(some.trials.size(), 6U * static_cast<std::size_t>(part.folds_done));
+    EXPECT_EQ(some.error.trials, 6 * part.folds_done);
+    for (std::size_t i = 0; i < some.trials.size(); ++i)
+      EXPECT_EQ(some.trials[i].predicted, whole.experiments[0].trials[i].predicted);
+  }
+}
+
+TEST(CrossValidation, GivesEveryLeftOutTrialAnInterval) {
+  const FitProblem problem = two_specimens().problem();
+  for (const LeaveOut what : {LeaveOut::kPosture, LeaveOut::kTendon, LeaveOut::kSpecimen}) {
+    const CrossValidation out = cross_validate(problem, what);
+    for (const Prediction& prediction : out.experiments) {
+      EXPECT_TRUE(prediction.error.covered.has_value()) << name_of(what);
+      for (const PredictedTrial& trial : prediction.trials) EXPECT_GT(trial.sd.minCoeff(), 0);
+    }
+  }
+}
+
 TEST(CrossValidation, StopsWhenAsked) {
   const FitProblem problem = sample::middle_finger(kAxes).problem();
   SolveOptions options;
@@ -122,13 +155,29 @@ TEST(ForceError, IsByHand) {
   EXPECT_DOUBLE_EQ(error.rms, std::sqrt((9.0 + 16.0) / 2));
   EXPECT_DOUBLE_EQ(error.relative, std::sqrt((9.0 + 16.0) / (25 + 25)));
   EXPECT_DOUBLE_EQ(error.relative_flexion, std::sqrt(16.0 / 9.0));
-  EXPECT_EQ(error.covered, 0);
+  EXPECT_FALSE(error.covered.has_value());  // unknown is not none
+  EXPECT_EQ(error.trials, 2);
 }
 
 TEST(ForceError, CountsComponentsWithinTheInterval) {
   const Eigen::Vector3d sd(1, 1, 1);
-  const ForceError error = force_error({{"a", "x", {0, 0, 0}, {1.9, 2.0, -1}, sd}});
-  EXPECT_DOUBLE_EQ(error.covered, 2.0 / 3);
+  const ForceError error = force_error({{"a", "x", {1, 0, 0}, {2.9, 2.0, -1}, sd}});
+  EXPECT_DOUBLE_EQ(error.covered.value(), 2.0 / 3);
+}
+
+// Angles 0 and 90 degrees, and a force of zero, which has no direction.
+TEST(ForceError, MedianIsBetweenTheMiddleTwoAndSkipsWhatHasNoDirection) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  const ForceError error = force_error({{"a", "x", {1, 0, 0}, {2, 0, 0}, none},
+                                        {"b", "x", {1, 0, 0}, {0, 3, 0}, none},
+                                        {"c", "x", {1, 0, 0}, {0, 0, 0}, none}});
+  EXPECT_DOUBLE_EQ(error.direction, 3.141592653589793 / 4);
+}
+
+TEST(ForceError, NeedsAForceToCompareWith) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  EXPECT_THROW((void)force_error({}), InputError);
+  EXPECT_THROW((void)force_error({{"a", "x", none, {1, 0, 0}, none}}), InputError);
 }
 
 }  // namespace

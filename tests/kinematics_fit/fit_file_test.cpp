@@ -1,5 +1,6 @@
 // Tests for kinematics_fit/fit.cpp and fit_file.cpp: a fit survives its file.
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -85,6 +86,38 @@ TEST_F(FitFile, RefusesWhatIsNotAFit) {
   } catch (const DataError& e) {
     EXPECT_EQ(e.what(), path + ":1: wanted a 'thenar fit 1' file");
   }
+}
+
+/// What read_fit() says of a fit whose file was changed.
+std::string refusal(const std::string& path, const ResultFile& file) {
+  write_result(file, path);
+  try {
+    (void)read_fit(path);
+  } catch (const DataError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST_F(FitFile, RefusesWhatWasTamperedWith) {
+  const std::string path = (folder_ / "fit.h5").string();
+  write_fit(run_fit(small_inputs()), path);
+  const ResultFile good = read_result(path);
+  EXPECT_EQ(refusal(path, good), "");
+
+  ResultFile bad = good;
+  bad.arrays.erase("fit/cost");
+  EXPECT_EQ(refusal(path, bad).find(path + ":1: "), 0U);
+
+  bad = good;
+  bad.arrays.at("fit/z").values[0] = std::nan("");
+  EXPECT_EQ(refusal(path, bad), path + ":1: fit/z is not finite");
+
+  bad = good;
+  bad.texts.at("fit/name")[0] = "gain/FDP";
+  EXPECT_EQ(refusal(path, bad), path +
+                                    ":1: coordinate 0 of the fit is 'gain/FDP', its inputs give "
+                                    "'axis/MCP3_FE/direction/1'");
 }
 
 TEST_F(FitFile, AStoppedFitIsStillAFit) {

@@ -153,6 +153,30 @@ tie_ratio = -2
   }
 }
 
+// u = (value - mean) / ratio: -3 u >= -2 mm holds for u <= 2/3 mm.
+TEST(ChooseParameters, TiedOnesKeepTheirLeaderWithinTheirBounds) {
+  const FitParameters chosen = choose(R"(
+[[parameter]]
+match = "tip/dorsal"
+state = "free"
+[[parameter]]
+match = "tip/radial"
+state = "tied"
+tie_to = "tip/dorsal"
+tie_ratio = -3
+lower_mm = -2
+)");
+  EXPECT_NEAR(named(chosen, "tip/dorsal").upper, 2e-3 / 3, 1e-15);
+  EXPECT_NEAR(named(chosen, "tip/dorsal").lower, -10e-3 / 3, 1e-15);
+}
+
+TEST(ChooseParameters, RefusesAnOutOfPlaneHoldThatCannotMove) {
+  EXPECT_EQ(refusal("", {"hold/out_of_plane"}),
+            "'hold/out_of_plane' is free with mean 0, from where no fit can move it: give it a "
+            "mean");
+  EXPECT_EQ(refusal("[[parameter]]\nmatch='hold/*'\nmean_mm=39\n", {"hold/*"}), "");
+}
+
 // A mean that the settings state must be the value that the model has.
 TEST(ChooseParameters, StatedMeansReachTheModel) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(0);

@@ -43,18 +43,20 @@ const std::string kAllFree = R"(
 [[parameter]]
 match = "*"
 state = "free"
+[[parameter]]
+match = "hold/out_of_plane"
+mean_mm = 39
 )";
 
 TEST(ForceJacobian, IsExactForEveryParameterOfARigidHold) {
-  const sample::FitSetup setup =
-      sample::middle_finger(kAllFree + "[[parameter]]\nmatch='hold/out_of_plane'\nmean_mm=39\n");
+  const sample::FitSetup setup = sample::middle_finger(kAllFree);
   EXPECT_EQ(setup.parameters.coordinates(), static_cast<int>(setup.parameters.all.size()));
   expect_exact(setup);
 }
 
 TEST(ForceJacobian, IsExactForAHoldInTheFlexionPlane) {
-  expect_exact(sample::middle_finger(kAllFree +
-                                     "[[parameter]]\nmatch='hold/out_of_plane'\nstate='fixed'\n"));
+  expect_exact(sample::middle_finger(
+      kAllFree + "[[parameter]]\nmatch='hold/out_of_plane'\nstate='fixed'\nmean_mm=0\n"));
 }
 
 TEST(ForceJacobian, IsExactForAPinnedTipAndForcesInAnotherSegment) {

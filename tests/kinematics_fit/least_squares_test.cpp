@@ -83,6 +83,39 @@ TEST_P(EveryMethod, StaysOutOfNonsense) {
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4)) << fit.message;
 }
 
+TEST_P(EveryMethod, HoldsWhatBoundsPin) {
+  LeastSquares problem = distance_to(Eigen::Vector3d(3, 0.2, 1), -1, 1);
+  problem.lower[2] = problem.upper[2] = 0.5;
+  const Solution fit = solve(problem, VectorXd::Zero(3), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Eigen::Vector3d(1, 0.2, 0.5), 1e-4));
+  problem.lower = problem.upper = Eigen::Vector3d(0.1, 0.2, 0.3);
+  const Solution pinned = solve(problem, VectorXd::Zero(3), options());
+  EXPECT_EQ(pinned.status, SolveStatus::kConverged) << pinned.message;
+  EXPECT_EQ(pinned.z, problem.lower);
+}
+
+TEST_P(EveryMethod, FitsIntoNarrowBounds) {
+  LeastSquares problem = distance_to(Vector2d(0.2, 0.2), -1, 1);
+  problem.lower[0] = -0.01;
+  problem.upper[0] = 0.01;
+  const Solution fit = solve(problem, VectorXd::Zero(2), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.01, 0.2), 1e-4));
+}
+
+TEST(LeastSquares, IpoptHeedsTheTolerance) {
+  const FitProblem problem =
+      sample::middle_finger("[[parameter]]\nmatch='axis/*/direction/*'\nstate='free'\n").problem();
+  SolveOptions options;
+  options.method = FitMethod::kIpopt;
+  options.tolerance = 1e-2;
+  const Solution rough = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  options.tolerance = 1e-10;
+  const Solution fine = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  EXPECT_LT(rough.evaluations, fine.evaluations);
+}
+
 const char* const kFewFree = R"(
 [[parameter]]
 match = "axis/*/direction/*"

@@ -91,6 +91,17 @@ TEST(Profile, EndsAtTheBounds) {
   EXPECT_FALSE(profile.bounds.lower || profile.bounds.upper);  // 1/2 < 1.92
 }
 
+TEST(Profile, HasOneSideWhereTheEstimateSitsOnItsBound) {
+  const Quadratic quadratic;
+  LeastSquares problem = quadratic.problem();
+  problem.lower[2] = 0;  // where the prior has it
+  const Profile profile = profile_likelihood(problem, quadratic.m, 2, precise());
+  EXPECT_EQ(profile.points.size(), 9U);
+  EXPECT_FALSE(profile.bounds.lower);
+  ASSERT_TRUE(profile.bounds.upper);
+  EXPECT_NEAR(*profile.bounds.upper, std::sqrt(2 * 1.92), 1e-7);
+}
+
 // With little noise a finger is nearly linear within its posterior.
 TEST(Profile, OfAFingerAgreesWithItsCurvature) {
   sample::FitSetup setup =

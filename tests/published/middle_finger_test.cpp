@@ -117,6 +117,8 @@ struct Bar {
   double in_sample, left_out;  // relative errors that a fit must beat [1]
 };
 
+void PrintTo(const Bar& bar, std::ostream* out) { *out << bar.specimen; }
+
 class FingerFit : public testing::TestWithParam<Bar> {};
 
 TEST_P(FingerFit, FitsAndPredictsBetterThanEveryPublishedModel) {
