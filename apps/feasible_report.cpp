@@ -101,7 +101,7 @@ std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const Large
     muscles.rows.push_back({at.statics.muscles[static_cast<std::size_t>(i)],
                             shown(largest.activation[i], 4), shown(largest.tension[i], 2),
                             shown(at.statics.max_tension[i], 2)});
-  return fmt::format("Largest force: {} N\nas ({}) = ({}) N in {} axes\n\n{}\n",
+  return fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n\n{}\n",
                      shown(largest.magnitude, 3), fmt::join(axes.names, ", "),
                      fmt::join(cells(force, 3), ", "), axes.name, aligned(muscles));
 }

@@ -127,7 +127,7 @@ void run(const Options& options) {
   std::vector<LeaveOut> left_out;
   for (const std::string& name : options.leave_out) left_out.push_back(leave_out(name));
 
-  require_writable(options.output);
+  require_result_path(options.output);
   const Fit fit = run_fit(inputs_of(options), solve_options);
   for (const std::string& warning : fit.problem.warnings())
     fmt::print(stderr, "thenar: warning: {}\n", warning);
@@ -157,7 +157,8 @@ void add_fit(CLI::App& app) {
   command->add_option("--cross-validate", options->leave_out,
                       "Also leave out one posture|tendon|specimen at a time");
   command->add_option("--seed", options->seed, "Of the global search");
-  command->add_option("--max-evaluations", options->max_evaluations, "0: the method's own limit");
+  command->add_option("--max-evaluations", options->max_evaluations, "0: the method's own limit")
+      ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });
 }

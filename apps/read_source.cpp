@@ -1,9 +1,27 @@
 #include "apps/read_source.h"
 
+#include <filesystem>
+
+#include "base/error.h"
+#include "base/write_file.h"
+#include "data/io/file_kind.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
 
 SourceText read_source(const std::string& path) { return {path, read_text_file(path)}; }
+
+void require_result_path(const std::string& path) {
+  const auto is_result = [&] {
+    try {
+      return find_file_kind(path) == FileKind::kResult;
+    } catch (const DataError&) {
+      return false;
+    }
+  };
+  require(!std::filesystem::exists(path) || is_result(),
+          "'{}' exists and is no result file of thenar; it is not overwritten", path);
+  require_writable(path);
+}
 
 }  // namespace thenar

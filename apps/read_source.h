@@ -9,4 +9,8 @@ namespace thenar {
 /// A data file as text with its path. @throws DataError if it cannot be read.
 [[nodiscard]] SourceText read_source(const std::string& path);
 
+/// Refuses to write a result over anything that is not a result, and where no file can be made.
+/// @throws InputError saying which.
+void require_result_path(const std::string& path);
+
 }  // namespace thenar

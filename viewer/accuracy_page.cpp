@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/angles.h"
 #include "viewer/fit_pages.h"
 #include "viewer/force_panels.h"
 
@@ -11,7 +13,7 @@ namespace {
 Json error_row(const std::string& specimen, const std::string& what, const std::string& seen,
                const ForceError& error) {
   return Json::array({specimen, what, seen, error.relative, error.relative_flexion, error.rms,
-                      error.direction * 180 / 3.141592653589793});
+                      degrees(error.direction)});
 }
 
 /// All predictions of one specimen, best known first.
@@ -33,7 +35,8 @@ Json bars(const std::vector<SpecimenStudy>& studies) {
   for (const SpecimenStudy& study : studies) {
     Json values = Json::array();
     for (const Json& row : rows_of(study)) {
-      values.push_back({{"series", row[1]}, {"value", row[3]}});
+      values.push_back(
+          {{"series", row[1]}, {"value", std::round(1000 * row[3].get<double>()) / 1000}});
     }
     groups.push_back({{"name", study.fit.problem.specimens().front()}, {"values", values}});
   }
@@ -59,7 +62,7 @@ Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
        {"relative error", "", 3},
        {"in plane", "", 3},
        {"RMS error", "N", 3},
-       {"direction error", "deg", 1}},
+       {"angle", "deg", 1}},
       rows);
   return section(
       "accuracy", "How well the forces are predicted",
@@ -68,7 +71,12 @@ Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
       "cell and the postures within anatomical priors. What counts is the error on postures and "
       "tendons that the fit has not seen.\n\nThe noise floor is the mean error of linearity of the "
       "same data: no linear map can honestly do better on unseen loads. The published calibrated "
-      "model was calibrated on these specimens, so its error is in sample.",
+      "model was calibrated on these specimens, so its error is in sample. The normative finger is "
+      "the average of many hands [An1979]; the last row predicts a force by the mean of the same "
+      "tendon's forces in the other postures, without any model.\n\nMuscles: FDS and FDP, the "
+      "superficial and deep flexors; EDC, the extensor; LU, lumbrical; RI and UI, radial and ulnar "
+      "interosseous. Bands of the extensor hood: LE, long extensor at the knuckle; ES, central "
+      "slip; RB and UB, radial and ulnar lateral band; TE, terminal slip.",
       Json::array({bars(studies), table}));
 }
 

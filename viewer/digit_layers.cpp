@@ -11,30 +11,47 @@ Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>
   return moved(state, model.tip_link, model.tip);
 }
 
+/// The point of each axis nearest to a straight way from the first axis to the tip: where a bone
+/// would cross it. Any point of an axis is as good for kinematics; this one is fit to look at.
+std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
+                                         const TreeState<double>& state) {
+  std::vector<Eigen::Vector3d> points;
+  for (const LinkState<double>& link : state) points.push_back(link.point);
+  const std::vector<Eigen::Vector3d> given = points;
+  const Eigen::Vector3d tip = tip_of(model, state);
+  constexpr int kRounds = 50;  // each joint slides to the middle of its neighbours
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;
+      const Eigen::Vector3d wanted = i > 0 ? Eigen::Vector3d((points[i - 1] + next) / 2) : given[0];
+      points[i] = given[i] + state[i].axis * state[i].axis.dot(wanted - given[i]);
+    }
+  return points;
+}
+
 }  // namespace
 
 Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const std::vector<Eigen::Vector3d> points = axis_points(digit.model, state);
   Json items = Json::array();
   const auto bone = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     if ((b - a).norm() > 1e-6)
       items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
   };
-  for (std::size_t i = 1; i < state.size(); ++i)
-    if (digit.model.tree[i].parent >= 0)
-      bone(state[digit.model.tree[i].parent].point, state[i].point);
-  if (digit.model.tip_link >= 0)
-    bone(state[digit.model.tip_link].point, tip_of(digit.model, state));
+  for (std::size_t i = 1; i < points.size(); ++i) bone(points[i - 1], points[i]);
+  if (!points.empty()) bone(points.back(), tip_of(digit.model, state));
   return layer("bones", color, items);
 }
 
 Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
                 const std::string& color, double length, bool labelled) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const std::vector<Eigen::Vector3d> points = axis_points(digit.model, state);
   Json items = Json::array();
   for (std::size_t i = 0; i < state.size(); ++i) {
     Json item{{"kind", "axis"},
-              {"point", in_mm(state[i].point)},
+              {"point", in_mm(points[i])},
               {"direction", list(state[i].axis)},
               {"length", 1000 * length}};
     if (labelled) item["label"] = digit.names.hinges[i];
@@ -44,16 +61,17 @@ Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::s
 }
 
 Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
-                  const std::string& color) {
+                  const std::string& color, bool labelled) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   Json items = Json::array();
   for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
     Json positions = Json::array();
     for (const PathNode<double>& node : digit.model.paths[s])
       positions.push_back(in_mm(moved(state, node.link, node.p)));
-    if (positions.size() > 1)
-      items.push_back(
-          {{"kind", "line"}, {"positions", positions}, {"label", digit.names.strands[s]}});
+    if (positions.size() < 2) continue;
+    Json item{{"kind", "line"}, {"positions", positions}};
+    if (labelled) item["label"] = digit.names.strands[s];
+    items.push_back(std::move(item));
   }
   return layer(name, color, items);
 }

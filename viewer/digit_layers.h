@@ -19,7 +19,7 @@ namespace thenar {
 
 /// One layer of all tendon paths as lines. Empty array of items if arms are constants.
 [[nodiscard]] Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
-                                const std::string& name, const std::string& color);
+                                const std::string& name, const std::string& color, bool labelled);
 
 /// The feasible force set at the tip, drawn with `mm_per_N`.
 [[nodiscard]] Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,

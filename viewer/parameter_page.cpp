@@ -25,8 +25,8 @@ Json interval_row(const Fit& fit, std::size_t c) {
           {"prior_low", -1.96},
           {"prior_high", 1.96},
           {"null", learnt.null_share > 0.99},
-          {"display",
-           fmt::format("{:+.2f} \u00b1 {:.2f} {}", value, unit * learnt.sd, display_unit(p))}};
+          {"display", fmt::format("{:+.2f} \u00b1 {:.2f} {}", value, unit * learnt.sd,
+                                  display_unit(p) == "1" ? "" : display_unit(p))}};
 }
 
 /// The coordinates that the data pinned down most, then some that they do not know.
@@ -43,7 +43,8 @@ Json forest(const SpecimenStudy& study) {
     if (k >= kShown) rows.push_back(interval_row(study.fit, order[k]));
   return {{"type", "interval"},
           {"caption", fmt::format("{}: the {} parameters that the forces taught most about, and "
-                                  "four they taught least; 95 % intervals in prior sds",
+                                  "four they taught least. Bars are 95 % intervals in prior sds; "
+                                  "at the right estimate and sd",
                                   study.fit.problem.specimens().front(), kShown)},
           {"x_label", "estimate in prior standard deviations"},
           {"rows", rows}};
@@ -96,17 +97,19 @@ Json scene(const SpecimenStudy& study) {
   const TendonDigit& before = study.fit.problem.digit();
   const TendonDigit after = fitted_digit(study.fit);
   const Eigen::VectorXd q = study.fit.problem.plans().front().postures.front();
-  return {{"type", "scene"},
-          {"caption", fmt::format("{} in posture {}: tendons and axes before and after the fit",
-                                  study.fit.problem.specimens().front(),
-                                  study.fit.problem.plans().front().posture_names.front())},
-          {"link", "fingers"},
-          {"up", {0, 1, 0}},
-          {"layers", Json::array({bone_layer(before, q, "#b8a48a"),
-                                  axis_layer(before, q, "axes before", "#999999", 0.03, false),
-                                  axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
-                                  tendon_layer(before, q, "tendons before", "#999999"),
-                                  tendon_layer(after, q, "tendons fitted", "#d55e00")})}};
+  return {
+      {"type", "scene"},
+      {"caption",
+       fmt::format("{} in posture {}: grey before the fit; tendons orange and axes blue after it",
+                   study.fit.problem.specimens().front(),
+                   study.fit.problem.plans().front().posture_names.front())},
+      {"link", "fingers"},
+      {"up", {0, 1, 0}},
+      {"layers", Json::array({bone_layer(before, q, "#b8a48a"),
+                              axis_layer(before, q, "axes before", "#999999", 0.03, false),
+                              axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
+                              tendon_layer(before, q, "tendons before", "#999999", false),
+                              tendon_layer(after, q, "tendons fitted", "#d55e00", true)})}};
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ Json scene(const Shown& thumb) {
       {"layers",
        Json::array({bone_layer(thumb.digit, thumb.q, "#b8a48a"),
                     axis_layer(thumb.digit, thumb.q, "joint axes", "#0072b2", 0.03, true),
-                    tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7"),
+                    tendon_layer(thumb.digit, thumb.q, "tendons", "#cc79a7", false),
                     force_set_layer(thumb.digit, thumb.q, thumb.set, kMmPerNewton, "#e69f00")})}};
 }
 
@@ -87,8 +87,8 @@ Json thumb_page(const std::vector<ThumbCase>& cases) {
       Json::array(
           {row_block(scenes),
            table_block("Feasible thumbtip forces: the set, and the largest pure force along "
-                       "the thumb's own directions; n/a where no tension balances every "
-                       "joint",
+                       "the thumb's own directions; 0 where no tensions make a pure "
+                       "force that way with every joint in balance",
                        columns, rows)}));
 }
 
