@@ -58,20 +58,24 @@ Section explain_learnt(const Fit& fit) {
   return section;
 }
 
-Section explain_values(const Fit& fit) {
-  Section section{"values",
-                  "Parameters that moved (of the population)",
-                  {},
-                  {{"parameter", "unit", "before", "after"}, {}}};
+/// Free parameters of the population, or of one specimen, in their own units.
+Section explain_values(const Fit& fit, int specimen) {
+  const std::string of =
+      specimen < 0 ? "population" : fit.problem.specimens()[static_cast<std::size_t>(specimen)];
+  Section section{
+      "values_" + of,
+      specimen < 0 ? "Free parameters of the population" : "Free parameters of specimen " + of,
+      {},
+      {{"parameter", "unit", "before", "after", "sd_after"}, {}}};
   const FitParameters& parameters = fit.problem.parameters();
-  const std::vector<double> values =
-      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, -1));
-  for (std::size_t p = 0; p < values.size(); ++p) {
+  const FittedValues fitted = fitted_values(fit, specimen);
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
     const Parameter& parameter = parameters.all[p];
-    if (parameters.coordinate[p] < 0 || values[p] == parameter.mean) continue;
-    const double scale = display_scale(parameter);
+    const auto at = static_cast<Eigen::Index>(p);
+    if (parameters.coordinate[p] < 0 || (specimen < 0 && parameter.sd == 0)) continue;
     section.table.rows.push_back({parameter.name, display_unit(parameter),
-                                  shown(scale * parameter.mean), shown(scale * values[p])});
+                                  shown(display_scale(parameter) * parameter.mean),
+                                  shown(fitted.value[at]), shown(fitted.sd[at])});
   }
   return section;
 }
@@ -92,8 +96,12 @@ Section explain_provenance(const Fit& fit) {
 }  // namespace
 
 Explanation explain(const Fit& fit) {
-  return {explain_status(fit), explain_error(fit), explain_provenance(fit), explain_values(fit),
-          explain_learnt(fit)};
+  Explanation sections{explain_status(fit), explain_error(fit), explain_provenance(fit),
+                       explain_values(fit, -1)};
+  for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
+    sections.push_back(explain_values(fit, static_cast<int>(s)));
+  sections.push_back(explain_learnt(fit));
+  return sections;
 }
 
 }  // namespace thenar

@@ -75,6 +75,8 @@ nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& valid
     for (const Prediction& prediction : validation.experiments) {
       out["left_out"].push_back(error_json(prediction));
       out["left_out"].back()["what"] = name_of(validation.what);
+      out["left_out"].back()["folds_done"] = validation.folds_done;
+      out["left_out"].back()["folds"] = validation.folds.size();
     }
   return out;
 }
@@ -86,7 +88,8 @@ void print_learnt(const Fit& fit, std::size_t count) {
             [](const Learnt& a, const Learnt& b) { return a.sd < b.sd; });
   fmt::print("\nlearnt most (estimate and sd in units of the prior sd):\n");
   for (std::size_t i = 0; i < std::min(count, learnt.size()); ++i)
-    fmt::print("  {:<34} {:+6.2f} +- {:.2f}\n", learnt[i].name, learnt[i].z, learnt[i].sd);
+    fmt::print("  {:<34} {:+6.2f} +- {:.2f}{}\n", learnt[i].name, learnt[i].z, learnt[i].sd,
+               learnt[i].at_bound ? ", at its bound" : "");
 }
 
 void print_nulls(const Fit& fit, std::size_t count) {
@@ -109,11 +112,16 @@ void print_summary(const Fit& fit, const std::vector<CrossValidation>& validatio
     fmt::print("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
                p.error.rms, p.error.relative);
   }
-  for (const CrossValidation& validation : validations)
+  for (const CrossValidation& validation : validations) {
     for (const Prediction& p : validation.experiments)
-      fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
-                 name_of(validation.what), p.error.rms, p.error.relative);
-  print_learnt(fit, 8);
+      if (!p.trials.empty())
+        fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
+                   name_of(validation.what), p.error.rms, p.error.relative);
+    if (validation.stopped)
+      fmt::print("  {}: stopped after {} of {} folds; the errors are of those alone\n",
+                 name_of(validation.what), validation.folds_done, validation.folds.size());
+  }
+  if (fit.solution.status == SolveStatus::kConverged) print_learnt(fit, 8);
   print_nulls(fit, 4);
   fmt::print("\nwrote {}\n", output);
 }
@@ -139,6 +147,8 @@ void run(const Options& options) {
     fmt::print("{}\n", summary(fit, validations).dump(2));
   else
     print_summary(fit, validations, options.output);
+  require(fit.solution.status != SolveStatus::kFailed,
+          "the fit failed: {}; the file holds the best point found", fit.solution.message);
   if (interrupted()) throw Interrupted("stopped; the file holds the best point so far");
 }
 

@@ -12,6 +12,7 @@
 #include "apps/commands.h"
 #include "apps/read_source.h"
 #include "base/angles.h"
+#include "kinematics_fit/experiment_warnings.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {
@@ -30,6 +31,8 @@ double direction_error_deg(const PredictedTrial& trial) {
 }
 
 std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n", what); }
 
 nlohmann::json to_json(const Prediction& prediction, const std::string& specimen, bool fitted) {
   nlohmann::json vectors = nlohmann::json::array();
@@ -53,12 +56,25 @@ nlohmann::json to_json(const Prediction& prediction, const std::string& specimen
           {"vectors", vectors}};
 }
 
-void print(const Prediction& prediction, const std::string& specimen, bool fitted) {
-  fmt::print("{}: specimen {} {}\n", prediction.experiment, specimen,
+/// "proximal dorsal -radial": what the three components of a force are.
+std::string component_names(const Experiment& experiment) {
+  constexpr const char* kNames[] = {"proximal", "dorsal", "radial"};
+  std::string names;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (experiment.axes_of_digit(i, k) != 0)
+        names += fmt::format("{}{}{}", i > 0 ? " " : "",
+                             experiment.axes_of_digit(i, k) < 0 ? "-" : "", kNames[k]);
+  return names;
+}
+
+void print(const Prediction& prediction, const Experiment& experiment, bool fitted) {
+  fmt::print("{}: specimen {} {}\n", prediction.experiment, experiment.specimen,
              fitted ? "was fitted; its own parameters predict"
                     : "was never fitted; the population predicts");
+  fmt::print("  forces are ({}) of {}\n", component_names(experiment), experiment.force_segment);
   fmt::print("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
-             "measured [N]", "predicted [N]", "sd [N]", "error", "deg");
+             "measured [N]", "predicted [N]", "sd [N]", "err [N]", "deg");
   for (const PredictedTrial& t : prediction.trials)
     fmt::print(
         "  {:<12} {:<10} {:8.3f}{:8.3f}{:8.3f} {:8.3f}{:8.3f}{:8.3f}   {:6.2f}{:6.2f}{:6.2f} "
@@ -66,25 +82,33 @@ void print(const Prediction& prediction, const std::string& specimen, bool fitte
         t.posture, t.loads, t.measured.x(), t.measured.y(), t.measured.z(), t.predicted.x(),
         t.predicted.y(), t.predicted.z(), t.sd.x(), t.sd.y(), t.sd.z(),
         (t.predicted - t.measured).norm(), direction_error_deg(t));
-  fmt::print(
-      "  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg, "
-      "{:.0f} % of components within the 95 % interval\n",
-      prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction),
-      100 * prediction.error.covered.value_or(0));
+  fmt::print("  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg\n",
+             prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction));
+  if (prediction.error.covered)
+    fmt::print("  {:.0f} % of components within the 95 % interval\n",
+               100 * *prediction.error.covered);
 }
 
 void run(const Options& options) {
   const Fit fit = read_fit(options.fit);
+  if (fit.solution.status != SolveStatus::kConverged)
+    warn(fmt::format("the fit in '{}' did not converge: {}", options.fit,
+                     name_of(fit.solution.status)));
   nlohmann::json out = nlohmann::json::array();
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);
     const int specimen = options.population ? -1 : find_specimen(fit.problem, experiment.specimen);
+    for (const std::string& warning : experiment_warnings(
+             fit.problem.digit(),
+             plan_experiment(fit.problem.digit(), fit.problem.parameters(), experiment),
+             experiment))
+      warn(warning);
     const Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
     if (options.json)
       out.push_back(to_json(prediction, experiment.specimen, specimen >= 0));
     else
-      print(prediction, experiment.specimen, specimen >= 0);
+      print(prediction, experiment, specimen >= 0);
   }
   if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
 }

@@ -1,6 +1,7 @@
 #include "kinematics_fit/fit.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string_view>
 
@@ -40,6 +41,11 @@ FitProblem build_problem(const FitInputs& inputs) {
             "experiments are of different digits: '{}' of the {}, '{}' of the {}",
             experiments.front().name, experiments.front().digit, experiment.name, experiment.digit);
 
+  for (std::size_t e = 0; e < experiments.size(); ++e)
+    for (std::size_t other = 0; other < e; ++other)
+      require(experiments[e].name != experiments[other].name,
+              "experiment '{}' is given twice: it would count twice", experiments[e].name);
+
   const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
   TendonDigit digit = build_tendon_digit(subject, experiments.front().digit);
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
@@ -55,6 +61,31 @@ Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
   Covariance covariance = posterior_covariance(problem, solution.z);
   return {inputs,       std::move(problem),  options.method,
           options.seed, std::move(solution), std::move(covariance)};
+}
+
+FittedValues fitted_values(const Fit& fit, int specimen) {
+  const FitParameters& parameters = fit.problem.parameters();
+  const std::vector<double> values =
+      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, specimen));
+  const Eigen::MatrixXd J = fit.problem.displacement_jacobian(specimen);
+  Eigen::VectorXd variance = (J * fit.covariance.C).cwiseProduct(J).rowwise().sum();
+  // What one specimen alone cannot say of the population stays as wide as the prior has it.
+  if (specimen < 0)
+    for (int c = 0; c < parameters.coordinates(); ++c) {
+      const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+      variance[c] += fit.problem.unseen_variance()[c] - p.between_sd * p.between_sd;
+    }
+  FittedValues out{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size())),
+                   Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size()))};
+  for (Eigen::Index p = 0; p < out.value.size(); ++p) {
+    const auto at = static_cast<std::size_t>(p);
+    const double scale = display_scale(parameters.all[at]);
+    out.value[p] = values[at] * scale;
+    if (parameters.coordinate[at] >= 0)
+      out.sd[p] = std::abs(parameters.ratio[at]) *
+                  std::sqrt(std::max(0.0, variance[parameters.coordinate[at]])) * scale;
+  }
+  return out;
 }
 
 }  // namespace thenar

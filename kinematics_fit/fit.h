@@ -45,6 +45,15 @@ struct Fit {
 /// Builds and solves. A stop request still gives a valid (unconverged) fit.
 [[nodiscard]] Fit run_fit(const FitInputs& inputs, const SolveOptions& options = {});
 
+/// Parameters as fitted, in the units that people read (display_unit()).
+struct FittedValues {
+  Eigen::VectorXd value;  // (all parameters)
+  Eigen::VectorXd sd;     // afterwards; 0 where fixed (all parameters)
+};
+
+/// @param specimen  index in fit.problem.specimens(), or -1: the population
+[[nodiscard]] FittedValues fitted_values(const Fit& fit, int specimen);
+
 /// Writes inputs, estimate, covariance, predictions and provenance; see docs/data_format.md.
 void write_fit(const Fit& fit, const std::string& path);
 

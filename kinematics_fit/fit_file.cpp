@@ -34,21 +34,23 @@ FitInputs inputs_of(const ResultFile& file) {
   return inputs;
 }
 
-/// Values of every parameter of the population, in the units that people read.
+/// Values and sds of every parameter, of the population and of each specimen.
 void add_parameters(const Fit& fit, ResultFile& file) {
-  const FitParameters& parameters = fit.problem.parameters();
-  const std::vector<double> values =
-      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, -1));
-  Eigen::VectorXd shown(static_cast<Eigen::Index>(values.size()));
   std::vector<std::string> names, units;
-  for (std::size_t p = 0; p < values.size(); ++p) {
-    shown[static_cast<Eigen::Index>(p)] = values[p] * display_scale(parameters.all[p]);
-    names.push_back(parameters.all[p].name);
-    units.push_back(display_unit(parameters.all[p]));
+  for (const Parameter& parameter : fit.problem.parameters().all) {
+    names.push_back(parameter.name);
+    units.push_back(display_unit(parameter));
   }
-  file.add("parameters/value", shown, "see parameters/unit", {"parameter"});
   file.add("parameters/name", names);
   file.add("parameters/unit", units);
+  const auto add = [&](const std::string& group, int specimen) {
+    const FittedValues fitted = fitted_values(fit, specimen);
+    file.add(group + "/value", fitted.value, "see parameters/unit", {"parameter"});
+    file.add(group + "/sd", fitted.sd, "see parameters/unit", {"parameter"});
+  };
+  add("parameters/population", -1);
+  for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
+    add("parameters/specimens/" + fit.problem.specimens()[s], static_cast<int>(s));
 }
 
 void add_predictions(const Fit& fit, ResultFile& file) {
@@ -57,10 +59,15 @@ void add_predictions(const Fit& fit, ResultFile& file) {
     const std::string group = "predictions/" + prediction.experiment;
     const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
     Eigen::MatrixXd measured(trials, 3), predicted(trials, 3);
+    std::vector<std::string> postures, loads;
     for (Eigen::Index i = 0; i < trials; ++i) {
+      postures.push_back(prediction.trials[i].posture);
+      loads.push_back(prediction.trials[i].loads);
       measured.row(i) = prediction.trials[i].measured;
       predicted.row(i) = prediction.trials[i].predicted;
     }
+    file.add(group + "/posture", postures);
+    file.add(group + "/loads", loads);
     file.add(group + "/measured", measured, "N", {"trial", "component"});
     file.add(group + "/predicted", predicted, "N", {"trial", "component"});
     file.add(group + "/relative_error", prediction.error.relative, "1");

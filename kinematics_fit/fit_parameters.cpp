@@ -12,6 +12,7 @@ struct Choice {
   ParameterState state = ParameterState::kFixed;
   std::string tie_to;
   double tie_ratio = 1;
+  bool optional = false;  // a tie to nothing leaves the parameter fixed
 };
 
 /// A rule in mm cannot speak of angles.
@@ -53,7 +54,7 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
     matched = true;
     require_dimension(rule, file, all[p]);
     apply_belief(rule, all[p]);
-    if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio};
+    if (rule.state) choices[p] = {*rule.state, rule.tie_to, rule.tie_ratio, rule.optional};
   }
   require(matched || rule.optional,
           "{}:{}: no parameter matches '{}'; list them with `thenar explain`", file, rule.line,
@@ -90,6 +91,7 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
     if (choices[p].state != ParameterState::kTied) continue;
     const auto leader = std::find_if(fit.leader.begin(), fit.leader.end(),
                                      [&](int q) { return fit.all[q].name == choices[p].tie_to; });
+    if (leader == fit.leader.end() && choices[p].optional) continue;
     require(leader != fit.leader.end(), "'{}' is tied to '{}', which is not a free parameter",
             fit.all[p].name, choices[p].tie_to);
     fit.coordinate[p] = static_cast<int>(leader - fit.leader.begin());

@@ -6,6 +6,8 @@
 
 #include <fmt/ranges.h>
 
+#include "kinematics_fit/experiment_warnings.h"
+
 namespace thenar {
 namespace {
 
@@ -168,25 +170,11 @@ Eigen::VectorXd FitProblem::constraint_lower() const {
 }
 
 std::vector<std::string> FitProblem::warnings() const {
-  constexpr double kNearlySingular = 1e6;  // a hundredth of a degree from straight [1]
-  std::vector<std::string> warnings;
+  std::vector<std::string> all;
   for (std::size_t e = 0; e < plans_.size(); ++e)
-    for (std::size_t k = 0; k < plans_[e].postures.size(); ++k)
-      if (plans_[e].condition[k] > kNearlySingular)
-        warnings.push_back(fmt::format(
-            "posture '{}' of experiment '{}' is nearly singular (condition {:.1e}): its forces "
-            "hang on angles that nobody can measure",
-            plans_[e].posture_names[k], experiments_[e].name, plans_[e].condition[k]));
-  for (const Experiment& experiment : experiments_) {
-    const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
-                                       [](const Trial& trial) { return trial.moment.has_value(); });
-    if (moments > 0)
-      warnings.push_back(
-          fmt::format("experiment '{}' holds {} measured moments: they are not fitted, only its "
-                      "forces are",
-                      experiment.name, moments));
-  }
-  return warnings;
+    for (std::string& warning : experiment_warnings(digit_, plans_[e], experiments_[e]))
+      all.push_back(std::move(warning));
+  return all;
 }
 
 int FitProblem::data_rows() const {

@@ -49,8 +49,7 @@ class FitProblem {
   [[nodiscard]] ConstraintValues constraints(const Eigen::VectorXd& z) const;
   [[nodiscard]] Eigen::VectorXd constraint_lower() const;  // (axis distances x specimens) [1]
 
-  /// What to know before trusting a fit: postures in which the held tip is nearly singular, and
-  /// measured moments, which no fit uses.
+  /// What to know of the experiments before trusting the fit; see experiment_warnings().
   [[nodiscard]] std::vector<std::string> warnings() const;
 
   /// Displacements u of the parameters of a specimen (-1: the population)  [SI] (coordinates).

@@ -51,6 +51,9 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
 
 ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
                                const Experiment& experiment) {
+  const std::string& built = digit.skeleton.tips.front().digit;
+  require(experiment.digit == built, "experiment '{}' is of the {}, but the digit built is the {}",
+          experiment.name, experiment.digit, built);
   const auto link = digit.skeleton.link_of_segment.find(experiment.force_segment);
   require(link != digit.skeleton.link_of_segment.end(),
           "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,

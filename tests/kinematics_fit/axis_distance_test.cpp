@@ -73,6 +73,7 @@ FitProblem thumb(const std::string& rows) {
   setup.parameters = choose_parameters(setup.digit, {}, settings);
   Experiment experiment;
   experiment.name = "made up";
+  experiment.digit = "thumb";
   experiment.force_segment = "DP1";
   experiment.sd_floor = 0.05;
   experiment.postures = {{"bent", {{"CMC1_FE", -0.2}, {"MCP1_FE", 0.4}, {"IP1", 0.6}}},

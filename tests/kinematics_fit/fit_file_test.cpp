@@ -131,6 +131,35 @@ TEST_F(FitFile, AStoppedFitIsStillAFit) {
   EXPECT_EQ(read_fit(path).solution.status, SolveStatus::kStopped);
 }
 
+TEST(BuildProblem, RefusesTheSameExperimentTwice) {
+  FitInputs inputs = small_inputs();
+  inputs.experiments.push_back(inputs.experiments.front());
+  try {
+    (void)build_problem(inputs);
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "experiment 'synek2019_H01' is given twice: it would count twice");
+  }
+}
+
+// One specimen: its own value is the whole estimate; the population keeps the share that prior
+// variances give it, and an sd that can never be less than what one specimen leaves unsaid.
+TEST(FittedValues, OfOneSpecimenAndOfItsPopulation) {
+  FitInputs inputs = small_inputs();
+  inputs.settings = {"tilt.toml",
+                     "source = 'Synek2019'\n[[parameter]]\nmatch = 'axis/PIP3/direction/1'\n"
+                     "state = 'free'\nsd_deg = 3\nbetween_sd_deg = 4\n"};
+  inputs.also_free = {};
+  const Fit fit = run_fit(inputs);
+  const FittedValues own = fitted_values(fit, 0), population = fitted_values(fit, -1);
+  const auto p = fit.problem.parameters().leader.front();
+  const double share = 9.0 / 25.0;                         // 3^2 / (3^2 + 4^2)
+  EXPECT_NEAR(own.value[p], 5 * fit.solution.z[0], 1e-9);  // prior sd of the sum: 5 deg
+  EXPECT_NEAR(population.value[p], share * own.value[p], 1e-9);
+  EXPECT_NEAR(population.sd[p], std::hypot(share * own.sd[p], 5 * std::sqrt(share * (1 - share))),
+              1e-9);
+}
+
 TEST(BuildProblem, RefusesToMixDigits) {
   FitInputs inputs = sample::finger_inputs("synek2019_middle", {"H01", "H02"});
   std::string& text = inputs.experiments[1].text;

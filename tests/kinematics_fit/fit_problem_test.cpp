@@ -272,8 +272,31 @@ TEST(FitProblem, SaysThatMomentsAreNotFitted) {
   FitSetup setup = middle_finger(kAxes);
   setup.experiments.front().trials[2].moment = Eigen::Vector3d(0.1, 0, 0);
   EXPECT_EQ(setup.problem().warnings(),
-            std::vector<std::string>{"experiment 'synek2019_H01' holds 1 measured moments: they "
-                                     "are not fitted, only its forces are"});
+            std::vector<std::string>{"experiment 'synek2019_H01': 1 measured moments are not "
+                                     "fitted, only the forces are"});
+}
+
+TEST(FitProblem, SaysWhichAnglesAndTensionsNoFingerHas) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().postures[1].angles["PIP3"] = 300 * kDegree;
+  setup.experiments.front().trials[0].tension = {{"FDS", 950.0}};
+  EXPECT_EQ(setup.problem().warnings(),
+            (std::vector<std::string>{
+                "experiment 'synek2019_H01': posture 'MajorFlex': PIP3 = 300.0 deg is beyond -15.6 "
+                ".. 96.2 deg",
+                "experiment 'synek2019_H01': FDS was pulled with 950.0 N, but can make 189.0 N"}));
+}
+
+TEST(FitProblem, RefusesAnExperimentOfAnotherDigit) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().digit = "index";
+  try {
+    (void)setup.problem();
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "experiment 'synek2019_H01' is of the index, but the digit built is the middle");
+  }
 }
 
 TEST(FitProblem, TellsWrongSizeFromNonsense) {

@@ -70,6 +70,7 @@ TEST(ForceJacobian, IsExactForConstantArms) {
   const SourceText text = sample::source("subjects/arms_thumb");
   sample::FitSetup setup{build_tendon_digit(parse_subject(text.text, text.path), "thumb"), {}, {}};
   Experiment experiment;
+  experiment.digit = "thumb";
   experiment.force_segment = "DP1";
   experiment.sd_floor = 0.1;
   experiment.postures = {{"bent", {{"CMC1_FE", -0.2}, {"MCP1_FE", 0.4}, {"IP1", 0.6}}}};

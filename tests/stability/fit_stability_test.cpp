@@ -57,7 +57,7 @@ TEST(FitStability, NearlyStraightFingerIsWarnedOf) {
   const FitProblem problem = nearly_straight(1e-6).problem();
   ASSERT_EQ(problem.warnings().size(), 1U);
   EXPECT_EQ(
-      problem.warnings()[0].find("posture 'MinorFlex' of experiment 'synek2019_H01' is nearly "
+      problem.warnings()[0].find("experiment 'synek2019_H01': posture 'MinorFlex' is nearly "
                                  "singular (condition "),
       0U)
       << problem.warnings()[0];
