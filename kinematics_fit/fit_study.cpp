@@ -103,7 +103,8 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
   SolveOptions options;
   options.progress = part_of(progress, 0, 0.3);
   Fit fit = run_fit(together, options);
-  std::vector<Prediction> own, as_unseen, unseen;
+  std::vector<Prediction> own, as_unseen;
+  std::vector<Unseen> unseen;
   const auto predict = [&](const Experiment& experiment, int specimen) {
     return predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
   };
@@ -111,8 +112,10 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
     own.push_back(predict(experiment, find_specimen(fit.problem, experiment.specimen)));
     as_unseen.push_back(predict(experiment, -1));
   }
-  for (const SourceText& source : inputs.unseen)
-    unseen.push_back(predict(parse_experiment(source.text, source.path), -1));
+  for (const SourceText& source : inputs.unseen) {
+    const Experiment experiment = parse_experiment(source.text, source.path);
+    unseen.push_back({experiment.specimen, predict(experiment, -1), rivals_of(inputs, experiment)});
+  }
   options.progress = part_of(progress, 0.3, 0.7);
   CrossValidation specimens = cross_validate(fit.problem, LeaveOut::kSpecimen, options);
   return {std::move(fit), std::move(own), std::move(as_unseen), std::move(specimens),

@@ -37,13 +37,20 @@ struct SpecimenStudy {
   std::vector<Rival> rivals;
 };
 
+/// An experiment that was not fitted, by the population and by its rivals.
+struct Unseen {
+  std::string specimen;
+  Prediction prediction;
+  std::vector<Rival> rivals;
+};
+
 /// Several specimens, fitted together.
 struct PopulationStudy {
   Fit fit;
   std::vector<Prediction> own;        // each specimen by its own parameters
   std::vector<Prediction> as_unseen;  // each by the population alone, in sample
   CrossValidation specimens;          // leave one specimen out
-  std::vector<Prediction> unseen;     // experiments that were not fitted
+  std::vector<Unseen> unseen;         // experiments that were not fitted
 };
 
 /// A subject by the name it goes by in the report.

@@ -66,8 +66,10 @@ Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std:
   Json items = Json::array();
   for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
     Json positions = Json::array();
-    for (const PathNode<double>& node : digit.model.paths[s])
+    for (const PathNode<double>& node : digit.model.paths[s]) {
       positions.push_back(in_mm(moved(state, node.link, node.p)));
+      if (node.link < 0) break;  // the muscle's way up the forearm turns no joint of the digit
+    }
     if (positions.size() < 2) continue;
     Json item{{"kind", "line"}, {"positions", positions}};
     if (labelled) item["label"] = digit.names.strands[s];

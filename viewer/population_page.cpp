@@ -24,8 +24,12 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     for (const Rival& rival : studies[e].rivals)
       rows.push_back(row(specimen, rival.name, rival.prediction.error));
   }
-  for (const Prediction& unseen : study.unseen)
-    rows.push_back(row(unseen.experiment, "by the population, never fitted", unseen.error));
+  for (const Unseen& unseen : study.unseen) {
+    rows.push_back(
+        row(unseen.specimen, "by the population, never fitted", unseen.prediction.error));
+    for (const Rival& rival : unseen.rivals)
+      rows.push_back(row(unseen.specimen, rival.name, rival.prediction.error));
+  }
   Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
                                          {{"specimen", ""},
                                           {"prediction", ""},
@@ -34,17 +38,20 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
                                           {"RMS error", "N", 3},
                                           {"in 95 % interval", "%", 0}},
                                          rows)});
-  for (const Prediction& unseen : study.unseen)
+  for (const Unseen& unseen : study.unseen)
     blocks.push_back(force_panels(
-        unseen, fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",
-                            unseen.experiment)));
+        unseen.prediction,
+        fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",
+                    unseen.specimen)));
   return section(
       "population", "A population, and a specimen it has not seen",
       "All specimens are fitted together as people who differ from their population; an unseen "
       "specimen is predicted by the population alone, and its interval holds what is not known of "
       "the population, how people differ, and the noise.\n\nThe population starts from the "
       "published calibrated model, which has seen both specimens: its left-out errors here are "
-      "therefore somewhat flattered. A bonobo is no human, and is shown for how far the model "
+      "therefore somewhat flattered. Fitted together, a specimen's own error differs a little "
+      "from that of its fit alone, because it borrows from the other. B01 is a bonobo, no human, "
+      "and is shown for how far the model "
       "carries.",
       blocks);
 }

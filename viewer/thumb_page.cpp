@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kMmPerNewton = 0.25;
+constexpr double kMmPerNewton = 0.4;
 constexpr const char* kDirections[] = {"proximal", "distal", "dorsal", "palmar", "radial", "ulnar"};
 
 /// A thumb with all that is shown of it.
