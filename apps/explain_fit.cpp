@@ -1,7 +1,5 @@
 // What was fitted to what, how it ended, and what it taught.
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "apps/explanation.h"
@@ -48,12 +46,11 @@ Section explain_learnt(const Fit& fit) {
                   "What the data taught, in prior sds; sd 1: nothing",
                   {},
                   {{"coordinate", "estimate", "sd_after", "not_identifiable_share"}, {}}};
-  std::vector<Learnt> learnt = fit.covariance.learnt;
-  std::sort(learnt.begin(), learnt.end(),
-            [](const Learnt& a, const Learnt& b) { return a.sd < b.sd; });
-  for (const Learnt& coordinate : learnt)
-    section.table.rows.push_back({coordinate.name, shown(coordinate.z, 3), shown(coordinate.sd, 3),
-                                  shown(coordinate.null_share, 3)});
+  for (const int i : by_knowledge(fit.covariance)) {
+    const Learnt& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    section.table.rows.push_back(
+        {learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3), shown(learnt.null_share, 3)});
+  }
   for (const NullDirection& null : fit.covariance.nulls) section.lines.push_back(null.text);
   return section;
 }

@@ -13,7 +13,6 @@
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
-#include "base/write_file.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/prediction.h"
 
@@ -83,13 +82,13 @@ nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& valid
 
 /// The coordinates that the data moved or pinned down most.
 void print_learnt(const Fit& fit, std::size_t count) {
-  std::vector<Learnt> learnt = fit.covariance.learnt;
-  std::sort(learnt.begin(), learnt.end(),
-            [](const Learnt& a, const Learnt& b) { return a.sd < b.sd; });
+  const std::vector<int> order = by_knowledge(fit.covariance);
   fmt::print("\nlearnt most (estimate and sd in units of the prior sd):\n");
-  for (std::size_t i = 0; i < std::min(count, learnt.size()); ++i)
-    fmt::print("  {:<34} {:+6.2f} +- {:.2f}{}\n", learnt[i].name, learnt[i].z, learnt[i].sd,
-               learnt[i].at_bound ? ", at its bound" : "");
+  for (std::size_t k = 0; k < std::min(count, order.size()); ++k) {
+    const Learnt& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
+    fmt::print("  {:<34} {:+6.2f} +- {:.2f}{}\n", learnt.name, learnt.z, learnt.sd,
+               learnt.at_bound ? ", at its bound" : "");
+  }
 }
 
 void print_nulls(const Fit& fit, std::size_t count) {

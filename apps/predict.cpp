@@ -3,7 +3,6 @@
 // Predicts the forces of any experiment on the fitted digit, also of a specimen that was never
 // fitted, and compares them with what was measured.
 
-#include <cmath>
 #include <memory>
 
 #include <fmt/format.h>
@@ -25,11 +24,6 @@ struct Options {
   bool json = false;
 };
 
-double direction_error_deg(const PredictedTrial& trial) {
-  const Eigen::Vector3d &a = trial.predicted, &b = trial.measured;
-  return degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
-}
-
 std::vector<double> list(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n", what); }
@@ -43,7 +37,7 @@ nlohmann::json to_json(const Prediction& prediction, const std::string& specimen
                        {"predicted_N", list(trial.predicted)},
                        {"sd_N", list(trial.sd)},
                        {"error_N", (trial.predicted - trial.measured).norm()},
-                       {"direction_error_deg", direction_error_deg(trial)}});
+                       {"direction_error_deg", degrees(direction_error(trial))}});
   return {{"experiment", prediction.experiment},
           {"specimen", specimen},
           {"specimen_was_fitted", fitted},
@@ -81,7 +75,7 @@ void print(const Prediction& prediction, const Experiment& experiment, bool fitt
         "{:7.3f} {:6.1f}\n",
         t.posture, t.loads, t.measured.x(), t.measured.y(), t.measured.z(), t.predicted.x(),
         t.predicted.y(), t.predicted.z(), t.sd.x(), t.sd.y(), t.sd.z(),
-        (t.predicted - t.measured).norm(), direction_error_deg(t));
+        (t.predicted - t.measured).norm(), degrees(direction_error(t)));
   fmt::print("  RMS error {:.3f} N, relative error {:.3f}, median direction error {:.1f} deg\n",
              prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction));
   if (prediction.error.covered)

@@ -75,4 +75,14 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   return out;
 }
 
+std::vector<int> by_knowledge(const Covariance& covariance) {
+  std::vector<int> order(covariance.learnt.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return covariance.learnt[static_cast<std::size_t>(a)].sd <
+           covariance.learnt[static_cast<std::size_t>(b)].sd;
+  });
+  return order;
+}
+
 }  // namespace thenar

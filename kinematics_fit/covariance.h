@@ -37,4 +37,7 @@ struct Covariance {
 /// @param z  the fitted point (size)
 [[nodiscard]] Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z);
 
+/// Coordinates from the best known to the least, by their sd afterwards (entries of z).
+[[nodiscard]] std::vector<int> by_knowledge(const Covariance& covariance);
+
 }  // namespace thenar

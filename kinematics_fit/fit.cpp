@@ -70,10 +70,11 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const Eigen::MatrixXd J = fit.problem.displacement_jacobian(specimen);
   Eigen::VectorXd variance = (J * fit.covariance.C).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
+  const Eigen::VectorXd unseen = fit.problem.unseen_variance();
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {
       const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
-      variance[c] += fit.problem.unseen_variance()[c] - p.between_sd * p.between_sd;
+      variance[c] += unseen[c] - p.between_sd * p.between_sd;
     }
   FittedValues out{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size())),
                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size()))};

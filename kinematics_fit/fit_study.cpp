@@ -1,8 +1,5 @@
 #include "kinematics_fit/fit_study.h"
 
-#include <algorithm>
-#include <numeric>
-
 #include "base/error.h"
 #include "kinematics_fit/force_jacobian.h"
 
@@ -44,25 +41,15 @@ std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs&
   return runs;
 }
 
-/// Coordinates by falling knowledge, the first few.
-std::vector<int> best_known(const Covariance& covariance, std::size_t count) {
-  std::vector<int> order(covariance.learnt.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return covariance.learnt[static_cast<std::size_t>(a)].sd <
-           covariance.learnt[static_cast<std::size_t>(b)].sd;
-  });
-  order.resize(std::min(count, order.size()));
-  return order;
-}
-
 std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
   constexpr std::size_t kProfiles = 4;
   ProfileOptions options;
   options.solver.progress = progress;
   std::vector<Profile> profiles;
-  for (const int i : best_known(fit.covariance, kProfiles))
+  for (const int i : by_knowledge(fit.covariance)) {
+    if (profiles.size() == kProfiles) break;
     profiles.push_back(profile_likelihood(fit.problem, fit.solution.z, i, options));
+  }
   return profiles;
 }
 

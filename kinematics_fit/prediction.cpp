@@ -9,10 +9,6 @@
 namespace thenar {
 namespace {
 
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
-
 double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
@@ -70,6 +66,11 @@ FitParameters with_postures(FitParameters fitted, const Experiment& experiment, 
 
 }  // namespace
 
+double direction_error(const PredictedTrial& trial) {
+  return std::atan2(trial.predicted.cross(trial.measured).norm(),
+                    trial.predicted.dot(trial.measured));
+}
+
 std::string describe_loads(const Trial& trial) {
   std::string loads;
   for (const auto& [muscle, tension] : trial.tension)
@@ -101,7 +102,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
     total += trial.measured.squaredNorm();
     total_flexion += trial.measured.head<2>().squaredNorm();
     if (trial.predicted.squaredNorm() > 0 && trial.measured.squaredNorm() > 0)
-      angles.push_back(angle_between(trial.predicted, trial.measured));
+      angles.push_back(direction_error(trial));
     if (trial.sd.minCoeff() <= 0) continue;
     covered += static_cast<int>((r.array().abs() <= 1.96 * trial.sd.array()).count());
     counted += 3;

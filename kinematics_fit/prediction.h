@@ -20,6 +20,9 @@ struct PredictedTrial {
   Eigen::Vector3d sd;         // predictive, of each component; zero if not asked for [N] (3)
 };
 
+/// Angle between the predicted and the measured force, 0 where either is zero [rad].
+[[nodiscard]] double direction_error(const PredictedTrial& trial);
+
 /// How far predictions are from measurements.
 struct ForceError {
   double rms = 0;                 // root of the mean squared |predicted - measured| [N]

@@ -13,7 +13,8 @@ namespace {
 constexpr std::size_t kShown = 24;  // rows of the forest plot
 
 /// One coordinate of a single-specimen fit, in units of its prior sd.
-Json interval_row(const Fit& fit, std::size_t c) {
+Json interval_row(const Fit& fit, int coordinate) {
+  const auto c = static_cast<std::size_t>(coordinate);
   const Learnt& learnt = fit.covariance.learnt[c];
   const Parameter& p = fit.problem.parameters().all[fit.problem.parameters().leader[c]];
   const double unit = std::hypot(p.sd, p.between_sd) * display_scale(p);
@@ -31,11 +32,7 @@ Json interval_row(const Fit& fit, std::size_t c) {
 
 /// The coordinates that the data pinned down most, then some that they do not know.
 Json forest(const SpecimenStudy& study) {
-  const std::vector<Learnt>& learnt = study.fit.covariance.learnt;
-  std::vector<std::size_t> order(learnt.size());
-  for (std::size_t c = 0; c < order.size(); ++c) order[c] = c;
-  std::sort(order.begin(), order.end(),
-            [&](std::size_t a, std::size_t b) { return learnt[a].sd < learnt[b].sd; });
+  const std::vector<int> order = by_knowledge(study.fit.covariance);
   Json rows = Json::array();
   for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k)
     rows.push_back(interval_row(study.fit, order[k]));
