@@ -52,11 +52,31 @@ struct JointAxis {
   std::optional<Coupling> coupling;    // absent: the joint is free
 };
 
-/// A point that a tendon runs through, fixed in a segment.
+/// Shapes of wrapping surfaces.
+enum class SurfaceShape { kCylinder, kSphere, kEllipsoid, kCapsule, kTorus };
+
+/// A surface of a bone, or of a pulley, over which tendons slide. In its own frame:
+///   cylinder   radius size[0] about z, endless; size[1] half length, for drawing only
+///   sphere     radius size[0]
+///   ellipsoid  semi-axes size[0..2] along x, y, z
+///   capsule    radius size[0] about the segment |z| <= size[1]
+///   torus      tube of radius size[0] about the ring of radius size[1] in the plane z = 0
+struct Surface {
+  std::string name;
+  std::string segment;  // that carries it
+  SurfaceShape shape = SurfaceShape::kSphere;
+  Eigen::Vector3d size{0, 0, 0};                  // [m] (3)
+  Eigen::Vector3d center{0, 0, 0};                // reference posture [m] (3)
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns x, y, z of its frame (3, 3)
+};
+
+/// A point that a tendon runs through, fixed in a segment, or a surface that it bends over.
 struct PathPoint {
   std::string segment;         // segment that carries the point
   Eigen::Vector3d p{0, 0, 0};  // at the reference posture [m] (3)
   double sd = 0;               // of each coordinate [m]; 0 if unknown
+  std::string surface;         // not empty: bends over it where it must, on the side where p is
+  std::string rides_on;        // not empty: grows from this strand and moves with it (lumbricals)
 };
 
 /// A run of tendon under one tension.
@@ -128,6 +148,7 @@ struct Subject {
   double reference_length = 0;  // that path points were normalised by [m]; 0 if none
   std::vector<Segment> segments;
   std::vector<JointAxis> joints;
+  std::vector<Surface> surfaces;
   std::vector<Strand> strands;
   std::vector<MuscleUnit> muscles;
   std::vector<Digit> digits;

@@ -1,0 +1,76 @@
+#pragma once
+
+/// Where a net comes to rest.
+///
+/// Minimises  E(x) = sum_bands phi(L) + sum_muscles t L  over the floating nodes, which may not be
+/// inside a bone. Without bones E is convex: every minimum is the global one, and it is found from
+/// any start. With bones it is not: the minimum found depends on where the nodes start (a band can
+/// lie on either side of a joint), so sweeps hand each solution on as the next start.
+/// Derivation: docs/theory/extensor_net.md.
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hand/chain.h"
+#include "tendons/net/net.h"
+
+namespace thenar {
+
+enum class NetStatus {
+  kBalanced,  // residual below tolerance at a minimum
+  kUnstable,  // balanced, but at a saddle: the least push moves it elsewhere
+  kDrawnIn,   // balanced only because a muscle has drawn a node into its exit: the net does not hold
+  kStalled    // not balanced: see the residual
+};
+
+struct NetSolverOptions {
+  double tolerance = 1e-9;   // largest out-of-balance force of a floating node [N]
+  int max_iterations = 200;  // Newton steps
+};
+
+/// A node pressed on a bone.
+struct NetContact {
+  int node;
+  int surface;
+  double force;            // normal, >= 0 [N]
+  Eigen::Vector3d normal;  // out of the bone, world (3)
+};
+
+struct [[nodiscard]] NetEquilibrium {
+  NetStatus status = NetStatus::kStalled;  // read this first
+  double residual = 0;      // largest out-of-balance force of a floating node [N]
+  int iterations = 0;       // Newton steps
+  Eigen::Matrix3Xd x;       // all nodes, world [m] (3, nodes)
+  Eigen::VectorXd length;   // of each band [m] (bands)
+  Eigen::VectorXd tension;  // of each band, 0 where slack [N] (bands)
+  std::vector<NetContact> contacts;
+  std::vector<int> loose;   // floating nodes whose place nothing decides: all their bands are slack
+  std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
+  double energy = 0;        // E [J]
+};
+
+/// Solves one net again and again. Holds the elimination order and the workspace of one thread, and
+/// nothing that changes an answer.
+class NetSolver {
+ public:
+  /// @throws InputError naming the node or band that is wrong: an index out of range, a passive
+  /// band without stiffness or slack length, a non-finite number.
+  explicit NetSolver(const Net& net, const NetSolverOptions& options = {});
+  ~NetSolver();
+  NetSolver(NetSolver&&) noexcept;
+  NetSolver& operator=(NetSolver&&) noexcept;
+
+  /// @param state  links, from pose_tree()
+  /// @param start  nodes to start from, world [m] (3, nodes); absent: each with its link
+  /// @throws InputError if shapes disagree, or a tension is negative or not finite.
+  NetEquilibrium solve(const TreeState<double>& state, const NetDrive& drive,
+                       const Eigen::Matrix3Xd* start = nullptr);
+
+ private:
+  struct Workspace;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace thenar

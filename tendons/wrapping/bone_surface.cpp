@@ -1,0 +1,82 @@
+#include "tendons/wrapping/bone_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Distance r from a point, or from a line if `across` has lost one direction.
+SurfaceProbe round(const Vector3d& from, double radius, const Matrix3d& across) {
+  const double distance = from.norm();
+  if (distance == 0) return {-radius, across.col(0).normalized(), Matrix3d::Zero()};
+  const Vector3d n = from / distance;
+  return {distance - radius, n, (across - n * n.transpose()) / distance};
+}
+
+SurfaceProbe cylinder(double radius, const Vector3d& p) {
+  return round({p.x(), p.y(), 0}, radius, Vector3d(1, 1, 0).asDiagonal());
+}
+
+SurfaceProbe capsule(const Vector3d& size, const Vector3d& p) {
+  if (std::abs(p.z()) <= size[1]) return cylinder(size[0], p);
+  return round(p - Vector3d(0, 0, std::copysign(size[1], p.z())), size[0], Matrix3d::Identity());
+}
+
+/// In the half plane through p and the axis it is a circle; across that plane it turns about z.
+SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
+  const double m = std::hypot(p.x(), p.y());
+  const Vector3d out = m > 0 ? Vector3d(p.x() / m, p.y() / m, 0) : Vector3d::UnitX();
+  const Vector3d round_z = Vector3d::UnitZ().cross(out);
+  const Matrix3d plane = Matrix3d::Identity() - round_z * round_z.transpose();
+  SurfaceProbe probe = round(p - size[1] * out, size[0], plane);
+  if (m > 0) probe.curvature += probe.normal.dot(out) / m * round_z * round_z.transpose();
+  return probe;
+}
+
+/// Nearest point s^2 p / (s^2 + t) of an ellipsoid of semi-axes s; t solves
+/// |s p / (s^2 + t)| = 1 and is the only root above -min(s^2). Source: [Eberly2013].
+Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
+  const Eigen::Array3d s2 = s.array().square(), sp = s.array() * p.array();
+  double low = -s2.minCoeff() + 1e-300, high = sp.matrix().norm();
+  for (int i = 0; i < 1100 && low < high; ++i) {  // bisection ends at neighbouring numbers
+    const double t = 0.5 * (low + high);
+    if (t == low || t == high) break;
+    ((sp / (s2 + t)).matrix().norm() > 1 ? low : high) = t;
+  }
+  return (s2 * p.array() / (s2 + 0.5 * (low + high))).matrix();
+}
+
+SurfaceProbe ellipsoid(const Vector3d& s, const Vector3d& p) {
+  const Vector3d y = nearest_on_ellipsoid(s, p), w = s.array().square().inverse();
+  const Vector3d gradient = w.cwiseProduct(y), n = gradient.normalized();
+  const double gap = n.dot(p - y);
+  const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
+  const Matrix3d S = P * w.asDiagonal() * P / gradient.norm();  // shape operator at y
+  return {gap, n, (Matrix3d::Identity() + gap * S).fullPivLu().solve(S)};
+}
+
+}  // namespace
+
+SurfaceProbe probe(const BoneSurface& surface, const Vector3d& p_S) {
+  switch (surface.shape) {
+    case SurfaceShape::kCylinder: return cylinder(surface.size[0], p_S);
+    case SurfaceShape::kSphere: return round(p_S, surface.size[0], Matrix3d::Identity());
+    case SurfaceShape::kEllipsoid: return ellipsoid(surface.size, p_S);
+    case SurfaceShape::kCapsule: return capsule(surface.size, p_S);
+    case SurfaceShape::kTorus: return torus(surface.size, p_S);
+  }
+  throw InputError("unknown surface shape");
+}
+
+Vector3d nearest_point(const BoneSurface& surface, const Vector3d& p_S) {
+  const SurfaceProbe at = probe(surface, p_S);
+  return p_S - at.gap * at.normal;
+}
+
+}  // namespace thenar

@@ -1,0 +1,60 @@
+// Tests for tendons/wrapping/bone_surface.cpp.
+
+#include "tendons/wrapping/bone_surface.h"
+
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+BoneSurface surface(SurfaceShape shape, const Vector3d& size) { return {"S", -1, shape, size, {}}; }
+
+std::vector<BoneSurface> all_shapes() {
+  return {surface(SurfaceShape::kCylinder, {0.005, 0.01, 0}),
+          surface(SurfaceShape::kSphere, {0.005, 0, 0}),
+          surface(SurfaceShape::kEllipsoid, {0.004, 0.006, 0.01}),
+          surface(SurfaceShape::kCapsule, {0.004, 0.01, 0}),
+          surface(SurfaceShape::kTorus, {0.002, 0.007, 0})};
+}
+
+TEST(BoneSurface, GapOfKnownPoints) {
+  EXPECT_NEAR(probe(all_shapes()[0], {0.008, 0, 0.5}).gap, 0.003, 1e-15);
+  EXPECT_NEAR(probe(all_shapes()[1], {0, 0.003, 0}).gap, -0.002, 1e-15);
+  EXPECT_NEAR(probe(all_shapes()[2], {0, 0, 0.013}).gap, 0.003, 1e-15);
+  EXPECT_NEAR(probe(all_shapes()[3], {0, 0.003, 0.018}).gap, std::hypot(0.003, 0.008) - 0.004,
+              1e-15);
+  EXPECT_NEAR(probe(all_shapes()[4], {0, 0, 0}).gap, 0.005, 1e-15);
+}
+
+// The gap changes by its normal, the normal by its curvature, at random points near each surface.
+TEST(BoneSurface, SlopesAgreeWithDifferences) {
+  std::mt19937 rng(1);
+  std::uniform_real_distribution<double> draw(-0.015, 0.015);
+  const double h = 1e-7;  // [m]
+  for (const BoneSurface& s : all_shapes())
+    for (int trial = 0; trial < 200; ++trial) {
+      const Vector3d p(draw(rng), draw(rng), draw(rng));
+      const SurfaceProbe at = probe(s, p);
+      if (at.gap < -0.0005) continue;  // near the medial axis distances have kinks
+      for (int k = 0; k < 3; ++k) {
+        const Vector3d d = h * Vector3d::Unit(k);
+        const SurfaceProbe up = probe(s, p + d), down = probe(s, p - d);
+        EXPECT_NEAR((up.gap - down.gap) / (2 * h), at.normal[k], 1e-8);
+        EXPECT_TRUE(matrix_near((up.normal - down.normal) / (2 * h), at.curvature.col(k), 2e-3));
+      }
+    }
+}
+
+TEST(BoneSurface, NearestPointLiesOnTheSurface) {
+  for (const BoneSurface& s : all_shapes())
+    EXPECT_NEAR(probe(s, nearest_point(s, {0.006, 0.004, 0.012})).gap, 0, 1e-14);
+}
+
+}  // namespace
+}  // namespace thenar
