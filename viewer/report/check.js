@@ -1,5 +1,7 @@
 // Says what is wrong with a report before it is drawn. Knows nothing of the browser.
 
+import { SHAPES } from "../scene/shapes.js";
+
 const isArray = Array.isArray;
 const isVector = (n) => (v) => isArray(v) && v.length === n;
 const isText = (v) => typeof v === "string";
@@ -14,8 +16,15 @@ const ITEMS = {
   hull: { vertices: list(isVector(3)), faces: list(isVector(3)) },
   points: { positions: list(isVector(3)) },
   line: { positions: list(isVector(3)) },
+  surface: {
+    shape: (v) => SHAPES.includes(v),
+    size: isArray,
+    center: isVector(3),
+    axes: (v) => isVector(3)(v) && v.every(isVector(3)),
+  },
 };
-const isItem = (v) => v && v.kind in ITEMS && shape(ITEMS[v.kind])(v);
+const isColor = (v) => v === undefined || /^#[0-9a-f]{6}$/i.test(v);
+const isItem = (v) => v && v.kind in ITEMS && shape(ITEMS[v.kind])(v) && isColor(v.color);
 
 const sameLength = (s) =>
   s.x.length === s.y.length &&
@@ -45,6 +54,10 @@ const NEEDS = {
     layers: [
       list(shape({ name: isText, items: list(isItem) })),
       `a list of {name, items}, items of kind ${Object.keys(ITEMS).join(", ")} with coordinates`,
+    ],
+    color_scale: [
+      (v) => v === undefined || (isText(v?.label) && [v.low, v.high].every(Number.isFinite)),
+      "{label, low, high}",
     ],
   },
   bars: {

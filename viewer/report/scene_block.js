@@ -1,6 +1,8 @@
 // A 3D view inside the report: frame, caption, and what to do where there is no WebGL.
 
+import { colored } from "../scene/color_scale.js";
 import { mountScene } from "../scene/view.js";
+import { colorBar } from "./color_bar.js";
 import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
@@ -20,7 +22,7 @@ const theme = () => ({
 });
 
 function fillFrame(frame, block, notes) {
-  const scene = { ...block, layers: withColors(block.layers) };
+  const scene = { ...block, layers: colored(withColors(block.layers), block.color_scale) };
   const view = mountScene(frame, scene, theme);
   onThemeChange(view.draw);
   const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;
@@ -37,5 +39,6 @@ export function drawScene(block) {
       frame.replaceChildren(errorBox(`The 3D view cannot be drawn: ${error.message}`));
     }
   });
-  return figure("figure", block.caption, frame, el("p", { class: "hint" }, HINT), notes);
+  const bar = block.color_scale ? colorBar(block.color_scale) : null;
+  return figure("figure", block.caption, frame, bar, el("p", { class: "hint" }, HINT), notes);
 }

@@ -43,9 +43,22 @@ const tendons = {
   name: "tendons",
   color: "#0072b2",
   items: [
-    { kind: "line", positions: beside([-9, -10, -7, -6, -4]) },
-    { kind: "line", positions: beside([9, 10, 8, 6, 4]), dashed: true },
+    { kind: "line", positions: beside([-9, -10, -7, -6, -4]), value: 4.2, width: 5 },
+    { kind: "line", positions: beside([9, 10, 8, 6, 4]), dashed: true, color: "#8a8f99" },
   ],
+};
+
+const FRAME = [
+  [1, 0, 0],
+  [0, 1, 0],
+  [0, 0, 1],
+];
+const surface = (shape, center, size) => ({ kind: "surface", shape, center, size, axes: FRAME });
+
+const surfaces = {
+  name: "surfaces",
+  color: "#56b4e9",
+  items: [surface("sphere", CHAIN[1], [8]), surface("capsule", CHAIN[2], [5, 3])],
 };
 
 const tip = {
@@ -98,13 +111,14 @@ const cloud = {
   ],
 };
 
-const scene = (caption, layers, link) => ({
+const scene = (caption, layers, link, color_scale) => ({
   type: "scene",
   caption,
   unit: "mm",
   up: [0, 0, 1],
   view: [1.2, 0.5, 0.6],
   link,
+  color_scale,
   layers,
 });
 
@@ -113,14 +127,20 @@ export const axes = () => ({
   title: "Joint axes",
   text: "Axes point to the side of positive flexion by the right-hand rule.",
   blocks: [
-    scene("Fitted axes of the middle finger against the axes of the starting model.", [
-      bones,
-      axesOf("fitted", "#d55e00", [0.1, -0.12, 0.2]),
-      axesOf("start", "#009e73", [0, 0, 0], false),
-      tendons,
-      tip,
-      cloud,
-    ]),
+    scene(
+      "Fitted axes of the middle finger against the axes of the starting model.",
+      [
+        bones,
+        axesOf("fitted", "#d55e00", [0.1, -0.12, 0.2]),
+        axesOf("start", "#009e73", [0, 0, 0], false),
+        surfaces,
+        tendons,
+        tip,
+        cloud,
+      ],
+      undefined,
+      { label: "tension [N]", low: 0, high: 5, dashed: "slack" },
+    ),
     {
       type: "row",
       blocks: [

@@ -2,6 +2,7 @@
 
 import { Box3, Vector3 } from "three";
 import { isComplete } from "./items.js";
+import { shapeReach } from "./shapes.js";
 
 const along = (from, vector, factor) => from.map((value, i) => value + factor * vector[i]);
 
@@ -16,6 +17,8 @@ function reach(item) {
   if (item.kind === "arrow") return [item.from, along(item.from, item.vector, 1)];
   if (item.kind === "axis")
     return [-0.5, 0.5].map((s) => along(item.point, unit(item.direction), s * (item.length ?? 0)));
+  if (item.kind === "surface")
+    return [-1, 1].map((s) => item.center.map((value) => value + s * shapeReach(item)));
   return item.vertices ?? item.positions;
 }
 

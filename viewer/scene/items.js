@@ -2,6 +2,7 @@
 
 import { Color, Group, MeshLambertMaterial } from "three";
 import { buildArrow, buildAxis } from "./arrows.js";
+import { buildSurface } from "./shapes.js";
 import { buildSegment, buildPoints } from "./solids.js";
 import { buildHull, buildLine } from "./surfaces.js";
 
@@ -12,6 +13,7 @@ const BUILD = {
   hull: buildHull,
   points: buildPoints,
   line: buildLine,
+  surface: buildSurface,
 };
 
 /// Whether every number of an item is one: NaN arrives as null.
@@ -20,19 +22,29 @@ export const isComplete = (value) =>
     ? Object.entries(value).every(([key, part]) => key === "label" || isComplete(part))
     : value !== null && !Number.isNaN(value);
 
+/// Colour and material, shared by all items of one colour.
+function lookFor(size) {
+  const looks = new Map();
+  return (color) => {
+    if (!looks.has(color))
+      looks.set(color, {
+        color: new Color(color),
+        material: new MeshLambertMaterial({ color }),
+        size,
+      });
+    return looks.get(color);
+  };
+}
+
 /// One layer as a group; `labels` collects { position, text, color } for whoever writes on the
 /// picture. `size` is the diagonal of the scene, from which items without a radius get one.
 function buildLayer(layer, size) {
   const group = new Group();
   const labels = [];
-  const look = {
-    color: new Color(layer.color),
-    material: new MeshLambertMaterial({ color: layer.color }),
-    size,
-  };
+  const look = lookFor(size);
   const complete = layer.items.filter(isComplete);
   for (const item of complete) {
-    const object = BUILD[item.kind](item, look);
+    const object = BUILD[item.kind](item, look(item.color ?? layer.color));
     group.add(object);
     if (item.label) labels.push({ position: object.userData.labelAt, text: item.label });
   }

@@ -17,7 +17,7 @@ import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
 export const HULL_OPACITY = 0.35;
-const LINE_WIDTH = 2.5; // [px]
+export const LINE_WIDTH = 2.5; // [px]
 
 function hullGeometry(vertices, faces) {
   const geometry = new BufferGeometry();
@@ -50,11 +50,11 @@ export function buildHull({ vertices, faces }, { color }) {
 }
 
 /// A polyline of constant width on the screen.
-export function buildLine({ positions, dashed = false }, { color, size }) {
+export function buildLine({ positions, dashed = false, width = LINE_WIDTH }, { color, size }) {
   if (positions.length < 2) return new Group();
   const material = new LineMaterial({
     color,
-    linewidth: LINE_WIDTH * (globalThis.devicePixelRatio ?? 1),
+    linewidth: width * (globalThis.devicePixelRatio ?? 1),
     dashed,
     dashSize: 0.015 * size,
     gapSize: 0.01 * size,

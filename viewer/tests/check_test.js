@@ -46,6 +46,19 @@ test("an item of unknown kind, or without its coordinates, is refused", () => {
   assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0], b: [0, 0, 1] })).length, 0);
   assert.equal(faults(scene({ kind: "segment", a: [0, 0, 0] })).length, 1);
   assert.equal(faults(scene({ kind: "torus" })).length, 1);
+  const line = { kind: "line", positions: [[0, 0, 0]] };
+  assert.equal(faults(scene({ ...line, color: "#12ab9F" })).length, 0);
+  assert.equal(faults(scene({ ...line, color: "red" })).length, 1);
+  const frame = [line.positions[0], line.positions[0], line.positions[0]];
+  const ball = { kind: "surface", shape: "sphere", size: [1], center: [0, 0, 0], axes: frame };
+  assert.equal(faults(scene(ball)).length, 0);
+  assert.equal(faults(scene({ ...ball, shape: "cone" })).length, 1);
+});
+
+test("a colour scale needs its label and both ends", () => {
+  const scene = (color_scale) => ({ type: "scene", layers: [], color_scale });
+  assert.deepEqual(faults(scene({ label: "tension [N]", low: 0, high: 5 })), []);
+  assert.equal(faults(scene({ label: "tension [N]", low: 0, high: null })).length, 1);
 });
 
 test("a chart without series is empty, not wrong", () => {

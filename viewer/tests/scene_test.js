@@ -6,6 +6,7 @@ import { Box3, Vector3 } from "three";
 import { fitCamera, makeCamera } from "../scene/camera_fit.js";
 import { diagonal, extentOf } from "../scene/extent.js";
 import { buildGrid } from "../scene/grid.js";
+import { colored, colorOf } from "../scene/color_scale.js";
 import { buildLayers } from "../scene/items.js";
 
 const ITEMS = [
@@ -44,6 +45,18 @@ const ITEMS = [
     dashed: true,
   },
 ];
+const FRAME = [
+  [0, 1, 0],
+  [0, 0, 1],
+  [1, 0, 0],
+];
+const surface = (shape, ...size) => ({
+  kind: "surface",
+  shape,
+  size,
+  center: [1, 2, 3],
+  axes: FRAME,
+});
 const layer = (items) => ({ name: "layer", color: "#0072b2", items });
 const boxOf = (object) => new Box3().setFromObject(object);
 
@@ -58,6 +71,41 @@ test("a segment reaches from end to end, caps included", () => {
   const { min, max } = boxOf(group);
   assert.ok(min.distanceTo(new Vector3(-5, -5, -5)) < 1e-4);
   assert.ok(max.distanceTo(new Vector3(5, 5, 45)) < 1e-4);
+});
+
+// The frame's z is the scene's x, its x the scene's y, its y the scene's z.
+const HALF_SIZES = [
+  [surface("cylinder", 2, 7), [7, 2, 2]],
+  [surface("sphere", 4), [4, 4, 4]],
+  [surface("ellipsoid", 2, 3, 5), [5, 2, 3]],
+  [surface("capsule", 2, 7), [9, 2, 2]],
+  [surface("torus", 1, 6), [1, 7, 7]],
+];
+for (const [item, half] of HALF_SIZES)
+  test(`a ${item.shape} stands in its frame with its size`, () => {
+    const [{ group }] = buildLayers([layer([item])], 50);
+    const seen = boxOf(group);
+    const size = seen.getSize(new Vector3());
+    assert.ok(seen.getCenter(new Vector3()).distanceTo(new Vector3(1, 2, 3)) < 0.1);
+    // Facets stay inside the smooth surface, by less than a fiftieth of it.
+    for (const [i, s] of size.toArray().entries())
+      assert.ok(s / 2 <= half[i] + 1e-6 && s / 2 > 0.98 * half[i], `${s / 2} of ${half[i]}`);
+    assert.ok(extentOf([layer([item])]).containsBox(seen));
+  });
+
+test("an item's own colour wins over its layer's", () => {
+  const [{ group }] = buildLayers([layer([{ ...ITEMS[0], color: "#ff0000" }, ITEMS[0]])], 50);
+  const shown = group.children.map((mesh) => mesh.material.color.getHexString());
+  assert.deepEqual(shown, ["ff0000", "0072b2"]);
+});
+
+test("a value is coloured by the scale, its ends by the first and the last colour", () => {
+  const scale = { low: 1, high: 3 };
+  const ends = [colorOf(-5, scale), colorOf(9, scale)];
+  assert.deepEqual([colorOf(1, scale), colorOf(3, scale)], ends);
+  assert.notEqual(ends[0], ends[1]);
+  const [{ items }] = colored([layer([{ ...ITEMS[5], value: 3 }, ITEMS[5]])], scale);
+  assert.deepEqual([items[0].color, items[1].color], [ends[1], undefined]);
 });
 
 test("an axis is centred on its point, has its length, and is labelled at its head", () => {
