@@ -20,10 +20,11 @@ const Digit& digit_of(const Subject& subject, const std::string& name) {
   throw InputError(fmt::format("subject '{}' has no digit '{}'", subject.name, name));
 }
 
-/// Path with points on the kept links; points on dropped segments end it.
+/// Path with points on the kept links; points on dropped segments end it, surfaces do not bend it.
 TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   TendonPath<double> path;
   for (const PathPoint& point : strand.path) {
+    if (!point.surface.empty()) continue;
     const auto link = skeleton.link_of_segment.find(point.segment);
     if (link == skeleton.link_of_segment.end()) continue;
     path.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
@@ -132,8 +133,9 @@ class DigitBuilder {
   /// Does the strand reach the segment that the joint moves?
   static bool reaches(const Strand& strand, const JointAxis& joint) {
     if (strand.path.empty()) return strand.arms.count(joint.name) > 0;
-    return std::any_of(strand.path.begin(), strand.path.end(),
-                       [&](const PathPoint& point) { return point.segment == joint.child; });
+    return std::any_of(strand.path.begin(), strand.path.end(), [&](const PathPoint& point) {
+      return point.surface.empty() && point.segment == joint.child;
+    });
   }
 
   /// Flexion of the joint before the last one that the central slip crosses.
@@ -160,7 +162,7 @@ class DigitBuilder {
     if (paths.empty()) return Path::kNone;
     const bool constant = std::all_of(paths.begin(), paths.end(),
                                       [](const TendonPath<double>& path) { return path.empty(); });
-    return constant ? Path::kConstant : options_.path;
+    return constant ? Path::kConstant : std::min(options_.path, Path::kViaPoint);
   }
 
   /// Constant arms of a strand at the kept coordinates [m/rad].

@@ -42,6 +42,7 @@ Subject parse_subject(const std::string& text, const std::string& path) {
   internal::read_joints(top, draft);
   internal::read_dh_chains(top, draft);
   internal::read_frames(top, draft);
+  internal::read_surfaces(top, draft);
   internal::read_strands(top, draft);
   internal::read_muscles(top, draft);
   internal::read_digits(top, draft);

@@ -35,6 +35,7 @@ void read_segments(TomlTable& top, SubjectDraft& draft);
 void read_joints(TomlTable& top, SubjectDraft& draft);
 void read_dh_chains(TomlTable& top, SubjectDraft& draft);
 void read_frames(TomlTable& top, SubjectDraft& draft);
+void read_surfaces(TomlTable& top, SubjectDraft& draft);
 void read_strands(TomlTable& top, SubjectDraft& draft);
 void read_muscles(TomlTable& top, SubjectDraft& draft);
 void read_digits(TomlTable& top, SubjectDraft& draft);
@@ -48,6 +49,12 @@ void read_range(TomlTable& table, JointAxis& joint);
 
 /// Reads a hood under a digit.
 [[nodiscard]] HoodRule read_hood(TomlTable& table, const SubjectDraft& draft);
+
+/// Reads one element of a path: a point, or a surface that the strand bends over.
+[[nodiscard]] PathPoint read_path_element(TomlTable& table, const SubjectDraft& draft);
+
+/// Refuses what no strand can do: surfaces at its ends, or an origin that rides on a strand far off.
+void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft& draft);
 
 /// Names of all parts of a kind.
 template <typename Part>

@@ -19,40 +19,12 @@ PointFrame read_frame(TomlTable& table, const SubjectDraft& draft) {
   return frame;
 }
 
-/// Coordinates of a point in a frame, from lengths or from multiples of the frame's unit [m].
-Vector3d read_coordinates(TomlTable& table, const PointFrame& frame) {
-  if (!table.has(Dimension::kNumber, "point_ratio"))
-    return table.vector(Dimension::kLength, "point");
-  if (frame.unit <= 0)
-    table.fail("'point_ratio' needs 'unit_mm' in its frame or 'reference_length_mm' at the top",
-               "point_ratio");
-  return frame.unit * table.vector(Dimension::kNumber, "point_ratio");
-}
-
-PathPoint read_path_point(TomlTable& table, const SubjectDraft& draft) {
-  PathPoint point;
-  if (table.has("frame")) {
-    std::vector<std::string> names;
-    for (const auto& [name, unused] : draft.frames) names.push_back(name);
-    const PointFrame& frame = draft.frames.at(reference(table, "frame", "frame", names));
-    point.segment = frame.segment;
-    point.p = frame.origin + frame.axes.transpose() * read_coordinates(table, frame);
-  } else {
-    point.segment = segment_reference(table, "segment", draft);
-    point.p = table.vector(Dimension::kLength, "point");
-  }
-  point.sd = table.number_or(Dimension::kLength, "point_sd", 0, Range::kNotNegative);
-  table.done();
-  return point;
-}
-
 Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
   Strand strand;
   strand.name = new_name(table, names_of(draft.subject.strands));
   for (TomlTable& point : table.tables("path"))
-    strand.path.push_back(read_path_point(point, draft));
-  if (strand.path.size() == 1)
-    table.fail(fmt::format("the path of strand '{}' needs at least 2 points, got 1", strand.name));
+    strand.path.push_back(read_path_element(point, draft));
+  check_path(table, strand, draft);
   strand.arms = table.named(Dimension::kLength, "arms");
   for (const auto& [joint, arm] : strand.arms)
     check_reference(table, "arms", "joint", joint, names_of(draft.subject.joints));

@@ -1,0 +1,25 @@
+#pragma once
+
+/// Tendons whose joint torque is linear in their tensions: separate, or shared by fixed fractions.
+
+#include <memory>
+#include <string>
+
+#include "tendons/digit_tendons.h"
+
+namespace thenar {
+
+/// One digit with  tau = R' t,  R = S' R_strands:  S shares tensions between strands
+/// (strand_matrix), R_strands are the strands' moment arms on the rung of paths that `options` asks
+/// for.
+/// @throws InputError if the digit, or an arm or path of a crossing strand, is missing, or if the
+/// rung of the hood is above fixed fractions.
+[[nodiscard]] std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject,
+                                                                 const std::string& digit,
+                                                                 const TendonOptions& options = {});
+
+/// Tension in the slips of the hood when muscles pull with t (muscles) [N]; zero without a hood.
+[[nodiscard]] SlipTension slip_tension(const TendonModel<double>& model, const Eigen::VectorXd& q,
+                                       const Eigen::VectorXd& t);
+
+}  // namespace thenar
