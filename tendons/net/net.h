@@ -14,10 +14,10 @@ namespace thenar {
 /// A knot of the net, or a point of a bone where a band ends.
 struct NetNode {
   std::string name;
-  bool free = true;              // floats; otherwise it rides on `link`
-  int link = -1;                 // that carries it, or that a floating node starts with; -1: base
-  Eigen::Vector3d p{0, 0, 0};    // at the reference posture [m] (3)
-  std::vector<int> surfaces;     // on which a floating node may rest
+  bool free = true;            // floats; otherwise it rides on `link`
+  int link = -1;               // that carries it, or that a floating node starts with; -1: base
+  Eigen::Vector3d p{0, 0, 0};  // at the reference posture [m] (3)
+  std::vector<int> surfaces;   // on which a floating node may rest
 };
 
 /// A band between two nodes. Its tension is never negative; with strain  e = (L - slack) / slack:
@@ -27,13 +27,13 @@ struct NetNode {
 /// length, that length takes the place of `slack`.
 struct NetBand {
   std::string name;
-  int a = -1, b = -1;                // nodes
-  int over = -1;                     // surface that it bends over; -1: straight
-  Eigen::Vector3d side{0, 1, 0};     // from that surface towards the side it passes, frame S (3)
-  double slack = 0;                  // length without tension [m]
-  double EA = 0;                     // modulus times area: tension per strain [N]
-  double toe = 0;                    // strain up to which fibres are recruited [1]
-  int muscle = -1;                   // that pulls it; -1: a passive band
+  int a = -1, b = -1;             // nodes
+  int over = -1;                  // surface that it bends over; -1: straight
+  Eigen::Vector3d side{0, 1, 0};  // from that surface towards the side it passes, frame S (3)
+  double slack = 0;               // length without tension [m]
+  double EA = 0;                  // modulus times area: tension per strain [N]
+  double toe = 0;                 // strain up to which fibres are recruited [1]
+  int muscle = -1;                // that pulls it; -1: a passive band
 };
 
 /// Constant once built.

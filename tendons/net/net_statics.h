@@ -11,17 +11,17 @@
 
 namespace thenar {
 
-/// Joint torque of the net by virtual work,  tau = -dE/dq  at fixed floating nodes; muscles' tension
-/// and contacts included [N m] (coordinates).
+/// Joint torque of the net by virtual work,  tau = -dE/dq  at fixed floating nodes; muscles'
+/// tension and contacts included [N m] (coordinates).
 [[nodiscard]] Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree,
-                                         const TreeState<double>& state,
-                                         const NetEquilibrium& rest, int coordinates);
+                                         const TreeState<double>& state, const NetEquilibrium& rest,
+                                         int coordinates);
 
 /// Wrench of the net on a link, world axes, about the world origin.
 struct LinkWrench {
-  int link;            // -1: the base
-  Eigen::Vector3d m;   // moment [N m] (3)
-  Eigen::Vector3d f;   // force [N] (3)
+  int link;           // -1: the base
+  Eigen::Vector3d m;  // moment [N m] (3)
+  Eigen::Vector3d f;  // force [N] (3)
 };
 
 /// Wrenches on all links that the net touches, the base too: they sum to zero but for the exits of

@@ -21,8 +21,8 @@ namespace thenar {
 enum class NetStatus {
   kBalanced,  // residual below tolerance at a minimum
   kUnstable,  // balanced, but at a saddle: the least push moves it elsewhere
-  kDrawnIn,   // balanced only because a muscle has drawn a node into its exit: the net does not hold
-  kStalled    // not balanced: see the residual
+  kDrawnIn,  // balanced only because a muscle has drawn a node into its exit: the net does not hold
+  kStalled   // not balanced: see the residual
 };
 
 struct NetSolverOptions {
@@ -40,15 +40,15 @@ struct NetContact {
 
 struct [[nodiscard]] NetEquilibrium {
   NetStatus status = NetStatus::kStalled;  // read this first
-  double residual = 0;      // largest out-of-balance force of a floating node [N]
-  int iterations = 0;       // Newton steps
-  Eigen::Matrix3Xd x;       // all nodes, world [m] (3, nodes)
-  Eigen::VectorXd length;   // of each band [m] (bands)
-  Eigen::VectorXd tension;  // of each band, 0 where slack [N] (bands)
+  double residual = 0;                     // largest out-of-balance force of a floating node [N]
+  int iterations = 0;                      // Newton steps
+  Eigen::Matrix3Xd x;                      // all nodes, world [m] (3, nodes)
+  Eigen::VectorXd length;                  // of each band [m] (bands)
+  Eigen::VectorXd tension;                 // of each band, 0 where slack [N] (bands)
   std::vector<NetContact> contacts;
-  std::vector<int> loose;   // floating nodes whose place nothing decides: all their bands are slack
+  std::vector<int> loose;  // floating nodes whose place nothing decides: all their bands are slack
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
-  double energy = 0;        // E [J]
+  double energy = 0;            // E [J]
 };
 
 /// Solves one net again and again. Holds the elimination order and the workspace of one thread, and

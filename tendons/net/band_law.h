@@ -1,0 +1,27 @@
+#pragma once
+
+/// Tension of a band that is pulled but never pushes.
+
+namespace thenar {
+
+/// A band stretched to some length.
+struct BandPull {
+  double energy;     // integral of the tension over the length [J]
+  double tension;    // >= 0 [N]
+  double stiffness;  // d tension / d length [N/m]
+};
+
+/// With  e = (length - slack) / slack:
+///   0                    for e <= 0
+///   EA e^2 / (2 toe)     for e <= toe
+///   EA (e - toe / 2)     beyond
+[[nodiscard]] inline BandPull band_pull(double length, double slack, double EA, double toe) {
+  const double e = (length - slack) / slack;
+  if (e <= 0) return {0, 0, 0};
+  if (e < toe)
+    return {EA * slack * e * e * e / (6 * toe), EA * e * e / (2 * toe), EA * e / (toe * slack)};
+  const double past = e - 0.5 * toe;
+  return {EA * slack * (0.5 * past * past + toe * toe / 24), EA * past, EA / slack};
+}
+
+}  // namespace thenar

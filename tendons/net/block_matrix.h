@@ -1,0 +1,72 @@
+#pragma once
+
+/// Symmetric matrices of 3 x 3 blocks with one fixed pattern: the stiffness of a net.
+
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar::internal {
+
+/// Which blocks are not zero, fill of the factorisation included. Rows stand in elimination order.
+class BlockPattern {
+ public:
+  /// @param edges  pairs of rows that are joined, rows numbered from 0 to n - 1
+  BlockPattern(int n, const std::vector<std::pair<int, int>>& edges);
+
+  [[nodiscard]] int size() const { return static_cast<int>(place_.size()); }
+  [[nodiscard]] int blocks() const { return static_cast<int>(row_.size()); }
+  /// Where a row stands in elimination order.
+  [[nodiscard]] int place(int row) const { return place_[row]; }
+  /// Slot of the block (i, j), i > j both in elimination order; -1: none.
+  [[nodiscard]] int slot(int i, int j) const;
+
+  /// Rows (i, j) of a slot.
+  [[nodiscard]] std::pair<int, int> rows_of(int slot) const { return {row_[slot], column_[slot]}; }
+
+  struct Update {
+    int left, right, target;  // block[target] -= W[left] V[right]'; target < 0: diagonal ~target
+  };
+
+ private:
+  friend class BlockFactor;
+  std::vector<int> place_, start_, row_, column_;  // columns start_[k] .. start_[k + 1] of row_
+  std::vector<Update> update_;
+  std::vector<int> update_start_;
+};
+
+/// The lower half: diagonal blocks and the blocks of a pattern's slots.
+struct BlockMatrix {
+  explicit BlockMatrix(const BlockPattern& pattern)
+      : diagonal(pattern.size()), off(pattern.blocks()) {}
+  std::vector<Eigen::Matrix3d> diagonal, off;
+};
+
+/// L d L' with unit lower L and d diagonal, number by number: its signs are those of the matrix.
+class BlockFactor {
+ public:
+  explicit BlockFactor(const BlockPattern& pattern);
+
+  /// Factorises A + shift I. Pivots below `small` times the trace of their block count as zero.
+  /// @return whether all pivots were positive; if not, the factor serves negative_direction() only
+  bool factorise(const BlockMatrix& A, double shift, double small);
+
+  /// Solves in place.
+  void solve(std::vector<Eigen::Vector3d>& y) const;
+
+  /// After a failed factorise(): v with v' A v < 0 or about 0, built from the first bad pivot.
+  [[nodiscard]] bool negative_direction(std::vector<Eigen::Vector3d>& v) const;
+
+  [[nodiscard]] double worst_pivot() const { return worst_pivot_; }
+
+ private:
+  const BlockPattern* pattern_;
+  BlockMatrix A_;
+  std::vector<Eigen::Matrix3d> W_;      // one column of L d
+  std::vector<Eigen::Vector3d> l_, d_;  // (l10, l20, l21) and d of the diagonal blocks
+  double worst_pivot_ = 0;              // smallest pivot over the trace of its block
+  int bad_block_ = -1, bad_row_ = -1;
+};
+
+}  // namespace thenar::internal

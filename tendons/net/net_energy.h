@@ -1,0 +1,52 @@
+#pragma once
+
+/// Energy of a net on posed bones, with slope and stiffness.
+
+#include <vector>
+
+#include "hand/chain.h"
+#include "tendons/net/band_law.h"
+#include "tendons/net/net_plan.h"
+#include "tendons/wrapping/chord_over.h"
+
+namespace thenar::internal {
+
+/// Bones and drive of one solve.
+struct NetScene {
+  std::vector<Pose<double>> surface;  // world from S
+  std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
+  std::vector<double> slack;          // of each band [m]
+};
+
+[[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
+                                  const NetDrive& drive);
+
+/// The surfaces alone.
+[[nodiscard]] NetScene pose_surfaces(const Net& net, const TreeState<double>& state);
+
+/// The run of one band from a to b, all in world axes.
+[[nodiscard]] Chord band_chord(const Net& net, const NetScene& scene, int band,
+                               const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// One band where it is now.
+struct BandState {
+  Chord chord;  // in world axes
+  BandPull pull;
+};
+
+[[nodiscard]] BandState band_state(const Net& net, const NetScene& scene, int band,
+                                   const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// E, its slope and its second derivative by the free nodes, rows in elimination order.
+struct NetEnergy {
+  explicit NetEnergy(const NetPlan& plan) : g(plan.pattern.size()), H(plan.pattern) {}
+  double energy = 0;               // [J]
+  std::vector<Eigen::Vector3d> g;  // [N] (rows)
+  BlockMatrix H;                   // [N/m]
+};
+
+/// @param x  all nodes, world [m]
+void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Eigen::Vector3d>& x,
+              NetEnergy& out);
+
+}  // namespace thenar::internal

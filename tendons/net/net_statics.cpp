@@ -1,0 +1,67 @@
+#include "tendons/net/net_statics.h"
+
+#include "base/error.h"
+#include "tendons/net/net_energy.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Moments and forces on all links, the base first.
+struct Wrenches {
+  explicit Wrenches(std::size_t links) : touched(links + 1, false), on(links + 1) {
+    for (LinkWrench& w : on) w = {static_cast<int>(&w - on.data()) - 1, {0, 0, 0}, {0, 0, 0}};
+  }
+  void add(int link, const Vector3d& at, const Vector3d& f) {
+    LinkWrench& w = on[static_cast<std::size_t>(link + 1)];
+    w.f += f;
+    w.m += at.cross(f);
+    touched[static_cast<std::size_t>(link + 1)] = true;
+  }
+  std::vector<bool> touched;
+  std::vector<LinkWrench> on;
+};
+
+Wrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest) {
+  Wrenches all(state.size());
+  const internal::NetScene scene = internal::pose_surfaces(net, state);
+  for (std::size_t i = 0; i < net.bands.size(); ++i) {
+    const NetBand& band = net.bands[i];
+    const Vector3d a = rest.x.col(band.a), b = rest.x.col(band.b);
+    const Chord chord = internal::band_chord(net, scene, static_cast<int>(i), a, b);
+    const double t = rest.tension(static_cast<Eigen::Index>(i));
+    const Vector3d fa = -t * chord.slope.head<3>(), fb = -t * chord.slope.tail<3>();
+    if (!net.nodes[band.a].free) all.add(net.nodes[band.a].link, a, fa);
+    if (!net.nodes[band.b].free) all.add(net.nodes[band.b].link, b, fb);
+    if (!chord.bent) continue;
+    all.add(net.surfaces[band.over].link, a, -fa);
+    all.add(net.surfaces[band.over].link, b, -fb);
+  }
+  for (const NetContact& c : rest.contacts)
+    all.add(net.surfaces[c.surface].link, rest.x.col(c.node), -c.force * c.normal);
+  return all;
+}
+
+}  // namespace
+
+std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
+                                     const NetEquilibrium& rest) {
+  const Wrenches all = wrenches(net, state, rest);
+  std::vector<LinkWrench> touched;
+  for (std::size_t i = 0; i < all.on.size(); ++i)
+    if (all.touched[i]) touched.push_back(all.on[i]);
+  return touched;
+}
+
+Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
+                           const NetEquilibrium& rest, int coordinates) {
+  Eigen::VectorXd tau = Eigen::VectorXd::Zero(coordinates);
+  for (const LinkWrench& w : wrenches(net, state, rest).on)
+    for_each_hinge_to_base(tree, w.link, [&](int i) {
+      tau(tree[i].coordinate) += tree[i].ratio * state[i].axis.dot(w.m - state[i].point.cross(w.f));
+    });
+  return tau;
+}
+
+}  // namespace thenar

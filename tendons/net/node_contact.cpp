@@ -1,0 +1,139 @@
+#include "tendons/net/node_contact.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/QR>
+
+#include "base/spatial.h"
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kOnSurface = 1e-12;  // gap that counts as none [m]
+
+using Normals = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, 3>;
+using Forces = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 3, 1>;
+
+/// Places the normals of surfaces `held` into columns and their gaps into a vector.
+double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
+            const Vector3d& x, Normals& N, Forces& gap) {
+  N.resize(3, count);
+  gap.resize(count);
+  for (int i = 0; i < count; ++i) {
+    const SurfaceProbe at = probe_world(net, scene, held[i], x);
+    N.col(i) = at.normal;
+    gap(i) = at.gap;
+  }
+  return gap.size() > 0 ? gap.cwiseAbs().maxCoeff() : 0;
+}
+
+/// Nearest place, to first order, on all of the surfaces held.
+bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
+          Vector3d& x) {
+  Normals N;
+  Forces gap;
+  for (int i = 0; i < 30; ++i) {
+    if (gaps(net, scene, held, count, x, N, gap) < 1e-16) return true;
+    const Vector3d move =
+        count == 1 ? Vector3d(N * gap)
+                   : Vector3d(N.transpose().completeOrthogonalDecomposition().solve(gap));
+    x -= move;
+    if (move.norm() < 1e-15) break;
+  }
+  return gaps(net, scene, held, count, x, N, gap) < kOnSurface;
+}
+
+/// The surface that x is deepest inside of; -1: none.
+int deepest(const Net& net, const NetScene& scene, const NetNode& node, const Vector3d& x) {
+  int worst = -1;
+  double depth = -kOnSurface;
+  for (int s : node.surfaces) {
+    const double gap = probe_world(net, scene, s, x).gap;
+    if (gap < depth) depth = gap, worst = s;
+  }
+  return worst;
+}
+
+}  // namespace
+
+SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, const Vector3d& x) {
+  const Pose<double>& X = scene.surface[surface];
+  SurfaceProbe at = probe(net.surfaces[surface], X.R.transpose() * (x - X.p));
+  at.normal = X.R * at.normal;
+  at.curvature = X.R * at.curvature * X.R.transpose();
+  return at;
+}
+
+void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
+                  double slop, NodeContact& contact) {
+  contact.left = g;
+  contact.Q.setIdentity();
+  contact.bend.setZero();
+  contact.pressed = contact.touching;
+  std::array<Matrix3d, 3> curvature;
+  for (int i = 0; i < contact.touching; ++i) {
+    const SurfaceProbe at = probe_world(net, scene, contact.surface[i], x);
+    contact.normal[i] = at.normal;
+    curvature[i] = at.curvature;
+  }
+  Normals N;
+  Forces force;
+  while (contact.pressed > 0) {
+    N.resize(3, contact.pressed);
+    for (int i = 0; i < contact.pressed; ++i) N.col(i) = contact.normal[i];
+    force = N.completeOrthogonalDecomposition().solve(g);
+    int worst = 0;
+    if (force.minCoeff(&worst) >= -slop) break;
+    // Let go of the one that pulls most: it moves behind the pressed ones.
+    --contact.pressed;
+    std::swap(contact.surface[worst], contact.surface[contact.pressed]);
+    std::swap(contact.normal[worst], contact.normal[contact.pressed]);
+    std::swap(curvature[worst], curvature[contact.pressed]);
+  }
+  if (contact.pressed == 0) return;
+  for (int i = 0; i < contact.pressed; ++i) {
+    contact.force[i] = force(i);
+    contact.left -= std::max(force(i), 0.0) * contact.normal[i];
+    contact.bend += std::max(force(i), 0.0) * curvature[i];
+  }
+  if (contact.pressed == 1) {
+    const Tangents t = tangents(contact.normal[0]);
+    contact.Q << contact.normal[0].transpose(), t.e1.transpose(), t.e2.transpose();
+  } else {
+    contact.Q = Matrix3d(Eigen::HouseholderQR<Normals>(N).householderQ()).transpose();
+  }
+}
+
+bool settle_node(const Net& net, const NetScene& scene, const NetNode& node, Vector3d& x,
+                 NodeContact& contact) {
+  const Vector3d wanted = x;
+  std::array<int, 3> held = contact.surface;
+  int count = contact.pressed;
+  while (true) {
+    if (!land(net, scene, held, count, x)) return false;
+    const int next = deepest(net, scene, node, x);
+    if (next < 0) break;
+    // A surface just entered may alone be enough; else it joins those held.
+    if (count > contact.pressed) {
+      std::array<int, 3> alone = contact.surface;
+      alone[contact.pressed] = next;
+      Vector3d there = wanted;
+      if (land(net, scene, alone, contact.pressed + 1, there) &&
+          deepest(net, scene, node, there) < 0) {
+        held = alone, count = contact.pressed + 1, x = there;
+        break;
+      }
+    }
+    if (count == 3) return false;
+    held[count++] = next;
+  }
+  contact.surface = held;
+  contact.touching = contact.pressed = count;
+  return true;
+}
+
+}  // namespace thenar::internal

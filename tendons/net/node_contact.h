@@ -1,0 +1,38 @@
+#pragma once
+
+/// One floating node among the bones it may rest on.
+
+#include <array>
+#include <vector>
+
+#include "tendons/net/net_energy.h"
+
+namespace thenar::internal {
+
+/// Surfaces that a node lies on, and how it is pressed on them.
+struct NodeContact {
+  int touching = 0;            // surfaces it lies on, at most 3
+  int pressed = 0;             // the first of them bear on it
+  std::array<int, 3> surface;  // their numbers in the net
+  std::array<Eigen::Vector3d, 3> normal;
+  std::array<double, 3> force;  // of the pressed ones, >= 0 but for rounding [N]
+  Eigen::Matrix3d Q;            // rows: a basis of the pressed normals, then of the tangents
+  Eigen::Matrix3d bend;         // sum force * curvature [N/m]
+  Eigen::Vector3d left;         // slope of E that no bone balances [N]
+};
+
+/// The surface in the world.
+[[nodiscard]] SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface,
+                                       const Eigen::Vector3d& x);
+
+/// Which of the touching surfaces bear on a node whose energy has slope g, and what is left of g:
+/// least squares over forces >= 0.  A surface that pulls less than `slop` counts as bearing.
+void balance_node(const Net& net, const NetScene& scene, const Eigen::Vector3d& x,
+                  const Eigen::Vector3d& g, double slop, NodeContact& contact);
+
+/// Moves x onto the surfaces that are pressed and out of all others that it may rest on; sets
+/// `touching`. @return whether such a place was found
+[[nodiscard]] bool settle_node(const Net& net, const NetScene& scene, const NetNode& node,
+                               Eigen::Vector3d& x, NodeContact& contact);
+
+}  // namespace thenar::internal

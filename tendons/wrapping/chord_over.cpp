@@ -1,0 +1,150 @@
+#include "tendons/wrapping/chord_over.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// One end seen from the centre of a circle of radius r: distance rho, free run f to the tangent
+/// point, and the angle alpha between the two.
+struct End {
+  double rho, f, alpha;
+  Vector3d out, on;  // unit: away from the centre; along the circle, away from the other end
+};
+
+End end(double r, double rho, const Vector3d& out, const Vector3d& on) {
+  return {rho, std::sqrt(std::max(rho * rho - r * r, 0.0)), std::acos(std::min(r / rho, 1.0)), out,
+          on};
+}
+
+/// d P / d end, the unit tangent: (f out + r on) / rho; shorter than 1 only inside the circle.
+Vector3d tangent(const End& e, double r) { return (e.f * e.out + r * e.on) / e.rho; }
+
+/// d^2 P / d end^2 in the plane: n n' / f, n across the tangent. At f = 0 it is infinite, here
+/// 1e9/r.
+Eigen::Matrix3d bend(const End& e, double r) {
+  const Vector3d n = (std::min(r, e.rho) * e.out - e.f * e.on) / e.rho;
+  return n * n.transpose() / std::max(e.f, 1e-9 * r);
+}
+
+/// Where the string leaves the circle.
+Vector3d touch(const End& e, double r) {
+  const double c = std::min(r / e.rho, 1.0);
+  return r * (c * e.out - e.f / e.rho * e.on);
+}
+
+/// Both ends in a plane through the centre of the circle, an angle theta apart.
+struct Plane {
+  End a, b;
+  double length, theta;
+  bool bent;
+};
+
+Plane across(double r, const End& a, const End& b, double theta) {
+  const double arc = theta - a.alpha - b.alpha;
+  return {a, b, a.f + b.f + r * arc, theta, arc > 0};
+}
+
+void set_planar(Chord& chord, const Plane& plane, double r) {
+  chord.length = plane.length;
+  chord.slope << tangent(plane.a, r), tangent(plane.b, r);
+  chord.curve.setZero();
+  chord.curve.topLeftCorner<3, 3>() = bend(plane.a, r);
+  chord.curve.bottomRightCorner<3, 3>() = bend(plane.b, r);
+  chord.touch_a = touch(plane.a, r);
+  chord.touch_b = touch(plane.b, r);
+}
+
+/// The plane of a, b and the centre; if they are in line, the one that holds `side`.
+Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+  const Vector3d m = a.cross(b);
+  if (m.norm() > 1e-14) return m.normalized();
+  const Vector3d held = a.cross(side);
+  return held.norm() > 1e-14 ? Vector3d(held.normalized()) : Vector3d(a.unitOrthogonal());
+}
+
+Chord over_sphere(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+  Chord chord = straight_chord(a, b);
+  const double rho_a = a.norm(), rho_b = b.norm();
+  chord.possible = std::min(rho_a, rho_b) >= r * (1 - 1e-9);
+  if (std::min(rho_a, rho_b) == 0) return chord;
+  const Vector3d ea = a / rho_a, eb = b / rho_b, m = plane_normal(ea, eb, side);
+  const double sine = m.dot(ea.cross(eb)), theta = std::atan2(sine, ea.dot(eb));
+  const Plane plane =
+      across(r, end(r, rho_a, ea, ea.cross(m)), end(r, rho_b, eb, m.cross(eb)), theta);
+  if (!plane.bent) return chord;
+  set_planar(chord, plane, r);
+  chord.bent = true;
+  // Out of the plane the great circle turns as a whole.
+  const double s = std::max(sine, 1e-12), cot = std::cos(theta) / s;
+  const Eigen::Matrix3d mm = m * m.transpose();
+  chord.curve.topLeftCorner<3, 3>() += (plane.a.f + r * cot) / (rho_a * rho_a) * mm;
+  chord.curve.bottomRightCorner<3, 3>() += (plane.b.f + r * cot) / (rho_b * rho_b) * mm;
+  chord.curve.topRightCorner<3, 3>() -= r / (rho_a * rho_b * s) * mm;
+  chord.curve.bottomLeftCorner<3, 3>() -= r / (rho_a * rho_b * s) * mm;
+  return chord;
+}
+
+/// Angle about z from `side` to p, in (-pi, pi].
+double angle_from(const Vector3d& side, const Vector3d& p) {
+  return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
+}
+
+Chord over_cylinder(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+  Chord chord = straight_chord(a, b);
+  const Vector3d pa(a.x(), a.y(), 0), pb(b.x(), b.y(), 0), z = Vector3d::UnitZ();
+  const double rho_a = pa.norm(), rho_b = pb.norm();
+  chord.possible = std::min(rho_a, rho_b) >= r * (1 - 1e-9);
+  if (std::min(rho_a, rho_b) == 0) return chord;
+  const double turn = angle_from(side, pb) - angle_from(side, pa), way = turn < 0 ? -1 : 1;
+  const Vector3d ea = pa / rho_a, eb = pb / rho_b;
+  const Plane plane = across(r, end(r, rho_a, ea, -way * z.cross(ea)),
+                             end(r, rho_b, eb, way * z.cross(eb)), std::abs(turn));
+  if (!plane.bent) return chord;
+  set_planar(chord, plane, r);
+  chord.bent = true;
+  // Unrolled, L^2 = P^2 + dz^2.
+  const double P = plane.length, dz = a.z() - b.z(), L = std::hypot(P, dz);
+  Eigen::Matrix<double, 6, 1> gz;
+  gz << z, -z;
+  const Eigen::Matrix<double, 6, 1> turned = dz * chord.slope - P * gz;
+  chord.curve = P / L * chord.curve + turned * turned.transpose() / (L * L * L);
+  chord.slope = (P * chord.slope + dz * gz) / L;
+  chord.length = L;
+  chord.touch_a.z() = a.z() - dz * plane.a.f / P;
+  chord.touch_b.z() = b.z() + dz * plane.b.f / P;
+  return chord;
+}
+
+}  // namespace
+
+Chord straight_chord(const Vector3d& a, const Vector3d& b) {
+  Chord chord{(a - b).norm(), false, true, {}, {}, a, b};
+  chord.slope.setZero();
+  chord.curve.setZero();
+  if (chord.length == 0) return chord;
+  const Vector3d u = (a - b) / chord.length;
+  const Eigen::Matrix3d H = (Eigen::Matrix3d::Identity() - u * u.transpose()) / chord.length;
+  chord.slope << u, -u;
+  chord.curve << H, -H, -H, H;
+  return chord;
+}
+
+Chord chord_over(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S,
+                 const Vector3d& side_S) {
+  switch (surface.shape) {
+    case SurfaceShape::kSphere:
+      return over_sphere(surface.size[0], a_S, b_S, side_S);
+    case SurfaceShape::kCylinder:
+      return over_cylinder(surface.size[0], a_S, b_S, side_S);
+    default:
+      throw InputError("a chord bends over a sphere or a cylinder, not " + surface.name);
+  }
+}
+
+}  // namespace thenar
