@@ -7,6 +7,7 @@ find_package(nlohmann_json 3.11 REQUIRED)    # nlohmann_json::nlohmann_json
 find_package(CLI11 2.1 REQUIRED)             # CLI11::CLI11
 find_package(Ceres 2.1 REQUIRED)             # Ceres::ceres
 find_package(Simbody 3.7 REQUIRED)           # thenar::simbody, below
+find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode kinsol)  # thenar::cvode, below
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # OpenSSL::Crypto
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx>=2.7)       # PkgConfig::NLOPT
 pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp>=1.17)              # PkgConfig::CLP
@@ -16,6 +17,15 @@ pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial>=1.10)     # PkgConf
 add_library(thenar::simbody INTERFACE IMPORTED)
 target_include_directories(thenar::simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
 target_link_libraries(thenar::simbody INTERFACE ${Simbody_LIBRARIES})
+
+# Simbody exports the symbols of a SUNDIALS of its own, 15 years older: ours is linked statically, and
+# hidden, so that neither calls the other. Who includes its headers hides them, too (stiff_ode.cpp).
+foreach(part cvode kinsol)
+  add_library(thenar::${part} INTERFACE IMPORTED)
+  target_link_libraries(thenar::${part} INTERFACE SUNDIALS::${part}_static)
+  target_compile_definitions(thenar::${part} INTERFACE SUNDIALS_STATIC_DEFINE)
+  target_link_options(thenar::${part} INTERFACE LINKER:--exclude-libs,libsundials_${part}.a)
+endforeach()
 
 # Ipopt's pkg-config file drags in a MUMPS with a fake MPI; the library alone is enough.
 find_library(IPOPT_LIBRARY ipopt REQUIRED)

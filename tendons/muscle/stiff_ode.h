@@ -1,0 +1,65 @@
+#pragma once
+
+/// Stiff ordinary differential equations  y' = f(t, y).
+
+#include <functional>
+#include <memory>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// f(t, y). A result that is not finite makes the integrator try a shorter step; an exception stops
+/// it and comes out of step().
+/// @param time  [s]
+using OdeSlope = std::function<Eigen::VectorXd(double time, const Eigen::VectorXd& y)>;
+
+struct StiffOdeOptions {
+  double relative = 1e-6;    // error of one step, of each state's size [1]
+  Eigen::VectorXd absolute;  // error of one step below which no state is resolved; its units
+  int max_steps = 1000000;   // over the whole life
+};
+
+enum class OdeStatus {
+  kStepped,    // one step further
+  kTooMany,    // max_steps done
+  kTooStiff,   // no step is short enough: f jumps, or is not finite
+  kImpossible  // tolerances below rounding
+};
+
+/// What the work was.
+struct OdeCounts {
+  long steps = 0, slopes = 0, jacobians = 0;
+};
+
+/// Backward differentiation formulas of order 1 to 5 with dense Newton steps, by CVODE.
+/// Source: [Hindmarsh2005].
+class StiffOde {
+ public:
+  /// @param y  initial state (n)
+  /// @throws InputError if a tolerance is not positive, or of the wrong length.
+  StiffOde(OdeSlope slope, double time, const Eigen::VectorXd& y, const StiffOdeOptions& options);
+  ~StiffOde();
+  StiffOde(StiffOde&&) noexcept;
+  StiffOde& operator=(StiffOde&&) noexcept;
+
+  /// One step, of whatever length the tolerances allow, but never beyond `stop` > time().
+  [[nodiscard]] OdeStatus step(double stop);
+
+  /// Starts anew from here, where f jumps.
+  void restart();
+
+  [[nodiscard]] double time() const;
+  [[nodiscard]] Eigen::VectorXd state() const;
+
+  /// Within the last step. @throws InputError outside it.
+  [[nodiscard]] Eigen::VectorXd state_at(double time) const;
+
+  [[nodiscard]] OdeCounts counts() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace thenar
