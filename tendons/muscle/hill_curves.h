@@ -1,0 +1,40 @@
+#pragma once
+
+/// Forces of a Hill-type muscle per F0, over lengths and speeds without units.
+///
+/// The closed forms of [DeGroote2016], eqs. S1-S4 of its supplement. Where its rounded constants
+/// miss a value that a muscle is defined by, one constant each is solved for instead: active force
+/// 1 at the optimal length (b11, 0.8157 instead of 0.815), force 1 at rest and 0 at the largest
+/// speed (d1 and d4, -0.3211 and 0.8825 instead of -0.318 and 0.886).
+
+namespace thenar {
+
+/// Strain of a tendon that carries F0, log(1.25 / 0.2) / 35 - 0.005 by the published curve [1].
+inline constexpr double kTendonStrain = 0.047359470392808856;
+
+/// Active force, three bells  sum b1 exp(-(l - b2)^2 / (2 (b3 + b4 l)^2)).
+/// @param length  of the fibre / optimal length, >= 0
+[[nodiscard]] double active_force(double length);
+
+/// Force over speed,  d1 asinh(d2 v + d3) + d4:  0 at v = -1, the largest speed of shortening, and
+/// 1 at v = 0. Grows without end in lengthening, as a logarithm; negative beyond v = -1.
+/// @param velocity  of lengthening / largest speed of shortening
+[[nodiscard]] double force_velocity(double velocity);
+
+/// d force_velocity / d velocity, positive.
+[[nodiscard]] double force_velocity_slope(double velocity);
+
+/// Force of the fibre at rest,  (exp(4 (l - 1) / 0.6) - 1) / (exp(4) - 1),  0 where shorter than 1:
+/// there the published curve pushes, which fibres cannot.
+[[nodiscard]] double passive_force(double length);
+
+/// Force of the tendon,  0.2 exp(35 (l - 0.995)) - 0.25,  0 where that is negative, that is up to a
+/// strain of 0.0014. Another strain at F0 stretches the curve along the strain.
+/// @param length  of the tendon / slack length
+/// @param strain  at F0, > 0
+[[nodiscard]] double tendon_force(double length, double strain = kTendonStrain);
+
+/// Length up to which that is 0, over the slack length [1].
+[[nodiscard]] double taut_tendon(double strain = kTendonStrain);
+
+}  // namespace thenar
