@@ -1,0 +1,25 @@
+#pragma once
+
+/// A string round a circle, in its plane.
+
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Where a string from a to b lies on the circle of radius r about the origin.
+struct FlatWrap {
+  Eigen::Vector2d touch_a, touch_b;  // [m] (2)
+  double way;                        // 1: it goes counterclockwise, -1: clockwise
+  double angle;                      // wrapped, 0 .. 2 pi [rad]
+  double free_a, free_b;             // lengths of the straight parts [m]
+};
+
+/// The string never crosses the half line from the origin opposite to `side`; nothing if it is
+/// straight. Ends inside the circle are taken to lie on it.
+[[nodiscard]] std::optional<FlatWrap> wrap_circle(double r, const Eigen::Vector2d& a,
+                                                  const Eigen::Vector2d& b,
+                                                  const Eigen::Vector2d& side);
+
+}  // namespace thenar

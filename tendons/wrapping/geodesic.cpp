@@ -1,0 +1,202 @@
+#include "tendons/wrapping/geodesic.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Carries Jacobi fields over a stretch s of constant curvature K = k^2.
+void carry_fields(GeodesicEnd& end, double k, double s) {
+  const double c = k > 0 ? std::cos(k * s) : 1, f = k > 0 ? std::sin(k * s) / k : s;
+  const GeodesicEnd was = end;
+  end.a = c * was.a + f * was.da;
+  end.da = c * was.da - k * k * f * was.a;
+  end.r = c * was.r + f * was.dr;
+  end.dr = c * was.dr - k * k * f * was.r;
+}
+
+/// Great circle about `center`.
+void along_sphere(GeodesicEnd& end, const Vector3d& center, double radius, double s) {
+  const Vector3d n = (end.ray.p - center) / radius, t = end.ray.t;
+  const double c = std::cos(s / radius), f = std::sin(s / radius);
+  end.ray = {center + radius * (c * n + f * t), c * t - f * n};
+  carry_fields(end, 1 / radius, s);
+}
+
+/// Helix about z.
+void along_cylinder(GeodesicEnd& end, double radius, double s) {
+  const Vector3d n(end.ray.p.x() / radius, end.ray.p.y() / radius, 0), t = end.ray.t;
+  const Vector3d round = Vector3d::UnitZ().cross(n);
+  const double across = t.dot(round), angle = s * across / radius;
+  const double c = std::cos(angle), f = std::sin(angle);
+  const Vector3d out = c * n + f * round;
+  end.ray.p = radius * out + Vector3d(0, 0, end.ray.p.z() + s * t.z());
+  end.ray.t = across * Vector3d::UnitZ().cross(out) + Vector3d(0, 0, t.z());
+  carry_fields(end, 0, s);
+}
+
+/// How far a great circle runs from p before its height z about `center` is zero, going on in the
+/// direction of s: the first root ahead of  n_z cos(u) + t_z sin(u) = 0.
+double to_equator(const Vector3d& n, const Vector3d& t, double sign) {
+  double u = std::atan2(-n.z(), t.z());  // a root; the others are pi apart
+  while (sign * u <= 1e-12) u += sign * std::acos(-1.0);
+  while (sign * u > std::acos(-1.0) + 1e-12) u -= sign * std::acos(-1.0);
+  return u;
+}
+
+/// Cylinder and caps in turn; `s` is what is left to go.
+void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
+  const double radius = size[0], half = size[1];
+  for (int piece = 0; piece < 64 && s != 0; ++piece) {
+    const double sign = s > 0 ? 1 : -1, climb = sign * end.ray.t.z();
+    const double z = end.ray.p.z();
+    // On a seam, the direction says which piece comes next.
+    const bool cap =
+        std::abs(z) > half * (1 + 1e-14) || (std::abs(z) >= half * (1 - 1e-14) && z * climb > 0);
+    if (!cap) {
+      const double room = climb == 0 ? std::abs(s) : (std::copysign(half, climb) - z) / climb;
+      const double step = sign * std::min(std::abs(s), std::max(room, 0.0));
+      along_cylinder(end, radius, step);
+      s = step == s ? 0 : s - step;
+      if (s != 0) end.ray.p.z() = std::copysign(half, climb);
+      continue;
+    }
+    const Vector3d center(0, 0, std::copysign(half, z));
+    const double room =
+        radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
+    const double step = sign * std::min(std::abs(s), room);
+    along_sphere(end, center, radius, step);
+    s = step == s ? 0 : s - step;
+    if (s != 0) end.ray.p.z() = center.z();
+  }
+}
+
+SurfaceShapeAt ellipsoid_at(const Vector3d& s, const Vector3d& p) {
+  const Vector3d w = s.array().square().inverse(), gradient = w.cwiseProduct(p);
+  const double size = gradient.norm();
+  const Vector3d n = gradient / size;
+  const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
+  return {n, P * w.asDiagonal() * P / size};
+}
+
+/// Gaussian curvature from the shape operator, whose third eigenvalue is 0.
+double gaussian(const Matrix3d& S) {
+  const double trace = S.trace();
+  return 0.5 * (trace * trace - S.squaredNorm());
+}
+
+/// p, t, and the Jacobi fields with their slopes, as one vector.
+using State = Eigen::Matrix<double, 10, 1>;
+
+State rate(const BoneSurface& surface, const State& y) {
+  const SurfaceShapeAt at = shape_at(surface, y.head<3>());
+  const Vector3d t = y.segment<3>(3);
+  const double K = gaussian(at.S);
+  State f;
+  f << t, -t.dot(at.S * t) * at.n, y[7], -K * y[6], y[9], -K * y[8];
+  return f;
+}
+
+/// Modified midpoint rule of n steps over h. Source: [Hairer1993] section II.9.
+State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
+  const double step = h / n;
+  State before = y0, now = y0 + step * rate(surface, y0);
+  for (int i = 1; i < n; ++i) {
+    const State next = before + 2 * step * rate(surface, now);
+    before = now;
+    now = next;
+  }
+  return 0.5 * (now + before + step * rate(surface, now));
+}
+
+/// Extrapolates the midpoint rule in h^2 until two columns agree; order 2 * columns.
+State extrapolate(const BoneSurface& surface, const State& y0, double h) {
+  constexpr int kColumns = 9;
+  std::array<State, kColumns> row;  // last row of Aitken and Neville's scheme
+  State best = y0;
+  for (int k = 0; k < kColumns; ++k) {
+    const double n = 2 * (k + 1);
+    State newer = midpoint(surface, y0, h, static_cast<int>(n));
+    for (int j = 0; j < k; ++j) {
+      const double ratio = n / (2 * (k - j)), grown = ratio * ratio - 1;
+      const State better = newer + (newer - row[static_cast<std::size_t>(j)]) / grown;
+      row[static_cast<std::size_t>(j)] = newer;
+      newer = better;
+    }
+    row[static_cast<std::size_t>(k)] = newer;
+    const double change = (newer - best).head<6>().norm();
+    best = newer;
+    if (change < 1e-16) break;
+  }
+  return best;
+}
+
+/// Steps of at most half a radian of the surface's sharpest bend.
+GeodesicEnd integrate(const BoneSurface& surface, const SurfaceRay& start, double length,
+                      double sharpest) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * std::abs(length) * sharpest)));
+  State y;
+  y << start.p, start.t, 1, 0, 0, 1;
+  for (int i = 0; i < steps; ++i) y = extrapolate(surface, y, length / steps);
+  return {{y.head<3>(), y.segment<3>(3).normalized()}, y[6], y[7], y[8], y[9]};
+}
+
+}  // namespace
+
+GeodesicEnd follow_geodesic(const BoneSurface& surface, const SurfaceRay& start, double length) {
+  const Vector3d& size = surface.size;
+  GeodesicEnd end{start};
+  switch (surface.shape) {
+    case SurfaceShape::kSphere:
+      along_sphere(end, Vector3d::Zero(), size[0], length);
+      break;
+    case SurfaceShape::kCylinder:
+      along_cylinder(end, size[0], length);
+      break;
+    case SurfaceShape::kCapsule:
+      along_capsule(end, size, length);
+      break;
+    case SurfaceShape::kEllipsoid: {
+      const double least = size.minCoeff(), most = size.maxCoeff();
+      return integrate(surface, start, length, most / (least * least));
+    }
+    case SurfaceShape::kTorus:
+      return integrate(surface, start, length,
+                       std::max(1 / size[0], 1 / std::max(size[1] - size[0], 1e-6)));
+  }
+  return end;
+}
+
+SurfaceShapeAt shape_at(const BoneSurface& surface, const Vector3d& p_S) {
+  if (surface.shape == SurfaceShape::kEllipsoid) return ellipsoid_at(surface.size, p_S);
+  const SurfaceProbe at = probe(surface, p_S);
+  return {at.normal, at.curvature};
+}
+
+double level(const BoneSurface& surface, const Vector3d& p_S) {
+  if (surface.shape != SurfaceShape::kEllipsoid) return probe(surface, p_S).gap;
+  const Vector3d u = p_S.cwiseQuotient(surface.size);
+  const double f = 0.5 * (u.squaredNorm() - 1), slope = u.cwiseQuotient(surface.size).norm();
+  return slope > 0 ? f / slope : -surface.size.minCoeff();
+}
+
+SurfaceRay settle(const BoneSurface& surface, const SurfaceRay& near) {
+  Vector3d p = near.p;
+  if (surface.shape == SurfaceShape::kEllipsoid) {
+    p /= p.cwiseQuotient(surface.size).norm();  // along the ray from the centre: exactly on it
+  } else {
+    const SurfaceProbe at = probe(surface, p);
+    p -= at.gap * at.normal;
+  }
+  const Vector3d n = shape_at(surface, p).n;
+  return {p, (near.t - near.t.dot(n) * n).normalized()};
+}
+
+}  // namespace thenar

@@ -1,0 +1,221 @@
+#include "tendons/wrapping/path_arms.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Row = Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>>;
+
+/// Adds  w . dp/dq  of a point of a link to a row.
+void add_motion(const Tree<double>& tree, const TreeState<double>& state, int link,
+                const Vector3d& p, const Vector3d& w, Row row) {
+  for (int i = link; i >= 0; i = tree[static_cast<std::size_t>(i)].parent) {
+    const auto& at = state[static_cast<std::size_t>(i)];
+    const auto& hinge = tree[static_cast<std::size_t>(i)];
+    row[hinge.coordinate] += hinge.ratio * w.dot(at.axis.cross(p - at.point));
+  }
+}
+
+/// Adds -dL/dq of one straight run: only hinges between its two links count.
+void add_span(const Tree<double>& tree, const TreeState<double>& state, const PathSpan& span,
+              double scale, Row row) {
+  int a = span.link_a, b = span.link_b;
+  if (a == b) return;
+  const Vector3d run = span.b - span.a;
+  const double length = run.norm();
+  if (length == 0) return;
+  const Vector3d u = scale / length * run;
+  const Vector3d moment = span.a.cross(u);  // of the run's line about the origin
+  while (a != b) {
+    const bool climb_b = b > a;
+    const auto i = static_cast<std::size_t>(climb_b ? b : a);
+    const auto& at = state[i];
+    const double pull = at.axis.dot(moment - at.point.cross(u));
+    row[tree[i].coordinate] += tree[i].ratio * (climb_b ? -pull : pull);
+    (climb_b ? b : a) = tree[i].parent;
+  }
+}
+
+/// Where an origin lies on its carrier.
+struct Ride {
+  const PathShape* carrier;
+  const PathSpan* span;  // of the carrier
+  Vector3d p;            // the origin
+  Vector3d u;            // unit, from the rider's last run into the origin
+  Vector3d v;            // unit, along the carrier towards its origin
+  double share;          // of the way along the span
+};
+Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size_t path) {
+  const PathShape& rider = shapes[path];
+  Ride ride;
+  ride.carrier = &shapes[static_cast<std::size_t>(set.paths[path].carrier)];
+  ride.span = &ride.carrier->spans[static_cast<std::size_t>(rider.ride_span)];
+  ride.p = rider.spans.back().b;
+  ride.u = (ride.p - rider.spans.back().a).normalized();
+  const Vector3d run = ride.span->b - ride.span->a;
+  ride.v = run.normalized();
+  ride.share = (ride.p - ride.span->a).dot(ride.v) / run.norm();
+  return ride;
+}
+
+/// -u . dx/dq of an origin x that stays at a fixed distance from its carrier's insertion:
+/// dx = da + v (excursion before a) + share (1 - v v') (db - da).
+void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+                const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+  const Ride ride = ride_of(set, shapes, path);
+  const double along = ride.u.dot(ride.v);
+  const Vector3d across = ride.u - along * ride.v;
+  add_motion(tree, state, ride.span->link_a, ride.span->a,
+             -along * ride.v - (1 - ride.share) * across, row);
+  add_motion(tree, state, ride.span->link_b, ride.span->b, -ride.share * across, row);
+  for (const PathSpan* span = ride.carrier->spans.data(); span != ride.span; ++span)
+    add_span(tree, state, *span, -along, row);
+}
+
+void add_path(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+              const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+  for (const PathSpan& span : shapes[path].spans) {
+    if (span.link_b != kRiding) {
+      add_span(tree, state, span, 1, row);
+      continue;
+    }
+    add_motion(tree, state, span.link_a, span.a, (span.b - span.a).normalized(), row);
+    add_riding(tree, state, set, shapes, path, row);
+  }
+}
+
+/// Sums wrenches by link.
+class Wrenches {
+ public:
+  void add(int link, const Vector3d& at, const Vector3d& f) { add(link, {link, at.cross(f), f}); }
+  void add(int link, const PathWrench& wrench) {
+    for (PathWrench& sum : all)
+      if (sum.link == link) {
+        sum.m += wrench.m;
+        sum.f += wrench.f;
+        return;
+      }
+    all.push_back(wrench);
+  }
+  std::vector<PathWrench> all;
+};
+
+using Spatial = Eigen::Matrix<double, 6, 1>;
+
+/// Pressure of an arc in frame S between two lengths along it, by five-point Gauss quadrature.
+Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to) {
+  static constexpr std::array<double, 3> kAt{0.0, 0.538469310105683091, 0.906179845938663993};
+  static constexpr std::array<double, 3> kWeight{0.568888888888888889, 0.478628670499366468,
+                                                 0.236926885056189088};
+  Spatial sum = Spatial::Zero();
+  for (int i = -2; i <= 2; ++i) {
+    const auto k = static_cast<std::size_t>(std::abs(i));
+    const double s = 0.5 * (from + to) + 0.5 * (to - from) * (i < 0 ? -kAt[k] : kAt[k]);
+    const SurfaceRay ray = follow_geodesic(surface, arc.start, s).ray;
+    const SurfaceShapeAt at = shape_at(surface, ray.p);
+    const Vector3d f = -ray.t.dot(at.S * ray.t) * at.n;
+    sum.head<3>() += 0.5 * (to - from) * kWeight[k] * ray.p.cross(f);
+    sum.tail<3>() += 0.5 * (to - from) * kWeight[k] * f;
+  }
+  return sum;
+}
+
+/// Halves the arc until the quadrature agrees with itself: a capsule's seams have a jump.
+Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
+                       const Spatial& coarse, int depth) {
+  const double half = 0.5 * (from + to);
+  const Spatial left = pressure(surface, arc, from, half), right = pressure(surface, arc, half, to);
+  const double change = (left + right - coarse).lpNorm<Eigen::Infinity>();
+  if (change < 1e-15 || depth == 0) return left + right;
+  return whole_pressure(surface, arc, from, half, left, depth - 1) +
+         whole_pressure(surface, arc, half, to, right, depth - 1);
+}
+
+void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
+             Wrenches& wrenches) {
+  const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
+  const double length = arc.arc.length;
+  const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
+                                             pressure(surface, arc.arc, 0, length), 40);
+  const Pose<double> X =
+      surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  const Vector3d f = X.R * w.tail<3>();
+  wrenches.add(surface.link, {surface.link, X.R * w.head<3>() + X.p.cross(f), f});
+}
+
+/// The first `spans` runs of a tendon under a tension; `cut`: the last of them ends in the air.
+void add_part(const TreeState<double>& state, const PathSet& set, const PathShape& shape,
+              std::size_t spans, double tension, bool cut, Wrenches& wrenches) {
+  const auto touches = [&](std::size_t span, bool end) {  // an arc begins or ends there
+    return std::any_of(shape.arcs.begin(), shape.arcs.end(), [&](const PathArc& arc) {
+      return arc.after == static_cast<int>(span) - (end ? 0 : 1);
+    });
+  };
+  for (std::size_t s = 0; s < spans; ++s) {
+    const PathSpan& span = shape.spans[s];
+    const Vector3d pull = tension * (span.b - span.a).normalized();
+    if (!touches(s, false)) wrenches.add(span.link_a, span.a, pull);
+    if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
+      wrenches.add(span.link_b, span.b, -pull);
+  }
+  for (const PathArc& arc : shape.arcs)
+    if (arc.after + 1 < static_cast<int>(spans)) add_arc(state, set, arc, tension, wrenches);
+}
+
+}  // namespace
+
+void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+               const std::vector<PathShape>& shapes, Eigen::Ref<Eigen::MatrixXd> R) {
+  require(R.rows() == static_cast<Eigen::Index>(shapes.size()),
+          "moment arms of {} paths do not fit in {} rows", shapes.size(), R.rows());
+  R.setZero();
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    add_path(tree, state, set, shapes, k, R.row(static_cast<Eigen::Index>(k)));
+}
+
+std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
+                                      const std::vector<PathShape>& shapes, std::size_t path) {
+  Wrenches wrenches;
+  add_part(state, set, shapes[path], shapes[path].spans.size(), 1, false, wrenches);
+  if (set.paths[path].carrier < 0) return wrenches.all;
+  // The carrier takes the rider's pull -u: what lies along it as less tension towards its
+  // insertion, what lies across it by lever on the two ends of the run.
+  const Ride ride = ride_of(set, shapes, path);
+  const double along = ride.u.dot(ride.v);
+  const Vector3d across = ride.u - along * ride.v;
+  wrenches.add(ride.span->link_a, ride.span->a, -(1 - ride.share) * across);
+  wrenches.add(ride.span->link_b, ride.span->b, -ride.share * across);
+  const auto spans = static_cast<std::size_t>(ride.span - ride.carrier->spans.data()) + 1;
+  add_part(state, set, *ride.carrier, spans, -along, true, wrenches);
+  return wrenches.all;
+}
+
+Eigen::RowVectorXd torque_of(const Tree<double>& tree, const TreeState<double>& state,
+                             const std::vector<PathWrench>& wrenches, int coordinates) {
+  Eigen::RowVectorXd torque = Eigen::RowVectorXd::Zero(coordinates);
+  for (const PathWrench& wrench : wrenches)
+    for_each_hinge_to_base(tree, wrench.link, [&](int i) {
+      const auto& at = state[static_cast<std::size_t>(i)];
+      const auto& hinge = tree[static_cast<std::size_t>(i)];
+      torque[hinge.coordinate] += hinge.ratio * at.axis.dot(wrench.m - at.point.cross(wrench.f));
+    });
+  return torque;
+}
+
+double path_velocity(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+                     const std::vector<PathShape>& shapes, std::size_t path,
+                     const Eigen::VectorXd& q_dot) {
+  Eigen::RowVectorXd arms = Eigen::RowVectorXd::Zero(q_dot.size());
+  add_path(tree, state, set, shapes, path, arms);
+  return -arms.dot(q_dot);
+}
+
+}  // namespace thenar

@@ -1,0 +1,47 @@
+#pragma once
+
+/// Moment arms of wrapped tendons, worked out in two ways that share nothing but the path.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tendons/wrapping/path_solver.h"
+
+namespace thenar {
+
+/// Moment arms by virtual work,  R_j = -dL/dq_j,  flexion positive [m/rad] (paths, coordinates).
+/// A touch point counts as fixed to its surface's link: where the path is tangent, sliding it does
+/// not change the length. An origin that rides on another tendon brings in that tendon's excursion
+/// on the way from its insertion, so a pull there unloads that part of the carrier.
+/// @param R  written in full; its shape must be (paths, coordinates)
+/// Source: [An1983] for the sign.
+void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
+               const std::vector<PathShape>& shapes, Eigen::Ref<Eigen::MatrixXd> R);
+
+/// Wrench per unit tension on one link, world axes, about the world origin.
+struct PathWrench {
+  int link;           // -1: the base
+  Eigen::Vector3d m;  // moment [N m/N] (3)
+  Eigen::Vector3d f;  // force [N/N] (3)
+};
+
+/// What a tendon under unit tension does to the bones: pulls at its ends, kinks at its points, and
+/// the normal pressure  T dt/ds  integrated along every arc. The links' wrenches sum to zero.
+[[nodiscard]] std::vector<PathWrench> path_wrenches(const TreeState<double>& state,
+                                                    const PathSet& set,
+                                                    const std::vector<PathShape>& shapes,
+                                                    std::size_t path);
+
+/// Joint torque of wrenches on links: about each hinge, of all links that it moves (coordinates).
+[[nodiscard]] Eigen::RowVectorXd torque_of(const Tree<double>& tree, const TreeState<double>& state,
+                                           const std::vector<PathWrench>& wrenches,
+                                           int coordinates);
+
+/// Rate of a path's length,  dL/dt = sum of  u . (v_b - v_a)  over its straight runs [m/s].
+/// @param q_dot  joint velocities [rad/s] (coordinates)
+[[nodiscard]] double path_velocity(const Tree<double>& tree, const TreeState<double>& state,
+                                   const PathSet& set, const std::vector<PathShape>& shapes,
+                                   std::size_t path, const Eigen::VectorXd& q_dot);
+
+}  // namespace thenar

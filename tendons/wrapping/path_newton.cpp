@@ -1,0 +1,156 @@
+#include "tendons/wrapping/path_newton.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kMostUnknowns = 4 * kMostBends;
+using System =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnknowns, kMostUnknowns>;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
+using Row4 = Eigen::Matrix<double, 1, 4>;
+using Map34 = Eigen::Matrix<double, 3, 4>;
+
+/// An end of an arc in the world, and how it moves with (along, across, turn, lengthen).
+struct ArcEnd {
+  Vector3d p, t, n, b;
+  Map34 dp, dn, db;
+};
+
+/// How the frame of an end follows its own shift (sigma along, eta across) and turn omega:
+///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
+ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
+              const Row4& omega) {
+  const SurfaceShapeAt at = shape_at(*link.surface, ray.p);
+  ArcEnd end;
+  end.p = link.X * ray.p;
+  end.t = link.X.R * ray.t;
+  end.n = link.X.R * at.n;
+  end.b = end.t.cross(end.n);
+  const Vector3d St = link.X.R * (at.S * ray.t);
+  const Vector3d Sb = link.X.R * (at.S * (link.X.R.transpose() * end.b));
+  end.dp = end.t * sigma + end.b * eta;
+  end.dn = St * sigma + Sb * eta;
+  end.db = -end.t * omega - end.n * (end.b.transpose() * end.dn);
+  return end;
+}
+
+struct ArcEnds {
+  ArcEnd on, off;
+};
+
+ArcEnds ends_of(const ChainArc& link) {
+  const GeodesicEnd far = follow_geodesic(*link.surface, link.arc.start, link.arc.length);
+  const Row4 along(1, 0, 0, 0), across(0, 1, 0, 0), turn(0, 0, 1, 0);
+  return {end_of(link, link.arc.start, along, across, turn),
+          end_of(link, far.ray, Row4(1, 0, 0, 1), Row4(0, far.a, far.r, 0),
+                 Row4(0, far.da, far.dr, 0))};
+}
+
+/// Residuals of the whole chain, and their Jacobian.
+struct Tangency {
+  Unknowns f;
+  System J;
+};
+
+/// Two rows: a unit run e = +-(end - other) / d against n and b of `end`.
+/// @param sign  1 if the run arrives at the end, -1 if it leaves
+void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const Vector3d& other,
+              int other_column, const Map34* other_dp, double sign) {
+  const Vector3d run = sign * (end.p - other);
+  const double d = run.norm();
+  const Vector3d e = run / d;
+  for (int k = 0; k < 2; ++k) {
+    const Vector3d& v = k == 0 ? end.n : end.b;
+    const Map34& dv = k == 0 ? end.dn : end.db;
+    const Vector3d slope = sign * (v - e * e.dot(v)) / d;
+    system.f[row + k] = e.dot(v);
+    system.J.block<1, 4>(row + k, own) += slope.transpose() * end.dp + e.transpose() * dv;
+    if (other_dp) system.J.block<1, 4>(row + k, other_column) -= slope.transpose() * *other_dp;
+  }
+}
+
+Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
+  const int m = static_cast<int>(chain.size());
+  std::array<ArcEnds, kMostBends> ends;
+  for (int i = 0; i < m; ++i)
+    ends[static_cast<std::size_t>(i)] = ends_of(chain[static_cast<std::size_t>(i)]);
+  Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
+  for (int i = 0; i < m; ++i) {
+    const ArcEnds& here = ends[static_cast<std::size_t>(i)];
+    const ArcEnd* before = i > 0 ? &ends[static_cast<std::size_t>(i) - 1].off : nullptr;
+    const ArcEnd* after = i + 1 < m ? &ends[static_cast<std::size_t>(i) + 1].on : nullptr;
+    add_rows(system, 4 * i, 4 * i, here.on, before ? before->p : a, 4 * (i - 1),
+             before ? &before->dp : nullptr, 1);
+    add_rows(system, 4 * i + 2, 4 * i, here.off, after ? after->p : b, 4 * (i + 1),
+             after ? &after->dp : nullptr, -1);
+  }
+  return system;
+}
+
+/// Moves one arc by (along, across, turn, lengthen).
+void vary(ChainArc& link, const Eigen::Vector4d& by) {
+  const SurfaceRay& was = link.arc.start;
+  const Vector3d n = shape_at(*link.surface, was.p).n, across = was.t.cross(n);
+  link.arc.start = settle(*link.surface, {was.p + by[0] * was.t + by[1] * across,
+                                          std::cos(by[2]) * was.t + std::sin(by[2]) * across});
+  link.arc.length += by[3];
+}
+
+/// Largest factor up to 1 that moves no arc by more than half its surface's radius or half a
+/// radian.
+double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
+  double most = 1;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto by = step.segment<4>(4 * static_cast<Eigen::Index>(i));
+    const double radius = chain[i].surface->shape == SurfaceShape::kEllipsoid
+                              ? chain[i].surface->size.minCoeff()
+                              : chain[i].surface->size[0];
+    const double shift = std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[3])}) / radius;
+    most = std::max({most, 2 * shift, 2 * std::abs(by[2])});
+  }
+  return 1 / most;
+}
+
+}  // namespace
+
+ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
+  constexpr int kSteps = 60;
+  Tangency now = tangency(a, b, chain);
+  ChainFit fit{now.f.lpNorm<Eigen::Infinity>(), 0};
+  std::array<WrapArc, kMostBends> best;
+  for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
+    const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
+    if (!step.allFinite()) break;
+    for (std::size_t i = 0; i < chain.size(); ++i) best[i] = chain[i].arc;
+    double factor = longest_step(chain, step);
+    bool better = false;
+    for (int halving = 0; halving < 12 && !better; ++halving, factor *= 0.5) {
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        chain[i].arc = best[i];
+        vary(chain[i], factor * step.segment<4>(4 * static_cast<Eigen::Index>(i)));
+      }
+      const Tangency next = tangency(a, b, chain);
+      const double error = next.f.lpNorm<Eigen::Infinity>();
+      if ((better = error < fit.error)) {
+        now = next;
+        fit.error = error;
+      }
+    }
+    if (better) continue;
+    for (std::size_t i = 0; i < chain.size(); ++i) chain[i].arc = best[i];
+    break;
+  }
+  return fit;
+}
+
+}  // namespace thenar

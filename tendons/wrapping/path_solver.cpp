@@ -1,0 +1,256 @@
+#include "tendons/wrapping/path_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTangent = 1e-11;  // largest kink of a taut path [rad]
+constexpr double kInside = 1e-9;    // how deep a point beside a surface may lie in it [m]
+
+bool is_round(const BoneSurface& surface) {
+  return surface.shape == SurfaceShape::kSphere || surface.shape == SurfaceShape::kCylinder;
+}
+
+/// How deep a point lies inside a surface, 0 outside [m].
+double depth_of(const BoneSurface& surface, const Vector3d& p) {
+  const double r = surface.size[0];
+  switch (surface.shape) {
+    case SurfaceShape::kCylinder: {
+      const double rho2 = p.head<2>().squaredNorm();
+      return rho2 >= r * r ? 0 : r - std::sqrt(rho2);
+    }
+    case SurfaceShape::kSphere: {
+      const double rho2 = p.squaredNorm();
+      return rho2 >= r * r ? 0 : r - std::sqrt(rho2);
+    }
+    default:
+      return level(surface, p) < 0 ? -probe(surface, p).gap : 0;
+  }
+}
+
+/// Where a carrier is at the distance `ride` from its insertion.
+struct Ridden {
+  Vector3d p;
+  int span;  // on which that is, or before the arc on which it is
+  bool on_arc;
+};
+Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathShape& carrier,
+               double ride) {
+  auto arc = carrier.arcs.begin();
+  const std::size_t spans = carrier.spans.size();
+  for (std::size_t s = 0; s < spans; ++s) {
+    const Vector3d run = carrier.spans[s].b - carrier.spans[s].a;
+    const double length = run.norm();
+    if (ride <= length || s + 1 == spans)  // beyond the origin it goes on straight
+      return {carrier.spans[s].a + ride / length * run, static_cast<int>(s), false};
+    ride -= length;
+    for (; arc != carrier.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
+      if (ride <= arc->arc.length) {
+        const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc->surface)];
+        const Vector3d p = follow_geodesic(surface, arc->arc.start, ride).ray.p;
+        return {moved(state, surface.link, Vector3d(surface.X * p)), static_cast<int>(s), true};
+      }
+      ride -= arc->arc.length;
+    }
+  }
+  return {carrier.spans.back().b, static_cast<int>(spans) - 1, false};
+}
+
+}  // namespace
+
+PathSolver::PathSolver(const PathSet& set)
+    : set_(&set), X_(set.surfaces.size()), shapes_(set.paths.size()) {
+  slots_.reserve(kMostBends);
+  chain_.reserve(kMostBends);
+  single_.reserve(1);
+}
+
+const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state) {
+  for (std::size_t i = 0; i < X_.size(); ++i) {
+    const BoneSurface& surface = set_->surfaces[i];
+    X_[i] =
+        surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  }
+  for (std::size_t k = 0; k < shapes_.size(); ++k) solve_path(k, state);
+  return shapes_;
+}
+
+void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
+  const WrappedPath& path = set_->paths[k];
+  PathShape& shape = shapes_[k];
+  shape.status = PathStatus::kTaut;
+  shape.error = shape.depth = shape.length = 0;
+  shape.iterations = 0;
+  shape.ride_span = -1;
+  shape.spans.clear();
+  shape.arcs.clear();
+  Vector3d a = moved(state, path.points[0].link, path.points[0].p);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const WrapPoint& point = path.points[i];
+    Vector3d b = moved(state, point.link, point.p);
+    int link = point.link;
+    if (path.carrier >= 0 && i + 1 == path.points.size()) {
+      const PathShape& carrier = shapes_[static_cast<std::size_t>(path.carrier)];
+      const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
+      b = ridden.p;
+      link = kRiding;
+      shape.ride_span = ridden.span;
+      if (ridden.on_arc) shape.status = PathStatus::kRidesOnBend;
+      for (const PathArc& arc : carrier.arcs)
+        if (arc.after == ridden.span || arc.after + 1 == ridden.span)
+          shape.status = PathStatus::kRidesOnBend;
+    }
+    add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b}, shape);
+    a = b;
+  }
+  if (shape.error > kTangent) shape.status = PathStatus::kStalled;
+  if (shape.depth > kInside) shape.status = PathStatus::kPointInside;
+}
+
+void PathSolver::add_run(const std::vector<Bend>& bends, const PathSpan& ends, PathShape& shape) {
+  for (const Bend& bend : bends) {
+    const auto i = static_cast<std::size_t>(bend.surface);
+    const Pose<double> to_S = X_[i].inverse();
+    shape.depth = std::max({shape.depth, depth_of(set_->surfaces[i], to_S * ends.a),
+                            depth_of(set_->surfaces[i], to_S * ends.b)});
+  }
+  if (!bends.empty()) tighten(bends, ends.a, ends.b, shape);
+  PathSpan span = ends;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    if (!slots_[i].on) continue;
+    const int link = set_->surfaces[static_cast<std::size_t>(bends[i].surface)].link;
+    span.b = slots_[i].touch_a;
+    span.link_b = link;
+    shape.length += (span.b - span.a).norm() + slots_[i].link.arc.length;
+    shape.spans.push_back(span);
+    shape.arcs.push_back(
+        {bends[i].surface, static_cast<int>(shape.spans.size()) - 1, slots_[i].link.arc});
+    span.a = slots_[i].touch_b;
+    span.link_a = link;
+  }
+  span.b = ends.b;
+  span.link_b = ends.link_b;
+  shape.length += (span.b - span.a).norm();
+  shape.spans.push_back(span);
+}
+
+/// One surface between two points of the string; `on` is false where the string misses it.
+void PathSolver::wrap_one(std::size_t i, const Bend& bend, const Vector3d& a, const Vector3d& b,
+                          PathShape& shape) {
+  const auto s = static_cast<std::size_t>(bend.surface);
+  const BoneSurface& surface = set_->surfaces[s];
+  const Pose<double>& X = X_[s];
+  const Pose<double> to_S = X.inverse();
+  const Vector3d a_S = to_S * a, b_S = to_S * b;
+  const auto arc = is_round(surface) ? wrap_round(surface, a_S, b_S, bend.side_S)
+                                     : guess_arc(surface, a_S, b_S, bend.side_S);
+  Slot& slot = slots_[i];
+  slot.on = arc.has_value();
+  if (!slot.on) return;
+  slot.link = {&surface, X, *arc};
+  if (!is_round(surface)) {
+    single_.assign(1, slot.link);
+    const ChainFit fit = straighten(a, b, single_);
+    shape.iterations += fit.iterations;
+    slot.error = fit.error;
+    slot.link = single_[0];
+    slot.on = slot.link.arc.length > 0;
+  }
+  set_touches(slot);
+}
+
+void PathSolver::set_touches(Slot& slot) {
+  const ChainArc& link = slot.link;
+  slot.touch_a = link.X * link.arc.start.p;
+  slot.touch_b = link.X * follow_geodesic(*link.surface, link.arc.start, link.arc.length).ray.p;
+}
+
+/// Surfaces in turn, each between its neighbours as they are, until none moves: the string gets
+/// shorter each time. Then all that touch at once, by Newton's method.
+void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
+                         PathShape& shape) {
+  const std::size_t m = bends.size();
+  slots_.assign(m, Slot{});
+  const int rounds = m == 1 ? 1 : 6;
+  for (int round = 0; round < rounds; ++round) {
+    sweep(bends, a, b, shape);
+    chain_.clear();
+    for (const Slot& slot : slots_)
+      if (slot.on) chain_.push_back(slot.link);
+    if (chain_.empty()) return;
+    if (chain_.size() == 1) {
+      for (const Slot& slot : slots_)
+        if (slot.on) shape.error = std::max(shape.error, slot.error);
+      return;
+    }
+    const ChainFit fit = straighten(a, b, chain_);
+    shape.iterations += fit.iterations;
+    const bool lifts = std::any_of(chain_.begin(), chain_.end(),
+                                   [](const ChainArc& link) { return link.arc.length < 0; });
+    std::size_t next = 0;
+    for (Slot& slot : slots_) {
+      if (!slot.on) continue;
+      slot.link = chain_[next++];
+      slot.on = slot.link.arc.length >= 0;
+      set_touches(slot);
+    }
+    if (!lifts || round + 1 == rounds) {
+      shape.error = std::max(shape.error, lifts ? 1.0 : fit.error);
+      return;
+    }
+  }
+}
+
+void PathSolver::sweep(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
+                       PathShape& shape) {
+  const std::size_t m = bends.size();
+  for (int pass = 0; pass < (m == 1 ? 1 : 100); ++pass) {
+    double moved_by = 0;
+    for (std::size_t i = 0; i < m; ++i) {
+      Vector3d before = a, after = b;
+      for (std::size_t k = 0; k < i; ++k)
+        if (slots_[k].on) before = slots_[k].touch_b;
+      for (std::size_t k = m; k-- > i + 1;)
+        if (slots_[k].on) after = slots_[k].touch_a;
+      const Slot was = slots_[i];
+      wrap_one(i, bends[i], before, after, shape);
+      if (was.on != slots_[i].on)
+        moved_by = 1;
+      else if (was.on)
+        moved_by = std::max({moved_by, (was.touch_a - slots_[i].touch_a).norm(),
+                             (was.touch_b - slots_[i].touch_b).norm()});
+    }
+    if (moved_by < 1e-6) return;
+  }
+}
+
+Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
+                             const PathShape& shape, double spacing) {
+  require(spacing > 0, "points along a path need a spacing > 0, got {} m", spacing);
+  std::vector<Vector3d> points;
+  auto arc = shape.arcs.begin();
+  for (std::size_t s = 0; s < shape.spans.size(); ++s) {
+    points.push_back(shape.spans[s].a);
+    points.push_back(shape.spans[s].b);
+    for (; arc != shape.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
+      const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc->surface)];
+      const int steps = static_cast<int>(std::ceil(arc->arc.length / spacing));
+      for (int i = 1; i < steps; ++i) {
+        const Vector3d p =
+            follow_geodesic(surface, arc->arc.start, arc->arc.length * i / steps).ray.p;
+        points.push_back(moved(state, surface.link, Vector3d(surface.X * p)));
+      }
+    }
+  }
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(points.size()));
+  for (std::size_t i = 0; i < points.size(); ++i) all.col(static_cast<Eigen::Index>(i)) = points[i];
+  return all;
+}
+
+}  // namespace thenar

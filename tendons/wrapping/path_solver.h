@@ -1,0 +1,91 @@
+#pragma once
+
+/// Where wrapped tendons run at a posture, and how long they are.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hand/chain.h"
+#include "tendons/wrapping/path_newton.h"
+#include "tendons/wrapping/wrapped_path.h"
+
+namespace thenar {
+
+enum class PathStatus {
+  kTaut,         // tangent everywhere to 1e-11 rad
+  kRidesOnBend,  // the origin has come where its carrier bends: arms leave its sliding across out
+  kPointInside,  // a point has moved into a surface beside it: see `depth`
+  kStalled       // Newton's method did not get there: see `error`
+};
+
+/// Link of an origin that rides on another tendon.
+inline constexpr int kRiding = -2;
+
+/// A straight run of a tendon, from insertion to origin, world.
+struct PathSpan {
+  int link_a, link_b;    // that carry its ends; -1: the base; kRiding
+  Eigen::Vector3d a, b;  // [m] (3)
+};
+
+/// A stretch of tendon on a surface.
+struct PathArc {
+  int surface;  // of the set
+  int after;    // span before it
+  WrapArc arc;  // where it starts, its direction and its length, frame S
+};
+
+/// One tendon at one posture.
+struct [[nodiscard]] PathShape {
+  PathStatus status = PathStatus::kTaut;  // read this first
+  double error = 0;                       // largest kink at a surface [rad]
+  double depth = 0;                       // of the deepest point inside a surface [m]
+  int iterations = 0;                     // Newton steps; 0: all in closed form
+  double length = 0;                      // [m]
+  std::vector<PathSpan> spans;
+  std::vector<PathArc> arcs;
+  int ride_span = -1;  // of the carrier, on which the origin lies; -1: the origin does not ride
+};
+
+/// Poses the tendons of one set again and again. Holds the workspace of one thread, and nothing
+/// that changes an answer; after the first posture it uses no heap.
+class PathSolver {
+ public:
+  explicit PathSolver(const PathSet& set);
+
+  /// Tendons at the pose of their links.
+  /// @return one shape a path, in the order of the set; overwritten by the next call
+  const std::vector<PathShape>& solve(const TreeState<double>& state);
+
+  [[nodiscard]] const PathSet& set() const { return *set_; }
+
+ private:
+  struct Slot {  // one surface of the run in work
+    bool on = false;
+    double error = 0;  // [rad]
+    ChainArc link;
+    Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
+  };
+  void solve_path(std::size_t path, const TreeState<double>& state);
+  void add_run(const std::vector<Bend>& bends, const PathSpan& ends, PathShape& shape);
+  void tighten(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+               PathShape& shape);
+  void sweep(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+             PathShape& shape);
+  void wrap_one(std::size_t slot, const Bend& bend, const Eigen::Vector3d& a,
+                const Eigen::Vector3d& b, PathShape& shape);
+  static void set_touches(Slot& slot);
+
+  const PathSet* set_;
+  std::vector<Pose<double>> X_;  // X_WS of each surface
+  std::vector<PathShape> shapes_;
+  std::vector<Slot> slots_;
+  std::vector<ChainArc> chain_;   // those that touch
+  std::vector<ChainArc> single_;  // one of them
+};
+
+/// Points along a tendon for drawing, at most `spacing` [m] apart on arcs, world (3, points).
+[[nodiscard]] Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
+                                           const PathShape& shape, double spacing);
+
+}  // namespace thenar

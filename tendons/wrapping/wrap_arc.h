@@ -1,0 +1,39 @@
+#pragma once
+
+/// How a string between two points meets one surface.
+
+#include <optional>
+
+#include "tendons/wrapping/geodesic.h"
+
+namespace thenar {
+
+/// A stretch of string that lies on a surface, frame S.
+struct WrapArc {
+  SurfaceRay start;   // where it comes onto the surface
+  double length = 0;  // of the geodesic [m]
+};
+
+/// Where a string from a to b lies on a sphere or a cylinder, in closed form; nothing if it is
+/// straight.
+///
+/// On a cylinder the string is held on its side: seen along the axis it never crosses the half line
+/// opposite to `side`, however long the way round. On a sphere, from which a string would slip, it
+/// takes the shorter way, and `side` decides between ways of equal length.
+/// A point inside the surface is taken to lie on it.
+[[nodiscard]] std::optional<WrapArc> wrap_round(const BoneSurface& surface,
+                                                const Eigen::Vector3d& a_S,
+                                                const Eigen::Vector3d& b_S,
+                                                const Eigen::Vector3d& side_S);
+
+/// A start for Newton's method on any other surface; nothing if the string is straight.
+///
+/// Capsule and ellipsoid: the taut string in the plane of a, b and the point `side`, held on its
+/// side as on a cylinder. Torus: the taut string through the hole, in the half plane of the axis
+/// that the straight line crosses the ring in.
+[[nodiscard]] std::optional<WrapArc> guess_arc(const BoneSurface& surface,
+                                               const Eigen::Vector3d& a_S,
+                                               const Eigen::Vector3d& b_S,
+                                               const Eigen::Vector3d& side_S);
+
+}  // namespace thenar

@@ -1,0 +1,169 @@
+#include "tendons/wrapping/wrapped_path.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "tendons/wrapping/path_solver.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRideReach = 1e-3;  // how far an origin may lie from what it rides on [m]
+constexpr double kInside = 1e-9;     // how deep a point beside a surface may lie in it [m]
+
+int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+    if (surfaces[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+/// Index of a path, or -1.
+int index_of(const std::vector<WrappedPath>& paths, const std::string& name) {
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (paths[i].name == name) return static_cast<int>(i);
+  return -1;
+}
+
+void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface& surface) {
+  const Vector3d p = surface.X.inverse() * path.points[point].p;
+  const double depth = level(surface, p) < 0 ? -probe(surface, p).gap : 0;
+  require(depth <= kInside, "point {} of strand '{}' lies {:.3g} mm inside surface '{}'", point + 1,
+          path.name, 1e3 * depth, surface.name);
+}
+
+void check(const WrappedPath& path, const PathSet& set) {
+  for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+    const WrapPoint &a = path.points[k], &b = path.points[k + 1];
+    require(a.link == b.link || (a.p - b.p).norm() > 1e-9,
+            "path of strand '{}' has a zero-length run across a joint at point {}", path.name,
+            k + 1);
+    require(path.bends[k].size() <= static_cast<std::size_t>(kMostBends),
+            "strand '{}' bends over {} surfaces after point {}; the most is {}", path.name,
+            path.bends[k].size(), k + 1, kMostBends);
+    for (const Bend& bend : path.bends[k]) {
+      check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
+      check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
+    }
+  }
+}
+
+bool crosses_a_joint(const WrappedPath& path) {
+  return std::any_of(path.points.begin(), path.points.end(), [&](const WrapPoint& point) {
+    return point.link != path.points.front().link;
+  });
+}
+
+/// Points and surfaces on the kept links; those on dropped segments end the path.
+WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const PathSet& set) {
+  WrappedPath path;
+  path.name = strand.name;
+  std::vector<Bend> bends;  // since the last point
+  for (const PathPoint& element : strand.path) {
+    const auto link = skeleton.link_of_segment.find(element.segment);
+    if (link == skeleton.link_of_segment.end()) continue;
+    const Vector3d p = skeleton.segment_at.at(element.segment) * element.p;
+    if (!element.surface.empty()) {
+      const int surface = index_of(set.surfaces, element.surface);
+      const Pose<double>& X = set.surfaces[static_cast<std::size_t>(surface)].X;
+      if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
+      continue;
+    }
+    if (!path.points.empty()) path.bends.push_back(bends);
+    bends.clear();
+    path.points.push_back({link->second, p});
+  }
+  return path;
+}
+
+/// Nearest place of a posed path to p: how far off, and how far from the insertion [m].
+struct Place {
+  double off, along;
+};
+Place nearest_place(const PathShape& shape, const Vector3d& p) {
+  Place nearest{std::numeric_limits<double>::infinity(), 0};
+  double before = 0;
+  auto arc = shape.arcs.begin();
+  for (std::size_t s = 0; s < shape.spans.size(); ++s) {
+    const Vector3d run = shape.spans[s].b - shape.spans[s].a;
+    const double length = run.norm();
+    const double along =
+        length > 0 ? std::clamp((p - shape.spans[s].a).dot(run) / length, 0.0, length) : 0;
+    const double off = (shape.spans[s].a + along / std::max(length, 1e-300) * run - p).norm();
+    if (off < nearest.off) nearest = {off, before + along};
+    before += length;
+    for (; arc != shape.arcs.end() && arc->after == static_cast<int>(s); ++arc)
+      before += arc->arc.length;
+  }
+  return nearest;
+}
+
+/// Lets the origin ride, if the carrier is there to carry it.
+void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
+              const Skeleton& skeleton) {
+  path.carrier = index_of(set.paths, carrier);
+  if (path.carrier < 0) return;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
+  PathSolver solver(set);
+  const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
+  const Place place =
+      nearest_place(shapes[static_cast<std::size_t>(path.carrier)], path.points.back().p);
+  require(place.off <= kRideReach,
+          "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",
+          path.name, carrier, 1e3 * place.off, 1e3 * kRideReach);
+  path.ride = place.along;
+}
+
+PathSet build(const Subject& subject, const Skeleton& skeleton,
+              const std::vector<std::string>* only) {
+  PathSet set;
+  set.surfaces = place_surfaces(subject, skeleton);
+  const auto wanted = [&](const Strand& strand) {
+    const auto carries = [&](const std::string& name) {
+      return std::any_of(subject.strands.begin(), subject.strands.end(), [&](const Strand& other) {
+        return other.name == name && !other.path.empty() &&
+               other.path.back().rides_on == strand.name;
+      });
+    };
+    return !only || std::find(only->begin(), only->end(), strand.name) != only->end() ||
+           std::any_of(only->begin(), only->end(), carries);
+  };
+  for (const Strand& strand : subject.strands) {
+    if (!wanted(strand)) continue;
+    WrappedPath path = kept_path(strand, skeleton, set);
+    if (path.points.size() < 2 || !crosses_a_joint(path)) continue;
+    check(path, set);
+    if (!strand.path.back().rides_on.empty() &&
+        skeleton.link_of_segment.count(strand.path.back().segment) > 0)
+      set_ride(path, strand.path.back().rides_on, set, skeleton);
+    set.paths.push_back(std::move(path));
+  }
+  return set;
+}
+
+}  // namespace
+
+std::vector<BoneSurface> place_surfaces(const Subject& subject, const Skeleton& skeleton) {
+  std::vector<BoneSurface> placed;
+  for (const Surface& surface : subject.surfaces) {
+    const auto link = skeleton.link_of_segment.find(surface.segment);
+    if (link == skeleton.link_of_segment.end()) continue;
+    placed.push_back(
+        {surface.name, link->second, surface.shape, surface.size,
+         skeleton.segment_at.at(surface.segment) * Pose<double>{surface.axes, surface.center}});
+  }
+  return placed;
+}
+
+PathSet build_paths(const Subject& subject, const Skeleton& skeleton) {
+  return build(subject, skeleton, nullptr);
+}
+
+PathSet build_paths(const Subject& subject, const Skeleton& skeleton,
+                    const std::vector<std::string>& strands) {
+  return build(subject, skeleton, &strands);
+}
+
+}  // namespace thenar

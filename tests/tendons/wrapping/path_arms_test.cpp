@@ -1,0 +1,126 @@
+// Tests for tendons/wrapping/path_arms.cpp.
+
+#include "tendons/wrapping/path_arms.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/matrix_near.h"
+#include "tests/tendons/wrapping/wrap_samples.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+struct Posed {
+  TreeState<double> state;
+  std::vector<PathShape> shapes;
+  MatrixXd R;
+};
+
+Posed pose(const Tree<double>& tree, const PathSet& set, const VectorXd& q) {
+  Posed posed{pose_tree(tree, q), {}, MatrixXd(set.paths.size(), q.size())};
+  posed.shapes = PathSolver(set).solve(posed.state);
+  path_arms(tree, posed.state, set, posed.shapes, posed.R);
+  return posed;
+}
+
+/// A flexor with via points, and a lumbrical from it to the first bone.
+PathSet lumbrical() {
+  PathSet set;
+  WrappedPath flexor, rider;
+  flexor.name = "FDP";
+  flexor.points = {{2, {-0.1, -0.004, 0}},
+                   {1, {-0.07, -0.006, 0.001}},
+                   {0, {-0.02, -0.008, 0}},
+                   {-1, {0.01, -0.01, -0.001}},
+                   {-1, {0.06, -0.01, -0.002}}};
+  flexor.bends.resize(4);
+  rider.name = "LU";
+  rider.points = {{0, {-0.02, 0.001, 0.006}}, {-1, {0.03, -0.01, -0.0014}}};
+  rider.bends.resize(1);
+  rider.carrier = 0;
+  rider.ride = 0.135;  // about the same place, between the flexor's last two points
+  set.paths = {flexor, rider};
+  return set;
+}
+
+const VectorXd kBent = Vector3d(0.5, 0.7, 0.4);
+
+class PathArmsOver : public testing::TestWithParam<SurfaceShape> {};
+
+TEST_P(PathArmsOver, AreTheSlopesOfTheLength) {
+  const PathSet set = sample::extensor(GetParam());
+  const Posed posed = pose(sample::finger(), set, kBent);
+  ASSERT_EQ(posed.shapes[0].status, PathStatus::kTaut);
+  ASSERT_EQ(posed.shapes[0].arcs.size(), 2U);
+  // Differences of lengths good to 1e-15 m over 1e-3 rad.
+  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(0)),
+                          sample::measured_arms(sample::finger(), set, kBent), 2e-11));
+}
+
+TEST_P(PathArmsOver, AreThoseOfTheContactForces) {
+  const PathSet set = sample::extensor(GetParam());
+  const Posed posed = pose(sample::finger(), set, kBent);
+  const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 0);
+  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(0)),
+                          torque_of(sample::finger(), posed.state, wrenches, 3), 1e-12));
+}
+
+TEST_P(PathArmsOver, PushTheBonesWithoutPushingTheHand) {
+  const PathSet set = sample::extensor(GetParam());
+  const Posed posed = pose(sample::finger(), set, kBent);
+  Vector3d f = Vector3d::Zero(), m = Vector3d::Zero();
+  for (const PathWrench& wrench : path_wrenches(posed.state, set, posed.shapes, 0)) {
+    f += wrench.f;
+    m += wrench.m;
+  }
+  EXPECT_LT(f.norm(), 1e-12);
+  EXPECT_LT(m.norm(), 1e-13);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryShape, PathArmsOver,
+                         testing::Values(SurfaceShape::kCylinder, SurfaceShape::kSphere,
+                                         SurfaceShape::kEllipsoid, SurfaceShape::kCapsule,
+                                         SurfaceShape::kTorus),
+                         [](const auto& test) { return "Shape" + std::to_string(test.index); });
+
+TEST(PathArms, OfALumbricalIncludeTheMotionOfItsOrigin) {
+  const PathSet set = lumbrical();
+  const Posed posed = pose(sample::finger(), set, kBent);
+  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(1)),
+                          sample::measured_arms(sample::finger(), set, kBent, 1), 2e-11));
+}
+
+TEST(PathArms, OfALumbricalAreThoseOfTheContactForces) {
+  const PathSet set = lumbrical();
+  const Posed posed = pose(sample::finger(), set, kBent);
+  const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 1);
+  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(1)),
+                          torque_of(sample::finger(), posed.state, wrenches, 3), 1e-14));
+}
+
+// A lumbrical crosses neither distal joint, yet turns them: it takes tension off the deep flexor.
+TEST(PathArms, OfALumbricalExtendTheJointsThatItDoesNotCross) {
+  const Posed posed = pose(sample::finger(), lumbrical(), kBent);
+  EXPECT_GT(posed.R(0, 2), 0.002);   // the flexor flexes
+  EXPECT_LT(posed.R(1, 2), -0.001);  // the lumbrical extends
+}
+
+TEST(PathArms, GiveThePathsVelocity) {
+  const PathSet set = sample::extensor(SurfaceShape::kCapsule);
+  const Tree<double> tree = sample::finger();
+  const Posed posed = pose(tree, set, kBent);
+  const Vector3d q_dot(0.3, -1.1, 0.7);
+  constexpr double h = 1e-4;  // [s]
+  const double measured = (sample::length_at(tree, set, kBent + h * q_dot) -
+                           sample::length_at(tree, set, kBent - h * q_dot)) /
+                          (2 * h);
+  EXPECT_NEAR(path_velocity(tree, posed.state, set, posed.shapes, 0, q_dot), measured, 1e-9);
+}
+
+}  // namespace
+}  // namespace thenar
