@@ -1,0 +1,109 @@
+#include "tendons/muscle/contraction.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+class Bounds : public Contraction {
+ public:
+  using Contraction::Contraction;
+  Muscle rung() const override { return Muscle::kBounds; }
+  bool feels_velocity() const override { return false; }
+  bool has_reach() const override { return false; }
+  double tension(int m, const MuscleState& state) const override {
+    return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may pass below 0
+  }
+  double reach_rate(int, const MuscleState&) const override { return 0; }
+  double reach_at_rest(int, double, double) const override { return 0; }
+  double fibre(int, const MuscleState&) const override { return 0; }
+};
+
+class RigidTendon : public Contraction {
+ public:
+  RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
+      : Contraction(std::move(muscles)), options_(options) {}
+  Muscle rung() const override { return Muscle::kRigidTendon; }
+  bool feels_velocity() const override { return true; }
+  bool has_reach() const override { return false; }
+  double tension(int m, const MuscleState& state) const override {
+    return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
+                                state.velocity);
+  }
+  double reach_rate(int, const MuscleState&) const override { return 0; }
+  double reach_at_rest(int, double, double) const override { return 0; }
+  double fibre(int m, const MuscleState& state) const override {
+    return fibre_length(muscle(m), state.length - muscle(m).slack);
+  }
+
+ private:
+  HillOptions options_;
+};
+
+class ElasticTendon : public Contraction {
+ public:
+  ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
+      : Contraction(std::move(muscles)), options_(options) {}
+  Muscle rung() const override { return Muscle::kElasticTendon; }
+  bool feels_velocity() const override { return false; }
+  bool has_reach() const override { return true; }
+  double tension(int m, const MuscleState& state) const override {
+    return elastic_tendon_tension(muscle(m), options_, state.length, state.reach);
+  }
+  double reach_rate(int m, const MuscleState& state) const override {
+    return thenar::reach_rate(muscle(m), options_, state.activation, state.length, state.reach);
+  }
+  double reach_at_rest(int m, double activation, double length) const override {
+    return thenar::reach_at_rest(muscle(m), options_, activation, length);
+  }
+  double fibre(int m, const MuscleState& state) const override {
+    return fibre_length(muscle(m), state.reach);
+  }
+
+ private:
+  HillOptions options_;
+};
+
+const MuscleUnit& unit(const Subject& subject, const std::string& name) {
+  const auto found = std::find_if(subject.muscles.begin(), subject.muscles.end(),
+                                  [&](const MuscleUnit& m) { return m.name == name; });
+  require(found != subject.muscles.end(), "subject '{}' has no muscle '{}'", subject.name, name);
+  return *found;
+}
+
+}  // namespace
+
+std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscles, Muscle rung,
+                                               const HillOptions& options) {
+  require(options.max_velocity > 0 && options.damping > 0 && options.tendon_strain > 0,
+          "largest speed, damping and tendon strain must be positive, got {}, {}, {}",
+          options.max_velocity, options.damping, options.tendon_strain);
+  if (rung == Muscle::kElasticTendon)
+    return std::make_unique<ElasticTendon>(std::move(muscles), options);
+  if (rung == Muscle::kRigidTendon)
+    return std::make_unique<RigidTendon>(std::move(muscles), options);
+  return std::make_unique<Bounds>(std::move(muscles));
+}
+
+std::vector<Musculotendon> musculotendons(const Subject& subject, const TendonDigit& digit,
+                                          Muscle rung) {
+  std::vector<Musculotendon> muscles;
+  for (const std::string& name : digit.names.muscles) {
+    const MuscleUnit& muscle = unit(subject, name);
+    const auto require_key = [&](bool known, const char* key) {
+      require(known, "muscle '{}' of subject '{}' needs '{}' to pull on this rung of muscles", name,
+              subject.name, key);
+    };
+    require_key(muscle.max_force.has_value(), "max_force_N");
+    if (rung >= Muscle::kRigidTendon) require_key(muscle.fibre_length > 0, "fibre_length_mm");
+    if (rung >= Muscle::kElasticTendon) require_key(muscle.tendon_slack > 0, "tendon_slack_mm");
+    muscles.push_back(
+        {name, *muscle.max_force, muscle.fibre_length, muscle.tendon_slack, muscle.pennation});
+  }
+  return muscles;
+}
+
+}  // namespace thenar

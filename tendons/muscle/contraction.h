@@ -1,0 +1,71 @@
+#pragma once
+
+/// How tension follows from activation: the rungs of the ladder `Muscle`, behind one interface.
+
+#include <memory>
+#include <vector>
+
+#include "base/fidelity.h"
+#include "tendons/muscle/musculotendon.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// One muscle now.
+struct MuscleState {
+  double activation = 0;  // 0..1 [1]
+  double length = 0;      // of muscle and tendon [m]
+  double velocity = 0;    // rate of that [m/s]
+  double reach = 0;       // of the fibre along the tendon, where it is a state [m]
+};
+
+/// All muscles of a digit on one rung.
+class Contraction {
+ public:
+  explicit Contraction(std::vector<Musculotendon> muscles) : muscles_(std::move(muscles)) {}
+  virtual ~Contraction() = default;
+
+  [[nodiscard]] const std::vector<Musculotendon>& muscles() const { return muscles_; }
+
+  [[nodiscard]] virtual Muscle rung() const = 0;
+
+  /// Does tension depend on the velocity?
+  [[nodiscard]] virtual bool feels_velocity() const = 0;
+
+  /// Is the reach of the fibres a state?
+  [[nodiscard]] virtual bool has_reach() const = 0;
+
+  /// Tension of muscle m, >= 0 [N].
+  [[nodiscard]] virtual double tension(int m, const MuscleState& state) const = 0;
+
+  /// Rate of the reach of muscle m [m/s]; 0 where it is no state.
+  [[nodiscard]] virtual double reach_rate(int m, const MuscleState& state) const = 0;
+
+  /// Reach of muscle m at rest [m]; 0 where it is no state.
+  [[nodiscard]] virtual double reach_at_rest(int m, double activation, double length) const = 0;
+
+  /// Length of the fibre over its optimal length [1]; 0 where there are no fibres.
+  [[nodiscard]] virtual double fibre(int m, const MuscleState& state) const = 0;
+
+ protected:
+  [[nodiscard]] const Musculotendon& muscle(int m) const {
+    return muscles_[static_cast<std::size_t>(m)];
+  }
+
+ private:
+  std::vector<Musculotendon> muscles_;
+};
+
+/// Bounds: tension = activation F0. Rigid tendon: by length and velocity. Elastic tendon: by length
+/// and reach, whose rate follows from the balance of fibre and tendon.
+[[nodiscard]] std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscles,
+                                                             Muscle rung,
+                                                             const HillOptions& options = {});
+
+/// Constants of the muscles of a digit, in its order.
+/// @throws InputError naming a muscle and the key that its subject lacks: every rung needs
+/// max_force; a rigid tendon needs fibre_length, too; an elastic one tendon_slack besides.
+[[nodiscard]] std::vector<Musculotendon> musculotendons(const Subject& subject,
+                                                        const TendonDigit& digit, Muscle rung);
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+#include "tendons/muscle/excursion.h"
+
+#include <array>
+#include <cmath>
+
+namespace thenar {
+
+Eigen::VectorXd excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
+                          const Eigen::VectorXd& to, const Eigen::VectorXd& t) {
+  struct Node {
+    double at, weight;  // on -1..1
+  };
+  static constexpr std::array<Node, 5> kGauss{{{-0.90617984593866399280, 0.23692688505618908751},
+                                               {-0.53846931010568309104, 0.47862867049936646804},
+                                               {0, 0.56888888888888888889},
+                                               {0.53846931010568309104, 0.47862867049936646804},
+                                               {0.90617984593866399280, 0.23692688505618908751}}};
+  constexpr double kPiece = 0.1;  // [rad]
+  const Eigen::VectorXd way = to - from;
+  const double longest = way.size() > 0 ? way.cwiseAbs().maxCoeff() : 0;
+  const int pieces = static_cast<int>(std::ceil(longest / kPiece));
+
+  Eigen::VectorXd e = Eigen::VectorXd::Zero(t.size());
+  Eigen::Matrix3Xd nodes;
+  for (int k = 0; k < pieces; ++k)
+    for (const Node& node : kGauss) {
+      const double s = (k + (1 + node.at) / 2) / pieces;
+      const TendonPull pull = tendons.pull(from + s * way, t, nodes);
+      e -= node.weight / (2 * pieces) * (pull.R * way);
+      nodes = pull.nodes;
+    }
+  return e;
+}
+
+}  // namespace thenar

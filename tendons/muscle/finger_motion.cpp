@@ -1,0 +1,168 @@
+#include "tendons/muscle/finger_motion.h"
+
+#include <limits>
+
+#include "base/error.h"
+#include "tendons/muscle/excursion.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+Index muscles_of(const MotionModel& model) {
+  return static_cast<Index>(model.tendons.digit().names.muscles.size());
+}
+
+double weight_energy(const Skeleton& skeleton, const VectorXd& q, const Eigen::Vector3d& gravity) {
+  const TreeState<double> state = pose_tree(skeleton.tree, q);
+  double energy = 0;
+  for (std::size_t i = 0; i < skeleton.masses.size(); ++i)
+    energy -= skeleton.masses[i].mass *
+              gravity.dot(moved(state, static_cast<int>(i), skeleton.masses[i].com));
+  return energy;
+}
+
+}  // namespace
+
+FingerMotion::FingerMotion(const MotionModel& model)
+    : model_(model),
+      multibody_(model.tendons.digit().skeleton, Passive::kOff),
+      damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
+      last_tension_(VectorXd::Zero(muscles_of(model))) {
+  const std::vector<std::string>& names = model.tendons.digit().names.muscles;
+  const std::vector<Musculotendon>& muscles = model.contraction.muscles();
+  require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),
+          names.size());
+  for (std::size_t m = 0; m < names.size(); ++m)
+    require(muscles[m].name == names[m], "muscle {} contracts as '{}', the digit calls it '{}'", m,
+            muscles[m].name, names[m]);
+}
+
+MotionState FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
+                                const VectorXd& activation) const {
+  const Index joints = damping_.size(), muscles = last_tension_.size();
+  require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
+          "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
+          q.size(), q_dot.size(), activation.size());
+  require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
+  require((activation.array() >= 0 && activation.array() <= 1).all(),
+          "activations must be in 0..1");
+  MotionState state{q, q_dot, activation, {}, {}, 0, 0};
+  state.excursion =
+      excursion(model_.tendons, VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
+  if (!model_.contraction.has_reach()) return state;
+  VectorXd reach(muscles);
+  for (int m = 0; m < muscles; ++m)
+    reach[m] = model_.contraction.reach_at_rest(m, activation[m], muscle_state(state, m).length);
+  state.reach = reach;
+  return state;
+}
+
+MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
+  const Musculotendon& muscle = model_.contraction.muscles()[static_cast<std::size_t>(m)];
+  const double reach = state.reach.size() > 0 ? state.reach[m] : 0;
+  return {state.activation[m], optimal_length(muscle) + state.excursion[m], 0, reach};
+}
+
+VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocity) const {
+  return VectorXd::NullaryExpr(last_tension_.size(), [&](Index m) {
+    MuscleState muscle = muscle_state(state, static_cast<int>(m));
+    muscle.velocity = velocity[m];
+    return model_.contraction.tension(static_cast<int>(m), muscle);
+  });
+}
+
+/// Tension by velocity, velocity by moment arms, and these by tension where the hood is a net:
+/// repeated until nothing changes. With moment arms that ignore tension that is once.
+void FingerMotion::agree(const MotionState& state, MotionInstant& now) const {
+  constexpr int kRounds = 30;
+  constexpr double kAgreed = 1e-9;  // change of a tension [N]
+  now.agreed = false;
+  for (int round = 0; round < kRounds && !now.agreed; ++round) {
+    const VectorXd before = now.tension;
+    now.tension = tension(state, -now.pull.R * state.q_dot);
+    now.agreed = (now.tension - before).cwiseAbs().maxCoeff() < kAgreed;
+    if (!now.agreed) now.pull = model_.tendons.pull(state.q, now.tension, last_nodes_);
+  }
+}
+
+MotionInstant FingerMotion::at(const MotionState& state) const {
+  MotionInstant now{last_tension_, {}, {}, true};
+  const bool feels_velocity = model_.contraction.feels_velocity();
+  if (!feels_velocity) now.tension = tension(state, VectorXd::Zero(last_tension_.size()));
+  now.pull = model_.tendons.pull(state.q, now.tension, last_nodes_);
+  if (feels_velocity) agree(state, now);
+  now.fibre = VectorXd::NullaryExpr(last_tension_.size(), [&](Index m) {
+    return model_.contraction.fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
+  });
+  return now;
+}
+
+MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
+  const MotionInstant now = at(state);
+  const VectorXd damped = damping_.cwiseProduct(state.q_dot);
+  const VectorXd tau = now.pull.tau +
+                       holding_torque(model_.tendons.digit().skeleton, model_.resistance, state.q) -
+                       damped;
+  MotionState rate = state;
+  rate.q = state.q_dot;
+  rate.q_dot = multibody_.forward_dynamics({state.q, state.q_dot}, tau, {model_.gravity, {}});
+  rate.excursion = -now.pull.R * state.q_dot;
+  for (int m = 0; m < excitation.size(); ++m) {
+    rate.activation[m] = activation_rate(excitation[m], state.activation[m], model_.activation);
+    if (rate.reach.size() > 0)
+      rate.reach[m] = model_.contraction.reach_rate(m, muscle_state(state, m));
+  }
+  rate.work = now.pull.tau.dot(state.q_dot);
+  rate.lost = damped.dot(state.q_dot);
+  if (!now.agreed) rate.q_dot.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return rate;
+}
+
+void FingerMotion::accept(const MotionState& state) {
+  const MotionInstant now = at(state);
+  last_tension_ = now.tension;
+  last_nodes_ = now.pull.nodes;
+}
+
+double FingerMotion::energy(const MotionState& state) {
+  const Skeleton& skeleton = model_.tendons.digit().skeleton;
+  return multibody_.kinetic_energy({state.q, state.q_dot}) +
+         weight_energy(skeleton, state.q, model_.gravity) +
+         holding_energy(skeleton, model_.resistance, state.q);
+}
+
+VectorXd FingerMotion::pack(const MotionState& state) const {
+  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.reach.size() + 2);
+  y << state.q, state.q_dot, state.activation, state.excursion, state.reach, state.work, state.lost;
+  return y;
+}
+
+MotionState FingerMotion::unpack(const VectorXd& y) const {
+  Index next = 0;
+  const auto take = [&](Index size) -> VectorXd {
+    next += size;
+    return y.segment(next - size, size);
+  };
+  const Index joints = damping_.size(), muscles = last_tension_.size();
+  MotionState state;
+  state.q = take(joints);
+  state.q_dot = take(joints);
+  state.activation = take(muscles);
+  state.excursion = take(muscles);
+  state.reach = take(model_.contraction.has_reach() ? muscles : 0);
+  state.work = y[next];
+  state.lost = y[next + 1];
+  return state;
+}
+
+VectorXd FingerMotion::scale() const {
+  const Index joints = damping_.size(), muscles = last_tension_.size();
+  const VectorXd one = VectorXd::Ones(joints), each = VectorXd::Ones(muscles);
+  const VectorXd reach = model_.contraction.has_reach() ? VectorXd(0.01 * each) : VectorXd();
+  return pack({one, one, each, 0.01 * each, reach, 1e-3, 1e-3});
+}
+
+}  // namespace thenar

@@ -1,0 +1,93 @@
+#pragma once
+
+/// The equations of motion of one digit under its muscles.
+
+#include "hand/multibody.h"
+#include "tendons/digit_tendons.h"
+#include "tendons/muscle/activation.h"
+#include "tendons/muscle/contraction.h"
+#include "tendons/muscle/joint_resistance.h"
+
+namespace thenar {
+
+/// Everything about a digit in motion that is constant.
+struct MotionModel {
+  const DigitTendons& tendons;
+  const Contraction& contraction;
+  JointResistance resistance{};
+  ActivationTimes activation{};
+  Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, base frame [m/s^2] (3)
+};
+
+/// All states of a digit in motion.
+struct MotionState {
+  Eigen::VectorXd q;           // posture [rad] (coordinates)
+  Eigen::VectorXd q_dot;       // [rad/s] (coordinates)
+  Eigen::VectorXd activation;  // [1] (muscles)
+  Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (muscles)
+  Eigen::VectorXd reach;       // of the fibres [m] (muscles; empty where it is no state)
+  double work = 0;             // of the tendons on the joints [J]
+  double lost = 0;             // in the dampers of the joints [J]
+};
+
+/// What follows from a state.
+struct MotionInstant {
+  Eigen::VectorXd tension;  // [N] (muscles)
+  Eigen::VectorXd fibre;    // length over optimal length [1] (muscles)
+  TendonPull pull;
+  bool agreed;  // tension and velocity of the muscles found each other
+};
+
+/// States change by
+///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
+///   a' by activation_rate,  excursion' = -R q',  reach' by the contraction,
+///   work' = tau_tendons . q',  lost' = q' . damping q'.
+/// A muscle and its tendon are optimal_length + excursion long: by a choice of ours every fibre is
+/// at its optimal length at the subject's reference posture, as no subject says better.
+///
+/// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
+/// the last accepted state.
+class FingerMotion {
+ public:
+  /// @throws InputError if the contraction has other muscles than the digit.
+  explicit FingerMotion(const MotionModel& model);
+
+  /// At rest at a posture, with the excursion from the reference posture, and fibres in balance.
+  /// @param activation  (muscles)
+  /// @throws InputError if a length is wrong or an entry not finite.
+  [[nodiscard]] MotionState start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
+                                  const Eigen::VectorXd& activation) const;
+
+  /// @param excitation  0..1 [1] (muscles)
+  /// @return rates of all states; not finite where tension and velocity do not agree
+  [[nodiscard]] MotionState slope(const MotionState& state, const Eigen::VectorXd& excitation);
+
+  [[nodiscard]] MotionInstant at(const MotionState& state) const;
+
+  /// Later searches start from here.
+  void accept(const MotionState& state);
+
+  /// Of motion, weights, springs and stops [J].
+  [[nodiscard]] double energy(const MotionState& state);
+
+  /// All states in one column, and back.
+  [[nodiscard]] Eigen::VectorXd pack(const MotionState& state) const;
+  [[nodiscard]] MotionState unpack(const Eigen::VectorXd& y) const;
+
+  /// Size below which no state is resolved at a relative tolerance of 1: 1 rad, 1 rad/s, 1, 1 cm,
+  /// 1 cm, 1 mJ, 1 mJ. Packed.
+  [[nodiscard]] Eigen::VectorXd scale() const;
+
+ private:
+  MuscleState muscle_state(const MotionState& state, int m) const;
+  Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
+  void agree(const MotionState& state, MotionInstant& now) const;
+
+  MotionModel model_;
+  Multibody multibody_;
+  Eigen::VectorXd damping_;       // [N m s/rad] (coordinates)
+  Eigen::VectorXd last_tension_;  // [N] (muscles)
+  Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
+};
+
+}  // namespace thenar

@@ -1,0 +1,57 @@
+#include "tendons/muscle/joint_resistance.h"
+
+#include <algorithm>
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+/// How far an angle is beyond its limits, negative below.
+double beyond(const CoordinateLimits& limits, double angle) {
+  return angle - std::clamp(angle, limits.lower, limits.upper);
+}
+
+double stop_torque(const JointResistance& stop, double d) {
+  const double size = std::abs(d);
+  const double torque = size < stop.toe ? stop.stiffness * size * size / (2 * stop.toe)
+                                        : stop.stiffness * (size - stop.toe / 2);
+  return d > 0 ? -torque : torque;
+}
+
+double stop_energy(const JointResistance& stop, double d) {
+  const double toe = stop.toe, size = std::abs(d);
+  if (size < toe) return stop.stiffness * size * size * size / (6 * toe);
+  return stop.stiffness * (toe * toe / 6 + (size * size - size * toe) / 2);
+}
+
+}  // namespace
+
+VectorXd holding_torque(const Skeleton& skeleton, const JointResistance& resistance,
+                        const VectorXd& q) {
+  VectorXd tau = passive_torque(skeleton, q);
+  for (Eigen::Index i = 0; i < q.size(); ++i)
+    tau[i] += stop_torque(resistance, beyond(skeleton.limits[static_cast<std::size_t>(i)], q[i]));
+  return tau;
+}
+
+double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,
+                      const VectorXd& q) {
+  double energy = 0;
+  for (Eigen::Index i = 0; i < q.size(); ++i) {
+    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    const double stretch = q[i] - limits.rest;
+    energy +=
+        limits.stiffness * stretch * stretch / 2 + stop_energy(resistance, beyond(limits, q[i]));
+  }
+  return energy;
+}
+
+VectorXd joint_damping(const Skeleton& skeleton, const JointResistance& resistance) {
+  return VectorXd::NullaryExpr(skeleton.coordinates(), [&](Eigen::Index i) {
+    const double own = skeleton.limits[static_cast<std::size_t>(i)].damping;
+    return own > 0 ? own : resistance.damping;
+  });
+}
+
+}  // namespace thenar

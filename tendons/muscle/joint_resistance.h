@@ -1,0 +1,33 @@
+#pragma once
+
+/// What joints do by themselves in motion: springs, stops at their limits, dampers.
+
+#include "hand/skeleton.h"
+
+namespace thenar {
+
+/// A joint pushed beyond its limit by d resists with
+///   stiffness d^2 / (2 toe) up to toe,  stiffness (d - toe / 2) beyond,
+/// which has no corner. The numbers are choices of ours: 1 N m, of the size of what the strongest
+/// flexor of a finger makes, goes 4 degrees beyond; the damping brings a straight finger of 25 g
+/// and 9 cm to rest within 0.1 s.
+struct JointResistance {
+  double stiffness = 20;   // of a stop [N m/rad]
+  double toe = 0.035;      // [rad]
+  double damping = 0.002;  // of joints whose subject gives none [N m s/rad]
+};
+
+/// Torque of springs and stops [N m] (coordinates); the damping is apart.
+[[nodiscard]] Eigen::VectorXd holding_torque(const Skeleton& skeleton,
+                                             const JointResistance& resistance,
+                                             const Eigen::VectorXd& q);
+
+/// Energy stored in them; its slope is minus the torque [J].
+[[nodiscard]] double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,
+                                    const Eigen::VectorXd& q);
+
+/// Damping of every coordinate [N m s/rad] (coordinates).
+[[nodiscard]] Eigen::VectorXd joint_damping(const Skeleton& skeleton,
+                                            const JointResistance& resistance);
+
+}  // namespace thenar
