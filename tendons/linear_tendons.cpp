@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "tendons/strand_paths.h"
 
 namespace thenar {
 namespace {
@@ -23,10 +24,25 @@ void check(const TendonDigit& digit, const VectorXd& q, const VectorXd& t) {
             digit.names.muscles[static_cast<std::size_t>(m)], t[m]);
 }
 
-/// Moment arms from the digit's own model: constant, or of straight runs through via points.
+/// Moment arms of straight runs through via points, or constant ones, from the digit's own model.
+class StraightStrands : public StrandPaths {
+ public:
+  explicit StraightStrands(const TendonModel<double>& model) : model_(model) {
+    model_.friction.setZero();
+  }
+  [[nodiscard]] StrandArms arms(const TreeState<double>& state, const VectorXd& q) const override {
+    return {strand_arms(model_, state, q), ""};
+  }
+
+ private:
+  TendonModel<double> model_;
+};
+
+/// Linear in the tensions, whatever the paths.
 class LinearTendons : public DigitTendons {
  public:
-  explicit LinearTendons(TendonDigit digit) : digit_(std::move(digit)) {}
+  LinearTendons(TendonDigit digit, std::unique_ptr<StrandPaths> paths)
+      : digit_(std::move(digit)), paths_(std::move(paths)) {}
 
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
 
@@ -34,15 +50,22 @@ class LinearTendons : public DigitTendons {
                   const Eigen::Matrix3Xd& /*start*/) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
+    StrandArms arms = paths_->arms(pose_tree(model.tree, q), q);
+    for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
+      if (model.friction[s] != 0)
+        arms.R.row(s) =
+            arms.R.row(s).cwiseProduct(tension_left(model, q, model.friction[s]).transpose());
     TendonPull pull;
-    pull.R = muscle_arms(model, pose_tree(model.tree, q), q);
+    pull.R = strand_matrix(model, q).transpose() * arms.R;
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
+    pull.trouble = arms.trouble;
     return pull;
   }
 
  private:
   TendonDigit digit_;
+  std::unique_ptr<StrandPaths> paths_;
 };
 
 }  // namespace
@@ -58,8 +81,16 @@ std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject, const
                                                    const TendonOptions& options) {
   require(options.hood <= Hood::kFractions,
           "a hood that floats is no linear map of tensions: build a net");
-  require(options.path <= Path::kViaPoint, "no linear tendons on this rung of paths yet");
-  return std::make_unique<LinearTendons>(build_tendon_digit(subject, digit, options));
+  TendonDigit built = build_tendon_digit(subject, digit, options);
+  std::unique_ptr<StrandPaths> paths;
+  if (options.path == Path::kWrapped)
+    paths = build_wrapped_paths(subject, built);
+  else if (options.path == Path::kFitted)
+    paths = build_fitted_paths(subject, built);
+  else
+    paths = std::make_unique<StraightStrands>(built.model);
+  if (built.fidelity.path == Path::kViaPoint) built.fidelity.path = options.path;
+  return std::make_unique<LinearTendons>(std::move(built), std::move(paths));
 }
 
 }  // namespace thenar

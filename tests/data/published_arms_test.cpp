@@ -36,13 +36,22 @@ std::set<std::string> moved_by(const Subject& subject, const JointAxis& joint) {
   return moved;
 }
 
+/// Points of a strand, without the surfaces that it bends over.
+std::vector<PathPoint> points_of(const Strand& strand) {
+  std::vector<PathPoint> points;
+  for (const PathPoint& point : strand.path)
+    if (point.surface.empty()) points.push_back(point);
+  return points;
+}
+
 /// Moment arm -dL/dq of a straight path, at the reference posture [m/rad].
 double moment_arm(const Subject& subject, const Strand& strand, const std::string& joint_name) {
   const JointAxis& joint = named(subject.joints, joint_name);
   const std::set<std::string> moved = moved_by(subject, joint);
+  const std::vector<PathPoint> points = points_of(strand);
   double arm = 0;
-  for (std::size_t i = 0; i + 1 < strand.path.size(); ++i) {
-    const PathPoint &a = strand.path[i], &b = strand.path[i + 1];
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const PathPoint &a = points[i], &b = points[i + 1];
     const Vector3d along = (a.p - b.p).normalized();
     if (moved.count(a.segment) > 0) arm -= along.dot(joint.direction.cross(a.p - joint.point));
     if (moved.count(b.segment) > 0) arm += along.dot(joint.direction.cross(b.p - joint.point));
@@ -182,6 +191,21 @@ TEST(ArmsThumb, CmcAxesAreSkew) {
   EXPECT_NEAR(flexion.direction.dot(abduction.direction), std::cos(radians(80.9)), 1e-3);
   const Vector3d n = flexion.direction.cross(abduction.direction).normalized();
   EXPECT_NEAR(std::abs(n.dot(abduction.point - flexion.point)), 9.13e-3, 5e-6);
+}
+
+// [McFarland2023]: arms of straight lines through its points, in mm to one decimal. The tendons of
+// [MyoHand] run through the same points beyond the CMC joint, so its frames are placed right; there
+// the two models differ for FPL and EPB.
+TEST(MyoHandThumb, HasTheArmsOfTheModelItComesFrom) {
+  const Subject thumb = subject("myohand_thumb");
+  const std::vector<std::string> joints{"CMC1_FE", "CMC1_AA", "MCP1_FE", "IP1"};
+  expect_arms(thumb, {{"EPL", {-8.6, -9.0, -7.6, -5.2}}}, joints, 0.06);
+  const std::vector<PublishedArms> rows{{"FPL", {15.6, 0.0, 10.9, 6.3}},
+                                        {"EPB", {-14.8, 3.0, -6.4, 0.0}}};
+  for (const PublishedArms& row : rows)
+    for (std::size_t j : {2U, 3U})
+      EXPECT_NEAR(1000 * moment_arm(thumb, named(thumb.strands, row.strand), joints[j]), row.mm[j],
+                  0.06);
 }
 
 // [Synek2019]: joint centres 15 + 0.17 u, + 1.22 u, + 1.99 u with u = 23.63 mm, by hand.

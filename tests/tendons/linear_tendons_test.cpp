@@ -2,6 +2,8 @@
 
 #include "tendons/linear_tendons.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -63,6 +65,57 @@ TEST(LinearTendons, RefusesAFloatingNet) {
       (void)build_linear_tendons(middle_finger(), "middle",
                                  {Path::kViaPoint, Hood::kFloatingNet, {}, Trunk::kWelded}),
       InputError);
+}
+
+Subject whole_hand() { return read_subject(THENAR_DATA_DIR "/subjects/mirakhorlo2016.toml"); }
+
+/// Path rung, separate tendons.
+TendonOptions rung(Path path) { return {path, Hood::kSeparate, {}, Trunk::kWelded}; }
+
+// Flexors meet no surface and ride on nothing: their arms are those of the straight runs.
+TEST(LinearTendons, WrapLikeStraightRunsWhereNothingIsInTheWay) {
+  const auto wrapped = build_linear_tendons(whole_hand(), "middle", rung(Path::kWrapped));
+  const auto straight = build_linear_tendons(whole_hand(), "middle", rung(Path::kViaPoint));
+  const auto& muscles = wrapped->digit().names.muscles;
+  const VectorXd q = VectorXd::Constant(wrapped->digit().model.coordinates, 0.3);
+  const VectorXd t = VectorXd::Zero(muscles.size());
+  const auto row = std::find(muscles.begin(), muscles.end(), "FDP3") - muscles.begin();
+  EXPECT_TRUE(matrix_near(VectorXd(wrapped->pull(q, t).R.row(row)),
+                          VectorXd(straight->pull(q, t).R.row(row)), 1e-16));
+}
+
+// Bent by 60 deg the straight run of EDC3 would cut through the knuckle's cylinder of 8.27 mm,
+// whose axis is that of the joint to within 25 deg and 3 mm: over it, the arm keeps near that
+// radius.
+TEST(LinearTendons, KeepTheExtensorOnTheKnuckle) {
+  const auto wrapped = build_linear_tendons(whole_hand(), "middle", rung(Path::kWrapped));
+  const auto straight = build_linear_tendons(whole_hand(), "middle", rung(Path::kViaPoint));
+  const TendonDigit& digit = wrapped->digit();
+  VectorXd q = VectorXd::Zero(digit.model.coordinates);
+  q[0] = 1;  // [rad]
+  ASSERT_EQ(digit.names.coordinates[0], "MCP3_FE");
+  const auto& muscles = digit.names.muscles;
+  const auto row = std::find(muscles.begin(), muscles.end(), "EDC3") - muscles.begin();
+  const VectorXd t = VectorXd::Zero(muscles.size());
+  EXPECT_EQ(wrapped->pull(q, t).trouble, "");
+  EXPECT_NEAR(wrapped->pull(q, t).R(row, 0), -0.00827, 0.003);
+  EXPECT_GT(straight->pull(q, t).R(row, 0), -0.004);
+}
+
+// Cylinders are left and met within the ranges, where a polynomial of order 8 rounds the corner.
+TEST(LinearTendons, FitsStayNearTheWrappedPaths) {
+  const auto wrapped = build_linear_tendons(whole_hand(), "middle", rung(Path::kWrapped));
+  const auto fitted = build_linear_tendons(whole_hand(), "middle", rung(Path::kFitted));
+  const VectorXd t = VectorXd::Zero(wrapped->digit().names.muscles.size());
+  const VectorXd q = VectorXd::Constant(wrapped->digit().model.coordinates, 0.3);
+  EXPECT_EQ(fitted->pull(q, t).trouble, "");
+  EXPECT_TRUE(matrix_near(fitted->pull(q, t).R, wrapped->pull(q, t).R, 2e-4));
+  EXPECT_NE(fitted->pull(10 * q, t).trouble, "");
+}
+
+TEST(LinearTendons, SayThatTheyWrap) {
+  const auto wrapped = build_linear_tendons(whole_hand(), "index", rung(Path::kWrapped));
+  EXPECT_EQ(wrapped->digit().fidelity.path, Path::kWrapped);
 }
 
 }  // namespace

@@ -1,0 +1,56 @@
+#include <algorithm>
+
+#include "base/error.h"
+#include "tendons/strand_paths.h"
+#include "tendons/wrapping/fitted_path.h"
+
+namespace thenar {
+namespace {
+
+class FittedStrands : public StrandPaths {
+ public:
+  FittedStrands(const Subject& subject, const TendonDigit& digit, int order)
+      : box_(fit_box(digit.skeleton)),
+        names_(digit.names.coordinates),
+        constant_(digit.model.constant_arms) {
+    std::vector<std::string> with_path;
+    for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
+      if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
+    const PathSet set = build_paths(subject, digit.skeleton, with_path);
+    for (std::size_t k = 0; k < set.paths.size(); ++k) {
+      const auto strand =
+          std::find(digit.names.strands.begin(), digit.names.strands.end(), set.paths[k].name);
+      if (strand == digit.names.strands.end()) continue;  // it only carries another
+      row_.push_back(strand - digit.names.strands.begin());
+      paths_.push_back(fit_path(digit.model.tree, set, k, box_, order));
+    }
+  }
+
+  [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
+                                const Eigen::VectorXd& q) const override {
+    StrandArms arms{constant_, ""};
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      if (q[j] < box_.lower[j] || q[j] > box_.upper[j])
+        arms.trouble = fmt::format("joint '{}' is outside the range that paths were fitted over",
+                                   names_[static_cast<std::size_t>(j)]);
+    return arms;
+  }
+
+ private:
+  FitBox box_;
+  std::vector<std::string> names_;
+  Eigen::MatrixXd constant_;
+  std::vector<Eigen::Index> row_;  // strand of each fitted path
+  std::vector<FittedPath> paths_;
+};
+
+}  // namespace
+
+std::unique_ptr<StrandPaths> build_fitted_paths(const Subject& subject, const TendonDigit& digit,
+                                                int order) {
+  return std::make_unique<FittedStrands>(subject, digit, order);
+}
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Moment arms of a digit's strands on the rungs of paths above via points.
+
+#include <memory>
+#include <string>
+
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// Moment arms at one posture, before friction in sheaths.
+struct [[nodiscard]] StrandArms {
+  Eigen::MatrixXd R;    // flexion + (strands, coordinates) [m/rad]
+  std::string trouble;  // why not to trust them; empty: nothing
+};
+
+/// The paths of a digit's strands on one rung.
+class StrandPaths {
+ public:
+  virtual ~StrandPaths() = default;
+  [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
+                                        const Eigen::VectorXd& q) const = 0;
+};
+
+/// Geodesics over the subject's surfaces; strands without a path keep their constant arms.
+/// @throws InputError as build_paths().
+[[nodiscard]] std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject,
+                                                               const TendonDigit& digit);
+
+/// Polynomials of posture over the joints' ranges, fitted to those geodesics; see fit_path().
+/// @param order  of the polynomials in each coordinate
+/// @throws InputError as build_paths() and fit_path().
+[[nodiscard]] std::unique_ptr<StrandPaths> build_fitted_paths(const Subject& subject,
+                                                              const TendonDigit& digit,
+                                                              int order = 8);
+
+}  // namespace thenar

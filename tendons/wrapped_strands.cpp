@@ -1,0 +1,69 @@
+#include <algorithm>
+
+#include "base/error.h"
+#include "tendons/strand_paths.h"
+#include "tendons/wrapping/path_arms.h"
+
+namespace thenar {
+namespace {
+
+std::string trouble_of(const PathShape& shape, const std::string& name) {
+  switch (shape.status) {
+    case PathStatus::kTaut:
+      return "";
+    case PathStatus::kRidesOnBend:
+      return fmt::format("the origin of strand '{}' has come where its carrier bends", name);
+    case PathStatus::kPointInside:
+      return fmt::format("a point of strand '{}' is {:.3g} mm inside a surface", name,
+                         1e3 * shape.depth);
+    case PathStatus::kStalled:
+      return fmt::format("the path of strand '{}' is not taut: {:.3g} rad", name, shape.error);
+  }
+  return "";
+}
+
+class WrappedStrands : public StrandPaths {
+ public:
+  WrappedStrands(PathSet set, const TendonDigit& digit)
+      : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
+    for (const std::string& name : digit.names.strands) {
+      const auto found = std::find_if(set_.paths.begin(), set_.paths.end(),
+                                      [&](const WrappedPath& path) { return path.name == name; });
+      path_of_.push_back(found == set_.paths.end() ? -1
+                                                   : static_cast<int>(found - set_.paths.begin()));
+    }
+  }
+
+  [[nodiscard]] StrandArms arms(const TreeState<double>& state,
+                                const Eigen::VectorXd& q) const override {
+    PathSolver solver(set_);
+    const std::vector<PathShape>& shapes = solver.solve(state);
+    Eigen::MatrixXd R(shapes.size(), q.size());
+    path_arms(tree_, state, set_, shapes, R);
+    StrandArms arms{constant_, ""};
+    for (std::size_t s = 0; s < path_of_.size(); ++s) {
+      if (path_of_[s] < 0) continue;
+      arms.R.row(static_cast<Eigen::Index>(s)) = R.row(path_of_[s]);
+      const auto path = static_cast<std::size_t>(path_of_[s]);
+      if (arms.trouble.empty()) arms.trouble = trouble_of(shapes[path], set_.paths[path].name);
+    }
+    return arms;
+  }
+
+ private:
+  PathSet set_;
+  Tree<double> tree_;
+  Eigen::MatrixXd constant_;  // (strands, coordinates) [m/rad]
+  std::vector<int> path_of_;  // of each strand; -1: constant arms
+};
+
+}  // namespace
+
+std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const TendonDigit& digit) {
+  std::vector<std::string> with_path;
+  for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
+    if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
+  return std::make_unique<WrappedStrands>(build_paths(subject, digit.skeleton, with_path), digit);
+}
+
+}  // namespace thenar

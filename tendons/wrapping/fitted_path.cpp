@@ -1,0 +1,281 @@
+#include "tendons/wrapping/fitted_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "base/angles.h"
+#include "base/error.h"
+#include "tendons/wrapping/path_arms.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::RowVectorXd;
+using Eigen::VectorXd;
+
+/// Coordinates of the hinges between links that one run touches.
+void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed) {
+  while (a != b) {
+    const auto i = static_cast<std::size_t>(std::max(a, b));
+    crossed.insert(tree[i].coordinate);
+    (b > a ? b : a) = tree[i].parent;
+  }
+}
+
+std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const WrappedPath& path) {
+  std::set<int> crossed;
+  for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+    int before = path.points[k].link;
+    for (const Bend& bend : path.bends[k]) {
+      const int link = set.surfaces[static_cast<std::size_t>(bend.surface)].link;
+      add_between(tree, before, link, crossed);
+      before = link;
+    }
+    add_between(tree, before, path.points[k + 1].link, crossed);
+  }
+  if (path.carrier >= 0) {
+    const WrappedPath& carrier = set.paths[static_cast<std::size_t>(path.carrier)];
+    crossed.merge(crossed_by(tree, set, carrier));
+    add_between(tree, path.points.front().link, carrier.points.back().link, crossed);
+  }
+  return crossed;
+}
+
+/// One run of a path as a set of its own, the carrier of its origin first.
+PathSet run_alone(const PathSet& set, const WrappedPath& path, std::size_t k) {
+  PathSet alone;
+  alone.surfaces = set.surfaces;
+  WrappedPath run;
+  run.name = path.name;
+  run.points = {path.points[k], path.points[k + 1]};
+  run.bends = {path.bends[k]};
+  if (path.carrier >= 0 && k + 2 == path.points.size()) {
+    alone.paths.push_back(set.paths[static_cast<std::size_t>(path.carrier)]);
+    run.carrier = 0;
+    run.ride = path.ride;
+  }
+  alone.paths.push_back(run);
+  return alone;
+}
+
+/// The wrapped run, asked by its own coordinates x in [-1, 1].
+class Run {
+ public:
+  Run(const Tree<double>& tree, PathSet set, const FitBox& box)
+      : tree_(tree), set_(std::move(set)), solver_(set_), box_(box) {
+    for (int j : crossed_by(tree, set_, set_.paths.back())) {
+      coordinates.push_back(j);
+      require(box.upper[j] - box.lower[j] < 2 * kPi - 1e-9 && box.upper[j] > box.lower[j],
+              "strand '{}' crosses coordinate {}, which has no range to fit over",
+              set_.paths.back().name, j);
+    }
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  /// Length and d length / dx of each own coordinate.
+  FittedLength at(const VectorXd& x) {
+    VectorXd q = 0.5 * (box_.lower + box_.upper);
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      q[coordinates[i]] += half(i) * x[static_cast<Index>(i)];
+    const TreeState<double> state = pose_tree(tree_, q);
+    const auto& shapes = solver_.solve(state);
+    const PathShape& shape = shapes.back();
+    require(shape.status == PathStatus::kTaut || shape.status == PathStatus::kRidesOnBend,
+            "strand '{}' cannot be fitted: it is not taut within its joints' ranges (kink {:.3g} "
+            "rad, a point {:.3g} mm inside a surface)",
+            set_.paths.back().name, shape.error, 1e3 * shape.depth);
+    MatrixXd R(shapes.size(), q.size());
+    path_arms(tree_, state, set_, shapes, R);
+    RowVectorXd slope(coordinates.size());
+    for (std::size_t i = 0; i < coordinates.size(); ++i)
+      slope[static_cast<Index>(i)] = -half(i) * R(R.rows() - 1, coordinates[i]);
+    return {shape.length, slope};
+  }
+
+  [[nodiscard]] double half(std::size_t i) const {
+    return 0.5 * (box_.upper[coordinates[i]] - box_.lower[coordinates[i]]);
+  }
+
+  std::vector<int> coordinates;
+
+ private:
+  const Tree<double>& tree_;
+  PathSet set_;
+  PathSolver solver_;
+  const FitBox& box_;
+};
+
+Index power(Index base, std::size_t exponent) {
+  Index result = 1;
+  for (std::size_t i = 0; i < exponent; ++i) result *= base;
+  return result;
+}
+
+/// Digits of a number in a base, least first.
+std::vector<Index> digits(Index number, Index base, std::size_t count) {
+  std::vector<Index> result(count);
+  for (Index& digit : result) {
+    digit = number % base;
+    number /= base;
+  }
+  return result;
+}
+
+/// T_0..T_n and their derivatives at x.
+struct Basis {
+  VectorXd T, dT;
+};
+Basis basis(int order, double x) {
+  Basis at{VectorXd::Ones(order + 1), VectorXd::Zero(order + 1)};
+  if (order == 0) return at;
+  at.T[1] = x;
+  at.dT[1] = 1;
+  for (int k = 2; k <= order; ++k) {
+    at.T[k] = 2 * x * at.T[k - 1] - at.T[k - 2];
+    at.dT[k] = 2 * at.T[k - 1] + 2 * x * at.dT[k - 1] - at.dT[k - 2];
+  }
+  return at;
+}
+
+/// Value and slopes by x of a tensor: contracts its first coordinate, then the next.
+FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
+  const Index n = run.order + 1;
+  std::vector<VectorXd> parts{run.c};  // value, then one a coordinate done
+  for (Index i = 0; i < x.size(); ++i) {
+    const Basis at = basis(run.order, x[i]);
+    const VectorXd whole = parts[0];
+    const auto contracted = [&](const VectorXd& part, const VectorXd& by) {
+      return VectorXd(Eigen::Map<const MatrixXd>(part.data(), n, part.size() / n).transpose() * by);
+    };
+    for (VectorXd& part : parts) part = contracted(part, at.T);
+    parts.push_back(contracted(whole, at.dT));
+  }
+  FittedLength result{parts[0][0], RowVectorXd(x.size())};
+  for (Index i = 0; i < x.size(); ++i) result.arms[i] = parts[static_cast<std::size_t>(i) + 1][0];
+  return result;
+}
+
+/// Samples in Chebyshev points, turned into coefficients one coordinate after the other:
+///   c_i = (2 - [i = 0]) / n  sum_k f(x_k) T_i(x_k),   x_k = cos(pi (k + 1/2) / n).
+FittedRun interpolate(Run& run, int order) {
+  const std::size_t d = run.coordinates.size();
+  const Index n = order + 1;
+  MatrixXd to_coefficients(n, n);
+  VectorXd points(n);
+  for (Index k = 0; k < n; ++k) {
+    points[k] = std::cos(kPi * (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+    to_coefficients.col(k) = 2.0 / static_cast<double>(n) * basis(order, points[k]).T;
+  }
+  to_coefficients.row(0) *= 0.5;
+  FittedRun fit{run.coordinates, order, VectorXd(power(n, d))};
+  VectorXd x(static_cast<Index>(d));
+  for (Index s = 0; s < fit.c.size(); ++s) {
+    const std::vector<Index> at = digits(s, n, d);
+    for (std::size_t i = 0; i < d; ++i) x[static_cast<Index>(i)] = points[at[i]];
+    fit.c[s] = run.at(x).length;
+  }
+  for (std::size_t i = 0; i < d; ++i) {  // turns the tensor round: the first coordinate ends last
+    const MatrixXd first =
+        to_coefficients * Eigen::Map<const MatrixXd>(fit.c.data(), n, fit.c.size() / n);
+    const MatrixXd turned = first.transpose();
+    fit.c = Eigen::Map<const VectorXd>(turned.data(), turned.size());
+  }
+  return fit;
+}
+
+/// Points a coordinate of the test grid: about 15,000 in all.
+Index grid_points(std::size_t coordinates, int order) {
+  const double many = std::pow(15000.0, 1.0 / static_cast<double>(coordinates));
+  return std::max<Index>(static_cast<Index>(std::min(many, 401.0)), 2 * order + 3);
+}
+
+/// Errors on an even grid, and how they change between neighbours.
+FitError measure(Run& run, const FittedRun& fit) {
+  const std::size_t d = run.coordinates.size();
+  const Index m = grid_points(d, d <= 3 ? fit.order : 0), all = power(m, d);
+  MatrixXd arm_error(static_cast<Index>(d), all);  // [m/rad]
+  FitError error;
+  VectorXd x(static_cast<Index>(d));
+  for (Index s = 0; s < all; ++s) {
+    const std::vector<Index> at = digits(s, m, d);
+    for (std::size_t i = 0; i < d; ++i)
+      x[static_cast<Index>(i)] = -1 + 2.0 * static_cast<double>(at[i]) / static_cast<double>(m - 1);
+    const FittedLength fitted = evaluate(fit, x), wrapped = run.at(x);
+    error.length = std::max(error.length, std::abs(fitted.length - wrapped.length));
+    for (std::size_t i = 0; i < d; ++i) {
+      const auto row = static_cast<Index>(i);
+      arm_error(row, s) = (fitted.arms[row] - wrapped.arms[row]) / run.half(i);
+    }
+  }
+  error.arm = arm_error.cwiseAbs().maxCoeff();
+  error.arm_bound = error.arm;
+  error.length_bound = error.length;
+  for (std::size_t i = 0; i < d; ++i) {
+    const Index stride = power(m, i);
+    double change = 0;
+    for (Index s = 0; s < all; ++s)
+      if (digits(s, m, d)[i] + 1 < m)
+        change =
+            std::max(change, (arm_error.col(s + stride) - arm_error.col(s)).cwiseAbs().maxCoeff());
+    error.arm_bound += change;
+  }
+  for (std::size_t i = 0; i < d; ++i)
+    error.length_bound += run.half(i) / static_cast<double>(m - 1) * error.arm_bound;
+  return error;
+}
+
+}  // namespace
+
+FitBox fit_box(const Skeleton& skeleton) {
+  FitBox box{VectorXd(skeleton.coordinates()), VectorXd(skeleton.coordinates())};
+  for (int j = 0; j < skeleton.coordinates(); ++j) {
+    box.lower[j] = skeleton.limits[static_cast<std::size_t>(j)].lower;
+    box.upper[j] = skeleton.limits[static_cast<std::size_t>(j)].upper;
+  }
+  return box;
+}
+
+FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t path,
+                    const FitBox& box, int order) {
+  require(order >= 1 && order <= 40, "the order of a fitted path must be 1 to 40, got {}", order);
+  const WrappedPath& whole = set.paths.at(path);
+  FittedPath fit{whole.name, box, 0, {}, {}};
+  for (std::size_t k = 0; k + 1 < whole.points.size(); ++k) {
+    Run run(tree, run_alone(set, whole, k), box);
+    if (run.coordinates.empty()) {
+      fit.constant += run.at({}).length;
+      continue;
+    }
+    fit.runs.push_back(interpolate(run, order));
+    const FitError error = measure(run, fit.runs.back());
+    fit.error.length += error.length;
+    fit.error.arm += error.arm;
+    fit.error.length_bound += error.length_bound;
+    fit.error.arm_bound += error.arm_bound;
+  }
+  return fit;
+}
+
+FittedLength fitted_length(const FittedPath& path, const VectorXd& q) {
+  FittedLength sum{path.constant, RowVectorXd::Zero(q.size())};
+  for (const FittedRun& run : path.runs) {
+    VectorXd x(static_cast<Index>(run.coordinates.size()));
+    VectorXd half(x.size());
+    for (Index i = 0; i < x.size(); ++i) {
+      const int j = run.coordinates[static_cast<std::size_t>(i)];
+      half[i] = 0.5 * (path.box.upper[j] - path.box.lower[j]);
+      x[i] = (q[j] - path.box.lower[j]) / half[i] - 1;
+    }
+    const FittedLength part = evaluate(run, x);
+    sum.length += part.length;
+    for (Index i = 0; i < x.size(); ++i)
+      sum.arms[run.coordinates[static_cast<std::size_t>(i)]] -= part.arms[i] / half[i];
+  }
+  return sum;
+}
+
+}  // namespace thenar
