@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <fmt/ranges.h>
-
 #include "data/io/subject_parts.h"
 
 namespace thenar {
@@ -23,20 +21,12 @@ BoneRole read_bone(TomlTable& table, const std::string& key) {
   return static_cast<BoneRole>(std::find(kBones.begin(), kBones.end(), name) - kBones.begin());
 }
 
-/// `height_mm` or `height_ratio`.
-NetSize read_size(TomlTable& table, const std::string& base) {
-  const std::string ratio = base + "_ratio";
-  if (table.has(Dimension::kNumber, ratio))
-    return {0, table.number(Dimension::kNumber, ratio, Range::kPositive)};
-  return {table.number(Dimension::kLength, base, Range::kNotNegative), 0};
-}
-
 NetPlace read_place(TomlTable& table) {
   NetPlace place;
   place.bone = read_bone(table, "bone");
   place.along = table.number(Dimension::kNumber, "along");
   place.angle = table.number_or(Dimension::kAngle, "angle", 0);
-  place.height = read_size(table, "height");
+  place.height = table.number(Dimension::kLength, "height", Range::kNotNegative);
   return place;
 }
 
@@ -50,21 +40,29 @@ StrandPoint read_strand_point(TomlTable& table) {
   return at;
 }
 
-void read_bone_lengths(TomlTable& top, NetDescription& net) {
-  std::optional<TomlTable> table = top.table("bone_lengths");
-  if (!table) top.fail("wanted a table [bone_lengths] of the reference finger");
-  for (std::size_t b = 1; b < kBones.size(); ++b)
-    net.bone_lengths[static_cast<BoneRole>(b)] =
-        table->number(Dimension::kLength, kBones[b], Range::kPositive);
-  table->done();
+TomlTable needed_table(TomlTable& top, const std::string& key) {
+  std::optional<TomlTable> table = top.table(key);
+  if (!table) top.fail(fmt::format("wanted a table [{}] of the reference finger", key));
+  return *table;
 }
 
-void read_heights(TomlTable& top, NetDescription& net) {
-  std::optional<TomlTable> table = top.table("heights");
-  if (!table) return;
+void read_reference(TomlTable& top, NetDescription& net) {
+  TomlTable bones = needed_table(top, "bone_lengths");
+  for (std::size_t b = 0; b < kBones.size(); ++b)
+    net.bone_length[static_cast<BoneRole>(b)] =
+        bones.number(Dimension::kLength, kBones[b], Range::kPositive);
+  bones.done();
+  TomlTable heights = needed_table(top, "extensor_heights");
   for (std::size_t j = 0; j < kJoints.size(); ++j)
-    if (table->has(kJoints[j])) net.height[static_cast<FingerJoint>(j)] = table->texts(kJoints[j]);
-  table->done();
+    net.height[static_cast<FingerJoint>(j)] =
+        heights.number(Dimension::kLength, kJoints[j], Range::kPositive);
+  heights.done();
+  std::optional<TomlTable> strands = top.table("height_strands");
+  if (!strands) return;
+  for (std::size_t j = 0; j < kJoints.size(); ++j)
+    if (strands->has(kJoints[j]))
+      net.height_strands[static_cast<FingerJoint>(j)] = strands->texts(kJoints[j]);
+  strands->done();
 }
 
 NetSurface read_surface(TomlTable& table, const NetDescription& net) {
@@ -77,10 +75,8 @@ NetSurface read_surface(TomlTable& table, const NetDescription& net) {
   surface.center.bone = read_bone(table, "bone");
   surface.center.along = table.number(Dimension::kNumber, "along");
   surface.center.angle = table.number_or(Dimension::kAngle, "angle", 0);
-  surface.center.height.length = table.number_or(Dimension::kLength, "height", 0, Range::kNotNegative);
-  surface.radius = read_size(table, "radius");
-  if (surface.radius.height_ratio == 0 && surface.radius.length == 0)
-    table.fail("wanted 'radius' to be positive", "radius");
+  surface.center.height = table.number_or(Dimension::kLength, "height", 0, Range::kNotNegative);
+  surface.radius = table.number(Dimension::kLength, "radius", Range::kPositive);
   if (surface.shape != SurfaceShape::kSphere) {
     surface.across = table.choice("axis", {"bone", "joint"}) == "joint";
     surface.half_length = table.number(Dimension::kLength, "half_length", Range::kNotNegative);
@@ -92,13 +88,9 @@ NetSurface read_surface(TomlTable& table, const NetDescription& net) {
 NetNodePlan read_node(TomlTable& table, const NetDescription& net) {
   NetNodePlan node;
   node.name = new_name(table, names_of(net.nodes));
-  if (table.has("strand")) {
-    node.floating = false;
-    node.strand = read_strand_point(table);
-  } else {
-    node.floating = table.choice("kind", {"floating", "bone"}) == "floating";
-    node.place = read_place(table);
-  }
+  node.floating = table.choice("kind", {"floating", "bone"}) == "floating";
+  node.place = read_place(table);
+  if (table.has("strand")) node.strand = read_strand_point(table);
   if (table.has("surfaces")) node.surfaces = table.texts("surfaces");
   for (const std::string& surface : node.surfaces)
     check_reference(table, "surfaces", "surface", surface, names_of(net.surfaces));
@@ -135,6 +127,10 @@ NetBandPlan read_band(TomlTable& table, const NetDescription& net) {
   if (band.from == band.to)
     table.fail(fmt::format("band '{}' begins and ends at node '{}'", band.name, band.to), "to");
   band.slack = table.number_or(Dimension::kLength, "slack", 0, Range::kPositive);
+  if (table.has("strains_like")) {
+    band.strains_like = reference(table, "strains_like", "earlier band", names_of(net.bands));
+    if (band.slack > 0) table.fail("give 'slack_mm' or 'strains_like', not both", "strains_like");
+  }
   band.EA = read_stiffness(table);
   band.toe = table.number_or(Dimension::kNumber, "toe_strain", 0, Range::kNotNegative);
   band.over = read_over(table, net);
@@ -147,7 +143,9 @@ NetPullPlan read_pull(TomlTable& table, const NetDescription& net) {
   NetPullPlan pull;
   pull.node = reference(table, "node", "node", names_of(net.nodes));
   pull.share = table.number_or(Dimension::kNumber, "share", 1, Range::kFraction);
+  pull.relayed = table.has("relayed") && table.choice("relayed", {"yes", "no"}) == "yes";
   if (table.has("strand")) pull.exit = read_strand_point(table);
+  if (table.has("bone")) pull.exit_place = read_place(table);
   pull.over = read_over(table, net);
   if (table.has(Dimension::kForce, "EA") || table.has(Dimension::kStress, "modulus"))
     pull.EA = read_stiffness(table);
@@ -168,9 +166,9 @@ NetMusclePlan read_muscle(TomlTable& table, const NetDescription& net) {
   double shares = 0;
   for (TomlTable& pull : table.tables("pulls")) {
     muscle.pulls.push_back(read_pull(pull, net));
-    shares += muscle.pulls.back().share;
+    if (!muscle.pulls.back().relayed) shares += muscle.pulls.back().share;
   }
-  if (muscle.pulls.empty()) table.fail("a muscle needs at least one entry in 'pulls'");
+  if (shares <= 0) table.fail("a muscle needs at least one entry with a share in 'pulls'");
   if (shares > 1 + 1e-9)
     table.fail(fmt::format("wanted shares of at most 1 in all, got {}", shares), "pulls");
   table.done();
@@ -201,8 +199,7 @@ NetDescription parse_net(const std::string& text, const std::string& path) {
   net.description = top.text_or("description", "");
   net.source = top.source();
   net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kNotNegative);
-  read_bone_lengths(top, net);
-  read_heights(top, net);
+  read_reference(top, net);
   for (TomlTable& table : top.tables("surface")) net.surfaces.push_back(read_surface(table, net));
   for (TomlTable& table : top.tables("node")) net.nodes.push_back(read_node(table, net));
   for (TomlTable& table : top.tables("band")) net.bands.push_back(read_band(table, net));

@@ -1,0 +1,281 @@
+#include "tendons/net/build_net.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/ranges.h>
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+#include "tendons/net/fit_slack.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Index of the part of that name, or -1.
+template <typename Part>
+int index_of(const std::vector<Part>& parts, const std::string& name) {
+  const auto found =
+      std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
+  return found == parts.end() ? -1 : static_cast<int>(found - parts.begin());
+}
+
+BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
+  const FingerBone& bone = frame.bone(plan.center.bone);
+  const double ratio = plan.shape == SurfaceShape::kCapsule ? std::min(bone.ratio[0], bone.ratio[1])
+                                                            : height_ratio(bone, plan.center.along);
+  BoneSurface surface;
+  surface.name = plan.name;
+  surface.link = bone.link;
+  surface.shape = plan.shape;
+  const double along = plan.across ? ratio : frame.scale;
+  surface.size = {plan.radius * ratio, plan.half_length * along, 0};
+  const Vector3d flexion = bone.along.cross(bone.dorsal);
+  if (plan.across)
+    surface.X.R << bone.dorsal, -bone.along, flexion;
+  else
+    surface.X.R << bone.dorsal, flexion, bone.along;
+  surface.X.p = point_of(frame, plan.center);
+  return surface;
+}
+
+/// Lays the parts of a net in order: surfaces, nodes, bands, muscles.
+class NetBuilder {
+ public:
+  NetBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& plan)
+      : subject_(subject), digit_(digit), plan_(plan) {
+    built_.frame = finger_frame(subject, digit, plan);
+    built_.net.name = plan.name;
+    built_.net.friction = plan.friction;
+    for (const NetSurface& surface : plan.surfaces)
+      built_.net.surfaces.push_back(surface_on(built_.frame, surface));
+    for (const NetNodePlan& node : plan.nodes) add_node(node);
+    for (const NetBandPlan& band : plan.bands) add_band(band);
+    for (const NetMusclePlan& muscle : plan.muscles) add_role(muscle);
+    const auto slip = [&](const std::vector<std::string>& names) {
+      std::vector<int> bands;
+      for (const std::string& name : names) bands.push_back(index_of(plan.bands, name));
+      return bands;
+    };
+    built_.central = slip(plan.slips.central);
+    built_.radial = slip(plan.slips.radial);
+    built_.ulnar = slip(plan.slips.ulnar);
+    built_.terminal = slip(plan.slips.terminal);
+  }
+
+  BuiltNet take() { return std::move(built_); }
+
+ private:
+  /// The point of the first of these strands that the subject has.
+  std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
+    const Strand* strand = find_strand(subject_, at.strands);
+    if (strand == nullptr) return std::nullopt;
+    const std::vector<CarriedPoint> points = carried_points(digit_.skeleton, *strand);
+    const int n = static_cast<int>(points.size()), k = at.point < 0 ? n + at.point : at.point;
+    require(k >= 0 && k < n, "net '{}' asks for point {} of strand '{}', which has {}", plan_.name,
+            at.point, strand->name, n);
+    return points[static_cast<std::size_t>(k)];
+  }
+
+  void add_node(const NetNodePlan& plan) {
+    const CarriedPoint at = strand_point(plan.strand)
+                                .value_or(CarriedPoint{built_.frame.bone(plan.place.bone).link,
+                                                       point_of(built_.frame, plan.place)});
+    NetNode node{plan.name, plan.floating, at.link, at.p, {}};
+    for (const std::string& surface : plan.surfaces)
+      node.surfaces.push_back(index_of(built_.net.surfaces, surface));
+    built_.net.nodes.push_back(node);
+  }
+
+  /// Direction in the surface's frame, at `angle` about the bone that carries it.
+  Vector3d side_on(int surface, double angle) const {
+    if (surface < 0) return Vector3d::UnitX();
+    const NetSurface& plan = plan_.surfaces[static_cast<std::size_t>(surface)];
+    return built_.net.surfaces[static_cast<std::size_t>(surface)].X.R.transpose() *
+           around(built_.frame.bone(plan.center.bone), angle);
+  }
+
+  void add_band(const NetBandPlan& plan) {
+    NetBand band;
+    band.name = plan.name;
+    band.a = index_of(built_.net.nodes, plan.from);
+    band.b = index_of(built_.net.nodes, plan.to);
+    band.over = plan.over.empty() ? -1 : index_of(built_.net.surfaces, plan.over);
+    band.side = side_on(band.over, plan.side);
+    band.EA = plan.EA;
+    band.toe = plan.toe;
+    built_.net.bands.push_back(band);
+  }
+
+  void add_role(const NetMusclePlan& role) {
+    const std::vector<std::string> muscles = muscles_of(digit_, role);
+    require(role.optional || !muscles.empty(),
+            "net '{}' needs muscle '{}' ({}), and none crosses the {} of '{}'", plan_.name,
+            role.role, fmt::join(role.names, ", "), digit_.skeleton.tips.front().digit,
+            subject_.name);
+    for (const std::string& muscle : muscles) add_muscle(role, muscle);
+  }
+
+  /// Is the link this bone's, or nearer to the base?
+  bool within(int link, const FingerBone& bone) const {
+    for (int i = bone.link; i >= 0; i = digit_.skeleton.tree[static_cast<std::size_t>(i)].parent)
+      if (i == link) return true;
+    return link < 0;
+  }
+
+  /// The rest of a muscle's path, from its first point on the bone or nearer to the wrist.
+  TendonPath<double> own_path(const NetMusclePlan& role, const std::string& muscle) const {
+    const Strand& strand = strand_of(subject_, muscle);
+    const FingerBone& bone = built_.frame.bone(role.exit);
+    TendonPath<double> path;
+    const NetPullPlan& first = role.pulls.front();
+    const bool place = first.exit_place && first.exit.strands.empty();
+    if (place) {  // then what its path does on that bone is left out
+      const CarriedPoint exit = exit_of(first);
+      path.push_back({exit.link, exit.p});
+    }
+    for (const CarriedPoint& point : carried_points(digit_.skeleton, strand))
+      if ((!path.empty() || within(point.link, bone)) &&
+          !(place && (point.link == bone.link || !within(point.link, bone))))
+        path.push_back({point.link, point.p});
+    require(!path.empty(),
+            "net '{}' needs a point of strand '{}' of subject '{}' on segment '{}' or nearer to "
+            "the wrist",
+            plan_.name, strand.name, subject_.name, bone.segment);
+    return path;
+  }
+
+  /// Share of a muscle that enters the hood, as the subject says, or as the net does.
+  double share_of(const NetMusclePlan& role, const std::string& muscle, double stated) const {
+    for (const Digit& d : subject_.digits)
+      if (role.hood_share && d.hood && d.name == digit_.skeleton.tips.front().digit)
+        for (const HoodBranch& branch : d.hood->branches)
+          if (branch.muscle == muscle) return branch.into_hood;
+    return stated;
+  }
+
+  void add_muscle(const NetMusclePlan& role, const std::string& muscle) {
+    double stated = 0;
+    for (const NetPullPlan& pull : role.pulls) stated += pull.relayed ? 0 : pull.share;
+    const auto& names = digit_.names.muscles;
+    const int m = static_cast<int>(std::find(names.begin(), names.end(), muscle) - names.begin());
+    const double to_net = share_of(role, muscle, stated);
+    if (to_net <= 0) return;
+    built_.muscles.push_back({m, to_net, own_path(role, muscle)});
+    for (std::size_t k = 0; k < role.pulls.size(); ++k)
+      add_pull(role.pulls[k], m, role.pulls[k].share / stated * to_net,
+               role.pulls.size() == 1 ? muscle : fmt::format("{}/{}", muscle, k + 1));
+  }
+
+  /// Where a pull leaves the net that no strand shows: its own place, or the end of its own path.
+  CarriedPoint exit_of(const NetPullPlan& plan) const {
+    if (plan.exit_place)
+      return {built_.frame.bone(plan.exit_place->bone).link,
+              point_of(built_.frame, *plan.exit_place)};
+    const PathNode<double>& end = built_.muscles.back().own.front();
+    return {end.link, end.p};
+  }
+
+  void add_pull(const NetPullPlan& plan, int muscle, double share, const std::string& name) {
+    Net& net = built_.net;
+    const CarriedPoint exit = strand_point(plan.exit).value_or(exit_of(plan));
+    NetBand band;
+    band.name = name;
+    band.a = index_of(net.nodes, plan.node);
+    band.b = static_cast<int>(net.nodes.size());
+    band.over = plan.over.empty() ? -1 : index_of(net.surfaces, plan.over);
+    band.side = side_on(band.over, 0);
+    band.EA = plan.EA;
+    band.muscle = static_cast<int>(net.muscles.size());
+    net.nodes.push_back({"exit " + name, false, exit.link, exit.p, {}});
+    net.bands.push_back(band);
+    net.muscles.push_back(name);
+    built_.pulls.push_back({muscle, share});
+  }
+
+  const Subject& subject_;
+  const TendonDigit& digit_;
+  const NetDescription& plan_;
+  BuiltNet built_;
+};
+
+/// Length of each described band in the reference finger [m].
+std::vector<double> reference_lengths(const NetDescription& plan) {
+  const FingerFrame frame = reference_finger(plan);
+  Net net;
+  for (const NetSurface& surface : plan.surfaces)
+    net.surfaces.push_back(surface_on(frame, surface));
+  for (const NetNodePlan& node : plan.nodes)
+    net.nodes.push_back({node.name, false, -1, point_of(frame, node.place), {}});
+  for (const NetBandPlan& band : plan.bands) {
+    const int over = band.over.empty() ? -1 : index_of(net.surfaces, band.over);
+    net.bands.push_back({band.name, index_of(net.nodes, band.from), index_of(net.nodes, band.to),
+                         over, Vector3d::UnitX()});
+  }
+  return start_lengths(net, {});
+}
+
+template <typename Part>
+int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
+           const std::string& net) {
+  const int found = index_of(parts, name);
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  require(found >= 0, "net '{}' has no {} '{}'; there are {}", net, kind, name,
+          fmt::join(names, ", "));
+  return found;
+}
+
+}  // namespace
+
+BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
+                   const NetDescription& description, const NetBuildOptions& options) {
+  require(options.taut_load > 0, "taut_load must be > 0, got {}", options.taut_load);
+  require(options.pretension >= 0 && options.pretension < 1, "pretension must be in 0..1, got {}",
+          options.pretension);
+  BuiltNet built = NetBuilder(subject, digit, description).take();
+  const TreeState<double> straight = pose_tree(digit.model.tree, built.frame.straight);
+  const std::vector<double> here = start_lengths(built.net, straight);
+  const std::vector<double> there = reference_lengths(description);
+  std::vector<FittedBand> fitted;
+  for (std::size_t b = 0; b < description.bands.size(); ++b) {
+    NetBand& band = built.net.bands[b];
+    const bool stated = options.slack == NetSlack::kStated && description.bands[b].slack > 0;
+    if (!stated)
+      fitted.push_back(
+          {static_cast<int>(b), index_of(description.bands, description.bands[b].strains_like)});
+    band.slack = stated ? description.bands[b].slack * here[b] / there[b]
+                        : here[b] / (1 + options.pretension);
+  }
+  Eigen::VectorXd load(built.net.muscles.size());
+  for (Eigen::Index p = 0; p < load.size(); ++p)
+    load[p] = options.taut_load * built.pulls[static_cast<std::size_t>(p)].share;
+  fit_slack(built.net, straight, load, fitted);
+  return built;
+}
+
+BuiltNet cut(const BuiltNet& built, const std::string& band) {
+  const int gone = band_named(built.net, band);
+  require(built.net.bands[static_cast<std::size_t>(gone)].muscle < 0,
+          "band '{}' is a muscle's: give it no tension instead", band);
+  BuiltNet left = built;
+  left.net.bands.erase(left.net.bands.begin() + gone);
+  for (std::vector<int>* slip : {&left.central, &left.radial, &left.ulnar, &left.terminal}) {
+    slip->erase(std::remove(slip->begin(), slip->end(), gone), slip->end());
+    for (int& b : *slip) b -= b > gone ? 1 : 0;
+  }
+  return left;
+}
+
+int band_named(const Net& net, const std::string& name) {
+  return needed(net.bands, name, "band", net.name);
+}
+
+int node_named(const Net& net, const std::string& name) {
+  return needed(net.nodes, name, "node", net.name);
+}
+
+}  // namespace thenar

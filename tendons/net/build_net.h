@@ -1,0 +1,68 @@
+#pragma once
+
+/// A net laid on the finger of a subject.
+
+#include <string>
+#include <vector>
+
+#include "data/io/net.h"
+#include "tendons/net/finger_frame.h"
+#include "tendons/net/net.h"
+
+namespace thenar {
+
+/// Where slack lengths come from.
+enum class NetSlack {
+  kStated,   // the description's, scaled by how much longer the band is here than in the reference
+             // finger; fitted where it states none
+  kStraight  // all fitted: every band is just taut in the straight finger
+};
+
+struct NetBuildOptions {
+  NetSlack slack = NetSlack::kStated;
+  double taut_load = 1;   // pull of every muscle at which slack lengths are fitted in the straight
+                          // finger: enough to spread a hood, too little to stretch it [N]
+  double pretension = 0;  // strain of fitted bands before that load [1]
+};
+
+/// How one muscle of the digit pulls the net.
+struct NetPull {
+  int muscle;    // of the digit's
+  double share;  // of its tension [1]
+};
+
+/// What becomes of one muscle of the digit.
+struct NetMuscle {
+  int muscle;              // of the digit's
+  double to_net;           // share of its tension that enters the net [1]
+  TendonPath<double> own;  // path from where it leaves the net to its origin
+};
+
+/// A net with all that ties it to its digit.
+struct BuiltNet {
+  Net net;                     // its `muscles` are the pulls
+  std::vector<NetPull> pulls;  // one a muscle of the net
+  std::vector<NetMuscle> muscles;
+  std::vector<int> central, radial, ulnar, terminal;  // bands of the slips
+  FingerFrame frame;
+};
+
+/// Lays a net on a finger: along the bones in parts of their lengths, across them in parts of the
+/// extensor's heights, so that its moment arms in the straight finger are those measured on the
+/// subject. Capsules take the smaller of the two ratios at their bone's ends, so that no shaft
+/// stands out over a head.
+/// @throws InputError naming what the subject lacks.
+[[nodiscard]] BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
+                                 const NetDescription& description,
+                                 const NetBuildOptions& options = {});
+
+/// The net without one of its bands. @throws InputError if it has no such band.
+[[nodiscard]] BuiltNet cut(const BuiltNet& built, const std::string& band);
+
+/// Index of a band. @throws InputError naming the bands there are.
+[[nodiscard]] int band_named(const Net& net, const std::string& name);
+
+/// Index of a node. @throws InputError naming the nodes there are.
+[[nodiscard]] int node_named(const Net& net, const std::string& name);
+
+}  // namespace thenar

@@ -1,0 +1,39 @@
+#pragma once
+
+/// The tendons of a digit on the rung that is asked for, and what they do at its tip.
+
+#include <memory>
+#include <string>
+
+#include "tendons/digit_tendons.h"
+#include "tendons/net/build_net.h"
+#include "tendons/tip_force.h"
+
+namespace thenar {
+
+/// Least that serves: linear tendons up to fixed fractions, a net beyond.
+/// @param options      rungs of path and hood; whole tendons of a net's digit run on that of paths
+/// @param description  the net; needed if and only if `options.hood` asks for one
+/// @throws InputError if the description is absent or the subject lacks something.
+[[nodiscard]] std::unique_ptr<DigitTendons> build_digit_tendons(
+    const Subject& subject, const std::string& digit, const TendonOptions& options = {},
+    const NetDescription* description = nullptr, const NetBuildOptions& net = {});
+
+/// The digit with separate tendons but without its hood rule: what a net is laid on.
+[[nodiscard]] std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject,
+                                                              const std::string& digit,
+                                                              const TendonOptions& options,
+                                                              const NetDescription& description,
+                                                              const NetBuildOptions& net = {});
+
+/// Everything at the tip for these tensions; R is such that R' t is the tendons' torque, which for
+/// a net holds at these tensions only: tau_0 takes what R' t misses.
+[[nodiscard]] TipStatics tip_statics(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& t);
+
+/// Force of a pinned tip,  J' f = tau(q, t) + tau_0.
+/// @throws InputError as DigitTendons::pull() and tip_force().
+[[nodiscard]] TipForce tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                                 const Eigen::VectorXd& t);
+
+}  // namespace thenar

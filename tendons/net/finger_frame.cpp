@@ -1,0 +1,307 @@
+#include "tendons/net/finger_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/ranges.h>
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kMcp = 0, kPip = 1, kDip = 2;
+constexpr std::array<const char*, 3> kJointNames{"MCP", "PIP", "DIP"};
+constexpr double kFlexes = 0.7071;  // cosine to the flexion direction: see tendon_model.cpp
+
+/// One straight run of tendon across a joint.
+struct Run {
+  CarriedPoint distal, proximal;
+};
+
+/// Two lines, a + s u and b + t v, where they come nearest.
+struct Nearest {
+  Vector3d on_axis;
+  double distance;
+};
+
+Nearest nearest(const Vector3d& axis_point, const Vector3d& axis, const Run& run) {
+  const Vector3d u = (run.proximal.p - run.distal.p).normalized();
+  const Vector3d w = run.distal.p - axis_point;
+  const double cosine = axis.dot(u), square = 1 - cosine * cosine;
+  const double s = (w.dot(axis) - cosine * w.dot(u)) / square;
+  const Vector3d across = axis.cross(u).normalized();
+  return {axis_point + s * axis, std::abs(w.dot(across))};
+}
+
+/// Reads a finger out of a subject.
+class FrameBuilder {
+ public:
+  FrameBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& net)
+      : subject_(subject), digit_(digit), net_(net), skeleton_(digit.skeleton) {
+    for (const Digit& d : subject.digits)
+      if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
+    require(tip_digit_->name != "thumb", "net '{}' is of a finger; the thumb is none", net.name);
+    flexion_ = tip_digit_->proximal.cross(tip_digit_->dorsal);
+    side_ = tip_digit_->radial.dot(flexion_) < 0 ? -1 : 1;
+    find_joints();
+    find_extensor();
+  }
+
+  FingerFrame take() {
+    for (std::size_t j = 0; j < 3; ++j) centre_[j] = nearest_at_reference(j).on_axis;
+    set_bones();
+    set_straight();
+    const TreeState<double> state = pose_tree(skeleton_.tree, frame_.straight);
+    for (std::size_t j = 0; j < 3; ++j) set_height(j, state);
+    set_ratios();
+    return frame_;
+  }
+
+ private:
+  /// The joints of the finger, walking up from the tip.
+  void find_joints() {
+    std::string segment = tip_digit_->tip_segment;
+    for (auto joint = subject_.joints.rbegin(); joint != subject_.joints.rend(); ++joint) {
+      if (joint->child != segment) continue;
+      if (std::abs(joint->direction.dot(flexion_)) > kFlexes && found_ < 3)
+        joint_[2 - found_++] = &*joint;
+      segment = joint->parent;
+      chain_.push_back(joint->child);
+    }
+    chain_.push_back(segment);
+    require(found_ == 3, "net '{}' needs three flexion joints in the {}, subject '{}' has {}",
+            net_.name, tip_digit_->name, subject_.name, found_);
+  }
+
+  void find_extensor() {
+    require(!net_.muscles.empty(), "net '{}' has no muscle", net_.name);
+    const std::vector<std::string> names = muscles_of(digit_, net_.muscles.front());
+    require(!names.empty(), "net '{}' needs muscle '{}' ({}), and none crosses the {} of '{}'",
+            net_.name, net_.muscles.front().role, fmt::join(net_.muscles.front().names, ", "),
+            tip_digit_->name, subject_.name);
+    extensor_ = &strand_of(subject_, names.front());
+  }
+
+  int depth(const std::string& segment) const {
+    const auto found = std::find(chain_.begin(), chain_.end(), segment);
+    return found == chain_.end() ? -1 : static_cast<int>(chain_.end() - found);
+  }
+
+  /// The run of a strand across joint j, if it has one.
+  std::optional<Run> run_across(const Strand& strand, std::size_t j) const {
+    const int child = depth(joint_[j]->child);
+    const PathPoint* a = nullptr;
+    for (const PathPoint& b : strand.path) {
+      if (!b.surface.empty() || depth(b.segment) < 0) continue;
+      if (a != nullptr && depth(a->segment) >= child && depth(b.segment) < child)
+        return Run{carried(*a), carried(b)};
+      a = &b;
+    }
+    return std::nullopt;
+  }
+
+  Run extensor_run(std::size_t j) const {
+    const auto named = net_.height_strands.find(static_cast<FingerJoint>(j));
+    if (named != net_.height_strands.end())
+      if (const Strand* strand = find_strand(subject_, named->second))
+        if (const auto run = run_across(*strand, j)) return *run;
+    const auto run = run_across(*extensor_, j);
+    require(run.has_value(),
+            "net '{}' needs the extensor's run over the {} of the {}: strand '{}' of subject '{}' "
+            "has no points on both sides of it",
+            net_.name, kJointNames[j], tip_digit_->name, extensor_->name, subject_.name);
+    return *run;
+  }
+
+  CarriedPoint carried(const PathPoint& point) const {
+    return {skeleton_.link_of_segment.at(point.segment),
+            skeleton_.segment_at.at(point.segment) * point.p};
+  }
+
+  const Pose<double>& at_joint(std::size_t j) const {
+    return skeleton_.segment_at.at(joint_[j]->parent);
+  }
+  Vector3d axis(std::size_t j) const { return at_joint(j).R * joint_[j]->direction; }
+
+  Nearest nearest_at_reference(std::size_t j) const {
+    return nearest(at_joint(j) * joint_[j]->point, axis(j), extensor_run(j));
+  }
+
+  void set_bone(BoneRole role, const std::string& segment, const Vector3d& proximal,
+                const Vector3d& distal, const Vector3d& flexion) {
+    FingerBone& bone = frame_.bones[static_cast<std::size_t>(role)];
+    bone.segment = segment;
+    bone.link = skeleton_.link_of_segment.at(segment);
+    bone.proximal = proximal;
+    bone.distal = distal;
+    bone.length = (proximal - distal).norm();
+    require(bone.length > 0, "a bone of the {} of subject '{}' has no length: segment '{}'",
+            tip_digit_->name, subject_.name, segment);
+    bone.along = (proximal - distal) / bone.length;
+    bone.dorsal = flexion.cross(bone.along).normalized();
+    bone.radial = side_ * bone.along.cross(bone.dorsal);
+  }
+
+  void set_bones() {
+    const Vector3d tip = skeleton_.tips.front().p;
+    set_bone(BoneRole::kProximal, joint_[kPip]->parent, centre_[kMcp], centre_[kPip],
+             axis(kMcp) + axis(kPip));
+    set_bone(BoneRole::kMiddle, joint_[kDip]->parent, centre_[kPip], centre_[kDip],
+             axis(kPip) + axis(kDip));
+    set_bone(BoneRole::kDistal, joint_[kDip]->child, centre_[kDip], tip, axis(kDip));
+    double length = 0, reference = 0;
+    for (BoneRole role : {BoneRole::kProximal, BoneRole::kMiddle, BoneRole::kDistal}) {
+      length += frame_.bone(role).length;
+      reference += net_.bone_length.at(role);
+    }
+    frame_.scale = length / reference;
+    const double metacarpal = frame_.scale * net_.bone_length.at(BoneRole::kMetacarpal);
+    set_bone(BoneRole::kMetacarpal, joint_[kMcp]->parent,
+             centre_[kMcp] + metacarpal * metacarpal_direction(), centre_[kMcp], axis(kMcp));
+  }
+
+  /// Unit, towards the wrist.
+  Vector3d metacarpal_direction() const {
+    const std::string& segment = joint_[kMcp]->parent;
+    std::vector<Vector3d> points;
+    for (const PathPoint& point : extensor_->path)
+      if (point.segment == segment && point.surface.empty()) points.push_back(carried(point).p);
+    constexpr double kLongEnough = 0.01;  // [m] a direction is wanted, not the tendon's bow
+    if (points.size() > 1 && (points.back() - points.front()).norm() > kLongEnough)
+      return (points.back() - points.front()).normalized();
+    for (const Segment& s : subject_.segments)
+      if (s.name == segment && (s.proximal - s.distal).norm() > kLongEnough)
+        return (skeleton_.segment_at.at(segment).R * (s.proximal - s.distal)).normalized();
+    return skeleton_.tips.front().axes.col(0);
+  }
+
+  /// Turns every joint that may back by the angle between its bones.
+  void set_straight() {
+    frame_.straight = Eigen::VectorXd::Zero(skeleton_.coordinates());
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto& names = skeleton_.coordinate_names;
+      const auto found = std::find(names.begin(), names.end(), joint_[j]->name);
+      if (found == names.end()) continue;
+      const Vector3d d = axis(j), u = frame_.bones[j].along, v = frame_.bones[j + 1].along;
+      const double bent = std::atan2(d.dot(u.cross(v)), u.dot(v) - d.dot(u) * d.dot(v));
+      frame_.straight[found - names.begin()] = -bent;
+    }
+  }
+
+  void set_height(std::size_t j, const TreeState<double>& state) {
+    Run run = extensor_run(j);
+    for (CarriedPoint* point : {&run.distal, &run.proximal})
+      point->p = moved(state, point->link, point->p);
+    const int link = skeleton_.link_of_segment.at(joint_[j]->parent);
+    const Vector3d at = moved(state, link, Vector3d(at_joint(j) * joint_[j]->point));
+    const Vector3d d = link < 0 ? axis(j) : Vector3d(state[link].X.R * axis(j));
+    frame_.height[j] = nearest(at, d, run).distance;
+  }
+
+  void set_ratios() {
+    std::array<double, 3> ratio;
+    for (std::size_t j = 0; j < 3; ++j)
+      ratio[j] = frame_.height[j] / net_.height.at(static_cast<FingerJoint>(j));
+    for (std::size_t b = 0; b < 4; ++b) {
+      frame_.bones[b].ratio[0] = ratio[b == 0 ? 0 : b - 1];
+      frame_.bones[b].ratio[1] = ratio[std::min<std::size_t>(b, 2)];
+    }
+  }
+
+  const Subject& subject_;
+  const TendonDigit& digit_;
+  const NetDescription& net_;
+  const Skeleton& skeleton_;
+  const Digit* tip_digit_ = nullptr;
+  Vector3d flexion_;
+  double side_ = 1;
+  int found_ = 0;
+  std::array<const JointAxis*, 3> joint_{};
+  std::vector<std::string> chain_;  // segments from the tip to the base
+  const Strand* extensor_ = nullptr;
+  std::array<Vector3d, 3> centre_;
+  FingerFrame frame_;
+};
+
+}  // namespace
+
+FingerFrame finger_frame(const Subject& subject, const TendonDigit& digit,
+                         const NetDescription& description) {
+  return FrameBuilder(subject, digit, description).take();
+}
+
+FingerFrame reference_finger(const NetDescription& description) {
+  FingerFrame frame;
+  frame.scale = 1;
+  double end = description.bone_length.at(BoneRole::kMetacarpal);
+  for (std::size_t b = 0; b < 4; ++b) {
+    FingerBone& bone = frame.bones[b];
+    bone.length = description.bone_length.at(static_cast<BoneRole>(b));
+    bone.proximal = end * Vector3d::UnitX();
+    end -= bone.length;
+    bone.distal = end * Vector3d::UnitX();
+    bone.along = Vector3d::UnitX();
+    bone.dorsal = Vector3d::UnitY();
+    bone.radial = Vector3d::UnitZ();
+    bone.ratio[0] = bone.ratio[1] = 1;
+  }
+  for (std::size_t j = 0; j < 3; ++j)
+    frame.height[j] = description.height.at(static_cast<FingerJoint>(j));
+  return frame;
+}
+
+double height_ratio(const FingerBone& bone, double along) {
+  const double s = std::min(1.0, std::max(0.0, along));
+  return bone.ratio[0] + s * (bone.ratio[1] - bone.ratio[0]);
+}
+
+Vector3d around(const FingerBone& bone, double angle) {
+  return std::cos(angle) * bone.dorsal + std::sin(angle) * bone.radial;
+}
+
+Vector3d point_of(const FingerFrame& frame, const NetPlace& place) {
+  const FingerBone& bone = frame.bone(place.bone);
+  return bone.proximal + place.along * (bone.distal - bone.proximal) +
+         height_ratio(bone, place.along) * place.height * around(bone, place.angle);
+}
+
+std::vector<CarriedPoint> carried_points(const Skeleton& skeleton, const Strand& strand) {
+  std::vector<CarriedPoint> points;
+  for (const PathPoint& point : strand.path) {
+    const auto link = skeleton.link_of_segment.find(point.segment);
+    if (link == skeleton.link_of_segment.end() || !point.surface.empty()) continue;
+    points.push_back({link->second, skeleton.segment_at.at(point.segment) * point.p});
+  }
+  return points;
+}
+
+const Strand& strand_of(const Subject& subject, const std::string& muscle) {
+  for (const MuscleUnit& unit : subject.muscles)
+    if (unit.name == muscle)
+      for (const Strand& strand : subject.strands)
+        if (strand.name == unit.strand) return strand;
+  throw InputError(
+      fmt::format("subject '{}' has no muscle '{}' with a strand", subject.name, muscle));
+}
+
+const Strand* find_strand(const Subject& subject, const std::vector<std::string>& names) {
+  for (const std::string& name : names)
+    for (const Strand& strand : subject.strands)
+      if (strand.name == name) return &strand;
+  return nullptr;
+}
+
+std::vector<std::string> muscles_of(const TendonDigit& digit, const NetMusclePlan& role) {
+  std::vector<std::string> found;
+  for (const std::string& muscle : digit.names.muscles)
+    if (std::find(role.names.begin(), role.names.end(), muscle) != role.names.end())
+      found.push_back(muscle);
+  return found;
+}
+
+}  // namespace thenar

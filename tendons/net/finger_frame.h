@@ -1,0 +1,85 @@
+#pragma once
+
+/// The bones of one finger by role, with what a net is laid on them by.
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "data/io/net.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// One bone of a finger, at the reference posture.
+struct FingerBone {
+  std::string segment;
+  int link = -1;
+  Eigen::Vector3d proximal, distal;  // ends of its line, joint centres or the tip [m] (3)
+  Eigen::Vector3d along;             // unit, towards proximal (3)
+  Eigen::Vector3d dorsal, radial;    // unit, square to `along` (3)
+  double length;                     // of the line [m]
+  double ratio[2];                   // extensor heights at its proximal and distal end per those of
+                                     // the net's reference finger [1]
+};
+
+/// A finger ready for a net.
+struct FingerFrame {
+  std::array<FingerBone, 4> bones;  // by BoneRole
+  std::array<double, 3> height;     // of the extensor over the joints' axes, by FingerJoint [m]
+  Eigen::VectorXd straight;         // posture in which the bones' lines are parallel [rad]
+  double scale;                     // length of the phalanges per that of the reference finger [1]
+
+  [[nodiscard]] const FingerBone& bone(BoneRole role) const {
+    return bones[static_cast<std::size_t>(role)];
+  }
+};
+
+/// Finds the bones by walking up the joints from the tip.
+///
+/// A joint's centre is the point of its flexion axis nearest to the extensor's run over it; the
+/// dorsal direction of a bone is square to its line and to the mean of the flexion axes at its
+/// ends. The height of the extensor over a joint is the distance between run and axis in the
+/// straight finger. The metacarpal has the direction of the extensor's points on it; failing these,
+/// its segment's; failing that, the digit's.
+/// @throws InputError naming what is missing: a joint, an extensor, a run across a joint.
+[[nodiscard]] FingerFrame finger_frame(const Subject& subject, const TendonDigit& digit,
+                                       const NetDescription& description);
+
+/// The finger that the description's lengths belong to, straight along -x with dorsal y; all on the
+/// base.
+[[nodiscard]] FingerFrame reference_finger(const NetDescription& description);
+
+/// Extensor height at a place of a bone per that of the reference finger, between its two ends [1].
+[[nodiscard]] double height_ratio(const FingerBone& bone, double along);
+
+/// Where a place is at the reference posture [m] (3).
+[[nodiscard]] Eigen::Vector3d point_of(const FingerFrame& frame, const NetPlace& place);
+
+/// Unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).
+[[nodiscard]] Eigen::Vector3d around(const FingerBone& bone, double angle);
+
+/// A point of a path of the subject, where the skeleton has it at the reference posture.
+struct CarriedPoint {
+  int link;
+  Eigen::Vector3d p;  // [m] (3)
+};
+
+/// Every path point whose segment is kept, from insertion to origin.
+[[nodiscard]] std::vector<CarriedPoint> carried_points(const Skeleton& skeleton,
+                                                       const Strand& strand);
+
+/// The strand that a muscle of the subject pulls. @throws InputError if there is none.
+[[nodiscard]] const Strand& strand_of(const Subject& subject, const std::string& muscle);
+
+/// The first of the named strands that the subject has, or null.
+[[nodiscard]] const Strand* find_strand(const Subject& subject,
+                                        const std::vector<std::string>& names);
+
+/// Names of the digit's muscles that have a role, in the digit's order.
+[[nodiscard]] std::vector<std::string> muscles_of(const TendonDigit& digit,
+                                                  const NetMusclePlan& role);
+
+}  // namespace thenar

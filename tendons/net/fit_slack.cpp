@@ -1,0 +1,69 @@
+#include "tendons/net/fit_slack.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "tendons/wrapping/chord_over.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+double band_length(const Net& net, const TreeState<double>& state, const NetBand& band) {
+  const NetNode &a = net.nodes[static_cast<std::size_t>(band.a)],
+                &b = net.nodes[static_cast<std::size_t>(band.b)];
+  const Vector3d p_a = moved(state, a.link, a.p), p_b = moved(state, b.link, b.p);
+  if (band.over < 0) return (p_a - p_b).norm();
+  const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
+  const Pose<double> X =
+      surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  const Chord chord = chord_over(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
+  require(chord.possible, "band '{}' of net '{}' starts inside surface '{}', over which it bends",
+          band.name, net.name, surface.name);
+  return chord.length;
+}
+
+}  // namespace
+
+std::vector<double> start_lengths(const Net& net, const TreeState<double>& state) {
+  std::vector<double> lengths;
+  for (const NetBand& band : net.bands) lengths.push_back(band_length(net, state, band));
+  return lengths;
+}
+
+double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
+                 const std::vector<FittedBand>& bands, int rounds) {
+  constexpr double kAlike = 1e-6;  // strain to spare below which bands are taut and alike [1]
+  constexpr double kStep = 0.5;    // of each correction, since bands share what one of them loses
+  NetSolver solver(net);
+  Eigen::Matrix3Xd start;
+  double off = 0;
+  for (int round = 0; round < rounds; ++round) {
+    const NetEquilibrium rest = solver.solve(state, {load, {}}, round == 0 ? nullptr : &start);
+    const auto strain = [&](int b) {
+      const double slack = net.bands[static_cast<std::size_t>(b)].slack;
+      return (rest.length[b] - slack) / slack;
+    };
+    start = rest.x;
+    off = 0;
+    std::vector<double> slack;
+    for (const FittedBand& fitted : bands) {
+      const double own = strain(fitted.band);
+      const double wanted =
+          fitted.like < 0 ? std::max(own, 0.0) : std::max(strain(fitted.like), 0.0);
+      off = std::max(off, std::abs(wanted - own));
+      const double step = fitted.like < 0 ? 1 : kStep;
+      slack.push_back(net.bands[static_cast<std::size_t>(fitted.band)].slack *
+                      (1 - step * (wanted - own)));
+    }
+    if (off < kAlike) break;
+    for (std::size_t k = 0; k < bands.size(); ++k)
+      net.bands[static_cast<std::size_t>(bands[k].band)].slack = slack[k];
+    solver = NetSolver(net);
+  }
+  return off;
+}
+
+}  // namespace thenar

@@ -1,0 +1,87 @@
+#include "tendons/net/net_tendons.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "tendons/net/net_statics.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
+  double sum = 0;
+  for (int b : bands) sum += tension[b];
+  return sum;
+}
+
+}  // namespace
+
+SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
+  return {sum_of(rest.tension, net.central), sum_of(rest.tension, net.radial),
+          sum_of(rest.tension, net.ulnar), sum_of(rest.tension, net.terminal)};
+}
+
+std::string net_trouble(const Net& net, const NetEquilibrium& rest) {
+  switch (rest.status) {
+    case NetStatus::kStalled:
+      return fmt::format("net '{}' is not balanced: {:.2g} N are left", net.name, rest.residual);
+    case NetStatus::kUnstable:
+      return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
+    case NetStatus::kDrawnIn:
+      return fmt::format("net '{}' does not hold: a muscle has drawn a knot into its exit",
+                         net.name);
+    case NetStatus::kBalanced:
+      break;
+  }
+  return "";
+}
+
+NetTendons::NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
+                       const NetSolverOptions& options)
+    : linear_(std::move(linear)),
+      net_(std::move(net)),
+      options_(options),
+      digit_(linear_->digit()) {
+  digit_.fidelity.hood = Hood::kFloatingNet;
+  shares_ = MatrixXd::Zero(static_cast<Eigen::Index>(net_.pulls.size()),
+                           static_cast<Eigen::Index>(digit_.names.muscles.size()));
+  for (std::size_t p = 0; p < net_.pulls.size(); ++p)
+    shares_(static_cast<Eigen::Index>(p), net_.pulls[p].muscle) = net_.pulls[p].share;
+}
+
+NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
+                                const Eigen::Matrix3Xd& start) const {
+  require(start.cols() == 0 || start.cols() == static_cast<Eigen::Index>(net_.net.nodes.size()),
+          "start has {} nodes, net '{}' {}", start.cols(), net_.net.name, net_.net.nodes.size());
+  NetSolver solver(net_.net, options_);
+  return solver.solve(pose_tree(digit_.model.tree, q), {shares_ * t, {}},
+                      start.cols() == 0 ? nullptr : &start);
+}
+
+TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
+                            const Eigen::Matrix3Xd& start) const {
+  TendonPull pull = linear_->pull(q, t, {});
+  const TendonModel<double>& model = digit_.model;
+  const TreeState<double> state = pose_tree(model.tree, q);
+  for (const NetMuscle& m : net_.muscles)
+    pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
+                           m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
+  pull.tau = pull.R.transpose() * t;
+
+  const NetEquilibrium at_rest = rest(q, t, start);
+  pull.tau += net_torque(net_.net, model.tree, state, at_rest, model.coordinates);
+  pull.slips = slip_tension(net_, at_rest);
+  pull.nodes = at_rest.x;
+  pull.trouble = net_trouble(net_.net, at_rest);
+  if (at_rest.status == NetStatus::kBalanced) {
+    const NetDerivatives slopes =
+        net_derivatives(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
+    pull.R += (slopes.by_drive.tau * shares_).transpose();
+  }
+  return pull;
+}
+
+}  // namespace thenar

@@ -1,0 +1,53 @@
+#pragma once
+
+/// One digit whose extensor mechanism is a floating net.
+
+#include <memory>
+
+#include "tendons/digit_tendons.h"
+#include "tendons/net/build_net.h"
+#include "tendons/net/solve_net.h"
+
+namespace thenar {
+
+/// Muscles of the net pull it where it leaves their own paths, with their share of the tension:
+///   tau = tau_net(q, D t) + R_own' diag(to_net) t + R' diag(1 - to_net) t,
+/// D (pulls, muscles) the shares, R_own the moment arms of the paths from the net to the origins, R
+/// those of whole tendons: of the share that inserts on bone, and of all muscles that do not pull
+/// the net. Only tau_net is not linear in t.
+class NetTendons : public DigitTendons {
+ public:
+  /// @param linear  all tendons, separate; its rung of paths is that of whole tendons
+  NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
+             const NetSolverOptions& options = {});
+
+  [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
+  [[nodiscard]] const BuiltNet& net() const { return net_; }
+
+  /// `trouble` says why a hood is not to be trusted: not balanced, unstable, drawn into an exit, or
+  /// with a band buried in bone.
+  TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                  const Eigen::Matrix3Xd& start) const override;
+
+  /// The net at rest, for pictures and for its bands' tensions. Arguments as of pull().
+  [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                    const Eigen::Matrix3Xd& start) const;
+
+  /// Tension of each muscle of the net [N] (pulls).
+  [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const { return shares_ * t; }
+
+ private:
+  std::unique_ptr<DigitTendons> linear_;
+  BuiltNet net_;
+  NetSolverOptions options_;
+  TendonDigit digit_;
+  Eigen::MatrixXd shares_;  // D (pulls, muscles)
+};
+
+/// Sum of the tensions in the bands of each slip [N].
+[[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
+
+/// Why not to trust an equilibrium; empty: nothing.
+[[nodiscard]] std::string net_trouble(const Net& net, const NetEquilibrium& rest);
+
+}  // namespace thenar
