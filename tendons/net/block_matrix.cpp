@@ -9,6 +9,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double kLeastPivot = 1e-13;
+
 using Neighbours = std::vector<std::set<int>>;
 
 /// Row of least degree that has not been eliminated.
@@ -73,16 +75,16 @@ BlockFactor::BlockFactor(const BlockPattern& pattern)
   W_.resize(tallest);
 }
 
-bool BlockFactor::factorise(const BlockMatrix& A, double shift, double small) {
+bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relative) {
   const BlockPattern& at = *pattern_;
   std::copy(A.diagonal.begin(), A.diagonal.end(), A_.diagonal.begin());
   std::copy(A.off.begin(), A.off.end(), A_.off.begin());
-  worst_pivot_ = 1;
   bad_block_ = -1;
   std::vector<Matrix3d>& off = A_.off;
   for (int k = 0; k < at.size(); ++k) {
     const Matrix3d& D = A_.diagonal[k];
-    const double scale = A.diagonal[k].trace() + 3 * shift;
+    const double trace = std::abs(A.diagonal[k].trace()), shift = absolute + relative * trace;
+    const double least = kLeastPivot * (trace + 3 * shift);
     // Scalar factor of the diagonal block.
     const double d0 = D(0, 0) + shift, l10 = D(1, 0) / d0, l20 = D(2, 0) / d0;
     const double d1 = D(1, 1) + shift - l10 * D(1, 0), m21 = D(2, 1) - l20 * D(1, 0),
@@ -91,8 +93,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double shift, double small) {
     l_[k] << l10, l20, l21;
     d_[k] << d0, d1, d2;
     for (int r = 0; r < 3; ++r) {
-      worst_pivot_ = std::min(worst_pivot_, d_[k](r) / std::abs(scale));
-      if (d_[k](r) > small * std::abs(scale)) continue;
+      if (d_[k](r) > least) continue;
       bad_block_ = k;
       bad_row_ = r;
       if (r == 0) l_[k].setZero();

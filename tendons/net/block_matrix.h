@@ -48,24 +48,22 @@ class BlockFactor {
  public:
   explicit BlockFactor(const BlockPattern& pattern);
 
-  /// Factorises A + shift I. Pivots below `small` times the trace of their block count as zero.
+  /// Factorises A with `shift` and `relative` times a block's trace added to its diagonal. Pivots
+  /// below 1e-13 of their block's trace count as not positive.
   /// @return whether all pivots were positive; if not, the factor serves negative_direction() only
-  bool factorise(const BlockMatrix& A, double shift, double small);
+  bool factorise(const BlockMatrix& A, double shift, double relative = 0);
 
   /// Solves in place.
   void solve(std::vector<Eigen::Vector3d>& y) const;
 
-  /// After a failed factorise(): v with v' A v < 0 or about 0, built from the first bad pivot.
+  /// After a failed factorise(): v with v' A v <= 0, built from the first bad pivot.
   [[nodiscard]] bool negative_direction(std::vector<Eigen::Vector3d>& v) const;
-
-  [[nodiscard]] double worst_pivot() const { return worst_pivot_; }
 
  private:
   const BlockPattern* pattern_;
   BlockMatrix A_;
   std::vector<Eigen::Matrix3d> W_;      // one column of L d
   std::vector<Eigen::Vector3d> l_, d_;  // (l10, l20, l21) and d of the diagonal blocks
-  double worst_pivot_ = 0;              // smallest pivot over the trace of its block
   int bad_block_ = -1, bad_row_ = -1;
 };
 

@@ -26,7 +26,40 @@ Matrix3d block(const BandState& band, int i, int j) {
          band.pull.tension * band.chord.curve.block<3, 3>(3 * i, 3 * j);
 }
 
+/// The run of a gripped band, told by a chord whose slope is p / t.
+Chord grip_chord(double t, double grip, const Vector3d& hold, const Vector3d& a,
+                 const Vector3d& b) {
+  Chord chord = straight_chord(a, b);
+  const Vector3d d = a - b, w = hold + grip * d;
+  const double pull = w.norm();
+  const bool in = pull <= t;
+  const Vector3d p = in ? w : Vector3d(t / pull * w);
+  Matrix3d H = grip / t * Matrix3d::Identity();
+  if (!in) H = grip / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
+  chord.slope << p / t, -p / t;
+  chord.curve << H, -H, -H, H;
+  chord.length = (p.dot(d) - (p - hold).squaredNorm() / (2 * grip)) / t + t / (2 * grip);
+  return chord;
+}
+
+/// Stiffness that bands can set against a gripped node: sum EA / slack at both ends, and more.
+double grip_of(const Net& net, const NetScene& scene, int i) {
+  const NetBand& band = net.bands[i];
+  double against = scene.pull[i] / 1e-5;
+  for (std::size_t j = 0; j < net.bands.size(); ++j) {
+    const NetBand& other = net.bands[j];
+    const bool meets =
+        other.a == band.a || other.a == band.b || other.b == band.a || other.b == band.b;
+    if (meets && scene.pull[j] < 0) against += 20 * other.EA / scene.slack[j];
+  }
+  return against;
+}
+
 }  // namespace
+
+bool gripped(const NetScene& scene, int i, double length) {
+  return scene.pull[i] > 0 && (length * scene.grip[i] < scene.pull[i] || !scene.hold[i].isZero(0));
+}
 
 NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
   NetScene scene;
@@ -43,6 +76,10 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
     scene.slack.push_back(by_length ? drive.length(band.muscle) : band.slack);
     scene.pull.push_back(band.muscle < 0 || by_length ? -1 : drive.tension(band.muscle));
   }
+  scene.hold.assign(net.bands.size(), Vector3d::Zero());
+  scene.drawn.assign(net.bands.size(), false);
+  for (int i = 0; i < static_cast<int>(net.bands.size()); ++i)
+    scene.grip.push_back(scene.pull[i] > 0 ? grip_of(net, scene, i) : 0);
   return scene;
 }
 
@@ -59,6 +96,8 @@ Chord band_chord(const Net& net, const NetScene& scene, int i, const Vector3d& a
 BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3d& a,
                      const Vector3d& b) {
   BandState out{band_chord(net, scene, i, a, b), {}};
+  if (!out.chord.bent && gripped(scene, i, out.chord.length))
+    out.chord = grip_chord(scene.pull[i], scene.grip[i], scene.hold[i], a, b);
   if (scene.pull[i] >= 0)
     out.pull = {scene.pull[i] * out.chord.length, scene.pull[i], 0};
   else
@@ -68,15 +107,17 @@ BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3
 
 void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vector3d>& x,
               NetEnergy& out) {
-  out.energy = 0;
+  out.energy = out.size = 0;
   for (Vector3d& g : out.g) g.setZero();
   for (Matrix3d& H : out.H.diagonal) H.setZero();
   for (Matrix3d& H : out.H.off) H.setZero();
   for (int i = 0; i < static_cast<int>(plan.bands.size()); ++i) {
     const BandPlan& at = plan.bands[i];
     const NetBand& band = plan.net.bands[i];
+    if (scene.drawn[i]) continue;
     const BandState now = band_state(plan.net, scene, i, x[band.a], x[band.b]);
     out.energy += now.pull.energy;
+    out.size += std::abs(now.pull.energy);
     if (at.ka >= 0) {
       out.g[at.ka] += now.pull.tension * now.chord.slope.head<3>();
       out.H.diagonal[at.ka] += block(now, 0, 0);

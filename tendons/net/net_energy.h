@@ -16,10 +16,18 @@ struct NetScene {
   std::vector<Pose<double>> surface;  // world from S
   std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
   std::vector<double> slack;          // of each band [m]
+  // A constant pull t has no slope at length zero, where the node is drawn into the exit. There its
+  // energy  t |d|, d = a - b,  is written  max_{|p| <= t} p.d - |p - hold|^2 / (2 grip).
+  std::vector<double> grip;           // [N/m]
+  std::vector<Eigen::Vector3d> hold;  // force on end a that was found; zero: not held [N]
+  std::vector<bool> drawn;  // its end lies in the exit and counts as fixed: no force, no energy
 };
 
 [[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
                                   const NetDrive& drive);
+
+/// Whether a straight band of constant pull is so short that `grip` takes its place.
+[[nodiscard]] bool gripped(const NetScene& scene, int band, double length);
 
 /// The surfaces alone.
 [[nodiscard]] NetScene pose_surfaces(const Net& net, const TreeState<double>& state);
@@ -41,6 +49,7 @@ struct BandState {
 struct NetEnergy {
   explicit NetEnergy(const NetPlan& plan) : g(plan.pattern.size()), H(plan.pattern) {}
   double energy = 0;               // [J]
+  double size = 0;                 // sum of |energy| of all bands: what rounding scales with [J]
   std::vector<Eigen::Vector3d> g;  // [N] (rows)
   BlockMatrix H;                   // [N/m]
 };

@@ -39,10 +39,14 @@ NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net
       row[i] = pattern.place(row[i]);
       node[row[i]] = i;
     }
+  clasps.resize(node.size());
   for (const NetBand& band : net.bands) {
     BandPlan plan{row[band.a], row[band.b], -1, row[band.a] < row[band.b]};
     if (plan.ka >= 0 && plan.kb >= 0)
       plan.slot = plan.flip ? pattern.slot(plan.kb, plan.ka) : pattern.slot(plan.ka, plan.kb);
+    if (band.over >= 0)
+      for (int k : {plan.ka, plan.kb})
+        if (k >= 0) clasps[k].push_back(static_cast<int>(bands.size()));
     bands.push_back(plan);
   }
 }

@@ -23,9 +23,10 @@ struct NetPlan {
 
   Net net;
   BlockPattern pattern;
-  std::vector<int> row;         // of each node; -1: not free
-  std::vector<int> node;        // of each row
-  std::vector<BandPlan> bands;  // in the order of the net's
+  std::vector<int> row;                  // of each node; -1: not free
+  std::vector<int> node;                 // of each row
+  std::vector<BandPlan> bands;           // in the order of the net's
+  std::vector<std::vector<int>> clasps;  // of each row: bands that end there and bend over a bone
 };
 
 }  // namespace thenar::internal

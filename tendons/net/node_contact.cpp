@@ -69,12 +69,20 @@ SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, con
 }
 
 void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
-                  double slop, NodeContact& contact) {
+                  const std::array<double, 3>& slop, NodeContact& contact) {
   contact.left = g;
   contact.Q.setIdentity();
   contact.bend.setZero();
   contact.pressed = contact.touching;
+  contact.pinned = 0;
+  if (contact.drawn > 0) {
+    contact.left *= std::max(1 - contact.drawn / std::max(g.norm(), 1e-300), 0.0);
+    contact.pinned = 3;
+    contact.pressed = 0;
+    return;
+  }
   std::array<Matrix3d, 3> curvature;
+  std::array<double, 3> least = slop;
   for (int i = 0; i < contact.touching; ++i) {
     const SurfaceProbe at = probe_world(net, scene, contact.surface[i], x);
     contact.normal[i] = at.normal;
@@ -87,18 +95,22 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     for (int i = 0; i < contact.pressed; ++i) N.col(i) = contact.normal[i];
     force = N.completeOrthogonalDecomposition().solve(g);
     int worst = 0;
-    if (force.minCoeff(&worst) >= -slop) break;
+    for (int i = 1; i < contact.pressed; ++i)
+      if (force(i) + least[i] < force(worst) + least[worst]) worst = i;
+    if (force(worst) >= -least[worst]) break;
     // Let go of the one that pulls most: it moves behind the pressed ones.
     --contact.pressed;
     std::swap(contact.surface[worst], contact.surface[contact.pressed]);
     std::swap(contact.normal[worst], contact.normal[contact.pressed]);
     std::swap(curvature[worst], curvature[contact.pressed]);
+    std::swap(least[worst], least[contact.pressed]);
   }
+  contact.pinned = contact.pressed;
   if (contact.pressed == 0) return;
   for (int i = 0; i < contact.pressed; ++i) {
     contact.force[i] = force(i);
-    contact.left -= std::max(force(i), 0.0) * contact.normal[i];
-    contact.bend += std::max(force(i), 0.0) * curvature[i];
+    contact.left -= force(i) * contact.normal[i];
+    contact.bend += force(i) * curvature[i];
   }
   if (contact.pressed == 1) {
     const Tangents t = tangents(contact.normal[0]);

@@ -13,9 +13,11 @@ namespace thenar::internal {
 struct NodeContact {
   int touching = 0;            // surfaces it lies on, at most 3
   int pressed = 0;             // the first of them bear on it
+  int pinned = 0;              // rows of Q along which it does not move
+  double drawn = 0;            // pull that holds it in an exit; 0: it is not there [N]
   std::array<int, 3> surface;  // their numbers in the net
   std::array<Eigen::Vector3d, 3> normal;
-  std::array<double, 3> force;  // of the pressed ones, >= 0 but for rounding [N]
+  std::array<double, 3> force;  // of the pressed ones; < 0 where bands clasp it [N]
   Eigen::Matrix3d Q;            // rows: a basis of the pressed normals, then of the tangents
   Eigen::Matrix3d bend;         // sum force * curvature [N/m]
   Eigen::Vector3d left;         // slope of E that no bone balances [N]
@@ -26,9 +28,11 @@ struct NodeContact {
                                        const Eigen::Vector3d& x);
 
 /// Which of the touching surfaces bear on a node whose energy has slope g, and what is left of g:
-/// least squares over forces >= 0.  A surface that pulls less than `slop` counts as bearing.
+/// least squares over forces >= -slop.
+/// @param slop  how hard each touching surface may seem to pull the node [N]
 void balance_node(const Net& net, const NetScene& scene, const Eigen::Vector3d& x,
-                  const Eigen::Vector3d& g, double slop, NodeContact& contact);
+                  const Eigen::Vector3d& g, const std::array<double, 3>& slop,
+                  NodeContact& contact);
 
 /// Moves x onto the surfaces that are pressed and out of all others that it may rest on; sets
 /// `touching`. @return whether such a place was found

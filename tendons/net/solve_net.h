@@ -34,8 +34,15 @@ struct NetSolverOptions {
 struct NetContact {
   int node;
   int surface;
-  double force;            // normal, >= 0 [N]
+  double force;            // normal, >= 0; negative where bands that bend over the bone clasp the
+                           // node to it: they hold it at a lift below 1e-11 m [N]
   Eigen::Vector3d normal;  // out of the bone, world (3)
+};
+
+/// A band of constant pull that has drawn its node into its exit, or two nodes together.
+struct NetDrawnBand {
+  int band;
+  Eigen::Vector3d force;  // on its end a; on end b the opposite; not larger than the pull [N] (3)
 };
 
 struct [[nodiscard]] NetEquilibrium {
@@ -47,6 +54,7 @@ struct [[nodiscard]] NetEquilibrium {
   Eigen::VectorXd tension;                 // of each band, 0 where slack [N] (bands)
   std::vector<NetContact> contacts;
   std::vector<int> loose;  // floating nodes whose place nothing decides: all their bands are slack
+  std::vector<NetDrawnBand> drawn;  // bands of no length under a pull: kDrawnIn
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
   double energy = 0;            // E [J]
 };

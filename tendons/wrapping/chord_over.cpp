@@ -18,8 +18,9 @@ struct End {
 };
 
 End end(double r, double rho, const Vector3d& out, const Vector3d& on) {
-  return {rho, std::sqrt(std::max(rho * rho - r * r, 0.0)), std::acos(std::min(r / rho, 1.0)), out,
-          on};
+  // f and alpha come from the same number, so that their rounding cancels in the length.
+  const double f = std::sqrt(std::max((rho - r) * (rho + r), 0.0));
+  return {rho, f, std::atan2(f, r), out, on};
 }
 
 /// d P / d end, the unit tangent: (f out + r on) / rho; shorter than 1 only inside the circle.
@@ -29,7 +30,7 @@ Vector3d tangent(const End& e, double r) { return (e.f * e.out + r * e.on) / e.r
 /// 1e9/r.
 Eigen::Matrix3d bend(const End& e, double r) {
   const Vector3d n = (std::min(r, e.rho) * e.out - e.f * e.on) / e.rho;
-  return n * n.transpose() / std::max(e.f, 1e-9 * r);
+  return n * n.transpose() / std::max(e.f, 1e-7 * r);
 }
 
 /// Where the string leaves the circle.
@@ -71,8 +72,6 @@ Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side
 Chord over_sphere(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   Chord chord = straight_chord(a, b);
   const double rho_a = a.norm(), rho_b = b.norm();
-  chord.possible = std::min(rho_a, rho_b) >= r * (1 - 1e-9);
-  if (std::min(rho_a, rho_b) == 0) return chord;
   const Vector3d ea = a / rho_a, eb = b / rho_b, m = plane_normal(ea, eb, side);
   const double sine = m.dot(ea.cross(eb)), theta = std::atan2(sine, ea.dot(eb));
   const Plane plane =
@@ -99,8 +98,6 @@ Chord over_cylinder(double r, const Vector3d& a, const Vector3d& b, const Vector
   Chord chord = straight_chord(a, b);
   const Vector3d pa(a.x(), a.y(), 0), pb(b.x(), b.y(), 0), z = Vector3d::UnitZ();
   const double rho_a = pa.norm(), rho_b = pb.norm();
-  chord.possible = std::min(rho_a, rho_b) >= r * (1 - 1e-9);
-  if (std::min(rho_a, rho_b) == 0) return chord;
   const double turn = angle_from(side, pb) - angle_from(side, pa), way = turn < 0 ? -1 : 1;
   const Vector3d ea = pa / rho_a, eb = pb / rho_b;
   const Plane plane = across(r, end(r, rho_a, ea, -way * z.cross(ea)),
@@ -121,6 +118,25 @@ Chord over_cylinder(double r, const Vector3d& a, const Vector3d& b, const Vector
   return chord;
 }
 
+/// An end inside the surface counts as lying on it, at the nearest point.
+struct Brought {
+  Vector3d p;
+  bool inside;
+  Eigen::Matrix3d J;  // d p / d end, symmetric
+};
+
+Brought bring_out(double r, bool sphere, const Vector3d& end) {
+  const Eigen::Vector3d flat(1, 1, sphere ? 1 : 0);
+  const Vector3d from = flat.cwiseProduct(end);
+  const double rho = from.norm();
+  if (rho >= r * (1 - 1e-9)) return {end, false, {}};
+  const Vector3d n = rho > 0 ? Vector3d(from / rho) : Vector3d::UnitX();
+  Eigen::Matrix3d J =
+      r / std::max(rho, 1e-6 * r) * (Eigen::Matrix3d(flat.asDiagonal()) - n * n.transpose());
+  J(2, 2) += sphere ? 0 : 1;
+  return {end + (r - rho) * n, true, J};
+}
+
 }  // namespace
 
 Chord straight_chord(const Vector3d& a, const Vector3d& b) {
@@ -137,14 +153,19 @@ Chord straight_chord(const Vector3d& a, const Vector3d& b) {
 
 Chord chord_over(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S,
                  const Vector3d& side_S) {
-  switch (surface.shape) {
-    case SurfaceShape::kSphere:
-      return over_sphere(surface.size[0], a_S, b_S, side_S);
-    case SurfaceShape::kCylinder:
-      return over_cylinder(surface.size[0], a_S, b_S, side_S);
-    default:
-      throw InputError("a chord bends over a sphere or a cylinder, not " + surface.name);
-  }
+  const bool sphere = surface.shape == SurfaceShape::kSphere;
+  require(sphere || surface.shape == SurfaceShape::kCylinder,
+          "a chord bends over a sphere or a cylinder, not {}", surface.name);
+  const double r = surface.size[0];
+  const Brought a = bring_out(r, sphere, a_S), b = bring_out(r, sphere, b_S);
+  Chord chord = sphere ? over_sphere(r, a.p, b.p, side_S) : over_cylinder(r, a.p, b.p, side_S);
+  if (!a.inside && !b.inside) return chord;
+  chord.possible = false;
+  Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Zero();
+  J << a.J, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), b.J;
+  chord.slope = J * chord.slope.eval();
+  chord.curve = J * chord.curve.eval() * J;
+  return chord;
 }
 
 }  // namespace thenar

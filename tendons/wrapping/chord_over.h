@@ -25,6 +25,8 @@ struct Chord {
 /// String over a sphere or a cylinder, all in the surface's frame S.
 ///   sphere    L = |a tangent| + arc + |b tangent|  in the plane of a, b and the centre
 ///   cylinder  L = sqrt(P^2 + dz^2), P the same in the plane across the axis
+/// An end inside the surface counts as lying on it, at the nearest point; `possible` is then false
+/// and `curve` leaves out how that point turns.
 /// Length and slope are continuous at lift-off, the second derivative is not.
 /// @param side_S  direction from the axis towards the side on which the string passes, whatever is
 ///                shorter (cylinder); on a sphere it only decides between antipodal ways (3)
