@@ -6,9 +6,11 @@ import json
 import math
 import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import tomllib
 import unittest
 
@@ -17,6 +19,7 @@ SUBJECTS = ROOT / "data/subjects"
 PROGRAM = os.environ.get("THENAR", "thenar")
 
 MIDDLE = str(SUBJECTS / "an_chao_middle.toml")
+INDEX = str(SUBJECTS / "an_chao_index.toml")
 INDEX_MAPS = str(SUBJECTS / "valero_cuevas_index.toml")
 WHOLE = str(SUBJECTS / "mirakhorlo2016.toml")
 SKEWED = str(SUBJECTS / "graspit_skewed_thumb.toml")
@@ -245,6 +248,84 @@ class FeasibleForce(Near):
         answer = ask("feasible-force", MIDDLE, "--direction", 1, 0, 0)
         self.assertEqual(answer["status"], "unbounded")
         self.assertIsNone(answer["magnitude_N"])
+
+
+class Simulate(Near):
+    def test_bounds_pull_with_activation_times_largest_force(self):
+        last = ask("simulate", INDEX, "--muscle", "bounds", "--excitation", "FDP=0.2",
+                   "--seconds", 0.02)["last"]
+        a = last["activation"]["FDP"]
+        # (0.5 + 1.5 a) a' / (0.2 - a) = 1 / 0.015 s, integrated.
+        self.near([-1.5 * a - 0.8 * math.log(1 - a / 0.2)], [0.02 / 0.015], 1e-4)
+        self.near([last["tension_N"]["FDP"]], [a * 4.79 * 30], 1e-6)  # PCSA, specific tension
+
+    def test_energy_is_kept_on_every_rung(self):
+        slack = [f"{m}=200" for m in ("EDC", "EIP", "FDP", "FDS", "RI", "LU", "UI")]
+        for rung in ("bounds", "rigid-tendon", "elastic-tendon"):
+            answer = ask("simulate", INDEX, "--muscle", rung, "--tendon-slack", *slack,
+                         "--excitation", "FDP=0.1", "EDC=0.05", "--seconds", 0.3)
+            self.assertEqual(answer["status"], "done")
+            self.assertGreater(answer["work_J"], 1e-3)
+            self.assertLess(answer["energy_error_J"], 1e-6)
+
+    def test_table_starts_at_the_posture_and_names_units(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "motion.csv"
+            result = run("simulate", INDEX, "--posture", "PIP2=30", "--excitation", "FDS=0.1",
+                         "--seconds", 0.1, "--sample-ms", 20, "-o", table)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            header, *rows = (line.split(",") for line in table.read_text().splitlines())
+            at = {name: float(cell) for name, cell in zip(header, rows[0])}
+            self.assertAlmostEqual(at["angle_PIP2_deg"], 30, delta=1e-6)
+            self.assertEqual([float(row[0]) for row in rows], [0, 0.02, 0.04, 0.06, 0.08, 0.1])
+            self.assertIn("tension_FDS_N", header)
+
+    def test_excitation_file_of_a_constant_moves_as_the_constant(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "excitation.csv"
+            file.write_text("time_s,FDP\n0,0.1\n1,0.1\n")
+            by_file = ask("simulate", INDEX, "--excitation-file", file, "--seconds", 0.1)
+        by_words = ask("simulate", INDEX, "--excitation", "FDP=0.1", "--seconds", 0.1)
+        self.assertEqual(by_file["last"], by_words["last"])
+
+    def test_page_and_result_file_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, start in (("motion.html", b"<!doctype html>"), ("motion.h5", b"\x89HDF")):
+                file = pathlib.Path(folder) / name
+                result = run("simulate", INDEX, "--excitation", "FDP=0.1", "--seconds", 0.05,
+                             "-o", file)
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertTrue(file.read_bytes().startswith(start))
+
+    def test_interrupt_keeps_what_there_is(self):
+        with tempfile.TemporaryDirectory() as folder:
+            table = pathlib.Path(folder) / "motion.csv"
+            restless = pathlib.Path(folder) / "excitation.csv"  # minutes of work
+            restless.write_text("time_s,FDP,EDC\n" + "".join(
+                f"{k / 5},{0.1 * (k % 2)},{0.1 - 0.1 * (k % 2)}\n" for k in range(10000)))
+            words = ["simulate", INDEX, "--excitation-file", restless, "--seconds", 2000,
+                     "--sample-ms", 100, "-o", table]
+            with subprocess.Popen([PROGRAM, *map(str, words)], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True) as program:
+                time.sleep(1)
+                program.send_signal(signal.SIGINT)
+                _, said = program.communicate(timeout=60)
+            self.assertEqual(program.returncode, 130)
+            self.assertIn("stopped", said)
+            self.assertGreater(len(table.read_text().splitlines()), 2)
+
+    def test_complaints_name_what_is_missing(self):
+        self.assertEqual(complaint("simulate", INDEX, "--excitation", "FPL=1"),
+                         "thenar: no muscle 'FPL'; there are EDC, EIP, FDP, FDS, RI, LU, UI")
+        self.assertIn("muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm'",
+                      complaint("simulate", INDEX, "--excitation", "FDP=1", "--muscle",
+                                "elastic-tendon"))
+        self.assertIn("moves nothing that has mass",
+                      complaint("simulate", MIDDLE, "--excitation", "FDP=1", "--muscle", "bounds"))
+        self.assertIn("--excitation-file", complaint("simulate", INDEX))
+        self.assertIn("must be in 0..1", complaint("simulate", INDEX, "--excitation", "FDP=2"))
+        self.assertIn(".csv, .h5 or .html",
+                      complaint("simulate", INDEX, "--excitation", "FDP=1", "-o", "motion.txt"))
 
 
 class Validate(Near):

@@ -1,0 +1,176 @@
+// thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
+//                 [--muscle bounds|rigid-tendon|elastic-tendon] [--hood separate|fractions]
+//
+// How one digit moves when its muscles are excited.
+
+#include "tendons/muscle/simulate.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "apps/commands.h"
+#include "apps/digit_question.h"
+#include "apps/motion_output.h"
+#include "apps/named_numbers.h"
+#include "apps/posture_options.h"
+#include "apps/print_table.h"
+#include "apps/progress_bar.h"
+#include "apps/read_source.h"
+#include "base/error.h"
+#include "tendons/linear_tendons.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string subject, digit, excitation_file, output;
+  std::vector<std::string> posture, frozen, excitation, tendon_slack;
+  std::string muscle = "rigid-tendon", hood = "fractions";
+  std::vector<double> gravity;
+  double seconds = 1, sample_ms = 5, tolerance = 1e-6;
+  double damping = JointResistance().damping;
+  bool json = false;
+};
+
+const std::map<std::string, Muscle> kMuscles{{"bounds", Muscle::kBounds},
+                                             {"rigid-tendon", Muscle::kRigidTendon},
+                                             {"elastic-tendon", Muscle::kElasticTendon}};
+const std::map<std::string, Hood> kHoods{{"separate", Hood::kSeparate},
+                                         {"fractions", Hood::kFractions}};
+
+template <typename Rung>
+std::vector<std::string> names_of(const std::map<std::string, Rung>& rungs) {
+  std::vector<std::string> names;
+  for (const auto& [name, rung] : rungs) names.push_back(name);
+  return names;
+}
+
+/// Slack lengths of tendons that the subject does not state, or others.
+void set_slack(Subject& subject, const std::vector<std::string>& texts) {
+  std::vector<std::string> names;
+  for (const MuscleUnit& muscle : subject.muscles) names.push_back(muscle.name);
+  const std::map<std::string, double> slack = parse_named_numbers(texts, "MUSCLE=mm");
+  (void)in_order(slack, names, "muscle");  // refuses unknown names
+  for (MuscleUnit& muscle : subject.muscles) {
+    const auto found = slack.find(muscle.name);
+    if (found == slack.end()) continue;
+    require(found->second > 0, "wanted a slack length > 0 of '{}', got {} mm", muscle.name,
+            found->second);
+    muscle.tendon_slack = 1e-3 * found->second;
+  }
+}
+
+std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& options) {
+  TendonOptions rungs;
+  rungs.hood = kHoods.at(options.hood);
+  rungs.frozen = parse_frozen(subject, options.frozen);
+  return build_linear_tendons(subject, choose_digit(subject, options.digit), rungs);
+}
+
+Excitation excitation_of(const Options& options, const std::vector<std::string>& muscles) {
+  require(options.excitation.empty() != options.excitation_file.empty(),
+          "wanted either --excitation MUSCLE=0..1 ... or --excitation-file");
+  if (!options.excitation_file.empty())
+    return parse_excitation(read_source(options.excitation_file).text, options.excitation_file,
+                            muscles);
+  return constant_excitation(
+      in_order(parse_named_numbers(options.excitation, "MUSCLE=0..1"), muscles, "muscle"));
+}
+
+Eigen::Vector3d gravity_of(const Options& options) {
+  if (options.gravity.empty()) return Eigen::Vector3d::Zero();
+  return {options.gravity[0], options.gravity[1], options.gravity[2]};
+}
+
+Trajectory trajectory_of(const Options& options, const Subject& subject,
+                         const DigitTendons& tendons) {
+  const TendonDigit& digit = tendons.digit();
+  const std::vector<std::string>& muscles = digit.names.muscles;
+  require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
+          subject.name);
+  const Muscle rung = kMuscles.at(options.muscle);
+  const auto contraction = build_contraction(musculotendons(subject, digit, rung), rung);
+  MotionModel model{tendons, *contraction};
+  model.gravity = gravity_of(options);
+  model.resistance.damping = options.damping;
+
+  const MotionStart start{parse_posture(digit.skeleton, options.posture),
+                          {},
+                          Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
+  warn_of_limits(digit.skeleton, start.q);
+  SimulateOptions how;
+  how.seconds = options.seconds;
+  how.sample = 1e-3 * options.sample_ms;
+  how.tolerance = options.tolerance;
+  how.progress = terminal_progress();
+  return simulate(model, excitation_of(options, muscles), start, how);
+}
+
+void run(const Options& options) {
+  if (!options.output.empty()) require_motion_path(options.output);
+  const SourceText source = read_source(options.subject);
+  Subject subject = parse_subject(source.text, source.path);
+  set_slack(subject, options.tendon_slack);
+  const std::unique_ptr<DigitTendons> tendons = tendons_of(subject, options);
+  const Trajectory trajectory = trajectory_of(options, subject, *tendons);
+
+  MotionAnswer motion{subject.name,
+                      choose_digit(subject, options.digit),
+                      *tendons,
+                      trajectory,
+                      {{source.path, source.text}}};
+  if (!options.excitation_file.empty())
+    motion.inputs[options.excitation_file] = read_source(options.excitation_file).text;
+  if (!options.output.empty()) write_motion(motion, options.output);
+  if (options.json)
+    fmt::print("{}\n", json_of(motion).dump(2));
+  else
+    print_text(motion);
+  if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
+  require(trajectory.status != MotionStatus::kStuck, "the motion is stuck: {}", trajectory.trouble);
+  if (trajectory.status == MotionStatus::kStopped)
+    throw Interrupted(fmt::format("stopped; all up to then is {}",
+                                  options.output.empty() ? "above" : "in " + options.output));
+}
+
+void add_rungs(CLI::App& command, Options& options) {
+  command.add_option("--muscle", options.muscle, "bounds, rigid-tendon or elastic-tendon")
+      ->check(CLI::IsMember(names_of(kMuscles)));
+  command.add_option("--hood", options.hood, "separate or fractions")
+      ->check(CLI::IsMember(names_of(kHoods)));
+  command.add_option("--tendon-slack", options.tendon_slack,
+                     "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
+  command
+      .add_option("--damping", options.damping, "Of joints whose subject gives none [N m s/rad]")
+      ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--gravity", options.gravity,
+                  "x y z of free fall in the subject's frame [m/s^2]; none if left out")
+      ->expected(3);
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command = app.add_subcommand("simulate", "How a digit moves when muscles are excited");
+  command->add_option("subject", options->subject, "Subject file (TOML)")->required();
+  command->add_option("--digit", options->digit, "thumb, index, middle, ring or little");
+  command->add_option("--posture", options->posture,
+                      "Where it starts: JOINT=degrees ..., or degrees in joint order");
+  command->add_option("--frozen", options->frozen, "JOINT=degrees ...: joints welded there");
+  command->add_option("--excitation", options->excitation, "MUSCLE=0..1 ..., from the start on");
+  command->add_option("--excitation-file", options->excitation_file,
+                      "CSV time_s,MUSCLE,...: straight lines between its rows");
+  command->add_option("--seconds", options->seconds, "How long [s]")->check(CLI::PositiveNumber);
+  command->add_option("--sample-ms", options->sample_ms, "Between the instants kept [ms]")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--tolerance", options->tolerance, "Error of one step, relative")
+      ->check(CLI::PositiveNumber);
+  add_rungs(*command, *options);
+  command->add_option("-o,--output", options->output, "Table .csv, HDF5 .h5 or page .html");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,23 @@
+#pragma once
+
+/// A trajectory as one table, for files.
+
+#include "tendons/muscle/simulate.h"
+
+namespace thenar {
+
+/// Columns with their units in their names, one row an instant.
+struct TrajectoryTable {
+  std::vector<std::string> columns;
+  Eigen::MatrixXd values;  // (instants, columns)
+};
+
+/// time_s; angle_J_deg and speed_J_deg_s of every joint J; excitation_M, activation_M, tension_M_N,
+/// excursion_M_mm and, with fibres, fibre_M of every muscle M; slip_.._N; tip_x_mm ..; energy_J,
+/// work_J, lost_J.
+[[nodiscard]] TrajectoryTable trajectory_table(const Trajectory& trajectory);
+
+/// The table as comma-separated text with nine significant digits.
+[[nodiscard]] std::string as_csv(const TrajectoryTable& table);
+
+}  // namespace thenar
