@@ -12,5 +12,8 @@ for bench in "$build"/*_bench; do
 done
 status=0
 "$build"/ratios > "$results/ratios.txt" || status=$?
+if [ -x "$build"/mujoco_wrapping ]; then
+  "$build"/mujoco_wrapping >> "$results/ratios.txt" || status=$?
+fi
 cat "$results/ratios.txt"
 exit $status

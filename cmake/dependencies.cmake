@@ -46,4 +46,11 @@ if(THENAR_TESTS)
 endif()
 if(THENAR_BENCH)
   find_package(benchmark 1.7 REQUIRED)  # benchmark::benchmark_main
+  find_library(MUJOCO_LIBRARY mujoco)  # optional: a rival, thenar::mujoco
+  find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h)
+  if(MUJOCO_LIBRARY AND MUJOCO_INCLUDE_DIR)
+    add_library(thenar::mujoco INTERFACE IMPORTED)
+    target_include_directories(thenar::mujoco SYSTEM INTERFACE ${MUJOCO_INCLUDE_DIR})
+    target_link_libraries(thenar::mujoco INTERFACE ${MUJOCO_LIBRARY})
+  endif()
 endif()

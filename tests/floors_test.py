@@ -43,6 +43,7 @@ FENCES = {
     r"nlohmann/.*": ["viewer/", "apps/", "tests/"],
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],
+    r"mujoco/.*": ["bench/peers/"],
     r"g(test|mock)/.*": ["tests/"],
 }
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.

@@ -65,11 +65,16 @@ SurfaceProbe ellipsoid(const Vector3d& s, const Vector3d& p) {
 
 SurfaceProbe probe(const BoneSurface& surface, const Vector3d& p_S) {
   switch (surface.shape) {
-    case SurfaceShape::kCylinder: return cylinder(surface.size[0], p_S);
-    case SurfaceShape::kSphere: return round(p_S, surface.size[0], Matrix3d::Identity());
-    case SurfaceShape::kEllipsoid: return ellipsoid(surface.size, p_S);
-    case SurfaceShape::kCapsule: return capsule(surface.size, p_S);
-    case SurfaceShape::kTorus: return torus(surface.size, p_S);
+    case SurfaceShape::kCylinder:
+      return cylinder(surface.size[0], p_S);
+    case SurfaceShape::kSphere:
+      return round(p_S, surface.size[0], Matrix3d::Identity());
+    case SurfaceShape::kEllipsoid:
+      return ellipsoid(surface.size, p_S);
+    case SurfaceShape::kCapsule:
+      return capsule(surface.size, p_S);
+    case SurfaceShape::kTorus:
+      return torus(surface.size, p_S);
   }
   throw InputError("unknown surface shape");
 }

@@ -24,8 +24,9 @@ double nearest2(const Vector2d& a, const Vector2d& b) {
 
 /// The tangent point from p; `way` is the sense in which the string would run on from p.
 Vector2d touch(double r, const Vector2d& p, double rho, double free, double way) {
-  const Vector2d e = p / rho, across(-e.y(), e.x());
-  return r * (std::min(r / rho, 1.0) * e + way * free / rho * across);
+  const double part = r / rho;
+  const Vector2d e = part * p, across(-e.y(), e.x());
+  return std::min(part, 1.0) * e + way * free / rho * across;
 }
 
 }  // namespace

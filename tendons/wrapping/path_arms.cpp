@@ -29,10 +29,7 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
               double scale, Row row) {
   int a = span.link_a, b = span.link_b;
   if (a == b) return;
-  const Vector3d run = span.b - span.a;
-  const double length = run.norm();
-  if (length == 0) return;
-  const Vector3d u = scale / length * run;
+  const Vector3d u = scale * direction(span);
   const Vector3d moment = span.a.cross(u);  // of the run's line about the origin
   while (a != b) {
     const bool climb_b = b > a;
@@ -59,10 +56,9 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
   ride.carrier = &shapes[static_cast<std::size_t>(set.paths[path].carrier)];
   ride.span = &ride.carrier->spans[static_cast<std::size_t>(rider.ride_span)];
   ride.p = rider.spans.back().b;
-  ride.u = (ride.p - rider.spans.back().a).normalized();
-  const Vector3d run = ride.span->b - ride.span->a;
-  ride.v = run.normalized();
-  ride.share = (ride.p - ride.span->a).dot(ride.v) / run.norm();
+  ride.u = direction(rider.spans.back());
+  ride.v = direction(*ride.span);
+  ride.share = (ride.p - ride.span->a).dot(ride.v) / ride.span->length;
   return ride;
 }
 
@@ -87,7 +83,7 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
       add_span(tree, state, span, 1, row);
       continue;
     }
-    add_motion(tree, state, span.link_a, span.a, (span.b - span.a).normalized(), row);
+    add_motion(tree, state, span.link_a, span.a, direction(span), row);
     add_riding(tree, state, set, shapes, path, row);
   }
 }
@@ -161,7 +157,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathShap
   };
   for (std::size_t s = 0; s < spans; ++s) {
     const PathSpan& span = shape.spans[s];
-    const Vector3d pull = tension * (span.b - span.a).normalized();
+    const Vector3d pull = tension * direction(span);
     if (!touches(s, false)) wrenches.add(span.link_a, span.a, pull);
     if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
       wrenches.add(span.link_b, span.b, -pull);

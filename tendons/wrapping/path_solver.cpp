@@ -45,10 +45,9 @@ Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathSha
   auto arc = carrier.arcs.begin();
   const std::size_t spans = carrier.spans.size();
   for (std::size_t s = 0; s < spans; ++s) {
-    const Vector3d run = carrier.spans[s].b - carrier.spans[s].a;
-    const double length = run.norm();
+    const double length = carrier.spans[s].length;
     if (ride <= length || s + 1 == spans)  // beyond the origin it goes on straight
-      return {carrier.spans[s].a + ride / length * run, static_cast<int>(s), false};
+      return {carrier.spans[s].a + ride * direction(carrier.spans[s]), static_cast<int>(s), false};
     ride -= length;
     for (; arc != carrier.arcs.end() && arc->after == static_cast<int>(s); ++arc) {
       if (ride <= arc->arc.length) {
@@ -62,10 +61,30 @@ Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathSha
   return {carrier.spans.back().b, static_cast<int>(spans) - 1, false};
 }
 
+/// Lengths of the runs between two points of one link; negative for others.
+std::vector<double> rigid_lengths(const WrappedPath& path) {
+  std::vector<double> lengths;
+  for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
+    const WrapPoint &a = path.points[k], &b = path.points[k + 1];
+    const bool rides = path.carrier >= 0 && k + 2 == path.points.size();
+    const bool rigid = a.link == b.link && path.bends[k].empty() && !rides;
+    lengths.push_back(rigid ? (b.p - a.p).norm() : -1);
+  }
+  return lengths;
+}
+
+void add_span(PathShape& shape, int link_a, int link_b, const Vector3d& a, const Vector3d& b,
+              double length) {
+  if (length < 0) length = (b - a).norm();
+  shape.length += length;
+  shape.spans.push_back({link_a, link_b, a, b, length});
+}
+
 }  // namespace
 
 PathSolver::PathSolver(const PathSet& set)
     : set_(&set), X_(set.surfaces.size()), shapes_(set.paths.size()) {
+  for (const WrappedPath& path : set.paths) rigid_.push_back(rigid_lengths(path));
   slots_.reserve(kMostBends);
   chain_.reserve(kMostBends);
   single_.reserve(1);
@@ -106,14 +125,15 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
         if (arc.after == ridden.span || arc.after + 1 == ridden.span)
           shape.status = PathStatus::kRidesOnBend;
     }
-    add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b}, shape);
+    add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b, rigid_[k][i - 1]}, shape);
     a = b;
   }
   if (shape.error > kTangent) shape.status = PathStatus::kStalled;
   if (shape.depth > kInside) shape.status = PathStatus::kPointInside;
 }
 
-void PathSolver::add_run(const std::vector<Bend>& bends, const PathSpan& ends, PathShape& shape) {
+void PathSolver::add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape) {
+  if (bends.size() == 1 && add_round(bends[0], ends, shape)) return;
   for (const Bend& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const Pose<double> to_S = X_[i].inverse();
@@ -121,23 +141,41 @@ void PathSolver::add_run(const std::vector<Bend>& bends, const PathSpan& ends, P
                             depth_of(set_->surfaces[i], to_S * ends.b)});
   }
   if (!bends.empty()) tighten(bends, ends.a, ends.b, shape);
-  PathSpan span = ends;
+  int link = ends.link_a;
+  Vector3d from = ends.a;
   for (std::size_t i = 0; i < bends.size(); ++i) {
-    if (!slots_[i].on) continue;
-    const int link = set_->surfaces[static_cast<std::size_t>(bends[i].surface)].link;
-    span.b = slots_[i].touch_a;
-    span.link_b = link;
-    shape.length += (span.b - span.a).norm() + slots_[i].link.arc.length;
-    shape.spans.push_back(span);
+    const Slot& slot = slots_[i];
+    if (!slot.on) continue;
+    const int on = set_->surfaces[static_cast<std::size_t>(bends[i].surface)].link;
+    add_span(shape, link, on, from, slot.touch_a, -1);
     shape.arcs.push_back(
-        {bends[i].surface, static_cast<int>(shape.spans.size()) - 1, slots_[i].link.arc});
-    span.a = slots_[i].touch_b;
-    span.link_a = link;
+        {bends[i].surface, static_cast<int>(shape.spans.size()) - 1, slot.link.arc});
+    shape.length += slot.link.arc.length;
+    from = slot.touch_b;
+    link = on;
   }
-  span.b = ends.b;
-  span.link_b = ends.link_b;
-  shape.length += (span.b - span.a).norm();
-  shape.spans.push_back(span);
+  add_span(shape, link, ends.link_b, from, ends.b, ends.length);
+}
+
+/// The usual run, over one sphere or cylinder, without any detour; false for other surfaces.
+bool PathSolver::add_round(const Bend& bend, const PathEnds& ends, PathShape& shape) {
+  const auto i = static_cast<std::size_t>(bend.surface);
+  const BoneSurface& surface = set_->surfaces[i];
+  if (!is_round(surface)) return false;
+  const Pose<double>& X = X_[i];
+  const Vector3d a_S = X.R.transpose() * (ends.a - X.p), b_S = X.R.transpose() * (ends.b - X.p);
+  shape.depth = std::max({shape.depth, depth_of(surface, a_S), depth_of(surface, b_S)});
+  const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
+  if (!wrap) {
+    add_span(shape, ends.link_a, ends.link_b, ends.a, ends.b, -1);
+    return true;
+  }
+  const Vector3d touch_b = X * wrap->end;
+  add_span(shape, ends.link_a, surface.link, ends.a, X * wrap->arc.start.p, -1);
+  shape.arcs.push_back({bend.surface, static_cast<int>(shape.spans.size()) - 1, wrap->arc});
+  shape.length += wrap->arc.length;
+  add_span(shape, surface.link, ends.link_b, touch_b, ends.b, -1);
+  return true;
 }
 
 /// One surface between two points of the string; `on` is false where the string misses it.
@@ -148,20 +186,22 @@ void PathSolver::wrap_one(std::size_t i, const Bend& bend, const Vector3d& a, co
   const Pose<double>& X = X_[s];
   const Pose<double> to_S = X.inverse();
   const Vector3d a_S = to_S * a, b_S = to_S * b;
-  const auto arc = is_round(surface) ? wrap_round(surface, a_S, b_S, bend.side_S)
-                                     : guess_arc(surface, a_S, b_S, bend.side_S);
   Slot& slot = slots_[i];
+  if (is_round(surface)) {
+    const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
+    slot.on = wrap.has_value();
+    if (slot.on) slot = {true, 0, {&surface, X, wrap->arc}, X * wrap->arc.start.p, X * wrap->end};
+    return;
+  }
+  const auto arc = guess_arc(surface, a_S, b_S, bend.side_S);
   slot.on = arc.has_value();
   if (!slot.on) return;
-  slot.link = {&surface, X, *arc};
-  if (!is_round(surface)) {
-    single_.assign(1, slot.link);
-    const ChainFit fit = straighten(a, b, single_);
-    shape.iterations += fit.iterations;
-    slot.error = fit.error;
-    slot.link = single_[0];
-    slot.on = slot.link.arc.length > 0;
-  }
+  single_.assign(1, {&surface, X, *arc});
+  const ChainFit fit = straighten(a, b, single_);
+  shape.iterations += fit.iterations;
+  slot.error = fit.error;
+  slot.link = single_[0];
+  slot.on = slot.link.arc.length > 0;
   set_touches(slot);
 }
 

@@ -26,7 +26,13 @@ inline constexpr int kRiding = -2;
 struct PathSpan {
   int link_a, link_b;    // that carry its ends; -1: the base; kRiding
   Eigen::Vector3d a, b;  // [m] (3)
+  double length;         // [m]
 };
+
+/// Unit vector from a to b; zero where the run has no length (3).
+[[nodiscard]] inline Eigen::Vector3d direction(const PathSpan& span) {
+  return (span.length > 0 ? 1 / span.length : 0.0) * (span.b - span.a);
+}
 
 /// A stretch of tendon on a surface.
 struct PathArc {
@@ -60,6 +66,11 @@ class PathSolver {
   [[nodiscard]] const PathSet& set() const { return *set_; }
 
  private:
+  struct PathEnds {  // of a run between two points
+    int link_a, link_b;
+    Eigen::Vector3d a, b;
+    double length;  // if it is rigid; negative otherwise [m]
+  };
   struct Slot {  // one surface of the run in work
     bool on = false;
     double error = 0;  // [rad]
@@ -67,7 +78,8 @@ class PathSolver {
     Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
   };
   void solve_path(std::size_t path, const TreeState<double>& state);
-  void add_run(const std::vector<Bend>& bends, const PathSpan& ends, PathShape& shape);
+  void add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape);
+  bool add_round(const Bend& bend, const PathEnds& ends, PathShape& shape);
   void tighten(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                PathShape& shape);
   void sweep(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -77,7 +89,8 @@ class PathSolver {
   static void set_touches(Slot& slot);
 
   const PathSet* set_;
-  std::vector<Pose<double>> X_;  // X_WS of each surface
+  std::vector<Pose<double>> X_;             // X_WS of each surface
+  std::vector<std::vector<double>> rigid_;  // length of each run of each path; negative: it changes
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
   std::vector<ChainArc> chain_;   // those that touch

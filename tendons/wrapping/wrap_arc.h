@@ -14,6 +14,12 @@ struct WrapArc {
   double length = 0;  // of the geodesic [m]
 };
 
+/// The same on a round surface, with its end.
+struct RoundArc {
+  WrapArc arc;
+  Eigen::Vector3d end;  // where it leaves the surface, frame S [m] (3)
+};
+
 /// Where a string from a to b lies on a sphere or a cylinder, in closed form; nothing if it is
 /// straight.
 ///
@@ -21,10 +27,10 @@ struct WrapArc {
 /// opposite to `side`, however long the way round. On a sphere, from which a string would slip, it
 /// takes the shorter way, and `side` decides between ways of equal length.
 /// A point inside the surface is taken to lie on it.
-[[nodiscard]] std::optional<WrapArc> wrap_round(const BoneSurface& surface,
-                                                const Eigen::Vector3d& a_S,
-                                                const Eigen::Vector3d& b_S,
-                                                const Eigen::Vector3d& side_S);
+[[nodiscard]] std::optional<RoundArc> wrap_round(const BoneSurface& surface,
+                                                 const Eigen::Vector3d& a_S,
+                                                 const Eigen::Vector3d& b_S,
+                                                 const Eigen::Vector3d& side_S);
 
 /// A start for Newton's method on any other surface; nothing if the string is straight.
 ///

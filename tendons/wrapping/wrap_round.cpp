@@ -13,15 +13,18 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Unrolled, the string is a straight line: z grows in step with the way run across the axis.
-std::optional<WrapArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,
-                                     const Vector3d& side) {
+std::optional<RoundArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,
+                                      const Vector3d& side) {
   const auto flat = wrap_circle(r, a.head<2>(), b.head<2>(), side.head<2>());
   if (!flat) return std::nullopt;
   const double way = flat->free_a + r * flat->angle + flat->free_b, climb = b.z() - a.z();
-  const double length = std::hypot(way, climb), z = a.z() + climb * flat->free_a / way;
+  const double length = std::sqrt(way * way + climb * climb),
+               z = a.z() + climb * flat->free_a / way;
   const Vector2d round = flat->way / r * Vector2d(-flat->touch_a.y(), flat->touch_a.x());
   const Vector3d t(way / length * round.x(), way / length * round.y(), climb / length);
-  return WrapArc{{{flat->touch_a.x(), flat->touch_a.y(), z}, t}, r * flat->angle * length / way};
+  const double end_z = b.z() - climb * flat->free_b / way;
+  return RoundArc{{{{flat->touch_a.x(), flat->touch_a.y(), z}, t}, r * flat->angle * length / way},
+                  {flat->touch_b.x(), flat->touch_b.y(), end_z}};
 }
 
 /// Normal of the plane of a, b and the centre; if they are in line, of the one that holds `side`.
@@ -34,8 +37,8 @@ Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side
 }
 
 /// A great circle, the shorter way: in its plane the side is between a and b.
-std::optional<WrapArc> over_sphere(double r, const Vector3d& a, const Vector3d& b,
-                                   const Vector3d& side) {
+std::optional<RoundArc> over_sphere(double r, const Vector3d& a, const Vector3d& b,
+                                    const Vector3d& side) {
   const double rho_a = a.norm(), rho_b = b.norm();
   if (rho_a == 0 || rho_b == 0) return std::nullopt;
   const Vector3d m = plane_normal(a, b, side), x = a / rho_a, y = m.cross(x);
@@ -46,14 +49,15 @@ std::optional<WrapArc> over_sphere(double r, const Vector3d& a, const Vector3d& 
   const auto flat = wrap_circle(r, flat_a, flat_b, between);
   if (!flat) return std::nullopt;
   const Vector2d& touch = flat->touch_a;
-  return WrapArc{{touch.x() * x + touch.y() * y, (touch.x() * y - touch.y() * x) / r},
-                 r * flat->angle};
+  return RoundArc{
+      {{touch.x() * x + touch.y() * y, (touch.x() * y - touch.y() * x) / r}, r * flat->angle},
+      flat->touch_b.x() * x + flat->touch_b.y() * y};
 }
 
 }  // namespace
 
-std::optional<WrapArc> wrap_round(const BoneSurface& surface, const Vector3d& a_S,
-                                  const Vector3d& b_S, const Vector3d& side_S) {
+std::optional<RoundArc> wrap_round(const BoneSurface& surface, const Vector3d& a_S,
+                                   const Vector3d& b_S, const Vector3d& side_S) {
   if (surface.shape == SurfaceShape::kCylinder)
     return over_cylinder(surface.size[0], a_S, b_S, side_S);
   require(surface.shape == SurfaceShape::kSphere, "surface '{}' is neither sphere nor cylinder",

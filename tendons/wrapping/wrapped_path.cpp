@@ -87,11 +87,10 @@ Place nearest_place(const PathShape& shape, const Vector3d& p) {
   double before = 0;
   auto arc = shape.arcs.begin();
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
-    const Vector3d run = shape.spans[s].b - shape.spans[s].a;
-    const double length = run.norm();
-    const double along =
-        length > 0 ? std::clamp((p - shape.spans[s].a).dot(run) / length, 0.0, length) : 0;
-    const double off = (shape.spans[s].a + along / std::max(length, 1e-300) * run - p).norm();
+    const PathSpan& span = shape.spans[s];
+    const Vector3d u = direction(span);
+    const double length = span.length, along = std::clamp((p - span.a).dot(u), 0.0, length);
+    const double off = (span.a + along * u - p).norm();
     if (off < nearest.off) nearest = {off, before + along};
     before += length;
     for (; arc != shape.arcs.end() && arc->after == static_cast<int>(s); ++arc)
