@@ -14,7 +14,8 @@ constexpr double kCarried = 1e-9;  // gap of a start that counts as lying on the
 constexpr double kLongest = 0.02;  // longest move of a node in one step [m]
 constexpr double kLift = 1e-11;    // lift from a bone that no number here can tell from none [m]
 constexpr double kNear = 1e-3;     // lift over radius below which clasping bands go as its root [1]
-constexpr double kDrawn = 1e-9;    // length at which a pull has drawn its node in [m]
+constexpr double kSoft = 1e-4;   // a push beyond the tolerance within this counts as stiffness [m]
+constexpr double kDrawn = 1e-9;  // length at which a pull has drawn its node in [m]
 
 }  // namespace
 
@@ -138,7 +139,9 @@ double NetDescent::solve_step() {
 bool NetDescent::direction() {
   reduce();
   definite_ = factor_.factorise(reduced_, 0);
-  longest_ = definite_ ? solve_step() : std::numeric_limits<double>::infinity();
+  longest_ = std::numeric_limits<double>::infinity();
+  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9))
+    longest_ = solve_step();
   for (double shift = 0.1 * residual_ / radius_; longest_ > radius_; shift *= 4) {
     if (!(shift < 1e30)) return false;
     if (factor_.factorise(reduced_, shift)) longest_ = solve_step();
@@ -226,7 +229,7 @@ bool NetDescent::search() {
     if (possible && next_.energy <= at_.energy + 1e-4 * std::min(slope, 0.0) + noise) {
       accept();
       if (part < 0.3)
-        radius_ = std::max(2 * part * longest_, 1e-7);
+        radius_ = std::max({2 * part * longest_, 0.1 * std::min(longest_, radius_), 1e-7});
       else
         radius_ = std::min(std::max(radius_, 4 * longest_), kLongest);
       longest_ *= part;
@@ -299,7 +302,7 @@ bool NetDescent::grip() {
 bool NetDescent::steady() {
   if (definite_ && longest_ < 1e-6) return true;
   reduce();
-  return factor_.factorise(reduced_, 0, 1e-9);
+  return factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9);
 }
 
 /// Leaves a saddle along a direction of negative curvature.
@@ -321,11 +324,19 @@ bool NetDescent::escape() {
   return false;
 }
 
+/// Steps on a ridge shrink as they near a saddle: leaves it before. @return whether it did
+bool NetDescent::leave_ridge() {
+  if (definite_ || iterations_ == 0 || longest_ > 1e-6 || residual_ <= options_.tolerance)
+    return false;
+  reduce();
+  if (factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9) || !escape()) return false;
+  definite_ = true;
+  return true;
+}
+
 NetStatus NetDescent::descend() {
   definite_ = false;
   radius_ = kLongest;
-  double best = std::numeric_limits<double>::infinity();
-  int idle = 0;
   for (iterations_ = 0;; ++iterations_) {
     balance();
     if (let_out()) {
@@ -335,7 +346,6 @@ NetStatus NetDescent::descend() {
     if (residual_ <= options_.tolerance) {
       if (grip()) {
         evaluate(plan_, scene_, x_, at_);
-        best = std::numeric_limits<double>::infinity();
         balance();
       } else if (steady()) {
         return NetStatus::kBalanced;
@@ -346,10 +356,7 @@ NetStatus NetDescent::descend() {
       }
     }
     if (iterations_ >= options_.max_iterations) return NetStatus::kStalled;
-    // At the limit of rounding E tells nothing; the residual does.
-    idle = residual_ < 0.9 * best ? 0 : idle + 1;
-    best = std::min(best, residual_);
-    (void)idle;
+    if (leave_ridge()) continue;
     if (!direction() || !search()) return NetStatus::kStalled;
   }
 }

@@ -43,6 +43,7 @@ class NetDescent {
   bool grip();
   bool steady();
   bool escape();
+  bool leave_ridge();
   void accept();
   NetStatus descend();
   NetEquilibrium report(NetStatus status) const;
