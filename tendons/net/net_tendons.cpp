@@ -61,26 +61,39 @@ NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                       start.cols() == 0 ? nullptr : &start);
 }
 
-TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
-                            const Eigen::Matrix3Xd& start) const {
-  TendonPull pull = linear_->pull(q, t, {});
+MatrixXd NetTendons::arms_outside(const VectorXd& q, const VectorXd& t,
+                                  const TreeState<double>& state) const {
+  MatrixXd R = linear_->pull(q, t).R;
+  const TendonModel<double>& model = digit_.model;
+  for (const NetMuscle& m : net_.muscles)
+    R.row(m.muscle) = (1 - m.to_net) * R.row(m.muscle) +
+                      m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
+  return R;
+}
+
+VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
+                            const NetEquilibrium& rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  for (const NetMuscle& m : net_.muscles)
-    pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
-                           m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
-  pull.tau = pull.R.transpose() * t;
+  return arms_outside(q, t, state).transpose() * t +
+         net_torque(net_.net, model.tree, state, rest, model.coordinates);
+}
 
+TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
+                            const Eigen::Matrix3Xd& start) const {
   const NetEquilibrium at_rest = rest(q, t, start);
-  pull.tau += net_torque(net_.net, model.tree, state, at_rest, model.coordinates);
+  const TendonModel<double>& model = digit_.model;
+  const TreeState<double> state = pose_tree(model.tree, q);
+  TendonPull pull;
+  pull.tau = torque(q, t, at_rest);
+  pull.R = arms_outside(q, t, state);
   pull.slips = slip_tension(net_, at_rest);
   pull.nodes = at_rest.x;
   pull.trouble = net_trouble(net_.net, at_rest);
-  if (at_rest.status == NetStatus::kBalanced) {
-    const NetDerivatives slopes =
-        net_derivatives(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
-    pull.R += (slopes.by_drive.tau * shares_).transpose();
-  }
+  if (at_rest.status != NetStatus::kBalanced) return pull;
+  const NetDerivatives slopes =
+      net_derivatives(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
+  pull.R += (slopes.by_drive.tau * shares_).transpose();
   return pull;
 }
 

@@ -33,10 +33,18 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                     const Eigen::Matrix3Xd& start) const;
 
+  /// Joint torque of all tendons, the net's at rest where `rest` has it [N m] (coordinates).
+  [[nodiscard]] Eigen::VectorXd torque(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                       const NetEquilibrium& rest) const;
+
   /// Tension of each muscle of the net [N] (pulls).
   [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const { return shares_ * t; }
 
  private:
+  /// Moment arms of all that the net leaves to runs of its own (muscles, coordinates) [m/rad].
+  [[nodiscard]] Eigen::MatrixXd arms_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                             const TreeState<double>& state) const;
+
   std::unique_ptr<DigitTendons> linear_;
   BuiltNet net_;
   NetSolverOptions options_;

@@ -1,0 +1,161 @@
+#include "kinematics_fit/hood_comparison.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "base/error.h"
+#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/held_tip.h"
+#include "kinematics_fit/predict_forces.h"
+#include "tendons/linear_tendons.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/net/net_sweep.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+/// Force on the load cell for one torque of the tendons, experiment components (3) [N].
+Eigen::Vector3d cell_force(const TendonModel<double>& model, const ExperimentPlan& plan,
+                           const VectorXd& q, const MatrixX<double>& tau) {
+  const TreeState<double> state = pose_tree(model.tree, q);
+  const MatrixX<double> L = held_loads(model, state, plan.hold, 0.0);
+  const MatrixX<double> loads =
+      L.rows() < L.cols() ? solve_least_norm(L, tau) : solve_least_squares(L, tau);
+  const auto axes = [&](int link) -> Eigen::Matrix3d {
+    return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
+  };
+  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
+         loads.topRows<3>();
+}
+
+/// Errors of the trials that a test picks; of no trial if it picks none.
+template <typename Pick>
+ForceError error_of(const Prediction& prediction, const Experiment& experiment, Pick pick) {
+  std::vector<PredictedTrial> picked;
+  for (std::size_t i = 0; i < prediction.trials.size(); ++i)
+    if (pick(experiment.trials[i])) picked.push_back(prediction.trials[i]);
+  return picked.empty() ? ForceError{} : force_error(picked);
+}
+
+std::vector<std::string> loaded(const Trial& trial) {
+  std::vector<std::string> muscles;
+  for (const auto& [muscle, tension] : trial.tension)
+    if (tension > 0) muscles.push_back(muscle);
+  return muscles;
+}
+
+/// Muscles of the hood: those of the subject's rule, and those that pull a net.
+std::vector<std::string> find_hood_muscles(const Subject& subject, const Experiment& experiment,
+                                           const std::vector<NetDescription>& nets) {
+  std::set<std::string> known;
+  for (const Digit& digit : subject.digits)
+    if (digit.name == experiment.digit && digit.hood)
+      for (const HoodBranch& branch : digit.hood->branches) known.insert(branch.muscle);
+  for (const NetDescription& net : nets)
+    for (const NetMusclePlan& role : net.muscles)
+      known.insert(role.names.begin(), role.names.end());
+  std::set<std::string> pulling;
+  for (const Trial& trial : experiment.trials)
+    for (const std::string& muscle : loaded(trial))
+      if (known.count(muscle) > 0) pulling.insert(muscle);
+  return {pulling.begin(), pulling.end()};
+}
+
+HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
+                      const Experiment& experiment, const std::vector<std::string>& of_hood) {
+  const HeldForces forces = held_forces(tendons, experiment);
+  HoodRung rung{name,
+                tendons.digit().fidelity.path,
+                tendons.digit().fidelity.hood,
+                compare(experiment, forces.force, Eigen::Matrix3Xd::Zero(3, forces.force.cols())),
+                {},
+                {},
+                0,
+                forces.seconds,
+                {}};
+  const auto in_hood = [&](const Trial& trial) {
+    const std::vector<std::string> muscles = loaded(trial);
+    return std::all_of(muscles.begin(), muscles.end(), [&](const std::string& muscle) {
+      return std::find(of_hood.begin(), of_hood.end(), muscle) != of_hood.end();
+    });
+  };
+  rung.hood_muscles = error_of(rung.prediction, experiment, in_hood);
+  for (const Trial& trial : experiment.trials)
+    if (const auto alone = loaded(trial); alone.size() == 1)
+      rung.muscle[alone.front()] =
+          error_of(rung.prediction, experiment, [&](const Trial& t) { return loaded(t) == alone; });
+  for (std::size_t i = 0; i < forces.trouble.size(); ++i)
+    if (!forces.trouble[i].empty())
+      rung.trouble.push_back(fmt::format("{}, {}: {}", rung.prediction.trials[i].posture,
+                                         rung.prediction.trials[i].loads, forces.trouble[i]));
+  return rung;
+}
+
+double distance(const Prediction& from, const Prediction& to) {
+  double off = 0, size = 0;
+  for (std::size_t i = 0; i < from.trials.size(); ++i) {
+    off += (from.trials[i].predicted - to.trials[i].predicted).squaredNorm();
+    size += to.trials[i].predicted.squaredNorm();
+  }
+  return size > 0 ? std::sqrt(off / size) : 0;
+}
+
+}  // namespace
+
+HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment) {
+  const TendonDigit& digit = tendons.digit();
+  const FitParameters fixed = choose_parameters(digit, {}, {});
+  const ExperimentPlan plan = plan_experiment(digit, fixed, experiment);
+  HeldForces out;
+  out.force.resize(3, plan.force.cols());
+  std::vector<double> seconds;
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    const VectorXd& q = plan.postures[static_cast<std::size_t>(plan.posture_of_trial[i])];
+    const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
+    const auto began = std::chrono::steady_clock::now();
+    const TendonPull pull = tendons.pull(q, t, start);
+    out.force.col(i) = cell_force(digit.model, plan, q, pull.tau);
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    out.trouble.push_back(pull.trouble);
+  }
+  out.seconds = median(std::move(seconds));
+  return out;
+}
+
+HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
+                             const std::vector<NetDescription>& nets) {
+  HoodComparison out{
+      subject.name, experiment.name, find_hood_muscles(subject, experiment, nets), {}};
+  bool has_rule = false;
+  for (const Digit& digit : subject.digits)
+    has_rule = has_rule || (digit.name == experiment.digit && digit.hood);
+  std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
+  if (!subject.surfaces.empty()) paths.push_back({Path::kWrapped, ", wrapped"});
+  const auto add = [&](const std::string& name, Hood hood, const NetDescription* net) {
+    for (const auto& [path, suffix] : paths) {
+      TendonOptions options;
+      options.path = path;
+      options.hood = hood;
+      const auto tendons = build_digit_tendons(subject, experiment.digit, options, net);
+      out.rungs.push_back(predict_rung(*tendons, name + suffix, experiment, out.hood_muscles));
+    }
+  };
+  add("separate tendons", Hood::kSeparate, nullptr);
+  if (has_rule) add("fixed fractions", Hood::kFractions, nullptr);
+  for (const NetDescription& net : nets) add("net " + net.name, Hood::kFloatingNet, &net);
+  for (HoodRung& rung : out.rungs)
+    rung.off_finest = distance(rung.prediction, out.rungs.back().prediction);
+  return out;
+}
+
+}  // namespace thenar

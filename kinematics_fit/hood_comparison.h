@@ -1,0 +1,52 @@
+#pragma once
+
+/// Measured fingertip forces beside those of every rung of the extensor hood, nothing fitted.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "data/io/net.h"
+#include "kinematics_fit/prediction.h"
+#include "tendons/digit_tendons.h"
+
+namespace thenar {
+
+/// One rung of path and hood on one experiment.
+struct HoodRung {
+  std::string name;  // "fixed fractions", "net winslow"
+  Path path;
+  Hood hood;
+  Prediction prediction;                     // all trials
+  std::map<std::string, ForceError> muscle;  // by the muscle that pulls, where one pulls alone
+  ForceError hood_muscles;                   // of trials whose muscles all pull on the hood
+  double off_finest = 0;             // RMS distance of its forces from those of the last rung,
+                                     // per RMS force of that [1]
+  double seconds = 0;                // for one posture under one load, median [s]
+  std::vector<std::string> trouble;  // trial and reason, where a net is not to be trusted
+};
+
+struct HoodComparison {
+  std::string subject, experiment;
+  std::vector<std::string> hood_muscles;  // whose trials count there
+  std::vector<HoodRung> rungs;            // from the poorest to the finest
+};
+
+/// Predicts every trial on every rung: separate tendons, fixed fractions if the subject has a hood
+/// rule, then each net; of these the last is called the finest. Paths are straight runs, and again
+/// wrapped where the subject has surfaces. Nets are brought to each posture from the straight
+/// finger under the load. The hold carries forces and the flexion moment, as in [Synek2019].
+/// @throws InputError if the experiment does not fit the digit.
+[[nodiscard]] HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
+                                           const std::vector<NetDescription>& nets);
+
+/// Forces of a held tip for every trial, in the experiment's components [N] (3, trials).
+/// @param trouble  out of the hood, one text a trial; empty: none
+struct HeldForces {
+  Eigen::Matrix3Xd force;
+  std::vector<std::string> trouble;
+  double seconds;  // median of a trial [s]
+};
+[[nodiscard]] HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment);
+
+}  // namespace thenar

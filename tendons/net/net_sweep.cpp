@@ -1,0 +1,84 @@
+#include "tendons/net/net_sweep.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "tendons/net/net_statics.h"
+
+namespace thenar {
+namespace {
+
+/// Fills in how far knots and bones went between two points.
+void compare_places(const Net& net, const SweepPoint& before, double snap, SweepPoint& point) {
+  const auto& loose = point.rest.loose;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(i);
+    const double way = (point.rest.x.col(node) - before.rest.x.col(node)).norm();
+    if (!net.nodes[i].free) {
+      point.carried = std::max(point.carried, way);
+    } else if (way > point.moved &&
+               std::find(loose.begin(), loose.end(), static_cast<int>(i)) == loose.end()) {
+      point.moved = way;
+      point.mover = static_cast<int>(i);
+    }
+  }
+  point.snapped = point.moved > snap * point.carried && point.carried > 0;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
+                                              const Eigen::VectorXd& to, int steps) {
+  require(steps > 0, "a sweep needs at least one step, got {}", steps);
+  require(from.size() == to.size(), "postures have {} and {} angles", from.size(), to.size());
+  std::vector<Eigen::VectorXd> postures;
+  for (int k = 0; k <= steps; ++k) postures.emplace_back(from + (to - from) * k / steps);
+  return postures;
+}
+
+std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
+                                  const std::vector<Eigen::VectorXd>& postures,
+                                  const Eigen::VectorXd& t, const NetSweepOptions& options,
+                                  Eigen::Matrix3Xd start) {
+  std::vector<SweepPoint> points;
+  for (const Eigen::VectorXd& q : postures) {
+    SweepPoint point;
+    point.q = q;
+    point.rest = tendons.rest(q, t, start);
+    start = point.rest.x;
+    point.slips = slip_tension(tendons.net(), point.rest);
+    point.tau = tendons.torque(q, t, point.rest);
+    if (!points.empty()) compare_places(tendons.net().net, points.back(), options.snap, point);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& t, int steps) {
+  const auto* with_net = dynamic_cast<const NetTendons*>(&tendons);
+  if (with_net == nullptr) return {};
+  Eigen::Matrix3Xd start;
+  for (const Eigen::VectorXd& on_the_way :
+       postures_between(with_net->net().frame.straight, q, steps))
+    start = with_net->rest(on_the_way, t, start).x;
+  return start;
+}
+
+double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, int coordinate) {
+  const Net& all = tendons.net().net;
+  const auto b = static_cast<std::size_t>(band);
+  require(b < all.bands.size(), "net '{}' has no band {}", all.name, band);
+  // The torque of a net of this one band under 1 N.
+  Net one = all;
+  one.bands = {all.bands[b]};
+  NetEquilibrium rest = point.rest;
+  rest.tension = Eigen::VectorXd::Ones(1);
+  rest.length = point.rest.length.segment<1>(band);
+  rest.contacts.clear();
+  const TendonModel<double>& model = tendons.digit().model;
+  return net_torque(one, model.tree, pose_tree(model.tree, point.q), rest,
+                    model.coordinates)[coordinate];
+}
+
+}  // namespace thenar
