@@ -25,7 +25,7 @@ TEST(Sha256, SeesEveryByteAlsoZero) {
 TEST(Versions, NameEverythingThatComputes) {
   const auto all = versions();
   for (const char* name : {"thenar", "compiler", "Eigen", "Ceres", "Ipopt", "NLopt", "CLP", "HDF5",
-                           "Qhull", "Simbody"})
+                           "Qhull", "SUNDIALS", "Simbody"})
     EXPECT_EQ(all.count(name), 1U) << name;
   for (const auto& [name, version] : all) {
     EXPECT_FALSE(version.empty()) << name;
