@@ -1,0 +1,177 @@
+#include "tendons/topology/explore_nets.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFirstChance = 0.7;  // that a band is in a topology of the first population
+constexpr double kCross = 0.4;        // chance that a child has two parents
+
+/// Topologies with the stiffnesses that they start their next fit from.
+struct Member {
+  Topology bands;
+  Eigen::VectorXd s;
+};
+using Population = std::vector<Member>;
+
+Topology random_topology(std::size_t bands, std::mt19937& random) {
+  std::bernoulli_distribution present(kFirstChance);
+  Topology out(bands);
+  for (std::size_t c = 0; c < bands; ++c) out[c] = present(random);
+  return out;
+}
+
+Member child_of(const std::vector<TriedNet>& parents, std::mt19937& random) {
+  std::uniform_int_distribution<std::size_t> pick(0, parents.size() - 1);
+  const TriedNet& mother = parents[std::min(pick(random), pick(random))];  // the better more often
+  Member child{mother.bands, mother.fit.s};
+  std::uniform_int_distribution<std::size_t> band(0, child.bands.size() - 1);
+  if (parents.size() > 1 && std::bernoulli_distribution(kCross)(random)) {
+    const TriedNet& father = parents[pick(random)];
+    std::bernoulli_distribution coin(0.5);
+    for (std::size_t c = 0; c < child.bands.size(); ++c)
+      if (coin(random)) {
+        child.bands[c] = father.bands[c];
+        child.s(static_cast<Eigen::Index>(c)) = father.fit.s(static_cast<Eigen::Index>(c));
+      }
+  }
+  const int changes = std::bernoulli_distribution(0.5)(random) ? 1 : 2;
+  for (int i = 0; i < changes; ++i) {
+    const std::size_t c = band(random);
+    child.bands[c] = !child.bands[c];
+  }
+  return child;
+}
+
+/// The best by score, best first.
+std::vector<TriedNet> survivors(std::vector<TriedNet> nets, const ExploreOptions& options) {
+  std::sort(nets.begin(), nets.end(), [&](const TriedNet& a, const TriedNet& b) {
+    return score(a, options.price) < score(b, options.price);
+  });
+  if (nets.size() > static_cast<std::size_t>(options.population))
+    nets.resize(static_cast<std::size_t>(options.population));
+  return nets;
+}
+
+/// Fits the population to the records at hand and lets it breed.
+std::vector<TriedNet> estimate(TriedNets& tried, const Population& population, std::mt19937& random,
+                               const ExploreOptions& options, const Progress& progress) {
+  for (const Member& member : population) (void)tried.fit(member.bands, member.s);
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  std::vector<TriedNet> alive;
+  for (int g = 0; g <= options.generations; ++g) {
+    if (!tried.best()) return {};
+    alive = survivors(tried.alike(kAll), options);
+    if (g == options.generations || progress.stop()) break;
+    for (int i = 0; i < options.children; ++i) {
+      const Member child = child_of(alive, random);
+      (void)tried.fit(child.bands, child.s);
+    }
+  }
+  return alive;
+}
+
+/// Tests not measured yet, at most `count`, that are worth it; no two of one posture if there is a
+/// choice.
+std::vector<TestPromise> choose(const std::vector<TestPromise>& ranked,
+                                const std::vector<TendonTest>& pool, const ExploreOptions& options,
+                                int count) {
+  std::vector<TestPromise> chosen;
+  for (const TestPromise& promise : ranked) {
+    if (static_cast<int>(chosen.size()) == count || promise.disagreement < options.enough) break;
+    const bool posture_taken = std::any_of(chosen.begin(), chosen.end(), [&](const TestPromise& c) {
+      return pool[c.test].q.isApprox(pool[promise.test].q);
+    });
+    if (!posture_taken) chosen.push_back(promise);
+  }
+  return chosen;
+}
+
+/// Everything that changes from round to round.
+struct Search {
+  Population population;
+  std::vector<TendonRecord> records;
+  std::vector<bool> used;  // tests of the pool
+
+  void measure(const std::vector<TestPromise>& chosen, const std::vector<TendonTest>& pool,
+               const TestOracle& oracle) {
+    for (const TestPromise& promise : chosen) {
+      records.push_back(oracle(pool[promise.test]));
+      used[promise.test] = true;
+    }
+  }
+};
+
+Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
+             const std::vector<TendonTest>& pool, const TestOracle& oracle, std::mt19937& random,
+             const ExploreOptions& options) {
+  Search search{{}, std::move(records), std::vector<bool>(pool.size(), false)};
+  const std::size_t n = candidate.candidates.size();
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(n));
+  search.population.push_back({Topology(n, true), one});
+  for (int i = 1; i < 2 * options.population; ++i)
+    search.population.push_back({random_topology(n, random), one});
+  while (search.records.size() < 2 && oracle) {
+    std::uniform_int_distribution<int> pick(0, static_cast<int>(pool.size()) - 1);
+    const int test = pick(random);
+    if (!search.used[test]) search.measure({{test, 0}}, pool, oracle);
+  }
+  return search;
+}
+
+/// What is left of the pool, best first.
+std::vector<TestPromise> open_tests(const std::vector<TestPromise>& ranked,
+                                    const std::vector<bool>& used) {
+  std::vector<TestPromise> open;
+  for (const TestPromise& promise : ranked)
+    if (!used[promise.test]) open.push_back(promise);
+  return open;
+}
+
+}  // namespace
+
+Exploration explore_nets(const CandidateNet& candidate, std::vector<TendonRecord> records,
+                         const std::vector<TendonTest>& pool, const TestOracle& oracle,
+                         std::mt19937& random, const ExploreOptions& options,
+                         const Progress& progress) {
+  require(records.size() >= 2 || (oracle && pool.size() >= 2),
+          "wanted two records, or an oracle and two tests, got {} and {}", records.size(),
+          pool.size());
+  Search search = begin(candidate, std::move(records), pool, oracle, random, options);
+  NetForward forecast(candidate, pool);
+  Exploration out;
+  for (;;) {
+    const int measured = static_cast<int>(search.records.size());
+    progress(0.9 * measured / std::max(options.most_tests, measured),
+             fmt::format("{} tests", measured));
+    BandFitter fitter(candidate, search.records);
+    TriedNets tried(fitter);
+    const std::vector<TriedNet> alive =
+        estimate(tried, search.population, random, options, progress);
+    if (alive.empty()) return out;
+    out.next =
+        open_tests(rank_tests(forecast, pool, alive, fitter.typical(), options.noise), search.used);
+    const int left = std::min(options.tests_a_round, options.most_tests - measured);
+    const std::vector<TestPromise> chosen = choose(out.next, pool, options, left);
+    const int rivals = static_cast<int>(tried.alike(options.weigh.doubt).size());
+    out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
+    out.stop = progress.stop()                 ? ExploreStop::kAsked
+               : left <= 0 || out.next.empty() ? ExploreStop::kTests
+                                               : ExploreStop::kAgreed;
+    if (progress.stop() || chosen.empty() || !oracle) {
+      const TriedNet& best = alive.front();
+      if (!progress.stop()) descend(tried, best.bands, best.fit.s, options.price);
+      out.net = weigh_bands(tried, options.weigh, progress);
+      return out;
+    }
+    search.measure(chosen, pool, oracle);
+    search.population.clear();
+    for (const TriedNet& net : alive) search.population.push_back({net.bands, net.fit.s});
+  }
+}
+
+}  // namespace thenar

@@ -1,0 +1,91 @@
+#include "tendons/topology/fit_bands.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+void append(Eigen::VectorXd& to, const Eigen::VectorXd& what) {
+  to.conservativeResize(to.size() + what.size());
+  to.tail(what.size()) = what;
+}
+
+/// The fit's unknown of one band:  x = log(1 + s / kSoft).
+double unknown_of(double s) { return std::log1p(s / kSoft); }
+Eigen::VectorXd stiffness_of(const Eigen::VectorXd& x) {
+  return x.unaryExpr([](double u) { return kSoft * std::expm1(u); });
+}
+
+}  // namespace
+
+BandFitter::BandFitter(const CandidateNet& candidate, const std::vector<TendonRecord>& records,
+                       const PricedFitOptions& options)
+    : forward_(candidate, {}),
+      options_(options),
+      typical_(static_cast<Eigen::Index>(candidate.candidates.size())) {
+  for (Eigen::Index c = 0; c < typical_.size(); ++c)
+    typical_(c) = candidate.net.bands[candidate.candidates[c].band].EA;
+  for (const TendonRecord& record : records) add(record);
+}
+
+void BandFitter::add(const TendonRecord& record) {
+  check_record(candidate(), record);
+  forward_.add(record.test);
+  append(measured_, record.measured);
+  append(sd_, record.sd);
+}
+
+PricedResiduals BandFitter::residuals(const Eigen::VectorXd& s, Slopes slopes) {
+  const NetForecast forecast = forward_.predict(s.cwiseProduct(typical_), slopes);
+  PricedResiduals out;
+  out.possible = forecast.holds;
+  if (!out.possible) return out;
+  const Eigen::VectorXd sd = inflation_ * sd_;
+  out.r = (forecast.value - measured_).cwiseQuotient(sd);
+  if (slopes == Slopes::kWith)
+    out.J = sd.cwiseInverse().asDiagonal() * forecast.by_EA * typical_.asDiagonal();
+  return out;
+}
+
+BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
+                        const Eigen::VectorXd& price) {
+  const Eigen::Index n = typical_.size();
+  require(static_cast<Eigen::Index>(presence.size()) == n && start.size() == n,
+          "wanted {} presences and stiffnesses, got {} and {}", n, presence.size(), start.size());
+  PricedFit problem;
+  problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
+  problem.price = price.size() ? price : Eigen::VectorXd::Zero(n);
+  for (Eigen::Index c = 0; c < n; ++c) {
+    const CandidateBand& band = candidate().candidates[c];
+    if (presence[c] == Presence::kYes) problem.lower(c) = unknown_of(band.least / typical_(c));
+    if (presence[c] == Presence::kEither) problem.lower(c) = unknown_of(kGhost);
+    if (presence[c] != Presence::kNo) problem.upper(c) = unknown_of(band.most / typical_(c));
+  }
+  problem.residuals = [&](const Eigen::VectorXd& x, Slopes slopes) {
+    const Eigen::VectorXd s = stiffness_of(x);
+    PricedResiduals at = residuals(s, slopes);
+    if (at.J.size()) at.J = at.J * Eigen::VectorXd(s.array() + kSoft).asDiagonal();
+    return at;
+  };
+  PricedResult found = fit_bounded(problem, start.unaryExpr(&unknown_of), options_);
+  BandFit out;
+  out.holds = found.possible;
+  if (!out.holds) return out;
+  out.converged = found.converged;
+  out.s = stiffness_of(found.x);
+  out.misfit = found.at.r.squaredNorm();
+  out.r = std::move(found.at.r);
+  out.J = found.at.J * Eigen::VectorXd((out.s.array() + kSoft).inverse()).asDiagonal();
+  return out;
+}
+
+Presences presences_of(const std::vector<bool>& bands) {
+  Presences presences;
+  for (bool band : bands) presences.push_back(band ? Presence::kYes : Presence::kNo);
+  return presences;
+}
+
+}  // namespace thenar

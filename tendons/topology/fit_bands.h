@@ -1,0 +1,76 @@
+#pragma once
+
+/// Stiffnesses that a topology needs to explain what was measured.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tendons/topology/fit_bounded.h"
+#include "tendons/topology/predict_net.h"
+
+namespace thenar {
+
+/// What is assumed of one candidate in a fit.
+enum class Presence {
+  kNo,     // EA = 0
+  kYes,    // least <= EA <= most
+  kEither  // 0 < EA <= most, from kGhost of the typical EA on
+};
+using Presences = std::vector<Presence>;
+
+/// Part of the typical EA below which a band's load is no longer shared by ratios of stiffness [1].
+inline constexpr double kSoft = 0.01;
+
+/// Part of the typical EA that a band keeps where it may exist but vanishes, so that the net's
+/// slope by it stays defined; it then carries this part of its share [1].
+inline constexpr double kGhost = 1e-3;
+
+/// Best stiffnesses under one set of assumptions.
+struct [[nodiscard]] BandFit {
+  bool holds = false;  // the net carries all loads; otherwise nothing else is meant
+  bool converged = false;
+  Eigen::VectorXd s;  // EA / typical EA of each candidate [1] (candidates)
+  double misfit = 0;  // chi^2 = sum ((predicted - measured) / sd)^2 [1]
+  Eigen::VectorXd r;  // the residuals in units of sd (rows)
+  Eigen::MatrixXd J;  // their slope by s (rows, candidates)
+};
+
+/// Fits one set of records again and again, under changing assumptions.
+class BandFitter {
+ public:
+  /// @throws InputError naming the candidate or record that is wrong.
+  BandFitter(const CandidateNet& candidate, const std::vector<TendonRecord>& records,
+             const PricedFitOptions& options = {});
+
+  /// @param presence  of each candidate (candidates)
+  /// Unknowns are  x = log(1 + s / kSoft): a net feels ratios of stiffness, but zero is in reach.
+  /// Their price is so the log-sum penalty that re-weighted L1 majorises [Candes2008].
+  /// @param start     s to start from, moved between the bounds [1] (candidates)
+  /// @param price     of the unknowns, or empty [1] (candidates)
+  BandFit fit(const Presences& presence, const Eigen::VectorXd& start,
+              const Eigen::VectorXd& price = {});
+
+  void add(const TendonRecord& record);
+  /// All standard deviations times this from now on: for errors of the model.
+  void inflate(double factor) { inflation_ *= factor; }
+
+  [[nodiscard]] const CandidateNet& candidate() const { return forward_.candidate(); }
+  [[nodiscard]] const Eigen::VectorXd& typical() const { return typical_; }
+  [[nodiscard]] Eigen::Index rows() const { return measured_.size(); }
+  [[nodiscard]] double inflation() const { return inflation_; }
+  [[nodiscard]] long solves() const { return forward_.solves(); }
+
+ private:
+  PricedResiduals residuals(const Eigen::VectorXd& s, Slopes slopes);
+  NetForward forward_;
+  PricedFitOptions options_;
+  Eigen::VectorXd typical_;        // EA [N] (candidates)
+  Eigen::VectorXd measured_, sd_;  // stacked (rows)
+  double inflation_ = 1;
+};
+
+/// The topology's presences: kYes where a band is.
+[[nodiscard]] Presences presences_of(const std::vector<bool>& bands);
+
+}  // namespace thenar

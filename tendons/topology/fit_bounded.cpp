@@ -1,0 +1,76 @@
+#include "tendons/topology/fit_bounded.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+constexpr double kSmallest = 1e-9;  // radius at which a fit gives up
+constexpr int kSweeps = 400;
+constexpr double kSettled = 1e-9;  // relative move of a sweep at which descent stops
+
+/// Minimum of the linearised problem within `radius` of here, in every unknown.
+Eigen::VectorXd trusted_step(const PricedFit& fit, const PricedResult& now, double radius) {
+  Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
+  H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
+  const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
+  return bounded_quadratic(H, g, (fit.lower - now.x).cwiseMax(-radius),
+                           (fit.upper - now.x).cwiseMin(radius));
+}
+
+/// Cost of the linearised problem after a step, less the cost now.
+double foreseen_change(const PricedFit& fit, const PricedResult& now, const Eigen::VectorXd& d) {
+  return (now.at.r + now.at.J * d).squaredNorm() - now.at.r.squaredNorm() + fit.price.dot(d);
+}
+
+}  // namespace
+
+Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
+  Eigen::VectorXd slope = 2 * H * d + g;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double moved = 0;
+    for (Eigen::Index i = 0; i < g.size(); ++i) {
+      const double wanted = d(i) - slope(i) / (2 * H(i, i));
+      const double move = std::clamp(wanted, lower(i), upper(i)) - d(i);
+      if (move == 0) continue;
+      d(i) += move;
+      slope += 2 * move * H.col(i);
+      moved = std::max(moved, std::abs(move) / (std::abs(d(i)) + kSettled));
+    }
+    if (moved < kSettled) break;
+  }
+  return d;
+}
+
+PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
+                         const PricedFitOptions& options) {
+  PricedResult now;
+  now.x = x0.cwiseMax(fit.lower).cwiseMin(fit.upper);
+  now.at = fit.residuals(now.x, Slopes::kWith);
+  now.possible = now.at.possible;
+  if (!now.possible) return now;
+  now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
+  double radius = options.radius;
+  for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
+    const Eigen::VectorXd d = trusted_step(fit, now, radius);
+    const double foreseen = foreseen_change(fit, now, d);
+    now.converged = -foreseen < options.tolerance;
+    if (now.converged) break;
+    const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
+    const PricedResiduals next = fit.residuals(x, Slopes::kWithout);
+    const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
+    const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
+    if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
+    if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
+    if (ratio < 1e-3) continue;
+    now.x = x;
+    now.cost = cost;
+    now.at = fit.residuals(x, Slopes::kWith);
+  }
+  return now;
+}
+
+}  // namespace thenar

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Least squares between bounds, with a price on every unknown.
+
+#include <functional>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+enum class Slopes { kWithout, kWith };
+
+/// Residuals at one point.
+struct PricedResiduals {
+  bool possible = false;  // false: the model has no answer there
+  Eigen::VectorXd r;      // (m)
+  Eigen::MatrixXd J;      // dr/dx (m, n); if asked for
+};
+
+/// minimise  |r(x)|^2 + price' x   subject to  lower <= x <= upper.
+struct PricedFit {
+  Eigen::VectorXd lower, upper, price;  // (n)
+  std::function<PricedResiduals(const Eigen::VectorXd& x, Slopes slopes)> residuals;
+};
+
+struct PricedFitOptions {
+  double tolerance = 1e-3;  // fall of the cost that still counts [1]
+  double radius = 1;        // farthest move of an unknown in one step
+  int max_steps = 60;
+};
+
+struct [[nodiscard]] PricedResult {
+  bool possible = false;   // the start had an answer
+  bool converged = false;  // to the tolerance
+  Eigen::VectorXd x;
+  PricedResiduals at;  // there
+  double cost = 0;     // |r|^2 + price' x
+  int steps = 0;
+};
+
+/// By Gauss and Newton's steps in a box of trust, each the minimum of a bounded quadratic program
+/// found by coordinate descent. Steps to where the model has no answer are shortened.
+/// @param x0  is moved between the bounds first (n)
+[[nodiscard]] PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
+                                       const PricedFitOptions& options = {});
+
+/// minimise  d' H d + g' d  between bounds; H symmetric positive definite.
+[[nodiscard]] Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                                const Eigen::VectorXd& lower,
+                                                const Eigen::VectorXd& upper);
+
+}  // namespace thenar

@@ -1,0 +1,56 @@
+#pragma once
+
+/// What a net of given stiffnesses would give in a list of tests.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tendons/net/solve_net.h"
+#include "tendons/topology/candidate_net.h"
+#include "tendons/topology/fit_bounded.h"
+
+namespace thenar {
+
+/// A net that the solver could not bring to rest better than this is left out; finer residuals are
+/// far below what a load cell feels [N].
+inline constexpr double kSettledNet = 1e-4;
+
+/// All tests one under the other.
+struct [[nodiscard]] NetForecast {
+  bool holds = false;     // every test was balanced; otherwise nothing else is meant
+  Eigen::VectorXd value;  // (rows)
+  Eigen::MatrixXd by_EA;  // slope by each candidate's EA (rows, candidates); if asked for
+};
+
+/// Predicts one list of tests again and again. Each starts where the net of all candidates comes to
+/// rest, so what is predicted depends on nothing but EA, also where a net has two equilibria.
+class NetForward {
+ public:
+  /// @throws InputError naming what is wrong in the candidates or in a test, or a test in which
+  /// even the net of all candidates does not come to rest.
+  NetForward(CandidateNet candidate, const std::vector<TendonTest>& tests);
+
+  /// @param EA  of each candidate; 0: it does not exist, and its slope is not asked for (column of
+  ///            zeros) [N] (candidates)
+  NetForecast predict(const Eigen::VectorXd& EA, Slopes slopes);
+
+  void add(const TendonTest& test);
+  [[nodiscard]] const CandidateNet& candidate() const { return candidate_; }
+  [[nodiscard]] long solves() const { return solves_; }
+
+ private:
+  struct Posed {
+    TendonTest test;
+    TreeState<double> state;
+    Eigen::Matrix3Xd x;  // where the nodes start, world [m] (3, nodes)
+  };
+  Eigen::MatrixXd slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
+                           const Eigen::VectorXd& EA) const;
+
+  CandidateNet candidate_;
+  std::vector<Posed> tests_;
+  long solves_ = 0;
+};
+
+}  // namespace thenar

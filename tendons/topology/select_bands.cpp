@@ -1,0 +1,63 @@
+#include "tendons/topology/select_bands.h"
+
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+constexpr double kStarts[] = {1, 0.1, 0.01};  // s of all bands where fits without price start
+
+Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
+  Topology bands;
+  for (Eigen::Index c = 0; c < s.size(); ++c) {
+    const double least = fitter.candidate().candidates[c].least / fitter.typical()(c);
+    bands.push_back(s(c) > 0.5 * least);
+  }
+  return bands;
+}
+
+PathStop refit(TriedNets& tried, double price, const BandFit& priced) {
+  PathStop stop{price, priced.misfit, kept(tried.fitter(), priced.s), 0};
+  const double log_rows = std::log(static_cast<double>(tried.fitter().rows()));
+  stop.information = score({stop.bands, tried.fit(stop.bands, priced.s)}, log_rows);
+  return stop;
+}
+
+/// The path from one start, until nothing of the load is held.
+void follow(TriedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
+            std::vector<PathStop>& path) {
+  BandFitter& fitter = tried.fitter();
+  const Presences either(static_cast<std::size_t>(start.size()), Presence::kEither);
+  const double ratio =
+      std::pow(options.last_price / options.first_price, 1.0 / std::max(options.prices - 1, 1));
+  Eigen::VectorXd s = start;
+  double price = options.first_price;
+  for (int i = 0; i < options.prices; ++i, price *= ratio) {
+    const BandFit priced = fitter.fit(either, s, Eigen::VectorXd::Constant(s.size(), price));
+    if (!priced.holds) return;
+    s = priced.s;
+    path.push_back(refit(tried, price, priced));
+  }
+}
+
+}  // namespace
+
+Selection select_bands(TriedNets& tried, const SelectOptions& options, const Progress& progress) {
+  const Eigen::Index n = tried.fitter().typical().size();
+  Selection out;
+  double part = 0;
+  for (double s : kStarts) {
+    progress(part, "path over the price");
+    part += 0.6 / std::size(kStarts);
+    if (progress.stop() && !out.path.empty()) break;
+    follow(tried, Eigen::VectorXd::Constant(n, s), options, out.path);
+  }
+  const double price = std::log(static_cast<double>(tried.fitter().rows()));
+  progress(part, "changes of single bands");
+  const TriedNet* best = tried.best(price);
+  if (!best) return out;
+  out.bands = progress.stop() ? best->bands : descend(tried, best->bands, best->fit.s, price);
+  return out;
+}
+
+}  // namespace thenar

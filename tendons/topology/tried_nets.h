@@ -1,0 +1,62 @@
+#pragma once
+
+/// Topologies that were fitted to the same records, so that none is fitted twice.
+
+#include <map>
+#include <vector>
+
+#include "tendons/topology/fit_bands.h"
+
+namespace thenar {
+
+/// Which candidates exist (candidates).
+using Topology = std::vector<bool>;
+
+/// One fitted topology.
+struct TriedNet {
+  Topology bands;
+  BandFit fit;
+};
+
+/// Every topology tried so far, by its bands. Holds the fitter's address.
+class TriedNets {
+ public:
+  explicit TriedNets(BandFitter& fitter) : fitter_(&fitter) {}
+
+  /// Fits a topology, or returns it if it was fitted before.
+  /// @param start  s to start from; bands that it lacks start with their typical EA [1]
+  /// (candidates)
+  const BandFit& fit(const Topology& bands, const Eigen::VectorXd& start);
+
+  /// The one of least  misfit + price * bands  that holds, or null.
+  [[nodiscard]] const TriedNet* best(double price = 0) const;
+
+  /// Least misfit of those that hold and have (or lack) a band; infinite if there is none.
+  [[nodiscard]] double least_misfit(int band, bool present) const;
+
+  /// Those that hold, within `doubt` of the least misfit, best first.
+  [[nodiscard]] std::vector<TriedNet> alike(double doubt) const;
+
+  [[nodiscard]] bool knows(const Topology& bands) const { return tried_.count(bands) > 0; }
+  [[nodiscard]] std::size_t size() const { return tried_.size(); }
+  [[nodiscard]] BandFitter& fitter() { return *fitter_; }
+
+ private:
+  BandFitter* fitter_;
+  std::map<Topology, TriedNet> tried_;
+};
+
+/// misfit + price * number of bands; infinite if the net does not hold.
+[[nodiscard]] double score(const TriedNet& net, double price);
+
+/// The topology with one band changed.
+[[nodiscard]] Topology flipped(Topology bands, int band);
+
+/// Changes one band, or puts one for another, as long as the score falls.
+/// @param from   topology to start at
+/// @param start  its s (candidates)
+/// @return the topology where no change helps
+Topology descend(TriedNets& tried, const Topology& from, const Eigen::VectorXd& start,
+                 double price);
+
+}  // namespace thenar

@@ -1,0 +1,171 @@
+#include "tendons/topology/weigh_bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+
+namespace thenar {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kBlind = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
+
+double evidence(const TriedNets& tried, int band) {
+  const double without = tried.least_misfit(band, false), with = tried.least_misfit(band, true);
+  return std::isinf(without) && std::isinf(with) ? 0 : without - with;
+}
+
+/// Bands of little evidence, least first.
+std::vector<int> doubtful(const TriedNets& tried, int bands, double below) {
+  std::vector<int> open;
+  for (int c = 0; c < bands; ++c)
+    if (std::abs(evidence(tried, c)) < below) open.push_back(c);
+  std::sort(open.begin(), open.end(), [&](int a, int b) {
+    return std::abs(evidence(tried, a)) < std::abs(evidence(tried, b));
+  });
+  return open;
+}
+
+/// Single changes of the best net, again from whatever is better.
+void try_singles(TriedNets& tried) {
+  for (const TriedNet* best = tried.best(); best;) {
+    const TriedNet here = *best;
+    for (int c = 0; c < static_cast<int>(here.bands.size()); ++c)
+      (void)tried.fit(flipped(here.bands, c), here.fit.s);
+    best = tried.best();
+    if (best->fit.misfit > here.fit.misfit - 0.5) return;
+  }
+}
+
+void try_pairs(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+  const TriedNet here = *tried.best();
+  const std::vector<int> open =
+      doubtful(tried, static_cast<int>(here.bands.size()), options.screen);
+  int left = options.most_pairs;
+  for (std::size_t b = 1; b < open.size(); ++b)
+    for (std::size_t a = 0; a < b && left > 0 && !progress.stop(); ++a, --left)
+      (void)tried.fit(flipped(flipped(here.bands, open[a]), open[b]), here.fit.s);
+}
+
+void try_combinations(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+  const TriedNet here = *tried.best();
+  std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), options.doubt);
+  open.resize(std::min<std::size_t>(open.size(), static_cast<std::size_t>(options.most_open)));
+  for (unsigned way = 0; way < 1u << open.size() && !progress.stop(); ++way) {
+    Topology bands = here.bands;
+    for (std::size_t i = 0; i < open.size(); ++i) bands[open[i]] = (way >> i) & 1u;
+    (void)tried.fit(bands, here.fit.s);
+  }
+}
+
+/// Information on log EA in the best net (candidates, candidates).
+Eigen::MatrixXd information(const BandFit& fit) {
+  const Eigen::MatrixXd J = fit.J * fit.s.asDiagonal();
+  return J.transpose() * J;
+}
+
+/// Standard deviations of log EA, others free; infinite along blind directions.
+void state_stiffness(TriedNets& tried, InferredNet& out) {
+  const TriedNet& best = *tried.best();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information(best.fit));
+  const Eigen::VectorXd& lambda = eigen.eigenvalues();
+  Eigen::VectorXd variance = Eigen::VectorXd::Zero(lambda.size());
+  for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+    const Eigen::VectorXd v = eigen.eigenvectors().col(k);
+    const bool present = best.fit.s.cwiseProduct(v).norm() > 1e-9;
+    if (lambda(k) < kBlind && present) out.blind.push_back(v);
+    for (Eigen::Index c = 0; c < v.size(); ++c)
+      if (std::abs(v(c)) > 1e-6) variance(c) += v(c) * v(c) / std::max(lambda(k), 1e-300);
+  }
+  for (std::size_t c = 0; c < out.verdicts.size(); ++c) {
+    const auto i = static_cast<Eigen::Index>(c);
+    out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
+    const double sd = std::sqrt(variance(i));
+    out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
+  }
+}
+
+/// Which of two bands occur together in the nets alike: all four ways, or fewer.
+bool linked(const std::vector<TriedNet>& alike, int a, int b) {
+  bool seen[2][2] = {};
+  for (const TriedNet& net : alike) seen[net.bands[a]][net.bands[b]] = true;
+  return !(seen[0][0] && seen[0][1] && seen[1][0] && seen[1][1]);
+}
+
+std::vector<BandGroup> groups_of(const InferredNet& found) {
+  const int n = static_cast<int>(found.verdicts.size());
+  std::vector<int> root(static_cast<std::size_t>(n));
+  std::iota(root.begin(), root.end(), 0);
+  const auto open = [&](int c) { return found.verdicts[c].verdict == Verdict::kUndecided; };
+  for (int a = 0; a < n; ++a)
+    for (int b = a + 1; b < n; ++b)
+      if (open(a) && open(b) && linked(found.alike, a, b))
+        std::replace(root.begin(), root.end(), int{root[b]}, int{root[a]});
+  std::vector<BandGroup> groups;
+  for (int r = 0; r < n; ++r) {
+    BandGroup group;
+    for (int c = 0; c < n; ++c)
+      if (root[c] == r) group.bands.push_back(c);
+    if (group.bands.size() < 2) continue;
+    for (const TriedNet& net : found.alike) {
+      std::vector<int> way;
+      for (int c : group.bands)
+        if (net.bands[c]) way.push_back(c);
+      if (std::find(group.ways.begin(), group.ways.end(), way) == group.ways.end())
+        group.ways.push_back(way);
+    }
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::string to_string(Verdict verdict) {
+  return verdict == Verdict::kYes ? "yes" : verdict == Verdict::kNo ? "no" : "undecided";
+}
+
+InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+  InferredNet out;
+  out.rows = tried.fitter().rows();
+  out.inflation = tried.fitter().inflation();
+  if (!tried.best()) return out;
+  progress(0.7, "changes of the best net");
+  try_singles(tried);
+  progress(0.8, "pairs of changes");
+  try_pairs(tried, options, progress);
+  progress(0.9, "combinations of what is undecided");
+  try_combinations(tried, options, progress);
+  const TriedNet& best = *tried.best();
+  out.found = true;
+  out.bands = best.bands;
+  out.misfit = best.fit.misfit;
+  const std::vector<std::string> names = candidate_names(tried.fitter().candidate());
+  for (int c = 0; c < static_cast<int>(names.size()); ++c) {
+    BandVerdict band;
+    band.name = names[c];
+    band.evidence = evidence(tried, c);
+    if (std::abs(band.evidence) >= options.doubt)
+      band.verdict = band.evidence > 0 ? Verdict::kYes : Verdict::kNo;
+    out.verdicts.push_back(band);
+  }
+  out.alike = tried.alike(options.doubt);
+  state_stiffness(tried, out);
+  out.groups = groups_of(out);
+  out.tried = tried.size();
+  out.solves = tried.fitter().solves();
+  return out;
+}
+
+double model_error(const TriedNets& tried) {
+  const TriedNet* best = tried.best();
+  if (!best) return 1;
+  const auto bands = std::count(best->bands.begin(), best->bands.end(), true);
+  const auto spare = best->fit.r.size() - bands;
+  return spare > 0 ? std::max(1.0, std::sqrt(best->fit.misfit / static_cast<double>(spare))) : 1;
+}
+
+}  // namespace thenar
