@@ -126,6 +126,7 @@ double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
 ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
   constexpr int kSteps = 60;
   Tangency now = tangency(a, b, chain);
+  double size = now.f.squaredNorm();
   ChainFit fit{now.f.lpNorm<Eigen::Infinity>(), 0};
   std::array<WrapArc, kMostBends> best;
   for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
@@ -140,10 +141,11 @@ ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>&
         vary(chain[i], factor * step.segment<4>(4 * static_cast<Eigen::Index>(i)));
       }
       const Tangency next = tangency(a, b, chain);
-      const double error = next.f.lpNorm<Eigen::Infinity>();
-      if ((better = error < fit.error)) {
+      better = next.f.squaredNorm() < size;
+      if (better) {
         now = next;
-        fit.error = error;
+        size = now.f.squaredNorm();
+        fit.error = now.f.lpNorm<Eigen::Infinity>();
       }
     }
     if (better) continue;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "tendons/wrapping/bead_string.h"
 
 namespace thenar {
 namespace {
@@ -212,46 +213,76 @@ void PathSolver::set_touches(Slot& slot) {
 }
 
 /// Surfaces in turn, each between its neighbours as they are, until none moves: the string gets
-/// shorter each time. Then all that touch at once, by Newton's method.
+/// shorter each time. Then all that touch at once, by Newton's method. If that does not get there,
+/// a string of beads says which surfaces touch and about where.
 void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
                          PathShape& shape) {
-  const std::size_t m = bends.size();
-  slots_.assign(m, Slot{});
-  const int rounds = m == 1 ? 1 : 6;
-  for (int round = 0; round < rounds; ++round) {
-    sweep(bends, a, b, shape);
+  slots_.assign(bends.size(), Slot{});
+  sweep(bends, a, b, shape);
+  double error = touch_together(a, b, shape);
+  if (error > kTangent) {
+    start_over_sides(bends);
+    contract_beads(a, b, chain_);
+    take_chain(bends);
+    error = touch_together(a, b, shape);
+  }
+  shape.error = std::max(shape.error, error);
+}
+
+/// Newton's method on all slots that are on, without those that lift off on the way.
+/// @return largest kink [rad]
+double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShape& shape) {
+  for (std::size_t round = 0; round <= slots_.size(); ++round) {
     chain_.clear();
     for (const Slot& slot : slots_)
       if (slot.on) chain_.push_back(slot.link);
-    if (chain_.empty()) return;
-    if (chain_.size() == 1) {
-      for (const Slot& slot : slots_)
-        if (slot.on) shape.error = std::max(shape.error, slot.error);
-      return;
-    }
+    if (chain_.empty()) return 0;
     const ChainFit fit = straighten(a, b, chain_);
     shape.iterations += fit.iterations;
-    const bool lifts = std::any_of(chain_.begin(), chain_.end(),
-                                   [](const ChainArc& link) { return link.arc.length < 0; });
+    bool lifts = false;
     std::size_t next = 0;
     for (Slot& slot : slots_) {
       if (!slot.on) continue;
       slot.link = chain_[next++];
       slot.on = slot.link.arc.length >= 0;
+      lifts = lifts || !slot.on;
       set_touches(slot);
     }
-    if (!lifts || round + 1 == rounds) {
-      shape.error = std::max(shape.error, lifts ? 1.0 : fit.error);
-      return;
-    }
+    if (!lifts) return fit.error;
+  }
+  return 1;
+}
+
+/// Every surface of the run, touched at its side.
+void PathSolver::start_over_sides(const std::vector<Bend>& bends) {
+  chain_.clear();
+  for (const Bend& bend : bends) {
+    const auto i = static_cast<std::size_t>(bend.surface);
+    const BoneSurface& surface = set_->surfaces[i];
+    // The hole of a torus is passed, not its wall.
+    const SurfaceRay start{bend.side_S, Vector3d::UnitX()};
+    const bool ring = surface.shape == SurfaceShape::kTorus;
+    chain_.push_back({&surface, X_[i], {ring ? start : settle(surface, start), 0}});
+  }
+}
+
+/// Puts the arcs of the chain back into the slots of their surfaces.
+void PathSolver::take_chain(const std::vector<Bend>& bends) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    const BoneSurface* surface = &set_->surfaces[static_cast<std::size_t>(bends[i].surface)];
+    slots_[i].on = next < chain_.size() && chain_[next].surface == surface;
+    if (!slots_[i].on) continue;
+    slots_[i].link = chain_[next++];
+    set_touches(slots_[i]);
   }
 }
 
 void PathSolver::sweep(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
                        PathShape& shape) {
   const std::size_t m = bends.size();
-  for (int pass = 0; pass < (m == 1 ? 1 : 100); ++pass) {
-    double moved_by = 0;
+  for (int pass = 0; pass < (m == 1 ? 1 : 40); ++pass) {
+    double moved_by = 0, error = 0;
     for (std::size_t i = 0; i < m; ++i) {
       Vector3d before = a, after = b;
       for (std::size_t k = 0; k < i; ++k)
@@ -266,7 +297,9 @@ void PathSolver::sweep(const std::vector<Bend>& bends, const Vector3d& a, const 
         moved_by = std::max({moved_by, (was.touch_a - slots_[i].touch_a).norm(),
                              (was.touch_b - slots_[i].touch_b).norm()});
     }
-    if (moved_by < 1e-6) return;
+    for (const Slot& slot : slots_)
+      if (slot.on) error = std::max(error, slot.error);
+    if (moved_by < 1e-6 || error > 1e-3) return;
   }
 }
 

@@ -86,6 +86,9 @@ class PathSolver {
              PathShape& shape);
   void wrap_one(std::size_t slot, const Bend& bend, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, PathShape& shape);
+  double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
+  void start_over_sides(const std::vector<Bend>& bends);
+  void take_chain(const std::vector<Bend>& bends);
   static void set_touches(Slot& slot);
 
   const PathSet* set_;
