@@ -29,12 +29,16 @@ Wrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquil
   for (std::size_t i = 0; i < net.bands.size(); ++i) {
     const NetBand& band = net.bands[i];
     const Vector3d a = rest.x.col(band.a), b = rest.x.col(band.b);
+    const Vector3d* held = nullptr;  // force on end a of a band of no length
+    for (const NetDrawnBand& drawn : rest.drawn)
+      if (drawn.band == static_cast<int>(i)) held = &drawn.force;
     const Chord chord = internal::band_chord(net, scene, static_cast<int>(i), a, b);
     const double t = rest.tension(static_cast<Eigen::Index>(i));
-    const Vector3d fa = -t * chord.slope.head<3>(), fb = -t * chord.slope.tail<3>();
+    const Vector3d fa = held ? *held : Vector3d(-t * chord.slope.head<3>());
+    const Vector3d fb = held ? Vector3d(-fa) : Vector3d(-t * chord.slope.tail<3>());
     if (!net.nodes[band.a].free) all.add(net.nodes[band.a].link, a, fa);
     if (!net.nodes[band.b].free) all.add(net.nodes[band.b].link, b, fb);
-    if (!chord.bent) continue;
+    if (!chord.bent || held) continue;
     all.add(net.surfaces[band.over].link, a, -fa);
     all.add(net.surfaces[band.over].link, b, -fb);
   }
