@@ -71,7 +71,7 @@ class NetBuilder {
  private:
   /// The point of the first of these strands that the subject has.
   std::optional<CarriedPoint> strand_point(const StrandPoint& at) const {
-    const Strand* strand = find_strand(subject_, at.strands);
+    const Strand* strand = find_strand(subject_, digit_, at.strands);
     if (strand == nullptr) return std::nullopt;
     const std::vector<CarriedPoint> points = carried_points(digit_.skeleton, *strand);
     const int n = static_cast<int>(points.size()), k = at.point < 0 ? n + at.point : at.point;

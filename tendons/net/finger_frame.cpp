@@ -108,7 +108,7 @@ class FrameBuilder {
   Run extensor_run(std::size_t j) const {
     const auto named = net_.height_strands.find(static_cast<FingerJoint>(j));
     if (named != net_.height_strands.end())
-      if (const Strand* strand = find_strand(subject_, named->second))
+      if (const Strand* strand = find_strand(subject_, digit_, named->second))
         if (const auto run = run_across(*strand, j)) return *run;
     const auto run = run_across(*extensor_, j);
     require(run.has_value(),
@@ -289,10 +289,13 @@ const Strand& strand_of(const Subject& subject, const std::string& muscle) {
       fmt::format("subject '{}' has no muscle '{}' with a strand", subject.name, muscle));
 }
 
-const Strand* find_strand(const Subject& subject, const std::vector<std::string>& names) {
+const Strand* find_strand(const Subject& subject, const TendonDigit& digit,
+                          const std::vector<std::string>& names) {
+  const std::vector<std::string>& here = digit.names.strands;
   for (const std::string& name : names)
     for (const Strand& strand : subject.strands)
-      if (strand.name == name) return &strand;
+      if (strand.name == name && std::find(here.begin(), here.end(), name) != here.end())
+        return &strand;
   return nullptr;
 }
 

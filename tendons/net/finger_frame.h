@@ -74,8 +74,8 @@ struct CarriedPoint {
 /// The strand that a muscle of the subject pulls. @throws InputError if there is none.
 [[nodiscard]] const Strand& strand_of(const Subject& subject, const std::string& muscle);
 
-/// The first of the named strands that the subject has, or null.
-[[nodiscard]] const Strand* find_strand(const Subject& subject,
+/// The first of the named strands that crosses a joint of the digit, or null.
+[[nodiscard]] const Strand* find_strand(const Subject& subject, const TendonDigit& digit,
                                         const std::vector<std::string>& names);
 
 /// Names of the digit's muscles that have a role, in the digit's order.

@@ -25,6 +25,6 @@ struct FittedBand {
 /// @param load  pull of each muscle of the net [N] (muscles)
 /// @return largest difference of strain that is left after `rounds` [1]
 double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
-                 const std::vector<FittedBand>& bands, int rounds = 100);
+                 const std::vector<FittedBand>& bands, int rounds = 1000);
 
 }  // namespace thenar
