@@ -1,7 +1,5 @@
 #include "tendons/muscle/finger_motion.h"
 
-#include <limits>
-
 #include "base/error.h"
 #include "tendons/muscle/excursion.h"
 
@@ -30,7 +28,9 @@ FingerMotion::FingerMotion(const MotionModel& model)
     : model_(model),
       multibody_(model.tendons.digit().skeleton, Passive::kOff),
       damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
-      last_tension_(VectorXd::Zero(muscles_of(model))) {
+      net_feels_(model.contraction.feels_velocity() &&
+                 model.tendons.digit().fidelity.hood == Hood::kFloatingNet),
+      muscles_(muscles_of(model)) {
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
   const std::vector<Musculotendon>& muscles = model.contraction.muscles();
   require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),
@@ -42,16 +42,17 @@ FingerMotion::FingerMotion(const MotionModel& model)
 
 MotionState FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
                                 const VectorXd& activation) const {
-  const Index joints = damping_.size(), muscles = last_tension_.size();
+  const Index joints = damping_.size(), muscles = muscles_;
   require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
           "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
           q.size(), q_dot.size(), activation.size());
   require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
-  MotionState state{q, q_dot, activation, {}, {}, 0, 0};
+  MotionState state{q, q_dot, activation, {}, {}, {}, 0, 0};
   state.excursion =
       excursion(model_.tendons, VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
+  if (net_feels_) state.felt = tension(state, VectorXd::Zero(muscles));
   if (!model_.contraction.has_reach()) return state;
   VectorXd reach(muscles);
   for (int m = 0; m < muscles; ++m)
@@ -67,34 +68,29 @@ MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
 }
 
 VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocity) const {
-  return VectorXd::NullaryExpr(last_tension_.size(), [&](Index m) {
+  return VectorXd::NullaryExpr(muscles_, [&](Index m) {
     MuscleState muscle = muscle_state(state, static_cast<int>(m));
     muscle.velocity = velocity[m];
     return model_.contraction.tension(static_cast<int>(m), muscle);
   });
 }
 
-/// Tension by velocity, velocity by moment arms, and these by tension where the hood is a net:
-/// repeated until nothing changes. With moment arms that ignore tension that is once.
-void FingerMotion::agree(const MotionState& state, MotionInstant& now) const {
-  constexpr int kRounds = 30;
-  constexpr double kAgreed = 1e-9;  // change of a tension [N]
-  now.agreed = false;
-  for (int round = 0; round < kRounds && !now.agreed; ++round) {
-    const VectorXd before = now.tension;
-    now.tension = tension(state, -now.pull.R * state.q_dot);
-    now.agreed = (now.tension - before).cwiseAbs().maxCoeff() < kAgreed;
-    if (!now.agreed) now.pull = model_.tendons.pull(state.q, now.tension, last_nodes_);
-  }
-}
-
 MotionInstant FingerMotion::at(const MotionState& state) const {
-  MotionInstant now{last_tension_, {}, {}, true};
-  const bool feels_velocity = model_.contraction.feels_velocity();
-  if (!feels_velocity) now.tension = tension(state, VectorXd::Zero(last_tension_.size()));
-  now.pull = model_.tendons.pull(state.q, now.tension, last_nodes_);
-  if (feels_velocity) agree(state, now);
-  now.fibre = VectorXd::NullaryExpr(last_tension_.size(), [&](Index m) {
+  const DigitTendons& tendons = model_.tendons;
+  const VectorXd none = VectorXd::Zero(muscles_);
+  MotionInstant now;
+  if (net_feels_) {
+    const VectorXd felt = state.felt.cwiseMax(0);  // an integrator may pass below 0
+    now.pull = tendons.pull(state.q, felt, last_nodes_);
+    now.tension = tension(state, -now.pull.R * state.q_dot);
+    now.pull.tau += now.pull.R.transpose() * (now.tension - felt);
+  } else {
+    const bool feels = model_.contraction.feels_velocity();
+    now.tension = tension(
+        state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
+    now.pull = tendons.pull(state.q, now.tension, last_nodes_);
+  }
+  now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
     return model_.contraction.fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
   });
   return now;
@@ -115,17 +111,13 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
     if (rate.reach.size() > 0)
       rate.reach[m] = model_.contraction.reach_rate(m, muscle_state(state, m));
   }
+  if (net_feels_) rate.felt = (now.tension - state.felt) / kNetLag;
   rate.work = now.pull.tau.dot(state.q_dot);
   rate.lost = damped.dot(state.q_dot);
-  if (!now.agreed) rate.q_dot.setConstant(std::numeric_limits<double>::quiet_NaN());
   return rate;
 }
 
-void FingerMotion::accept(const MotionState& state) {
-  const MotionInstant now = at(state);
-  last_tension_ = now.tension;
-  last_nodes_ = now.pull.nodes;
-}
+void FingerMotion::accept(const MotionState& state) { last_nodes_ = at(state).pull.nodes; }
 
 double FingerMotion::energy(const MotionState& state) {
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
@@ -135,8 +127,10 @@ double FingerMotion::energy(const MotionState& state) {
 }
 
 VectorXd FingerMotion::pack(const MotionState& state) const {
-  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.reach.size() + 2);
-  y << state.q, state.q_dot, state.activation, state.excursion, state.reach, state.work, state.lost;
+  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.reach.size() +
+             state.felt.size() + 2);
+  y << state.q, state.q_dot, state.activation, state.excursion, state.reach, state.felt, state.work,
+      state.lost;
   return y;
 }
 
@@ -146,23 +140,25 @@ MotionState FingerMotion::unpack(const VectorXd& y) const {
     next += size;
     return y.segment(next - size, size);
   };
-  const Index joints = damping_.size(), muscles = last_tension_.size();
+  const Index joints = damping_.size(), muscles = muscles_;
   MotionState state;
   state.q = take(joints);
   state.q_dot = take(joints);
   state.activation = take(muscles);
   state.excursion = take(muscles);
   state.reach = take(model_.contraction.has_reach() ? muscles : 0);
+  state.felt = take(net_feels_ ? muscles : 0);
   state.work = y[next];
   state.lost = y[next + 1];
   return state;
 }
 
 VectorXd FingerMotion::scale() const {
-  const Index joints = damping_.size(), muscles = last_tension_.size();
+  const Index joints = damping_.size(), muscles = muscles_;
   const VectorXd one = VectorXd::Ones(joints), each = VectorXd::Ones(muscles);
   const VectorXd reach = model_.contraction.has_reach() ? VectorXd(0.01 * each) : VectorXd();
-  return pack({one, one, each, 0.01 * each, reach, 1e-3, 1e-3});
+  const VectorXd felt = net_feels_ ? each : VectorXd();
+  return pack({one, one, each, 0.01 * each, reach, felt, 1e-3, 1e-3});
 }
 
 }  // namespace thenar

@@ -26,16 +26,20 @@ struct MotionState {
   Eigen::VectorXd activation;  // [1] (muscles)
   Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (muscles)
   Eigen::VectorXd reach;       // of the fibres [m] (muscles; empty where it is no state)
+  Eigen::VectorXd felt;        // tensions that a net has come to rest under [N] (muscles; empty
+                               // where moment arms ignore tension, or tension velocity)
   double work = 0;             // of the tendons on the joints [J]
   double lost = 0;             // in the dampers of the joints [J]
 };
+
+/// How fast a net takes up the change of a tension [s]; a choice of ours, short for a finger.
+inline constexpr double kNetLag = 1e-3;
 
 /// What follows from a state.
 struct MotionInstant {
   Eigen::VectorXd tension;  // [N] (muscles)
   Eigen::VectorXd fibre;    // length over optimal length [1] (muscles)
   TendonPull pull;
-  bool agreed;  // tension and velocity of the muscles found each other
 };
 
 /// States change by
@@ -46,7 +50,9 @@ struct MotionInstant {
 /// at its optimal length at the subject's reference posture, as no subject says better.
 ///
 /// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
-/// the last accepted state.
+/// the last accepted state. Where tension depends on velocity and velocity, by a net's moment arms,
+/// on tension, the net rests under tensions that follow those of the muscles within kNetLag, and is
+/// linear about them:  tau = tau(q, felt) + R' (t - felt),  felt' = (t - felt) / kNetLag.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -59,7 +65,7 @@ class FingerMotion {
                                   const Eigen::VectorXd& activation) const;
 
   /// @param excitation  0..1 [1] (muscles)
-  /// @return rates of all states; not finite where tension and velocity do not agree
+  /// @return rates of all states
   [[nodiscard]] MotionState slope(const MotionState& state, const Eigen::VectorXd& excitation);
 
   [[nodiscard]] MotionInstant at(const MotionState& state) const;
@@ -75,19 +81,19 @@ class FingerMotion {
   [[nodiscard]] MotionState unpack(const Eigen::VectorXd& y) const;
 
   /// Size below which no state is resolved at a relative tolerance of 1: 1 rad, 1 rad/s, 1, 1 cm,
-  /// 1 cm, 1 mJ, 1 mJ. Packed.
+  /// 1 cm, 1 N, 1 mJ, 1 mJ. Packed.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
  private:
   MuscleState muscle_state(const MotionState& state, int m) const;
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
-  void agree(const MotionState& state, MotionInstant& now) const;
 
   MotionModel model_;
   Multibody multibody_;
-  Eigen::VectorXd damping_;       // [N m s/rad] (coordinates)
-  Eigen::VectorXd last_tension_;  // [N] (muscles)
-  Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
+  Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
+  bool net_feels_;           // the state has felt tensions
+  Eigen::Index muscles_;
+  Eigen::Matrix3Xd last_nodes_;  // [m] (3, nodes)
 };
 
 }  // namespace thenar

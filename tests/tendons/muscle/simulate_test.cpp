@@ -237,14 +237,17 @@ TEST(Simulate, NeedsMassBeyondEveryJoint) {
                InputError);
 }
 
-/// A hood in which the second muscle takes over moment arm from the first with its tension.
-class SharingTendons : public DigitTendons {
+/// A net of one muscle whose moment arm grows with its tension.
+class GrowingArm : public DigitTendons {
  public:
-  explicit SharingTendons(TendonDigit digit) : digit_(std::move(digit)) {}
+  explicit GrowingArm(TendonDigit digit) : digit_(std::move(digit)) {
+    digit_.fidelity.hood = Hood::kFloatingNet;
+  }
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
+  static double arm(double t) { return 0.01 * (1 + 0.2 * std::tanh(t / 10)); }
   TendonPull pull(const VectorXd&, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
     TendonPull pull;
-    pull.R = Eigen::MatrixXd::Constant(1, 1, 0.01 * (1 + 0.2 * std::tanh(t[0] / 10)));
+    pull.R = Eigen::MatrixXd::Constant(1, 1, arm(t[0]));
     pull.tau = pull.R.transpose() * t;
     return pull;
   }
@@ -253,21 +256,24 @@ class SharingTendons : public DigitTendons {
   TendonDigit digit_;
 };
 
-// t = tension(velocity), velocity = -R(t) q_dot: both hold at once.
-TEST(FingerMotion, TensionAndVelocityAgreeWhereMomentArmsFollowTension) {
+// tau = tau(q, felt) + R' (t - felt), t by the velocity -R(felt) q_dot.
+TEST(FingerMotion, NetIsLinearAboutTheTensionItHasTakenUp) {
   Subject subject = Pendulum().subject();
   subject.muscles[0].max_force = 50;
   subject.muscles[0].fibre_length = 0.06;
-  const SharingTendons tendons(build_tendon_digit(subject, "index"));
+  const GrowingArm tendons(build_tendon_digit(subject, "index"));
   const auto contraction = build_contraction(
       musculotendons(subject, tendons.digit(), Muscle::kRigidTendon), Muscle::kRigidTendon);
-  const FingerMotion motion({tendons, *contraction});
+  FingerMotion motion({tendons, *contraction});
   const VectorXd one = VectorXd::Ones(1);
-  const MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one);
+  MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one);
+  EXPECT_NEAR(state.felt[0], 25, 1e-12);  // a F0
+  state.felt[0] = 8;
   const MotionInstant now = motion.at(state);
-  ASSERT_TRUE(now.agreed);
-  const double R = 0.01 * (1 + 0.2 * std::tanh(now.tension[0] / 10));
-  EXPECT_NEAR(now.tension[0], contraction->tension(0, {0.5, 0.06, -R * 5, 0}), 1e-8);
+  const double R = GrowingArm::arm(8), t = contraction->tension(0, {0.5, 0.06, -R * 5, 0});
+  EXPECT_NEAR(now.tension[0], t, 1e-12);
+  EXPECT_NEAR(now.pull.tau[0], R * 8 + R * (t - 8), 1e-15);
+  EXPECT_NEAR(motion.slope(state, 0.5 * one).felt[0], (t - 8) / 1e-3, 1e-8);
 }
 
 // Every bend of a tendon presses on its bone with t (u_in - u_out); bones feel the same motion
