@@ -1,0 +1,178 @@
+// Tests for tendons/net/net_statics.cpp and net_derivatives.cpp.
+
+#include "tendons/net/net_statics.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+#include "tests/tendons/net/sample_nets.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+/// Solves from `start`, or from the links, tightly: differences are taken of the results.
+NetEquilibrium rest_of(const SampleNet& sample, const Eigen::Matrix3Xd* start = nullptr) {
+  NetSolverOptions options;
+  options.tolerance = 1e-12;
+  options.max_iterations = 60;
+  NetEquilibrium rest = NetSolver(sample.net, options).solve(sample.state(), sample.drive, start);
+  // Where rounding ends above that, the promised tolerance must do.
+  if (rest.status == NetStatus::kStalled && rest.residual < 1e-10 && rest.length.minCoeff() > 1e-4)
+    rest.status = NetStatus::kBalanced;
+  return rest;
+}
+
+/// Derivative of f at 0 by Richardson's differences, exact to h^4.
+template <typename F>
+auto slope_of(const F& f, double h) {
+  return ((8 * (f(h) - f(-h)) - (f(2 * h) - f(-2 * h))) / (12 * h)).eval();
+}
+
+/// Random nets that are well held: balanced, and not about to change which bands are slack.
+std::vector<SampleNet> held_nets(bool bones, int count) {
+  std::vector<SampleNet> held;
+  for (unsigned seed = 1; static_cast<int>(held.size()) < count; ++seed) {
+    std::mt19937 rng(seed);
+    RandomNetOptions options;
+    options.bones = bones;
+    options.max_free = 5;
+    SampleNet sample = random_net(rng, options);
+    const NetEquilibrium rest = rest_of(sample);
+    bool clear = rest.status == NetStatus::kBalanced && rest.loose.empty();
+    if (bones) clear = clear && !rest.contacts.empty();
+    for (const NetContact& c : rest.contacts) clear = clear && std::abs(c.force) > 1e-2;
+    for (Eigen::Index b = 0; b < rest.length.size(); ++b) {
+      const NetBand& band = sample.net.bands[static_cast<std::size_t>(b)];
+      const double strain = rest.length(b) / band.slack - 1;
+      if (band.muscle < 0)
+        clear = clear && std::abs(strain) > 2e-3 && std::abs(strain - band.toe) > 2e-3;
+    }
+    if (clear) held.push_back(std::move(sample));
+  }
+  return held;
+}
+
+// tau = -dE*/dq: the minimised energy knows nothing of contact forces or wrenches.
+TEST(NetTorque, IsMinusTheSlopeOfTheMinimisedEnergy) {
+  for (bool bones : {false, true})
+    for (const SampleNet& sample : held_nets(bones, 4)) {
+      const NetEquilibrium rest = rest_of(sample);
+      const VectorXd tau =
+          net_torque(sample.net, sample.tree, sample.state(), rest, sample.coordinates());
+      for (int l = 0; l < sample.coordinates(); ++l) {
+        const auto energy = [&](double dq) {
+          SampleNet moved = sample;
+          moved.q(l) += dq;
+          return VectorXd::Constant(1, rest_of(moved, &rest.x).energy);
+        };
+        const double slope = slope_of(energy, 2e-4)(0);
+        EXPECT_NEAR(tau(l), -slope, 1e-9 * std::max(1.0, std::abs(slope)));
+      }
+    }
+}
+
+TEST(NetWrenches, SumToZeroOverAllLinks) {
+  for (bool bones : {false, true})
+    for (const SampleNet& sample : held_nets(bones, 4)) {
+      Eigen::Vector3d m(0, 0, 0), f(0, 0, 0);
+      for (const LinkWrench& w : net_wrenches(sample.net, sample.state(), rest_of(sample)))
+        m += w.m, f += w.f;
+      EXPECT_LT(f.norm(), 1e-7);  // free nodes are balanced to 1e-9 N each
+      EXPECT_LT(m.norm(), 1e-8);
+    }
+}
+
+/// All of (x, tension, tau) as one vector.
+VectorXd all_of(const SampleNet& sample, const NetEquilibrium& rest) {
+  const VectorXd tau =
+      net_torque(sample.net, sample.tree, sample.state(), rest, sample.coordinates());
+  VectorXd all(rest.x.size() + rest.tension.size() + tau.size());
+  all << Eigen::Map<const VectorXd>(rest.x.data(), rest.x.size()), rest.tension, tau;
+  return all;
+}
+
+VectorXd all_of(const NetSlopes& slopes, Eigen::Index i) {
+  VectorXd all(slopes.x.rows() + slopes.tension.rows() + slopes.tau.rows());
+  all << slopes.x.col(i), slopes.tension.col(i), slopes.tau.col(i);
+  return all;
+}
+
+/// Differences of solutions against one column of slopes.
+template <typename Change>
+void expect_slope(const SampleNet& sample, const NetEquilibrium& rest, const NetSlopes& slopes,
+                  Eigen::Index i, double h, const Change& change) {
+  const auto moved_by = [&](double by) {
+    SampleNet moved = sample;
+    change(moved, by);
+    return all_of(moved, rest_of(moved, &rest.x));
+  };
+  const VectorXd expected = slope_of(moved_by, h);
+  const double scale = expected.cwiseAbs().maxCoeff();
+  EXPECT_TRUE(matrix_near(all_of(slopes, i), expected, 2e-6 * scale + 1e-9));
+}
+
+class NetDerivativesOf : public testing::TestWithParam<bool> {};
+
+TEST_P(NetDerivativesOf, PostureMatchDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 4)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const NetDerivatives d = net_derivatives(sample.net, sample.tree, sample.state(), sample.drive,
+                                             rest, sample.coordinates());
+    for (int l = 0; l < sample.coordinates(); ++l)
+      expect_slope(sample, rest, d.by_posture, l, 1e-4,
+                   [l](SampleNet& moved, double by) { moved.q(l) += by; });
+  }
+}
+
+TEST_P(NetDerivativesOf, DriveMatchDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 4)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const NetDerivatives d = net_derivatives(sample.net, sample.tree, sample.state(), sample.drive,
+                                             rest, sample.coordinates());
+    for (Eigen::Index m = 0; m < sample.drive.tension.size(); ++m) {
+      const bool by_length = std::isfinite(sample.drive.length(m));
+      if (!by_length && sample.drive.tension(m) == 0) continue;  // a tension cannot fall below zero
+      expect_slope(sample, rest, d.by_drive, m, by_length ? 1e-7 : 1e-4 * sample.drive.tension(m),
+                   [m](SampleNet& moved, double by) {
+                     double& t = moved.drive.tension(m);
+                     double& length = moved.drive.length(m);
+                     (std::isfinite(length) ? length : t) += by;
+                   });
+    }
+  }
+}
+
+TEST_P(NetDerivativesOf, BandsMatchDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 2)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const NetDerivatives d = net_derivatives(sample.net, sample.tree, sample.state(), sample.drive,
+                                             rest, sample.coordinates());
+    for (std::size_t b = 0; b < sample.net.bands.size(); ++b) {
+      const auto i = static_cast<Eigen::Index>(b);
+      expect_slope(sample, rest, d.by_EA, i, 1e-4 * sample.net.bands[b].EA,
+                   [b](SampleNet& moved, double by) { moved.net.bands[b].EA += by; });
+      if (sample.net.bands[b].muscle < 0)
+        expect_slope(sample, rest, d.by_slack, i, 1e-7,
+                     [b](SampleNet& moved, double by) { moved.net.bands[b].slack += by; });
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(BonesOrNone, NetDerivativesOf, testing::Bool());
+
+TEST(NetDerivatives, RefuseANetThatIsNotBalanced) {
+  const SampleNet sample = sample_net_on_bone(6, 12);
+  NetEquilibrium rest = rest_of(sample);
+  rest.status = NetStatus::kStalled;
+  EXPECT_THROW(
+      (void)net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
+      InputError);
+}
+
+}  // namespace
+}  // namespace thenar
