@@ -10,6 +10,7 @@
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
 #include "data/io/fit_settings.h"
+#include "data/io/net.h"
 #include "kinematics_fit/fit.h"
 #include "tendons/tendon_model.h"
 
@@ -59,6 +60,11 @@ std::string summary(const HandProportions& hand) {
                      counted(joints, "joint"));
 }
 
+std::string summary(const NetDescription& net) {
+  return fmt::format("net '{}': {}, {}, {}", net.name, counted(net.nodes.size(), "node"),
+                     counted(net.bands.size(), "band"), counted(net.muscles.size(), "muscle"));
+}
+
 std::string summary(const Fit& fit) {
   std::size_t trials = 0;
   for (const Experiment& experiment : fit.problem.experiments()) trials += experiment.trials.size();
@@ -85,6 +91,8 @@ std::string summarise_file(const std::string& path) {
       return summary(read_fit_settings(path));
     case FileKind::kProportions:
       return summary(read_proportions(path));
+    case FileKind::kNet:
+      return summary(read_net(path));
     case FileKind::kResult:
       return summary(read_fit(path));
   }

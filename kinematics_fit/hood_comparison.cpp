@@ -141,17 +141,22 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
     has_rule = has_rule || (digit.name == experiment.digit && digit.hood);
   std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
   if (!subject.surfaces.empty()) paths.push_back({Path::kWrapped, ", wrapped"});
-  const auto add = [&](const std::string& name, Hood hood, const NetDescription* net) {
+  const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,
+                       NetRuns runs = NetRuns::kBent) {
     for (const auto& [path, suffix] : paths) {
       TendonOptions options;
       options.path = path;
       options.hood = hood;
-      const auto tendons = build_digit_tendons(subject, experiment.digit, options, net);
+      NetBuildOptions laid;
+      laid.runs = runs;
+      const auto tendons = build_digit_tendons(subject, experiment.digit, options, net, laid);
       out.rungs.push_back(predict_rung(*tendons, name + suffix, experiment, out.hood_muscles));
     }
   };
-  add("separate tendons", Hood::kSeparate, nullptr);
-  if (has_rule) add("fixed fractions", Hood::kFractions, nullptr);
+  add("separate tendons", Hood::kSeparate);
+  if (has_rule) add("fixed fractions", Hood::kFractions);
+  for (const NetDescription& net : nets)
+    add("net " + net.name + ", straight runs", Hood::kFloatingNet, &net, NetRuns::kStraight);
   for (const NetDescription& net : nets) add("net " + net.name, Hood::kFloatingNet, &net);
   for (HoodRung& rung : out.rungs)
     rung.off_finest = distance(rung.prediction, out.rungs.back().prediction);

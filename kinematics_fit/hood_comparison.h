@@ -33,20 +33,22 @@ struct HoodComparison {
 };
 
 /// Predicts every trial on every rung: separate tendons, fixed fractions if the subject has a hood
-/// rule, then each net; of these the last is called the finest. Paths are straight runs, and again
-/// wrapped where the subject has surfaces. Nets are brought to each posture from the straight
+/// rule, each net with straight runs from knot to knot, then each net over its surfaces; of these
+/// the last is called the finest. Whole tendons run straight, and again wrapped where the subject
+/// has surfaces. Nets are brought to each posture from the straight
 /// finger under the load. The hold carries forces and the flexion moment, as in [Synek2019].
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
                                            const std::vector<NetDescription>& nets);
 
-/// Forces of a held tip for every trial, in the experiment's components [N] (3, trials).
-/// @param trouble  out of the hood, one text a trial; empty: none
+/// Forces of a held tip in every trial of an experiment.
 struct HeldForces {
-  Eigen::Matrix3Xd force;
-  std::vector<std::string> trouble;
-  double seconds;  // median of a trial [s]
+  Eigen::Matrix3Xd force;            // in the experiment's components [N] (3, trials)
+  std::vector<std::string> trouble;  // why not to trust each; empty: nothing (trials)
+  double seconds;                    // for one trial, median [s]
 };
+
+/// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment);
 
 }  // namespace thenar

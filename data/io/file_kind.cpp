@@ -36,6 +36,8 @@ std::string name_of(FileKind kind) {
       return "fit settings";
     case FileKind::kProportions:
       return "proportions";
+    case FileKind::kNet:
+      return "net";
     case FileKind::kResult:
       return "result";
   }
@@ -49,11 +51,14 @@ FileKind find_file_kind(const std::string& path) {
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
   if (has_proportions(top)) return FileKind::kProportions;
+  if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
   if (has_any(top, {"side", "segment", "joint", "dh_chain", "muscle", "strand", "tip_map"}))
     return FileKind::kSubject;
-  throw DataError(path, 1,
-                  "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
-                  "[trials]), fit settings ([[parameter]]) or proportions ([[digit]]), got none");
+  throw DataError(
+      path, 1,
+      "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
+      "[trials]), fit settings ([[parameter]]), proportions ([[digit]]) or a net ([[band]]), "
+      "got none");
 }
 
 }  // namespace thenar

@@ -6,9 +6,9 @@
 
 namespace thenar {
 
-enum class FileKind { kSubject, kExperiment, kFitSettings, kProportions, kResult };
+enum class FileKind { kSubject, kExperiment, kFitSettings, kProportions, kNet, kResult };
 
-/// "subject", "experiment", "fit settings", "proportions" or "result".
+/// "subject", "experiment", "fit settings", "proportions", "net" or "result".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Tells an HDF5 result by its first bytes, a TOML file by the keys of its top level.

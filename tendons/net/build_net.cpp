@@ -218,6 +218,14 @@ std::vector<double> reference_lengths(const NetDescription& plan) {
   return start_lengths(net, {});
 }
 
+/// The description without what bands bend over.
+NetDescription straightened(NetDescription plan) {
+  for (NetBandPlan& band : plan.bands) band.over.clear();
+  for (NetMusclePlan& muscle : plan.muscles)
+    for (NetPullPlan& pull : muscle.pulls) pull.over.clear();
+  return plan;
+}
+
 template <typename Part>
 int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
            const std::string& net) {
@@ -236,6 +244,11 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
   require(options.taut_load > 0, "taut_load must be > 0, got {}", options.taut_load);
   require(options.pretension >= 0 && options.pretension < 1, "pretension must be in 0..1, got {}",
           options.pretension);
+  if (options.runs == NetRuns::kStraight) {
+    NetBuildOptions bent = options;
+    bent.runs = NetRuns::kBent;
+    return build_net(subject, digit, straightened(description), bent);
+  }
   BuiltNet built = NetBuilder(subject, digit, description).take();
   const TreeState<double> straight = pose_tree(digit.model.tree, built.frame.straight);
   const std::vector<double> here = start_lengths(built.net, straight);

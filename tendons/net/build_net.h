@@ -18,7 +18,14 @@ enum class NetSlack {
   kStraight  // all fitted: every band is just taut in the straight finger
 };
 
+/// How bands and muscles run between knots.
+enum class NetRuns {
+  kBent,     // over the surfaces that the description names
+  kStraight  // through whatever lies between, as through via points
+};
+
 struct NetBuildOptions {
+  NetRuns runs = NetRuns::kBent;
   NetSlack slack = NetSlack::kStated;
   double taut_load = 1;   // pull of every muscle at which slack lengths are fitted in the straight
                           // finger: enough to spread a hood, too little to stretch it [N]

@@ -26,6 +26,7 @@ TEST(FileKind, TellsDataFilesByWhatTheyHold) {
   EXPECT_EQ(find_file_kind(kData + "/experiments/synek2019_H01.toml"), FileKind::kExperiment);
   EXPECT_EQ(find_file_kind(kData + "/fits/finger.toml"), FileKind::kFitSettings);
   EXPECT_EQ(find_file_kind(kData + "/anthropometry/buchholz1992.toml"), FileKind::kProportions);
+  EXPECT_EQ(find_file_kind(kData + "/nets/winslow.toml"), FileKind::kNet);
 }
 
 TEST(FileKind, TellsResultsByTheirFirstBytes) {

@@ -51,9 +51,12 @@ class HoodForces : public testing::TestWithParam<Finger> {
   }
 };
 
-TEST_P(HoodForces, EveryNetRests) {
-  for (const HoodRung& r : compare().rungs)
+// A net whose runs are straight, through bone, may be drawn in where one over its surfaces holds.
+TEST_P(HoodForces, EveryNetRestsOverItsSurfaces) {
+  for (const HoodRung& r : compare().rungs) {
+    if (r.name.find("straight runs") != std::string::npos) continue;
     EXPECT_TRUE(r.trouble.empty()) << r.name << ": " << r.trouble.front();
+  }
 }
 
 // The flexors do not pull on the hood, so no rung may change what they do; the idle net is out of
