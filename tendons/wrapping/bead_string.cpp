@@ -9,7 +9,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr std::size_t kBeads = 24;  // a surface
-constexpr int kSweeps = 400;
 constexpr double kRelax = 1.7;
 
 /// A bead, and the surface that it rests on.
@@ -49,14 +48,15 @@ void push_out(Bead& bead, const std::vector<ChainArc>& chain) {
 
 }  // namespace
 
-void contract_beads(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
+void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
+                    std::vector<ChainArc>& chain) {
   Beads beads;
   const std::size_t count = lay(a, b, chain, beads);
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
+  for (int sweep = 0; sweep < sweeps; ++sweep)
     for (std::size_t i = 1; i + 1 < count; ++i) {
       const Vector3d middle = 0.5 * (beads[i - 1].p + beads[i + 1].p);
       // Plain at the end: over-relaxed beads hop on the surface.
-      beads[i].p += (sweep < kSweeps * 3 / 4 ? kRelax : 1.0) * (middle - beads[i].p);
+      beads[i].p += (sweep < sweeps * 3 / 4 ? kRelax : 1.0) * (middle - beads[i].p);
       push_out(beads[i], chain);
     }
   std::size_t kept = 0;

@@ -13,8 +13,9 @@ namespace thenar {
 /// surfaces (Gauss and Seidel, over-relaxed). From a round side it may slip, as a string does. The
 /// arcs are a start for straighten(), no answer; surfaces that the string leaves are left out.
 /// @param a, b   world [m] (3)
+/// @param sweeps  over all beads; a few hundred
 /// @param chain  surfaces with their frames, in order; their arcs start at the point `side` each
-void contract_beads(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+void contract_beads(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int sweeps,
                     std::vector<ChainArc>& chain);
 
 }  // namespace thenar

@@ -83,8 +83,14 @@ bool clears(const BoneSurface& surface, const Vector3d& a, const Vector3d& b) {
 
 /// Where the ray from the middle of the section leaves the surface.
 Vector2d edge(const BoneSurface& surface, const Section& section, const Vector2d& direction) {
+  if (surface.shape == SurfaceShape::kEllipsoid) {  // |u + s d| = 1, all over the semi-axes
+    const Vector3d u = section.o.cwiseQuotient(surface.size);
+    const Vector3d d = (section.at(direction) - section.o).cwiseQuotient(surface.size);
+    const double half = u.dot(d), d2 = d.squaredNorm();
+    return (std::sqrt(half * half + d2 * (1 - u.squaredNorm())) - half) / d2 * direction;
+  }
   double inside = 0, outside = 2 * surface.size.sum();
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < 30; ++i) {
     const double half = 0.5 * (inside + outside);
     (level(surface, section.at(half * direction)) < 0 ? inside : outside) = half;
   }
@@ -98,7 +104,7 @@ struct FlatArc {
 };
 FlatArc taut(const BoneSurface& surface, const Section& section, const Vector2d& a,
              const Vector2d& b, double way) {
-  constexpr int kSamples = 96;
+  constexpr int kSamples = 64;
   std::array<Vector2d, kSamples> rim;
   for (int i = 0; i < kSamples; ++i) {
     const double angle = 2 * kPi * i / kSamples;
@@ -137,6 +143,17 @@ std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a
                  flat.length};
 }
 
+/// The answer where a capsule is met on its straight part only: that of its cylinder.
+std::optional<WrapArc> over_middle(const BoneSurface& capsule, const Vector3d& a, const Vector3d& b,
+                                   const Vector3d& side) {
+  BoneSurface cylinder = capsule;
+  cylinder.shape = SurfaceShape::kCylinder;
+  const auto wrap = wrap_round(cylinder, a, b, side);
+  if (!wrap) return std::nullopt;
+  const double reach = std::max(std::abs(wrap->arc.start.p.z()), std::abs(wrap->end.z()));
+  return reach <= capsule.size[1] ? std::optional<WrapArc>(wrap->arc) : std::nullopt;
+}
+
 /// Over the inside of the tube, in the half plane in which the straight line crosses the ring's.
 std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& a,
                                     const Vector3d& b, const Vector3d& side) {
@@ -170,6 +187,8 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
 std::optional<WrapArc> guess_arc(const BoneSurface& surface, const Vector3d& a_S,
                                  const Vector3d& b_S, const Vector3d& side_S) {
   if (surface.shape == SurfaceShape::kTorus) return through_ring(surface, a_S, b_S, side_S);
+  if (surface.shape == SurfaceShape::kCapsule)
+    if (const auto arc = over_middle(surface, a_S, b_S, side_S)) return arc;
   return over_convex(surface, a_S, b_S, side_S);
 }
 

@@ -12,6 +12,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kTangent = 1e-11;  // largest kink of a taut path [rad]
+constexpr int kAttempts = 24;       // of Newton's method around where beads rest
 constexpr double kInside = 1e-9;    // how deep a point beside a surface may lie in it [m]
 
 bool is_round(const BoneSurface& surface) {
@@ -81,6 +82,21 @@ void add_span(PathShape& shape, int link_a, int link_b, const Vector3d& a, const
   shape.spans.push_back({link_a, link_b, a, b, length});
 }
 
+/// Moves the starts of arcs somewhat, differently in every attempt and not at all in the first.
+void nudge(std::vector<ChainArc>& chain, int attempt) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const double golden = 2.4 * (attempt + static_cast<double>(i)), far = 0.03 * attempt;
+    const BoneSurface& surface = *chain[i].surface;
+    const bool egg = surface.shape == SurfaceShape::kEllipsoid;
+    const double radius = egg ? surface.size.minCoeff() : surface.size[0];
+    SurfaceRay& start = chain[i].arc.start;
+    const Vector3d across = start.t.cross(shape_at(surface, start.p).n);
+    start = settle(
+        surface, {start.p + far * radius * (std::cos(golden) * start.t + std::sin(golden) * across),
+                  start.t + far * std::sin(2 * golden) * across});
+  }
+}
+
 }  // namespace
 
 PathSolver::PathSolver(const PathSet& set)
@@ -88,6 +104,7 @@ PathSolver::PathSolver(const PathSet& set)
   for (const WrappedPath& path : set.paths) rigid_.push_back(rigid_lengths(path));
   slots_.reserve(kMostBends);
   chain_.reserve(kMostBends);
+  rest_.reserve(kMostBends);
   single_.reserve(1);
 }
 
@@ -214,7 +231,7 @@ void PathSolver::set_touches(Slot& slot) {
 
 /// Surfaces in turn, each between its neighbours as they are, until none moves: the string gets
 /// shorter each time. Then all that touch at once, by Newton's method. If that does not get there,
-/// a string of beads says which surfaces touch and about where.
+/// a string of beads says which surfaces touch and about where; around that it is tried again.
 void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
                          PathShape& shape) {
   slots_.assign(bends.size(), Slot{});
@@ -222,7 +239,12 @@ void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, cons
   double error = touch_together(a, b, shape);
   if (error > kTangent) {
     start_over_sides(bends);
-    contract_beads(a, b, chain_);
+    contract_beads(a, b, 400, chain_);
+    rest_ = chain_;
+  }
+  for (int attempt = 0; error > kTangent && attempt < kAttempts; ++attempt) {
+    chain_ = rest_;
+    nudge(chain_, attempt);
     take_chain(bends);
     error = touch_together(a, b, shape);
   }

@@ -97,6 +97,7 @@ class PathSolver {
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
   std::vector<ChainArc> chain_;   // those that touch
+  std::vector<ChainArc> rest_;    // where beads rest
   std::vector<ChainArc> single_;  // one of them
 };
 
