@@ -1,5 +1,6 @@
 // thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
-//                 [--muscle bounds|rigid-tendon|elastic-tendon] [--hood separate|fractions]
+//                 [--muscle bounds|rigid-tendon|elastic-tendon]
+//                 [--hood separate|fractions|net] [--net NET.toml]
 //
 // How one digit moves when its muscles are excited.
 
@@ -17,13 +18,14 @@
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
-#include "tendons/linear_tendons.h"
+#include "data/io/net.h"
+#include "tendons/net/build_tendons.h"
 
 namespace thenar {
 namespace {
 
 struct Options {
-  std::string subject, digit, excitation_file, output;
+  std::string subject, digit, net, excitation_file, output;
   std::vector<std::string> posture, frozen, excitation, tendon_slack;
   std::string muscle = "rigid-tendon", hood = "fractions";
   std::vector<double> gravity;
@@ -35,8 +37,8 @@ struct Options {
 const std::map<std::string, Muscle> kMuscles{{"bounds", Muscle::kBounds},
                                              {"rigid-tendon", Muscle::kRigidTendon},
                                              {"elastic-tendon", Muscle::kElasticTendon}};
-const std::map<std::string, Hood> kHoods{{"separate", Hood::kSeparate},
-                                         {"fractions", Hood::kFractions}};
+const std::map<std::string, Hood> kHoods{
+    {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
 
 template <typename Rung>
 std::vector<std::string> names_of(const std::map<std::string, Rung>& rungs) {
@@ -60,11 +62,16 @@ void set_slack(Subject& subject, const std::vector<std::string>& texts) {
   }
 }
 
+/// A net that is named means that the hood is one.
 std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& options) {
   TendonOptions rungs;
-  rungs.hood = kHoods.at(options.hood);
+  rungs.hood = options.net.empty() ? kHoods.at(options.hood) : Hood::kFloatingNet;
   rungs.frozen = parse_frozen(subject, options.frozen);
-  return build_linear_tendons(subject, choose_digit(subject, options.digit), rungs);
+  const std::string digit = choose_digit(subject, options.digit);
+  if (rungs.hood != Hood::kFloatingNet) return build_digit_tendons(subject, digit, rungs);
+  require(!options.net.empty(), "a hood that is a net needs --net NET.toml");
+  const NetDescription net = parse_net(read_source(options.net).text, options.net);
+  return build_digit_tendons(subject, digit, rungs, &net);
 }
 
 Excitation excitation_of(const Options& options, const std::vector<std::string>& muscles) {
@@ -121,6 +128,7 @@ void run(const Options& options) {
                       {{source.path, source.text}}};
   if (!options.excitation_file.empty())
     motion.inputs[options.excitation_file] = read_source(options.excitation_file).text;
+  if (!options.net.empty()) motion.inputs[options.net] = read_source(options.net).text;
   if (!options.output.empty()) write_motion(motion, options.output);
   if (options.json)
     fmt::print("{}\n", json_of(motion).dump(2));
@@ -136,8 +144,9 @@ void run(const Options& options) {
 void add_rungs(CLI::App& command, Options& options) {
   command.add_option("--muscle", options.muscle, "bounds, rigid-tendon or elastic-tendon")
       ->check(CLI::IsMember(names_of(kMuscles)));
-  command.add_option("--hood", options.hood, "separate or fractions")
+  command.add_option("--hood", options.hood, "separate, fractions or net")
       ->check(CLI::IsMember(names_of(kHoods)));
+  command.add_option("--net", options.net, "File of a net (TOML); means --hood net");
   command.add_option("--tendon-slack", options.tendon_slack,
                      "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
   command

@@ -117,7 +117,11 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
   return rate;
 }
 
-void FingerMotion::accept(const MotionState& state) { last_nodes_ = at(state).pull.nodes; }
+std::string FingerMotion::accept(const MotionState& state) {
+  const TendonPull pull = at(state).pull;
+  last_nodes_ = pull.nodes;
+  return pull.trouble;
+}
 
 double FingerMotion::energy(const MotionState& state) {
   const Skeleton& skeleton = model_.tendons.digit().skeleton;

@@ -70,8 +70,8 @@ class FingerMotion {
 
   [[nodiscard]] MotionInstant at(const MotionState& state) const;
 
-  /// Later searches start from here.
-  void accept(const MotionState& state);
+  /// Later searches start from here. @return why not to trust the tendons here; empty: nothing
+  std::string accept(const MotionState& state);
 
   /// Of motion, weights, springs and stops [J].
   [[nodiscard]] double energy(const MotionState& state);

@@ -58,14 +58,20 @@ class Recorder {
     kept_.energy[i] = motion_.energy(state);
     kept_.work[i] = state.work;
     kept_.lost[i] = state.lost;
-    note(now.pull.trouble);
+    note(now.pull.trouble, next());
     ++next_;
   }
 
-  Trajectory take(MotionStatus status, const std::string& why, const OdeCounts& counts) {
-    note(why);
+  /// Keeps the first trouble, with its time.
+  void note(const std::string& trouble, double time) {
+    if (trouble.empty() || !kept_.trouble.empty()) return;
+    kept_.trouble = fmt::format("{} (at {:.4g} s)", trouble, time);
+  }
+
+  Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode) {
+    note(why, ode.time());
     kept_.status = status;
-    kept_.counts = counts;
+    kept_.counts = ode.counts();
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.lost})
       v->conservativeResize(next_);
     for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed, &kept_.excitation, &kept_.activation,
@@ -78,12 +84,6 @@ class Recorder {
   }
 
  private:
-  /// Keeps the first trouble, with its time.
-  void note(const std::string& trouble) {
-    if (trouble.empty() || !kept_.trouble.empty()) return;
-    kept_.trouble = fmt::format("{} (at {:.4g} s)", trouble, next() < HUGE_VAL ? next() : seconds_);
-  }
-
   const MotionModel& model_;
   FingerMotion& motion_;
   double sample_, seconds_;
@@ -127,8 +127,8 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   const MotionState first =
       motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
                    start.activation.size() > 0 ? start.activation : piece->first);
-  motion.accept(first);
   Recorder recorder(model, motion, options);
+  recorder.note(motion.accept(first), 0);
   recorder.keep(first, piece->first);
 
   const auto slope = [&](double time, const VectorXd& y) {
@@ -143,15 +143,15 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
     while (ode.time() < piece->end) {
       const OdeStatus status = ode.step(piece->end);
       if (status != OdeStatus::kStepped)
-        return recorder.take(MotionStatus::kStuck, reason(status), ode.counts());
+        return recorder.take(MotionStatus::kStuck, reason(status), ode);
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
-      motion.accept(motion.unpack(ode.state()));
+      recorder.note(motion.accept(motion.unpack(ode.state())), ode.time());
       options.progress(ode.time() / options.seconds, "simulating");
-      if (options.progress.stop()) return recorder.take(MotionStatus::kStopped, "", ode.counts());
+      if (options.progress.stop()) return recorder.take(MotionStatus::kStopped, "", ode);
     }
   }
-  return recorder.take(MotionStatus::kDone, "", ode.counts());
+  return recorder.take(MotionStatus::kDone, "", ode);
 }
 
 double energy_error(const Trajectory& trajectory) {

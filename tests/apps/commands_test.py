@@ -20,6 +20,7 @@ PROGRAM = os.environ.get("THENAR", "thenar")
 
 MIDDLE = str(SUBJECTS / "an_chao_middle.toml")
 INDEX = str(SUBJECTS / "an_chao_index.toml")
+SYNEK = str(SUBJECTS / "synek2019_middle.toml")
 INDEX_MAPS = str(SUBJECTS / "valero_cuevas_index.toml")
 WHOLE = str(SUBJECTS / "mirakhorlo2016.toml")
 SKEWED = str(SUBJECTS / "graspit_skewed_thumb.toml")
@@ -297,6 +298,13 @@ class Simulate(Near):
                 self.assertEqual(result.returncode, 0, result.stderr)
                 self.assertTrue(file.read_bytes().startswith(start))
 
+    def test_net_moves_as_well(self):
+        answer = ask("simulate", INDEX, "--net", ROOT / "data/nets/chao_an.toml", "--excitation",
+                     "FDP=0.1", "EDC=0.1", "--seconds", 0.02)
+        self.assertIn("floating net", answer["fidelity"])
+        self.assertEqual(answer["status"], "done")
+        self.assertGreater(answer["last"]["slips_N"]["terminal"], 0)
+
     def test_interrupt_keeps_what_there_is(self):
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "motion.csv"
@@ -323,9 +331,77 @@ class Simulate(Near):
         self.assertIn("moves nothing that has mass",
                       complaint("simulate", MIDDLE, "--excitation", "FDP=1", "--muscle", "bounds"))
         self.assertIn("--excitation-file", complaint("simulate", INDEX))
+        self.assertIn("needs --net",
+                      complaint("simulate", INDEX, "--excitation", "FDP=1", "--hood", "net"))
         self.assertIn("must be in 0..1", complaint("simulate", INDEX, "--excitation", "FDP=2"))
         self.assertIn(".csv, .h5 or .html",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "-o", "motion.txt"))
+
+
+class Tendon(Near):
+    EDC = ("--tension", "EDC=2.9", "LU=0.4")
+
+    def test_solve_balances_every_knot_that_no_bone_touches(self):
+        answer = ask("tendon", "solve", SYNEK, "--net", "winslow", *self.EDC)
+        self.assertEqual(answer["status"], "balanced")
+        place = {node["name"]: node["place_mm"] for node in answer["nodes"]}
+        held = {contact["node"] for contact in answer["contacts"]}
+        force = {node["name"]: [0, 0, 0] for node in answer["nodes"] if node["floating"]}
+        for band in answer["bands"]:
+            ends = band["from"], band["to"]
+            if "on bone" in band["state"]:
+                held.update(ends)  # its pull does not point at its other end
+                continue
+            way = [b - a for a, b in zip(place[ends[0]], place[ends[1]])]
+            for end, sign in zip(ends, (1, -1)):
+                if end in force:
+                    pull = sign * band["tension_N"] / math.hypot(*way)
+                    force[end] = [f + pull * w for f, w in zip(force[end], way)]
+        loose = set(force) - held
+        self.assertGreater(len(loose), 1)
+        for node in loose:
+            self.assertLess(math.hypot(*force[node]), 1e-8, node)
+
+    def test_separate_tendons_have_the_arms_of_their_paths(self):
+        answer = ask("tendon", "solve", MIDDLE, "--hood", "separate", "--tension", "FDP=2",
+                     "--posture", "MCP3_FE=30", "PIP3=40", "DIP3=20")
+        arms = moment_arms(strand_points("FDP"), (30, 40, 20))
+        for joint, arm in zip(("MCP3_FE", "PIP3", "DIP3"), arms):
+            self.near([answer["moment_arm_mm"]["FDP"][joint]], [arm], 1e-4)
+            self.near([answer["torque_N_mm"][joint]], [2 * arm], 2e-4)
+
+    def test_sweep_has_a_row_a_posture_the_last_joint_fastest(self):
+        result = run("tendon", "sweep", SYNEK, *self.EDC, "--vary", "MCP3_FE=0:20:20",
+                     "--vary", "PIP3=0:25:10")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        header, *rows = [line.split(",") for line in result.stdout.splitlines()]
+        angles = [(float(row[header.index("MCP3_FE_deg")]), float(row[header.index("PIP3_deg")]))
+                  for row in rows]
+        self.assertEqual(angles, [(m, p) for m in (0, 20) for p in (0, 10, 20)])
+        for row in rows:
+            self.assertEqual(row[header.index("status")], "balanced")
+
+    def test_the_radial_and_ulnar_bands_feed_the_terminal_slip_of_chao_and_an(self):
+        answer = ask("tendon", "sweep", SYNEK, "--net", "chao_an", *self.EDC, "--vary",
+                     "PIP3=0:20:10")
+        for radial, ulnar, terminal in zip(answer["radial_N"], answer["ulnar_N"],
+                                           answer["terminal_N"]):
+            self.near([terminal], [radial + ulnar], 1e-6)
+
+    def test_a_report_is_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "net.html"
+            result = run("tendon", "solve", SYNEK, *self.EDC, "-o", path)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertIn("color_scale", path.read_text())
+
+    def test_complaints(self):
+        self.assertIn("there is no net 'winslo', nor a file of that name; nets: chao_an",
+                      complaint("tendon", "solve", SYNEK, "--net", "winslo", *self.EDC))
+        self.assertIn("wanted from:to:step [deg], got '5'",
+                      complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=5"))
+        self.assertIn("steps of -5 deg do not lead from 0 to 90 deg",
+                      complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:90:-5"))
 
 
 class Validate(Near):
