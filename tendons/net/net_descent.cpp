@@ -386,7 +386,6 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   std::vector<bool> held(x_.size(), false);
   for (int b = 0; b < bands; ++b) {
     const NetBand& band = plan_.net.bands[static_cast<std::size_t>(b)];
-    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
     const double length = (x_[band.a] - x_[band.b]).norm();
     if (scene_.drawn[b]) {
       const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
@@ -400,10 +399,12 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
       held[band.a] = held[band.b] = true;
       continue;
     }
-    out.length(b) = now.chord.bent ? now.chord.length : length;
-    out.tension(b) = now.pull.tension;
-    if (now.pull.tension > 0) held[band.a] = held[band.b] = true;
-    if (now.chord.bent || length > kDrawn || !gripped(scene_, b, length)) continue;
+    out.length(b) = at_.length[b];
+    out.tension(b) = at_.tension[b];
+    if (at_.tension[b] > 0) held[band.a] = held[band.b] = true;
+    if (length > kDrawn || !gripped(scene_, b, length)) continue;
+    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    if (now.chord.bent) continue;
     out.drawn.push_back({b, -now.pull.tension * now.chord.slope.head<3>()});
     out.tension(b) = out.drawn.back().force.norm();
     if (status == NetStatus::kBalanced) out.status = NetStatus::kDrawnIn;

@@ -71,6 +71,9 @@ NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
 NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDrive& drive) {
   NetScene scene = pose_surfaces(net, state);
   for (const NetBand& band : net.bands) {
+    scene.bone.push_back(
+        band.over < 0 ? RoundBone{}
+                      : round_bone(net.surfaces[band.over], scene.surface[band.over], band.side));
     const bool by_length =
         band.muscle >= 0 && drive.length.size() > 0 && std::isfinite(drive.length(band.muscle));
     scene.slack.push_back(by_length ? drive.length(band.muscle) : band.slack);
@@ -105,6 +108,99 @@ BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3
   return out;
 }
 
+namespace {
+
+/// A += c u v'
+inline void add(Matrix3d& A, double c, const Vector3d& u, const Vector3d& v) {
+  for (int j = 0; j < 3; ++j) {
+    const double w = c * v(j);
+    for (int i = 0; i < 3; ++i) A(i, j) += w * u(i);
+  }
+}
+
+void add_bent(const BandPlan& at, const BandRun& run, double T, double k, NetEnergy& out) {
+  if (at.ka >= 0) {
+    out.g[at.ka] += T * run.ua;
+    Matrix3d& H = out.H.diagonal[at.ka];
+    add(H, k, run.ua, run.ua);
+    add(H, T * run.vaa, run.va, run.va);
+    add(H, T * run.wa, run.na, run.na);
+  }
+  if (at.kb >= 0) {
+    out.g[at.kb] += T * run.ub;
+    Matrix3d& H = out.H.diagonal[at.kb];
+    add(H, k, run.ub, run.ub);
+    add(H, T * run.vbb, run.vb, run.vb);
+    add(H, T * run.wb, run.nb, run.nb);
+  }
+  if (at.slot < 0) return;
+  Matrix3d& H = out.H.off[at.slot];
+  add(H, k, at.flip ? run.ub : run.ua, at.flip ? run.ua : run.ub);
+  add(H, T * run.vab, at.flip ? run.vb : run.va, at.flip ? run.va : run.vb);
+}
+
+void add_straight(const BandPlan& at, const Vector3d& u, double T, double k, double L,
+                  NetEnergy& out) {
+  const double across = T / L;
+  Matrix3d K = Matrix3d::Zero();
+  add(K, k - across, u, u);
+  for (int i = 0; i < 3; ++i) K(i, i) += across;
+  if (at.ka >= 0) {
+    out.g[at.ka] += T * u;
+    out.H.diagonal[at.ka] += K;
+  }
+  if (at.kb >= 0) {
+    out.g[at.kb] -= T * u;
+    out.H.diagonal[at.kb] += K;
+  }
+  if (at.slot >= 0) out.H.off[at.slot] -= K;
+}
+
+/// Bands of no length, gripped ones, ends inside a bone.
+void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
+  if (at.ka >= 0) {
+    out.g[at.ka] += now.pull.tension * now.chord.slope.head<3>();
+    out.H.diagonal[at.ka] += block(now, 0, 0);
+  }
+  if (at.kb >= 0) {
+    out.g[at.kb] += now.pull.tension * now.chord.slope.tail<3>();
+    out.H.diagonal[at.kb] += block(now, 1, 1);
+  }
+  if (at.slot >= 0) out.H.off[at.slot] += at.flip ? block(now, 1, 0) : block(now, 0, 1);
+}
+
+BandPull law(const NetPlan& plan, const NetScene& scene, int i, double L) {
+  if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
+  return band_pull(L, scene.slack[i], plan.net.bands[i].EA, plan.net.bands[i].toe);
+}
+
+/// Adds band i and returns its pull.
+BandPull add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
+                  const Vector3d& b, NetEnergy& out) {
+  BandRun run;
+  const Bend bend = plan.net.bands[i].over < 0 ? Bend::kClear : bend_over(scene.bone[i], a, b, run);
+  if (bend == Bend::kBent) {
+    const BandPull pull = law(plan, scene, i, run.length);
+    out.length[i] = run.length;
+    if (pull.tension > 0) add_bent(plan.bands[i], run, pull.tension, pull.stiffness, out);
+    return pull;
+  }
+  const Vector3d d = a - b;
+  const double L = d.norm();
+  if (bend == Bend::kOdd || L == 0 || gripped(scene, i, L)) {
+    const BandState now = band_state(plan.net, scene, i, a, b);
+    out.length[i] = now.chord.bent ? now.chord.length : L;
+    add_odd(plan.bands[i], now, out);
+    return now.pull;
+  }
+  const BandPull pull = law(plan, scene, i, L);
+  out.length[i] = L;
+  if (pull.tension > 0) add_straight(plan.bands[i], d / L, pull.tension, pull.stiffness, L, out);
+  return pull;
+}
+
+}  // namespace
+
 void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vector3d>& x,
               NetEnergy& out) {
   out.energy = out.size = 0;
@@ -112,21 +208,12 @@ void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vect
   for (Matrix3d& H : out.H.diagonal) H.setZero();
   for (Matrix3d& H : out.H.off) H.setZero();
   for (int i = 0; i < static_cast<int>(plan.bands.size()); ++i) {
-    const BandPlan& at = plan.bands[i];
-    const NetBand& band = plan.net.bands[i];
     if (scene.drawn[i]) continue;
-    const BandState now = band_state(plan.net, scene, i, x[band.a], x[band.b]);
-    out.energy += now.pull.energy;
-    out.size += std::abs(now.pull.energy);
-    if (at.ka >= 0) {
-      out.g[at.ka] += now.pull.tension * now.chord.slope.head<3>();
-      out.H.diagonal[at.ka] += block(now, 0, 0);
-    }
-    if (at.kb >= 0) {
-      out.g[at.kb] += now.pull.tension * now.chord.slope.tail<3>();
-      out.H.diagonal[at.kb] += block(now, 1, 1);
-    }
-    if (at.slot >= 0) out.H.off[at.slot] += at.flip ? block(now, 1, 0) : block(now, 0, 1);
+    const NetBand& band = plan.net.bands[i];
+    const BandPull pull = add_band(plan, scene, i, x[band.a], x[band.b], out);
+    out.tension[i] = pull.tension;
+    out.energy += pull.energy;
+    out.size += std::abs(pull.energy);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "hand/chain.h"
 #include "tendons/net/band_law.h"
+#include "tendons/net/band_run.h"
 #include "tendons/net/net_plan.h"
 #include "tendons/wrapping/chord_over.h"
 
@@ -13,6 +14,7 @@ namespace thenar::internal {
 
 /// Bones and drive of one solve.
 struct NetScene {
+  std::vector<RoundBone> bone;        // what each band bends over
   std::vector<Pose<double>> surface;  // world from S
   std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
   std::vector<double> slack;          // of each band [m]
@@ -47,11 +49,16 @@ struct BandState {
 
 /// E, its slope and its second derivative by the free nodes, rows in elimination order.
 struct NetEnergy {
-  explicit NetEnergy(const NetPlan& plan) : g(plan.pattern.size()), H(plan.pattern) {}
+  explicit NetEnergy(const NetPlan& plan)
+      : g(plan.pattern.size()),
+        H(plan.pattern),
+        length(plan.bands.size()),
+        tension(plan.bands.size()) {}
   double energy = 0;               // [J]
   double size = 0;                 // sum of |energy| of all bands: what rounding scales with [J]
   std::vector<Eigen::Vector3d> g;  // [N] (rows)
   BlockMatrix H;                   // [N/m]
+  std::vector<double> length, tension;  // of the bands [m], [N]
 };
 
 /// @param x  all nodes, world [m]

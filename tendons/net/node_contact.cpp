@@ -34,13 +34,20 @@ double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& hel
 /// Nearest place, to first order, on all of the surfaces held.
 bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
           Vector3d& x) {
+  if (count == 0) return true;
+  if (count == 1) {  // the nearest point, twice for rounding
+    for (int i = 0; i < 2; ++i) {
+      const SurfaceProbe at = probe_world(net, scene, held[0], x);
+      x -= at.gap * at.normal;
+      if (std::abs(at.gap) < 1e-12) return true;
+    }
+    return std::abs(probe_world(net, scene, held[0], x).gap) < kOnSurface;
+  }
   Normals N;
   Forces gap;
   for (int i = 0; i < 30; ++i) {
     if (gaps(net, scene, held, count, x, N, gap) < 1e-16) return true;
-    const Vector3d move =
-        count == 1 ? Vector3d(N * gap)
-                   : Vector3d(N.transpose().completeOrthogonalDecomposition().solve(gap));
+    const Vector3d move = N.transpose().completeOrthogonalDecomposition().solve(gap);
     x -= move;
     if (move.norm() < 1e-15) break;
   }
@@ -58,10 +65,41 @@ int deepest(const Net& net, const NetScene& scene, const NetNode& node, const Ve
   return worst;
 }
 
+/// Rows: n and two tangents.
+void turn_to(const Vector3d& n, Matrix3d& Q) {
+  const Tangents t = tangents(n);
+  Q << n.transpose(), t.e1.transpose(), t.e2.transpose();
+}
+
+/// balance_node() for one surface.
+void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, NodeContact& contact) {
+  const double force = contact.normal[0].dot(g);
+  contact.pressed = contact.pinned = force >= -slop ? 1 : 0;
+  if (contact.pressed == 0) return;
+  contact.force[0] = force;
+  contact.left -= force * contact.normal[0];
+  contact.bend = force * curvature;
+  turn_to(contact.normal[0], contact.Q);
+}
+
 }  // namespace
 
 SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, const Vector3d& x) {
   const Pose<double>& X = scene.surface[surface];
+  const BoneSurface& bone = net.surfaces[surface];
+  if (bone.shape == SurfaceShape::kSphere || bone.shape == SurfaceShape::kCylinder) {
+    Vector3d from = x - X.p;
+    const Vector3d d = X.R.col(2);
+    const bool line = bone.shape == SurfaceShape::kCylinder;
+    if (line) from -= d.dot(from) * d;
+    const double distance = from.norm();
+    if (distance > 0) {
+      SurfaceProbe at{distance - bone.size[0], from / distance, Matrix3d::Identity() / distance};
+      at.curvature -= at.normal * (at.normal / distance).transpose();
+      if (line) at.curvature -= d * (d / distance).transpose();
+      return at;
+    }
+  }
   SurfaceProbe at = probe(net.surfaces[surface], X.R.transpose() * (x - X.p));
   at.normal = X.R * at.normal;
   at.curvature = X.R * at.curvature * X.R.transpose();
@@ -88,6 +126,7 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     contact.normal[i] = at.normal;
     curvature[i] = at.curvature;
   }
+  if (contact.touching == 1) return balance_one(g, least[0], curvature[0], contact);
   Normals N;
   Forces force;
   while (contact.pressed > 0) {
@@ -113,8 +152,7 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     contact.bend += force(i) * curvature[i];
   }
   if (contact.pressed == 1) {
-    const Tangents t = tangents(contact.normal[0]);
-    contact.Q << contact.normal[0].transpose(), t.e1.transpose(), t.e2.transpose();
+    turn_to(contact.normal[0], contact.Q);
   } else {
     contact.Q = Matrix3d(Eigen::HouseholderQR<Normals>(N).householderQ()).transpose();
   }

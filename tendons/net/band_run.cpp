@@ -1,0 +1,121 @@
+#include "tendons/net/band_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kTwoPi = 6.283185307179586;
+
+/// One end: distance rho from the centre, free run f, and the cosine and sine of the angle between
+/// the end and its tangent point.
+struct End {
+  double rho, f, c, s;
+};
+
+bool reach(double r, double rho, End& end) {
+  if (!(rho >= r * (1 - 1e-9))) return false;
+  end.rho = rho;
+  end.f = std::sqrt(std::max((rho - r) * (rho + r), 0.0));
+  const double h = 1 / std::sqrt(end.f * end.f + r * r);
+  end.c = r * h;
+  end.s = end.f * h;
+  return true;
+}
+
+/// Arc between the tangent points of ends theta apart; wide: theta > pi.
+double arc_of(const End& a, const End& b, double cos_theta, double sin_theta, bool wide) {
+  const double c = a.c * b.c - a.s * b.s, s = a.s * b.c + a.c * b.s;  // alpha_a + alpha_b < pi
+  const double sin_arc = sin_theta * c - cos_theta * s, cos_arc = cos_theta * c + sin_theta * s;
+  if (!wide && sin_arc <= 0 && (sin_arc < 0 || cos_arc > 0)) return -1;  // clear of the bone
+  const double arc = std::atan2(sin_arc, cos_arc);
+  return arc < 0 ? arc + kTwoPi : arc;
+}
+
+double stiff(double r, double f) { return 1 / std::max(f, 1e-7 * r); }
+
+Bend over_sphere(const RoundBone& bone, const Vector3d& a, const Vector3d& b, BandRun& run) {
+  const double r = bone.radius;
+  const Vector3d pa = a - bone.center, pb = b - bone.center;
+  End A, B;
+  if (!reach(r, pa.norm(), A) || !reach(r, pb.norm(), B)) return Bend::kOdd;
+  const Vector3d ea = pa / A.rho, eb = pb / B.rho, cross = ea.cross(eb);
+  const double sine = cross.norm(), cosine = ea.dot(eb);
+  if (sine < 1e-12) return Bend::kOdd;
+  const double arc = arc_of(A, B, cosine, sine, false);
+  if (!(arc > 0)) return Bend::kClear;
+  const Vector3d m = cross / sine, ta = ea.cross(m), tb = m.cross(eb);
+  run.length = A.f + B.f + r * arc;
+  run.ua = (A.f * ea + r * ta) / A.rho;
+  run.ub = (B.f * eb + r * tb) / B.rho;
+  run.na = (r * ea - A.f * ta) / A.rho;
+  run.nb = (r * eb - B.f * tb) / B.rho;
+  run.wa = stiff(r, A.f);
+  run.wb = stiff(r, B.f);
+  run.va = run.vb = m;
+  const double cot = cosine / sine;
+  run.vaa = (A.f + r * cot) / (A.rho * A.rho);
+  run.vbb = (B.f + r * cot) / (B.rho * B.rho);
+  run.vab = -r / (A.rho * B.rho * sine);
+  return Bend::kBent;
+}
+
+/// Grows with the angle of (x, y) over (-pi, pi].
+double turn_order(double x, double y) {
+  const double t = y / (std::abs(x) + std::abs(y));
+  return x >= 0 ? t : (y >= 0 ? 2 - t : -2 - t);
+}
+
+Bend over_cylinder(const RoundBone& bone, const Vector3d& a, const Vector3d& b, BandRun& run) {
+  const double r = bone.radius;
+  const Vector3d pa = a - bone.center, pb = b - bone.center;
+  const double ax = bone.e1.dot(pa), ay = bone.e2.dot(pa), bx = bone.e1.dot(pb),
+               by = bone.e2.dot(pb), dz = bone.d.dot(a - b);
+  End A, B;
+  if (!reach(r, std::sqrt(ax * ax + ay * ay), A) || !reach(r, std::sqrt(bx * bx + by * by), B))
+    return Bend::kOdd;
+  const double way = turn_order(bx, by) < turn_order(ax, ay) ? -1 : 1;
+  const double scale = 1 / (A.rho * B.rho);
+  const double cosine = (ax * bx + ay * by) * scale, sine = way * (ax * by - ay * bx) * scale;
+  const double arc = arc_of(A, B, cosine, sine, sine < 0);
+  if (!(arc > 0)) return Bend::kClear;
+  const double P = A.f + B.f + r * arc, L = std::sqrt(P * P + dz * dz);
+  // Planar tangents and normals, then unrolled: L^2 = P^2 + dz^2.
+  const double ia = 1 / (A.rho * A.rho), ib = 1 / (B.rho * B.rho), ra = way * r, rb = -way * r;
+  const Vector3d ta = (A.f * ax + ra * ay) * ia * bone.e1 + (A.f * ay - ra * ax) * ia * bone.e2;
+  const Vector3d tb = (B.f * bx + rb * by) * ib * bone.e1 + (B.f * by - rb * bx) * ib * bone.e2;
+  run.na = bone.d.cross(ta);
+  run.nb = bone.d.cross(tb);
+  run.length = L;
+  run.ua = (P * ta + dz * bone.d) / L;
+  run.ub = (P * tb - dz * bone.d) / L;
+  run.va = dz * ta - P * bone.d;
+  run.vb = dz * tb + P * bone.d;
+  run.vaa = run.vab = run.vbb = 1 / (L * L * L);
+  run.wa = P / L * stiff(r, A.f);
+  run.wb = P / L * stiff(r, B.f);
+  return Bend::kBent;
+}
+
+}  // namespace
+
+RoundBone round_bone(const BoneSurface& surface, const Pose<double>& X, const Vector3d& side_S) {
+  RoundBone bone;
+  bone.sphere = surface.shape == SurfaceShape::kSphere;
+  bone.radius = surface.size[0];
+  bone.center = X.p;
+  bone.side = X.R * side_S;
+  bone.d = X.R.col(2);
+  bone.e1 = (bone.side - bone.d * bone.d.dot(bone.side)).normalized();
+  bone.e2 = bone.d.cross(bone.e1);
+  return bone;
+}
+
+Bend bend_over(const RoundBone& bone, const Vector3d& a, const Vector3d& b, BandRun& run) {
+  return bone.sphere ? over_sphere(bone, a, b, run) : over_cylinder(bone, a, b, run);
+}
+
+}  // namespace thenar::internal
