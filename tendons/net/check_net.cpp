@@ -64,8 +64,8 @@ void check_net(const Net& net) {
   for (const BoneSurface& surface : net.surfaces) check_surface(surface);
   for (const NetNode& node : net.nodes) check_node(net, node);
   for (const NetBand& band : net.bands) check_band(net, band);
-  require(net.friction >= 0 && std::isfinite(net.friction), "net {}: friction must be >= 0, got {}",
-          net.name, net.friction);
+  require(net.friction == 0, "net {}: nodes slide without friction, got {}", net.name,
+          net.friction);
 }
 
 void check_drive(const Net& net, const NetDrive& drive) {
