@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include <fmt/ranges.h>
+
 #include "base/error.h"
 #include "tendons/net/net_statics.h"
 
@@ -17,6 +19,35 @@ double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
   return sum;
 }
 
+/// Which bands have drawn which knots.
+std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
+  std::vector<std::string> which;
+  for (const NetDrawnBand& drawn : rest.drawn) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(drawn.band)];
+    which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
+                                net.nodes[static_cast<std::size_t>(band.a)].name));
+  }
+  return fmt::format("net '{}' does not hold: {}", net.name, fmt::join(which, ", "));
+}
+
+/// The first band in tension that ends inside the bone over which it bends; empty: none.
+std::string buried_band(const Net& net, const TreeState<double>& state,
+                        const NetEquilibrium& rest) {
+  constexpr double kInside = 1e-8;  // deeper than the solver's rounding [m]
+  for (std::size_t b = 0; b < net.bands.size(); ++b) {
+    const NetBand& band = net.bands[b];
+    if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= 0) continue;
+    const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
+    const Pose<double> X =
+        bone.link < 0 ? bone.X : state[static_cast<std::size_t>(bone.link)].X * bone.X;
+    for (int end : {band.a, band.b})
+      if (probe(bone, X.inverse() * Eigen::Vector3d(rest.x.col(end))).gap < -kInside)
+        return fmt::format("band '{}' of net '{}' ends inside '{}', over which it bends", band.name,
+                           net.name, bone.name);
+  }
+  return "";
+}
+
 }  // namespace
 
 SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
@@ -24,19 +55,19 @@ SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
           sum_of(rest.tension, net.ulnar), sum_of(rest.tension, net.terminal)};
 }
 
-std::string net_trouble(const Net& net, const NetEquilibrium& rest) {
+std::string net_trouble(const Net& net, const TreeState<double>& state,
+                        const NetEquilibrium& rest) {
   switch (rest.status) {
     case NetStatus::kStalled:
       return fmt::format("net '{}' is not balanced: {:.2g} N are left", net.name, rest.residual);
     case NetStatus::kUnstable:
       return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
     case NetStatus::kDrawnIn:
-      return fmt::format("net '{}' does not hold: a muscle has drawn a knot into its exit",
-                         net.name);
+      return drawn_in(net, rest);
     case NetStatus::kBalanced:
       break;
   }
-  return "";
+  return buried_band(net, state, rest);
 }
 
 NetTendons::NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
@@ -89,7 +120,7 @@ TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
   pull.R = arms_outside(q, t, state);
   pull.slips = slip_tension(net_, at_rest);
   pull.nodes = at_rest.x;
-  pull.trouble = net_trouble(net_.net, at_rest);
+  pull.trouble = net_trouble(net_.net, state, at_rest);
   if (at_rest.status != NetStatus::kBalanced) return pull;
   const NetDerivatives slopes =
       net_derivatives(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);

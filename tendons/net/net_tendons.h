@@ -56,6 +56,7 @@ class NetTendons : public DigitTendons {
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
 /// Why not to trust an equilibrium; empty: nothing.
-[[nodiscard]] std::string net_trouble(const Net& net, const NetEquilibrium& rest);
+[[nodiscard]] std::string net_trouble(const Net& net, const TreeState<double>& state,
+                                      const NetEquilibrium& rest);
 
 }  // namespace thenar

@@ -1,0 +1,87 @@
+// Tests for tendons/net/build_tendons.cpp and net_tendons.cpp.
+
+#include "tendons/net/build_tendons.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tendons/linear_tendons.h"
+#include "tendons/net/net_tendons.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+const std::string kData = THENAR_DATA_DIR;
+const VectorXd kPosture = (VectorXd(4) << 0.5, 0.05, 0.4, 0.3).finished();
+const VectorXd kTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
+
+Subject finger() { return read_subject(kData + "/subjects/an_chao_middle.toml"); }
+NetDescription net(const std::string& name) { return read_net(kData + "/nets/" + name + ".toml"); }
+
+TEST(BuildTendons, SaysWhichHoodWasBuilt) {
+  const NetDescription winslow = net("winslow");
+  TendonOptions options;
+  EXPECT_EQ(build_digit_tendons(finger(), "middle", options)->digit().fidelity.hood,
+            Hood::kFractions);
+  options.hood = Hood::kFloatingNet;
+  EXPECT_EQ(build_digit_tendons(finger(), "middle", options, &winslow)->digit().fidelity.hood,
+            Hood::kFloatingNet);
+}
+
+TEST(BuildTendons, WantsANetIfAndOnlyIfTheHoodFloats) {
+  const NetDescription winslow = net("winslow");
+  TendonOptions options;
+  EXPECT_THROW((void)build_digit_tendons(finger(), "middle", options, &winslow), InputError);
+  options.hood = Hood::kFloatingNet;
+  EXPECT_THROW((void)build_digit_tendons(finger(), "middle", options), InputError);
+}
+
+// For linear tendons the interface must say what the digit's own statics say.
+TEST(BuildTendons, TipForceIsThatOfTheDigitsStatics) {
+  const auto tendons = build_digit_tendons(finger(), "middle");
+  const TipForce own = tip_force(tip_statics(tendons->digit(), kPosture), kTension);
+  EXPECT_TRUE(matrix_near(tip_force(*tendons, kPosture, kTension).f_W, own.f_W, 1e-12));
+}
+
+// R' t + tau_0 must be the torque, though a net's torque is not linear in t.
+TEST(BuildTendons, StaticsOfANetCarryItsWholeTorque) {
+  const NetDescription winslow = net("winslow");
+  const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
+  const TipStatics statics = tip_statics(*tendons, kPosture, kTension);
+  const VectorXd passive = passive_torque(tendons->digit().skeleton, kPosture);
+  EXPECT_TRUE(matrix_near(statics.R.transpose() * kTension + statics.tau_0,
+                          tendons->pull(kPosture, kTension).tau + passive, 1e-12));
+}
+
+// With its only band cut, nothing holds the knot that muscles pull.
+TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
+  auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  const NetTendons tendons(std::move(linear), std::move(torn));
+  const std::string trouble = tendons.pull(kPosture, kTension, {}).trouble;
+  EXPECT_NE(trouble.find("has drawn in 'ulnar_knot'"), std::string::npos) << trouble;
+}
+
+// A surface that has grown over an insertion buries the band that bends over it.
+TEST(NetTendons, TellsThatABandIsBuried) {
+  auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
+  BuiltNet built = build_net(finger(), linear->digit(), net("winslow"));
+  for (BoneSurface& surface : built.net.surfaces)
+    if (surface.name == "DIP_dorsum") surface.size[0] = 0.008;
+  const NetTendons tendons(std::move(linear), std::move(built));
+  const VectorXd straight = VectorXd::Zero(4);
+  const std::string trouble = tendons.pull(straight, kTension, {}).trouble;
+  EXPECT_NE(trouble.find("ends inside 'DIP_dorsum'"), std::string::npos) << trouble;
+}
+
+TEST(NetTendons, RefusesAStartOfAnotherNet) {
+  const NetDescription winslow = net("winslow");
+  const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
+  EXPECT_THROW((void)tendons->pull(kPosture, kTension, Eigen::Matrix3Xd::Zero(3, 2)), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
