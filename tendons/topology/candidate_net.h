@@ -34,6 +34,7 @@ struct TendonTest {
   Eigen::VectorXd q;        // posture [rad] (coordinates)
   Eigen::VectorXd tension;  // of the net's muscles [N] (muscles)
   Eigen::VectorXd tau_own;  // torque of all that is not in the net [N m] (coordinates); empty: none
+  Eigen::Matrix3Xd start;   // nodes to start from, world [m] (3, nodes); empty: each with its link
   Eigen::MatrixXd map;      // tip force per joint torque [1/m] (rows, coordinates), or the identity
 };
 

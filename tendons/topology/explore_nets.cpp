@@ -1,6 +1,7 @@
 #include "tendons/topology/explore_nets.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/error.h"
@@ -73,6 +74,12 @@ std::vector<TriedNet> estimate(TriedNets& tried, const Population& population, s
     }
   }
   return alive;
+}
+
+/// The same nets with misfits by the noise that the best of them leaves.
+std::vector<TriedNet> eased(std::vector<TriedNet> nets, double error) {
+  for (TriedNet& net : nets) net.fit.misfit /= error * error;
+  return nets;
 }
 
 /// Tests not measured yet, at most `count`, that are worth it; no two of one posture if there is a
@@ -153,11 +160,13 @@ Exploration explore_nets(const CandidateNet& candidate, std::vector<TendonRecord
     const std::vector<TriedNet> alive =
         estimate(tried, search.population, random, options, progress);
     if (alive.empty()) return out;
-    out.next =
-        open_tests(rank_tests(forecast, pool, alive, fitter.typical(), options.noise), search.used);
+    const double error = model_error(tried);
+    out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
+                                     {error * options.noise.relative, error * options.noise.floor}),
+                          search.used);
     const int left = std::min(options.tests_a_round, options.most_tests - measured);
     const std::vector<TestPromise> chosen = choose(out.next, pool, options, left);
-    const int rivals = static_cast<int>(tried.alike(options.weigh.doubt).size());
+    const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
     out.stop = progress.stop()                 ? ExploreStop::kAsked
                : left <= 0 || out.next.empty() ? ExploreStop::kTests

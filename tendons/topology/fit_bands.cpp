@@ -43,10 +43,9 @@ PricedResiduals BandFitter::residuals(const Eigen::VectorXd& s, Slopes slopes) {
   PricedResiduals out;
   out.possible = forecast.holds;
   if (!out.possible) return out;
-  const Eigen::VectorXd sd = inflation_ * sd_;
-  out.r = (forecast.value - measured_).cwiseQuotient(sd);
+  out.r = (forecast.value - measured_).cwiseQuotient(sd_);
   if (slopes == Slopes::kWith)
-    out.J = sd.cwiseInverse().asDiagonal() * forecast.by_EA * typical_.asDiagonal();
+    out.J = sd_.cwiseInverse().asDiagonal() * forecast.by_EA * typical_.asDiagonal();
   return out;
 }
 

@@ -20,11 +20,11 @@ enum class Presence {
 using Presences = std::vector<Presence>;
 
 /// Part of the typical EA below which a band's load is no longer shared by ratios of stiffness [1].
-inline constexpr double kSoft = 0.01;
+inline constexpr double kSoft = 0.05;
 
 /// Part of the typical EA that a band keeps where it may exist but vanishes, so that the net's
 /// slope by it stays defined; it then carries this part of its share [1].
-inline constexpr double kGhost = 1e-3;
+inline constexpr double kGhost = 0.01;
 
 /// Best stiffnesses under one set of assumptions.
 struct [[nodiscard]] BandFit {
@@ -52,13 +52,10 @@ class BandFitter {
               const Eigen::VectorXd& price = {});
 
   void add(const TendonRecord& record);
-  /// All standard deviations times this from now on: for errors of the model.
-  void inflate(double factor) { inflation_ *= factor; }
 
   [[nodiscard]] const CandidateNet& candidate() const { return forward_.candidate(); }
   [[nodiscard]] const Eigen::VectorXd& typical() const { return typical_; }
   [[nodiscard]] Eigen::Index rows() const { return measured_.size(); }
-  [[nodiscard]] double inflation() const { return inflation_; }
   [[nodiscard]] long solves() const { return forward_.solves(); }
 
  private:
@@ -67,7 +64,6 @@ class BandFitter {
   PricedFitOptions options_;
   Eigen::VectorXd typical_;        // EA [N] (candidates)
   Eigen::VectorXd measured_, sd_;  // stacked (rows)
-  double inflation_ = 1;
 };
 
 /// The topology's presences: kYes where a band is.

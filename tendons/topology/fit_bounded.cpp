@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace thenar {
 namespace {
@@ -66,9 +67,14 @@ PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
     if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
     if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
     if (ratio < 1e-3) continue;
+    PricedResiduals there = fit.residuals(x, Slopes::kWith);
+    if (!there.possible) {  // at the very edge of where it has an answer
+      radius = 0.3 * d.cwiseAbs().maxCoeff();
+      continue;
+    }
     now.x = x;
     now.cost = cost;
-    now.at = fit.residuals(x, Slopes::kWith);
+    now.at = std::move(there);
   }
   return now;
 }

@@ -24,9 +24,9 @@ struct PricedFit {
 };
 
 struct PricedFitOptions {
-  double tolerance = 1e-3;  // fall of the cost that still counts [1]
+  double tolerance = 0.01;  // fall of the cost that still counts [1]
   double radius = 1;        // farthest move of an unknown in one step
-  int max_steps = 60;
+  int max_steps = 40;
 };
 
 struct [[nodiscard]] PricedResult {

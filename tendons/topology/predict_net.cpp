@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kDrawnIn = 1e-3;  // a muscle shorter than this has drawn its node in [m]
 
+constexpr double kTurn = 1e-6;  // step of finite differences by posture [rad]
+
 /// Whether every muscle is held up by the net.
 bool holds(const Net& net, const NetEquilibrium& rest) {
   const bool still = rest.status == NetStatus::kBalanced ||
@@ -22,12 +24,34 @@ bool holds(const Net& net, const NetEquilibrium& rest) {
   return true;
 }
 
-/// Where a candidate that exists stands in net_of().
-int place_of(const CandidateNet& candidate, const Eigen::VectorXd& EA, std::size_t c) {
-  int place = candidate.candidates[c].band;
-  for (std::size_t d = 0; d < candidate.candidates.size(); ++d)
-    if (EA(d) <= 0 && candidate.candidates[d].band < candidate.candidates[c].band) --place;
-  return place;
+/// Candidates that exist, each with its place among the bands of net_of().
+std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
+                                           const Eigen::VectorXd& EA) {
+  std::vector<int> of_band(candidate.net.bands.size(), -1);
+  for (std::size_t c = 0; c < candidate.candidates.size(); ++c)
+    of_band[candidate.candidates[c].band] = static_cast<int>(c);
+  std::vector<std::pair<int, int>> places;
+  int place = 0;
+  for (int c : of_band) {
+    if (c >= 0 && EA(c) <= 0) continue;
+    if (c >= 0) places.emplace_back(c, place);
+    ++place;
+  }
+  return places;
+}
+
+/// Length of a band per joint angle while the net stays at rest [m/rad] (bands, coordinates): by
+/// solving again a little further.
+Eigen::MatrixXd length_slopes(NetSolver& solver, const Tree<double>& tree, const TendonTest& test,
+                              const NetEquilibrium& rest) {
+  Eigen::MatrixXd slopes(rest.length.size(), test.q.size());
+  for (Eigen::Index l = 0; l < test.q.size(); ++l) {
+    Eigen::VectorXd q = test.q;
+    q(l) += kTurn;
+    const NetEquilibrium next = solver.solve(pose_tree(tree, q), {test.tension, {}}, &rest.x);
+    slopes.col(l) = (next.length - rest.length) / kTurn;
+  }
+  return slopes;
 }
 
 }  // namespace
@@ -41,36 +65,22 @@ NetForward::NetForward(CandidateNet candidate, const std::vector<TendonTest>& te
 void NetForward::add(const TendonTest& test) {
   check_test(candidate_, test);
   Posed posed{test, pose_tree(candidate_.tree, test.q), {}};
-  const NetEquilibrium rest = NetSolver(candidate_.net).solve(posed.state, {test.tension, {}});
+  const NetEquilibrium rest =
+      NetSolver(candidate_.net)
+          .solve(posed.state, {test.tension, {}}, test.start.cols() ? &test.start : nullptr);
   require(holds(candidate_.net, rest), "test {}: net {} with all its bands does not come to rest",
           test.name, candidate_.net.name);
   posed.x = rest.x;
   tests_.push_back(std::move(posed));
 }
 
-Eigen::MatrixXd NetForward::slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
-                                     const Eigen::VectorXd& EA_all) const {
-  const Eigen::VectorXd tau =
-      net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);
-  Eigen::MatrixXd slope(posed.test.map.rows(), candidate_.candidates.size());
-  Net moved = net;
-  for (std::size_t c = 0; c < candidate_.candidates.size(); ++c) {
-    if (EA_all(c) <= 0) {
-      slope.col(c).setZero();
-      continue;
-    }
-    NetBand& band = moved.bands[place_of(candidate_, EA_all, c)];
-    const double EA = band.EA, step = 1e-5 * EA;
-    band.EA = EA + step;
-    const NetEquilibrium next =
-        NetSolver(moved).solve(posed.state, {posed.test.tension, {}}, &rest.x);
-    band.EA = EA;
-    slope.col(c) =
-        posed.test.map *
-        (net_torque(moved, candidate_.tree, posed.state, next, candidate_.coordinates) - tau) /
-        step;
-  }
-  return slope;
+Eigen::MatrixXd NetForward::slope_of(NetSolver& solver, const Net& net, const Posed& posed,
+                                     const NetEquilibrium& rest, const Eigen::VectorXd& EA) const {
+  Eigen::MatrixXd tau = Eigen::MatrixXd::Zero(candidate_.coordinates, EA.size());
+  const Eigen::MatrixXd turn = length_slopes(solver, candidate_.tree, posed.test, rest);
+  for (const auto& [candidate, band] : places_of(candidate_, EA))
+    tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
+  return posed.test.map * tau;
 }
 
 NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
@@ -83,8 +93,8 @@ NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
   out.value.resize(rows);
   if (slopes == Slopes::kWith) out.by_EA.resize(rows, EA.size());
   const Net net = net_of(candidate_, EA);
-  NetSolver solver(net);
   for (const Posed& posed : tests_) {
+    NetSolver solver(net);
     const NetEquilibrium rest = solver.solve(posed.state, {posed.test.tension, {}}, &posed.x);
     ++solves_;
     if (!holds(net, rest)) return out;
@@ -93,7 +103,8 @@ NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
         net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);
     if (posed.test.tau_own.size()) tau += posed.test.tau_own;
     out.value.segment(row, n) = posed.test.map * tau;
-    if (slopes == Slopes::kWith) out.by_EA.middleRows(row, n) = slope_of(net, posed, rest, EA);
+    if (slopes == Slopes::kWith)
+      out.by_EA.middleRows(row, n) = slope_of(solver, net, posed, rest, EA);
     row += n;
   }
   out.holds = true;

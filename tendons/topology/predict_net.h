@@ -45,8 +45,11 @@ class NetForward {
     TreeState<double> state;
     Eigen::Matrix3Xd x;  // where the nodes start, world [m] (3, nodes)
   };
-  Eigen::MatrixXd slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
-                           const Eigen::VectorXd& EA) const;
+  /// By Maxwell's reciprocity, with E the energy of the net at rest and phi that of one band:
+  ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
+  /// so a few solves by posture stand for one by every EA.
+  Eigen::MatrixXd slope_of(NetSolver& solver, const Net& net, const Posed& posed,
+                           const NetEquilibrium& rest, const Eigen::VectorXd& EA) const;
 
   CandidateNet candidate_;
   std::vector<Posed> tests_;

@@ -1,11 +1,14 @@
 #include "tendons/topology/select_bands.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace thenar {
 namespace {
 
-constexpr double kStarts[] = {1, 0.1, 0.01};  // s of all bands where fits without price start
+constexpr std::size_t kDescents = 2;    // from the best stops
+constexpr double kStarts[] = {1, 0.1};  // s of all bands where paths start
 
 Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
   Topology bands;
@@ -52,11 +55,20 @@ Selection select_bands(TriedNets& tried, const SelectOptions& options, const Pro
     if (progress.stop() && !out.path.empty()) break;
     follow(tried, Eigen::VectorXd::Constant(n, s), options, out.path);
   }
+  // All bands hold whatever can be held.
+  (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
-  progress(part, "changes of single bands");
-  const TriedNet* best = tried.best(price);
-  if (!best) return out;
-  out.bands = progress.stop() ? best->bands : descend(tried, best->bands, best->fit.s, price);
+  std::vector<TriedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
+  if (starts.empty()) return out;
+  std::sort(starts.begin(), starts.end(), [&](const TriedNet& a, const TriedNet& b) {
+    return score(a, price) < score(b, price);
+  });
+  starts.resize(std::min<std::size_t>(starts.size(), kDescents));
+  for (const TriedNet& start : starts) {
+    progress(part += 0.1 / kDescents, "changes of single bands");
+    if (!progress.stop()) descend(tried, start.bands, start.fit.s, price);
+  }
+  out.bands = tried.best(price)->bands;
   return out;
 }
 

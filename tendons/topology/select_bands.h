@@ -8,9 +8,9 @@
 namespace thenar {
 
 struct SelectOptions {
-  double first_price = 0.1;  // of the log-sum penalty [1]
-  double last_price = 300;   // [1]
-  int prices = 9;            // on the way, in equal ratios
+  double first_price = 1;   // of the log-sum penalty [1]
+  double last_price = 300;  // [1]
+  int prices = 6;           // on the way, in equal ratios
 };
 
 /// One stop of the path over the price.

@@ -1,31 +1,44 @@
 #include "tendons/topology/tried_nets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 namespace thenar {
 namespace {
 
+constexpr int kPairs = 40;  // of changes, tried where a misfit is not credible
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Stiffnesses of a neighbour: what is new starts with its typical EA.
-Eigen::VectorXd start_of(const Topology& bands, Eigen::VectorXd s) {
-  for (Eigen::Index c = 0; c < s.size(); ++c)
-    if (bands[c] && s(c) <= 0) s(c) = 1;
-  return s;
+/// Tries all topologies that differ by one band. @return the bands, best change first
+std::vector<int> change_singly(TriedNets& tried, const TriedNet& here, double price) {
+  std::vector<std::pair<double, int>> changes;
+  for (int c = 0; c < static_cast<int>(here.bands.size()); ++c) {
+    const Topology next = flipped(here.bands, c);
+    changes.emplace_back(score({next, tried.fit(next, here.fit.s)}, price), c);
+  }
+  std::sort(changes.begin(), changes.end());
+  std::vector<int> order;
+  for (const auto& [least, c] : changes) order.push_back(c);
+  return order;
 }
 
-/// Best of the topologies that differ from `here` by one band.
-Topology best_neighbour(TriedNets& tried, const Topology& here, const Eigen::VectorXd& s,
-                        double price) {
-  Topology best = here;
-  double least = kInfinity;
-  for (int c = 0; c < static_cast<int>(here.size()); ++c) {
-    const Topology next = flipped(here, c);
-    const double got = score({next, tried.fit(next, s)}, price);
-    if (got < least) least = got, best = next;
-  }
-  return best;
+/// Tries pairs of the changes that harm least alone, until one helps.
+void change_in_pairs(TriedNets& tried, const TriedNet& here, const std::vector<int>& order,
+                     double price) {
+  int left = kPairs;
+  for (std::size_t b = 1; b < order.size(); ++b)
+    for (std::size_t a = 0; a < b && left > 0; ++a, --left) {
+      const Topology next = flipped(flipped(here.bands, order[a]), order[b]);
+      if (score({next, tried.fit(next, here.fit.s)}, price) < score(here, price)) return;
+    }
+}
+
+/// Whether noise alone could leave such a misfit: within 6 sd of its chi^2.
+bool credible(const BandFit& fit) {
+  const auto rows = static_cast<double>(fit.r.size());
+  return fit.holds && fit.misfit < rows + 6 * std::sqrt(2 * rows);
 }
 
 }  // namespace
@@ -33,7 +46,7 @@ Topology best_neighbour(TriedNets& tried, const Topology& here, const Eigen::Vec
 const BandFit& TriedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
   auto found = tried_.find(bands);
   if (found == tried_.end()) {
-    BandFit fit = fitter_->fit(presences_of(bands), start_of(bands, start));
+    BandFit fit = fitter_->fit(presences_of(bands), start);
     found = tried_.emplace(bands, TriedNet{bands, std::move(fit)}).first;
   }
   return found->second.fit;
@@ -77,11 +90,16 @@ Topology descend(TriedNets& tried, const Topology& from, const Eigen::VectorXd& 
                  double price) {
   TriedNet here{from, tried.fit(from, start)};
   for (;;) {
-    const Eigen::VectorXd s = here.fit.holds ? here.fit.s : start;
-    const Topology next = best_neighbour(tried, here.bands, s, price);
-    TriedNet there{next, tried.fit(next, s)};
-    if (!(score(there, price) < score(here, price))) return here.bands;
-    here = std::move(there);
+    if (!here.fit.holds) return here.bands;
+    const std::vector<int> order = change_singly(tried, here, price);
+    const Topology nearest = flipped(here.bands, order[0]);
+    TriedNet next{nearest, tried.fit(nearest, here.fit.s)};
+    if (!(score(next, price) < score(here, price)) && !credible(here.fit)) {
+      change_in_pairs(tried, here, order, price);
+      next = *tried.best(price);
+    }
+    if (!(score(next, price) < score(here, price))) return here.bands;
+    here = std::move(next);
   }
 }
 

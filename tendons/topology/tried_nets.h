@@ -24,8 +24,8 @@ class TriedNets {
   explicit TriedNets(BandFitter& fitter) : fitter_(&fitter) {}
 
   /// Fits a topology, or returns it if it was fitted before.
-  /// @param start  s to start from; bands that it lacks start with their typical EA [1]
-  /// (candidates)
+  /// @param start  s to start from; bands that it lacks start with their least EA, nearest to the
+  ///               net without them [1] (candidates)
   const BandFit& fit(const Topology& bands, const Eigen::VectorXd& start);
 
   /// The one of least  misfit + price * bands  that holds, or null.
@@ -52,8 +52,9 @@ class TriedNets {
 /// The topology with one band changed.
 [[nodiscard]] Topology flipped(Topology bands, int band);
 
-/// Changes one band, or puts one for another, as long as the score falls.
-/// @param from   topology to start at
+/// Changes one band as long as the score falls; two at once where no single change helps and the
+/// misfit is more than noise could leave.
+/// @param from   topology to start at; if it does not hold, it is returned
 /// @param start  its s (candidates)
 /// @return the topology where no change helps
 Topology descend(TriedNets& tried, const Topology& from, const Eigen::VectorXd& start,

@@ -40,19 +40,20 @@ void try_singles(TriedNets& tried) {
   }
 }
 
-void try_pairs(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+void try_pairs(TriedNets& tried, const WeighOptions& options, double below,
+               const Progress& progress) {
   const TriedNet here = *tried.best();
-  const std::vector<int> open =
-      doubtful(tried, static_cast<int>(here.bands.size()), options.screen);
+  const std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   int left = options.most_pairs;
   for (std::size_t b = 1; b < open.size(); ++b)
     for (std::size_t a = 0; a < b && left > 0 && !progress.stop(); ++a, --left)
       (void)tried.fit(flipped(flipped(here.bands, open[a]), open[b]), here.fit.s);
 }
 
-void try_combinations(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+void try_combinations(TriedNets& tried, const WeighOptions& options, double below,
+                      const Progress& progress) {
   const TriedNet here = *tried.best();
-  std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), options.doubt);
+  std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   open.resize(std::min<std::size_t>(open.size(), static_cast<std::size_t>(options.most_open)));
   for (unsigned way = 0; way < 1u << open.size() && !progress.stop(); ++way) {
     Topology bands = here.bands;
@@ -83,26 +84,33 @@ void state_stiffness(TriedNets& tried, InferredNet& out) {
   for (std::size_t c = 0; c < out.verdicts.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
     out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
-    const double sd = std::sqrt(variance(i));
+    const double sd = out.inflation * std::sqrt(variance(i));
     out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
   }
 }
 
-/// Which of two bands occur together in the nets alike: all four ways, or fewer.
-bool linked(const std::vector<TriedNet>& alike, int a, int b) {
-  bool seen[2][2] = {};
-  for (const TriedNet& net : alike) seen[net.bands[a]][net.bands[b]] = true;
-  return !(seen[0][0] && seen[0][1] && seen[1][0] && seen[1][1]);
+/// Whether, of the four ways to have or lack two bands in the best net, one was tried and fits
+/// worse.
+bool linked(TriedNets& tried, double limit, int a, int b) {
+  const TriedNet& best = *tried.best();
+  for (int way = 0; way < 4; ++way) {
+    Topology bands = best.bands;
+    bands[a] = way & 1, bands[b] = way & 2;
+    if (!tried.knows(bands)) continue;
+    const BandFit& fit = tried.fit(bands, best.fit.s);
+    if (!fit.holds || fit.misfit > limit) return true;
+  }
+  return false;
 }
 
-std::vector<BandGroup> groups_of(const InferredNet& found) {
+std::vector<BandGroup> groups_of(TriedNets& tried, const InferredNet& found, double limit) {
   const int n = static_cast<int>(found.verdicts.size());
   std::vector<int> root(static_cast<std::size_t>(n));
   std::iota(root.begin(), root.end(), 0);
   const auto open = [&](int c) { return found.verdicts[c].verdict == Verdict::kUndecided; };
   for (int a = 0; a < n; ++a)
     for (int b = a + 1; b < n; ++b)
-      if (open(a) && open(b) && linked(found.alike, a, b))
+      if (open(a) && open(b) && linked(tried, limit, a, b))
         std::replace(root.begin(), root.end(), int{root[b]}, int{root[a]});
   std::vector<BandGroup> groups;
   for (int r = 0; r < n; ++r) {
@@ -131,15 +139,17 @@ std::string to_string(Verdict verdict) {
 InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
   InferredNet out;
   out.rows = tried.fitter().rows();
-  out.inflation = tried.fitter().inflation();
   if (!tried.best()) return out;
   progress(0.7, "changes of the best net");
   try_singles(tried);
+  const double credible = std::pow(model_error(tried), 2);
   progress(0.8, "pairs of changes");
-  try_pairs(tried, options, progress);
+  try_pairs(tried, options, options.screen * credible, progress);
   progress(0.9, "combinations of what is undecided");
-  try_combinations(tried, options, progress);
+  try_combinations(tried, options, options.doubt * credible, progress);
   const TriedNet& best = *tried.best();
+  out.inflation = model_error(tried);
+  const double weight = 1 / (out.inflation * out.inflation);
   out.found = true;
   out.bands = best.bands;
   out.misfit = best.fit.misfit;
@@ -147,14 +157,14 @@ InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Pro
   for (int c = 0; c < static_cast<int>(names.size()); ++c) {
     BandVerdict band;
     band.name = names[c];
-    band.evidence = evidence(tried, c);
+    band.evidence = weight * evidence(tried, c);
     if (std::abs(band.evidence) >= options.doubt)
       band.verdict = band.evidence > 0 ? Verdict::kYes : Verdict::kNo;
     out.verdicts.push_back(band);
   }
-  out.alike = tried.alike(options.doubt);
+  out.alike = tried.alike(options.doubt / weight);
   state_stiffness(tried, out);
-  out.groups = groups_of(out);
+  out.groups = groups_of(tried, out, best.fit.misfit + options.doubt / weight);
   out.tried = tried.size();
   out.solves = tried.fitter().solves();
   return out;

@@ -20,8 +20,8 @@ enum class Verdict { kYes, kNo, kUndecided };
 struct BandVerdict {
   std::string name;
   Verdict verdict = Verdict::kUndecided;
-  double evidence = 0;  // least chi^2 without the band, less the least with it: > 0 for it [1];
-                        // infinite if no net without (or with) it carries the loads
+  double evidence = 0;  // least chi^2 without the band, less the least with it, per inflation^2:
+                        // > 0 for it; infinite if no net without (or with) it carries the loads [1]
   double EA = 0;        // in the best net, 0 where it lacks the band [N]
   double EA_sd = 0;     // of log EA, alone: the others free [1]; infinite if the data do not tell
 };
@@ -44,8 +44,8 @@ struct [[nodiscard]] InferredNet {
   std::vector<BandGroup> groups;       // of two undecided bands or more
   std::vector<Eigen::VectorXd> blind;  // directions of log EA in the best net that no reading
                                        // feels, unit (candidates)
-  std::size_t tried = 0;  // topologies
-  long solves = 0;        // equilibria
+  std::size_t tried = 0;               // topologies
+  long solves = 0;                     // equilibria
 };
 
 struct WeighOptions {
@@ -62,8 +62,9 @@ struct WeighOptions {
 [[nodiscard]] InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options = {},
                                       const Progress& progress = {});
 
-/// Noise times sqrt(chi^2 / (rows - bands)) of the best net, if that is above 1: for data that no
-/// candidate explains. @return the factor; what was tried must then be tried anew
+/// sqrt(chi^2 / (rows - bands)) of the best net, at least 1: by how much its errors exceed the
+/// stated noise. Where no candidate explains the data this is the error of the model, and evidence
+/// is weighed by it.
 [[nodiscard]] double model_error(const TriedNets& tried);
 
 }  // namespace thenar

@@ -12,6 +12,7 @@
 #include "tendons/net/solve_net.h"
 #include "tendons/topology/candidate_net.h"
 #include "tendons/topology/predict_net.h"
+#include "tendons/topology/propose_test.h"
 #include "tendons/wrapping/chord_over.h"
 
 namespace thenar::planted {
@@ -21,6 +22,7 @@ using Eigen::Vector3d;
 constexpr double kPip = -0.047, kDip = -0.0758, kTip = -0.0948;  // places along the finger [m]
 constexpr double kMcpRadius = 0.00917, kPipRadius = 0.00557, kDipRadius = 0.00396;
 constexpr double kPretension = 0.04;  // strain of every band in the straight finger [1]
+constexpr double kCellNoise = 0.02;   // sd [N]
 enum Link { kBase = -1, kMcp, kProximal, kMiddle, kDistal };
 
 /// Builds a net by the names of its nodes.
@@ -147,9 +149,8 @@ inline std::vector<TendonTest> finger_tests() {
   for (const Eigen::Vector4d& q : {Eigen::Vector4d(10, 0, 10, 30), Eigen::Vector4d(30, 8, 20, 60),
                                    Eigen::Vector4d(20, -8, 5, 15), Eigen::Vector4d(50, 0, 30, 70),
                                    Eigen::Vector4d(-5, 5, 15, 45), Eigen::Vector4d(40, -5, 45, 20)})
-    for (const Eigen::Vector4d& t :
-         {Eigen::Vector4d(6, 0, 0, 0), Eigen::Vector4d(1, 5, 0, 0), Eigen::Vector4d(1, 0, 5, 0),
-          Eigen::Vector4d(4, 4, 4, 0), Eigen::Vector4d(2, 0, 3, 3), Eigen::Vector4d(5, 5, 0, 1)})
+    for (const Eigen::Vector4d& t : {Eigen::Vector4d(1, 5, 0, 0), Eigen::Vector4d(1, 0, 5, 0),
+                                     Eigen::Vector4d(4, 3, 3, 0), Eigen::Vector4d(6, 1, 0, 2)})
       tests.push_back(finger_test(q, t));
   return tests;
 }
@@ -172,7 +173,7 @@ inline Eigen::VectorXd plant(const CandidateNet& candidate, const std::vector<Te
   }
 }
 
-/// Readings with normal noise of `relative` times the force of each test.
+/// Readings with normal noise of `relative` times the force of each test, and of the load cell.
 inline std::vector<TendonRecord> measure(const CandidateNet& candidate, const Eigen::VectorXd& EA,
                                          const std::vector<TendonTest>& tests, double relative,
                                          std::mt19937& random) {
@@ -181,7 +182,7 @@ inline std::vector<TendonRecord> measure(const CandidateNet& candidate, const Ei
   std::vector<TendonRecord> records;
   for (std::size_t i = 0; i < tests.size(); ++i) {
     TendonRecord record{tests[i], truth.value.segment(3 * static_cast<Eigen::Index>(i), 3), {}};
-    record.sd = Vector3d::Constant(relative * record.measured.norm());
+    record.sd = reading_sd({relative, kCellNoise}, record.measured);
     for (int k = 0; k < 3; ++k) record.measured(k) += record.sd(k) * normal(random);
     records.push_back(record);
   }
