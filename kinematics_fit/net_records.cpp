@@ -1,0 +1,104 @@
+#include "kinematics_fit/net_records.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/held_tip.h"
+#include "kinematics_fit/predict_forces.h"
+#include "tendons/net/net_statics.h"
+#include "tendons/net/net_sweep.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+ExperimentPlan plan_of(const NetTendons& tendons, const Experiment& experiment) {
+  return plan_experiment(tendons.digit(), choose_parameters(tendons.digit(), {}, {}), experiment);
+}
+
+/// Force on the load cell per joint torque, experiment components (3, coordinates) [1/m].
+MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
+  const TreeState<double> state = pose_tree(model.tree, q);
+  const MatrixXd L = held_loads(model, state, plan.hold, 0.0);
+  const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
+  const MatrixX<double> loads =
+      L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
+  const auto axes = [&](int link) -> Eigen::Matrix3d {
+    return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
+  };
+  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
+         loads.topRows<3>();
+}
+
+TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int posture,
+                   const VectorXd& t) {
+  const TendonModel<double>& model = tendons.digit().model;
+  TendonTest test;
+  test.q = plan.postures[static_cast<std::size_t>(posture)];
+  test.tension = tendons.drive(t);
+  test.name = plan.posture_names[static_cast<std::size_t>(posture)];
+  for (Eigen::Index m = 0; m < t.size(); ++m)
+    if (t(m) > 0) test.name += fmt::format(" {}={:.3g}", tendons.digit().names.muscles[m], t(m));
+  test.start = start_from_straight(tendons, test.q, t);
+  const NetEquilibrium rest = tendons.rest(test.q, t, test.start);
+  test.tau_own = tendons.torque(test.q, t, rest) - net_torque(tendons.net().net, model.tree,
+                                                              pose_tree(model.tree, test.q), rest,
+                                                              model.coordinates);
+  test.map = cell_map(model, plan, test.q);
+  return test;
+}
+
+/// Largest tension of each muscle that pulls the net, 0 for others (muscles).
+VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
+  VectorXd largest =
+      VectorXd::Zero(static_cast<Eigen::Index>(tendons.digit().names.muscles.size()));
+  for (const VectorXd& t : plan.tension)
+    for (const NetPull& pull : tendons.net().pulls)
+      largest(pull.muscle) = std::max(largest(pull.muscle), t(pull.muscle));
+  return largest;
+}
+
+}  // namespace
+
+CandidateNet candidate_of(const NetTendons& tendons) {
+  const TendonModel<double>& model = tendons.digit().model;
+  const Net& net = tendons.net().net;
+  return {net, model.tree, model.coordinates, passive_candidates(net)};
+}
+
+std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experiment& experiment) {
+  const ExperimentPlan plan = plan_of(tendons, experiment);
+  std::vector<TendonRecord> records;
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
+    if (tendons.drive(t).isZero(0)) continue;
+    records.push_back(
+        {test_of(tendons, plan, plan.posture_of_trial[static_cast<std::size_t>(i)], t),
+         plan.force.col(i), plan.sd.col(i)});
+  }
+  require(!records.empty(), "experiment {}: no muscle of net {} is loaded", experiment.name,
+          tendons.net().net.name);
+  return records;
+}
+
+std::vector<TendonTest> possible_tests(const NetTendons& tendons, const Experiment& experiment) {
+  const ExperimentPlan plan = plan_of(tendons, experiment);
+  const VectorXd largest = largest_loads(tendons, plan);
+  std::vector<VectorXd> loads{largest};
+  for (Eigen::Index a = 0; a < largest.size(); ++a)
+    for (Eigen::Index b = a; b < largest.size(); ++b) {
+      if (largest(a) <= 0 || largest(b) <= 0) continue;
+      loads.emplace_back(VectorXd::Zero(largest.size()));
+      loads.back()(a) = largest(a);
+      loads.back()(b) = largest(b);
+    }
+  std::vector<TendonTest> tests;
+  for (int p = 0; p < static_cast<int>(plan.postures.size()); ++p)
+    for (const VectorXd& t : loads) tests.push_back(test_of(tendons, plan, p, t));
+  return tests;
+}
+
+}  // namespace thenar

@@ -1,0 +1,27 @@
+#pragma once
+
+/// What an experiment says of the extensor net of a digit: inputs of the inference of its bands.
+
+#include <vector>
+
+#include "data/io/experiment.h"
+#include "tendons/net/net_tendons.h"
+#include "tendons/topology/candidate_net.h"
+
+namespace thenar {
+
+/// Every passive band of the digit's net as a candidate.
+[[nodiscard]] CandidateNet candidate_of(const NetTendons& tendons);
+
+/// The trials in which a muscle pulls the net, as the load cell read them: forces of the held tip
+/// in the experiment's components. Other trials say nothing of the net and are left out.
+/// @throws InputError if the experiment does not fit the digit.
+[[nodiscard]] std::vector<TendonRecord> net_records(const NetTendons& tendons,
+                                                    const Experiment& experiment);
+
+/// Tests that could be done on the same rig: every posture of the experiment with the largest load
+/// of each muscle of the net there, alone, in pairs and all together.
+[[nodiscard]] std::vector<TendonTest> possible_tests(const NetTendons& tendons,
+                                                     const Experiment& experiment);
+
+}  // namespace thenar
