@@ -13,6 +13,7 @@ void add_fit(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_tendon(CLI::App& app);
 void add_tip_force(CLI::App& app);
 void add_validate(CLI::App& app);
 

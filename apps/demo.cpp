@@ -4,6 +4,7 @@
 // solver, cross-validates, predicts what was not seen, compares two thumbs, and writes it all as
 // one page.
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -11,12 +12,15 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/net_file.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/angles.h"
 #include "base/provenance.h"
 #include "base/write_file.h"
+#include "tendons/net/build_tendons.h"
 #include "viewer/fit_pages.h"
+#include "viewer/hood_page.h"
 #include "viewer/report_page.h"
 #include "viewer/thumb_page.h"
 
@@ -56,6 +60,38 @@ std::vector<ThumbCase> thumb_cases(const Options& options) {
           {"Measured axes and tendons", read("mirakhorlo2016.toml"), {}}};
 }
 
+/// The hood of the middle finger while it bends, DIP by two thirds of PIP, and all rungs of hood
+/// beside the measured forces.
+Json hood_section(const StudyInputs& inputs) {
+  const Subject subject =
+      parse_subject(inputs.population_subject.text, inputs.population_subject.path);
+  const NetDescription net = find_net("winslow");
+  TendonOptions options;
+  options.hood = Hood::kFloatingNet;
+  const auto tendons = build_digit_tendons(subject, "middle", options, &net);
+  const TendonNames& names = tendons->digit().names;
+  const auto index = [](const std::vector<std::string>& list, const char* name) {
+    return std::find(list.begin(), list.end(), name) - list.begin();
+  };
+  const Eigen::Index pip = index(names.coordinates, "PIP3"), dip = index(names.coordinates, "DIP3");
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(tendons->digit().model.coordinates), bent = q;
+  bent[pip] = radians(60);
+  bent[dip] = radians(40);
+  Eigen::VectorXd t = Eigen::VectorXd::Zero(tendons->digit().max_tension.size());
+  t[index(names.muscles, "EDC")] = 2.9;
+  t[index(names.muscles, "LU")] = 0.4;
+  t[index(names.muscles, "UI")] = 0.4;
+  const std::vector<Eigen::VectorXd> postures = postures_between(q, bent, 24);
+
+  std::vector<HoodComparison> comparisons;
+  for (const SourceText& source : inputs.specimen.experiments)
+    comparisons.push_back(
+        compare_hoods(subject, parse_experiment(source.text, source.path), {net}));
+  return hood_page(
+      {*tendons, t, sweep_digit(*tendons, postures, t), {static_cast<int>(pip)}, postures.size()},
+      comparisons);
+}
+
 Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seconds) {
   Json out = Json::object();
   const auto add = [&](const SourceText& source) {
@@ -86,10 +122,10 @@ void run(const Options& options) {
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
   write_fit(population.fit, options.output + "/population.h5");
 
-  Json sections =
-      Json::array({accuracy_page(studies), force_page(studies), solver_page(studies),
-                   parameter_page(studies), finger_page(studies),
-                   population_page(population, studies), thumb_page(thumb_cases(options))});
+  Json sections = Json::array({accuracy_page(studies), force_page(studies), solver_page(studies),
+                               parameter_page(studies), finger_page(studies),
+                               population_page(population, studies), hood_section(inputs),
+                               thumb_page(thumb_cases(options))});
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_report(

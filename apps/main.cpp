@@ -16,6 +16,7 @@ int main(int argc, char** argv) {
   thenar::add_pose(app);
   thenar::add_tip_force(app);
   thenar::add_feasible_force(app);
+  thenar::add_tendon(app);
   thenar::add_simulate(app);
   thenar::add_fit(app);
   thenar::add_predict(app);

@@ -1,0 +1,31 @@
+#include "apps/net_file.h"
+
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "apps/print_table.h"
+#include "base/error.h"
+
+namespace thenar {
+namespace internal {
+const std::map<std::string, std::string_view>& nets();  // data/nets, by file name
+}
+
+std::vector<std::string> known_nets() {
+  std::vector<std::string> names;
+  for (const auto& [file, text] : internal::nets())
+    names.push_back(std::filesystem::path(file).stem());
+  return names;
+}
+
+NetDescription find_net(const std::string& name_or_path) {
+  if (std::filesystem::is_regular_file(name_or_path)) return read_net(name_or_path);
+  const auto found = internal::nets().find(name_or_path + ".toml");
+  require(found != internal::nets().end(),
+          "there is no net '{}', nor a file of that name; nets: {}", name_or_path,
+          listed(known_nets()));
+  return parse_net(std::string(found->second), found->first);
+}
+
+}  // namespace thenar

@@ -1,0 +1,55 @@
+#pragma once
+
+/// What every question about the tendons of one digit starts from.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "data/io/subject.h"
+#include "tendons/net/digit_sweep.h"
+
+namespace thenar {
+
+/// The options, as typed.
+struct TendonQuestion {
+  std::string subject;               // path of the subject file
+  std::string digit;                 // empty: the only one that the subject has
+  std::string hood = "net";          // separate, fractions or net
+  std::string net = "winslow";       // name or path
+  std::vector<std::string> posture;  // JOINT=degrees, or degrees in joint order
+  std::vector<std::string> frozen;   // JOINT=degrees
+  std::vector<std::string> tension;  // MUSCLE=newton
+};
+
+void add_options(CLI::App& command, TendonQuestion& question);
+
+/// A digit with its tendons, ready to be asked.
+struct TendonCase {
+  std::string subject;
+  std::string digit;
+  std::unique_ptr<DigitTendons> tendons;
+  const NetTendons* net;  // the same, if its hood is a net; else null
+  Eigen::VectorXd q;      // the posture asked for [rad] (coordinates)
+  Eigen::VectorXd t;      // tension of each muscle [N] (muscles)
+
+  [[nodiscard]] const TendonDigit& bones() const { return tendons->digit(); }
+};
+
+/// Reads the subject and builds the digit; warns on stderr of angles outside their limits.
+/// @throws InputError or DataError saying what is unknown or missing.
+[[nodiscard]] TendonCase find_tendons(const TendonQuestion& question);
+
+/// Subject, digit, fidelity, net and tensions, as they open every JSON answer.
+[[nodiscard]] nlohmann::ordered_json json_header(const TendonCase& at);
+
+/// The same as text.
+[[nodiscard]] std::string text_header(const TendonCase& at);
+
+/// "balanced", "unstable", "drawn in" or "stalled".
+[[nodiscard]] std::string name_of(NetStatus status);
+
+}  // namespace thenar

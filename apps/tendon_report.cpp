@@ -1,0 +1,25 @@
+#include "apps/tendon_report.h"
+
+#include <fmt/format.h>
+
+#include "apps/read_source.h"
+#include "base/provenance.h"
+#include "viewer/report_page.h"
+
+namespace thenar {
+
+void write_tendon_report(const TendonQuestion& question, const TendonCase& at,
+                         const TendonSweep& sweep, const std::string& path) {
+  Json provenance{{question.subject, "sha256 " + sha256(read_source(question.subject).text)},
+                  {"fidelity", describe(at.bones().fidelity)},
+                  {"tensions", fmt::format("{}", fmt::join(question.tension, " "))}};
+  if (at.net != nullptr) provenance["net"] = at.net->net().net.name;
+  for (const auto& [name, version] : versions()) provenance[name] = version;
+  write_report({{"title", fmt::format("Tendons of the {} of {}", at.digit, at.subject)},
+                {"subtitle", fmt::format("under {} N", fmt::join(question.tension, ", "))},
+                {"provenance", provenance},
+                {"sections", tendon_page(sweep)}},
+               path);
+}
+
+}  // namespace thenar

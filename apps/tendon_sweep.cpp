@@ -1,0 +1,107 @@
+// thenar tendon sweep SUBJECT --digit D --tension EDC=2.9 ... --vary PIP3=0:90:5 [--vary ...]
+//
+// The same as `tendon solve` over postures, each net started from its neighbour.
+
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/named_numbers.h"
+#include "apps/posture_options.h"
+#include "apps/progress_bar.h"
+#include "apps/tendon_answer.h"
+#include "apps/tendon_commands.h"
+#include "apps/tendon_report.h"
+#include "apps/tendon_table.h"
+#include "apps/varied_joints.h"
+#include "base/error.h"
+#include "base/write_file.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  TendonQuestion question;
+  std::vector<std::string> vary;
+  std::string output;
+  bool json = false;
+};
+
+/// Row by row; each row comes anew from the straight finger.
+std::vector<DigitPoint> sweep_rows(const TendonCase& at, const VariedJoints& varied) {
+  const Progress bar = terminal_progress();
+  std::vector<DigitPoint> points;
+  const double count = static_cast<double>(varied.postures.size());
+  for (std::size_t begin = 0; begin < varied.postures.size() && !bar.stop(); begin += varied.row) {
+    const auto from = varied.postures.begin() + static_cast<std::ptrdiff_t>(begin);
+    Progress row = bar;
+    row.report = [&](double fraction, const std::string& what) {
+      bar((static_cast<double>(begin) + fraction * static_cast<double>(varied.row)) / count, what);
+    };
+    for (DigitPoint& point : sweep_digit(
+             *at.tendons, {from, from + static_cast<std::ptrdiff_t>(varied.row)}, at.t, row))
+      points.push_back(std::move(point));
+  }
+  return points;
+}
+
+void write(const Options& options, const TendonCase& at, const VariedJoints& varied,
+           const std::vector<DigitPoint>& points) {
+  if (std::filesystem::path(options.output).extension() == ".csv")
+    write_file(options.output, csv_of(at, points));
+  else
+    write_tendon_report(options.question, at,
+                        {*at.tendons, at.t, points, varied.joints, varied.row}, options.output);
+}
+
+/// Says on stderr where nets snapped, and where they are not to be trusted.
+void warn_of(const TendonCase& at, const VariedJoints& varied,
+             const std::vector<DigitPoint>& points) {
+  for (const DigitPoint& point : points) {
+    const std::string trouble = trouble_of(point);
+    if (point.snapped)
+      fmt::print(stderr, "thenar: note: the net snaps on the way to {}\n",
+                 angles_in_words(at, varied, point.q));
+    if (!trouble.empty())
+      fmt::print(stderr, "thenar: warning: at {}: {}\n", angles_in_words(at, varied, point.q),
+                 trouble);
+  }
+}
+
+void run(const Options& options) {
+  if (!options.output.empty()) require_writable(options.output);
+  const TendonCase at = find_tendons(options.question);
+  const VariedJoints varied = parse_varied(at.bones().skeleton, at.q, options.vary);
+  const std::vector<DigitPoint> points = sweep_rows(at, varied);
+  if (points.empty()) throw Interrupted("stopped before the first posture was done");
+
+  if (!options.output.empty()) write(options, at, varied, points);
+  if (options.json)
+    fmt::print("{}\n", json_of(at, points).dump(2));
+  else if (options.output.empty())
+    fmt::print("{}", csv_of(at, points));
+  else
+    fmt::print("wrote {}\n", options.output);
+  warn_of(at, varied, points);
+  if (points.size() < varied.postures.size())
+    throw Interrupted(fmt::format("stopped after {} of {} postures; they are kept", points.size(),
+                                  varied.postures.size()));
+}
+
+}  // namespace
+
+void add_tendon_sweep(CLI::App& tendon) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command = tendon.add_subcommand("sweep", "The same over postures");
+  add_options(*command, options->question);
+  command
+      ->add_option("--vary", options->vary,
+                   "JOINT=from:to:step [deg]; of several the last varies fastest")
+      ->required();
+  command->add_option("-o,--output", options->output, "Page (.html) or table (.csv) to write");
+  command->add_flag("--json", options->json, "Print JSON, not CSV");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,58 @@
+#include "tendons/net/band_course.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "tendons/wrapping/chord_over.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kSteps = 12;  // along the run on the bone
+
+/// Angle about z from `side` to p, in (-pi, pi].
+double angle_from(const Vector3d& side, const Vector3d& p) {
+  return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
+}
+
+/// A point of the run on the bone from touch to touch, in the surface's frame: a helix by way of
+/// `side`, or a great circle. @param part  0..1
+Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const Chord& chord,
+                 double part) {
+  const Vector3d &a = chord.touch_a, &b = chord.touch_b;
+  if (surface.shape == SurfaceShape::kCylinder) {
+    const double from = angle_from(side, a), to = angle_from(side, b);
+    const double turn = part * (to - from), c = std::cos(turn), s = std::sin(turn);
+    return {c * a.x() - s * a.y(), s * a.x() + c * a.y(), a.z() + part * (b.z() - a.z())};
+  }
+  return surface.size[0] * (a + part * (b - a)).normalized();
+}
+
+}  // namespace
+
+Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state) {
+  return surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+}
+
+BandCourse band_course(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest,
+                       int band) {
+  require(band >= 0 && band < static_cast<int>(net.bands.size()), "net '{}' has no band {}",
+          net.name, band);
+  const NetBand& wanted = net.bands[static_cast<std::size_t>(band)];
+  const Vector3d a = rest.x.col(wanted.a), b = rest.x.col(wanted.b);
+  if (wanted.over < 0) return {false, {a, b}};
+  const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(wanted.over)];
+  const Pose<double> X_WS = surface_pose(surface, state), X_SW = X_WS.inverse();
+  const Chord chord = chord_over(surface, X_SW * a, X_SW * b, wanted.side);
+  if (!chord.bent) return {false, {a, b}};
+  BandCourse course{true, {a}};
+  for (int k = 0; k <= kSteps; ++k)
+    course.points.push_back(X_WS *
+                            on_bone(surface, wanted.side, chord, static_cast<double>(k) / kSteps));
+  course.points.push_back(b);
+  return course;
+}
+
+}  // namespace thenar

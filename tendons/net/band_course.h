@@ -1,0 +1,26 @@
+#pragma once
+
+/// Where a band runs, for tables and pictures.
+
+#include <vector>
+
+#include "tendons/net/solve_net.h"
+
+namespace thenar {
+
+inline constexpr double kTaut = 1e-6;  // a band that pulls with less is called slack [N]
+
+/// A band at rest.
+struct BandCourse {
+  bool bent;                            // lies on the bone that it bends over
+  std::vector<Eigen::Vector3d> points;  // from end to end; along the bone in small steps [m]
+};
+
+/// @param state  links, of the posture at which the net rests
+[[nodiscard]] BandCourse band_course(const Net& net, const TreeState<double>& state,
+                                     const NetEquilibrium& rest, int band);
+
+/// Frame of a surface now, X_WS.
+[[nodiscard]] Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& state);
+
+}  // namespace thenar

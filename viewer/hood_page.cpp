@@ -1,0 +1,70 @@
+#include "viewer/hood_page.h"
+
+namespace thenar {
+namespace {
+
+/// Paths of a rung in words, where two rungs differ in nothing else.
+std::string rung_name(const HoodRung& rung) {
+  return rung.name + (rung.path == Path::kWrapped ? ", wrapped" : "");
+}
+
+Json error_table(const std::vector<HoodComparison>& comparisons) {
+  Json rows = Json::array();
+  for (const HoodComparison& comparison : comparisons)
+    for (const HoodRung& rung : comparison.rungs)
+      rows.push_back({comparison.experiment, rung_name(rung), rung.prediction.error.relative,
+                      rung.hood_muscles.relative, rung.off_finest, 1e6 * rung.seconds,
+                      rung.trouble.size()});
+  return table_block(
+      "Errors of predicted fingertip forces, nothing fitted to the specimen: of all trials, of "
+      "those "
+      "whose muscles pull on the hood alone, and the distance from the finest rung, each relative "
+      "to "
+      "the forces; time for one posture under one load.",
+      {{"specimen", "", -1},
+       {"hood", "", -1},
+       {"error", "1", 3},
+       {"error, hood muscles", "1", 3},
+       {"off finest", "1", 3},
+       {"time", "\u00b5s", 1},
+       {"trials in trouble", "", 0}},
+      rows);
+}
+
+/// Distance from the finest rung over time, one point a rung.
+Json time_chart(const HoodComparison& comparison) {
+  Json series = Json::array();
+  for (const HoodRung& rung : comparison.rungs)
+    series.push_back({{"name", rung_name(rung)},
+                      {"style", "points"},
+                      {"x", {1e6 * rung.seconds}},
+                      {"y", {rung.prediction.error.relative}}});
+  return {{"type", "lines"},
+          {"caption", "Error of the predicted forces of " + comparison.experiment +
+                          " over the time for one posture. Lower left is better."},
+          {"x_label", "time [\u00b5s]"},
+          {"y_label", "relative error [1]"},
+          {"log_x", true},
+          {"series", series}};
+}
+
+}  // namespace
+
+Json hood_page(const TendonSweep& sweep, const std::vector<HoodComparison>& comparisons) {
+  Json blocks = net_scenes(sweep, 2);
+  for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
+  blocks.push_back(error_table(comparisons));
+  Json charts = Json::array();
+  for (const HoodComparison& comparison : comparisons) charts.push_back(time_chart(comparison));
+  blocks.push_back(row_block(charts));
+  return section(
+      "hood", "The extensor mechanism as a floating net",
+      "The net hangs between bones and muscles, and finds its own shape: how the "
+      "extensor's pull is shared between central and terminal slip follows from posture "
+      "and geometry. Bands are coloured by tension; slack ones are dashed.\n\n"
+      "Below, the same experiments predicted with separate tendons, with fixed fractions, "
+      "and with nets.",
+      blocks);
+}
+
+}  // namespace thenar
