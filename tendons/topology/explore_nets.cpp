@@ -66,6 +66,9 @@ std::vector<TriedNet> estimate(TriedNets& tried, const Population& population, s
   std::vector<TriedNet> alive;
   for (int g = 0; g <= options.generations; ++g) {
     if (!tried.best()) return {};
+    const TriedNet& best = *tried.best();
+    if (g == options.generations && !credible(best.fit))
+      descend(tried, best.bands, best.fit.s, options.price);
     alive = survivors(tried.alike(kAll), options);
     if (g == options.generations || progress.stop()) break;
     for (int i = 0; i < options.children; ++i) {
@@ -82,14 +85,20 @@ std::vector<TriedNet> eased(std::vector<TriedNet> nets, double error) {
   return nets;
 }
 
+/// Whether survivors may agree by chance: fewer than four numbers a band, or a misfit that noise
+/// does not leave.
+bool few(TriedNets& tried) {
+  const Eigen::Index bands = tried.fitter().typical().size();
+  return tried.fitter().rows() < 4 * bands || !credible(tried.best()->fit);
+}
+
 /// Tests not measured yet, at most `count`, that are worth it; no two of one posture if there is a
 /// choice.
 std::vector<TestPromise> choose(const std::vector<TestPromise>& ranked,
-                                const std::vector<TendonTest>& pool, const ExploreOptions& options,
-                                int count) {
+                                const std::vector<TendonTest>& pool, double enough, int count) {
   std::vector<TestPromise> chosen;
   for (const TestPromise& promise : ranked) {
-    if (static_cast<int>(chosen.size()) == count || promise.disagreement < options.enough) break;
+    if (static_cast<int>(chosen.size()) == count || promise.disagreement < enough) break;
     const bool posture_taken = std::any_of(chosen.begin(), chosen.end(), [&](const TestPromise& c) {
       return pool[c.test].q.isApprox(pool[promise.test].q);
     });
@@ -160,12 +169,14 @@ Exploration explore_nets(const CandidateNet& candidate, std::vector<TendonRecord
     const std::vector<TriedNet> alive =
         estimate(tried, search.population, random, options, progress);
     if (alive.empty()) return out;
-    const double error = model_error(tried);
+    // With an oracle a bad fit calls for more tests, not for more noise.
+    const double error = oracle ? 1 : model_error(tried);
     out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
                                      {error * options.noise.relative, error * options.noise.floor}),
                           search.used);
     const int left = std::min(options.tests_a_round, options.most_tests - measured);
-    const std::vector<TestPromise> chosen = choose(out.next, pool, options, left);
+    const std::vector<TestPromise> chosen =
+        choose(out.next, pool, few(tried) ? 0 : options.enough, left);
     const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
     out.stop = progress.stop()                 ? ExploreStop::kAsked

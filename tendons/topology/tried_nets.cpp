@@ -35,12 +35,6 @@ void change_in_pairs(TriedNets& tried, const TriedNet& here, const std::vector<i
     }
 }
 
-/// Whether noise alone could leave such a misfit: within 6 sd of its chi^2.
-bool credible(const BandFit& fit) {
-  const auto rows = static_cast<double>(fit.r.size());
-  return fit.holds && fit.misfit < rows + 6 * std::sqrt(2 * rows);
-}
-
 }  // namespace
 
 const BandFit& TriedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
@@ -74,6 +68,11 @@ std::vector<TriedNet> TriedNets::alike(double doubt) const {
   std::sort(nets.begin(), nets.end(),
             [](const TriedNet& a, const TriedNet& b) { return a.fit.misfit < b.fit.misfit; });
   return nets;
+}
+
+bool credible(const BandFit& fit) {
+  const auto rows = static_cast<double>(fit.r.size());
+  return fit.holds && fit.misfit < rows + 6 * std::sqrt(2 * rows);
 }
 
 double score(const TriedNet& net, double price) {

@@ -46,6 +46,9 @@ class TriedNets {
   std::map<Topology, TriedNet> tried_;
 };
 
+/// Whether noise alone could leave such a misfit: within 6 sd of its chi^2.
+[[nodiscard]] bool credible(const BandFit& fit);
+
 /// misfit + price * number of bands; infinite if the net does not hold.
 [[nodiscard]] double score(const TriedNet& net, double price);
 

@@ -1,0 +1,221 @@
+// thenar tendon infer EXPERIMENT.toml --subject SUBJECT.toml [--net NET] [--method sparse|explore]
+// ...
+//
+// Which bands of an extensor net measured fingertip forces ask for, which they deny, which they
+// leave open, and what to measure next.
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "apps/commands.h"
+#include "apps/net_file.h"
+#include "apps/print_table.h"
+#include "apps/progress_bar.h"
+#include "apps/tendon_commands.h"
+#include "base/write_file.h"
+#include "kinematics_fit/net_records.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/net/net_tendons.h"
+#include "tendons/topology/explore_nets.h"
+#include "tendons/topology/select_bands.h"
+#include "viewer/blocks.h"
+#include "viewer/report_page.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string experiment, subject, output;
+  std::string net = "winslow";
+  std::string method = "sparse";
+  int propose = 3;
+  unsigned seed = 1;
+  bool json = false;
+};
+
+/// What was inferred, and the tests that would tell most now.
+struct Answer {
+  InferredNet net;
+  std::vector<TestPromise> next;
+};
+
+/// Everything the inference starts from.
+struct Case {
+  Experiment experiment;
+  CandidateNet candidate;
+  std::vector<TendonRecord> records;
+  std::vector<TendonTest> pool;
+  ReadingNoise noise;
+};
+
+Case read_case(const Options& options) {
+  Case at;
+  at.experiment = read_experiment(options.experiment);
+  const Subject subject = read_subject(options.subject);
+  TendonOptions tendons;
+  tendons.hood = Hood::kFloatingNet;
+  const NetDescription net = find_net(options.net);
+  const auto built = build_digit_tendons(subject, at.experiment.digit, tendons, &net);
+  const auto& netted = dynamic_cast<const NetTendons&>(*built);
+  at.candidate = candidate_of(netted);
+  at.records = net_records(netted, at.experiment);
+  at.pool = possible_tests(netted, at.experiment);
+  at.noise = {at.experiment.sd_relative, at.experiment.sd_floor};
+  return at;
+}
+
+Answer by_selection(const Case& at, const Progress& progress) {
+  BandFitter fitter(at.candidate, at.records);
+  TriedNets tried(fitter);
+  (void)select_bands(tried, {}, progress);
+  Answer out{weigh_bands(tried, {}, progress), {}};
+  if (!out.net.found) return out;
+  // Models weigh, and readings differ, by the noise that the best of them leaves.
+  std::vector<TriedNet> nets = out.net.alike;
+  for (TriedNet& net : nets) net.fit.misfit /= out.net.inflation * out.net.inflation;
+  ReadingNoise noise = at.noise;
+  noise.floor *= out.net.inflation;
+  noise.relative *= out.net.inflation;
+  NetForward forecast(at.candidate, at.pool);
+  out.next = rank_tests(forecast, at.pool, nets, fitter.typical(), noise);
+  return out;
+}
+
+Answer by_search(const Case& at, unsigned seed, const Progress& progress) {
+  std::mt19937 random(seed);
+  ExploreOptions options;
+  options.noise = at.noise;
+  Exploration found =
+      explore_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
+  return {std::move(found.net), std::move(found.next)};
+}
+
+nlohmann::json number_or_null(double value) {
+  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+nlohmann::ordered_json to_json(const Case& at, const Answer& answer, const Options& options) {
+  nlohmann::ordered_json bands = nlohmann::ordered_json::array(), next = bands, groups = bands;
+  for (const BandVerdict& band : answer.net.verdicts)
+    bands.push_back({{"band", band.name},
+                     {"verdict", to_string(band.verdict)},
+                     {"evidence", number_or_null(band.evidence)},
+                     {"EA_N", band.EA},
+                     {"sd_of_log_EA", number_or_null(band.EA_sd)}});
+  for (const BandGroup& group : answer.net.groups) {
+    nlohmann::json names = nlohmann::json::array();
+    for (int c : group.bands) names.push_back(answer.net.verdicts[c].name);
+    groups.push_back({{"bands", names}, {"ways", group.ways.size()}});
+  }
+  for (int i = 0; i < std::min<int>(options.propose, static_cast<int>(answer.next.size())); ++i)
+    next.push_back({{"test", at.pool[answer.next[i].test].name},
+                    {"disagreement", answer.next[i].disagreement}});
+  return {{"experiment", at.experiment.name},
+          {"net", at.candidate.net.name},
+          {"method", options.method},
+          {"readings", answer.net.rows},
+          {"chi2", answer.net.misfit},
+          {"noise_inflated_by", answer.net.inflation},
+          {"topologies_alike", answer.net.alike.size()},
+          {"topologies_tried", answer.net.tried},
+          {"blind_directions", answer.net.blind.size()},
+          {"bands", bands},
+          {"groups", groups},
+          {"next_tests", next}};
+}
+
+Table table_of(const InferredNet& net) {
+  Table table{{"band", "verdict", "evidence", "EA_N", "sd_log_EA"}, {}};
+  for (const BandVerdict& band : net.verdicts)
+    table.rows.push_back({band.name, to_string(band.verdict), shown(band.evidence, 1),
+                          shown(band.EA, 1), shown(band.EA_sd, 2)});
+  return table;
+}
+
+void print_text(const Case& at, const Answer& answer, const Options& options) {
+  const InferredNet& net = answer.net;
+  fmt::print("{}: {} readings of muscles that pull net {}\n", at.experiment.name, net.rows,
+             at.candidate.net.name);
+  fmt::print(
+      "best topology: chi^2 {:.1f} by the stated noise; evidence weighed by {:.2f} times it\n",
+      net.misfit, net.inflation);
+  fmt::print("{} topologies tried, {} fit alike, {} directions of stiffness are not felt\n\n",
+             net.tried, net.alike.size(), net.blind.size());
+  print_table("Bands", table_of(net));
+  for (const BandGroup& group : net.groups) {
+    std::vector<std::string> names;
+    for (int c : group.bands) names.push_back(net.verdicts[c].name);
+    fmt::print("the data cannot tell apart: {} ({} ways)\n", listed(names), group.ways.size());
+  }
+  Table next{{"test", "disagreement"}, {}};
+  for (int i = 0; i < std::min<int>(options.propose, static_cast<int>(answer.next.size())); ++i)
+    next.rows.push_back({at.pool[answer.next[i].test].name, shown(answer.next[i].disagreement, 2)});
+  print_table("Measure next (tensions in N)", next);
+}
+
+void write_page(const Case& at, const Answer& answer, const Options& options) {
+  Json bands = Json::array();
+  for (const auto& row : table_of(answer.net).rows) bands.push_back(row);
+  Json next = Json::array();
+  for (int i = 0; i < std::min<int>(options.propose, static_cast<int>(answer.next.size())); ++i)
+    next.push_back({at.pool[answer.next[i].test].name, answer.next[i].disagreement});
+  const std::string what = fmt::format(
+      "chi^2 {:.1f} for {} readings; evidence is weighed by {:.2f} times the stated noise. {} "
+      "topologies fit alike.",
+      answer.net.misfit, answer.net.rows, answer.net.inflation, answer.net.alike.size());
+  Json blocks = Json::array(
+      {table_block(
+           "Bands: evidence above 6 decides",
+           {{"band", ""}, {"verdict", ""}, {"evidence", ""}, {"EA", "N"}, {"sd log EA", ""}},
+           bands),
+       table_block("Tests that would tell most, tensions in N",
+                   {{"test", ""}, {"disagreement", ""}}, next)});
+  write_report({{"title", "Bands of net " + at.candidate.net.name},
+                {"subtitle", "from " + at.experiment.name},
+                {"sections", Json::array({section("bands", "Which bands exist", what, blocks)})}},
+               options.output);
+}
+
+void run(const Options& options) {
+  require(options.method == "sparse" || options.method == "explore",
+          "method must be sparse or explore, got '{}'", options.method);
+  if (!options.output.empty()) require_writable(options.output);
+  const Case at = read_case(options);
+  Answer answer;
+  {
+    const Progress progress = terminal_progress();
+    answer = options.method == "sparse" ? by_selection(at, progress)
+                                        : by_search(at, options.seed, progress);
+  }
+  require(answer.net.found, "no topology of net {} carries the loads of {}", at.candidate.net.name,
+          at.experiment.name);
+  if (options.json)
+    fmt::print("{}\n", to_json(at, answer, options).dump(2));
+  else
+    print_text(at, answer, options);
+  if (!options.output.empty()) write_page(at, answer, options);
+  if (interrupted()) throw Interrupted("stopped: these are the verdicts of what was tried so far");
+}
+
+}  // namespace
+
+void add_tendon_infer(CLI::App& tendon) {
+  auto options = std::make_shared<Options>();  // lives as long as the callback
+  CLI::App* command =
+      tendon.add_subcommand("infer", "Which bands of a net measured forces ask for");
+  command->add_option("experiment", options->experiment, "Experiment file")->required();
+  command->add_option("--subject", options->subject, "Subject file")->required();
+  command->add_option("--net", options->net, "Net of all candidate bands: name or file");
+  command->add_option("--method", options->method, "sparse or explore");
+  command->add_option("--propose", options->propose, "Tests to propose");
+  command->add_option("--seed", options->seed, "Of the search");
+  command->add_option("-o,--output", options->output, "Page to write (.html)");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar
