@@ -129,7 +129,7 @@ Brought bring_out(double r, bool sphere, const Vector3d& end) {
   const Eigen::Vector3d flat(1, 1, sphere ? 1 : 0);
   const Vector3d from = flat.cwiseProduct(end);
   const double rho = from.norm();
-  if (rho >= r * (1 - 1e-9)) return {end, false, {}};
+  if (rho >= r * (1 - 1e-9)) return {end, false, Eigen::Matrix3d::Identity()};
   const Vector3d n = rho > 0 ? Vector3d(from / rho) : Vector3d::UnitX();
   Eigen::Matrix3d J =
       r / std::max(rho, 1e-6 * r) * (Eigen::Matrix3d(flat.asDiagonal()) - n * n.transpose());

@@ -130,5 +130,18 @@ TEST(ChordOver, SaysThatAnEndLiesInside) {
   }
 }
 
+// The end inside counts as lying on the bone at the nearest point; the other end is not touched.
+TEST(ChordOver, PullsTheOtherEndAsFromTheNearestPointOfTheBone) {
+  for (SurfaceShape shape : {SurfaceShape::kSphere, SurfaceShape::kCylinder}) {
+    const BoneSurface bone = round_bone(shape, 0.005);
+    const Vector3d far(-0.002, 0.01, 0.003), side = Vector3d::UnitY();
+    const Chord in = chord_over(bone, {0.003, 0, 0}, far, side);
+    const Chord on = chord_over(bone, {0.005, 0, 0}, far, side);
+    EXPECT_TRUE(matrix_near(in.slope.tail<3>(), on.slope.tail<3>(), 1e-14));
+    const Eigen::Matrix3d there = in.curve.bottomRightCorner<3, 3>();
+    EXPECT_TRUE(matrix_near(there, on.curve.bottomRightCorner<3, 3>(), 1e-11));
+  }
+}
+
 }  // namespace
 }  // namespace thenar
