@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
 
 namespace thenar {
@@ -122,9 +123,9 @@ TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
   pull.nodes = at_rest.x;
   pull.trouble = net_trouble(net_.net, state, at_rest);
   if (at_rest.status != NetStatus::kBalanced) return pull;
-  const NetDerivatives slopes =
-      net_derivatives(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
-  pull.R += (slopes.by_drive.tau * shares_).transpose();
+  const MatrixXd by_drive =
+      torque_by_drive(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
+  pull.R += (by_drive * shares_).transpose();
   return pull;
 }
 

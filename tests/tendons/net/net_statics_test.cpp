@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tendons/net/net_derivatives.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/net/sample_nets.h"
 
@@ -163,6 +164,36 @@ TEST_P(NetDerivativesOf, BandsMatchDifferences) {
   }
 }
 
+TEST_P(NetDerivativesOf, LengthByPostureMatchesDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 4)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const Eigen::MatrixXd slopes = length_by_posture(sample.net, sample.tree, sample.state(),
+                                                     sample.drive, rest, sample.coordinates());
+    for (int l = 0; l < sample.coordinates(); ++l) {
+      const auto length = [&](double dq) {
+        SampleNet moved = sample;
+        moved.q(l) += dq;
+        return rest_of(moved, &rest.x).length;
+      };
+      EXPECT_TRUE(matrix_near(slopes.col(l), slope_of(length, 1e-4),
+                              2e-6 * slopes.cwiseAbs().maxCoeff() + 1e-9));
+    }
+  }
+}
+
+// d tau/dt by how lengths follow the posture is d tau/dt by how nodes follow the tension.
+TEST_P(NetDerivativesOf, TorqueByDriveIsReciprocal) {
+  for (const SampleNet& sample : held_nets(GetParam(), 8)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const Eigen::MatrixXd forward = net_derivatives(sample.net, sample.tree, sample.state(),
+                                                    sample.drive, rest, sample.coordinates())
+                                        .by_drive.tau;
+    EXPECT_TRUE(matrix_near(torque_by_drive(sample.net, sample.tree, sample.state(), sample.drive,
+                                            rest, sample.coordinates()),
+                            forward, 1e-9 * std::max(1.0, forward.norm())));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(BonesOrNone, NetDerivativesOf, testing::Bool());
 
 TEST(NetDerivatives, RefuseANetThatIsNotBalanced) {
@@ -171,6 +202,9 @@ TEST(NetDerivatives, RefuseANetThatIsNotBalanced) {
   rest.status = NetStatus::kStalled;
   EXPECT_THROW(
       (void)net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
+      InputError);
+  EXPECT_THROW(
+      (void)torque_by_drive(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
       InputError);
 }
 

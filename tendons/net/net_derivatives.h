@@ -1,0 +1,52 @@
+#pragma once
+
+/// How a net at rest changes with whatever it depends on, by implicit differentiation; one-sided
+/// where a band is exactly slack or a node just touches.
+///
+/// With  E*(q, p)  the energy minimised over the floating nodes,  tau = -dE*/dq  and for any input
+/// p that leaves bones still  dE*/dp = sum_bands of dE_b/dp at fixed length, so that
+///   d tau/dp = -d2E*/(dq dp) = -(dL/dq)' dT/dp,
+/// dT/dp the rate of each band's tension at fixed length: all that torques do follows from dL/dq,
+/// one solve a joint coordinate. Derivation: docs/theory/extensor_net.md.
+
+#include <Eigen/Core>
+
+#include "hand/chain.h"
+#include "tendons/net/solve_net.h"
+
+namespace thenar {
+
+/// dL/dq of all bands while the net stays at rest (bands, coordinates) [m/rad].
+/// @throws InputError if `rest` is not balanced.
+[[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
+                                                const TreeState<double>& state,
+                                                const NetDrive& drive, const NetEquilibrium& rest,
+                                                int coordinates);
+
+/// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
+/// @throws InputError if `rest` is not balanced.
+[[nodiscard]] Eigen::MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree,
+                                              const TreeState<double>& state, const NetDrive& drive,
+                                              const NetEquilibrium& rest, int coordinates);
+
+/// Slopes of (x, tension, tau) by one group of inputs.
+struct NetSlopes {
+  Eigen::MatrixXd x;        // of all nodes, stacked (3 nodes, inputs)
+  Eigen::MatrixXd tension;  // of all bands (bands, inputs)
+  Eigen::MatrixXd tau;      // of the joint torque (coordinates, inputs)
+};
+
+struct NetDerivatives {
+  NetSlopes by_posture;  // by q [1/rad]
+  NetSlopes by_drive;    // by each muscle's tension [1/N], or length [1/m]
+  NetSlopes by_EA;       // by each band's EA [1/N]
+  NetSlopes by_slack;    // by each band's slack length [1/m]
+};
+
+/// All of them: a solve an input, where the torque alone needs fewer.
+/// @throws InputError if `rest` is not balanced.
+[[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
+                                             const TreeState<double>& state, const NetDrive& drive,
+                                             const NetEquilibrium& rest, int coordinates);
+
+}  // namespace thenar
