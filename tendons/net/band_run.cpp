@@ -13,16 +13,16 @@ constexpr double kTwoPi = 6.283185307179586;
 /// One end: distance rho from the centre, free run f, and the cosine and sine of the angle between
 /// the end and its tangent point.
 struct End {
-  double rho, f, c, s;
+  double rho, inverse, f, c, s;
 };
 
 bool reach(double r, double rho, End& end) {
   if (!(rho >= r * (1 - 1e-9))) return false;
   end.rho = rho;
+  end.inverse = 1 / rho;
   end.f = std::sqrt(std::max((rho - r) * (rho + r), 0.0));
-  const double h = 1 / std::sqrt(end.f * end.f + r * r);
-  end.c = r * h;
-  end.s = end.f * h;
+  end.c = std::min(r * end.inverse, 1.0);
+  end.s = end.f * end.inverse;
   return true;
 }
 
@@ -42,24 +42,24 @@ Bend over_sphere(const RoundBone& bone, const Vector3d& a, const Vector3d& b, Ba
   const Vector3d pa = a - bone.center, pb = b - bone.center;
   End A, B;
   if (!reach(r, pa.norm(), A) || !reach(r, pb.norm(), B)) return Bend::kOdd;
-  const Vector3d ea = pa / A.rho, eb = pb / B.rho, cross = ea.cross(eb);
+  const Vector3d ea = A.inverse * pa, eb = B.inverse * pb, cross = ea.cross(eb);
   const double sine = cross.norm(), cosine = ea.dot(eb);
   if (sine < 1e-12) return Bend::kOdd;
   const double arc = arc_of(A, B, cosine, sine, false);
   if (!(arc > 0)) return Bend::kClear;
   const Vector3d m = cross / sine, ta = ea.cross(m), tb = m.cross(eb);
   run.length = A.f + B.f + r * arc;
-  run.ua = (A.f * ea + r * ta) / A.rho;
-  run.ub = (B.f * eb + r * tb) / B.rho;
-  run.na = (r * ea - A.f * ta) / A.rho;
-  run.nb = (r * eb - B.f * tb) / B.rho;
+  run.ua = A.s * ea + A.c * ta;
+  run.ub = B.s * eb + B.c * tb;
+  run.na = A.c * ea - A.s * ta;
+  run.nb = B.c * eb - B.s * tb;
   run.wa = stiff(r, A.f);
   run.wb = stiff(r, B.f);
   run.va = run.vb = m;
   const double cot = cosine / sine;
-  run.vaa = (A.f + r * cot) / (A.rho * A.rho);
-  run.vbb = (B.f + r * cot) / (B.rho * B.rho);
-  run.vab = -r / (A.rho * B.rho * sine);
+  run.vaa = (A.f + r * cot) * A.inverse * A.inverse;
+  run.vbb = (B.f + r * cot) * B.inverse * B.inverse;
+  run.vab = -r * A.inverse * B.inverse / sine;
   return Bend::kBent;
 }
 
@@ -78,25 +78,26 @@ Bend over_cylinder(const RoundBone& bone, const Vector3d& a, const Vector3d& b, 
   if (!reach(r, std::sqrt(ax * ax + ay * ay), A) || !reach(r, std::sqrt(bx * bx + by * by), B))
     return Bend::kOdd;
   const double way = turn_order(bx, by) < turn_order(ax, ay) ? -1 : 1;
-  const double scale = 1 / (A.rho * B.rho);
+  const double scale = A.inverse * B.inverse;
   const double cosine = (ax * bx + ay * by) * scale, sine = way * (ax * by - ay * bx) * scale;
   const double arc = arc_of(A, B, cosine, sine, sine < 0);
   if (!(arc > 0)) return Bend::kClear;
   const double P = A.f + B.f + r * arc, L = std::sqrt(P * P + dz * dz);
   // Planar tangents and normals, then unrolled: L^2 = P^2 + dz^2.
-  const double ia = 1 / (A.rho * A.rho), ib = 1 / (B.rho * B.rho), ra = way * r, rb = -way * r;
+  const double ia = A.inverse * A.inverse, ib = B.inverse * B.inverse, l = 1 / L;
+  const double ra = way * r, rb = -way * r;
   const Vector3d ta = (A.f * ax + ra * ay) * ia * bone.e1 + (A.f * ay - ra * ax) * ia * bone.e2;
   const Vector3d tb = (B.f * bx + rb * by) * ib * bone.e1 + (B.f * by - rb * bx) * ib * bone.e2;
   run.na = bone.d.cross(ta);
   run.nb = bone.d.cross(tb);
   run.length = L;
-  run.ua = (P * ta + dz * bone.d) / L;
-  run.ub = (P * tb - dz * bone.d) / L;
+  run.ua = l * (P * ta + dz * bone.d);
+  run.ub = l * (P * tb - dz * bone.d);
   run.va = dz * ta - P * bone.d;
   run.vb = dz * tb + P * bone.d;
-  run.vaa = run.vab = run.vbb = 1 / (L * L * L);
-  run.wa = P / L * stiff(r, A.f);
-  run.wb = P / L * stiff(r, B.f);
+  run.vaa = run.vab = run.vbb = l * l * l;
+  run.wa = P * l * stiff(r, A.f);
+  run.wb = P * l * stiff(r, B.f);
   return Bend::kBent;
 }
 

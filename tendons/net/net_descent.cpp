@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tendons/net/world_surface.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -40,7 +42,7 @@ void NetDescent::settle_start(int k) {
   touch.drawn = 0;
   double depth = 0;
   for (int s : node.surfaces) {
-    const double gap = probe_world(plan_.net, scene_, s, x_[i]).gap;
+    const double gap = gap_world(plan_.net, scene_, s, x_[i]).gap;
     depth = std::min(depth, gap);
     if (std::abs(gap) <= kCarried && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
@@ -161,7 +163,7 @@ void NetDescent::lift(int k, Vector3d& there) const {
     if (s == before || std::find(c.surface.data(), last, s) != last) continue;
     before = s;
     const double radius = plan_.net.surfaces[s].size[0];
-    const SurfaceProbe at = probe_world(plan_.net, scene_, s, x);
+    const SurfaceGap at = gap_world(plan_.net, scene_, s, x);
     if (at.gap > kNear * radius) continue;
     const double h = std::max(at.gap, 0.5e-14 * radius), dh = at.normal.dot(there - x);
     if (dh <= -2 * h) continue;
@@ -250,7 +252,7 @@ bool NetDescent::draw_in(int b) {
   const int k = std::max(at.ka, at.kb), i = plan_.node[k];
   const Vector3d exit = x_[at.ka >= 0 ? band.b : band.a];
   for (int s : plan_.net.nodes[i].surfaces)
-    if (probe_world(plan_.net, scene_, s, exit).gap < 0) return false;
+    if (gap_world(plan_.net, scene_, s, exit).gap < 0) return false;
   x_[i] = exit;
   contact_[k].drawn += scene_.pull[b];
   contact_[k].touching = contact_[k].pressed = 0;

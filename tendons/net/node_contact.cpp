@@ -24,7 +24,7 @@ double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& hel
   N.resize(3, count);
   gap.resize(count);
   for (int i = 0; i < count; ++i) {
-    const SurfaceProbe at = probe_world(net, scene, held[i], x);
+    const SurfaceGap at = gap_world(net, scene, held[i], x);
     N.col(i) = at.normal;
     gap(i) = at.gap;
   }
@@ -37,11 +37,11 @@ bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held,
   if (count == 0) return true;
   if (count == 1) {  // the nearest point, twice for rounding
     for (int i = 0; i < 2; ++i) {
-      const SurfaceProbe at = probe_world(net, scene, held[0], x);
+      const SurfaceGap at = gap_world(net, scene, held[0], x);
       x -= at.gap * at.normal;
       if (std::abs(at.gap) < 1e-12) return true;
     }
-    return std::abs(probe_world(net, scene, held[0], x).gap) < kOnSurface;
+    return std::abs(gap_world(net, scene, held[0], x).gap) < kOnSurface;
   }
   Normals N;
   Forces gap;
@@ -59,7 +59,7 @@ int deepest(const Net& net, const NetScene& scene, const NetNode& node, const Ve
   int worst = -1;
   double depth = -kOnSurface;
   for (int s : node.surfaces) {
-    const double gap = probe_world(net, scene, s, x).gap;
+    const double gap = gap_world(net, scene, s, x).gap;
     if (gap < depth) depth = gap, worst = s;
   }
   return worst;
@@ -83,28 +83,6 @@ void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, Node
 }
 
 }  // namespace
-
-SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, const Vector3d& x) {
-  const Pose<double>& X = scene.surface[surface];
-  const BoneSurface& bone = net.surfaces[surface];
-  if (bone.shape == SurfaceShape::kSphere || bone.shape == SurfaceShape::kCylinder) {
-    Vector3d from = x - X.p;
-    const Vector3d d = X.R.col(2);
-    const bool line = bone.shape == SurfaceShape::kCylinder;
-    if (line) from -= d.dot(from) * d;
-    const double distance = from.norm();
-    if (distance > 0) {
-      SurfaceProbe at{distance - bone.size[0], from / distance, Matrix3d::Identity() / distance};
-      at.curvature -= at.normal * (at.normal / distance).transpose();
-      if (line) at.curvature -= d * (d / distance).transpose();
-      return at;
-    }
-  }
-  SurfaceProbe at = probe(net.surfaces[surface], X.R.transpose() * (x - X.p));
-  at.normal = X.R * at.normal;
-  at.curvature = X.R * at.curvature * X.R.transpose();
-  return at;
-}
 
 void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
                   const std::array<double, 3>& slop, NodeContact& contact) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "tendons/net/net_energy.h"
+#include "tendons/net/world_surface.h"
 
 namespace thenar::internal {
 
@@ -22,10 +22,6 @@ struct NodeContact {
   Eigen::Matrix3d bend;         // sum force * curvature [N/m]
   Eigen::Vector3d left;         // slope of E that no bone balances [N]
 };
-
-/// The surface in the world.
-[[nodiscard]] SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface,
-                                       const Eigen::Vector3d& x);
 
 /// Which of the touching surfaces bear on a node whose energy has slope g, and what is left of g:
 /// least squares over forces >= -slop.
