@@ -101,9 +101,9 @@ TEST(HoodBaseline, FixedFractionsErrAsPublished) {
 
 // -- How slips share an extensor's pull -------------------------------------------------------
 
-NetTendons winslow() {
-  const Subject finger = subject("an_chao_index");
-  auto separate = build_linear_tendons(finger, "index", {Path::kViaPoint, Hood::kSeparate});
+NetTendons winslow(const std::string& digit = "index") {
+  const Subject finger = subject("an_chao_" + digit);
+  auto separate = build_linear_tendons(finger, digit, {Path::kViaPoint, Hood::kSeparate});
   BuiltNet built = build_net(finger, separate->digit(), net("winslow"));
   return {std::move(separate), std::move(built)};
 }
@@ -140,6 +140,74 @@ TEST(PublishedSlips, EndJointTightensAndMiddleJointFreesTheTerminalSlip) {
   EXPECT_GT(slips_at(tendons, 0, 0, 15 * kDegree).terminal, straight);
   EXPECT_LT(slips_at(tendons, 0, 15 * kDegree, 0).terminal, straight);
 }
+
+// -- Lateral bands beside the middle joint ------------------------------------------------------
+
+/// A finger bent as living ones bend, the end joint by two thirds of the middle one, in steps of a
+/// degree of the middle joint up to 60 degrees, under 2.9 N of the common extensor.
+std::vector<SweepPoint> natural_flexion(const NetTendons& tendons) {
+  VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(tendons.digit().names.muscles.size()));
+  t[0] = 2.9;
+  const VectorXd straight = tendons.net().frame.straight;
+  VectorXd bent = straight;
+  bent.tail<2>() += Eigen::Vector2d(60, 40) * kDegree;
+  return sweep_net(tendons, postures_between(straight, bent, 60), t);
+}
+
+/// Moment arm of the run that crosses the middle joint, extension positive [m].
+double extension_arm(const NetTendons& tendons, const SweepPoint& point, const std::string& band) {
+  const Net& net = tendons.net().net;
+  const NetBand& run = net.bands[static_cast<std::size_t>(band_named(net, band))];
+  const TreeState<double> state = pose_tree(tendons.digit().model.tree, point.q);
+  const auto& joint =
+      state[static_cast<std::size_t>(tendons.net().frame.bone(BoneRole::kMiddle).link)];
+  const Eigen::Vector3d p = point.rest.x.col(run.a), along = point.rest.x.col(run.b) - p;
+  return -along.normalized().dot(joint.axis.cross(p - joint.point));
+}
+
+class LateralBands : public testing::TestWithParam<std::string> {};
+
+/// Arm of the subject's own straight strand, finger straight, extension positive [m].
+double normative_arm(const NetTendons& tendons, const std::string& strand) {
+  const auto& names = tendons.digit().names.strands;
+  const auto s =
+      static_cast<std::size_t>(std::find(names.begin(), names.end(), strand) - names.begin());
+  const TendonModel<double>& model = tendons.digit().model;
+  const TreeState<double> state = pose_tree(model.tree, tendons.net().frame.straight);
+  return -moment_arms(model.tree, state, model.paths[s], model.coordinates)[2];
+}
+
+// The net's knots float, one side a little against the other, beside the points of [An1979].
+TEST_P(LateralBands, KeepTheirNormativeArmInTheStraightFinger) {
+  const NetTendons tendons = winslow(GetParam());
+  const SweepPoint straight = natural_flexion(tendons).front();
+  constexpr double kBeside = 0.5e-3;  // [m]
+  EXPECT_NEAR((extension_arm(tendons, straight, "lateral_beyond_r") +
+               extension_arm(tendons, straight, "lateral_beyond_u")) /
+                  2,
+              (normative_arm(tendons, "RB") + normative_arm(tendons, "UB")) / 2, kBeside);
+}
+
+TEST_P(LateralBands, ExtendTheJointThroughNaturalFlexion) {
+  const NetTendons tendons = winslow(GetParam());
+  for (const SweepPoint& point : natural_flexion(tendons))
+    for (const char* band : {"lateral_beyond_r", "lateral_beyond_u"}) {
+      EXPECT_GT(extension_arm(tendons, point, band), 1.0e-3);
+      EXPECT_LT(extension_arm(tendons, point, band), 4.0e-3);
+    }
+}
+
+// Both ways to the end joint lengthen alike as a finger bends naturally: neither slip goes slack.
+TEST_P(LateralBands, BothSlipsStayTautInNaturalFlexion) {
+  const NetTendons tendons = winslow(GetParam());
+  for (const SweepPoint& point : natural_flexion(tendons)) {
+    EXPECT_GT(point.slips.central, 0);
+    EXPECT_GT(point.slips.terminal, 0);
+    EXPECT_FALSE(point.snapped);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Normative, LateralBands, testing::Values("index", "middle"));
 
 }  // namespace
 }  // namespace thenar
