@@ -21,7 +21,7 @@ MAY_SEE |= {
     "viewer": LIBRARIES,
     "apps": LIBRARIES + ["viewer/"],
     "python": LIBRARIES,
-    "bench": LIBRARIES + ["tests/"],  # the sample scenes
+    "bench": LIBRARIES + ["tests/", "viewer/"],  # the sample scenes; charts
     "tests": LIBRARIES + ["viewer/"],
 }
 
