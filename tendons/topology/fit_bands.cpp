@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 
@@ -38,15 +39,26 @@ void BandFitter::add(const TendonRecord& record) {
   append(sd_, record.sd);
 }
 
-PricedResiduals BandFitter::residuals(const Eigen::VectorXd& s, Slopes slopes) {
-  const NetForecast forecast = forward_.predict(s.cwiseProduct(typical_), slopes);
+PricedResiduals BandFitter::residuals(const NetForecast& forecast) const {
   PricedResiduals out;
   out.possible = forecast.holds;
   if (!out.possible) return out;
   out.r = (forecast.value - measured_).cwiseQuotient(sd_);
-  if (slopes == Slopes::kWith)
+  if (forecast.by_EA.size())
     out.J = sd_.cwiseInverse().asDiagonal() * forecast.by_EA * typical_.asDiagonal();
   return out;
+}
+
+Eigen::VectorXd BandFitter::least() const {
+  Eigen::VectorXd s(typical_.size());
+  for (Eigen::Index c = 0; c < s.size(); ++c) s(c) = candidate().candidates[c].least / typical_(c);
+  return s;
+}
+
+Eigen::VectorXd BandFitter::most() const {
+  Eigen::VectorXd s(typical_.size());
+  for (Eigen::Index c = 0; c < s.size(); ++c) s(c) = candidate().candidates[c].most / typical_(c);
+  return s;
 }
 
 BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
@@ -63,21 +75,26 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
     if (presence[c] == Presence::kEither) problem.lower(c) = unknown_of(kGhost);
     if (presence[c] != Presence::kNo) problem.upper(c) = unknown_of(band.most / typical_(c));
   }
+  NetForecast near;
   problem.residuals = [&](const Eigen::VectorXd& x, Slopes slopes) {
     const Eigen::VectorXd s = stiffness_of(x);
-    PricedResiduals at = residuals(s, slopes);
+    NetForecast forecast = forward_.predict(s.cwiseProduct(typical_), slopes, &near);
+    PricedResiduals at = residuals(forecast);
     if (at.J.size()) at.J = at.J * Eigen::VectorXd(s.array() + kSoft).asDiagonal();
+    if (forecast.holds) near = std::move(forecast);
     return at;
   };
-  PricedResult found = fit_bounded(problem, start.unaryExpr(&unknown_of), options_);
+  const PricedResult found = fit_bounded(problem, start.unaryExpr(&unknown_of), options_);
   BandFit out;
-  out.holds = found.possible;
+  if (!found.possible) return out;
+  out.s = stiffness_of(found.x);
+  PricedResiduals at = residuals(forward_.predict(out.s.cwiseProduct(typical_), Slopes::kWith));
+  out.holds = at.possible;
   if (!out.holds) return out;
   out.converged = found.converged;
-  out.s = stiffness_of(found.x);
-  out.misfit = found.at.r.squaredNorm();
-  out.r = std::move(found.at.r);
-  out.J = found.at.J * Eigen::VectorXd((out.s.array() + kSoft).inverse()).asDiagonal();
+  out.misfit = at.r.squaredNorm();
+  out.r = std::move(at.r);
+  out.J = std::move(at.J);
   return out;
 }
 

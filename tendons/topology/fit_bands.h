@@ -48,8 +48,14 @@ class BandFitter {
   /// Their price is so the log-sum penalty that re-weighted L1 majorises [Candes2008].
   /// @param start     s to start from, moved between the bounds [1] (candidates)
   /// @param price     of the unknowns, or empty [1] (candidates)
+  /// On the way each net starts near the one before it; what is stated of the last is as predict()
+  /// gives it without.
   BandFit fit(const Presences& presence, const Eigen::VectorXd& start,
               const Eigen::VectorXd& price = {});
+
+  /// A stiffness to start from: all bands at their least, typical or most s (candidates).
+  [[nodiscard]] Eigen::VectorXd least() const;
+  [[nodiscard]] Eigen::VectorXd most() const;
 
   void add(const TendonRecord& record);
 
@@ -59,7 +65,7 @@ class BandFitter {
   [[nodiscard]] long solves() const { return forward_.solves(); }
 
  private:
-  PricedResiduals residuals(const Eigen::VectorXd& s, Slopes slopes);
+  PricedResiduals residuals(const NetForecast& forecast) const;
   NetForward forward_;
   PricedFitOptions options_;
   Eigen::VectorXd typical_;        // EA [N] (candidates)

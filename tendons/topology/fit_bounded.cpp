@@ -58,23 +58,18 @@ PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
   for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
     const Eigen::VectorXd d = trusted_step(fit, now, radius);
     const double foreseen = foreseen_change(fit, now, d);
-    now.converged = -foreseen < options.tolerance;
+    now.converged = -foreseen < std::max(options.tolerance, options.relative * std::abs(now.cost));
     if (now.converged) break;
     const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
-    const PricedResiduals next = fit.residuals(x, Slopes::kWithout);
+    PricedResiduals next = fit.residuals(x, Slopes::kWith);
     const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
     const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
     if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
     if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
     if (ratio < 1e-3) continue;
-    PricedResiduals there = fit.residuals(x, Slopes::kWith);
-    if (!there.possible) {  // at the very edge of where it has an answer
-      radius = 0.3 * d.cwiseAbs().maxCoeff();
-      continue;
-    }
     now.x = x;
     now.cost = cost;
-    now.at = std::move(there);
+    now.at = std::move(next);
   }
   return now;
 }

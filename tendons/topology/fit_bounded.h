@@ -25,6 +25,7 @@ struct PricedFit {
 
 struct PricedFitOptions {
   double tolerance = 0.01;  // fall of the cost that still counts [1]
+  double relative = 1e-4;   // the same, as a part of the cost [1]
   double radius = 1;        // farthest move of an unknown in one step
   int max_steps = 40;
 };

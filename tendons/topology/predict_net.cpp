@@ -4,14 +4,13 @@
 #include <utility>
 
 #include "base/error.h"
+#include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
 
 namespace thenar {
 namespace {
 
 constexpr double kDrawnIn = 1e-3;  // a muscle shorter than this has drawn its node in [m]
-
-constexpr double kTurn = 1e-6;  // step of finite differences by posture [rad]
 
 /// Whether every muscle is held up by the net.
 bool holds(const Net& net, const NetEquilibrium& rest) {
@@ -40,18 +39,13 @@ std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
   return places;
 }
 
-/// Length of a band per joint angle while the net stays at rest [m/rad] (bands, coordinates): by
-/// solving again a little further.
-Eigen::MatrixXd length_slopes(NetSolver& solver, const Tree<double>& tree, const TendonTest& test,
-                              const NetEquilibrium& rest) {
-  Eigen::MatrixXd slopes(rest.length.size(), test.q.size());
-  for (Eigen::Index l = 0; l < test.q.size(); ++l) {
-    Eigen::VectorXd q = test.q;
-    q(l) += kTurn;
-    const NetEquilibrium next = solver.solve(pose_tree(tree, q), {test.tension, {}}, &rest.x);
-    slopes.col(l) = (next.length - rest.length) / kTurn;
-  }
-  return slopes;
+/// Length of each band per joint angle while the net stays at rest [m/rad] (bands, coordinates); of
+/// a net that settled well enough as of one at rest.
+Eigen::MatrixXd length_slopes(const Net& net, const Tree<double>& tree, const TendonTest& test,
+                              const TreeState<double>& state, NetEquilibrium rest) {
+  rest.status = NetStatus::kBalanced;
+  return length_by_posture(net, tree, state, {test.tension, {}}, rest,
+                           static_cast<int>(test.q.size()));
 }
 
 }  // namespace
@@ -74,16 +68,16 @@ void NetForward::add(const TendonTest& test) {
   tests_.push_back(std::move(posed));
 }
 
-Eigen::MatrixXd NetForward::slope_of(NetSolver& solver, const Net& net, const Posed& posed,
-                                     const NetEquilibrium& rest, const Eigen::VectorXd& EA) const {
+Eigen::MatrixXd NetForward::slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
+                                     const Eigen::VectorXd& EA) const {
   Eigen::MatrixXd tau = Eigen::MatrixXd::Zero(candidate_.coordinates, EA.size());
-  const Eigen::MatrixXd turn = length_slopes(solver, candidate_.tree, posed.test, rest);
+  const Eigen::MatrixXd turn = length_slopes(net, candidate_.tree, posed.test, posed.state, rest);
   for (const auto& [candidate, band] : places_of(candidate_, EA))
     tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
   return posed.test.map * tau;
 }
 
-NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
+NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes, const NetForecast* near) {
   require(EA.size() == static_cast<Eigen::Index>(candidate_.candidates.size()) && EA.allFinite() &&
               (EA.array() >= 0).all(),
           "wanted {} stiffnesses >= 0, got {}", candidate_.candidates.size(), EA.size());
@@ -93,9 +87,12 @@ NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
   out.value.resize(rows);
   if (slopes == Slopes::kWith) out.by_EA.resize(rows, EA.size());
   const Net net = net_of(candidate_, EA);
+  NetSolver solver(net);
   for (const Posed& posed : tests_) {
-    NetSolver solver(net);
-    const NetEquilibrium rest = solver.solve(posed.state, {posed.test.tension, {}}, &posed.x);
+    const std::size_t place = out.rest.size();
+    const bool warm = near && near->holds && place < near->rest.size();
+    const NetEquilibrium rest =
+        solver.solve(posed.state, {posed.test.tension, {}}, warm ? &near->rest[place] : &posed.x);
     ++solves_;
     if (!holds(net, rest)) return out;
     const Eigen::Index n = posed.test.map.rows();
@@ -103,11 +100,11 @@ NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes) {
         net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);
     if (posed.test.tau_own.size()) tau += posed.test.tau_own;
     out.value.segment(row, n) = posed.test.map * tau;
-    if (slopes == Slopes::kWith)
-      out.by_EA.middleRows(row, n) = slope_of(solver, net, posed, rest, EA);
+    if (slopes == Slopes::kWith) out.by_EA.middleRows(row, n) = slope_of(net, posed, rest, EA);
     row += n;
+    out.rest.push_back(rest.x);
   }
-  out.holds = true;
+  out.holds = out.value.allFinite() && out.by_EA.allFinite();
   return out;
 }
 

@@ -21,10 +21,12 @@ struct [[nodiscard]] NetForecast {
   bool holds = false;     // every test was balanced; otherwise nothing else is meant
   Eigen::VectorXd value;  // (rows)
   Eigen::MatrixXd by_EA;  // slope by each candidate's EA (rows, candidates); if asked for
+  std::vector<Eigen::Matrix3Xd> rest;  // where the nodes of each test rest, world [m] (3, nodes)
 };
 
 /// Predicts one list of tests again and again. Each starts where the net of all candidates comes to
-/// rest, so what is predicted depends on nothing but EA, also where a net has two equilibria.
+/// rest, so what is predicted depends on nothing but EA, also where a net has two equilibria; or,
+/// if asked, near another forecast, which takes fewer steps.
 class NetForward {
  public:
   /// @throws InputError naming what is wrong in the candidates or in a test, or a test in which
@@ -33,7 +35,8 @@ class NetForward {
 
   /// @param EA  of each candidate; 0: it does not exist, and its slope is not asked for (column of
   ///            zeros) [N] (candidates)
-  NetForecast predict(const Eigen::VectorXd& EA, Slopes slopes);
+  /// @param near  forecast that holds, whose places to start from; null: the net of all candidates
+  NetForecast predict(const Eigen::VectorXd& EA, Slopes slopes, const NetForecast* near = nullptr);
 
   void add(const TendonTest& test);
   [[nodiscard]] const CandidateNet& candidate() const { return candidate_; }
@@ -47,9 +50,9 @@ class NetForward {
   };
   /// By Maxwell's reciprocity, with E the energy of the net at rest and phi that of one band:
   ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
-  /// so a few solves by posture stand for one by every EA.
-  Eigen::MatrixXd slope_of(NetSolver& solver, const Net& net, const Posed& posed,
-                           const NetEquilibrium& rest, const Eigen::VectorXd& EA) const;
+  /// so one linear solve a joint stands for one by every EA.
+  Eigen::MatrixXd slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
+                           const Eigen::VectorXd& EA) const;
 
   CandidateNet candidate_;
   std::vector<Posed> tests_;

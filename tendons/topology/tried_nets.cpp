@@ -37,13 +37,32 @@ void change_in_pairs(TriedNets& tried, const TriedNet& here, const std::vector<i
 
 }  // namespace
 
+std::vector<Eigen::VectorXd> TriedNets::usual_starts() const {
+  const Eigen::Index n = fitter_->typical().size();
+  return {Eigen::VectorXd::Ones(n), fitter_->least(), fitter_->most()};
+}
+
 const BandFit& TriedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
-  auto found = tried_.find(bands);
-  if (found == tried_.end()) {
-    BandFit fit = fitter_->fit(presences_of(bands), start);
-    found = tried_.emplace(bands, TriedNet{bands, std::move(fit)}).first;
+  const auto found = tried_.find(bands);
+  if (found != tried_.end()) return found->second.fit;
+  TriedNet net{bands, fitter_->fit(presences_of(bands), start)};
+  for (const Eigen::VectorXd& usual : usual_starts())
+    if (!net.fit.holds) net.fit = fitter_->fit(presences_of(bands), usual);
+  return tried_.emplace(bands, std::move(net)).first->second.fit;
+}
+
+void TriedNets::settle(const Topology& bands, const Eigen::VectorXd& start) {
+  (void)fit(bands, start);
+  TriedNet& net = tried_.at(bands);
+  if (net.settled) return;
+  net.settled = true;
+  std::vector<Eigen::VectorXd> starts = usual_starts();
+  starts.push_back(start);
+  for (const Eigen::VectorXd& from : starts) {
+    BandFit again = fitter_->fit(presences_of(bands), from);
+    const bool better = !net.fit.holds || again.misfit < net.fit.misfit;
+    if (again.holds && better) net.fit = std::move(again);
   }
-  return found->second.fit;
 }
 
 const TriedNet* TriedNets::best(double price) const {
@@ -53,11 +72,17 @@ const TriedNet* TriedNets::best(double price) const {
   return best;
 }
 
-double TriedNets::least_misfit(int band, bool present) const {
-  double least = kInfinity;
+const TriedNet* TriedNets::best_where(int band, bool present) const {
+  const TriedNet* best = nullptr;
   for (const auto& [bands, net] : tried_)
-    if (net.fit.holds && bands[band] == present) least = std::min(least, net.fit.misfit);
-  return least;
+    if (net.fit.holds && bands[band] == present && (!best || net.fit.misfit < best->fit.misfit))
+      best = &net;
+  return best;
+}
+
+double TriedNets::least_misfit(int band, bool present) const {
+  const TriedNet* best = best_where(band, present);
+  return best ? best->fit.misfit : kInfinity;
 }
 
 std::vector<TriedNet> TriedNets::alike(double doubt) const {

@@ -15,7 +15,8 @@ using Topology = std::vector<bool>;
 /// One fitted topology.
 struct TriedNet {
   Topology bands;
-  BandFit fit;
+  BandFit fit;           // the best of all starts
+  bool settled = false;  // fitted from all starts of settle()
 };
 
 /// Every topology tried so far, by its bands. Holds the fitter's address.
@@ -23,15 +24,22 @@ class TriedNets {
  public:
   explicit TriedNets(BandFitter& fitter) : fitter_(&fitter) {}
 
-  /// Fits a topology, or returns it if it was fitted before.
+  /// Fits a topology, or returns it if it was fitted before. Where the net does not hold, typical,
+  /// least and most EA are tried as starts too.
   /// @param start  s to start from; bands that it lacks start with their least EA, nearest to the
   ///               net without them [1] (candidates)
   const BandFit& fit(const Topology& bands, const Eigen::VectorXd& start);
 
+  /// Fits a topology again from typical, least and most EA, and from `start`; the best is kept.
+  void settle(const Topology& bands, const Eigen::VectorXd& start);
+
   /// The one of least  misfit + price * bands  that holds, or null.
   [[nodiscard]] const TriedNet* best(double price = 0) const;
 
-  /// Least misfit of those that hold and have (or lack) a band; infinite if there is none.
+  /// The one of least misfit that holds and has (or lacks) a band, or null.
+  [[nodiscard]] const TriedNet* best_where(int band, bool present) const;
+
+  /// Its misfit; infinite if there is none.
   [[nodiscard]] double least_misfit(int band, bool present) const;
 
   /// Those that hold, within `doubt` of the least misfit, best first.
@@ -42,6 +50,7 @@ class TriedNets {
   [[nodiscard]] BandFitter& fitter() { return *fitter_; }
 
  private:
+  [[nodiscard]] std::vector<Eigen::VectorXd> usual_starts() const;
   BandFitter* fitter_;
   std::map<Topology, TriedNet> tried_;
 };

@@ -62,6 +62,31 @@ void try_combinations(TriedNets& tried, const WeighOptions& options, double belo
   }
 }
 
+/// Fits the best net, and the best that differs from it in each band, from all starts.
+void settle_rivals(TriedNets& tried, const Progress& progress) {
+  tried.settle(tried.best()->bands, tried.best()->fit.s);
+  const TriedNet here = *tried.best();
+  for (int c = 0; c < static_cast<int>(here.bands.size()) && !progress.stop(); ++c) {
+    const TriedNet* rival = tried.best_where(c, !here.bands[c]);
+    tried.settle(Topology(rival ? rival->bands : flipped(here.bands, c)), here.fit.s);
+  }
+}
+
+/// Changes of the best net, until none is better by more than a fit's tolerance.
+void search_around(TriedNets& tried, const WeighOptions& options, const Progress& progress) {
+  constexpr double kBetter = 0.1;  // of chi^2 [1]
+  for (int round = 0; round < options.most_rounds && !progress.stop(); ++round) {
+    progress(0.7 + 0.3 * round / options.most_rounds, "changes of the best net");
+    const double before = tried.best()->fit.misfit;
+    try_singles(tried);
+    const double error = std::pow(model_error(tried), 2);
+    try_pairs(tried, options, options.screen * error, progress);
+    try_combinations(tried, options, options.doubt * error, progress);
+    settle_rivals(tried, progress);
+    if (tried.best()->fit.misfit > before - kBetter) return;
+  }
+}
+
 /// Information on log EA in the best net (candidates, candidates).
 Eigen::MatrixXd information(const BandFit& fit) {
   const Eigen::MatrixXd J = fit.J * fit.s.asDiagonal();
@@ -140,13 +165,7 @@ InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Pro
   InferredNet out;
   out.rows = tried.fitter().rows();
   if (!tried.best()) return out;
-  progress(0.7, "changes of the best net");
-  try_singles(tried);
-  const double credible = std::pow(model_error(tried), 2);
-  progress(0.8, "pairs of changes");
-  try_pairs(tried, options, options.screen * credible, progress);
-  progress(0.9, "combinations of what is undecided");
-  try_combinations(tried, options, options.doubt * credible, progress);
+  search_around(tried, options, progress);
   const TriedNet& best = *tried.best();
   out.inflation = model_error(tried);
   const double weight = 1 / (out.inflation * out.inflation);

@@ -54,11 +54,13 @@ struct WeighOptions {
   double doubt = 6;
   double screen = 60;  // bands of less evidence are also tried in pairs [1]
   int most_pairs = 60;
-  int most_open = 5;  // undecided bands of which all combinations are tried
+  int most_open = 5;    // undecided bands of which all combinations are tried
+  int most_rounds = 8;  // of changes around the best net
 };
 
 /// Weighs the bands by what was tried, after trying what is missing: single changes of the best
-/// net, pairs of them where the evidence is small, all combinations of what is then undecided.
+/// net, pairs of them where the evidence is small, all combinations of what is then undecided, and
+/// other starts for the nets that the evidence rests on; again from whatever turns out better.
 [[nodiscard]] InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options = {},
                                       const Progress& progress = {});
 

@@ -18,7 +18,7 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 const double kInfinity = std::numeric_limits<double>::infinity();
-const PricedFitOptions kFine{1e-14, 10, 200};
+const PricedFitOptions kFine{1e-14, 0, 10, 200};
 
 PricedFit fit_of(std::function<PricedResiduals(const VectorXd& x, Slopes slopes)> residuals) {
   return {Vector2d(-kInfinity, -kInfinity), Vector2d(kInfinity, kInfinity), Vector2d(0, 0),
@@ -76,7 +76,7 @@ TEST(FitBounded, StepsBackFromWhereTheModelHasNoAnswer) {
     J(1, 1) = 1;
     return PricedResiduals{true, Vector2d(std::sqrt(x(0)) - 1, x(1)), J};
   });
-  const PricedResult found = fit_bounded(fit, Vector2d(9, 0), {1e-14, 100, 200});
+  const PricedResult found = fit_bounded(fit, Vector2d(9, 0), {1e-14, 0, 100, 200});
   EXPECT_NEAR(found.x(0), 1, 1e-6);
 }
 

@@ -23,7 +23,7 @@ std::vector<TendonRecord> share(double part) {
 }
 
 InferredNet weigh(const CandidateNet& candidate, const std::vector<TendonRecord>& records) {
-  BandFitter fitter(candidate, records, {1e-9, 1, 100});
+  BandFitter fitter(candidate, records, {1e-9, 0, 1, 100});
   TriedNets tried(fitter);
   const auto n = candidate.candidates.size();
   (void)tried.fit(Topology(n, true), one(static_cast<int>(n)));
@@ -32,7 +32,7 @@ InferredNet weigh(const CandidateNet& candidate, const std::vector<TendonRecord>
 
 // EA_0 / (EA_0 + EA_1) = 1/3 with EA_1 kept at twice EA_0.
 TEST(FitBands, FindsTheRatioOfStiffnesses) {
-  BandFitter fitter(tug::candidate(2), share(1.0 / 3), {1e-12, 1, 100});
+  BandFitter fitter(tug::candidate(2), share(1.0 / 3), {1e-12, 0, 1, 100});
   const BandFit fit = fitter.fit({Presence::kYes, Presence::kYes}, one(2));
   EXPECT_NEAR(fit.s(1) / fit.s(0), 2, 1e-4);
   EXPECT_NEAR(fit.misfit, 0, 1e-8);
@@ -40,7 +40,7 @@ TEST(FitBands, FindsTheRatioOfStiffnesses) {
 
 // The share nearest to 1 that two existing bands can make: 4 / (4 + 0.25).
 TEST(FitBands, KeepsABandAtItsLeastIfItMustExist) {
-  BandFitter fitter(tug::candidate(2), share(1), {1e-12, 1, 100});
+  BandFitter fitter(tug::candidate(2), share(1), {1e-12, 0, 1, 100});
   const BandFit fit = fitter.fit({Presence::kYes, Presence::kYes}, one(2));
   EXPECT_TRUE(matrix_near(fit.s, Eigen::Vector2d(4, 0.25), 1e-6));
   EXPECT_NEAR(fit.misfit, std::pow((1 - 4 / 4.25) / 0.01, 2), 1e-3);
@@ -101,7 +101,7 @@ TEST(ModelError, IsTheFactorThatMakesTheMisfitCredible) {
   records.push_back(share(0.8)[0]);
   records.push_back(share(0.8)[0]);
   records.push_back(share(0.2)[0]);
-  BandFitter fitter(tug::candidate(2), records, {1e-9, 1, 100});
+  BandFitter fitter(tug::candidate(2), records, {1e-9, 0, 1, 100});
   TriedNets tried(fitter);
   (void)tried.fit({true, true}, one(2));
   EXPECT_NEAR(model_error(tried), std::sqrt(4 * 900 / 2.0), 0.01);
