@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "apps/print_table.h"
+#include "apps/read_source.h"
 #include "base/error.h"
 
 namespace thenar {
@@ -19,13 +20,18 @@ std::vector<std::string> known_nets() {
   return names;
 }
 
-NetDescription find_net(const std::string& name_or_path) {
-  if (std::filesystem::is_regular_file(name_or_path)) return read_net(name_or_path);
+SourceText net_source(const std::string& name_or_path) {
+  if (std::filesystem::is_regular_file(name_or_path)) return read_source(name_or_path);
   const auto found = internal::nets().find(name_or_path + ".toml");
   require(found != internal::nets().end(),
           "there is no net '{}', nor a file of that name; nets: {}", name_or_path,
           listed(known_nets()));
-  return parse_net(std::string(found->second), found->first);
+  return {found->first, std::string(found->second)};
+}
+
+NetDescription find_net(const std::string& name_or_path) {
+  const SourceText source = net_source(name_or_path);
+  return parse_net(source.text, source.path);
 }
 
 }  // namespace thenar

@@ -6,14 +6,18 @@
 #include <vector>
 
 #include "data/io/net.h"
+#include "kinematics_fit/fit.h"
 
 namespace thenar {
 
 /// "chao_an", "dogadov2017", "winslow": nets that the program carries along.
 [[nodiscard]] std::vector<std::string> known_nets();
 
-/// A net by one of these names, or by the path of its file.
-/// @throws InputError listing the names; DataError if the file is wrong.
+/// Its text by one of these names, or by the path of its file; that path is returned with it, or
+/// "NAME.toml". @throws InputError listing the names; DataError if the file cannot be read.
+[[nodiscard]] SourceText net_source(const std::string& name_or_path);
+
+/// A net by the same. @throws as well DataError if the file is wrong.
 [[nodiscard]] NetDescription find_net(const std::string& name_or_path);
 
 }  // namespace thenar

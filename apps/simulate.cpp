@@ -1,6 +1,6 @@
 // thenar simulate SUBJECT --digit D --excitation FDP=0.1 ... | --excitation-file E.csv
 //                 [--muscle bounds|rigid-tendon|elastic-tendon]
-//                 [--hood separate|fractions|net] [--net NET.toml]
+//                 [--hood separate|fractions|net] [--net NAME|NET.toml]
 //
 // How one digit moves when its muscles are excited.
 
@@ -13,12 +13,12 @@
 #include "apps/digit_question.h"
 #include "apps/motion_output.h"
 #include "apps/named_numbers.h"
+#include "apps/net_file.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
-#include "data/io/net.h"
 #include "tendons/net/build_tendons.h"
 
 namespace thenar {
@@ -69,8 +69,9 @@ std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& 
   rungs.frozen = parse_frozen(subject, options.frozen);
   const std::string digit = choose_digit(subject, options.digit);
   if (rungs.hood != Hood::kFloatingNet) return build_digit_tendons(subject, digit, rungs);
-  require(!options.net.empty(), "a hood that is a net needs --net NET.toml");
-  const NetDescription net = parse_net(read_source(options.net).text, options.net);
+  require(!options.net.empty(), "a hood that is a net needs --net; nets: {}, or a file",
+          listed(known_nets()));
+  const NetDescription net = find_net(options.net);
   return build_digit_tendons(subject, digit, rungs, &net);
 }
 
@@ -128,7 +129,10 @@ void run(const Options& options) {
                       {{source.path, source.text}}};
   if (!options.excitation_file.empty())
     motion.inputs[options.excitation_file] = read_source(options.excitation_file).text;
-  if (!options.net.empty()) motion.inputs[options.net] = read_source(options.net).text;
+  if (!options.net.empty()) {
+    const SourceText net = net_source(options.net);
+    motion.inputs[net.path] = net.text;
+  }
   if (!options.output.empty()) write_motion(motion, options.output);
   if (options.json)
     fmt::print("{}\n", json_of(motion).dump(2));
@@ -146,7 +150,7 @@ void add_rungs(CLI::App& command, Options& options) {
       ->check(CLI::IsMember(names_of(kMuscles)));
   command.add_option("--hood", options.hood, "separate, fractions or net")
       ->check(CLI::IsMember(names_of(kHoods)));
-  command.add_option("--net", options.net, "File of a net (TOML); means --hood net");
+  command.add_option("--net", options.net, "Name or file (TOML) of a net; means --hood net");
   command.add_option("--tendon-slack", options.tendon_slack,
                      "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
   command
