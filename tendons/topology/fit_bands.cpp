@@ -75,26 +75,41 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
     if (presence[c] == Presence::kEither) problem.lower(c) = unknown_of(kGhost);
     if (presence[c] != Presence::kNo) problem.upper(c) = unknown_of(band.most / typical_(c));
   }
+  // A net with two places of rest may have followed the wrong one: then without what was before.
+  const Eigen::VectorXd x0 = start.unaryExpr(&unknown_of);
+  Followed warm = follow(problem, x0, Memory::kKept);
+  if (!warm.strayed) return std::move(warm.fit);
+  BandFit cold = follow(problem, x0, Memory::kNone).fit;
+  const bool better = cold.holds && (!warm.fit.holds || cold.misfit < warm.fit.misfit);
+  return better ? std::move(cold) : std::move(warm.fit);
+}
+
+BandFitter::Followed BandFitter::follow(PricedFit problem, const Eigen::VectorXd& x0,
+                                        Memory memory) {
   NetForecast near;
   problem.residuals = [&](const Eigen::VectorXd& x, Slopes slopes) {
     const Eigen::VectorXd s = stiffness_of(x);
     NetForecast forecast = forward_.predict(s.cwiseProduct(typical_), slopes, &near);
     PricedResiduals at = residuals(forecast);
     if (at.J.size()) at.J = at.J * Eigen::VectorXd(s.array() + kSoft).asDiagonal();
-    if (forecast.holds) near = std::move(forecast);
+    if (forecast.holds && memory == Memory::kKept) near = std::move(forecast);
     return at;
   };
-  const PricedResult found = fit_bounded(problem, start.unaryExpr(&unknown_of), options_);
-  BandFit out;
+  const PricedResult found = fit_bounded(problem, x0, options_);
+  Followed out;
   if (!found.possible) return out;
-  out.s = stiffness_of(found.x);
-  PricedResiduals at = residuals(forward_.predict(out.s.cwiseProduct(typical_), Slopes::kWith));
-  out.holds = at.possible;
-  if (!out.holds) return out;
-  out.converged = found.converged;
-  out.misfit = at.r.squaredNorm();
-  out.r = std::move(at.r);
-  out.J = std::move(at.J);
+  BandFit& fit = out.fit;
+  fit.s = stiffness_of(found.x);
+  PricedResiduals at = residuals(forward_.predict(fit.s.cwiseProduct(typical_), Slopes::kWith));
+  fit.holds = at.possible;
+  out.strayed = !at.possible;
+  if (!fit.holds) return out;
+  fit.converged = found.converged;
+  fit.misfit = at.r.squaredNorm();
+  fit.r = std::move(at.r);
+  fit.J = std::move(at.J);
+  out.strayed = std::abs(fit.misfit - found.at.r.squaredNorm()) >
+                std::max(options_.tolerance, options_.relative * fit.misfit);
   return out;
 }
 

@@ -65,6 +65,12 @@ class BandFitter {
   [[nodiscard]] long solves() const { return forward_.solves(); }
 
  private:
+  enum class Memory { kKept, kNone };  // of where nets of the same fit came to rest
+  struct Followed {
+    BandFit fit;
+    bool strayed = false;  // a net of two places of rest is not where predict() finds it
+  };
+  Followed follow(PricedFit problem, const Eigen::VectorXd& x0, Memory memory);
   PricedResiduals residuals(const NetForecast& forecast) const;
   NetForward forward_;
   PricedFitOptions options_;
