@@ -64,8 +64,9 @@ void check_net(const Net& net) {
   for (const BoneSurface& surface : net.surfaces) check_surface(surface);
   for (const NetNode& node : net.nodes) check_node(net, node);
   for (const NetBand& band : net.bands) check_band(net, band);
-  require(net.friction == 0, "net {}: nodes slide without friction, got {}", net.name,
-          net.friction);
+  require(net.friction == 0,
+          "net {}: nodes slide without friction here, got {}; solve_net_friction() has it",
+          net.name, net.friction);
 }
 
 void check_drive(const Net& net, const NetDrive& drive) {

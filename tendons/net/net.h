@@ -43,7 +43,7 @@ struct Net {
   std::vector<NetBand> bands;
   std::vector<BoneSurface> surfaces;
   std::vector<std::string> muscles;  // that pull it
-  double friction = 0;               // of nodes on bone (Coulomb); only 0 is solved [1]
+  double friction = 0;               // of nodes on bone (Coulomb); not 0: see net_friction.h [1]
 };
 
 /// How muscles drive the net.
