@@ -7,6 +7,7 @@
 
 #include "tendons/linear_tendons.h"
 #include "tendons/muscle/simulate.h"
+#include "tendons/net/build_tendons.h"
 
 namespace thenar {
 namespace {
@@ -68,6 +69,23 @@ void BM_Slope(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }
 BENCHMARK(BM_Slope)->ArgName("rung")->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
+
+/// The same under a net of data/nets, on muscles of rung 0 and 1.
+void BM_SlopeUnderNet(benchmark::State& state) {
+  const Muscle rung = static_cast<Muscle>(state.range(0));
+  const Finger finger(rung);
+  TendonOptions rungs;
+  rungs.hood = Hood::kFloatingNet;
+  const auto tendons = build_net_tendons(finger.subject, "index", rungs,
+                                         read_net(THENAR_DATA_DIR "/nets/winslow.toml"));
+  FingerMotion motion({*tendons, *finger.contraction});
+  const MotionState at =
+      motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation());
+  const std::string trouble = motion.accept(at);
+  if (!trouble.empty()) state.SkipWithError(trouble.c_str());
+  for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
+}
+BENCHMARK(BM_SlopeUnderNet)->ArgName("rung")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace thenar
