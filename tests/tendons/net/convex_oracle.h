@@ -238,7 +238,7 @@ class Exact {
     while (draw(in_exit)) continue;
     for (int round = 0; round < 12; ++round) {
       newton();
-      const bool rests = rest_.residual < 1e-12;
+      const bool rests = rest_.residual < 1e-11;
       if (!(rests ? let_go() : draw(1e-3))) break;
     }
     rest_.x = x_.cast<double>();
@@ -402,7 +402,7 @@ inline Rest rest_of(const Net& net, const TreeState<double>& state, const NetDri
     for (double in_exit : {1e-4, 1e-6}) {
       const Rest rest = Exact(scene, near).solve(in_exit);
       if (rest.residual < best.residual) best = rest;
-      if (best.residual < 1e-12) return best;
+      if (best.residual < 1e-11) return best;
     }
   }
   return best;
