@@ -87,6 +87,8 @@ std::string name_of(NetStatus status) {
       return "drawn in";
     case NetStatus::kStalled:
       return "stalled";
+    case NetStatus::kWoundRound:
+      return "wound round";
   }
   return "";
 }

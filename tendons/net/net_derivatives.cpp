@@ -16,8 +16,8 @@ using internal::TangentNet;
 
 TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetDrive& drive,
                       const NetEquilibrium& rest) {
-  require(rest.status != NetStatus::kStalled, "net {}: not balanced, residual {} N", net.name,
-          rest.residual);
+  require(rest.status != NetStatus::kStalled && rest.status != NetStatus::kWoundRound,
+          "net {}: not balanced, residual {} N", net.name, rest.residual);
   return {net, state, drive, rest};
 }
 

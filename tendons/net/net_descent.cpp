@@ -16,7 +16,11 @@ constexpr double kCarried = 1e-9;  // gap of a start that counts as lying on the
 constexpr double kLongest = 0.02;  // longest move of a node in one step [m]
 constexpr double kLift = 1e-11;    // lift from a bone that no number here can tell from none [m]
 constexpr double kNear = 1e-3;     // lift over radius below which clasping bands go as its root [1]
+constexpr double kDigit = 1e-17;   // rounding of a lift [m]
+constexpr double kCut = 1e-6;      // angle from the half-plane opposite to a band's side [rad]
+constexpr double kHard = 10;       // pull at which taut nets swing freely [N]
 constexpr double kSoft = 1e-4;   // a push beyond the tolerance within this counts as stiffness [m]
+constexpr double kKinks = 1e-4;  // steps below which slack bands that become taut decide [m]
 constexpr double kDrawn = 1e-9;  // length at which a pull has drawn its node in [m]
 
 }  // namespace
@@ -65,20 +69,40 @@ void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* s
   x_next_ = x_;
 }
 
-/// What bands that bend over a surface hold a node on it with, at a lift of kLift: the slope of
-/// their length grows as  sqrt(2 lift / radius).
+/// What bands that bend over a surface hold a node on it with, at the least lift that its place can
+/// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
+/// rounding of the lift by kDigit changes it by S kDigit / sqrt(2 lift radius).
 double NetDescent::clasp(int k, int surface) const {
   double sum = 0;
   for (int b : plan_.clasps[k]) {
     const NetBand& band = plan_.net.bands[b];
     if (band.over != surface) continue;
     const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
-    if (!now.chord.bent) continue;
-    const Eigen::Vector3d end =
-        plan_.bands[b].ka == k ? now.chord.slope.head<3>() : now.chord.slope.tail<3>();
-    sum += now.pull.tension * end.norm();
+    if (now.chord.bent) sum += now.pull.tension;
   }
-  return sum * std::sqrt(2 * kLift / plan_.net.surfaces[surface].size[0]);
+  const double radius = plan_.net.surfaces[surface].size[0];
+  return sum *
+         std::max(std::sqrt(2 * kLift / radius), 4 * kDigit * sum / (options_.tolerance * radius));
+}
+
+/// The part along the normal of what bands that bend over a surface pull a node on it with: they
+/// leave along the surface, so all of it is rounding of the node's lift, the same as in at_.g [N].
+double NetDescent::stray(int k, int surface, const Vector3d& normal) const {
+  double sum = 0;
+  for (int b : plan_.clasps[k]) {
+    const NetBand& band = plan_.net.bands[b];
+    BandRun run;
+    if (band.over != surface || scene_.drawn[b]) continue;
+    const Bend bend = bend_over(scene_.bone[b], x_[band.a], x_[band.b], run);
+    if (bend == Bend::kClear) continue;
+    if (bend == Bend::kOdd) {
+      const Chord chord = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]).chord;
+      if (!chord.bent) continue;
+      run.ua = chord.slope.head<3>(), run.ub = chord.slope.tail<3>();
+    }
+    sum += at_.tension[b] * normal.dot(plan_.bands[b].ka == k ? run.ua : run.ub);
+  }
+  return sum;
 }
 
 void NetDescent::balance() {
@@ -213,18 +237,51 @@ double NetDescent::part_at_exit() const {
     Vector3d move = Vector3d::Zero();
     if (at.ka >= 0) move += step_[at.ka];
     if (at.kb >= 0) move -= step_[at.kb];
-    const double way = -(x_[band.a] - x_[band.b]).dot(move), whole = move.squaredNorm();
-    if (way > 0 && way < whole) part = std::min(part, way / whole);
+    const Vector3d d = x_[band.a] - x_[band.b];
+    if (gripped(scene_, static_cast<int>(b), d.norm())) continue;  // it is there
+    const double way = -d.dot(move), whole = move.squaredNorm();
+    if (way > 0 && way < whole && whole > 0.1 * d.squaredNorm()) part = std::min(part, way / whole);
   }
   return part;
 }
 
+/// What rounding of places may change E by: tension times the last digits of places [J].
+double NetDescent::rounding() const {
+  double reach = 0, sum = 0;
+  for (const Vector3d& x : x_) reach = std::max(reach, x.norm());
+  for (double T : at_.tension) sum += T;
+  return 2e-16 * reach * sum + 1e-15 * at_.size;
+}
+
+/// After a step too long: bands that it stretches get the stiffness that they show over it, slack
+/// ones too, so that the next direction knows them. @return whether there were any
+bool NetDescent::look_ahead() {
+  bool any = false;
+  for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
+    const double more = next_.tension[b] - at_.tension[b], dL = next_.length[b] - at_.length[b];
+    if (scene_.pull[b] >= 0 || !(more > 0) || !(dL > 0)) continue;
+    const BandPlan& at = plan_.bands[b];
+    const NetBand& band = plan_.net.bands[b];
+    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    const double k = more / dL - now.pull.stiffness;
+    if (!(k > 1e-3 * now.pull.stiffness)) continue;
+    const Vector3d ua = now.chord.slope.head<3>(), ub = now.chord.slope.tail<3>();
+    if (at.ka >= 0) at_.H.diagonal[at.ka] += k * ua * ua.transpose();
+    if (at.kb >= 0) at_.H.diagonal[at.kb] += k * ub * ub.transpose();
+    if (at.slot >= 0)
+      at_.H.off[at.slot] += at.flip ? k * ub * ua.transpose() : k * ua * ub.transpose();
+    any = true;
+  }
+  return any;
+}
+
 /// Shortens the step until E falls. @return whether it did
 bool NetDescent::search() {
-  const double noise = 1e-15 * at_.size;
+  const double noise = rounding();
   const double exit = part_at_exit();
   double part = exit > 1e-3 && exit < 0.9 ? exit : 1;
   bool at_exit = part < 1;
+  int looks = iterations_ % 2 == 0 ? 5 : 0;  // every other time: either way alone may creep
   for (int tries = 0; tries < 60; ++tries) {
     double slope = 0;
     const bool possible = try_step(part, slope);
@@ -236,6 +293,11 @@ bool NetDescent::search() {
         radius_ = std::min(std::max(radius_, 4 * longest_), kLongest);
       longest_ *= part;
       return true;
+    }
+    if (part == 1 && possible && longest_ < kKinks && looks-- > 0 && look_ahead()) {
+      if (!direction()) return false;
+      definite_ = false;  // of what it was made to be
+      continue;
     }
     part = at_exit ? 1 : 0.5 * part;
     at_exit = false;
@@ -336,7 +398,7 @@ bool NetDescent::leave_ridge() {
   return true;
 }
 
-NetStatus NetDescent::descend() {
+NetStatus NetDescent::descend(int patience) {
   definite_ = false;
   radius_ = kLongest;
   for (iterations_ = 0;; ++iterations_) {
@@ -357,19 +419,66 @@ NetStatus NetDescent::descend() {
         continue;
       }
     }
-    if (iterations_ >= options_.max_iterations) return NetStatus::kStalled;
+    if (iterations_ >= patience) return NetStatus::kStalled;
     if (leave_ridge()) continue;
     if (!direction() || !search()) return NetStatus::kStalled;
   }
 }
 
-NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
-                               const Eigen::Matrix3Xd* start) {
+/// Bands over cylinders with an end on the half-plane opposite to their side, where their length
+/// jumps.
+std::vector<int> NetDescent::wound() const {
+  std::vector<int> found;
+  for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    const RoundBone& bone = scene_.bone[b];
+    if (plan_.net.bands[b].over < 0 || bone.sphere) continue;
+    const auto beyond = [&](int node) {
+      const Vector3d p = x_[node] - bone.center;
+      const double along = bone.e1.dot(p), across = bone.e2.dot(p);
+      return plan_.net.nodes[node].free && along < 0 && std::abs(across) < -kCut * along;
+    };
+    if (beyond(plan_.net.bands[b].a) || beyond(plan_.net.bands[b].b))
+      found.push_back(static_cast<int>(b));
+  }
+  return found;
+}
+
+/// One descent from where the nodes are given.
+NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& drive,
+                             const Eigen::Matrix3Xd* start, int patience) {
   scene_ = pose_scene(plan_.net, state, drive);
   draws_.assign(plan_.bands.size(), 0);
   place(state, start);
   evaluate(plan_, scene_, x_, at_);
-  return report(descend());
+  return descend(patience);
+}
+
+/// Weak pulls swing a taut net like a linkage, in steps as short as (8 pull L^2 / stiffness)^(1/3):
+/// where that is too slow, the net is first pulled hard, and then ten times less each time.
+NetStatus NetDescent::ease(const TreeState<double>& state, const NetDrive& drive) {
+  const double most = drive.tension.size() > 0 ? drive.tension.maxCoeff() : 0;
+  if (!(most > 0) || most > kHard) return NetStatus::kStalled;
+  const std::vector<int> pushed_out = pushed_out_;
+  int spent = iterations_;
+  NetStatus status = NetStatus::kStalled;
+  for (double times = kHard / most; times > 0; times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
+    Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(x_.size()));
+    for (std::size_t i = 0; i < x_.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = x_[i];
+    const int patience = times == 1 ? options_.max_iterations : options_.max_iterations / 5;
+    status = settle(state, {times * drive.tension, drive.length}, &from, patience);
+    spent += iterations_;
+  }
+  iterations_ = spent;
+  pushed_out_ = pushed_out;
+  return status;
+}
+
+NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
+                               const Eigen::Matrix3Xd* start) {
+  NetStatus status = settle(state, drive, start, options_.max_iterations / 2);
+  if (status == NetStatus::kStalled && wound().empty()) status = ease(state, drive);
+  if (status == NetStatus::kStalled && wound().empty()) status = descend(options_.max_iterations);
+  return report(status);
 }
 
 NetEquilibrium NetDescent::report(NetStatus status) const {
@@ -379,6 +488,8 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   out.iterations = iterations_;
   out.energy = at_.energy;
   out.pushed_out = pushed_out_;
+  if (status == NetStatus::kStalled) out.wound = wound();
+  if (!out.wound.empty()) out.status = NetStatus::kWoundRound;
   const auto nodes = static_cast<Eigen::Index>(x_.size());
   const auto bands = static_cast<Eigen::Index>(plan_.bands.size());
   out.x.resize(3, nodes);
@@ -414,7 +525,9 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   for (int k = 0; k < rows(); ++k)
     for (int c = 0; c < contact_[k].pressed; ++c)
       out.contacts.push_back(
-          {plan_.node[k], contact_[k].surface[c], contact_[k].force[c], contact_[k].normal[c]});
+          {plan_.node[k], contact_[k].surface[c],
+           contact_[k].force[c] - stray(k, contact_[k].surface[c], contact_[k].normal[c]),
+           contact_[k].normal[c]});
   for (std::size_t i = 0; i < x_.size(); ++i)
     if (plan_.row[i] >= 0 && !held[i]) out.loose.push_back(static_cast<int>(i));
   return out;

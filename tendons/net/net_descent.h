@@ -30,12 +30,15 @@ class NetDescent {
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void settle_start(int k);
   double clasp(int k, int surface) const;
+  double stray(int k, int surface, const Eigen::Vector3d& normal) const;
   void lift(int k, Eigen::Vector3d& there) const;
   void balance();
   void reduce();
   double solve_step();
   bool direction();
   bool try_step(double part, double& slope);
+  [[nodiscard]] double rounding() const;
+  bool look_ahead();
   bool search();
   double part_at_exit() const;
   bool draw_in(int band);
@@ -45,7 +48,11 @@ class NetDescent {
   bool escape();
   bool leave_ridge();
   void accept();
-  NetStatus descend();
+  NetStatus descend(int patience);
+  NetStatus settle(const TreeState<double>& state, const NetDrive& drive,
+                   const Eigen::Matrix3Xd* start, int patience);
+  NetStatus ease(const TreeState<double>& state, const NetDrive& drive);
+  std::vector<int> wound() const;
   NetEquilibrium report(NetStatus status) const;
 
   NetPlan plan_;

@@ -61,6 +61,9 @@ std::string net_trouble(const Net& net, const TreeState<double>& state,
   switch (rest.status) {
     case NetStatus::kStalled:
       return fmt::format("net '{}' is not balanced: {:.2g} N are left", net.name, rest.residual);
+    case NetStatus::kWoundRound:
+      return fmt::format("net '{}' is not balanced: band '{}' has wound round its bone", net.name,
+                         net.bands[static_cast<std::size_t>(rest.wound.front())].name);
     case NetStatus::kUnstable:
       return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
     case NetStatus::kDrawnIn:

@@ -22,20 +22,24 @@ enum class NetStatus {
   kBalanced,  // residual below tolerance at a minimum
   kUnstable,  // balanced, but at a saddle: the least push moves it elsewhere
   kDrawnIn,  // balanced only because a muscle has drawn a node into its exit: the net does not hold
-  kStalled   // not balanced: see the residual
+  kStalled,  // not balanced: see the residual
+  kWoundRound  // not balanced: a band has wound round its cylinder to the far side, where its
+               // length jumps (`wound`): there is no minimum on this side
 };
 
 struct NetSolverOptions {
   double tolerance = 1e-9;   // largest out-of-balance force of a floating node [N]
-  int max_iterations = 200;  // Newton steps
+  int max_iterations = 500;  // Newton steps
 };
 
 /// A node pressed on a bone.
 struct NetContact {
   int node;
   int surface;
-  double force;            // normal, >= 0; negative where bands that bend over the bone clasp the
-                           // node to it: they hold it at a lift below 1e-11 m [N]
+  double force;  // normal, >= 0; negative where bands that bend over the bone clasp the
+                 // node to it: they hold it at a lift too small to tell. With S the sum of
+                 // their tensions and r the radius, not below
+                 // -S max(sqrt(2e-11 m / r), 4e-17 m S / (tolerance r)) [N]
   Eigen::Vector3d normal;  // out of the bone, world (3)
 };
 
@@ -55,6 +59,7 @@ struct [[nodiscard]] NetEquilibrium {
   std::vector<NetContact> contacts;
   std::vector<int> loose;  // floating nodes whose place nothing decides: all their bands are slack
   std::vector<NetDrawnBand> drawn;  // bands of no length under a pull: kDrawnIn
+  std::vector<int> wound;           // bands that have wound round: kWoundRound
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
   double energy = 0;            // E [J]
 };

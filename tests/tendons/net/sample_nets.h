@@ -107,7 +107,8 @@ struct RandomNetOptions {
   int min_free = 4, max_free = 30;
   bool bones = false;  // surfaces that nodes rest on and bands bend over
   bool all_slack = false;
-  double toe = 0.5;  // part of passive bands with a toe region
+  double toe = 0.5;   // part of passive bands with a toe region
+  double weak = 0.1;  // part of nets in which muscles pull from anywhere and nothing need hold them
 };
 
 namespace sample_internal {
@@ -161,7 +162,8 @@ inline void add_bones(std::mt19937& rng, Net& net) {
 }  // namespace sample_internal
 
 /// A random net in a cube of 6 cm on a chain of two bones: joined, with anchors on all bones and
-/// one to four muscles, some of them idle, one in eight given by length.
+/// one to four muscles, some of them idle, one in eight given by length. Muscles leave away from
+/// the net, against a band that holds; in weak nets they may draw a node into their exit.
 inline SampleNet random_net(std::mt19937& rng, const RandomNetOptions& options = {}) {
   using sample_internal::draw_point;
   const auto below = [&](int n) { return static_cast<int>(rng() % static_cast<unsigned>(n)); };
@@ -188,12 +190,19 @@ inline SampleNet random_net(std::mt19937& rng, const RandomNetOptions& options =
     const int a = below(free), b = below(free + anchors);
     if (a != b) join(a, b);
   }
+  const bool weak = unit(rng) < options.weak;
   sample.drive.tension.resize(muscles);
   sample.drive.length.setConstant(muscles, std::numeric_limits<double>::quiet_NaN());
   for (int m = 0; m < muscles; ++m) {
     net.muscles.push_back("m" + std::to_string(m));
-    const int exit = add_node(net, false, -1, draw_point(rng, 0.05));
     const int at = below(free);
+    const Eigen::Vector3d away = draw_point(rng, 1).normalized(), p = net.nodes[at].p;
+    const int exit = add_node(net, false, -1,
+                              weak ? draw_point(rng, 0.05) : p + (0.05 + 0.03 * unit(rng)) * away);
+    // What holds against it: a passive band to an anchor on the other side.
+    if (!weak)
+      join(at, add_node(net, false, below(3) - 1,
+                        p - 0.03 * unit(rng) * away - 0.01 * away + draw_point(rng, 0.01)));
     const double length = (net.nodes[exit].p - net.nodes[at].p).norm();
     add_band(net, at, exit, length, 100, 0, m);
     sample.drive.tension(m) =
