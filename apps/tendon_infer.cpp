@@ -165,8 +165,9 @@ void write_page(const Case& at, const Answer& answer, const Options& options) {
     next.push_back({at.pool[answer.next[i].test].name, answer.next[i].disagreement});
   const std::string what = fmt::format(
       "chi^2 {:.1f} for {} readings; evidence is weighed by {:.2f} times the stated noise. {} "
-      "topologies fit alike.",
-      answer.net.misfit, answer.net.rows, answer.net.inflation, answer.net.alike.size());
+      "topologies fit alike; {} directions of stiffness are not felt.",
+      answer.net.misfit, answer.net.rows, answer.net.inflation, answer.net.alike.size(),
+      answer.net.blind.size());
   Json blocks = Json::array(
       {table_block(
            "Bands: evidence above 6 decides",
@@ -184,10 +185,12 @@ void run(const Options& options) {
   require(options.method == "sparse" || options.method == "explore",
           "method must be sparse or explore, got '{}'", options.method);
   if (!options.output.empty()) require_writable(options.output);
-  const Case at = read_case(options);
+  Case at;
   Answer answer;
   {
     const Progress progress = terminal_progress();
+    progress(0, "tests");
+    at = read_case(options);
     answer = options.method == "sparse" ? by_selection(at, progress)
                                         : by_search(at, options.seed, progress);
   }

@@ -61,7 +61,8 @@ std::vector<TriedNet> survivors(std::vector<TriedNet> nets, const ExploreOptions
 /// Fits the population to the records at hand and lets it breed.
 std::vector<TriedNet> estimate(TriedNets& tried, const Population& population, std::mt19937& random,
                                const ExploreOptions& options, const Progress& progress) {
-  for (const Member& member : population) (void)tried.fit(member.bands, member.s);
+  for (const Member& member : population)
+    if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
   constexpr double kAll = std::numeric_limits<double>::infinity();
   std::vector<TriedNet> alive;
   for (int g = 0; g <= options.generations; ++g) {

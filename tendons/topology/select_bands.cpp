@@ -28,7 +28,7 @@ PathStop refit(TriedNets& tried, double price, const BandFit& priced) {
 
 /// The path from one start, until nothing of the load is held.
 void follow(TriedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
-            std::vector<PathStop>& path) {
+            std::vector<PathStop>& path, const Progress& progress) {
   BandFitter& fitter = tried.fitter();
   const Presences either(static_cast<std::size_t>(start.size()), Presence::kEither);
   const double ratio =
@@ -36,6 +36,7 @@ void follow(TriedNets& tried, const Eigen::VectorXd& start, const SelectOptions&
   Eigen::VectorXd s = start;
   double price = options.first_price;
   for (int i = 0; i < options.prices; ++i, price *= ratio) {
+    if (progress.stop() && !path.empty()) return;
     const BandFit priced = fitter.fit(either, s, Eigen::VectorXd::Constant(s.size(), price));
     if (!priced.holds) return;
     s = priced.s;
@@ -53,7 +54,7 @@ Selection select_bands(TriedNets& tried, const SelectOptions& options, const Pro
     progress(part, "path over the price");
     part += 0.6 / std::size(kStarts);
     if (progress.stop() && !out.path.empty()) break;
-    follow(tried, Eigen::VectorXd::Constant(n, s), options, out.path);
+    follow(tried, Eigen::VectorXd::Constant(n, s), options, out.path, progress);
   }
   // All bands hold whatever can be held.
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));

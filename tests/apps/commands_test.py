@@ -403,6 +403,42 @@ class Tendon(Near):
         self.assertIn("steps of -5 deg do not lead from 0 to 90 deg",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:90:-5"))
 
+    def test_infers_the_bands_of_a_net(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder) / "bands.html"
+            answer = ask("tendon", "infer", H01, "--subject", SYNEK, "--net", "chao_an",
+                         "--propose", 2, "-o", page)
+            text = page.read_text()
+        net = tomllib.loads((ROOT / "data/nets/chao_an.toml").read_text())
+        passive = {band["name"] for band in net["band"] if "muscle" not in band}
+        self.assertEqual({band["band"] for band in answer["bands"]}, passive)
+        # Muscles of the net that the experiment pulls, three force components a trial.
+        trials = tomllib.loads(pathlib.Path(H01).read_text())["trials"]["rows"]
+        pulled = [row for row in trials if not {"FDP", "FDS"} & set(row["load_g"])]
+        self.assertEqual(answer["readings"], 3 * len(pulled))
+        for band in answer["bands"]:
+            decided = band["evidence"] is None or abs(band["evidence"]) >= 6
+            self.assertEqual(band["verdict"] != "undecided", decided, band)
+            self.assertIn(band["band"], text)
+        promises = [test["disagreement"] for test in answer["next_tests"]]
+        self.assertEqual(promises, sorted(promises, reverse=True))
+        self.assertLessEqual(len(promises), 2)
+
+    def test_interrupted_inference_says_what_it_has(self):
+        words = ["tendon", "infer", H01, "--subject", SYNEK, "--method", "explore", "--json"]
+        with subprocess.Popen([PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as program:
+            time.sleep(1)
+            program.send_signal(signal.SIGINT)
+            printed, said = program.communicate(timeout=60)
+        self.assertEqual(program.returncode, 130)
+        self.assertIn("stopped", said)
+        self.assertGreater(len(json.loads(printed)["bands"]), 10)
+
+    def test_inference_names_an_unknown_method(self):
+        self.assertEqual(complaint("tendon", "infer", H01, "--subject", SYNEK, "--method", "guess"),
+                         "thenar: method must be sparse or explore, got 'guess'")
+
 
 class Validate(Near):
     def test_every_data_file_is_recognised(self):
