@@ -226,6 +226,8 @@ NetDescription straightened(NetDescription plan) {
   return plan;
 }
 
+constexpr double kSlackLeft = 1e-5;  // strain by which fitted bands may miss: 0.1 um of a band [1]
+
 template <typename Part>
 int needed(const std::vector<Part>& parts, const std::string& name, const std::string& kind,
            const std::string& net) {
@@ -266,7 +268,11 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
   Eigen::VectorXd load(built.net.muscles.size());
   for (Eigen::Index p = 0; p < load.size(); ++p)
     load[p] = options.taut_load * built.pulls[static_cast<std::size_t>(p)].share;
-  fit_slack(built.net, straight, load, fitted);
+  const double off = fit_slack(built.net, straight, load, fitted);
+  require(off < kSlackLeft,
+          "slack lengths of net '{}' could not be fitted to the finger of '{}': strains differ "
+          "by {:.2g} in the straight finger",
+          description.name, subject.name, off);
   return built;
 }
 

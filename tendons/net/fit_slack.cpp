@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "tendons/wrapping/chord_over.h"
@@ -42,6 +43,8 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
   double off = 0;
   for (int round = 0; round < rounds; ++round) {
     const NetEquilibrium rest = solver.solve(state, {load, {}}, round == 0 ? nullptr : &start);
+    if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kDrawnIn)
+      return std::numeric_limits<double>::infinity();
     const auto strain = [&](int b) {
       const double slack = net.bands[static_cast<std::size_t>(b)].slack;
       return (rest.length[b] - slack) / slack;

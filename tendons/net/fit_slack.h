@@ -23,8 +23,10 @@ struct FittedBand {
 /// Fits slack lengths to a posture and a load: bands that hang slack are shortened to the length
 /// that they have, those with a model band are shortened or lengthened until both strain alike.
 /// @param load  pull of each muscle of the net [N] (muscles)
-/// @return largest difference of strain that is left after `rounds` [1]
-double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd& load,
-                 const std::vector<FittedBand>& bands, int rounds = 1000);
+/// @return largest difference of strain that is left after `rounds` [1]; infinite if the net did
+/// not come to rest under the load
+[[nodiscard]] double fit_slack(Net& net, const TreeState<double>& state,
+                               const Eigen::VectorXd& load, const std::vector<FittedBand>& bands,
+                               int rounds = 1000);
 
 }  // namespace thenar

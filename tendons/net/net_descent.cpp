@@ -334,7 +334,9 @@ bool NetDescent::let_out() {
     any = true;
   }
   for (std::size_t b = 0; any && b < plan_.bands.size(); ++b) {
-    NodeContact& c = contact_[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
+    const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
+    if (k < 0) continue;  // between two bones
+    NodeContact& c = contact_[k];
     if (c.drawn > 0 && !scene_.drawn[b] && c.left.norm() > options_.tolerance) c.drawn = 0;
   }
   return any;

@@ -109,6 +109,7 @@ TEST(ConvexNets, RestWhereAnIndependentProgramSays) {
   std::printf("worst: place %.2g m, tension %.2g N, energy %.2g J\n", worst.place, worst.tension,
               worst.energy);
   EXPECT_EQ(count[static_cast<int>(NetStatus::kUnstable)], 0);
+  EXPECT_EQ(count[static_cast<int>(NetStatus::kStalled)], 0);
   EXPECT_LE(unsure, nets() / 100);
 }
 
