@@ -53,6 +53,8 @@ class Temporary {
 
 Temporary beside(const std::string& path) {
   std::error_code error;
+  require(!fs::exists(path, error) || fs::is_regular_file(path, error),
+          "cannot write '{}': it is not a file but a folder or a device", path);
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
   return Temporary(path);

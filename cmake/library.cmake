@@ -5,9 +5,6 @@
 function(thenar_library name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
-  if(NOT sources)
-    return()
-  endif()
   add_library(thenar_${name} ${sources})
   add_library(thenar::${name} ALIAS thenar_${name})
   target_include_directories(thenar_${name} PUBLIC

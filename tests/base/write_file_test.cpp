@@ -88,6 +88,11 @@ TEST_F(WriteFile, RefusesToReplaceAFolder) {
 }
 
 // Another program, or another run, may be writing to the same place.
+TEST_F(WriteFile, RefusesToReplaceADevice) {
+  EXPECT_THROW(write_file("/dev/null", "x"), InputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
 TEST_F(WriteFile, LeavesTheTemporariesOfOthersAlone) {
   std::ofstream(path("a") + ".tmp") << "somebody else's";
   require_writable(path("a"));
