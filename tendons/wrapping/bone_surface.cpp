@@ -40,16 +40,27 @@ SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
 }
 
 /// Nearest point s^2 p / (s^2 + t) of an ellipsoid of semi-axes s; t solves
-/// |s p / (s^2 + t)| = 1 and is the only root above -min(s^2). Source: [Eberly2013].
+/// |s p / (s^2 + t)| = 1 and is the only root above -min(s^2). Here u = t + min(s^2) is sought,
+/// which keeps its digits near 0. In the middle of the plane across the shortest axis there is no
+/// such root: u = 0, and the point lies off that plane. Source: [Eberly2013].
 Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
+  Eigen::Index shortest = 0;
+  const double least = s.minCoeff(&shortest);
   const Eigen::Array3d s2 = s.array().square(), sp = s.array() * p.array();
-  double low = -s2.minCoeff() + 1e-300, high = sp.matrix().norm();
-  for (int i = 0; i < 1100 && low < high; ++i) {  // bisection ends at neighbouring numbers
-    const double t = 0.5 * (low + high);
-    if (t == low || t == high) break;
-    ((sp / (s2 + t)).matrix().norm() > 1 ? low : high) = t;
+  const Eigen::Array3d longer = s2 - least * least;
+  if (p[shortest] == 0) {
+    Vector3d y = (p.array() == 0).select(0, s2 * p.array() / longer);
+    const double rest = 1 - y.cwiseQuotient(s).squaredNorm();
+    y[shortest] = least * std::sqrt(std::max(rest, 0.0));
+    if (rest >= 0) return y;
   }
-  return (s2 * p.array() / (s2 + 0.5 * (low + high))).matrix();
+  double low = 0, high = sp.matrix().norm() + least * least;
+  for (int i = 0; i < 1100 && low < high; ++i) {  // bisection ends at neighbouring numbers
+    const double u = 0.5 * (low + high);
+    if (u == low || u == high) break;
+    ((sp / (longer + u)).matrix().norm() > 1 ? low : high) = u;
+  }
+  return (s2 * p.array() / (longer + high)).matrix();
 }
 
 SurfaceProbe ellipsoid(const Vector3d& s, const Vector3d& p) {

@@ -56,5 +56,57 @@ TEST(BoneSurface, NearestPointLiesOnTheSurface) {
     EXPECT_NEAR(probe(s, nearest_point(s, {0.006, 0.004, 0.012})).gap, 0, 1e-14);
 }
 
+// Inside an ellipsoid of semi-axes (5, 4, 9) mm, across whose shortest axis all of these points
+// lie.
+const BoneSurface kEgg = surface(SurfaceShape::kEllipsoid, {0.005, 0.004, 0.009});
+
+TEST(BoneSurface, DepthOfTheCentreOfAnEllipsoidIsItsShortestSemiAxis) {
+  EXPECT_NEAR(probe(kEgg, {0, 0, 0}).gap, -0.004, 1e-17);
+}
+
+TEST(BoneSurface, NormalAtTheCentreOfAnEllipsoidIsAlongItsShortestAxis) {
+  const SurfaceProbe at = probe(kEgg, {0, 0, 0});
+  EXPECT_NEAR(std::abs(at.normal.y()), 1, 1e-15);
+  EXPECT_NEAR(at.normal.norm(), 1, 1e-15);
+}
+
+// On the ellipse (a cos v, b sin v) the distance squared from (p, 0) is
+//   (a cos v - p)^2 + b^2 sin^2 v,  least at cos v = a p / (a^2 - b^2):  b^2 (1 - p^2 / (a^2 -
+//   b^2)),
+// of 5, 4 and 1 mm 16 (1 - 1 / 9) = 128 / 9 mm^2, of 9, 4 and 1 mm 16 (1 - 1 / 65) mm^2.
+TEST(BoneSurface, DepthOnTheMiddleAxisOfAnEllipsoid) {
+  EXPECT_NEAR(probe(kEgg, {0.001, 0, 0}).gap, -1e-3 * std::sqrt(128.0 / 9), 1e-17);
+}
+TEST(BoneSurface, DepthOnTheLongestAxisOfAnEllipsoid) {
+  EXPECT_NEAR(probe(kEgg, {0, 0, -0.001}).gap, -1e-3 * std::sqrt(16 * 64.0 / 65), 1e-17);
+}
+TEST(BoneSurface, DepthOnTheShortestAxisOfAnEllipsoid) {
+  EXPECT_NEAR(probe(kEgg, {0, 0.001, 0}).gap, -0.003, 1e-17);
+}
+
+// Beyond p = (a^2 - b^2) / a, here 65 / 9 mm, the nearest point is the tip of that axis.
+TEST(BoneSurface, DepthNearTheTipOfAnEllipsoid) {
+  EXPECT_NEAR(probe(kEgg, {0, 0, 0.008}).gap, -0.001, 1e-17);
+}
+
+// A hair off the plane changes the depth by no more than that hair.
+TEST(BoneSurface, DepthDoesNotJumpAcrossTheMiddlePlaneOfAnEllipsoid) {
+  for (const double hair : {1e-25, -1e-25, 1e-18, -1e-18})
+    EXPECT_NEAR(probe(kEgg, {0.001, hair, 0}).gap, -1e-3 * std::sqrt(128.0 / 9), 1e-17);
+}
+
+TEST(BoneSurface, DepthOfTheCentreOfARoundEllipsoidIsItsRadius) {
+  const SurfaceProbe at =
+      probe(surface(SurfaceShape::kEllipsoid, {0.005, 0.005, 0.005}), {0, 0, 0});
+  EXPECT_NEAR(at.gap, -0.005, 1e-17);
+  EXPECT_TRUE(at.normal.allFinite() && at.curvature.allFinite());
+}
+
+// Two shortest axes: off the longest one the nearest point is straight outwards.
+TEST(BoneSurface, DepthOnAShortestAxisOfAnEllipsoidOfRevolution) {
+  const BoneSurface egg = surface(SurfaceShape::kEllipsoid, {0.004, 0.004, 0.009});
+  EXPECT_NEAR(probe(egg, {0, 0.001, 0}).gap, -0.003, 1e-17);
+}
+
 }  // namespace
 }  // namespace thenar
