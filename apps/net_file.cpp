@@ -29,6 +29,13 @@ SourceText net_source(const std::string& name_or_path) {
   return {found->first, std::string(found->second)};
 }
 
+std::string net_meant(const std::string& hood, const std::string& net) {
+  if (net.empty()) return hood == "net" ? "winslow" : "";
+  require(hood.empty() || hood == "net",
+          "--net {} needs a hood that is a net, got --hood {}; leave one of them out", net, hood);
+  return net;
+}
+
 NetDescription find_net(const std::string& name_or_path) {
   const SourceText source = net_source(name_or_path);
   return parse_net(source.text, source.path);

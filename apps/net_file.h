@@ -20,4 +20,9 @@ namespace thenar {
 /// A net by the same. @throws as well DataError if the file is wrong.
 [[nodiscard]] NetDescription find_net(const std::string& name_or_path);
 
+/// The net that --hood and --net, empty where not given, mean together: a named net means a hood
+/// that is a net; such a hood alone means "winslow". Empty: the hood is no net.
+/// @throws InputError if a net is named for a hood that is none.
+[[nodiscard]] std::string net_meant(const std::string& hood, const std::string& net);
+
 }  // namespace thenar

@@ -27,7 +27,7 @@ namespace {
 struct Options {
   std::string subject, digit, net, excitation_file, output;
   std::vector<std::string> posture, frozen, excitation, tendon_slack;
-  std::string muscle = "rigid-tendon", hood = "fractions";
+  std::string muscle = "rigid-tendon", hood;
   std::vector<double> gravity;
   double seconds = 1, sample_ms = 5, tolerance = 1e-6;
   double damping = JointResistance().damping;
@@ -65,13 +65,15 @@ void set_slack(Subject& subject, const std::vector<std::string>& texts) {
 /// A net that is named means that the hood is one.
 std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& options) {
   TendonOptions rungs;
-  rungs.hood = options.net.empty() ? kHoods.at(options.hood) : Hood::kFloatingNet;
+  const std::string name = net_meant(options.hood, options.net);
+  if (!name.empty())
+    rungs.hood = Hood::kFloatingNet;
+  else if (!options.hood.empty())
+    rungs.hood = kHoods.at(options.hood);
   rungs.frozen = parse_frozen(subject, options.frozen);
   const std::string digit = choose_digit(subject, options.digit);
-  if (rungs.hood != Hood::kFloatingNet) return build_digit_tendons(subject, digit, rungs);
-  require(!options.net.empty(), "a hood that is a net needs --net; nets: {}, or a file",
-          listed(known_nets()));
-  const NetDescription net = find_net(options.net);
+  if (name.empty()) return build_digit_tendons(subject, digit, rungs);
+  const NetDescription net = find_net(name);
   return build_digit_tendons(subject, digit, rungs, &net);
 }
 
@@ -129,8 +131,9 @@ void run(const Options& options) {
                       {{source.path, source.text}}};
   if (!options.excitation_file.empty())
     motion.inputs[options.excitation_file] = read_source(options.excitation_file).text;
-  if (!options.net.empty()) {
-    const SourceText net = net_source(options.net);
+  const std::string net_name = net_meant(options.hood, options.net);
+  if (!net_name.empty()) {
+    const SourceText net = net_source(net_name);
     motion.inputs[net.path] = net.text;
   }
   if (!options.output.empty()) write_motion(motion, options.output);
@@ -148,9 +151,10 @@ void run(const Options& options) {
 void add_rungs(CLI::App& command, Options& options) {
   command.add_option("--muscle", options.muscle, "bounds, rigid-tendon or elastic-tendon")
       ->check(CLI::IsMember(names_of(kMuscles)));
-  command.add_option("--hood", options.hood, "separate, fractions or net")
+  command.add_option("--hood", options.hood, "separate, fractions (default) or net")
       ->check(CLI::IsMember(names_of(kHoods)));
-  command.add_option("--net", options.net, "Name or file (TOML) of a net; means --hood net");
+  command.add_option("--net", options.net,
+                     "Name or file (TOML) of a net, winslow if left out; means --hood net");
   command.add_option("--tendon-slack", options.tendon_slack,
                      "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
   command

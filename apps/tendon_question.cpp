@@ -18,10 +18,12 @@ const std::map<std::string, Hood> kHoods{
 std::unique_ptr<DigitTendons> build(const Subject& subject, const std::string& digit,
                                     const TendonQuestion& question) {
   TendonOptions options;
-  options.hood = kHoods.at(question.hood);
+  const std::string hood = question.hood.empty() ? "net" : question.hood;
+  options.hood = kHoods.at(hood);
   options.frozen = parse_frozen(subject, question.frozen);
-  if (options.hood != Hood::kFloatingNet) return build_digit_tendons(subject, digit, options);
-  const NetDescription net = find_net(question.net);
+  const std::string name = net_meant(hood, question.net);
+  if (name.empty()) return build_digit_tendons(subject, digit, options);
+  const NetDescription net = find_net(name);
   return build_digit_tendons(subject, digit, options, &net);
 }
 
@@ -32,8 +34,9 @@ void add_options(CLI::App& command, TendonQuestion& question) {
   command.add_option("--digit", question.digit, "thumb, index, middle, ring or little");
   command.add_option("--hood", question.hood, "separate, fractions or net (default)")
       ->check(CLI::IsMember({"separate", "fractions", "net"}));
-  command.add_option("--net", question.net,
-                     "Extensor net: " + listed(known_nets()) + ", or a file (TOML)");
+  command.add_option(
+      "--net", question.net,
+      "Extensor net: " + listed(known_nets()) + ", or a file (TOML); winslow if left out");
   command.add_option("--posture", question.posture,
                      "JOINT=degrees ..., or degrees in joint order; others stay at 0");
   command.add_option("--frozen", question.frozen, "JOINT=degrees ...: joints welded there");

@@ -18,8 +18,8 @@ namespace thenar {
 struct TendonQuestion {
   std::string subject;               // path of the subject file
   std::string digit;                 // empty: the only one that the subject has
-  std::string hood = "net";          // separate, fractions or net
-  std::string net = "winslow";       // name or path
+  std::string hood;                  // separate, fractions or net; empty: net
+  std::string net;                   // name or path; empty: winslow if the hood is a net
   std::vector<std::string> posture;  // JOINT=degrees, or degrees in joint order
   std::vector<std::string> frozen;   // JOINT=degrees
   std::vector<std::string> tension;  // MUSCLE=newton

@@ -331,8 +331,9 @@ class Simulate(Near):
         self.assertIn("moves nothing that has mass",
                       complaint("simulate", MIDDLE, "--excitation", "FDP=1", "--muscle", "bounds"))
         self.assertIn("--excitation-file", complaint("simulate", INDEX))
-        self.assertIn("needs --net",
-                      complaint("simulate", INDEX, "--excitation", "FDP=1", "--hood", "net"))
+        self.assertIn("--net winslow needs a hood that is a net, got --hood fractions",
+                      complaint("simulate", INDEX, "--excitation", "FDP=1", "--net", "winslow",
+                                "--hood", "fractions"))
         self.assertIn("must be in 0..1", complaint("simulate", INDEX, "--excitation", "FDP=2"))
         self.assertIn(".csv, .h5 or .html",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "-o", "motion.txt"))
