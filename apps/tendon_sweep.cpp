@@ -2,6 +2,7 @@
 //
 // The same as `tendon solve` over postures, each net started from its neighbour.
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -69,6 +70,18 @@ void warn_of(const TendonCase& at, const VariedJoints& varied,
   }
 }
 
+/// @throws InputError naming the first posture at which the search for balance failed.
+void refuse_stalled(const TendonCase& at, const VariedJoints& varied,
+                    const std::vector<DigitPoint>& points) {
+  if (at.net == nullptr) return;
+  const auto stalled = [](const DigitPoint& p) { return p.rest.status == NetStatus::kStalled; };
+  const auto first = std::find_if(points.begin(), points.end(), stalled);
+  if (first == points.end()) return;
+  throw InputError(fmt::format("the net is stalled at {} of {} postures, first at {}: {}",
+                               std::count_if(first, points.end(), stalled), points.size(),
+                               angles_in_words(at, varied, first->q), trouble_of(*first)));
+}
+
 void run(const Options& options) {
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
@@ -87,6 +100,7 @@ void run(const Options& options) {
   if (points.size() < varied.postures.size())
     throw Interrupted(fmt::format("stopped after {} of {} postures; they are kept", points.size(),
                                   varied.postures.size()));
+  refuse_stalled(at, varied, points);
 }
 
 }  // namespace

@@ -72,8 +72,17 @@ std::vector<Field> number_fields(const TendonCase& at) {
   return fields;
 }
 
-std::string status_of(const TendonCase& at, const DigitPoint& point) {
-  return at.net == nullptr ? "balanced" : name_of(point.rest.status);
+/// A cell of a CSV table, in quotes if it holds any text.
+std::string quoted(const std::string& text) {
+  if (text.empty()) return text;
+  std::string cell = "\"";
+  for (const char c : text) cell += c == '"' ? "\"\"" : std::string(1, c);
+  return cell + "\"";
+}
+
+/// What a net alone has: how its search ended, and whether it snapped.
+std::string net_cells(const DigitPoint& point) {
+  return fmt::format("{},{},", name_of(point.rest.status), point.snapped ? 1 : 0);
 }
 
 }  // namespace
@@ -82,12 +91,13 @@ std::string csv_of(const TendonCase& at, const std::vector<DigitPoint>& points) 
   const std::vector<Field> angles = posture_fields(at.bones().names), numbers = number_fields(at);
   std::string text;
   for (const Field& field : angles) text += field.name + ",";
-  text += "status,snapped";
+  text += at.net == nullptr ? "trouble" : "status,snapped,trouble";
   for (const Field& field : numbers) text += "," + field.name;
   text += "\n";
   for (const DigitPoint& point : points) {
     for (const Field& field : angles) text += fmt::format("{:.10g},", field.value(point));
-    text += fmt::format("{},{}", status_of(at, point), point.snapped ? 1 : 0);
+    if (at.net != nullptr) text += net_cells(point);
+    text += quoted(trouble_of(point));
     for (const Field& field : numbers) text += fmt::format(",{:.10g}", field.value(point));
     text += "\n";
   }
@@ -99,8 +109,11 @@ nlohmann::ordered_json json_of(const TendonCase& at, const std::vector<DigitPoin
   std::vector<Field> fields = posture_fields(at.bones().names);
   for (Field& field : number_fields(at)) fields.push_back(std::move(field));
   for (const DigitPoint& point : points) {
-    json["status"].push_back(status_of(at, point));
-    json["snapped"].push_back(point.snapped);
+    if (at.net != nullptr) {
+      json["status"].push_back(name_of(point.rest.status));
+      json["snapped"].push_back(point.snapped);
+    }
+    json["trouble"].push_back(trouble_of(point));
     for (const Field& field : fields) json[field.name].push_back(field.value(point));
   }
   return json;

@@ -98,7 +98,8 @@ Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint&
   const FingerBone& palm = net.net().frame.bone(BoneRole::kMetacarpal);
   const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
   return {{"type", "scene"},
-          {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "")},
+          {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
+                          (point.pull.trouble.empty() ? "" : "; " + point.pull.trouble)},
           {"up", list(palm.dorsal)},
           {"view", list(view)},
           {"link", "net"},
@@ -157,6 +158,16 @@ Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std:
   Json table = table_block("Tension of every band; 0 is slack.", columns, rows);
   table["search"] = true;
   return table;
+}
+
+/// Where not to trust the sweep, in one line; empty: nowhere.
+std::string trouble_line(const TendonSweep& sweep) {
+  const auto troubled = [](const DigitPoint& point) { return !point.pull.trouble.empty(); };
+  const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), troubled);
+  if (first == sweep.points.end()) return "";
+  return fmt::format("{} of {} postures, first {}: {}.",
+                     std::count_if(first, sweep.points.end(), troubled), sweep.points.size(),
+                     title(sweep, *first), first->pull.trouble);
 }
 
 Json net_section(const TendonSweep& sweep, const NetTendons& net) {
@@ -219,6 +230,10 @@ Json slip_charts(const TendonSweep& sweep) {
 
 Json tendon_page(const TendonSweep& sweep) {
   Json sections = Json::array();
+  const std::string trouble = trouble_line(sweep);
+  if (!trouble.empty())
+    sections.push_back(
+        section("trouble", "Not to be trusted", "", Json::array({text_block(trouble)})));
   const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
   if (net != nullptr) sections.push_back(net_section(sweep, *net));
   if (sweep.row < 2) return sections;
