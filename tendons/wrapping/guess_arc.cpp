@@ -73,12 +73,10 @@ Deepest deepest(const BoneSurface& surface, const Vector3d& a, const Vector3d& b
   return {level(surface, p), p};
 }
 
-/// Does the straight run stay outside? In closed form on an ellipsoid.
-bool clears(const BoneSurface& surface, const Vector3d& a, const Vector3d& b) {
-  if (surface.shape != SurfaceShape::kEllipsoid) return deepest(surface, a, b, 2).level >= 0;
-  const Vector3d u = a.cwiseQuotient(surface.size), d = b.cwiseQuotient(surface.size) - u;
-  const double along = std::clamp(-u.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
-  return (u + along * d).squaredNorm() >= 1;
+/// What a surface is seen through to be a unit sphere about the origin, or a round one.
+Vector3d rounding(const BoneSurface& surface) {
+  if (surface.shape == SurfaceShape::kEllipsoid) return surface.size.cwiseInverse();
+  return {1, 1, surface.shape == SurfaceShape::kCylinder ? 0.0 : 1.0};
 }
 
 /// Where the ray from the middle of the section leaves the surface.
@@ -129,7 +127,7 @@ std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a
                                    const Vector3d& side) {
   auto section = section_through(surface, a, b, side, side);
   if (!section) section = section_through(surface, a, b, Vector3d::Zero(), side);
-  const bool clear = clears(surface, a, b);
+  const bool clear = clearance(surface, a, b) >= 0;
   if (!section) return std::nullopt;
   const Vector2d flat_a = section->flat(a), flat_b = section->flat(b);
   const bool parted = (flat_a.y() > 0) != (flat_b.y() > 0);
@@ -183,6 +181,15 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
 }
 
 }  // namespace
+
+double clearance(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S) {
+  if (surface.shape == SurfaceShape::kTorus) return deepest(surface, a_S, b_S, 32).level;
+  if (surface.shape == SurfaceShape::kCapsule) return deepest(surface, a_S, b_S, 2).level;
+  const Vector3d scale = rounding(surface), u = scale.cwiseProduct(a_S);
+  const Vector3d d = scale.cwiseProduct(b_S) - u;
+  const double along = std::clamp(-u.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
+  return level(surface, a_S + along * (b_S - a_S));
+}
 
 std::optional<WrapArc> guess_arc(const BoneSurface& surface, const Vector3d& a_S,
                                  const Vector3d& b_S, const Vector3d& side_S) {

@@ -121,13 +121,16 @@ double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
   return 1 / most;
 }
 
+/// Largest kink; 1, the most there is, of a chain that has no tangents.
+double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::Infinity>() : 1; }
+
 }  // namespace
 
 ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
   constexpr int kSteps = 60;
   Tangency now = tangency(a, b, chain);
   double size = now.f.squaredNorm();
-  ChainFit fit{now.f.lpNorm<Eigen::Infinity>(), 0};
+  ChainFit fit{largest_kink(now.f), 0};
   std::array<WrapArc, kMostBends> best;
   for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
     const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
@@ -145,7 +148,7 @@ ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>&
       if (better) {
         now = next;
         size = now.f.squaredNorm();
-        fit.error = now.f.lpNorm<Eigen::Infinity>();
+        fit.error = largest_kink(now.f);
       }
     }
     if (better) continue;

@@ -138,6 +138,8 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
       b = ridden.p;
       link = kRiding;
       shape.ride_span = ridden.span;
+      shape.error = std::max(shape.error, carrier.error);  // a rider is no better than its carrier
+      shape.depth = std::max(shape.depth, carrier.depth);
       if (ridden.on_arc) shape.status = PathStatus::kRidesOnBend;
       for (const PathArc& arc : carrier.arcs)
         if (arc.after == ridden.span || arc.after + 1 == ridden.span)
@@ -146,8 +148,9 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
     add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b, rigid_[k][i - 1]}, shape);
     a = b;
   }
-  if (shape.error > kTangent) shape.status = PathStatus::kStalled;
-  if (shape.depth > kInside) shape.status = PathStatus::kPointInside;
+  if (!std::isfinite(shape.length)) shape.error = 1;
+  if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
+  if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
 }
 
 void PathSolver::add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape) {
@@ -236,17 +239,17 @@ void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, cons
                          PathShape& shape) {
   slots_.assign(bends.size(), Slot{});
   sweep(bends, a, b, shape);
-  double error = touch_together(a, b, shape);
-  if (error > kTangent) {
+  double error = settle_on(bends, a, b, shape);
+  if (!(error <= kTangent)) {
     start_over_sides(bends);
     contract_beads(a, b, 400, chain_);
     rest_ = chain_;
   }
-  for (int attempt = 0; error > kTangent && attempt < kAttempts; ++attempt) {
+  for (int attempt = 0; !(error <= kTangent) && attempt < kAttempts; ++attempt) {
     chain_ = rest_;
     nudge(chain_, attempt);
     take_chain(bends);
-    error = touch_together(a, b, shape);
+    error = settle_on(bends, a, b, shape);
   }
   shape.error = std::max(shape.error, error);
 }
@@ -273,6 +276,34 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
     if (!lifts) return fit.error;
   }
   return 1;
+}
+
+/// The same; 1 if a run passes through a surface that lifted off. A point that is inside has no way
+/// around.
+/// @return largest kink [rad]
+double PathSolver::settle_on(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
+                             PathShape& shape) {
+  const double error = touch_together(a, b, shape);
+  return shape.depth > kInside || runs_clear(bends, a, b) ? error : 1;
+}
+
+/// Do the straight runs between surfaces that are touched clear those that are not?
+bool PathSolver::runs_clear(const std::vector<Bend>& bends, const Vector3d& a,
+                            const Vector3d& b) const {
+  Vector3d from = a;
+  for (std::size_t i = 0; i < bends.size(); ++i) {
+    if (slots_[i].on) {
+      from = slots_[i].touch_b;
+      continue;
+    }
+    Vector3d to = b;
+    for (std::size_t k = bends.size(); k-- > i + 1;)
+      if (slots_[k].on) to = slots_[k].touch_a;
+    const auto s = static_cast<std::size_t>(bends[i].surface);
+    const Pose<double> to_S = X_[s].inverse();
+    if (!(clearance(set_->surfaces[s], to_S * from, to_S * to) >= -kInside)) return false;
+  }
+  return true;
 }
 
 /// Every surface of the run, touched at its side.
@@ -321,7 +352,7 @@ void PathSolver::sweep(const std::vector<Bend>& bends, const Vector3d& a, const 
     }
     for (const Slot& slot : slots_)
       if (slot.on) error = std::max(error, slot.error);
-    if (moved_by < 1e-6 || error > 1e-3) return;
+    if (moved_by < 1e-6 || !(error <= 1e-3)) return;
   }
 }
 

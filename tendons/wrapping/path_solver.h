@@ -16,7 +16,7 @@ enum class PathStatus {
   kTaut,         // tangent everywhere to 1e-11 rad
   kRidesOnBend,  // the origin has come where its carrier bends: arms leave its sliding across out
   kPointInside,  // a point has moved into a surface beside it: see `depth`
-  kStalled       // Newton's method did not get there: see `error`
+  kStalled       // Newton's method did not get there, or leaves a run through bone: see `error`
 };
 
 /// Link of an origin that rides on another tendon.
@@ -44,10 +44,10 @@ struct PathArc {
 /// One tendon at one posture.
 struct [[nodiscard]] PathShape {
   PathStatus status = PathStatus::kTaut;  // read this first
-  double error = 0;                       // largest kink at a surface [rad]
-  double depth = 0;                       // of the deepest point inside a surface [m]
-  int iterations = 0;                     // Newton steps; 0: all in closed form
-  double length = 0;                      // [m]
+  double error = 0;    // largest kink, 1: bone in the way; or its carrier's [rad]
+  double depth = 0;    // of the deepest point inside a surface, likewise [m]
+  int iterations = 0;  // Newton steps; 0: all in closed form
+  double length = 0;   // [m]
   std::vector<PathSpan> spans;
   std::vector<PathArc> arcs;
   int ride_span = -1;  // of the carrier, on which the origin lies; -1: the origin does not ride
@@ -87,6 +87,10 @@ class PathSolver {
   void wrap_one(std::size_t slot, const Bend& bend, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, PathShape& shape);
   double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
+  double settle_on(const std::vector<Bend>& bends, const Eigen::Vector3d& a,
+                   const Eigen::Vector3d& b, PathShape& shape);
+  [[nodiscard]] bool runs_clear(const std::vector<Bend>& bends, const Eigen::Vector3d& a,
+                                const Eigen::Vector3d& b) const;
   void start_over_sides(const std::vector<Bend>& bends);
   void take_chain(const std::vector<Bend>& bends);
   static void set_touches(Slot& slot);

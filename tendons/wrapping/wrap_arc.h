@@ -32,6 +32,10 @@ struct RoundArc {
                                                  const Eigen::Vector3d& b_S,
                                                  const Eigen::Vector3d& side_S);
 
+/// Least level on the straight run from a to b: negative where it passes through the surface [m].
+[[nodiscard]] double clearance(const BoneSurface& surface, const Eigen::Vector3d& a_S,
+                               const Eigen::Vector3d& b_S);
+
 /// A start for Newton's method on any other surface; nothing if the string is straight.
 ///
 /// Capsule and ellipsoid: the taut string in the plane of a, b and the point `side`, held on its

@@ -189,6 +189,57 @@ TEST(PathSolver, SaysHowDeepAPointHasMovedIn) {
   EXPECT_TRUE(std::isfinite(shape.length));
 }
 
+// Ends, centre and side in line leave the start without a plane to bend in.
+class PathSolverInLine : public testing::TestWithParam<BoneSurface> {};
+TEST_P(PathSolverInLine, NeverTakesAStringThroughBoneForTaut) {
+  const PathShape shape = shape_of(string_over({GetParam()}, kLeft, kRight, {0.02, 0, 0}));
+  EXPECT_TRUE(shape.status == PathStatus::kStalled || !shape.arcs.empty());
+  EXPECT_TRUE(shape.status == PathStatus::kStalled || shape.length > 0.021);
+}
+INSTANTIATE_TEST_SUITE_P(AnyShape, PathSolverInLine,
+                         testing::Values(kCapsule,
+                                         surface(SurfaceShape::kEllipsoid, {0.007, 0.005, 0.006})),
+                         [](const auto& test) { return "Shape" + std::to_string(test.index); });
+
+// An end where the arc starts: the run to it has no direction, and no kink is known.
+TEST(PathSolver, TakesARunWithoutADirectionForTheLargestKink) {
+  const Vector3d top(0, 0.005, 0);
+  std::vector<ChainArc> chain{{&kSphere, {}, {{top, Vector3d::UnitX()}, 0.001}}};
+  EXPECT_EQ(straighten(top, kRight, chain).error, 1);
+}
+
+TEST(PathSolver, NeverTakesALengthThatIsNoNumberForTaut) {
+  const Vector3d nowhere(std::nan(""), 0, 0);
+  EXPECT_EQ(shape_of(string_over({}, kLeft, nowhere, kUp)).status, PathStatus::kStalled);
+}
+
+/// A carrier over a surface, and a rider from beside it to the middle of its last run.
+PathShape rider_of(PathSet set) {
+  WrappedPath rider;
+  rider.name = "rider";
+  rider.points = {{-1, {0.02, 0.02, 0}}, {-1, {0, 0, 0}}};
+  rider.bends.resize(1);
+  rider.carrier = 0;
+  rider.ride = 0.001;
+  set.paths.push_back(rider);
+  return PathSolver(set).solve({})[1];
+}
+
+TEST(PathSolver, SaysThatTheCarrierOfAStringIsBuried) {
+  const PathShape shape = rider_of(string_over({kCylinder}, {-0.004, 0, 0}, kRight, kUp));
+  EXPECT_EQ(shape.status, PathStatus::kPointInside);
+  EXPECT_NEAR(shape.depth, 0.001, kRounding);
+}
+
+TEST(PathSolver, SaysThatTheCarrierOfAStringIsStalled) {
+  const Vector3d nowhere(std::nan(""), 0, 0);
+  EXPECT_EQ(rider_of(string_over({}, kLeft, nowhere, kUp)).status, PathStatus::kStalled);
+}
+
+TEST(PathSolver, LeavesARiderOfATautCarrierTaut) {
+  EXPECT_EQ(rider_of(string_over({}, kLeft, kRight, kUp)).status, PathStatus::kTaut);
+}
+
 // As an end rises, the string lifts off: neither its length nor its slope jumps. The second
 // derivative of the length by the end's height is at most 1 / (free run) ~ 100 / m.
 class PathSolverLiftsOff : public testing::TestWithParam<BoneSurface> {};
