@@ -65,7 +65,7 @@ void BM_Slope(benchmark::State& state) {
   const Finger finger(static_cast<Muscle>(state.range(0)));
   FingerMotion motion(finger.model());
   const MotionState at =
-      motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation());
+      motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
   for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }
 BENCHMARK(BM_Slope)->ArgName("rung")->Arg(0)->Arg(1)->Arg(2)->Unit(benchmark::kMicrosecond);
@@ -80,7 +80,7 @@ void BM_SlopeUnderNet(benchmark::State& state) {
                                          read_net(THENAR_DATA_DIR "/nets/winslow.toml"));
   FingerMotion motion({*tendons, *finger.contraction});
   const MotionState at =
-      motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation());
+      motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
   const std::string trouble = motion.accept(at);
   if (!trouble.empty()) state.SkipWithError(trouble.c_str());
   for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));

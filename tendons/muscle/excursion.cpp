@@ -5,8 +5,8 @@
 
 namespace thenar {
 
-Eigen::VectorXd excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
-                          const Eigen::VectorXd& to, const Eigen::VectorXd& t) {
+Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
+                    const Eigen::VectorXd& to, const Eigen::VectorXd& t) {
   struct Node {
     double at, weight;  // on -1..1
   };
@@ -20,16 +20,17 @@ Eigen::VectorXd excursion(const DigitTendons& tendons, const Eigen::VectorXd& fr
   const double longest = way.size() > 0 ? way.cwiseAbs().maxCoeff() : 0;
   const int pieces = static_cast<int>(std::ceil(longest / kPiece));
 
-  Eigen::VectorXd e = Eigen::VectorXd::Zero(t.size());
+  Excursion sum{Eigen::VectorXd::Zero(t.size()), {}};
   Eigen::Matrix3Xd nodes;
   for (int k = 0; k < pieces; ++k)
     for (const Node& node : kGauss) {
       const double s = (k + (1 + node.at) / 2) / pieces;
       const TendonPull pull = tendons.pull(from + s * way, t, nodes);
-      e -= node.weight / (2 * pieces) * (pull.R * way);
+      sum.e -= node.weight / (2 * pieces) * (pull.R * way);
+      if (sum.trouble.empty()) sum.trouble = pull.trouble;
       nodes = pull.nodes;
     }
-  return e;
+  return sum;
 }
 
 }  // namespace thenar

@@ -40,7 +40,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
             muscles[m].name, names[m]);
 }
 
-MotionState FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
+MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
                                 const VectorXd& activation) const {
   const Index joints = damping_.size(), muscles = muscles_;
   require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
@@ -49,16 +49,17 @@ MotionState FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
-  MotionState state{q, q_dot, activation, {}, {}, {}, 0, 0};
-  state.excursion =
+  const Excursion way =
       excursion(model_.tendons, VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
+  const std::string trouble = way.trouble.empty() ? "" : "on the way to the start: " + way.trouble;
+  MotionState state{q, q_dot, activation, way.e, {}, {}, 0, 0};
   if (net_feels_) state.felt = tension(state, VectorXd::Zero(muscles));
-  if (!model_.contraction.has_reach()) return state;
+  if (!model_.contraction.has_reach()) return {state, trouble};
   VectorXd reach(muscles);
   for (int m = 0; m < muscles; ++m)
     reach[m] = model_.contraction.reach_at_rest(m, activation[m], muscle_state(state, m).length);
   state.reach = reach;
-  return state;
+  return {state, trouble};
 }
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {

@@ -35,6 +35,12 @@ struct MotionState {
 /// How fast a net takes up the change of a tension [s]; a choice of ours, short for a finger.
 inline constexpr double kNetLag = 1e-3;
 
+/// Where a motion begins.
+struct [[nodiscard]] MotionOnset {
+  MotionState state;
+  std::string trouble;  // why not to trust its excursion; empty: nothing
+};
+
 /// What follows from a state.
 struct MotionInstant {
   Eigen::VectorXd tension;  // [N] (muscles)
@@ -61,8 +67,8 @@ class FingerMotion {
   /// At rest at a posture, with the excursion from the reference posture, and fibres in balance.
   /// @param activation  (muscles)
   /// @throws InputError if a length is wrong or an entry not finite.
-  [[nodiscard]] MotionState start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
-                                  const Eigen::VectorXd& activation) const;
+  MotionOnset start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
+                    const Eigen::VectorXd& activation) const;
 
   /// @param excitation  0..1 [1] (muscles)
   /// @return rates of all states

@@ -124,10 +124,11 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 
   FingerMotion motion(model);
   const VectorXd still = VectorXd::Zero(start.q.size());
-  const MotionState first =
+  const auto [first, trouble] =
       motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
                    start.activation.size() > 0 ? start.activation : piece->first);
   Recorder recorder(model, motion, options);
+  recorder.note(trouble, 0);
   recorder.note(motion.accept(first), 0);
   recorder.keep(first, piece->first);
 

@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(Muscles, EveryRung,
 
 /// Torque at rest with muscles at activation a, fibres on rigid tendons [N m].
 VectorXd static_torque(const Mover& mover, const VectorXd& q, double a) {
-  const VectorXd e = excursion(*mover.tendons, VectorXd::Zero(q.size()), q, mover.excited(1));
+  const VectorXd e = excursion(*mover.tendons, VectorXd::Zero(q.size()), q, mover.excited(1)).e;
   VectorXd t(e.size());
   for (int m = 0; m < t.size(); ++m) {
     const double length =
@@ -266,7 +266,7 @@ TEST(FingerMotion, NetIsLinearAboutTheTensionItHasTakenUp) {
       musculotendons(subject, tendons.digit(), Muscle::kRigidTendon), Muscle::kRigidTendon);
   FingerMotion motion({tendons, *contraction});
   const VectorXd one = VectorXd::Ones(1);
-  MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one);
+  MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one).state;
   EXPECT_NEAR(state.felt[0], 25, 1e-12);  // a F0
   state.felt[0] = 8;
   const MotionInstant now = motion.at(state);
