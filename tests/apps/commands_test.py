@@ -2,6 +2,7 @@
 
 Usage: commands_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
 """
+import csv
 import json
 import math
 import os
@@ -305,6 +306,11 @@ class Simulate(Near):
         self.assertEqual(answer["status"], "done")
         self.assertGreater(answer["last"]["slips_N"]["terminal"], 0)
 
+    def test_hood_that_is_a_net_is_winslows_unless_named(self):
+        words = ("simulate", INDEX, "--excitation", "EDC=0.1", "--seconds", 0.02)
+        self.assertEqual(ask(*words, "--hood", "net")["last"],
+                         ask(*words, "--net", "winslow")["last"])
+
     def test_interrupt_keeps_what_there_is(self):
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "motion.csv"
@@ -388,6 +394,29 @@ class Tendon(Near):
         for radial, ulnar, terminal in zip(answer["radial_N"], answer["ulnar_N"],
                                            answer["terminal_N"]):
             self.near([terminal], [radial + ulnar], 1e-6)
+
+    def test_sweep_tells_at_which_postures_not_to_trust_it(self):
+        words = ("tendon", "sweep", SYNEK, "--net", "dogadov2017", "--tension", "RI=5", "UI=0.1",
+                 "--vary", "MCP3_FE=-20:80:50", "--vary", "DIP3=0:80:40")
+        with tempfile.TemporaryDirectory() as folder:
+            page, table = pathlib.Path(folder) / "net.html", pathlib.Path(folder) / "net.csv"
+            for path in (page, table):
+                self.assertEqual(run(*words, "-o", path).returncode, 0)
+            with table.open(newline="") as file:
+                rows = list(csv.DictReader(file))
+            text = page.read_text()
+        self.assertEqual({row["status"] for row in rows}, {"balanced", "drawn in"})
+        for row in rows:
+            self.assertEqual("has drawn in" in row["trouble"], row["status"] == "drawn in")
+        self.assertEqual([row["trouble"] for row in rows], ask(*words)["trouble"])
+        troubled = sum(row["trouble"] != "" for row in rows)
+        self.assertIn(f"{troubled} of {len(rows)} postures, first", text)
+
+    def test_sweep_without_a_net_has_no_status_of_one(self):
+        answer = ask("tendon", "sweep", MIDDLE, "--hood", "separate", "--tension", "FDP=2",
+                     "--vary", "PIP3=0:20:20")
+        self.assertNotIn("status", answer)
+        self.assertEqual(answer["trouble"], ["", ""])
 
     def test_a_report_is_written(self):
         with tempfile.TemporaryDirectory() as folder:
