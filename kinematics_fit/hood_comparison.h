@@ -22,7 +22,7 @@ struct HoodRung {
   ForceError hood_muscles;                   // of trials whose muscles all pull on the hood
   double off_finest = 0;             // RMS distance of its forces from those of the last rung,
                                      // per RMS force of that [1]
-  double seconds = 0;                // for one posture under one load, median [s]
+  double seconds = 0;                // for one posture and load, a net started where it rests [s]
   std::vector<std::string> trouble;  // trial and reason, where a net is not to be trusted
 };
 

@@ -20,7 +20,7 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
       "those "
       "whose muscles pull on the hood alone, and the distance from the finest rung, each relative "
       "to "
-      "the forces; time for one posture under one load.",
+      "the forces; time for one posture under one load, a net started where it rests.",
       {{"specimen", "", -1},
        {"hood", "", -1},
        {"error", "1", 3},
@@ -31,21 +31,36 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
       rows);
 }
 
-/// Distance from the finest rung over time, one point a rung.
-Json time_chart(const HoodComparison& comparison) {
+/// A measure of every rung over its time, one point a rung.
+template <typename Measure>
+Json time_chart(const HoodComparison& comparison, const std::string& caption,
+                const std::string& y_label, Measure measure) {
   Json series = Json::array();
   for (const HoodRung& rung : comparison.rungs)
     series.push_back({{"name", rung_name(rung)},
                       {"style", "points"},
                       {"x", {1e6 * rung.seconds}},
-                      {"y", {rung.prediction.error.relative}}});
+                      {"y", {measure(rung)}}});
   return {{"type", "lines"},
-          {"caption", "Error of the predicted forces of " + comparison.experiment +
+          {"caption", caption + " of " + comparison.experiment +
                           " over the time for one posture. Lower left is better."},
           {"x_label", "time [\u00b5s]"},
-          {"y_label", "relative error [1]"},
+          {"y_label", y_label},
           {"log_x", true},
           {"series", series}};
+}
+
+/// Error against what was measured, and distance from the finest rung, for every specimen.
+Json time_charts(const std::vector<HoodComparison>& comparisons) {
+  Json errors = Json::array(), distances = Json::array();
+  for (const HoodComparison& comparison : comparisons) {
+    errors.push_back(time_chart(comparison, "Error of the predicted forces", "relative error [1]",
+                                [](const HoodRung& r) { return r.prediction.error.relative; }));
+    distances.push_back(time_chart(comparison, "Distance from the forces of the finest rung, those",
+                                   "off finest [1]",
+                                   [](const HoodRung& r) { return r.off_finest; }));
+  }
+  return {row_block(errors), row_block(distances)};
 }
 
 }  // namespace
@@ -54,9 +69,7 @@ Json hood_page(const TendonSweep& sweep, const std::vector<HoodComparison>& comp
   Json blocks = net_scenes(sweep, 2);
   for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
   blocks.push_back(error_table(comparisons));
-  Json charts = Json::array();
-  for (const HoodComparison& comparison : comparisons) charts.push_back(time_chart(comparison));
-  blocks.push_back(row_block(charts));
+  for (const Json& charts : time_charts(comparisons)) blocks.push_back(charts);
   return section(
       "hood", "The extensor mechanism as a floating net",
       "The net hangs between bones and muscles, and finds its own shape: how the "
