@@ -13,6 +13,7 @@
 
 #include "apps/commands.h"
 #include "apps/net_file.h"
+#include "apps/output_ending.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
 #include "apps/tendon_commands.h"
@@ -184,6 +185,7 @@ void write_page(const Case& at, const Answer& answer, const Options& options) {
 void run(const Options& options) {
   require(options.method == "sparse" || options.method == "explore",
           "method must be sparse or explore, got '{}'", options.method);
+  require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   Case at;
   Answer answer;

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/output_ending.h"
 #include "apps/tendon_answer.h"
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
@@ -23,6 +24,7 @@ struct Options {
 };
 
 void run(const Options& options) {
+  require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
   const std::vector<DigitPoint> points = sweep_digit(*at.tendons, {at.q}, at.t);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "apps/named_numbers.h"
+#include "apps/output_ending.h"
 #include "apps/posture_options.h"
 #include "apps/progress_bar.h"
 #include "apps/tendon_answer.h"
@@ -83,6 +84,7 @@ void refuse_stalled(const TendonCase& at, const VariedJoints& varied,
 }
 
 void run(const Options& options) {
+  require_ending(options.output, {".csv", ".html"});
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
   const VariedJoints varied = parse_varied(at.bones().skeleton, at.q, options.vary);
