@@ -9,10 +9,12 @@ import sys
 # A folder may include only from floors below it.
 MAY_SEE = {
     "base": [],
+    "sampling": ["base/"],
     "data/io": ["base/"],
     "hand": ["base/", "data/io/"],
     "tendons": ["base/", "data/io/", "hand/"],
     "kinematics_fit": ["base/", "data/io/", "hand/", "tendons/"],
+    "posterior": ["base/", "sampling/", "data/io/", "hand/", "tendons/", "kinematics_fit/"],
     # The interface of a hand, and nothing else of hand/.
     "grasp": ["base/", "data/io/", "hand/hand.h", "hand/multibody.h"],
 }

@@ -65,6 +65,35 @@ TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
   EXPECT_NE(trouble.find("has drawn in 'ulnar_knot'"), std::string::npos) << trouble;
 }
 
+// A knot in its exit is held there whatever its muscle adds; the rest of the net still has arms.
+TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
+  auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  const NetTendons tendons(std::move(linear), std::move(torn));
+  const TendonPull at = tendons.pull(kPosture, kTension, {});
+  constexpr double kStep = 1e-3;  // [N]
+  for (Eigen::Index m = 0; m < kTension.size(); ++m) {
+    VectorXd more = kTension, less = kTension;
+    more(m) += kStep, less(m) -= kStep;
+    const VectorXd slope = (tendons.pull(kPosture, more, at.nodes).tau -
+                            tendons.pull(kPosture, less, at.nodes).tau) /
+                           (2 * kStep);
+    EXPECT_TRUE(matrix_near(at.R.row(m).transpose(), slope, 1e-8));  // [m/rad]
+  }
+}
+
+TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
+  auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
+  BuiltNet built = build_net(finger(), linear->digit(), net("winslow"));
+  NetSolverOptions hasty;
+  hasty.max_iterations = 2;
+  const NetTendons tendons(std::move(linear), std::move(built), hasty);
+  const TendonPull at = tendons.pull(kPosture, kTension, {});
+  EXPECT_NE(at.trouble.find("not balanced"), std::string::npos) << at.trouble;
+  EXPECT_NE(at.trouble.find("moment arms are without the net"), std::string::npos) << at.trouble;
+  EXPECT_TRUE(at.R.allFinite());
+}
+
 // A surface that has grown over an insertion buries the band that bends over it.
 TEST(NetTendons, TellsThatABandIsBuried) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});

@@ -196,16 +196,113 @@ TEST_P(NetDerivativesOf, TorqueByDriveIsReciprocal) {
 
 INSTANTIATE_TEST_SUITE_P(BonesOrNone, NetDerivativesOf, testing::Bool());
 
-TEST(NetDerivatives, RefuseANetThatIsNotBalanced) {
+TEST(NetDerivatives, RefuseANetThatIsNotBalancedOrAtASaddle) {
   const SampleNet sample = sample_net_on_bone(6, 12);
   NetEquilibrium rest = rest_of(sample);
-  rest.status = NetStatus::kStalled;
-  EXPECT_THROW(
-      (void)net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
-      InputError);
-  EXPECT_THROW(
-      (void)torque_by_drive(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
-      InputError);
+  EXPECT_EQ(no_slopes(sample.net, rest), "");
+  for (NetStatus status : {NetStatus::kStalled, NetStatus::kWoundRound, NetStatus::kUnstable}) {
+    rest.status = status;
+    EXPECT_NE(no_slopes(sample.net, rest), "");
+    EXPECT_THROW(
+        (void)net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
+        InputError);
+    EXPECT_THROW(
+        (void)torque_by_drive(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
+        InputError);
+  }
+}
+
+/// Random nets in which a muscle has drawn a node into its exit, well held otherwise.
+std::vector<SampleNet> drawn_nets(int count) {
+  std::vector<SampleNet> drawn;
+  for (unsigned seed = 1; static_cast<int>(drawn.size()) < count; ++seed) {
+    std::mt19937 rng(seed);
+    RandomNetOptions options;
+    options.max_free = 5;
+    options.weak = 1;
+    SampleNet sample = random_net(rng, options);
+    const NetEquilibrium rest = rest_of(sample);
+    bool clear = rest.status == NetStatus::kDrawnIn && rest.loose.empty() &&
+                 no_slopes(sample.net, rest).empty();
+    for (Eigen::Index b = 0; b < rest.length.size(); ++b) {
+      const NetBand& band = sample.net.bands[static_cast<std::size_t>(b)];
+      const double strain = rest.length(b) / band.slack - 1;
+      if (band.muscle < 0)
+        clear = clear && std::abs(strain) > 2e-3 && std::abs(strain - band.toe) > 2e-3;
+    }
+    for (const NetDrawnBand& held : rest.drawn)  // neither let go nor just caught
+      clear = clear && held.force.norm() <
+                           0.9 * sample.drive.tension(
+                                     sample.net.bands[static_cast<std::size_t>(held.band)].muscle);
+    if (clear) drawn.push_back(std::move(sample));
+  }
+  return drawn;
+}
+
+/// tau by solving anew after a change.
+template <typename Change>
+VectorXd torque_after(const SampleNet& sample, const NetEquilibrium& rest, const Change& change) {
+  SampleNet moved = sample;
+  change(moved);
+  return net_torque(moved.net, moved.tree, moved.state(), rest_of(moved, &rest.x),
+                    moved.coordinates());
+}
+
+// A node in its exit rides on it: its muscle may pull harder, and nothing else changes.
+TEST(NetDerivatives, OfADrawnInNetMatchDifferences) {
+  for (const SampleNet& sample : drawn_nets(4)) {
+    const NetEquilibrium rest = rest_of(sample);
+    const int n = sample.coordinates();
+    const Eigen::MatrixXd by_drive =
+        torque_by_drive(sample.net, sample.tree, sample.state(), sample.drive, rest, n);
+    const NetDerivatives d =
+        net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, n);
+    for (Eigen::Index m = 0; m < sample.drive.tension.size(); ++m) {
+      const double t = sample.drive.tension(m);
+      if (std::isfinite(sample.drive.length(m)) || t == 0) continue;
+      const VectorXd expected = slope_of(
+          [&](double by) {
+            return torque_after(sample, rest, [&](SampleNet& s) { s.drive.tension(m) += by; });
+          },
+          1e-4 * t);
+      EXPECT_TRUE(matrix_near(by_drive.col(m), expected, 1e-8));  // [m/rad]
+      EXPECT_TRUE(matrix_near(d.by_drive.tau.col(m), expected, 1e-8));
+    }
+    for (int l = 0; l < n; ++l) {
+      const VectorXd expected = slope_of(
+          [&](double by) { return torque_after(sample, rest, [&](SampleNet& s) { s.q(l) += by; }); },
+          1e-4);
+      EXPECT_TRUE(matrix_near(d.by_posture.tau.col(l), expected,
+                              2e-6 * expected.cwiseAbs().maxCoeff() + 1e-9));  // [N m/rad]
+    }
+  }
+}
+
+// Two bands of length L at +-60 degrees hold a node a few micrometres before the exit of its
+// muscle, nearer than where the solver takes a spring for the pull. By hand, dx/dt = 1 / K with
+//   K = 2 (EA / s cos^2 60 + T / L sin^2 60).
+TEST(NetDerivatives, OfAMuscleOfAFewMicrometresAreThoseOfItsPull) {
+  constexpr double kShort = 3e-6, L = 0.02, EA = 200, t = 3;  // [m], [m], [N], [N]
+  const double c = 0.5, s = std::sqrt(0.75), slack = L / (1 + t / EA);
+  Net net;
+  net.name = "Y";
+  add_node(net, true, -1, {0, 0, 0});
+  add_node(net, false, -1, {kShort, 0, 0});
+  add_node(net, false, -1, {-L * c, L * s, 0});
+  add_node(net, false, -1, {-L * c, -L * s, 0});
+  add_band(net, 0, 1, 1, 1, 0, 0);
+  add_band(net, 0, 2, slack, EA);
+  add_band(net, 0, 3, slack, EA);
+  net.muscles = {"pull"};
+  const NetDrive drive{VectorXd::Constant(1, t), {}};
+  const NetEquilibrium rest = NetSolver(net).solve({}, drive);
+  ASSERT_EQ(rest.status, NetStatus::kBalanced);
+  ASSERT_NEAR(rest.length(0), kShort, 1e-9);
+  const NetDerivatives d = net_derivatives(net, {}, {}, drive, rest, 0);
+  const double K = 2 * (EA / slack * c * c + t / L * s * s);
+  EXPECT_NEAR(d.by_drive.x(0, 0), 1 / K, 1e-6 / K);
+  EXPECT_NEAR(d.by_drive.tension(0, 0), 1, 1e-12);
+  EXPECT_NEAR(d.by_drive.tension(1, 0), EA / slack * c / K, 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+#pragma once
+
+/// ArviZ InferenceData on netCDF-4: groups of labelled arrays. The one fence of netCDF.
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// A labelled array of one group, row-major.
+struct InferenceArray {
+  std::vector<double> values;           // row-major (product of the lengths of its dimensions)
+  std::vector<std::string> dimensions;  // names: {"chain", "draw", "parameter"}
+  std::string unit;                     // "mm", "N", "1": the attribute `units`
+  std::string description;              // the attribute `long_name`; may be empty
+  bool integer = false;                 // stored as 64-bit integers
+  bool boolean = false;                 // stored as ArviZ stores bool
+};
+
+/// Names along a dimension; dimensions without them are counted 0, 1, 2, ...
+struct InferenceGroup {
+  std::map<std::string, std::size_t> lengths;                   // of every dimension
+  std::map<std::string, std::vector<std::string>> coordinates;  // of dimension -> names
+  std::map<std::string, InferenceArray> arrays;
+};
+
+/// posterior, sample_stats, log_likelihood, posterior_predictive, prior, observed_data, ...
+struct InferenceFile {
+  std::map<std::string, InferenceGroup> groups;
+  std::map<std::string, std::string> attributes;  // of the whole: provenance, inputs
+};
+
+/// Writes to `path + ".tmp"` and renames when complete. `az.from_netcdf(path)` opens it.
+/// @throws InputError if shapes disagree or the file cannot be written.
+void write_inference(const InferenceFile& file, const std::string& path);
+
+/// @throws DataError if there is no such file, or it is not one of ours.
+[[nodiscard]] InferenceFile read_inference(const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,53 @@
+#pragma once
+
+/// Forces of an experiment and their adjoint, several points at a time.
+
+#include <memory>
+
+#include <Eigen/Core>
+
+#include "kinematics_fit/predict_forces.h"
+
+namespace thenar {
+
+/// predict_forces() for many parameter values at once, with derivatives by a hand-written adjoint.
+///
+/// Points share registers (lanes) of the widest vector unit that this processor has; any unit
+/// gives the same bits, as does a point alone. Constant once built; used by many threads.
+/// Derivation: docs/theory/fitting.md, "The adjoint of the force model".
+class ForceKernel {
+ public:
+  /// @param parameters  which entries of the parameter values move; the others stay at their mean
+  ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
+              const ExperimentPlan& plan);
+  ~ForceKernel();
+  ForceKernel(ForceKernel&&) noexcept;
+
+  [[nodiscard]] int coordinates() const;  // of u, FitParameters::coordinates()
+  [[nodiscard]] int trials() const;
+  [[nodiscard]] static int lanes();  // points that cost least for each together
+
+  /// Forces of every trial at displacements u (coordinates, points) [N] (3 trials, points).
+  /// NaN where the held tip is singular.
+  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& u) const;
+
+  /// What forces() went through, for pull_back().
+  class Tape;
+
+  struct Recorded {
+    Eigen::MatrixXd forces;      // [N] (3 trials, points)
+    std::shared_ptr<Tape> tape;  // shared, since the type is private to the source
+  };
+  [[nodiscard]] Recorded record(const Eigen::Ref<const Eigen::MatrixXd>& u) const;
+
+  /// J' w for every point, J = d forces / du  (coordinates, points).
+  /// @param weights  [1/N times whatever] (3 trials, points)
+  [[nodiscard]] Eigen::MatrixXd pull_back(const Recorded& recorded,
+                                          const Eigen::Ref<const Eigen::MatrixXd>& weights) const;
+
+ private:
+  struct Program;
+  std::unique_ptr<Program> program_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,65 @@
+#pragma once
+
+/// Have the chains converged, and how well is each quantity known?
+/// Source: [Vehtari2021] for all numbers of this file.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "sampling/draws.h"
+
+namespace thenar {
+
+/// Potential scale reduction. @param x  (draws, chains), at least 4 draws a chain  @return [1];
+/// NaN where a draw is not finite or all draws are alike.
+[[nodiscard]] double split_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x);
+/// The larger of the rank-normalised and the folded one.
+[[nodiscard]] double rank_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// Effective sample sizes [1]; NaN as above.
+[[nodiscard]] double bulk_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);  // of 5 and 95 %
+[[nodiscard]] double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share);
+[[nodiscard]] double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// Monte Carlo standard errors, in the unit of x.
+[[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// One quantity of a posterior, in its own unit.
+struct Estimate {
+  std::string name;
+  double mean, sd, mcse_mean, mcse_sd;
+  double q05, median, q95;  // quantiles
+  double r_hat;             // rank-normalised, over chains and over groups, the larger [1]
+  double bulk_ess, tail_ess;
+};
+
+/// @param x      (draws, chains)
+/// @param group  of each chain; chains of one group are pooled for R-hat over groups
+[[nodiscard]] Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                const std::vector<int>& group);
+
+/// What a run must reach to be believed.
+struct ConvergenceLimits {
+  double r_hat = 1.01;         // largest allowed [1]
+  double ess_per_chain = 100;  // least bulk and tail ESS, times the number of groups [1]
+  double divergent_share = 0;  // of draws [1]
+  double swap_rate = 0.05;     // least between neighbours [1]
+};
+
+/// Empty `reasons`: converged as far as anyone can tell.
+struct Convergence {
+  std::vector<Estimate> estimates;  // of every entry of x, as named
+  double worst_r_hat = 0, least_bulk_ess = 0, least_tail_ess = 0;
+  long divergent = 0, broken = 0, depth_limit = 0;  // steps
+  std::vector<std::string> reasons;                 // each a sentence with the figure and its limit
+};
+
+[[nodiscard]] Convergence assess(const Draws& draws, const std::vector<std::string>& names,
+                                 const ConvergenceLimits& limits = {});
+
+}  // namespace thenar

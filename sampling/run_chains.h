@@ -1,0 +1,46 @@
+#pragma once
+
+/// Warm-up and sampling of many chains and temperatures: threads, ranks, checkpoints.
+
+#include <functional>
+#include <string>
+
+#include "base/progress.h"
+#include "sampling/draws.h"
+#include "sampling/ranks.h"
+
+namespace thenar {
+
+struct RunOptions {
+  SamplingMethod method = SamplingMethod::kNuts;
+  SamplerOptions sampler;        // seed, warm-up, metric; temper and first_chain are set by the run
+  int groups = 4;                // independent chains, or ensembles [1]
+  int walkers = 1;               // chains of one ensemble; 1 unless the method is one [1]
+  int temperatures = 1;          // 1: no tempering [1]
+  double least_temper = 0;       // power of the likelihood of the hottest; 0: the prior [1]
+  int swap_every = 1;            // steps between swaps [1]
+  long draws = 1000;             // of each chain, after thinning [1]
+  int thin = 1;                  // steps a draw [1]
+  std::string folder;            // of checkpoints and streams; empty: in memory only
+  double checkpoint_every = 10;  // [s]
+  int threads = 0;               // 0: as many as there are processors [1]
+  std::string fingerprint;       // of target and data: a checkpoint of another one is refused
+  Progress progress;
+};
+
+/// Runs or resumes. Streams and checkpoints go to `folder`; killed at any moment, the same call
+/// goes on from there and ends with the same draws, to the bit. A stop request checkpoints and
+/// returns what there is (Draws::complete is false).
+///
+/// Samplers (groups x temperatures) are dealt to ranks; rank 0 returns all draws, the others none.
+/// @param starts  one column for each walker of each group; hotter rungs start from the same
+/// (n, groups * walkers)
+/// @throws InputError if options do not fit together, or a checkpoint belongs to another run.
+[[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
+                               const RunOptions& options, const Ranks& ranks);
+
+/// The same in this process.
+[[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
+                               const RunOptions& options);
+
+}  // namespace thenar

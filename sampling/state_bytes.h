@@ -1,0 +1,43 @@
+#pragma once
+
+/// Numbers as bytes and back, exactly: what a sampler must keep to go on as if nothing happened.
+
+#include <cstdint>
+#include <string>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Appends numbers to a string of bytes (little endian, as in memory).
+class StateWriter {
+ public:
+  void put(double value);
+  void put(std::int64_t value);
+  void put(const Eigen::Ref<const Eigen::MatrixXd>& matrix);  // shape and entries
+
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Takes them out again, in the same order.
+class StateReader {
+ public:
+  explicit StateReader(std::string bytes) : bytes_(std::move(bytes)) {}
+
+  /// @throws InputError if the bytes end too early.
+  [[nodiscard]] double number();
+  [[nodiscard]] std::int64_t integer();
+  [[nodiscard]] Eigen::MatrixXd matrix();
+  [[nodiscard]] bool done() const { return at_ == bytes_.size(); }
+
+ private:
+  void take(void* to, std::size_t size);
+
+  std::string bytes_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace thenar

@@ -1,0 +1,35 @@
+// Tests for sampling/state_bytes.cpp.
+
+#include "sampling/state_bytes.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+TEST(StateBytes, ComeBackExactly) {
+  const Eigen::MatrixXd matrix = (Eigen::MatrixXd(2, 3) << 1, -0.1, 1e300, 3, 4e-310, 5).finished();
+  StateWriter writer;
+  writer.put(0.1);
+  writer.put(std::int64_t{-7});
+  writer.put(matrix);
+  writer.put(Eigen::MatrixXd(0, 4));
+  StateReader reader(writer.bytes());
+  EXPECT_EQ(reader.number(), 0.1);
+  EXPECT_EQ(reader.integer(), -7);
+  EXPECT_EQ(reader.matrix(), matrix);
+  EXPECT_EQ(reader.matrix().cols(), 4);
+  EXPECT_TRUE(reader.done());
+}
+
+TEST(StateBytes, CutShortIsRefused) {
+  StateWriter writer;
+  writer.put(Eigen::MatrixXd::Ones(3, 3));
+  StateReader reader(writer.bytes().substr(0, 40));
+  EXPECT_THROW((void)reader.matrix(), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
