@@ -16,8 +16,8 @@ using internal::TangentNet;
 
 TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetDrive& drive,
                       const NetEquilibrium& rest) {
-  require(rest.status != NetStatus::kStalled && rest.status != NetStatus::kWoundRound,
-          "net {}: not balanced, residual {} N", net.name, rest.residual);
+  const std::string why = no_slopes(net, rest);
+  require(why.empty(), "net {}: no slopes, since {}", net.name, why);
   return {net, state, drive, rest};
 }
 
@@ -93,6 +93,19 @@ std::vector<NetInput> tightening(const TangentNet& tangent, std::size_t links, c
 }
 
 }  // namespace
+
+std::string no_slopes(const Net& net, const NetEquilibrium& rest) {
+  if (rest.status == NetStatus::kStalled || rest.status == NetStatus::kWoundRound)
+    return fmt::format("it is not balanced: {:.2g} N are left", rest.residual);
+  if (rest.status == NetStatus::kUnstable) return "it is at a saddle";
+  for (const NetDrawnBand& drawn : rest.drawn) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(drawn.band)];
+    if (net.nodes[static_cast<std::size_t>(band.a)].free &&
+        net.nodes[static_cast<std::size_t>(band.b)].free)
+      return fmt::format("band '{}' has drawn two floating nodes together", band.name);
+  }
+  return "";
+}
 
 MatrixXd length_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
                            const NetDrive& drive, const NetEquilibrium& rest, int coordinates) {

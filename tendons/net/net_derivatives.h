@@ -9,6 +9,8 @@
 /// dT/dp the rate of each band's tension at fixed length: all that torques do follows from dL/dq,
 /// one solve a joint coordinate. Derivation: docs/theory/extensor_net.md.
 
+#include <string>
+
 #include <Eigen/Core>
 
 #include "hand/chain.h"
@@ -16,15 +18,20 @@
 
 namespace thenar {
 
+/// Why an equilibrium has no slopes; empty: it has. It must be balanced and not at a saddle, which
+/// it leaves at the least push, and no band may have drawn two floating nodes together. A node that
+/// is drawn into a fixed exit has slopes: it rides on the exit.
+[[nodiscard]] std::string no_slopes(const Net& net, const NetEquilibrium& rest);
+
 /// dL/dq of all bands while the net stays at rest (bands, coordinates) [m/rad].
-/// @throws InputError if `rest` is not balanced.
+/// @throws InputError as of no_slopes().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 int coordinates);
 
 /// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
-/// @throws InputError if `rest` is not balanced.
+/// @throws InputError as of no_slopes().
 [[nodiscard]] Eigen::MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree,
                                               const TreeState<double>& state, const NetDrive& drive,
                                               const NetEquilibrium& rest, int coordinates);
@@ -44,7 +51,7 @@ struct NetDerivatives {
 };
 
 /// All of them: a solve an input, where the torque alone needs fewer.
-/// @throws InputError if `rest` is not balanced.
+/// @throws InputError as of no_slopes().
 [[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                              const TreeState<double>& state, const NetDrive& drive,
                                              const NetEquilibrium& rest, int coordinates);

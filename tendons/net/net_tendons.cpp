@@ -125,7 +125,10 @@ TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
   pull.slips = slip_tension(net_, at_rest);
   pull.nodes = at_rest.x;
   pull.trouble = net_trouble(net_.net, state, at_rest);
-  if (at_rest.status != NetStatus::kBalanced) return pull;
+  if (!no_slopes(net_.net, at_rest).empty()) {
+    pull.trouble += "; moment arms are without the net";
+    return pull;
+  }
   const MatrixXd by_drive =
       torque_by_drive(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
   pull.R += (by_drive * shares_).transpose();

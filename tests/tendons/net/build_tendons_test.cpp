@@ -75,9 +75,9 @@ TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
   for (Eigen::Index m = 0; m < kTension.size(); ++m) {
     VectorXd more = kTension, less = kTension;
     more(m) += kStep, less(m) -= kStep;
-    const VectorXd slope = (tendons.pull(kPosture, more, at.nodes).tau -
-                            tendons.pull(kPosture, less, at.nodes).tau) /
-                           (2 * kStep);
+    const VectorXd slope =
+        (tendons.pull(kPosture, more, at.nodes).tau - tendons.pull(kPosture, less, at.nodes).tau) /
+        (2 * kStep);
     EXPECT_TRUE(matrix_near(at.R.row(m).transpose(), slope, 1e-8));  // [m/rad]
   }
 }

@@ -270,7 +270,9 @@ TEST(NetDerivatives, OfADrawnInNetMatchDifferences) {
     }
     for (int l = 0; l < n; ++l) {
       const VectorXd expected = slope_of(
-          [&](double by) { return torque_after(sample, rest, [&](SampleNet& s) { s.q(l) += by; }); },
+          [&](double by) {
+            return torque_after(sample, rest, [&](SampleNet& s) { s.q(l) += by; });
+          },
           1e-4);
       EXPECT_TRUE(matrix_near(d.by_posture.tau.col(l), expected,
                               2e-6 * expected.cwiseAbs().maxCoeff() + 1e-9));  // [N m/rad]
