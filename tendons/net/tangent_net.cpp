@@ -1,8 +1,11 @@
 #include "tendons/net/tangent_net.h"
 
+#include <limits>
+
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "tendons/net/world_surface.h"
 
 namespace thenar::internal {
 
@@ -13,6 +16,7 @@ TangentNet::TangentNet(const Net& of, const TreeState<double>& state, const NetD
                        const NetEquilibrium& at)
     : net(of), rest(at), scene(pose_scene(of, state, drive)), drawn(of.bands.size(), -1) {
   number_nodes();
+  let_go();
   probe_contacts();
   state_bands();
   free_directions();
@@ -38,23 +42,17 @@ void TangentNet::number_nodes() {
   }
 }
 
-namespace {
-
-/// The surface that a contact lies on, world.
-SurfaceProbe probe_world(const BoneSurface& bone, const Pose<double>& X, const Eigen::Vector3d& x) {
-  SurfaceProbe at = probe(bone, X.inverse() * x);
-  at.normal = X.R * at.normal;
-  at.curvature = X.R * at.curvature * X.R.transpose();
-  return at;
+/// Bands of constant pull that have drawn nothing in pull as they are, however short: the spring
+/// that the search for rest puts in their place is none of the net's.
+void TangentNet::let_go() {
+  for (std::size_t b = 0; b < drawn.size(); ++b)
+    if (drawn[b] < 0) scene.grip[b] = std::numeric_limits<double>::infinity();
 }
-
-}  // namespace
 
 void TangentNet::probe_contacts() {
   for (std::size_t c = 0; c < rest.contacts.size(); ++c) {
     const NetContact& contact = rest.contacts[c];
-    probe.push_back(probe_world(net.surfaces[contact.surface], scene.surface[contact.surface],
-                                x(contact.node)));
+    probe.push_back(probe_world(net, scene, contact.surface, x(contact.node)));
     nodes[static_cast<std::size_t>(row[contact.node])].contact.push_back(static_cast<int>(c));
   }
 }

@@ -50,6 +50,7 @@ struct TangentNet {
 
  private:
   void number_nodes();
+  void let_go();
   void probe_contacts();
   void state_bands();
   void free_directions();
