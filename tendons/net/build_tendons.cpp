@@ -30,18 +30,18 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
   return std::make_unique<NetTendons>(std::move(linear), std::move(built));
 }
 
-TipStatics tip_statics(const DigitTendons& tendons, const Eigen::VectorXd& q,
-                       const Eigen::VectorXd& t) {
-  const TendonPull pull = tendons.pull(q, t);
-  TipStatics statics = tip_statics(tendons.digit(), q);
+TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                       const TendonPull& pull) {
+  TipStatics statics = tip_statics(digit, q);
   statics.R = pull.R;
   statics.tau_0 += pull.tau - pull.R.transpose() * t;
   return statics;
 }
 
-TipForce tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
-                   const Eigen::VectorXd& t) {
-  return tip_force(tip_statics(tendons, q, t), t);
+TendonTip tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                    const Eigen::VectorXd& t) {
+  const TendonPull pull = tendons.pull(q, t);
+  return {tip_force(tip_statics(tendons.digit(), q, t, pull), t), pull.trouble};
 }
 
 }  // namespace thenar

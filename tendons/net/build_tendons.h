@@ -26,14 +26,20 @@ namespace thenar {
                                                               const NetDescription& description,
                                                               const NetBuildOptions& net = {});
 
-/// Everything at the tip for these tensions; R is such that R' t is the tendons' torque, which for
-/// a net holds at these tensions only: tau_0 takes what R' t misses.
-[[nodiscard]] TipStatics tip_statics(const DigitTendons& tendons, const Eigen::VectorXd& q,
-                                     const Eigen::VectorXd& t);
+/// Everything at the tip for the tensions t that gave `pull`; R' t + tau_0 is the tendons' torque
+/// and the passive one, which for a net holds at these tensions only: tau_0 takes what R' t misses.
+[[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& t, const TendonPull& pull);
 
-/// Force of a pinned tip,  J' f = tau(q, t) + tau_0.
+/// Force of a pinned tip, and why not to trust it.
+struct [[nodiscard]] TendonTip {
+  TipForce force;
+  std::string trouble;  // of the tendons; empty: nothing
+};
+
+/// J' f = tau(q, t) + tau_0.
 /// @throws InputError as DigitTendons::pull() and tip_force().
-[[nodiscard]] TipForce tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
-                                 const Eigen::VectorXd& t);
+TendonTip tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                    const Eigen::VectorXd& t);
 
 }  // namespace thenar

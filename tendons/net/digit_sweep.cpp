@@ -1,17 +1,11 @@
 #include "tendons/net/digit_sweep.h"
 
+#include "tendons/net/build_tendons.h"
+
 namespace thenar {
 namespace {
 
 constexpr int kWayIn = 10;  // postures between the straight finger and the first one
-
-/// Force of a pinned tip under the torque that was found at rest.
-TipForce tip_under(const DigitTendons& tendons, const DigitPoint& point, const Eigen::VectorXd& t) {
-  TipStatics statics = tip_statics(tendons.digit(), point.q);
-  statics.R = point.pull.R;
-  statics.tau_0 += point.pull.tau - point.pull.R.transpose() * t;
-  return tip_force(statics, t);
-}
 
 /// The net at rest at every posture, by way of the straight finger.
 std::vector<SweepPoint> sweep_from_straight(const NetTendons& net,
@@ -44,7 +38,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
       point.snapped = at_rest[i].snapped;
     }
     point.pull = tendons.pull(point.q, t, point.rest.x);
-    point.tip = tip_under(tendons, point, t);
+    point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
     points.push_back(std::move(point));
   }
   return points;

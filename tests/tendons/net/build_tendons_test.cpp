@@ -43,14 +43,15 @@ TEST(BuildTendons, WantsANetIfAndOnlyIfTheHoodFloats) {
 TEST(BuildTendons, TipForceIsThatOfTheDigitsStatics) {
   const auto tendons = build_digit_tendons(finger(), "middle");
   const TipForce own = tip_force(tip_statics(tendons->digit(), kPosture), kTension);
-  EXPECT_TRUE(matrix_near(tip_force(*tendons, kPosture, kTension).f_W, own.f_W, 1e-12));
+  EXPECT_TRUE(matrix_near(tip_force(*tendons, kPosture, kTension).force.f_W, own.f_W, 1e-12));
 }
 
 // R' t + tau_0 must be the torque, though a net's torque is not linear in t.
 TEST(BuildTendons, StaticsOfANetCarryItsWholeTorque) {
   const NetDescription winslow = net("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
-  const TipStatics statics = tip_statics(*tendons, kPosture, kTension);
+  const TipStatics statics =
+      tip_statics(tendons->digit(), kPosture, kTension, tendons->pull(kPosture, kTension));
   const VectorXd passive = passive_torque(tendons->digit().skeleton, kPosture);
   EXPECT_TRUE(matrix_near(statics.R.transpose() * kTension + statics.tau_0,
                           tendons->pull(kPosture, kTension).tau + passive, 1e-12));
@@ -63,6 +64,15 @@ TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
   const NetTendons tendons(std::move(linear), std::move(torn));
   const std::string trouble = tendons.pull(kPosture, kTension, {}).trouble;
   EXPECT_NE(trouble.find("has drawn in 'ulnar_knot'"), std::string::npos) << trouble;
+}
+
+TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
+  auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  const NetTendons tendons(std::move(linear), std::move(torn));
+  const TendonTip tip = tip_force(tendons, kPosture, kTension);
+  EXPECT_EQ(tip.trouble, tendons.pull(kPosture, kTension, {}).trouble);
+  EXPECT_NE(tip.trouble, "");
 }
 
 // A knot in its exit is held there whatever its muscle adds; the rest of the net still has arms.
