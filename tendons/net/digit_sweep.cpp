@@ -7,17 +7,12 @@ namespace {
 
 constexpr int kWayIn = 10;  // postures between the straight finger and the first one
 
-/// The net at rest at every posture, by way of the straight finger.
-std::vector<SweepPoint> sweep_from_straight(const NetTendons& net,
-                                            const std::vector<Eigen::VectorXd>& postures,
-                                            const Eigen::VectorXd& t) {
-  std::vector<Eigen::VectorXd> way =
-      postures_between(net.net().frame.straight, postures.front(), kWayIn);
-  way.insert(way.end(), postures.begin() + 1, postures.end());
-  std::vector<SweepPoint> points = sweep_net(net, way, t);
-  points.erase(points.begin(), points.begin() + kWayIn);
-  points.front().snapped = false;  // on the way in is not part of the question
-  return points;
+/// The net at rest at the first posture, by way of the straight finger.
+SweepPoint sweep_in(const NetTendons& net, const Eigen::VectorXd& q, const Eigen::VectorXd& t) {
+  SweepPoint point =
+      sweep_net(net, postures_between(net.net().frame.straight, q, kWayIn), t).back();
+  point.snapped = false;  // on the way in is not part of the question
+  return point;
 }
 
 }  // namespace
@@ -26,18 +21,20 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
                                     const std::vector<Eigen::VectorXd>& postures,
                                     const Eigen::VectorXd& t, const Progress& progress) {
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
-  std::vector<SweepPoint> at_rest;
-  if (net != nullptr && !postures.empty()) at_rest = sweep_from_straight(*net, postures, t);
+  SweepPoint now;  // of a net
   std::vector<DigitPoint> points;
   for (std::size_t i = 0; i < postures.size() && !progress.stop(); ++i) {
     progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
     DigitPoint point;
     point.q = postures[i];
     if (net != nullptr) {
-      point.rest = std::move(at_rest[i].rest);
-      point.snapped = at_rest[i].snapped;
+      now = i == 0 ? sweep_in(*net, point.q, t) : sweep_on(*net, &now, point.q, t);
+      point.rest = now.rest;
+      point.snapped = now.snapped;
+      point.pull = net->pull_at(point.q, t, now.rest);
+    } else {
+      point.pull = tendons.pull(point.q, t);
     }
-    point.pull = tendons.pull(point.q, t, point.rest.x);
     point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
     points.push_back(std::move(point));
   }

@@ -25,6 +25,17 @@ void compare_places(const Net& net, const SweepPoint& before, double snap, Sweep
   point.snapped = point.moved > snap * point.carried && point.carried > 0;
 }
 
+/// The net at rest, from where its nodes start.
+SweepPoint point_at(const NetTendons& tendons, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                    const Eigen::Matrix3Xd& start) {
+  SweepPoint point;
+  point.q = q;
+  point.rest = tendons.rest(q, t, start);
+  point.slips = slip_tension(tendons.net(), point.rest);
+  point.tau = tendons.torque(q, t, point.rest);
+  return point;
+}
+
 }  // namespace
 
 std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
@@ -41,17 +52,18 @@ std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                   const Eigen::VectorXd& t, const NetSweepOptions& options,
                                   Eigen::Matrix3Xd start) {
   std::vector<SweepPoint> points;
-  for (const Eigen::VectorXd& q : postures) {
-    SweepPoint point;
-    point.q = q;
-    point.rest = tendons.rest(q, t, start);
-    start = point.rest.x;
-    point.slips = slip_tension(tendons.net(), point.rest);
-    point.tau = tendons.torque(q, t, point.rest);
-    if (!points.empty()) compare_places(tendons.net().net, points.back(), options.snap, point);
-    points.push_back(std::move(point));
-  }
+  for (const Eigen::VectorXd& q : postures)
+    points.push_back(points.empty() ? point_at(tendons, q, t, start)
+                                    : sweep_on(tendons, &points.back(), q, t, options));
   return points;
+}
+
+SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
+                    const Eigen::VectorXd& t, const NetSweepOptions& options) {
+  if (before == nullptr) return point_at(tendons, q, t, {});
+  SweepPoint point = point_at(tendons, q, t, before->rest.x);
+  compare_places(tendons.net().net, *before, options.snap, point);
+  return point;
 }
 
 Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons, const Eigen::VectorXd& q,

@@ -41,6 +41,12 @@ struct NetSweepOptions {
                                                 const NetSweepOptions& options = {},
                                                 Eigen::Matrix3Xd start = {});
 
+/// One step of such a sweep.
+/// @param before  the point before, from which the net comes; null: it comes from its links
+[[nodiscard]] SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before,
+                                  const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                  const NetSweepOptions& options = {});
+
 /// Nodes to start from at q, reached from the straight finger under the same tensions; empty for
 /// tendons without a net (3, nodes).
 [[nodiscard]] Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons,

@@ -116,21 +116,26 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
 
 TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
                             const Eigen::Matrix3Xd& start) const {
-  const NetEquilibrium at_rest = rest(q, t, start);
+  return pull_at(q, t, rest(q, t, start));
+}
+
+TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,
+                               const NetEquilibrium& rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   TendonPull pull;
-  pull.tau = torque(q, t, at_rest);
   pull.R = arms_outside(q, t, state);
-  pull.slips = slip_tension(net_, at_rest);
-  pull.nodes = at_rest.x;
-  pull.trouble = net_trouble(net_.net, state, at_rest);
-  if (!no_slopes(net_.net, at_rest).empty()) {
+  pull.tau =
+      pull.R.transpose() * t + net_torque(net_.net, model.tree, state, rest, model.coordinates);
+  pull.slips = slip_tension(net_, rest);
+  pull.nodes = rest.x;
+  pull.trouble = net_trouble(net_.net, state, rest);
+  if (!no_slopes(net_.net, rest).empty()) {
     pull.trouble += "; moment arms are without the net";
     return pull;
   }
   const MatrixXd by_drive =
-      torque_by_drive(net_.net, model.tree, state, {shares_ * t, {}}, at_rest, model.coordinates);
+      torque_by_drive(net_.net, model.tree, state, {shares_ * t, {}}, rest, model.coordinates);
   pull.R += (by_drive * shares_).transpose();
   return pull;
 }

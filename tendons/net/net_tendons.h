@@ -30,6 +30,10 @@ class NetTendons : public DigitTendons {
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                   const Eigen::Matrix3Xd& start) const override;
 
+  /// The same where the net has come to rest already.
+  [[nodiscard]] TendonPull pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                   const NetEquilibrium& rest) const;
+
   /// The net at rest, for pictures and for its bands' tensions. Arguments as of pull().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                     const Eigen::Matrix3Xd& start) const;
