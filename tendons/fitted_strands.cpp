@@ -7,6 +7,20 @@
 namespace thenar {
 namespace {
 
+constexpr double kTold = 1e-3;  // possible error of an arm that is told: a tenth of a flexor's
+                                // at a finger's joints [m/rad]
+
+/// The path whose arms may be furthest off, in words; empty: all are near.
+std::string worst_fit(const std::vector<FittedPath>& paths) {
+  const auto worst =
+      std::max_element(paths.begin(), paths.end(), [](const FittedPath& a, const FittedPath& b) {
+        return a.error.arm_bound < b.error.arm_bound;
+      });
+  if (worst == paths.end() || worst->error.arm_bound <= kTold) return "";
+  return fmt::format("fitted arms of '{}' may be off by {:.2g} mm/rad", worst->name,
+                     1e3 * worst->error.arm_bound);
+}
+
 class FittedStrands : public StrandPaths {
  public:
   FittedStrands(const Subject& subject, const TendonDigit& digit, int order)
@@ -24,11 +38,12 @@ class FittedStrands : public StrandPaths {
       row_.push_back(strand - digit.names.strands.begin());
       paths_.push_back(fit_path(digit.model.tree, set, k, box_, order));
     }
+    worst_fit_ = worst_fit(paths_);
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
                                 const Eigen::VectorXd& q) const override {
-    StrandArms arms{constant_, ""};
+    StrandArms arms{constant_, worst_fit_};
     for (std::size_t k = 0; k < paths_.size(); ++k)
       arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
     for (Eigen::Index j = 0; j < q.size(); ++j)
@@ -44,6 +59,7 @@ class FittedStrands : public StrandPaths {
   Eigen::MatrixXd constant_;
   std::vector<Eigen::Index> row_;  // strand of each fitted path
   std::vector<FittedPath> paths_;
+  std::string worst_fit_;  // why not to trust them at any posture
 };
 
 }  // namespace
