@@ -49,6 +49,11 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
   return "";
 }
 
+void add_trouble(const std::string& more, TendonPull& pull) {
+  if (!pull.trouble.empty() && !more.empty()) pull.trouble += "; ";
+  pull.trouble += more;
+}
+
 }  // namespace
 
 SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
@@ -96,21 +101,22 @@ NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                       start.cols() == 0 ? nullptr : &start);
 }
 
-MatrixXd NetTendons::arms_outside(const VectorXd& q, const VectorXd& t,
-                                  const TreeState<double>& state) const {
-  MatrixXd R = linear_->pull(q, t).R;
+TendonPull NetTendons::pull_outside(const VectorXd& q, const VectorXd& t,
+                                    const TreeState<double>& state) const {
+  TendonPull pull = linear_->pull(q, t);
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
-    R.row(m.muscle) = (1 - m.to_net) * R.row(m.muscle) +
-                      m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
-  return R;
+    pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
+                           m.to_net * moment_arms(model.tree, state, m.own, model.coordinates);
+  pull.tau = pull.R.transpose() * t;
+  return pull;
 }
 
 VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
                             const NetEquilibrium& rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  return arms_outside(q, t, state).transpose() * t +
+  return pull_outside(q, t, state).tau +
          net_torque(net_.net, model.tree, state, rest, model.coordinates);
 }
 
@@ -123,15 +129,13 @@ TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,
                                const NetEquilibrium& rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  TendonPull pull;
-  pull.R = arms_outside(q, t, state);
-  pull.tau =
-      pull.R.transpose() * t + net_torque(net_.net, model.tree, state, rest, model.coordinates);
+  TendonPull pull = pull_outside(q, t, state);
+  pull.tau += net_torque(net_.net, model.tree, state, rest, model.coordinates);
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
-  pull.trouble = net_trouble(net_.net, state, rest);
+  add_trouble(net_trouble(net_.net, state, rest), pull);
   if (!no_slopes(net_.net, rest).empty()) {
-    pull.trouble += "; moment arms are without the net";
+    add_trouble("moment arms are without the net", pull);
     return pull;
   }
   const MatrixXd by_drive =

@@ -24,9 +24,9 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
   [[nodiscard]] const BuiltNet& net() const { return net_; }
 
-  /// `trouble` says why a hood is not to be trusted: not balanced, unstable, drawn into an exit, or
-  /// with a band buried in bone. `R` has the share of the net wherever the net has slopes, see
-  /// no_slopes(); where not, it is of what is outside of the net, and `trouble` says so.
+  /// `trouble` says what the paths outside of the net have to say, and why a hood is not to be
+  /// trusted: not balanced, unstable, drawn into an exit, or with a band buried in bone. `R` has the
+  /// share of the net wherever the net has slopes, see no_slopes(); where not, `trouble` says so.
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                   const Eigen::Matrix3Xd& start) const override;
 
@@ -46,9 +46,9 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const { return shares_ * t; }
 
  private:
-  /// Moment arms of all that the net leaves to runs of its own (muscles, coordinates) [m/rad].
-  [[nodiscard]] Eigen::MatrixXd arms_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                             const TreeState<double>& state) const;
+  /// Torque and moment arms of all that the net leaves to runs of its own, with their trouble.
+  [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                        const TreeState<double>& state) const;
 
   std::unique_ptr<DigitTendons> linear_;
   BuiltNet net_;

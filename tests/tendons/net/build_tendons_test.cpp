@@ -104,6 +104,26 @@ TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
   EXPECT_TRUE(at.R.allFinite());
 }
 
+/// Tendons without a net that are never to be trusted.
+struct BadTendons : DigitTendons {
+  explicit BadTendons(std::unique_ptr<DigitTendons> of) : good(std::move(of)) {}
+  const TendonDigit& digit() const override { return good->digit(); }
+  TendonPull pull(const VectorXd& q, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
+    TendonPull pull = good->pull(q, t);
+    pull.trouble = "a path is not taut";
+    return pull;
+  }
+  std::unique_ptr<DigitTendons> good;
+};
+
+TEST(NetTendons, HandsOnTheTroubleOfThePathsOutside) {
+  auto bad = std::make_unique<BadTendons>(
+      build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate}));
+  BuiltNet built = build_net(finger(), bad->digit(), net("winslow"));
+  const NetTendons tendons(std::move(bad), std::move(built));
+  EXPECT_EQ(tendons.pull(VectorXd::Zero(4), kTension, {}).trouble, "a path is not taut");
+}
+
 // A surface that has grown over an insertion buries the band that bends over it.
 TEST(NetTendons, TellsThatABandIsBuried) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
