@@ -1,0 +1,113 @@
+// Tests for sampling/swap_temperatures.cpp.
+
+#include "sampling/swap_temperatures.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(TemperatureLadder, FallsGeometricallyOrToThePrior) {
+  EXPECT_TRUE(matrix_near(temperature_ladder(3, 0.01), Eigen::Vector3d(1, 0.1, 0.01), 1e-15));
+  EXPECT_TRUE(matrix_near(temperature_ladder(3, 0), Eigen::Vector3d(1, 1.0 / 32, 0), 1e-15));
+  EXPECT_EQ(temperature_ladder(1, 0), Eigen::VectorXd::Ones(1));
+  EXPECT_THROW((void)temperature_ladder(0, 0), InputError);
+  EXPECT_THROW((void)temperature_ladder(2, 1), InputError);
+}
+
+TEST(DecideSwaps, AlternatesEvenAndOddPairs) {
+  const Eigen::VectorXd temper = temperature_ladder(5, 0.1);
+  const Eigen::MatrixXd alike = Eigen::MatrixXd::Constant(2, 5, -3);
+  const Swaps even = decide_swaps(temper, alike, 1, 0, 4),
+              odd = decide_swaps(temper, alike, 1, 0, 5);
+  for (int i = 0; i < 4; ++i)
+    for (int w = 0; w < 2; ++w) {
+      EXPECT_EQ(even.tried(w, i), i % 2 == 0);
+      EXPECT_EQ(odd.tried(w, i), i % 2 == 1);
+      EXPECT_EQ(even.exchange(w, i), i % 2 == 0);  // places of equal likelihood always change
+    }
+}
+
+// By hand: (1 - 0.25) (-4 - -2) = -1.5.
+TEST(DecideSwaps, ExchangesAsOftenAsTheRatioOfDensitiesSays) {
+  const Eigen::Vector2d temper(1, 0.25);
+  const Eigen::RowVector2d log_likelihood(-2, -4);
+  constexpr int kRounds = 20000;
+  SwapTally tally(2);
+  for (int round = 0; round < kRounds; ++round)
+    tally.add(decide_swaps(temper, log_likelihood, 3, 7, 2 * round));
+  const double p = std::exp(-1.5);
+  EXPECT_NEAR(tally.rejected()[0], 1 - p, 1e-12);
+  EXPECT_NEAR(tally.rate()[0], p, 4 * std::sqrt(p * (1 - p) / kRounds));
+  EXPECT_EQ(decide_swaps(temper, Eigen::RowVector2d(-4, -2), 3, 7, 0).probability(0, 0), 1);
+}
+
+TEST(DecideSwaps, BrokenPlacesAreNeverHandedDown) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Eigen::MatrixXd log_likelihood(5, 2);
+  log_likelihood << -1, nan, -1, -kInfinity, -1, kInfinity, nan, -1e9, -kInfinity, -kInfinity;
+  const Swaps swaps = decide_swaps(Eigen::Vector2d(1, 0), log_likelihood, 1, 0, 0);
+  for (const int stays : {0, 1, 2, 4}) EXPECT_FALSE(swaps.exchange(stays, 0)) << stays;
+  EXPECT_TRUE(swaps.exchange(3, 0));
+}
+
+TEST(DecideSwaps, DependsOnSeedGroupAndRoundAlone) {
+  const Eigen::Vector2d temper(1, 0.5);
+  const Eigen::MatrixXd log_likelihood =
+      Eigen::Vector2d(-1, -1 - 2 * std::log(2.0)).transpose().replicate(64, 1);  // P = 1/2
+  const auto mask = [&](int seed, int group, int round) {
+    return decide_swaps(temper, log_likelihood, seed, group, round).exchange.eval();
+  };
+  EXPECT_TRUE((mask(1, 2, 4) == mask(1, 2, 4)).all());
+  EXPECT_FALSE((mask(1, 2, 4) == mask(2, 2, 4)).all());
+  EXPECT_FALSE((mask(1, 2, 4) == mask(1, 3, 4)).all());
+  EXPECT_FALSE((mask(1, 2, 4) == mask(1, 2, 6)).all());
+}
+
+TEST(SwapTally, ComesBackExactly) {
+  SwapTally tally(3), again(3);
+  tally.add(decide_swaps(temperature_ladder(3, 0), Eigen::RowVector3d(-1, -1.3, -9), 1, 0, 0));
+  StateWriter writer;
+  tally.save(writer);
+  StateReader reader(writer.bytes());
+  again.restore(reader);
+  EXPECT_EQ(again.tried, tally.tried);
+  EXPECT_EQ(again.accepted, tally.accepted);
+  EXPECT_EQ(again.probability, tally.probability);
+  EXPECT_TRUE(std::isnan(again.rate()[1]));  // an odd pair
+}
+
+// Refusals for which the answer is plain: an even barrier needs no change; if all of it lies
+// between the first two, the third rung moves to the middle of them, in temper^(1/5).
+TEST(AdaptedLadder, SharesTheBarrierOut) {
+  const Eigen::Vector4d even(1, 0.5, 0.2, 0);
+  EXPECT_TRUE(matrix_near(adapted_ladder(even, Eigen::Vector3d(0.4, 0.4, 0.4)), even, 1e-12));
+  const Eigen::Vector3d steep(1, std::pow(0.5, 5), 0);
+  const Eigen::VectorXd moved = adapted_ladder(steep, Eigen::Vector2d(0.999, 0));
+  EXPECT_NEAR(std::pow(moved[1], 0.2), 1 - 0.5 * 0.5 * (1 + 1e-3 / 0.999), 1e-12);
+  EXPECT_EQ(moved[0], 1);
+  EXPECT_EQ(moved[2], 0);
+}
+
+// A normal likelihood and a flat prior: the refusal between tempers a > b depends on a / b alone,
+// about  Lambda = c log(a / b), so that the best ladder is geometric.
+TEST(AdaptedLadder, FindsTheGeometricLadderOfANormal) {
+  Eigen::VectorXd temper(6);
+  temper << 1, 0.9, 0.7, 0.4, 0.1, 0.01;
+  for (int round = 0; round < 60; ++round) {
+    const Eigen::ArrayXd ratio = temper.head(5).array() / temper.tail(5).array();
+    temper = adapted_ladder(temper, (0.1 * ratio.log()).matrix());
+  }
+  EXPECT_TRUE(matrix_near(temper, temperature_ladder(6, 0.01), 1e-6));
+}
+
+}  // namespace
+}  // namespace thenar
