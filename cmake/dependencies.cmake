@@ -13,6 +13,7 @@ pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx>=2.7)       # PkgConf
 pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp>=1.17)              # PkgConfig::CLP
 pkg_check_modules(QHULL REQUIRED IMPORTED_TARGET qhull_r>=8)           # PkgConfig::QHULL
 pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5-serial>=1.10)     # PkgConfig::HDF5
+pkg_check_modules(NETCDF REQUIRED IMPORTED_TARGET netcdf>=4.9)         # PkgConfig::NETCDF
 
 add_library(thenar::simbody INTERFACE IMPORTED)
 target_include_directories(thenar::simbody SYSTEM INTERFACE ${Simbody_INCLUDE_DIR})
@@ -40,9 +41,24 @@ find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)
 target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
 
+# Optional: chains across processes, thenar::mpi. The C library alone, so that no Fortran MPI meets
+# the fake one of Ipopt's sequential MUMPS.
+set(MPI_CXX_SKIP_MPICXX TRUE)
+find_package(MPI 3.1 QUIET COMPONENTS CXX)
+if(MPI_CXX_FOUND)
+  set(libraries ${MPI_CXX_LIBRARIES})
+  list(FILTER libraries EXCLUDE REGEX "mpi_cxx|mpicxx|mpichcxx")
+  add_library(thenar::mpi INTERFACE IMPORTED)
+  target_include_directories(thenar::mpi SYSTEM INTERFACE ${MPI_CXX_INCLUDE_DIRS})
+  target_compile_definitions(thenar::mpi INTERFACE ${MPI_CXX_COMPILE_DEFINITIONS})
+  target_link_libraries(thenar::mpi INTERFACE ${libraries})
+endif()
+
 if(THENAR_TESTS)
   find_package(GTest 1.12 REQUIRED)  # GTest::gtest_main
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  # Debian's own, which sees Debian's xarray whatever other Python comes first.
+  find_program(DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
 endif()
 if(THENAR_BENCH)
   find_package(benchmark 1.7 REQUIRED)  # benchmark::benchmark_main
