@@ -1,0 +1,212 @@
+#include "posterior/find_modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "sampling/random_stream.h"
+
+namespace thenar {
+namespace {
+
+// Purposes of random streams.
+constexpr std::uint32_t kSearchStream = 0x6d6f6465, kDispersedStream = 0x73746172;
+
+/// J'J of the coordinates that bounds leave free, in its own directions.
+struct Curvature {
+  std::vector<int> free;   // indices in z
+  Eigen::MatrixXd axes;    // orthonormal columns (free, free)
+  Eigen::VectorXd lambda;  // 1 / variance, > 0 (free)
+};
+
+Curvature curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  constexpr double kUnknown = 1e-12;  // of the largest curvature: neither data nor priors
+  Curvature found;
+  for (int i = 0; i < static_cast<int>(z.size()); ++i)
+    if (problem.lower[i] < problem.upper[i]) found.free.push_back(i);
+  const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, found.free);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
+  const double largest = found.free.empty() ? 0 : eigen.eigenvalues().maxCoeff();
+  found.axes = eigen.eigenvectors();
+  found.lambda = eigen.eigenvalues().cwiseMax(largest > 0 ? kUnknown * largest : 1);
+  return found;
+}
+
+double squared_distance(const Curvature& at, const Eigen::VectorXd& apart) {
+  return (at.axes.transpose() * apart(at.free)).cwiseAbs2().dot(at.lambda);
+}
+
+Mode mode_at(const Solution& solution, const Curvature& at) {
+  Mode mode;
+  mode.z = solution.z;
+  mode.cost = solution.cost;
+  mode.status = solution.status;
+  mode.covariance = Eigen::MatrixXd::Zero(mode.z.size(), mode.z.size());
+  mode.covariance(at.free, at.free) =
+      at.axes * at.lambda.cwiseInverse().asDiagonal() * at.axes.transpose();
+  return mode;
+}
+
+void check(const LeastSquares& problem, const ModeSearch& search) {
+  require(search.starts >= 0, "starts must be >= 0, got {}", search.starts);
+  require(search.global_searches >= 0, "global searches must be >= 0, got {}",
+          search.global_searches);
+  require(search.spread > 0, "spread must be > 0, got {}", search.spread);
+  require(search.same_distance > 0 && search.same_cost > 0,
+          "distance and cost of the same mode must be > 0, got {} and {}", search.same_distance,
+          search.same_cost);
+  require(search.also.size() == 0 || search.also.rows() == problem.lower.size(),
+          "further starts have {} entries, wanted {}", search.also.rows(), problem.lower.size());
+}
+
+/// Standard normal entries, those outside their bounds drawn again or else set on them.
+Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearch& search, int number) {
+  constexpr int kTrials = 20;
+  RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
+  Eigen::VectorXd z(problem.lower.size());
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    for (int trial = 0; trial < kTrials; ++trial) {
+      z[i] = search.spread * random.normal();
+      if (z[i] >= problem.lower[i] && z[i] <= problem.upper[i]) break;
+    }
+  return z.cwiseMax(problem.lower).cwiseMin(problem.upper);
+}
+
+/// One search, or why there was none.
+Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
+                     const SolveOptions& options) {
+  const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
+  if (problem.residuals(inside, WithJacobian::kNo).r.allFinite())
+    return solve(problem, inside, options);
+  Solution none;
+  none.z = inside;
+  none.cost = std::numeric_limits<double>::infinity();
+  none.message = "residuals at the start are not finite";
+  none.evaluations = 1;
+  return none;
+}
+
+/// A global search, polished.
+Solution search_globally(const LeastSquares& problem, const ModeSearch& search, int number) {
+  SolveOptions global;
+  global.method = FitMethod::kNloptGlobal;
+  global.seed = search.seed + static_cast<unsigned>(number);
+  global.progress.stop_requested = search.polish.progress.stop_requested;
+  const Solution rough =
+      search_from(problem, prior_draw(problem, search, search.starts + number), global);
+  if (!std::isfinite(rough.cost) || rough.status == SolveStatus::kStopped) return rough;
+  Solution fine = search_from(problem, rough.z, search.polish);
+  fine.evaluations += rough.evaluations;
+  fine.seconds += rough.seconds;
+  return fine;
+}
+
+void run_searches(const LeastSquares& problem, const ModeSearch& search, FoundModes& found) {
+  const int also = static_cast<int>(search.also.cols());
+  const int total = also + search.starts + search.global_searches;
+  for (int i = 0; i < total; ++i) {
+    found.stopped = search.progress.stop();
+    if (found.stopped) return;
+    search.progress(double(i) / total, fmt::format("search {} of {} for modes", i + 1, total));
+    if (i < also)
+      found.searches.push_back(search_from(problem, search.also.col(i), search.polish));
+    else if (i < also + search.starts)
+      found.searches.push_back(
+          search_from(problem, prior_draw(problem, search, i - also), search.polish));
+    else
+      found.searches.push_back(search_globally(problem, search, i - also - search.starts));
+  }
+}
+
+/// Gathers the ends of all searches, the best first.
+void gather(const LeastSquares& problem, const ModeSearch& search, FoundModes& found) {
+  std::vector<int> order(found.searches.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return found.searches[a].cost < found.searches[b].cost; });
+  found.mode_of_search.assign(order.size(), -1);
+  std::vector<Curvature> at;
+  for (const int i : order) {
+    const Solution& end = found.searches[i];
+    if (!std::isfinite(end.cost) || end.status == SolveStatus::kFailed) continue;
+    std::size_t m = 0;
+    while (m < at.size() && (end.cost - found.modes[m].cost >= search.same_cost ||
+                             squared_distance(at[m], end.z - found.modes[m].z) >=
+                                 search.same_distance * search.same_distance))
+      ++m;
+    if (m == at.size()) {
+      at.push_back(curvature(problem, end.z));
+      found.modes.push_back(mode_at(end, at.back()));
+      found.modes.back().laplace_mass = -end.cost - 0.5 * at.back().lambda.array().log().sum();
+    }
+    ++found.modes[m].hits;
+    found.mode_of_search[i] = static_cast<int>(m);
+  }
+}
+
+/// Logarithms of masses become shares.
+void share_mass(std::vector<Mode>& modes) {
+  double top = -std::numeric_limits<double>::infinity(), sum = 0;
+  for (const Mode& mode : modes) top = std::max(top, mode.laplace_mass);
+  for (Mode& mode : modes) sum += mode.laplace_mass = std::exp(mode.laplace_mass - top);
+  for (Mode& mode : modes) mode.laplace_mass /= sum;
+}
+
+/// Brings z within bounds, as in a mirror, and a little off them.
+double reflected(double z, double lower, double upper) {
+  if (lower >= upper) return lower;
+  constexpr double kOff = 0.01;
+  const double off = std::isfinite(upper - lower) ? kOff * (upper - lower) : kOff;
+  if (z < lower) z = 2 * lower - z;
+  if (z > upper) z = 2 * upper - z;
+  return std::min(std::max(z, lower + off), upper - off);
+}
+
+/// A matrix A with A A' = C, also where C is singular.
+Eigen::MatrixXd root(const Eigen::MatrixXd& C) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(C);
+  return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal();
+}
+
+}  // namespace
+
+FoundModes find_modes(const LeastSquares& problem, const ModeSearch& search) {
+  check(problem, search);
+  FoundModes found;
+  run_searches(problem, search, found);
+  gather(problem, search, found);
+  share_mass(found.modes);
+  return found;
+}
+
+Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<Mode>& modes,
+                                 int count, double inflation, unsigned seed) {
+  require(!modes.empty(), "no modes to start from");
+  require(count >= 1, "count of starts must be >= 1, got {}", count);
+  require(inflation > 0, "inflation must be > 0, got {}", inflation);
+  std::vector<Eigen::MatrixXd> roots;
+  for (const Mode& mode : modes) roots.push_back(inflation * root(mode.covariance));
+  const Eigen::Index n = modes[0].z.size();
+  Eigen::MatrixXd starts(n, count);
+  for (int k = 0; k < count; ++k) {
+    // Multiples of the golden section fill 0..1 evenly, however many of them there are.
+    constexpr double kGolden = 0.6180339887498949;
+    double left = std::fmod((k + 0.5) * kGolden, 1.0);
+    std::size_t m = 0;
+    for (; m + 1 < modes.size(); ++m) {
+      left -= 0.5 * (modes[m].laplace_mass + 1.0 / static_cast<double>(modes.size()));
+      if (left < 0) break;
+    }
+    RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
+    const Eigen::VectorXd z =
+        modes[m].z + roots[m] * Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+    for (Eigen::Index i = 0; i < n; ++i)
+      starts(i, k) = reflected(z[i], problem.lower[i], problem.upper[i]);
+  }
+  return starts;
+}
+
+}  // namespace thenar
