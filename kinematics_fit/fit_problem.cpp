@@ -124,6 +124,15 @@ Eigen::MatrixXd FitProblem::displacement_jacobian(int specimen) const {
   return J;
 }
 
+CoordinateEntries FitProblem::entries(int c) const {
+  CoordinateEntries of;
+  of.population = population_.at(c);
+  of.population_sd = population_sd_[c];
+  if (deviation_[c] >= 0) of.deviation = population_size_ + deviation_[c];
+  of.deviation_sd = deviation_sd_[c];
+  return of;
+}
+
 Eigen::VectorXd FitProblem::unseen_variance() const {
   Eigen::VectorXd variance(parameters_.coordinates());
   for (int c = 0; c < parameters_.coordinates(); ++c) {
@@ -174,6 +183,11 @@ std::vector<std::string> FitProblem::warnings() const {
   for (std::size_t e = 0; e < plans_.size(); ++e)
     for (std::string& warning : experiment_warnings(digit_, plans_[e], experiments_[e]))
       all.push_back(std::move(warning));
+  for (const Experiment& experiment : experiments_)
+    if (!experiment.activations.empty())
+      all.push_back(fmt::format(
+          "experiment '{}': {} activation rows are not fitted, only a posterior uses them",
+          experiment.name, experiment.activations.size()));
   return all;
 }
 

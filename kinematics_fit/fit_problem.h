@@ -14,6 +14,16 @@
 
 namespace thenar {
 
+/// How a coordinate of a specimen follows from z:
+///   u = population_sd z[population] + deviation_sd z[deviation + specimen * deviations],
+/// where an entry of -1 adds nothing.
+struct CoordinateEntries {
+  int population = -1;       // entry of z
+  double population_sd = 0;  // [SI]
+  int deviation = -1;        // entry of z for specimen 0
+  double deviation_sd = 0;   // [SI]
+};
+
 /// The problem  min 1/2 |r(z)|^2  over whitened coordinates z, all N(0, 1) beforehand.
 ///
 /// z holds the population's coordinates, then each specimen's deviations from it. One specimen
@@ -58,6 +68,10 @@ class FitProblem {
   /// du/dz of a specimen (-1: the population), (coordinates, size) [SI].
   [[nodiscard]] Eigen::MatrixXd displacement_jacobian(int specimen) const;
 
+  /// Entries of z behind coordinate c, and how many entries each specimen has.
+  [[nodiscard]] CoordinateEntries entries(int c) const;
+  [[nodiscard]] int deviations() const { return deviation_size_; }
+
   /// Variance of an unseen specimen's u about displacements(z, -1) that no data can lessen, and
   /// of what one specimen alone cannot say of the population [SI^2] (coordinates).
   [[nodiscard]] Eigen::VectorXd unseen_variance() const;
@@ -70,6 +84,7 @@ class FitProblem {
   [[nodiscard]] const std::vector<Experiment>& experiments() const { return experiments_; }
   [[nodiscard]] const std::vector<ExperimentPlan>& plans() const { return plans_; }
   [[nodiscard]] const std::vector<std::string>& specimens() const { return specimens_; }
+  [[nodiscard]] int specimen_of(int e) const { return specimen_of_.at(e); }  // index there
   [[nodiscard]] double robust_scale() const { return robust_scale_; }
   [[nodiscard]] const std::vector<AxisDistance>& axis_distances() const { return axis_distances_; }
 

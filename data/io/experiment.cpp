@@ -90,7 +90,7 @@ std::map<std::string, double> read_tensions(TomlTable& table, const Pulley& pull
   return result;
 }
 
-std::string read_trial_posture(TomlTable& table, const Experiment& experiment) {
+std::string read_known_posture(TomlTable& table, const Experiment& experiment) {
   std::string name = table.text("posture");
   std::vector<std::string> names;
   for (const PostureRecord& posture : experiment.postures) {
@@ -107,7 +107,7 @@ Vector3d read_sd(TomlTable& table) {
 
 Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& pulley) {
   Trial trial;
-  trial.posture = read_trial_posture(table, experiment);
+  trial.posture = read_known_posture(table, experiment);
   trial.tension = read_tensions(table, pulley);
   trial.force = table.vector(Dimension::kForce, "force");
   if (table.has(Dimension::kMoment, "moment"))
@@ -120,9 +120,48 @@ Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& p
   return trial;
 }
 
+/// One sd for all muscles of the row, but for those that have their own.
+std::map<std::string, double> read_activation_sd(TomlTable& table, const ActivationRow& row) {
+  std::map<std::string, double> sd =
+      table.named(Dimension::kNumber, "activation_sd_of", Range::kNotNegative);
+  for (const auto& own : sd)
+    if (row.activation.count(own.first) == 0)
+      table.fail(
+          fmt::format("'activation_sd_of' names muscle '{}', 'activation' does not", own.first),
+          "activation_sd_of");
+  if (sd.size() == row.activation.size() && !table.has("activation_sd")) return sd;
+  const double all = table.number(Dimension::kNumber, "activation_sd", Range::kNotNegative);
+  for (const auto& muscle : row.activation) sd.emplace(muscle.first, all);
+  return sd;
+}
+
+ActivationRow read_activation(TomlTable& table, const Experiment& experiment) {
+  ActivationRow row;
+  row.posture = read_known_posture(table, experiment);
+  row.activation = table.named(Dimension::kNumber, "activation", Range::kFraction);
+  if (row.activation.empty()) table.fail("wanted 'activation' of at least one muscle: {FPL = 0.3}");
+  row.sd = read_activation_sd(table, row);
+  row.force = table.vector(Dimension::kForce, "force");
+  if (table.has(Dimension::kForce, "sd"))
+    row.force_sd = read_sd(table);
+  else if (experiment.sd_floor == 0)
+    table.fail("an activation row needs 'sd_N', or the file a [noise] table");
+  table.done();
+  return row;
+}
+
 TomlTable need_table(TomlTable& top, const std::string& key, const std::string& why) {
   if (std::optional<TomlTable> table = top.table(key)) return *table;
   top.fail(fmt::format("the file needs [{}]: {}", key, why));
+}
+
+void read_trials(TomlTable& top, const Pulley& pulley, Experiment& experiment) {
+  TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
+  for (TomlTable& row : trials.tables("rows"))
+    experiment.trials.push_back(read_trial(row, experiment, pulley));
+  if (experiment.trials.empty())
+    trials.fail("wanted at least one trial in 'rows', got none", "rows");
+  trials.done();
 }
 
 void read_header(TomlTable& top, Experiment& experiment) {
@@ -133,6 +172,11 @@ void read_header(TomlTable& top, Experiment& experiment) {
   experiment.digit = top.text("digit");
   experiment.source = top.source();
   if (experiment.source.empty()) top.fail("the top level needs 'source' (a citation key)");
+}
+
+Vector3d noise_sd(const Experiment& experiment, const Vector3d& force) {
+  const double relative = experiment.sd_relative * force.norm();
+  return Vector3d::Constant(std::hypot(experiment.sd_floor, relative));
 }
 
 }  // namespace
@@ -153,12 +197,9 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   // What was done, and what came of it.
   for (TomlTable& table : top.tables("posture"))
     experiment.postures.push_back(read_posture(table, experiment));
-  TomlTable trials = need_table(top, "trials", "its 'rows' are the loads and forces");
-  for (TomlTable& row : trials.tables("rows"))
-    experiment.trials.push_back(read_trial(row, experiment, pulley));
-  if (experiment.trials.empty())
-    trials.fail("wanted at least one trial in 'rows', got none", "rows");
-  trials.done();
+  for (TomlTable& row : top.tables("activation"))
+    experiment.activations.push_back(read_activation(row, experiment));
+  if (experiment.activations.empty() || top.has("trials")) read_trials(top, pulley, experiment);
   top.done();
   return experiment;
 }
@@ -168,9 +209,11 @@ Experiment read_experiment(const std::string& path) {
 }
 
 Vector3d force_sd(const Experiment& experiment, const Trial& trial) {
-  if (trial.sd) return *trial.sd;
-  const double relative = experiment.sd_relative * trial.force.norm();
-  return Vector3d::Constant(std::hypot(experiment.sd_floor, relative));
+  return trial.sd ? *trial.sd : noise_sd(experiment, trial.force);
+}
+
+Vector3d force_sd(const Experiment& experiment, const ActivationRow& row) {
+  return row.force_sd ? *row.force_sd : noise_sd(experiment, row.force);
 }
 
 }  // namespace thenar

@@ -32,6 +32,15 @@ struct Trial {
   std::optional<Eigen::Vector3d> sd;      // of the force, if stated for this row [N] (3)
 };
 
+/// One task, as electromyography and the load cell saw it.
+struct ActivationRow {
+  std::string posture;
+  std::map<std::string, double> activation;  // muscle -> 0..1; muscles not named are silent [1]
+  std::map<std::string, double> sd;          // of each of these [1]
+  Eigen::Vector3d force{0, 0, 0};            // of the tip on the world, experiment axes [N] (3)
+  std::optional<Eigen::Vector3d> force_sd;   // if stated for this row [N] (3)
+};
+
 /// One specimen under one protocol.
 struct Experiment {
   std::string name;      // "H01"
@@ -48,6 +57,7 @@ struct Experiment {
   double sd_floor = 0;     // [N]
   std::vector<PostureRecord> postures;
   std::vector<Trial> trials;
+  std::vector<ActivationRow> activations;
 };
 
 /// Reads an experiment from TOML; the format is in docs/data_format.md.
@@ -59,5 +69,6 @@ struct Experiment {
 
 /// Standard deviation of the force components of a trial [N] (3): its own, or the stated noise.
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
+[[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);
 
 }  // namespace thenar

@@ -62,6 +62,18 @@ AxisDistance read_axis_distance(TomlTable& table) {
   return {joints[0], joints[1], range[0], range[1]};
 }
 
+PosteriorBeliefs read_posterior(TomlTable& table) {
+  PosteriorBeliefs beliefs;
+  beliefs.noise_sd =
+      table.number_or(Dimension::kNumber, "noise_sd", beliefs.noise_sd, Range::kNotNegative);
+  beliefs.spread_sd =
+      table.number_or(Dimension::kNumber, "spread_sd", beliefs.spread_sd, Range::kNotNegative);
+  if (table.has("directions"))
+    beliefs.sphere_priors = table.choice("directions", {"sphere", "normal"}) == "sphere";
+  table.done();
+  return beliefs;
+}
+
 }  // namespace
 
 FitSettings parse_fit_settings(const std::string& text, const std::string& path) {
@@ -75,6 +87,8 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
   for (TomlTable& row : top.tables("parameter")) settings.rules.push_back(read_rule(row));
   for (TomlTable& row : top.tables("axis_distance"))
     settings.axis_distances.push_back(read_axis_distance(row));
+  if (std::optional<TomlTable> table = top.table("posterior"))
+    settings.posterior = read_posterior(*table);
   top.done();
   return settings;
 }

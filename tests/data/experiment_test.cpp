@@ -175,5 +175,65 @@ TEST(ExperimentErrors, NoSource) {
             "e.toml:1: the top level needs 'source' (a citation key)");
 }
 
+// -- Electromyography ------------------------------------------------------------------------
+
+const std::string kActivation = R"([[activation]]
+posture = "Hook"
+activation = {FDS = 0.3, FDP = 0.2}
+activation_sd = 0.1
+force_N = [1, 2, 3]
+[[activation]]
+posture = "Hook"
+activation = {FDS = 0.5, FDP = 0.4}
+activation_sd = 0.1
+activation_sd_of = {FDP = 0.05}
+force_N = [3, 0, 4]
+sd_N = [0.1, 0.2, 0.3]
+[trials]
+)";
+
+TEST(ActivationRows, AreRead) {
+  const Experiment experiment = parse_experiment(broken("[trials]\n", kActivation), "e.toml");
+  ASSERT_EQ(experiment.activations.size(), 2U);
+  const ActivationRow& first = experiment.activations[0];
+  EXPECT_EQ(first.posture, "Hook");
+  EXPECT_EQ(first.activation, (std::map<std::string, double>{{"FDS", 0.3}, {"FDP", 0.2}}));
+  EXPECT_EQ(first.sd, (std::map<std::string, double>{{"FDS", 0.1}, {"FDP", 0.1}}));
+  EXPECT_TRUE(matrix_near(first.force, Vector3d(1, 2, 3), 0));
+  // hypot(0.4 N, 0.3 sqrt(14) N)
+  EXPECT_TRUE(
+      matrix_near(force_sd(experiment, first), Vector3d::Constant(1.1916375287812984), 1e-15));
+  const ActivationRow& second = experiment.activations[1];
+  EXPECT_EQ(second.sd, (std::map<std::string, double>{{"FDS", 0.1}, {"FDP", 0.05}}));
+  EXPECT_TRUE(matrix_near(force_sd(experiment, second), Vector3d(0.1, 0.2, 0.3), 0));
+  EXPECT_EQ(experiment.trials.size(), 2U);
+}
+
+TEST(ActivationRows, MayStandAlone) {
+  std::string text = broken("[trials]\n", kActivation);
+  text.erase(text.find("[trials]"));
+  EXPECT_TRUE(parse_experiment(text, "e.toml").trials.empty());
+}
+
+/// What the reader says of kActivation with `from` replaced by `to`.
+std::string activation_refusal(const std::string& from, const std::string& to) {
+  std::string rows = kActivation;
+  rows.replace(rows.find(from), from.size(), to);
+  return refusal("[trials]\n", rows);
+}
+
+TEST(ActivationRows, SayWhatIsWrongWithThem) {
+  EXPECT_EQ(activation_refusal("FDS = 0.3", "FDS = 1.3"),
+            "e.toml:20: wanted 'activation.FDS' in 0..1, got 1.3");
+  EXPECT_EQ(activation_refusal("activation = {FDS = 0.3, FDP = 0.2}\n", ""),
+            "e.toml:18: wanted 'activation' of at least one muscle: {FPL = 0.3}");
+  EXPECT_EQ(activation_refusal("\"Hook\"", "\"Hock\""),
+            "e.toml:18: posture 'Hock' is not defined, did you mean 'Hook'?");
+  EXPECT_EQ(activation_refusal("_of = {FDP", "_of = {EDC"),
+            "e.toml:27: 'activation_sd_of' names muscle 'EDC', 'activation' does not");
+  EXPECT_EQ(activation_refusal("activation_sd = 0.1\n", ""),
+            "e.toml:18: [[activation]] needs a plain number (activation_sd)");
+}
+
 }  // namespace
 }  // namespace thenar

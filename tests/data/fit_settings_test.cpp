@@ -112,5 +112,26 @@ TEST(FitSettingsFile, RefusesWhatItDoesNotKnow) {
   EXPECT_NE(refusal("tie_ratio = 0.5", "tie_factor = 0.5"), "");
 }
 
+TEST(FitSettingsFile, ReadsBeliefsOfAPosterior) {
+  const PosteriorBeliefs usual = parse_fit_settings(kGood, "fit.toml").posterior;
+  EXPECT_TRUE(usual.sphere_priors);
+  EXPECT_GT(usual.noise_sd, 0);
+  const std::string own = "[posterior]\nnoise_sd = 0\nspread_sd = 0.3\ndirections = 'normal'\n";
+  const PosteriorBeliefs beliefs = parse_fit_settings(kGood + own, "fit.toml").posterior;
+  EXPECT_EQ(beliefs.noise_sd, 0);
+  EXPECT_EQ(beliefs.spread_sd, 0.3);
+  EXPECT_FALSE(beliefs.sphere_priors);
+}
+
+TEST(FitSettingsErrors, OfThePosteriorHavePathAndLine) {
+  const auto with = [](const std::string& row) {
+    return refusal("[[axis_distance]]", "[posterior]\n" + row + "\n[[axis_distance]]");
+  };
+  EXPECT_EQ(with("noise_sd = -1"), "fit.toml:27: wanted 'noise_sd' >= 0, got -1");
+  EXPECT_EQ(with("directions = 'flat'"),
+            "fit.toml:27: wanted 'directions' to be one of sphere, normal, got 'flat'");
+  EXPECT_EQ(with("noise = 1"), "fit.toml:27: unknown key 'noise', did you mean 'noise_sd'?");
+}
+
 }  // namespace
 }  // namespace thenar
