@@ -21,6 +21,11 @@ void StateWriter::put(const Eigen::Ref<const Eigen::MatrixXd>& matrix) {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i) put(matrix(i, k));
 }
 
+void StateWriter::put_bytes(const std::string& bytes) {
+  put(static_cast<std::int64_t>(bytes.size()));
+  bytes_ += bytes;
+}
+
 double StateReader::number() {
   double value;
   take(&value, sizeof value);
@@ -41,6 +46,15 @@ Eigen::MatrixXd StateReader::matrix() {
   Eigen::MatrixXd matrix(rows, columns);
   take(matrix.data(), static_cast<std::size_t>(matrix.size()) * sizeof(double));
   return matrix;
+}
+
+std::string StateReader::bytes() {
+  const std::int64_t size = integer();
+  require(size >= 0 && static_cast<std::size_t>(size) <= bytes_.size() - at_,
+          "saved state: a part of {} bytes, {} are left", size, bytes_.size() - at_);
+  std::string part(static_cast<std::size_t>(size), '\0');
+  take(part.data(), part.size());
+  return part;
 }
 
 void StateReader::take(void* to, std::size_t size) {

@@ -15,6 +15,7 @@ class StateWriter {
   void put(double value);
   void put(std::int64_t value);
   void put(const Eigen::Ref<const Eigen::MatrixXd>& matrix);  // shape and entries
+  void put_bytes(const std::string& bytes);                   // length and bytes
 
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -31,6 +32,7 @@ class StateReader {
   [[nodiscard]] double number();
   [[nodiscard]] std::int64_t integer();
   [[nodiscard]] Eigen::MatrixXd matrix();
+  [[nodiscard]] std::string bytes();
   [[nodiscard]] bool done() const { return at_ == bytes_.size(); }
 
  private:

@@ -24,6 +24,18 @@ TEST(StateBytes, ComeBackExactly) {
   EXPECT_TRUE(reader.done());
 }
 
+TEST(StateBytes, PartsKeepTheirLengths) {
+  StateWriter writer;
+  writer.put_bytes(std::string("a\0b", 3));
+  writer.put_bytes("");
+  writer.put(2.0);
+  StateReader reader(writer.bytes());
+  EXPECT_EQ(reader.bytes(), std::string("a\0b", 3));
+  EXPECT_EQ(reader.bytes(), "");
+  EXPECT_EQ(reader.number(), 2.0);
+  EXPECT_THROW((void)StateReader(writer.bytes().substr(0, 9)).bytes(), InputError);
+}
+
 TEST(StateBytes, CutShortIsRefused) {
   StateWriter writer;
   writer.put(Eigen::MatrixXd::Ones(3, 3));

@@ -1,0 +1,112 @@
+#include "sampling/run_folder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.h"
+#include "base/provenance.h"
+#include "sampling/state_bytes.h"
+
+namespace thenar::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kDigest = 64;  // hexadecimal digits of a SHA-256
+
+std::string text_of(const RunIdentity& identity) {
+  std::string text;
+  for (const auto& [name, value] : identity) text += name + " = " + value + "\n";
+  return text;
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  require(file.good(), "cannot read '{}'", path);
+  return content.str();
+}
+
+RunIdentity identity_of(const std::string& text) {
+  RunIdentity identity;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const auto sign = line.find(" = ");
+    if (sign != std::string::npos) identity[line.substr(0, sign)] = line.substr(sign + 3);
+  }
+  return identity;
+}
+
+/// "seed (was 1, is 2), ..." of all entries that differ.
+std::string differences(RunIdentity was, RunIdentity is) {
+  for (const auto& [name, value] : is) was.emplace(name, "not there");
+  std::string text;
+  for (const auto& [name, value] : was) {
+    const std::string& now = is.emplace(name, "not there").first->second;
+    if (value == now) continue;
+    text += fmt::format("{}{} (was {}, is {})", text.empty() ? "" : ", ", name, value, now);
+  }
+  return text;
+}
+
+void check_identity(const std::string& folder, const RunIdentity& identity) {
+  const std::string path = folder + "/run.txt";
+  if (!fs::exists(path)) {
+    require(!fs::exists(folder + "/state.bin"), "folder '{}' has a checkpoint but no run.txt",
+            folder);
+    replace_file(path, text_of(identity));
+    return;
+  }
+  const std::string differing = differences(identity_of(content_of(path)), identity);
+  require(differing.empty(), "the checkpoint in '{}' belongs to another run; what differs: {}",
+          folder, differing);
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
+                     const std::vector<Eigen::Index>& rows)
+    : folder_(folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  require(fs::is_directory(folder), "cannot make folder '{}' for checkpoints: {}", folder,
+          error.message());
+  lock_.emplace(folder + "/lock");
+  require(lock_->lock(), "another process is sampling in '{}'", folder);
+  check_identity(folder, identity);
+  read_state();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    streams_.emplace_back(fmt::format("{}/group_{:03}.draws", folder, k), rows[k]);
+    streams_.back().resume(columns_);
+  }
+}
+
+void RunFolder::read_state() {
+  const std::string path = folder_ + "/state.bin";
+  if (!fs::exists(path)) return;
+  const std::string content = content_of(path);
+  require(content.size() > kDigest && sha256(content.substr(kDigest)) == content.substr(0, kDigest),
+          "the checkpoint '{}' is damaged", path);
+  StateReader reader(content.substr(kDigest));
+  columns_ = reader.integer();
+  state_ = reader.bytes();
+}
+
+void RunFolder::commit(const std::vector<Eigen::MatrixXd>& added, const std::string& state) {
+  for (std::size_t k = 0; k < streams_.size(); ++k) {
+    if (added[k].cols() == 0) continue;
+    streams_[k].append(added[k]);
+    streams_[k].sync();
+  }
+  const long columns = columns_ + (added.empty() ? 0 : added[0].cols());
+  StateWriter writer;
+  writer.put(std::int64_t{columns});
+  writer.put_bytes(state);
+  replace_file(folder_ + "/state.bin", sha256(writer.bytes()) + writer.bytes());
+  columns_ = columns;
+  state_ = state;
+}
+
+}  // namespace thenar::internal
