@@ -23,11 +23,14 @@ namespace thenar {
 [[nodiscard]] double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);  // of 5 and 95 %
 [[nodiscard]] double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
 [[nodiscard]] double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share);
-[[nodiscard]] double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);  // of (x - mean)^2
 
 /// Monte Carlo standard errors, in the unit of x.
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
+/// For any distribution with four moments, not only the normal one [KenneyKeeping1951 p. 141]:
+///   sqrt((m4 - m2^2) / ESS of (x - mean)^2) / (2 sqrt(m2)).
 [[nodiscard]] double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share);
 
 /// One quantity of a posterior, in its own unit.
 struct Estimate {
@@ -49,6 +52,7 @@ struct ConvergenceLimits {
   double ess_per_chain = 100;  // least bulk and tail ESS, times the number of groups [1]
   double divergent_share = 0;  // of draws [1]
   double swap_rate = 0.05;     // least between neighbours [1]
+  int max_depth = 10;          // of trees of NUTS: steps that reach it are counted [1]
 };
 
 /// Empty `reasons`: converged as far as anyone can tell.

@@ -1,0 +1,85 @@
+// Effective sample sizes: how many independent draws would know a quantity as well.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sampling/diagnostics/autocovariance.h"
+#include "sampling/diagnostics/chain_parts.h"
+#include "sampling/diagnostics/convergence.h"
+#include "sampling/diagnostics/order_statistics.h"
+
+namespace thenar {
+namespace {
+
+/// Autocorrelation of all chains together, at lags 0 .. n - 1 [Vehtari2021 eq. 10].
+Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x) {
+  const double n = double(x.rows()), m = double(x.cols());
+  Eigen::VectorXd covariance = Eigen::VectorXd::Zero(x.rows());
+  for (Eigen::Index chain = 0; chain < x.cols(); ++chain)
+    covariance += autocovariance(x.col(chain)) / m;
+
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  const double within = covariance[0] * n / (n - 1);
+  const double all = covariance[0] + (mean.array() - mean.mean()).square().sum() / (m - 1);
+  Eigen::VectorXd rho = 1 - (within - covariance.array()) / all;
+  rho[0] = 1;
+  return rho;
+}
+
+/// 1 + 2 sum of rho, cut off where the sum of a pair of neighbours is no longer positive, and
+/// pairs made to fall: Geyer's initial monotone sequence [Geyer1992]. The first pair left out
+/// still lends its even half once, which lets antithetic chains win [Vehtari2021 sec. 3.2].
+double autocorrelation_time(const Eigen::VectorXd& rho) {
+  double sum = 0, least = std::numeric_limits<double>::infinity();
+  Eigen::Index lag = 0;
+  for (; lag + 4 < rho.size() && rho[lag] + rho[lag + 1] > 0; lag += 2) {
+    least = std::min(least, rho[lag] + rho[lag + 1]);
+    sum += least;
+  }
+  return -1 + 2 * sum + std::max(0.0, rho[lag]);
+}
+
+/// Never above N log10 N, where the noise of rho would decide.
+double effective_size(const Eigen::MatrixXd& x) {
+  if (!can_be_judged(x)) return std::numeric_limits<double>::quiet_NaN();
+  const double size = double(x.size());
+  return size / std::max(autocorrelation_time(autocorrelation_of_all(x)), 1 / std::log10(size));
+}
+
+Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit) {
+  return (x.array() <= limit).cast<double>();
+}
+
+}  // namespace
+
+double bulk_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const Eigen::MatrixXd halves = split_chains(x);
+  if (!can_be_judged(halves)) return std::numeric_limits<double>::quiet_NaN();
+  return effective_size(normal_scores(halves));
+}
+
+double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  return effective_size(split_chains(x));
+}
+
+double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
+  (void)split_chains(x);  // enough draws?
+  if (!can_be_judged(x)) return std::numeric_limits<double>::quiet_NaN();
+  return effective_size(split_chains(at_most(x, quantile(sorted(x), share))));
+}
+
+double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  (void)split_chains(x);
+  if (!can_be_judged(x)) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::VectorXd rising = sorted(x);
+  const double low = effective_size(split_chains(at_most(x, quantile(rising, 0.05))));
+  const double high = effective_size(split_chains(at_most(x, quantile(rising, 0.95))));
+  return low <= high || std::isnan(low) ? low : high;
+}
+
+double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  return mean_ess((x.array() - x.mean()).square().matrix());
+}
+
+}  // namespace thenar

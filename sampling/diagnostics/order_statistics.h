@@ -1,0 +1,24 @@
+#pragma once
+
+/// Ranks, normal scores and quantiles of draws.
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Ranks 1 .. N among all entries; ties share the average of theirs (shape of x).
+[[nodiscard]] Eigen::MatrixXd average_ranks(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// Normal scores  quantile of N(0, 1) at (rank - 3/8) / (N + 1/4)  (shape of x).
+/// Source: [Vehtari2021] eq. 14, after [Blom1958].
+[[nodiscard]] Eigen::MatrixXd normal_scores(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// All entries in rising order (N).
+[[nodiscard]] Eigen::VectorXd sorted(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// Quantile of sorted draws, linear between order statistics: type 7 of [HyndmanFan1996].
+/// @param rising  at least one (N)
+/// @param share   0..1
+[[nodiscard]] double quantile(const Eigen::Ref<const Eigen::VectorXd>& rising, double share);
+
+}  // namespace thenar

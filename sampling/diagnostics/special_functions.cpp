@@ -1,0 +1,22 @@
+#include "sampling/diagnostics/special_functions.h"
+
+#include <unsupported/Eigen/SpecialFunctions>
+
+namespace thenar {
+
+double normal_quantile(double p) { return Eigen::numext::ndtri(p); }
+
+double chi_square_tail(double x, double dof) {
+  return x > 0 ? Eigen::numext::igammac(dof / 2, x / 2) : 1;
+}
+
+double beta_quantile(double p, double a, double b) {
+  double below = 0, above = 1;
+  while (true) {
+    const double x = below + (above - below) / 2;
+    if (x <= below || x >= above) return x;
+    (Eigen::numext::betainc(a, b, x) < p ? below : above) = x;
+  }
+}
+
+}  // namespace thenar

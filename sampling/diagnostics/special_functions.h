@@ -1,0 +1,17 @@
+#pragma once
+
+/// Distribution functions that diagnostics read their verdicts from. One fence of Eigen's
+/// unsupported special functions, which are those of Cephes.
+
+namespace thenar {
+
+/// z with P(Z <= z) = p, Z standard normal. @param p  in (0, 1)
+[[nodiscard]] double normal_quantile(double p);
+
+/// P(X > x), X chi-square with `dof` degrees of freedom.
+[[nodiscard]] double chi_square_tail(double x, double dof);
+
+/// x with P(X <= x) = p, X ~ Beta(a, b), to the last bits by bisection. @param p  in (0, 1)
+[[nodiscard]] double beta_quantile(double p, double a, double b);
+
+}  // namespace thenar
