@@ -15,8 +15,8 @@ using internal::NetInput;
 using internal::TangentNet;
 
 TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetDrive& drive,
-                      const NetEquilibrium& rest) {
-  const std::string why = no_slopes(net, rest);
+                      const NetEquilibrium& rest, double settled = 0) {
+  const std::string why = no_slopes(net, rest, settled);
   require(why.empty(), "net {}: no slopes, since {}", net.name, why);
   return {net, state, drive, rest};
 }
@@ -94,8 +94,9 @@ std::vector<NetInput> tightening(const TangentNet& tangent, std::size_t links, c
 
 }  // namespace
 
-std::string no_slopes(const Net& net, const NetEquilibrium& rest) {
-  if (rest.status == NetStatus::kStalled || rest.status == NetStatus::kWoundRound)
+std::string no_slopes(const Net& net, const NetEquilibrium& rest, double settled) {
+  const bool stalled = rest.status == NetStatus::kStalled && !(rest.residual < settled);
+  if (stalled || rest.status == NetStatus::kWoundRound)
     return fmt::format("it is not balanced: {:.2g} N are left", rest.residual);
   if (rest.status == NetStatus::kUnstable) return "it is at a saddle";
   for (const NetDrawnBand& drawn : rest.drawn) {
@@ -108,8 +109,9 @@ std::string no_slopes(const Net& net, const NetEquilibrium& rest) {
 }
 
 MatrixXd length_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
-                           const NetDrive& drive, const NetEquilibrium& rest, int coordinates) {
-  return length_by_posture(tangent_at(net, state, drive, rest), tree, state, coordinates);
+                           const NetDrive& drive, const NetEquilibrium& rest, int coordinates,
+                           double settled) {
+  return length_by_posture(tangent_at(net, state, drive, rest, settled), tree, state, coordinates);
 }
 
 MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeState<double>& state,

@@ -21,14 +21,15 @@ namespace thenar {
 /// Why an equilibrium has no slopes; empty: it has. It must be balanced and not at a saddle, which
 /// it leaves at the least push, and no band may have drawn two floating nodes together. A node that
 /// is drawn into a fixed exit has slopes: it rides on the exit.
-[[nodiscard]] std::string no_slopes(const Net& net, const NetEquilibrium& rest);
+/// @param settled  residual of a stalled net below which it counts as balanced [N]
+[[nodiscard]] std::string no_slopes(const Net& net, const NetEquilibrium& rest, double settled = 0);
 
 /// dL/dq of all bands while the net stays at rest (bands, coordinates) [m/rad].
 /// @throws InputError as of no_slopes().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
-                                                int coordinates);
+                                                int coordinates, double settled = 0);
 
 /// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
 /// @throws InputError as of no_slopes().

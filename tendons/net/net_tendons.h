@@ -25,8 +25,9 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] const BuiltNet& net() const { return net_; }
 
   /// `trouble` says what the paths outside of the net have to say, and why a hood is not to be
-  /// trusted: not balanced, unstable, drawn into an exit, or with a band buried in bone. `R` has the
-  /// share of the net wherever the net has slopes, see no_slopes(); where not, `trouble` says so.
+  /// trusted: not balanced, unstable, drawn into an exit, or with a band buried in bone. `R` has
+  /// the share of the net wherever the net has slopes, see no_slopes(); where not, `trouble` says
+  /// so.
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                   const Eigen::Matrix3Xd& start) const override;
 

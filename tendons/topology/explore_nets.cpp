@@ -149,7 +149,31 @@ std::vector<TestPromise> open_tests(const std::vector<TestPromise>& ranked,
   return open;
 }
 
+/// Why no more is measured. @param left  tests that may still be
+ExploreStop reason(const Progress& progress, const std::vector<TestPromise>& next, int left,
+                   double enough) {
+  if (progress.stop()) return ExploreStop::kAsked;
+  if (left == 0 || next.empty()) return ExploreStop::kTests;
+  return next.front().disagreement < enough ? ExploreStop::kAgreed : ExploreStop::kNoOracle;
+}
+
 }  // namespace
+
+std::string to_string(ExploreStop stop) {
+  switch (stop) {
+    case ExploreStop::kAgreed:
+      return "no test sets the nets that are left apart";
+    case ExploreStop::kTests:
+      return "no test is left to measure";
+    case ExploreStop::kNoOracle:
+      return "more tests would tell the nets apart that are left";
+    case ExploreStop::kAsked:
+      return "stopped";
+    case ExploreStop::kNothingHolds:
+      return "no net carries the loads";
+  }
+  return "";
+}
 
 Exploration explore_nets(const CandidateNet& candidate, std::vector<TendonRecord> records,
                          const std::vector<TendonTest>& pool, const TestOracle& oracle,
@@ -175,14 +199,13 @@ Exploration explore_nets(const CandidateNet& candidate, std::vector<TendonRecord
     out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
                                      {error * options.noise.relative, error * options.noise.floor}),
                           search.used);
-    const int left = std::min(options.tests_a_round, options.most_tests - measured);
+    const int left = oracle ? std::clamp(options.most_tests - measured, 0, options.tests_a_round)
+                            : options.tests_a_round;
     const std::vector<TestPromise> chosen =
         choose(out.next, pool, few(tried) ? 0 : options.enough, left);
     const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
-    out.stop = progress.stop()                 ? ExploreStop::kAsked
-               : left <= 0 || out.next.empty() ? ExploreStop::kTests
-                                               : ExploreStop::kAgreed;
+    out.stop = reason(progress, out.next, left, options.enough);
     if (progress.stop() || chosen.empty() || !oracle) {
       const TriedNet& best = alive.front();
       if (!progress.stop()) descend(tried, best.bands, best.fit.s, options.price);

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -36,9 +37,13 @@ struct ExploreRound {
 enum class ExploreStop {
   kAgreed,       // no test of the pool sets the survivors apart
   kTests,        // as many tests as allowed, or the pool is used up
+  kNoOracle,     // tests are worth measuring, and nobody is there to do it
   kAsked,        // stop was requested
   kNothingHolds  // no topology carries the loads
 };
+
+/// Why it ended, in words.
+[[nodiscard]] std::string to_string(ExploreStop stop);
 
 struct [[nodiscard]] Exploration {
   ExploreStop stop = ExploreStop::kNothingHolds;

@@ -100,11 +100,13 @@ BandFitter::Followed BandFitter::follow(PricedFit problem, const Eigen::VectorXd
   if (!found.possible) return out;
   BandFit& fit = out.fit;
   fit.s = stiffness_of(found.x);
-  PricedResiduals at = residuals(forward_.predict(fit.s.cwiseProduct(typical_), Slopes::kWith));
+  const NetForecast forecast = forward_.predict(fit.s.cwiseProduct(typical_), Slopes::kWith);
+  PricedResiduals at = residuals(forecast);
   fit.holds = at.possible;
   out.strayed = !at.possible;
   if (!fit.holds) return out;
   fit.converged = found.converged;
+  fit.residual = forecast.residual;
   fit.misfit = at.r.squaredNorm();
   fit.r = std::move(at.r);
   fit.J = std::move(at.J);

@@ -28,12 +28,13 @@ inline constexpr double kGhost = 0.01;
 
 /// Best stiffnesses under one set of assumptions.
 struct [[nodiscard]] BandFit {
-  bool holds = false;  // the net carries all loads; otherwise nothing else is meant
-  bool converged = false;
-  Eigen::VectorXd s;  // EA / typical EA of each candidate [1] (candidates)
-  double misfit = 0;  // chi^2 = sum ((predicted - measured) / sd)^2 [1]
-  Eigen::VectorXd r;  // the residuals in units of sd (rows)
-  Eigen::MatrixXd J;  // their slope by s (rows, candidates)
+  bool holds = false;      // the net carries all loads; otherwise nothing else is meant
+  bool converged = false;  // to the tolerance of the fit
+  double residual = 0;     // of its nets, as in NetForecast [N]
+  Eigen::VectorXd s;       // EA / typical EA of each candidate [1] (candidates)
+  double misfit = 0;       // chi^2 = sum ((predicted - measured) / sd)^2 [1]
+  Eigen::VectorXd r;       // the residuals in units of sd (rows)
+  Eigen::MatrixXd J;       // their slope by s (rows, candidates)
 };
 
 /// Fits one set of records again and again, under changing assumptions.

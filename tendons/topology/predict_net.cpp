@@ -39,15 +39,6 @@ std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
   return places;
 }
 
-/// Length of each band per joint angle while the net stays at rest [m/rad] (bands, coordinates); of
-/// a net that settled well enough as of one at rest.
-Eigen::MatrixXd length_slopes(const Net& net, const Tree<double>& tree, const TendonTest& test,
-                              const TreeState<double>& state, NetEquilibrium rest) {
-  rest.status = NetStatus::kBalanced;
-  return length_by_posture(net, tree, state, {test.tension, {}}, rest,
-                           static_cast<int>(test.q.size()));
-}
-
 }  // namespace
 
 NetForward::NetForward(CandidateNet candidate, const std::vector<TendonTest>& tests)
@@ -71,7 +62,9 @@ void NetForward::add(const TendonTest& test) {
 Eigen::MatrixXd NetForward::slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
                                      const Eigen::VectorXd& EA) const {
   Eigen::MatrixXd tau = Eigen::MatrixXd::Zero(candidate_.coordinates, EA.size());
-  const Eigen::MatrixXd turn = length_slopes(net, candidate_.tree, posed.test, posed.state, rest);
+  const Eigen::MatrixXd turn =
+      length_by_posture(net, candidate_.tree, posed.state, {posed.test.tension, {}}, rest,
+                        static_cast<int>(posed.test.q.size()), kSettledNet);
   for (const auto& [candidate, band] : places_of(candidate_, EA))
     tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
   return posed.test.map * tau;
@@ -95,6 +88,7 @@ NetForecast NetForward::predict(const Eigen::VectorXd& EA, Slopes slopes, const 
         solver.solve(posed.state, {posed.test.tension, {}}, warm ? &near->rest[place] : &posed.x);
     ++solves_;
     if (!holds(net, rest)) return out;
+    out.residual = std::max(out.residual, rest.residual);
     const Eigen::Index n = posed.test.map.rows();
     Eigen::VectorXd tau =
         net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);

@@ -12,8 +12,9 @@
 
 namespace thenar {
 
-/// A net that the solver could not bring to rest better than this is left out; finer residuals are
-/// far below what a load cell feels [N].
+/// A net that the solver could not bring to rest better than this is left out. Between it and the
+/// solver's tolerance a net counts, slopes as well, as one at rest: far below what a load cell
+/// feels. NetForecast::residual says what was left [N].
 inline constexpr double kSettledNet = 1e-4;
 
 /// All tests one under the other.
@@ -21,6 +22,7 @@ struct [[nodiscard]] NetForecast {
   bool holds = false;     // every test was balanced; otherwise nothing else is meant
   Eigen::VectorXd value;  // (rows)
   Eigen::MatrixXd by_EA;  // slope by each candidate's EA (rows, candidates); if asked for
+  double residual = 0;    // largest out-of-balance force of a node in any test [N]
   std::vector<Eigen::Matrix3Xd> rest;  // where the nodes of each test rest, world [m] (3, nodes)
 };
 

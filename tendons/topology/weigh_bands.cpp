@@ -18,6 +18,15 @@ double evidence(const TriedNets& tried, int band) {
   return std::isinf(without) && std::isinf(with) ? 0 : without - with;
 }
 
+/// What the fits behind the evidence on one band have to say of themselves.
+void state_fits(const TriedNets& tried, int band, BandVerdict& verdict, InferredNet& out) {
+  for (bool present : {false, true})
+    if (const TriedNet* net = tried.best_where(band, present)) {
+      verdict.converged = verdict.converged && net->fit.converged;
+      out.residual = std::max(out.residual, net->fit.residual);
+    }
+}
+
 /// Bands of little evidence, least first.
 std::vector<int> doubtful(const TriedNets& tried, int bands, double below) {
   std::vector<int> open;
@@ -111,6 +120,9 @@ void state_stiffness(TriedNets& tried, InferredNet& out) {
     out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
     const double sd = out.inflation * std::sqrt(variance(i));
     out.verdicts[c].EA_sd = best.bands[c] && sd < 1e3 ? sd : kInfinity;
+    const CandidateBand& bounds = tried.fitter().candidate().candidates[c];
+    out.verdicts[c].EA_told =
+        out.verdicts[c].EA_sd < std::log(bounds.most / bounds.least) / std::sqrt(12.0);
   }
 }
 
@@ -172,6 +184,7 @@ InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Pro
   out.found = true;
   out.bands = best.bands;
   out.misfit = best.fit.misfit;
+  out.converged = best.fit.converged;
   const std::vector<std::string> names = candidate_names(tried.fitter().candidate());
   for (int c = 0; c < static_cast<int>(names.size()); ++c) {
     BandVerdict band;
@@ -179,6 +192,7 @@ InferredNet weigh_bands(TriedNets& tried, const WeighOptions& options, const Pro
     band.evidence = weight * evidence(tried, c);
     if (std::abs(band.evidence) >= options.doubt)
       band.verdict = band.evidence > 0 ? Verdict::kYes : Verdict::kNo;
+    state_fits(tried, c, band, out);
     out.verdicts.push_back(band);
   }
   out.alike = tried.alike(options.doubt / weight);

@@ -22,8 +22,11 @@ struct BandVerdict {
   Verdict verdict = Verdict::kUndecided;
   double evidence = 0;  // least chi^2 without the band, less the least with it, per inflation^2:
                         // > 0 for it; infinite if no net without (or with) it carries the loads [1]
-  double EA = 0;        // in the best net, 0 where it lacks the band [N]
-  double EA_sd = 0;     // of log EA, alone: the others free [1]; infinite if the data do not tell
+  bool converged = true;  // the fits that this rests on reached their tolerance
+  double EA = 0;          // in the best net, 0 where it lacks the band [N]
+  double EA_sd = 0;       // of log EA, alone: the others free [1]; infinite if the data do not tell
+  bool EA_told = false;  // the data say more of EA than its bounds: EA_sd is below the sd of log EA
+                         // spread evenly between them, log(most / least) / sqrt(12)
 };
 
 /// Bands whose verdicts hang on each other: the data want some of them, but not which.
@@ -34,11 +37,13 @@ struct BandGroup {
 
 /// All that was inferred of a net.
 struct [[nodiscard]] InferredNet {
-  bool found = false;     // some topology carries all loads; otherwise nothing else is meant
-  Topology bands;         // the best
-  double misfit = 0;      // its chi^2 [1]
-  Eigen::Index rows = 0;  // numbers that were fitted
-  double inflation = 1;   // of the noise, for errors of the model [1]
+  bool found = false;      // some topology carries all loads; otherwise nothing else is meant
+  Topology bands;          // the best
+  double misfit = 0;       // its chi^2 [1]
+  bool converged = false;  // its fit reached its tolerance
+  double residual = 0;     // out of balance at worst in the nets that verdicts rest on [N]
+  Eigen::Index rows = 0;   // numbers that were fitted
+  double inflation = 1;    // of the noise, for errors of the model [1]
   std::vector<BandVerdict> verdicts;   // of each candidate
   std::vector<TriedNet> alike;         // within `doubt` of the best, best first
   std::vector<BandGroup> groups;       // of two undecided bands or more

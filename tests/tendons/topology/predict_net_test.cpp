@@ -50,6 +50,20 @@ TEST(PredictNet, AddsWhatIsNotInTheNetAndMapsTorque) {
                           Vector2d(2 * tau, -tau), 1e-10));
 }
 
+// Under 1 MN rounding alone leaves more than the solver's tolerance: such a net counts as one at
+// rest, also for slopes, but not in silence.
+TEST(PredictNet, SaysHowFarOutOfBalanceItsNetsAre) {
+  CandidateNet candidate = tug::candidate(2);
+  for (NetBand& band : candidate.net.bands) band.EA *= 1e6;
+  for (CandidateBand& band : candidate.candidates) band.least *= 1e6, band.most *= 1e6;
+  NetForward strong(candidate, {tug::test(1e6)}), usual(tug::candidate(2), {tug::test(4)});
+  const NetForecast got = strong.predict(Vector2d(5e7, 1.5e8), Slopes::kWith);
+  ASSERT_TRUE(got.holds);
+  EXPECT_GT(got.residual, NetSolverOptions().tolerance);
+  EXPECT_LT(got.residual, kSettledNet);
+  EXPECT_LT(usual.predict(Vector2d(50, 150), Slopes::kWith).residual, NetSolverOptions().tolerance);
+}
+
 TEST(CandidateNet, RefusesAMusclesBand) {
   CandidateNet candidate = tug::candidate(1);
   candidate.candidates[0].band = 1;

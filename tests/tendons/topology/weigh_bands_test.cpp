@@ -95,6 +95,28 @@ TEST(WeighBands, NamesTheBlindDirection) {
   EXPECT_TRUE(std::isinf(net.verdicts[0].EA_sd));
 }
 
+// Of their ratio the data tell 1 %, of EA alone nothing; where one is known, so is the other.
+TEST(WeighBands, TellsAStiffnessThatTheDataDecide) {
+  for (const BandVerdict& band : weigh(tug::candidate(2), share(0.5)).verdicts)
+    EXPECT_FALSE(band.EA_told);
+  CandidateNet known = tug::candidate(2);
+  known.candidates.pop_back();  // the second band exists and its EA is known
+  const InferredNet net = weigh(known, share(0.5));
+  EXPECT_TRUE(net.verdicts[0].EA_told);
+  // d log share / d log EA_0 = 1/2, and the share is known to 2 %.
+  EXPECT_NEAR(net.verdicts[0].EA_sd, 0.04, 1e-3);
+}
+
+TEST(WeighBands, SaysWhereFitsEndedBeforeTheirTolerance) {
+  EXPECT_TRUE(weigh(tug::candidate(2), share(0.3)).converged);
+  BandFitter hasty(tug::candidate(2), share(0.3), {1e-12, 0, 1, 1});  // one step
+  TriedNets tried(hasty);
+  (void)tried.fit({true, true}, Eigen::Vector2d(1, 2));
+  const InferredNet net = weigh_bands(tried);
+  EXPECT_FALSE(net.converged);
+  EXPECT_FALSE(net.verdicts[0].converged);
+}
+
 // Two readings that contradict each other by 2 * 30 sd: the best lies between, chi^2 = 2 * 900.
 TEST(ModelError, IsTheFactorThatMakesTheMisfitCredible) {
   std::vector<TendonRecord> records = share(0.2);
