@@ -16,7 +16,9 @@
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
+#include "apps/read_source.h"
 #include "apps/tendon_commands.h"
+#include "base/provenance.h"
 #include "base/write_file.h"
 #include "kinematics_fit/net_records.h"
 #include "tendons/net/build_tendons.h"
@@ -42,6 +44,7 @@ struct Options {
 struct Answer {
   InferredNet net;
   std::vector<TestPromise> next;
+  std::string stop;  // why the search for nets ended; empty: it is no search
 };
 
 /// Everything the inference starts from.
@@ -51,21 +54,31 @@ struct Case {
   std::vector<TendonRecord> records;
   std::vector<TendonTest> pool;
   ReadingNoise noise;
+  Json provenance;
 };
 
 Case read_case(const Options& options) {
   Case at;
-  at.experiment = read_experiment(options.experiment);
-  const Subject subject = read_subject(options.subject);
+  const SourceText experiment = read_source(options.experiment),
+                   person = read_source(options.subject), bands = net_source(options.net);
+  at.experiment = parse_experiment(experiment.text, experiment.path);
+  const Subject subject = parse_subject(person.text, person.path);
   TendonOptions tendons;
   tendons.hood = Hood::kFloatingNet;
-  const NetDescription net = find_net(options.net);
+  const NetDescription net = parse_net(bands.text, bands.path);
   const auto built = build_digit_tendons(subject, at.experiment.digit, tendons, &net);
   const auto& netted = dynamic_cast<const NetTendons&>(*built);
   at.candidate = candidate_of(netted);
   at.records = net_records(netted, at.experiment);
   at.pool = possible_tests(netted, at.experiment);
   at.noise = {at.experiment.sd_relative, at.experiment.sd_floor};
+  for (const SourceText& source : {experiment, person, bands})
+    at.provenance[source.path] = "sha256 " + sha256(source.text);
+  at.provenance["fidelity"] = describe(netted.digit().fidelity);
+  at.provenance["method"] = options.method == "sparse"
+                                ? options.method
+                                : fmt::format("{}, seed {}", options.method, options.seed);
+  for (const auto& [name, version] : versions()) at.provenance[name] = version;
   return at;
 }
 
@@ -73,7 +86,7 @@ Answer by_selection(const Case& at, const Progress& progress) {
   BandFitter fitter(at.candidate, at.records);
   TriedNets tried(fitter);
   (void)select_bands(tried, {}, progress);
-  Answer out{weigh_bands(tried, {}, progress), {}};
+  Answer out{weigh_bands(tried, {}, progress), {}, ""};
   if (!out.net.found) return out;
   // Models weigh, and readings differ, by the noise that the best of them leaves.
   std::vector<TriedNet> nets = out.net.alike;
@@ -92,7 +105,7 @@ Answer by_search(const Case& at, unsigned seed, const Progress& progress) {
   options.noise = at.noise;
   Exploration found =
       explore_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
-  return {std::move(found.net), std::move(found.next)};
+  return {std::move(found.net), std::move(found.next), to_string(found.stop)};
 }
 
 nlohmann::json number_or_null(double value) {
@@ -102,11 +115,13 @@ nlohmann::json number_or_null(double value) {
 nlohmann::ordered_json to_json(const Case& at, const Answer& answer, const Options& options) {
   nlohmann::ordered_json bands = nlohmann::ordered_json::array(), next = bands, groups = bands;
   for (const BandVerdict& band : answer.net.verdicts)
-    bands.push_back({{"band", band.name},
-                     {"verdict", to_string(band.verdict)},
-                     {"evidence", number_or_null(band.evidence)},
-                     {"EA_N", band.EA},
-                     {"sd_of_log_EA", number_or_null(band.EA_sd)}});
+    bands.push_back(
+        {{"band", band.name},
+         {"verdict", to_string(band.verdict)},
+         {"evidence", number_or_null(band.evidence)},
+         {"converged", band.converged},
+         {"EA_N", band.EA_told || band.EA == 0 ? nlohmann::json(band.EA) : nlohmann::json()},
+         {"sd_of_log_EA", number_or_null(band.EA_sd)}});
   for (const BandGroup& group : answer.net.groups) {
     nlohmann::json names = nlohmann::json::array();
     for (int c : group.bands) names.push_back(answer.net.verdicts[c].name);
@@ -118,6 +133,9 @@ nlohmann::ordered_json to_json(const Case& at, const Answer& answer, const Optio
   return {{"experiment", at.experiment.name},
           {"net", at.candidate.net.name},
           {"method", options.method},
+          {"search_ended", answer.stop.empty() ? nlohmann::json() : nlohmann::json(answer.stop)},
+          {"best_fit_converged", answer.net.converged},
+          {"out_of_balance_N", answer.net.residual},
           {"readings", answer.net.rows},
           {"chi2", answer.net.misfit},
           {"noise_inflated_by", answer.net.inflation},
@@ -129,12 +147,31 @@ nlohmann::ordered_json to_json(const Case& at, const Answer& answer, const Optio
           {"next_tests", next}};
 }
 
+/// The band's stiffness, if the data decide it.
+std::string stiffness(const BandVerdict& band) {
+  if (band.EA == 0) return "-";
+  return band.EA_told ? shown(band.EA, 1) : "not decided by the data";
+}
+
 Table table_of(const InferredNet& net) {
   Table table{{"band", "verdict", "evidence", "EA_N", "sd_log_EA"}, {}};
   for (const BandVerdict& band : net.verdicts)
     table.rows.push_back({band.name, to_string(band.verdict), shown(band.evidence, 1),
-                          shown(band.EA, 1), shown(band.EA_sd, 2)});
+                          stiffness(band), band.EA == 0 ? "-" : shown(band.EA_sd, 2)});
   return table;
+}
+
+/// What not to trust of the fits behind the verdicts, a sentence each.
+std::vector<std::string> doubts_of(const Answer& answer) {
+  std::vector<std::string> doubts, open;
+  for (const BandVerdict& band : answer.net.verdicts)
+    if (!band.converged) open.push_back(band.name);
+  if (!answer.net.converged) doubts.push_back("The fit of the best net did not converge.");
+  if (!open.empty())
+    doubts.push_back(fmt::format("Verdicts rest on fits that did not converge: {}.", listed(open)));
+  if (answer.net.residual > NetSolverOptions().tolerance)
+    doubts.push_back(fmt::format("Nets were balanced to {:.1g} N only.", answer.net.residual));
+  return doubts;
 }
 
 void print_text(const Case& at, const Answer& answer, const Options& options) {
@@ -146,7 +183,9 @@ void print_text(const Case& at, const Answer& answer, const Options& options) {
       net.misfit, net.inflation);
   fmt::print("{} topologies tried, {} fit alike, {} directions of stiffness are not felt\n\n",
              net.tried, net.alike.size(), net.blind.size());
+  if (!answer.stop.empty()) fmt::print("the search ended: {}\n\n", answer.stop);
   print_table("Bands", table_of(net));
+  for (const std::string& doubt : doubts_of(answer)) fmt::print("{}\n", doubt);
   for (const BandGroup& group : net.groups) {
     std::vector<std::string> names;
     for (int c : group.bands) names.push_back(net.verdicts[c].name);
@@ -164,11 +203,13 @@ void write_page(const Case& at, const Answer& answer, const Options& options) {
   Json next = Json::array();
   for (int i = 0; i < std::min<int>(options.propose, static_cast<int>(answer.next.size())); ++i)
     next.push_back({at.pool[answer.next[i].test].name, answer.next[i].disagreement});
-  const std::string what = fmt::format(
+  std::string what = fmt::format(
       "chi^2 {:.1f} for {} readings; evidence is weighed by {:.2f} times the stated noise. {} "
       "topologies fit alike; {} directions of stiffness are not felt.",
       answer.net.misfit, answer.net.rows, answer.net.inflation, answer.net.alike.size(),
       answer.net.blind.size());
+  if (!answer.stop.empty()) what += fmt::format(" The search ended: {}.", answer.stop);
+  for (const std::string& doubt : doubts_of(answer)) what += " " + doubt;
   Json blocks = Json::array(
       {table_block(
            "Bands: evidence above 6 decides",
@@ -178,6 +219,7 @@ void write_page(const Case& at, const Answer& answer, const Options& options) {
                    {{"test", ""}, {"disagreement", ""}}, next)});
   write_report({{"title", "Bands of net " + at.candidate.net.name},
                 {"subtitle", "from " + at.experiment.name},
+                {"provenance", at.provenance},
                 {"sections", Json::array({section("bands", "Which bands exist", what, blocks)})}},
                options.output);
 }

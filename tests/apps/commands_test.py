@@ -3,6 +3,7 @@
 Usage: commands_test.py [path of the program]; else the environment's THENAR. Run from anywhere.
 """
 import csv
+import hashlib
 import json
 import math
 import os
@@ -453,6 +454,17 @@ class Tendon(Near):
             decided = band["evidence"] is None or abs(band["evidence"]) >= 6
             self.assertEqual(band["verdict"] != "undecided", decided, band)
             self.assertIn(band["band"], text)
+        self.assertTrue(answer["best_fit_converged"])
+        self.assertLess(answer["out_of_balance_N"], 1e-4)
+        # Where a band came from: hashes of all three files.
+        for path in (H01, SYNEK, ROOT / "data/nets/chao_an.toml"):
+            self.assertIn(hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest(), text)
+        # A stiffness is told only where the data say more of it than its bounds 1/4 and 4 do.
+        for band in answer["bands"]:
+            sd = band["sd_of_log_EA"]
+            told = sd is not None and sd < math.log(16) / math.sqrt(12)
+            self.assertEqual(bool(band["EA_N"]), told, band)
+        self.assertIn("not decided by the data", text)
         promises = [test["disagreement"] for test in answer["next_tests"]]
         self.assertEqual(promises, sorted(promises, reverse=True))
         self.assertLessEqual(len(promises), 2)
