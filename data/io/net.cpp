@@ -21,10 +21,18 @@ BoneRole read_bone(TomlTable& table, const std::string& key) {
   return static_cast<BoneRole>(std::find(kBones.begin(), kBones.end(), name) - kBones.begin());
 }
 
+/// Part of a bone's length, at most one length beyond either end: further off lie other bones.
+double read_along(TomlTable& table) {
+  const double along = table.number(Dimension::kNumber, "along");
+  if (along < -1 || along > 2)
+    table.fail(fmt::format("wanted 'along' in -1..2 bone lengths, got {}", along), "along");
+  return along;
+}
+
 NetPlace read_place(TomlTable& table) {
   NetPlace place;
   place.bone = read_bone(table, "bone");
-  place.along = table.number(Dimension::kNumber, "along");
+  place.along = read_along(table);
   place.angle = table.number_or(Dimension::kAngle, "angle", 0);
   place.height = table.number(Dimension::kLength, "height", Range::kNotNegative);
   return place;
@@ -73,7 +81,7 @@ NetSurface read_surface(TomlTable& table, const NetDescription& net) {
                   : shape == "cylinder" ? SurfaceShape::kCylinder
                                         : SurfaceShape::kCapsule;
   surface.center.bone = read_bone(table, "bone");
-  surface.center.along = table.number(Dimension::kNumber, "along");
+  surface.center.along = read_along(table);
   surface.center.angle = table.number_or(Dimension::kAngle, "angle", 0);
   surface.center.height = table.number_or(Dimension::kLength, "height", 0, Range::kNotNegative);
   surface.radius = table.number(Dimension::kLength, "radius", Range::kPositive);
@@ -198,7 +206,7 @@ NetDescription parse_net(const std::string& text, const std::string& path) {
   net.name = top.text("name");
   net.description = top.text_or("description", "");
   net.source = top.source();
-  net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kNotNegative);
+  net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kFraction);
   read_reference(top, net);
   for (TomlTable& table : top.tables("surface")) net.surfaces.push_back(read_surface(table, net));
   for (TomlTable& table : top.tables("node")) net.nodes.push_back(read_node(table, net));

@@ -24,7 +24,7 @@ enum class FingerJoint { kMcp, kPip, kDip };
 /// A place on a bone.
 struct NetPlace {
   BoneRole bone = BoneRole::kProximal;
-  double along = 0;   // 0 at the bone's proximal end, 1 at its distal end; may lie beyond [1]
+  double along = 0;   // 0 at the bone's proximal end, 1 at its distal end; from -1 to 2 [1]
   double angle = 0;   // about the bone: 0 dorsal, +90 degrees radial, 180 palmar [rad]
   double height = 0;  // from the bone's line, in the reference finger [m]
 };
@@ -106,7 +106,7 @@ struct NetDescription {
       height_strands;   // whose arm in the straight
                         // finger is that height in a subject; the strand of the
                         // first muscle if the subject has none of them
-  double friction = 0;  // of nodes on bone [1]
+  double friction = 0;  // of nodes on bone, at most 1 [1]
   std::vector<NetSurface> surfaces;
   std::vector<NetNodePlan> nodes;
   std::vector<NetBandPlan> bands;

@@ -100,6 +100,18 @@ TEST(Net, NamesUnknownNode) {
       << refusal("to = \"knot\"", "to = \"knob\"");
 }
 
+// Lines as counted in kGood, in which friction takes the third.
+TEST(Net, RefusesNumbersOutOfRangeAtTheirLines) {
+  const std::string slips = refusal("[bone_lengths]", "friction = 5\n[bone_lengths]");
+  EXPECT_EQ(slips.rfind("net.toml:3: ", 0), 0U) << slips;
+  EXPECT_NE(slips.find("in 0..1, got 5"), std::string::npos) << slips;
+  const std::string far = refusal("along = 0.2", "along = 20");
+  EXPECT_EQ(far.rfind("net.toml:30: ", 0), 0U) << far;
+  EXPECT_NE(far.find("wanted 'along' in -1..2 bone lengths, got 20"), std::string::npos) << far;
+  EXPECT_EQ(refusal("along = 1\n", "along = -1.5\n").rfind("net.toml:16: ", 0), 0U);
+  EXPECT_EQ(refusal("along = 0.2", "along = -0.3"), "");
+}
+
 TEST(Net, RefusesBandOverCapsule) {
   EXPECT_NE(refusal("over = \"head\"", "over = \"shaft\"").find("'shaft' is a capsule"),
             std::string::npos);
