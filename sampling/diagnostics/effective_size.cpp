@@ -1,5 +1,7 @@
 // Effective sample sizes: how many independent draws would know a quantity as well.
 
+#include "sampling/diagnostics/effective_size.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,19 +29,6 @@ Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x) {
   return rho;
 }
 
-/// 1 + 2 sum of rho, cut off where the sum of a pair of neighbours is no longer positive, and
-/// pairs made to fall: Geyer's initial monotone sequence [Geyer1992]. The first pair left out
-/// still lends its even half once, which lets antithetic chains win [Vehtari2021 sec. 3.2].
-double autocorrelation_time(const Eigen::VectorXd& rho) {
-  double sum = 0, least = std::numeric_limits<double>::infinity();
-  Eigen::Index lag = 0;
-  for (; lag + 4 < rho.size() && rho[lag] + rho[lag + 1] > 0; lag += 2) {
-    least = std::min(least, rho[lag] + rho[lag + 1]);
-    sum += least;
-  }
-  return -1 + 2 * sum + std::max(0.0, rho[lag]);
-}
-
 /// Never above N log10 N, where the noise of rho would decide.
 double effective_size(const Eigen::MatrixXd& x) {
   if (!can_be_judged(x)) return std::numeric_limits<double>::quiet_NaN();
@@ -52,6 +41,23 @@ Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit
 }
 
 }  // namespace
+
+double autocorrelation_time(const Eigen::VectorXd& rho) {
+  double sum = 0, least = std::numeric_limits<double>::infinity();
+  Eigen::Index lag = 0;
+  for (; lag + 4 < rho.size() && rho[lag] + rho[lag + 1] > 0; lag += 2) {
+    least = std::min(least, rho[lag] + rho[lag + 1]);
+    sum += least;
+  }
+  return -1 + 2 * sum + std::max(0.0, rho[lag]);
+}
+
+double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  if (!can_be_judged(x)) return std::numeric_limits<double>::quiet_NaN();
+  const Eigen::VectorXd covariance = autocovariance(x);
+  const double size = double(x.size());
+  return size / std::max(autocorrelation_time(covariance / covariance[0]), 1 / std::log10(size));
+}
 
 double bulk_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const Eigen::MatrixXd halves = split_chains(x);

@@ -1,0 +1,18 @@
+#pragma once
+
+/// Effective size of one series; those of several chains are in convergence.h.
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// 1 + 2 sum of autocorrelations, cut off where the sum of a pair of neighbours is no longer
+/// positive, and pairs made to fall: the initial monotone sequence [Geyer1992]. The first pair left
+/// out still lends its even half once, which lets antithetic chains win [Vehtari2021 sec. 3.2].
+/// @param rho  at lags 0, 1, ...; rho(0) = 1 (n)
+[[nodiscard]] double autocorrelation_time(const Eigen::VectorXd& rho);
+
+/// Independent draws worth one series [1]; NaN if it is constant or not finite.
+[[nodiscard]] double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+}  // namespace thenar

@@ -1,0 +1,135 @@
+#include "sampling/diagnostics/modes.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <Eigen/Cholesky>
+
+#include "base/error.h"
+#include "sampling/diagnostics/convergence.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Index of the known mode whose normal density is largest at each draw (draws, chains).
+Eigen::MatrixXi nearest_known(const Draws& draws, const std::vector<KnownMode>& known) {
+  Eigen::MatrixXi labels = Eigen::MatrixXi::Zero(draws.draws(), draws.chains());
+  Eigen::MatrixXd best = Eigen::MatrixXd::Constant(draws.draws(), draws.chains(),
+                                                   -std::numeric_limits<double>::infinity());
+  for (std::size_t m = 0; m < known.size(); ++m) {
+    const KnownMode& mode = known[m];
+    require(mode.centre.size() == draws.size() && mode.covariance.rows() == draws.size() &&
+                mode.covariance.cols() == draws.size(),
+            "mode {} has {} coordinates and a covariance of {} x {}, draws have {}", m,
+            mode.centre.size(), mode.covariance.rows(), mode.covariance.cols(), draws.size());
+    const Eigen::LLT<Eigen::MatrixXd> factor(mode.covariance);
+    require(factor.info() == Eigen::Success, "covariance of mode {} is not positive definite", m);
+    const double log_volume = factor.matrixLLT().diagonal().array().log().sum();
+    for (int chain = 0; chain < draws.chains(); ++chain) {
+      require(draws.x[chain].allFinite(), "chain {} has draws that are not finite", chain);
+      const Eigen::MatrixXd z = factor.matrixL().solve(draws.x[chain].colwise() - mode.centre);
+      const Eigen::VectorXd density =
+          -0.5 * z.colwise().squaredNorm().transpose().array() - log_volume;
+      for (Eigen::Index i = 0; i < density.size(); ++i)
+        if (density[i] > best(i, chain)) {
+          best(i, chain) = density[i];
+          labels(i, chain) = int(m);
+        }
+    }
+  }
+  return labels;
+}
+
+ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) {
+  const Eigen::MatrixXd inside = (labels.array() == label).cast<double>();
+  ModeMass mode;
+  mode.mass = inside.mean();
+  mode.visits = inside.colwise().mean().transpose();
+  mode.mcse = draws.draws() < 4 ? kNone : mean_mcse(inside);
+
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(draws.size()), square = sum;
+  for (int chain = 0; chain < draws.chains(); ++chain) sum += draws.x[chain] * inside.col(chain);
+  mode.centre = sum / inside.sum();
+  for (int chain = 0; chain < draws.chains(); ++chain)
+    square += (draws.x[chain].colwise() - mode.centre).cwiseAbs2() * inside.col(chain);
+  mode.sd = (square / (inside.sum() - 1)).cwiseSqrt();
+  if (inside.sum() < 2) mode.sd.setConstant(kNone);
+
+  const Eigen::Index later = inside.rows() - 1;
+  mode.crossings =
+      long((inside.topRows(later).array() != inside.bottomRows(later).array()).count());
+  return mode;
+}
+
+std::vector<std::string> find_doubts(const ModeTable& table, long least_crossings) {
+  std::vector<std::string> doubts;
+  if (table.modes.size() < 2) return doubts;
+  if (table.crossings == 0) {
+    doubts.emplace_back(
+        "no chain crosses between modes: their masses only repeat where the chains began");
+    return doubts;
+  }
+  for (std::size_t m = 0; m < table.modes.size(); ++m) {
+    const ModeMass& mode = table.modes[m];
+    if (mode.mass == 0)
+      doubts.push_back(fmt::format("mode {}, known beforehand, holds no draw", m + 1));
+    else if (mode.crossings < least_crossings)
+      doubts.push_back(
+          fmt::format("chains cross into or out of mode {} only {} times, fewer than {}: its mass "
+                      "of {:.3g} is not to be trusted",
+                      m + 1, mode.crossings, least_crossings, mode.mass));
+  }
+  return doubts;
+}
+
+/// Modes that hold no draw come last, in the order in which they were known.
+void append_empty(const std::vector<KnownMode>& known, const std::vector<bool>& visited, int chains,
+                  ModeTable& table) {
+  for (std::size_t m = 0; m < known.size(); ++m) {
+    if (visited[m]) continue;
+    ModeMass mode;
+    mode.mcse = kNone;
+    mode.centre = known[m].centre;
+    mode.sd = Eigen::VectorXd::Constant(known[m].centre.size(), kNone);
+    mode.visits = Eigen::VectorXd::Zero(chains);
+    mode.known = int(m);
+    table.modes.push_back(mode);
+  }
+}
+
+}  // namespace
+
+ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known,
+                         const ModeOptions& options) {
+  ModeTable table;
+  if (draws.draws() == 0) return table;
+  const Eigen::MatrixXi clumps = find_clumps(draws.x, options.clumps);
+  const Eigen::MatrixXi labels = known.empty() ? clumps : nearest_known(draws, known);
+  table.of_draw = by_falling_mass(labels);
+
+  const int count = table.of_draw.maxCoeff() + 1;
+  std::vector<bool> visited(known.size());
+  for (int m = 0; m < count; ++m) {
+    table.modes.push_back(describe(draws, table.of_draw, m));
+    table.crossings += table.modes.back().crossings;
+  }
+  table.crossings /= 2;  // each left one mode and entered another
+  for (Eigen::Index i = 0; !known.empty() && i < labels.size(); ++i) {
+    visited[labels(i)] = true;
+    table.modes[table.of_draw(i)].known = labels(i);
+  }
+  append_empty(known, visited, draws.chains(), table);
+  if (table.modes.size() == 1) table.modes[0].mcse = 0;
+
+  table.doubts = find_doubts(table, options.least_crossings);
+  if (!known.empty() && clumps.maxCoeff() + 1 > count)
+    table.doubts.push_back(
+        fmt::format("the draws fall into {} clumps, more than the {} known modes that they visit",
+                    clumps.maxCoeff() + 1, count));
+  return table;
+}
+
+}  // namespace thenar

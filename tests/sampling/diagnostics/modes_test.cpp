@@ -1,0 +1,199 @@
+// Tests for sampling/diagnostics/: valleys, clumps and the table of modes.
+
+#include "sampling/diagnostics/modes.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "sampling/diagnostics/valley.h"
+#include "sampling/random_stream.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Chains of n coordinates from a function of chain, draw and random numbers.
+Draws make_draws(int n, int draws, int chains, unsigned seed,
+                 const std::function<Eigen::VectorXd(int chain, int draw, RandomStream&)>& point) {
+  Draws all;
+  for (int chain = 0; chain < chains; ++chain) {
+    RandomStream random(seed, chain, 0);
+    Eigen::MatrixXd x(n, draws);
+    for (int i = 0; i < draws; ++i) x.col(i) = point(chain, i, random);
+    all.x.push_back(x);
+    all.group.push_back(chain);
+  }
+  return all;
+}
+
+Eigen::VectorXd normal(int n, RandomStream& random) {
+  return Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+}
+
+/// 1/3 N(-5, I) + 2/3 N(5, I), independent draws.
+Draws two_modes(int n, int draws = 1000) {
+  return make_draws(n, draws, 4, 1, [n](int, int, RandomStream& random) -> Eigen::VectorXd {
+    const double centre = random.uniform() < 1.0 / 3 ? -5 : 5;
+    return normal(n, random).array() + centre;
+  });
+}
+
+// Two unit normals 6 apart, equally heavy: f(3) / f(0) = 2 exp(-9/2) = 0.022 at the middle; the
+// kernel's own width makes it somewhat more.
+TEST(Valley, LiesBetweenTwoNormals) {
+  RandomStream random(1, 0, 0);
+  const Eigen::VectorXd y = Eigen::VectorXd::NullaryExpr(
+      10000, [&] { return random.normal() + (random.uniform() < 0.5 ? 0 : 6); });
+  const Valley valley = find_valley(y, 0.01);
+  EXPECT_NEAR(valley.cut, 3, 0.5);
+  EXPECT_GT(valley.depth, 0.01);
+  EXPECT_LT(valley.depth, 0.15);
+  EXPECT_GT(valley.contrast, 20);
+}
+
+TEST(Valley, IsNoneInOneNormalOrAConstant) {
+  RandomStream random(2, 0, 0);
+  const Eigen::VectorXd y = Eigen::VectorXd::NullaryExpr(10000, [&] { return random.normal(); });
+  EXPECT_TRUE(find_valley(y, 0.01).depth > 0.5 || find_valley(y, 0.01).contrast < 5);
+  EXPECT_EQ(find_valley(Eigen::VectorXd::Ones(10), 0.01).depth, 1);
+}
+
+TEST(Modes, FindsTwoUnequalOnes) {
+  for (const int n : {1, 2, 20}) {
+    const ModeTable table = tabulate_modes(two_modes(n));
+    ASSERT_EQ(table.modes.size(), 2U) << n;
+    const ModeMass& heavy = table.modes[0];
+    const double expected = std::sqrt(2.0 / 9 / 4000);  // binomial: the draws are independent
+    EXPECT_NEAR(heavy.mcse / expected, 1, 0.1);
+    EXPECT_NEAR(heavy.mass, 2.0 / 3, 4 * expected);
+    EXPECT_TRUE(matrix_near(heavy.centre, Eigen::VectorXd::Constant(n, 5), 0.1));
+    EXPECT_TRUE(matrix_near(table.modes[1].centre, Eigen::VectorXd::Constant(n, -5), 0.15));
+    EXPECT_TRUE(matrix_near(heavy.sd, Eigen::VectorXd::Ones(n), 0.1));
+    EXPECT_THAT(table.doubts, IsEmpty());
+    // An independent draw changes mode with probability 2 * 1/3 * 2/3.
+    EXPECT_NEAR(double(table.crossings) / (4 * 999), 4.0 / 9, 0.04);
+  }
+}
+
+// The gap is oblique: no coordinate shows it, nor does the direction of largest variance.
+TEST(Modes, FindsAnObliqueGap) {
+  Eigen::Vector3d across(1, -1, 1);
+  across.normalize();
+  const Draws draws = make_draws(3, 2000, 4, 3, [&](int, int, RandomStream& random) {
+    const double side = random.uniform() < 0.3 ? -0.5 : 0.5;
+    Eigen::VectorXd x = 20 * normal(3, random);
+    x += across * (side + 0.1 * random.normal() - across.dot(x));
+    return x;
+  });
+  const ModeTable table = tabulate_modes(draws);
+  ASSERT_EQ(table.modes.size(), 2U);
+  EXPECT_NEAR(table.modes[1].mass, 0.3, 4 * std::sqrt(0.21 / 8000));
+}
+
+TEST(Modes, FindsThreeInARow) {
+  const Draws draws = make_draws(2, 2000, 4, 4, [](int, int, RandomStream& random) {
+    Eigen::VectorXd x = normal(2, random);
+    x[0] += 8 * random.index(3);
+    return x;
+  });
+  EXPECT_EQ(tabulate_modes(draws).modes.size(), 3U);
+}
+
+TEST(Modes, OneModeStaysOne) {
+  const auto gauss = [](int n) {
+    return [n](int, int, RandomStream& random) { return normal(n, random); };
+  };
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    EXPECT_EQ(tabulate_modes(make_draws(2, 500, 4, seed, gauss(2))).modes.size(), 1U) << seed;
+    EXPECT_EQ(tabulate_modes(make_draws(30, 250, 4, seed, gauss(30))).modes.size(), 1U) << seed;
+  }
+  const auto banana = [](int, int, RandomStream& random) -> Eigen::VectorXd {
+    const double x = 1 + std::sqrt(10.0) * random.normal();
+    return Eigen::Vector2d(x, x * x + std::sqrt(0.1) * random.normal());
+  };
+  EXPECT_EQ(tabulate_modes(make_draws(2, 2000, 4, 1, banana)).modes.size(), 1U);
+  const auto funnel = [](int, int, RandomStream& random) {
+    Eigen::VectorXd x = normal(5, random);
+    x[0] *= 3;
+    x.tail(4) *= std::exp(x[0] / 2);
+    return x;
+  };
+  EXPECT_EQ(tabulate_modes(make_draws(5, 2000, 4, 1, funnel)).modes.size(), 1U);
+}
+
+// A slow chain wanders; its clumps of draws are no modes.
+TEST(Modes, SlowChainsAreNoModes) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    Eigen::VectorXd x;
+    const auto walk = [&](int, int draw, RandomStream& random) {
+      if (draw == 0) x = normal(3, random);
+      x = 0.98 * x + std::sqrt(1 - 0.98 * 0.98) * normal(3, random);
+      return x;
+    };
+    EXPECT_EQ(tabulate_modes(make_draws(3, 2000, 4, seed, walk)).modes.size(), 1U) << seed;
+  }
+}
+
+TEST(Modes, StuckChainsAreNotTrusted) {
+  const Draws draws = make_draws(2, 500, 4, 5, [](int chain, int, RandomStream& random) {
+    return Eigen::VectorXd(normal(2, random).array() + (chain == 0 ? 10 : 0));
+  });
+  const ModeTable table = tabulate_modes(draws);
+  ASSERT_EQ(table.modes.size(), 2U);
+  EXPECT_EQ(table.crossings, 0);
+  EXPECT_EQ(table.modes[1].mass, 0.25);
+  EXPECT_TRUE(matrix_near(table.modes[1].visits, Eigen::Vector4d(1, 0, 0, 0), 0));
+  EXPECT_THAT(table.doubts, ElementsAre("no chain crosses between modes: their masses only repeat "
+                                        "where the chains began"));
+}
+
+TEST(Modes, FewCrossingsAreNotTrusted) {
+  const Draws draws = make_draws(1, 500, 4, 6, [](int, int draw, RandomStream& random) {
+    return Eigen::VectorXd(normal(1, random).array() + (draw < 200 ? 10 : 0));
+  });
+  const ModeTable table = tabulate_modes(draws);
+  EXPECT_EQ(table.crossings, 4);
+  ASSERT_EQ(table.doubts.size(), 2U);
+  EXPECT_EQ(table.doubts[1],
+            "chains cross into or out of mode 2 only 4 times, fewer than 10: its mass of 0.4 is "
+            "not to be trusted");
+}
+
+TEST(Modes, KnownOnesAreKeptByNumber) {
+  const Eigen::MatrixXd I = Eigen::Matrix2d::Identity();
+  const std::vector<KnownMode> known = {
+      {Eigen::Vector2d(-5, -5), I}, {Eigen::Vector2d(0, 30), I}, {Eigen::Vector2d(5, 5), I}};
+  const ModeTable table = tabulate_modes(two_modes(2), known);
+  ASSERT_EQ(table.modes.size(), 3U);
+  EXPECT_EQ(table.modes[0].known, 2);
+  EXPECT_EQ(table.modes[1].known, 0);
+  EXPECT_EQ(table.modes[2].known, 1);
+  EXPECT_EQ(table.modes[2].mass, 0);
+  EXPECT_THAT(table.doubts, ElementsAre("mode 3, known beforehand, holds no draw"));
+}
+
+TEST(Modes, KnownOnesThatMissAClumpSaySo) {
+  const ModeTable table =
+      tabulate_modes(two_modes(2), {{Eigen::Vector2d(5, 5), Eigen::MatrixXd::Identity(2, 2)}});
+  EXPECT_THAT(table.doubts, ElementsAre("the draws fall into 2 clumps, more than the 1 known modes "
+                                        "that they visit"));
+}
+
+TEST(Modes, RefusesBrokenDrawsAndCovariances) {
+  Draws draws = two_modes(2, 100);
+  EXPECT_THROW((void)tabulate_modes(draws, {{Eigen::Vector2d(5, 5), -Eigen::Matrix2d::Identity()}}),
+               InputError);
+  draws.x[0](0, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)tabulate_modes(draws), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
