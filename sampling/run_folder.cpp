@@ -106,7 +106,7 @@ void RunFolder::commit(const std::vector<Eigen::MatrixXd>& added, const std::str
   writer.put_bytes(state);
   replace_file(folder_ + "/state.bin", sha256(writer.bytes()) + writer.bytes());
   columns_ = columns;
-  state_ = state;
+  state_.reset();  // only wanted once
 }
 
 }  // namespace thenar::internal

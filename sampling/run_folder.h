@@ -30,7 +30,7 @@ class RunFolder {
   RunFolder(const std::string& folder, const RunIdentity& identity,
             const std::vector<Eigen::Index>& rows);
 
-  /// State of the last commit; none in a new folder. @throws InputError if it is damaged.
+  /// The state that was found; none in a new folder, or once there is a newer one.
   [[nodiscard]] const std::optional<std::string>& state() const { return state_; }
 
   /// Columns of each stream that count.
