@@ -3,55 +3,76 @@
 namespace thenar {
 namespace {
 
-/// The densities of columns first .. first + count - 1.
-Densities part(const Densities& all, Eigen::Index first, Eigen::Index count) {
-  Densities at;
-  at.log_prior = all.log_prior.segment(first, count);
-  at.log_likelihood = all.log_likelihood.segment(first, count);
-  if (all.prior_gradient.size() == 0) return at;
-  at.prior_gradient = all.prior_gradient.middleCols(first, count);
-  at.likelihood_gradient = all.likelihood_gradient.middleCols(first, count);
-  return at;
-}
+/// Samplers on their way, and what passes between them and the target. Its memory is kept from one
+/// batch to the next.
+class Batch {
+ public:
+  explicit Batch(const std::vector<Sampler*>& samplers) : samplers_(samplers) {}
 
-Eigen::MatrixXd questions(const std::vector<Sampler*>& samplers, int size) {
-  Eigen::Index points = 0;
-  for (const Sampler* sampler : samplers) points += sampler->asks().cols();
-  Eigen::MatrixXd x(size, points);
-  Eigen::Index at = 0;
-  for (const Sampler* sampler : samplers) {
-    x.middleCols(at, sampler->asks().cols()) = sampler->asks();
-    at += sampler->asks().cols();
+  /// False if nobody has to go on.
+  bool gather(long steps) {
+    going_.clear();
+    want_ = WithGradient::kNo;
+    points_ = 0;
+    for (std::size_t i = 0; i < samplers_.size(); ++i) {
+      if (samplers_[i]->steps() >= steps) continue;
+      going_.push_back(i);
+      points_ += samplers_[i]->asks().cols();
+      if (samplers_[i]->wants() == WithGradient::kYes) want_ = WithGradient::kYes;
+    }
+    return !going_.empty();
   }
-  return x;
-}
+
+  [[nodiscard]] Densities evaluate(const Target& target) {
+    x_.resize(target.size(), points_);
+    Eigen::Index at = 0;
+    for (const std::size_t i : going_) {
+      const Eigen::MatrixXd& asks = samplers_[i]->asks();
+      x_.middleCols(at, asks.cols()) = asks;
+      at += asks.cols();
+    }
+    return target.evaluate(x_, want_);
+  }
+
+  void tell(const Densities& all, const StepHeard& heard) {
+    Eigen::Index first = 0;
+    for (const std::size_t i : going_) {
+      Sampler& sampler = *samplers_[i];
+      const Eigen::Index count = sampler.asks().cols();
+      const long before = sampler.steps();
+      sampler.tell(count == points_ ? all : part(all, first, count));
+      first += count;
+      if (heard && sampler.steps() > before) heard(i);
+    }
+  }
+
+ private:
+  /// The densities of columns first .. first + count - 1.
+  const Densities& part(const Densities& all, Eigen::Index first, Eigen::Index count) {
+    part_.log_prior = all.log_prior.segment(first, count);
+    part_.log_likelihood = all.log_likelihood.segment(first, count);
+    if (want_ == WithGradient::kNo) return part_;
+    part_.prior_gradient = all.prior_gradient.middleCols(first, count);
+    part_.likelihood_gradient = all.likelihood_gradient.middleCols(first, count);
+    return part_;
+  }
+
+  const std::vector<Sampler*>& samplers_;
+  std::vector<std::size_t> going_;
+  WithGradient want_ = WithGradient::kNo;
+  Eigen::Index points_ = 0;
+  Eigen::MatrixXd x_;  // (n, points)
+  Densities part_;
+};
 
 }  // namespace
 
 void advance(const std::vector<Sampler*>& samplers, const Target& target, long steps,
              const StepHeard& heard, const std::function<bool()>& stop) {
-  std::vector<Sampler*> going;
-  std::vector<std::size_t> number;
-  WithGradient want = WithGradient::kNo;
-  while (true) {
-    going.clear();
-    number.clear();
-    for (std::size_t i = 0; i < samplers.size(); ++i) {
-      if (samplers[i]->steps() >= steps) continue;
-      going.push_back(samplers[i]);
-      number.push_back(i);
-      if (samplers[i]->wants() == WithGradient::kYes) want = WithGradient::kYes;
-    }
-    if (going.empty() || (stop && stop())) return;
-    const Densities at = target.evaluate(questions(going, target.size()), want);
-    Eigen::Index first = 0;
-    for (std::size_t i = 0; i < going.size(); ++i) {
-      const Eigen::Index count = going[i]->asks().cols();
-      const long before = going[i]->steps();
-      going[i]->tell(part(at, first, count));
-      first += count;
-      if (heard && going[i]->steps() > before) heard(number[i]);
-    }
+  Batch batch(samplers);
+  while (batch.gather(steps)) {
+    if (stop && stop()) return;
+    batch.tell(batch.evaluate(target), heard);
   }
 }
 

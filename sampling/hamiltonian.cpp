@@ -1,0 +1,276 @@
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "sampling/hamiltonian_trajectory.h"
+#include "sampling/hamiltonian_warm_up.h"
+#include "sampling/random_stream.h"
+#include "sampling/sampler.h"
+#include "sampling/tempered.h"
+
+namespace thenar::internal {
+namespace {
+
+// Purposes of random streams.
+constexpr std::uint32_t kStepStream = 0x68616d00, kTrialStream = 0x68616d01;
+
+/// A place of the chain, and what is known of it.
+struct Place {
+  Eigen::VectorXd x;  // (n)
+  Densities at;       // of this one point
+  double energy = 0;  // with the momentum that led here [1]
+};
+
+class Hamiltonian : public Sampler {
+ public:
+  Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start, const SamplerOptions& options);
+
+  [[nodiscard]] int chains() const override { return 1; }
+  [[nodiscard]] WithGradient wants() const override { return WithGradient::kYes; }
+  [[nodiscard]] const Eigen::MatrixXd& asks() const override { return asks_; }
+  void tell(const Densities& at) override;
+
+  [[nodiscard]] long steps() const override { return steps_; }
+  [[nodiscard]] const Eigen::MatrixXd& positions() const override { return positions_; }
+  [[nodiscard]] const std::vector<StepStats>& stats() const override { return stats_; }
+
+  void move(int chain, const Eigen::VectorXd& x, const Densities& at) override;
+  [[nodiscard]] Densities density(int /*chain*/) const override { return place_.at; }
+
+  void save(StateWriter& to) const override;
+  void restore(StateReader& from) override;
+
+ private:
+  enum class Waits { kForStart, kForTrial, kForPoint };  // for the density of which point
+
+  void begin();
+  void begin_trial();
+  void begin_trajectory();
+  void draw_momentum(RandomStream& random);
+  void leap(PhasePoint& point, double step);
+
+  void learn_start(const Densities& at);
+  double land(const Densities& at, const Tempered& density);
+  void follow(const Densities& at, double energy_error);
+  void complete(double acceptance, int depth, bool divergent);
+  void weigh(const Densities& at);
+  bool usable(const Densities& at);
+
+  SamplerOptions options_;
+  bool static_length_;
+  std::unique_ptr<Trajectory> doubling_, jittered_;
+  WarmUp warm_up_;
+  RandomStream random_;
+
+  // The chain. `place_` is the choice among the points of the present trajectory.
+  Place place_, candidate_;
+  bool known_ = false;   // density at the place
+  bool usable_ = false;  // it and its gradient are finite
+  long steps_ = 0;
+  Eigen::MatrixXd positions_;
+  std::vector<StepStats> stats_;
+
+  // Within a step.
+  Waits waits_ = Waits::kForStart;
+  Trajectory* trajectory_ = nullptr;
+  PhasePoint from_, trial_;
+  PhasePoint* moving_ = nullptr;  // its leapfrog waits for a gradient
+  double leap_ = 0;               // length of that leapfrog, negative: back in time [1]
+  double start_energy_ = 0, energy_ = 0;
+  Eigen::VectorXd gradient_;  // of the tempered density (n)
+  Eigen::MatrixXd asks_;      // (n, 1)
+  int evaluations_ = 0, broken_ = 0;
+};
+
+Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
+                         const SamplerOptions& options)
+    : options_(options),
+      static_length_(method == SamplingMethod::kHmc),
+      doubling_(no_u_turn(static_cast<int>(start.size()), options.max_depth)),
+      jittered_(jittered_length()),
+      warm_up_(static_cast<int>(start.size()),
+               options.target_acceptance > 0 ? options.target_acceptance : 0.8, options),
+      random_(options.seed, static_cast<std::uint32_t>(options.first_chain), 0, kStepStream),
+      positions_(start),
+      stats_(1) {
+  place_.x = start;
+  from_.r.resize(start.size());
+  begin();
+}
+
+// What is asked next: the start, a trial of a step size, or a point of a trajectory.
+void Hamiltonian::begin() {
+  if (!usable_) {
+    waits_ = Waits::kForStart;
+    asks_ = place_.x;
+  } else if (warm_up_.searching()) {
+    begin_trial();
+  } else {
+    begin_trajectory();
+  }
+}
+
+void Hamiltonian::begin_trial() {
+  waits_ = Waits::kForTrial;
+  RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
+                      static_cast<std::uint32_t>(steps_),
+                      kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
+  draw_momentum(random);
+  trial_ = from_;
+  leap(trial_, warm_up_.step());
+}
+
+void Hamiltonian::begin_trajectory() {
+  waits_ = Waits::kForPoint;
+  random_ = RandomStream(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
+                         static_cast<std::uint32_t>(steps_), kStepStream);
+  draw_momentum(random_);
+  place_.energy = start_energy_;
+  // Until the metric is known a quarter turn in its units leads nowhere; doubling gets there.
+  trajectory_ =
+      static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
+  trajectory_->start(from_, warm_up_.step(), random_);
+  leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+}
+
+void Hamiltonian::draw_momentum(RandomStream& random) {
+  from_.x = place_.x;
+  for (Eigen::Index i = 0; i < from_.r.size(); ++i) from_.r[i] = random.normal();
+  weigh(place_.at);
+  warm_up_.metric().pull(gradient_, from_.slope);
+  start_energy_ = 0.5 * from_.r.squaredNorm() - tempered(place_.at, 0, options_.temper).value;
+}
+
+void Hamiltonian::leap(PhasePoint& point, double step) {
+  moving_ = &point;
+  leap_ = step;
+  begin_leapfrog(point, warm_up_.metric(), step);
+  asks_ = point.x;
+}
+
+void Hamiltonian::tell(const Densities& at) {
+  ++evaluations_;
+  const Tempered density = tempered(at, 0, options_.temper);
+  if (density.broken) ++broken_;
+  if (waits_ == Waits::kForStart) return learn_start(at);
+  const double energy_error = land(at, density);
+  if (waits_ == Waits::kForPoint) return follow(at, energy_error);
+  warm_up_.learn_trial(energy_error);
+  begin();
+}
+
+// A chain at a place of no density stays, and says so every step.
+void Hamiltonian::learn_start(const Densities& at) {
+  const bool stays = known_;
+  known_ = true;
+  place_.at = at;
+  usable_ = usable(at);
+  if (stays && !usable_) return complete(0, 0, true);
+  begin();
+}
+
+// Energy error at the end of a leapfrog; +inf where the density is zero or broken.
+double Hamiltonian::land(const Densities& at, const Tempered& density) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (density.value == -kInfinity) return kInfinity;
+  weigh(at);
+  end_leapfrog(*moving_, warm_up_.metric(), gradient_, leap_);
+  energy_ = 0.5 * moving_->r.squaredNorm() - density.value;
+  if (std::isfinite(energy_)) return energy_ - start_energy_;
+  if (!gradient_.allFinite()) ++broken_;
+  return kInfinity;
+}
+
+void Hamiltonian::follow(const Densities& at, double energy_error) {
+  const Verdict verdict = trajectory_->judge(energy_error, random_);
+  if (verdict.take) {
+    candidate_.x = moving_->x;
+    candidate_.at = at;
+    candidate_.energy = energy_;
+  }
+  if (verdict.adopt) std::swap(place_, candidate_);
+  if (verdict.end)
+    complete(trajectory_->acceptance(), trajectory_->depth(), energy_error > kDivergence);
+  else
+    leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+}
+
+void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
+  ++steps_;
+  positions_.col(0) = place_.x;
+  stats_[0] = {place_.at.log_prior[0],
+               place_.at.log_likelihood[0],
+               acceptance,
+               warm_up_.step(),
+               place_.energy,
+               depth,
+               evaluations_,
+               broken_,
+               divergent};
+  evaluations_ = broken_ = 0;
+  if (usable_) warm_up_.learn(steps_, place_.x, acceptance);
+  begin();
+}
+
+// Sets the gradient of the tempered density.
+void Hamiltonian::weigh(const Densities& at) {
+  gradient_ = at.prior_gradient.col(0);
+  if (options_.temper > 0) gradient_ += options_.temper * at.likelihood_gradient.col(0);
+}
+
+bool Hamiltonian::usable(const Densities& at) {
+  weigh(at);
+  return std::isfinite(tempered(at, 0, options_.temper).value) && gradient_.allFinite();
+}
+
+void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities& at) {
+  require(x.size() == place_.x.size() && at.prior_gradient.size() == x.size() &&
+              at.likelihood_gradient.size() == x.size(),
+          "chain of {} coordinates cannot move to {}, with gradients of {} and {}", place_.x.size(),
+          x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
+  place_.x = x;
+  place_.at = at;
+  positions_.col(0) = x;
+  known_ = true;
+  usable_ = usable(at);
+  begin();
+}
+
+void Hamiltonian::save(StateWriter& to) const {
+  to.put(std::int64_t{steps_});
+  to.put(std::int64_t{known_});
+  to.put(place_.x);
+  to.put(place_.at.log_prior);
+  to.put(place_.at.log_likelihood);
+  to.put(place_.at.prior_gradient);
+  to.put(place_.at.likelihood_gradient);
+  warm_up_.save(to);
+}
+
+void Hamiltonian::restore(StateReader& from) {
+  steps_ = from.integer();
+  known_ = from.integer() != 0;
+  place_.x = from.matrix();
+  place_.at.log_prior = from.matrix();
+  place_.at.log_likelihood = from.matrix();
+  place_.at.prior_gradient = from.matrix();
+  place_.at.likelihood_gradient = from.matrix();
+  require(place_.x.size() == positions_.rows(), "saved chain has {} coordinates, this one {}",
+          place_.x.size(), positions_.rows());
+  warm_up_.restore(from);
+  positions_.col(0) = place_.x;
+  usable_ = known_ && usable(place_.at);
+  evaluations_ = broken_ = 0;
+  begin();
+}
+
+}  // namespace
+
+std::unique_ptr<Sampler> hamiltonian(SamplingMethod method, const Eigen::MatrixXd& starts,
+                                     const SamplerOptions& options) {
+  require(starts.cols() == 1, "{} moves one chain, got {} starts", name_of(method), starts.cols());
+  require(options.max_depth <= 30, "depth of trees must be <= 30, got {}", options.max_depth);
+  return std::make_unique<Hamiltonian>(method, starts.col(0), options);
+}
+
+}  // namespace thenar::internal

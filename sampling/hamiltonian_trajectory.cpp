@@ -1,0 +1,56 @@
+#include "sampling/hamiltonian_trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/angles.h"
+
+namespace thenar::internal {
+
+void begin_leapfrog(PhasePoint& point, const MassMatrix& metric, double step) {
+  point.r += 0.5 * step * point.slope;
+  metric.drift(point.x, point.r, step);
+}
+
+void end_leapfrog(PhasePoint& point, const MassMatrix& metric, const Eigen::VectorXd& gradient,
+                  double step) {
+  metric.pull(gradient, point.slope);
+  point.r += 0.5 * step * point.slope;
+}
+
+namespace {
+
+class JitteredLength : public Trajectory {
+ public:
+  void start(const PhasePoint& from, double step, RandomStream& random) override {
+    constexpr double kMostSteps = 1000;
+    point_ = from;
+    const double length = kPi / 2 * (0.5 + random.uniform());
+    left_ = static_cast<int>(std::clamp(std::round(length / step), 1.0, kMostSteps));
+    acceptance_ = 0;
+  }
+
+  PhasePoint& moving() override { return point_; }
+  [[nodiscard]] int direction() const override { return 1; }
+
+  Verdict judge(double energy_error, RandomStream& random) override {
+    if (!(energy_error <= kDivergence)) return {false, false, true};
+    if (--left_ > 0) return {};
+    acceptance_ = std::min(1.0, std::exp(-energy_error));
+    return {true, random.uniform() < acceptance_, true};
+  }
+
+  [[nodiscard]] double acceptance() const override { return acceptance_; }
+  [[nodiscard]] int depth() const override { return 0; }
+
+ private:
+  PhasePoint point_;
+  int left_ = 0;  // leapfrogs [1]
+  double acceptance_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Trajectory> jittered_length() { return std::make_unique<JitteredLength>(); }
+
+}  // namespace thenar::internal
