@@ -36,8 +36,8 @@ AngleBelief angle_belief(const FitParameters& fitted, int joint) {
   return {sum.mean / postures, sum.variance / postures};
 }
 
-/// The parameters, and after them an angle error of every joint in every posture that they do not
-/// name yet.
+}  // namespace
+
 FitParameters with_postures(FitParameters fitted, const Experiment& experiment, int joints) {
   const FitParameters known = fitted;
   if (known.postures.empty()) return fitted;
@@ -63,8 +63,6 @@ FitParameters with_postures(FitParameters fitted, const Experiment& experiment, 
   }
   return fitted;
 }
-
-}  // namespace
 
 double direction_error(const PredictedTrial& trial) {
   return std::atan2(trial.predicted.cross(trial.measured).norm(),

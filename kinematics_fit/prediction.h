@@ -65,6 +65,12 @@ struct Prediction {
                                             const Eigen::MatrixXd& C, const Experiment& experiment,
                                             int specimen);
 
+/// The parameters, and after them an angle error of every joint in every posture of the experiment
+/// that they do not name yet, with the mean prior of those that they do.
+/// @param joints  coordinates of the digit
+[[nodiscard]] FitParameters with_postures(FitParameters fitted, const Experiment& experiment,
+                                          int joints);
+
 /// Index of a fitted specimen, or -1.
 [[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);
 
