@@ -26,33 +26,52 @@ class NetDescent {
                                    const Eigen::Matrix3Xd* start);
 
  private:
+  static constexpr double kLongest = 0.02;  // longest move of a node in one step [m]
+  static constexpr double kSoft = 1e-4;  // a push beyond the tolerance within this is stiffness [m]
+
   int rows() const { return plan_.pattern.size(); }
+
+  // net_descent.cpp: from the start to rest.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void settle_start(int k);
-  double clasp(int k, int surface) const;
-  double stray(int k, int surface, const Eigen::Vector3d& normal) const;
-  void lift(int k, Eigen::Vector3d& there) const;
-  void balance();
-  void reduce();
-  double solve_step();
-  bool direction();
-  bool try_step(double part, double& slope);
-  [[nodiscard]] double rounding() const;
-  bool look_ahead();
-  bool search();
-  double part_at_exit() const;
-  bool draw_in(int band);
-  bool let_out();
-  bool grip();
-  bool steady();
-  bool escape();
-  bool leave_ridge();
   void accept();
   NetStatus descend(int patience);
   NetStatus settle(const TreeState<double>& state, const NetDrive& drive,
                    const Eigen::Matrix3Xd* start, int patience);
   NetStatus ease(const TreeState<double>& state, const NetDrive& drive);
+
+  // net_balance.cpp: what presses nodes on bones, and what is left out of balance.
+  double clasp(int k, int surface) const;
+  double stray(int k, int surface, const Eigen::Vector3d& normal) const;
+  void balance();
+
+  // net_direction.cpp: in which direction it goes down.
+  void reduce();
+  double solve_step();
+  bool direction();
+  bool look_ahead();
+
+  // net_search.cpp: how far it goes.
+  void lift(int k, Eigen::Vector3d& there) const;
+  bool try_step(double part, double& slope);
+  double part_at_exit() const;
+  [[nodiscard]] double rounding() const;
+  bool search();
+
+  // net_exit.cpp: nodes that a muscle draws into its exit.
+  bool draw_in(int band);
+  bool let_out();
+  bool grip();
+
+  // net_saddle.cpp: a minimum or a saddle.
+  bool steady();
+  bool escape();
+  bool leave_ridge();
+
+  // net_report.cpp: what is said of it.
   std::vector<int> wound() const;
+  void report_band(int b, NetEquilibrium& out) const;
+  std::vector<int> loose(const NetEquilibrium& at) const;
   NetEquilibrium report(NetStatus status) const;
 
   NetPlan plan_;
