@@ -50,7 +50,8 @@ void Metropolis::begin(const Densities& at) {
 
 void Metropolis::decide(const Densities& at, Eigen::Index point) {
   const int k = proposals_.chain[static_cast<std::size_t>(point)];
-  const Tempered there = tempered(at, point, options_.temper);
+  Tempered there = tempered(at, point, options_.temper);
+  if (!proposals_.x.col(point).allFinite()) there.value = kZero;  // where no posterior holds it
   StepStats& stats = stats_[static_cast<std::size_t>(k)];
   stats = {};
   stats.evaluations = 1;
