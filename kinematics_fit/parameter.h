@@ -42,6 +42,9 @@ struct Parameter {
   double upper = 0;
 };
 
+/// "axis/direction", "arm", "hood/into": what all parameters of a kind have in common.
+[[nodiscard]] std::string name_of(ParameterKind kind);
+
 /// "mm", "deg", "1" or "1/rad": the unit in which people read and write the parameter.
 [[nodiscard]] std::string display_unit(const Parameter& parameter);
 

@@ -21,6 +21,9 @@ struct PosteriorOptions {
   bool sphere_priors = true;  // von Mises-Fisher on axis directions instead of normal tilts
 };
 
+/// What a settings file says of them; a sd of zero learns nothing.
+[[nodiscard]] PosteriorOptions posterior_options(const PosteriorBeliefs& beliefs);
+
 /// One entry of x.
 struct PosteriorEntry {
   std::string name;  // "axis/CMC1_FE/direction/1", "H01: arm/FPL/IP1", "noise/H01"

@@ -1,0 +1,103 @@
+#include "posterior/gauge.h"
+
+#include <algorithm>
+
+namespace thenar {
+namespace {
+
+/// Index of a parameter; -1 if the digit has none such.
+int find_parameter(const FitParameters& parameters, ParameterKind kind, int item, int component) {
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    const Parameter& one = parameters.all[p];
+    if (one.kind == kind && one.item == item && one.component == component)
+      return static_cast<int>(p);
+  }
+  return -1;
+}
+
+/// The coordinate that moves this parameter and no other; -1 if there is none.
+int own_coordinate(const FitParameters& parameters, int parameter) {
+  const int c = parameters.coordinate[parameter];
+  const auto users = std::count(parameters.coordinate.begin(), parameters.coordinate.end(), c);
+  return c >= 0 && users == 1 ? c : -1;
+}
+
+/// Can a coordinate take up shifts along a tilted axis? It must move wherever the shift does, and
+/// differ between specimens where their tilts do.
+bool takes_up(const FitProblem& problem, int point, int along, int tilt) {
+  if (point < 0) return false;
+  const CoordinateEntries a = problem.entries(along), b = problem.entries(point);
+  const bool differ = a.deviation >= 0 || (tilt >= 0 && problem.entries(tilt).deviation >= 0);
+  return (a.population < 0 || b.population >= 0) && (!differ || b.deviation >= 0);
+}
+
+double tilt(const FitParameters& parameters, int parameter, const Eigen::VectorXd& u) {
+  const int c = parameters.coordinate[parameter];
+  return parameters.all[parameter].mean + (c < 0 ? 0 : parameters.ratio[parameter] * u[c]);
+}
+
+/// Displacements of the population (-1) or of a specimen, before the share of the former is taken.
+Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::VectorXd& z,
+                                    int specimen) {
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
+  for (int c = 0; c < static_cast<int>(u.size()); ++c) {
+    const CoordinateEntries of = problem.entries(c);
+    if (of.population >= 0) u[c] += of.population_sd * z[of.population];
+    if (of.deviation >= 0 && specimen >= 0)
+      u[c] += of.deviation_sd * z[of.deviation + specimen * problem.deviations()];
+  }
+  return u;
+}
+
+}  // namespace
+
+std::vector<Gauge> find_gauges(const FitProblem& problem) {
+  const FitParameters& parameters = problem.parameters();
+  std::vector<Gauge> gauges;
+  for (int p = 0; p < static_cast<int>(parameters.all.size()); ++p) {
+    const Parameter& one = parameters.all[p];
+    if (one.kind != ParameterKind::kAxisPoint || one.component != 2) continue;
+    Gauge gauge{own_coordinate(parameters, p), {-1, -1}, {-1, -1}};
+    if (gauge.along < 0) continue;
+    bool tilted = false, free = true;
+    for (int k = 0; k < 2; ++k) {
+      gauge.tilt[k] = find_parameter(parameters, ParameterKind::kAxisDirection, one.item, k);
+      const int turn = parameters.coordinate[gauge.tilt[k]];
+      tilted |= turn >= 0 || parameters.all[gauge.tilt[k]].mean != 0;
+      const int point = find_parameter(parameters, ParameterKind::kAxisPoint, one.item, k);
+      gauge.point[k] = own_coordinate(parameters, point);
+      free &= takes_up(problem, gauge.point[k], gauge.along, turn);
+    }
+    if (!tilted) gauge.point[0] = gauge.point[1] = -1;
+    if (free || !tilted) gauges.push_back(gauge);
+  }
+  return gauges;
+}
+
+Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gauge>& gauges,
+                               Eigen::VectorXd z) {
+  const Eigen::VectorXd before = z;
+  const FitParameters& parameters = problem.parameters();
+  const int specimens = static_cast<int>(problem.specimens().size());
+  const Eigen::VectorXd population = whole_displacements(problem, before, -1);
+  for (const Gauge& gauge : gauges) {
+    const auto shift = [&](const Eigen::VectorXd& u, int k) {
+      return -u[gauge.along] * tilt(parameters, gauge.tilt[k], u);
+    };
+    const CoordinateEntries along = problem.entries(gauge.along);
+    if (along.population >= 0) z[along.population] = 0;
+    for (int s = 0; s < specimens && along.deviation >= 0; ++s)
+      z[along.deviation + s * problem.deviations()] = 0;
+    for (int k = 0; k < 2 && gauge.point[k] >= 0; ++k) {
+      const CoordinateEntries point = problem.entries(gauge.point[k]);
+      const double common = point.population >= 0 ? shift(population, k) : 0;
+      if (point.population >= 0) z[point.population] += common / point.population_sd;
+      for (int s = 0; s < specimens && point.deviation >= 0; ++s)
+        z[point.deviation + s * problem.deviations()] +=
+            (shift(whole_displacements(problem, before, s), k) - common) / point.deviation_sd;
+    }
+  }
+  return z;
+}
+
+}  // namespace thenar

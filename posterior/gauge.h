@@ -1,0 +1,28 @@
+#pragma once
+
+/// Shifts of axes along themselves: what no measurement can ever tell.
+
+#include <vector>
+
+#include "kinematics_fit/fit_problem.h"
+
+namespace thenar {
+
+/// An axis that may be shifted along its start direction d0 by s. Tilted by (u, v), its line is
+///   p + s d0 + a e1 + b e2 + R (d0 + u e1 + v e2),
+/// the same as without s but with a - s u and b - s v. So s can be left out, and nothing is lost.
+struct Gauge {
+  int along;     // coordinate of s
+  int point[2];  // coordinates of a and b; -1: the axis is not tilted, and they do not matter
+  int tilt[2];   // parameters u and v
+};
+
+/// Shifts along an axis that can be left out: those that move nothing else, of axes that are not
+/// tilted or whose point moves freely wherever the shift does, in population or specimens.
+[[nodiscard]] std::vector<Gauge> find_gauges(const FitProblem& problem);
+
+/// z with every gauge at zero and the same forces.
+[[nodiscard]] Eigen::VectorXd without_gauges(const FitProblem& problem,
+                                             const std::vector<Gauge>& gauges, Eigen::VectorXd z);
+
+}  // namespace thenar

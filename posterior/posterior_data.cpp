@@ -1,0 +1,131 @@
+#include "posterior/posterior_data.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// Gives an experiment's plan its unit pulls.
+class TaskPlanner {
+ public:
+  TaskPlanner(const TendonDigit& digit, const Experiment& experiment, ObservedForces& out)
+      : digit_(digit), experiment_(experiment), out_(out) {}
+
+  [[nodiscard]] ObservedTask plan(const ActivationRow& row) {
+    ObservedTask task{{}, row.force, force_sd(experiment_, row)};
+    const std::vector<std::string>& postures = out_.plan.posture_names;
+    const auto posture = std::find(postures.begin(), postures.end(), row.posture);
+    require(posture != postures.end(), "activation row names posture '{}', which is not defined",
+            row.posture);
+    for (const auto& [name, activation] : row.activation) {
+      const double sd = row.sd.at(name);
+      if (activation == 0 && sd == 0) continue;
+      const int muscle = find_muscle(name);
+      const double most = digit_.max_tension[muscle];
+      require(std::isfinite(most),
+              "experiment '{}' states the activation of '{}', whose max_force the subject does not "
+              "say",
+              experiment_.name, name);
+      task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
+                            most * activation, std::pow(most * sd, 2)});
+    }
+    return task;
+  }
+
+ private:
+  [[nodiscard]] int find_muscle(const std::string& name) const {
+    const std::vector<std::string>& names = digit_.names.muscles;
+    const auto found = std::find(names.begin(), names.end(), name);
+    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", name,
+            fmt::join(names, ", "));
+    return static_cast<int>(found - names.begin());
+  }
+
+  /// The column of a unit pull, made when it is first asked for.
+  int column(int posture, int muscle) {
+    ExperimentPlan& plan = out_.plan;
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(digit_.max_tension.size(), muscle);
+    for (int i = out_.trials; i < static_cast<int>(plan.tension.size()); ++i)
+      if (plan.posture_of_trial[i] == posture && plan.tension[i] == unit) return i;
+    plan.posture_of_trial.push_back(posture);
+    plan.tension.push_back(unit);
+    const auto columns = static_cast<Eigen::Index>(plan.tension.size());
+    plan.force.conservativeResize(3, columns);
+    plan.sd.conservativeResize(3, columns);
+    plan.force.col(columns - 1).setZero();
+    plan.sd.col(columns - 1).setOnes();
+    return static_cast<int>(columns) - 1;
+  }
+
+  const TendonDigit& digit_;
+  const Experiment& experiment_;
+  ObservedForces& out_;
+};
+
+DataDensity add(const DataDensity& a, double log_density, double by_log_noise) {
+  return {a.log_density + log_density, a.by_log_noise + by_log_noise};
+}
+
+DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
+                           const double* forces, double noise, double* by_force,
+                           double* pointwise) {
+  const double precision = 1 / (noise * noise), log_noise = std::log(noise);
+  const double* measured = data.plan.force.data();
+  DataDensity sum{0, 0};
+  for (int i = 0; i < data.trials; ++i) {
+    // Residuals in units of their variances, and of their sds squared.
+    double m = 0, scaled[3];
+    for (int k = 0; k < 3; ++k) {
+      const double r = measured[3 * i + k] - forces[3 * i + k];
+      scaled[k] = r * data.precision(k, i) * precision;
+      m += r * scaled[k];
+    }
+    const ForceNoise::Tail tail = model.tail(m);
+    const double log_density =
+        model.log_constant + data.log_scale[i] - 3 * log_noise + tail.log_density;
+    for (int k = 0; k < 3; ++k) by_force[3 * i + k] = tail.weight * scaled[k];
+    if (pointwise != nullptr) pointwise[i] = log_density;
+    sum = add(sum, log_density, tail.weight * m - 3);
+  }
+  return sum;
+}
+
+}  // namespace
+
+ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
+                               const Experiment& experiment) {
+  ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}};
+  out.precision = plan.sd.cwiseAbs2().cwiseInverse();
+  out.log_scale = -plan.sd.array().log().colwise().sum().transpose();
+  TaskPlanner planner(digit, experiment, out);
+  for (const ActivationRow& row : experiment.activations) out.tasks.push_back(planner.plan(row));
+  return out;
+}
+
+DataDensity data_density(const ForceNoise& model, const ObservedForces& data, const double* forces,
+                         double noise, double* by_force, double* pointwise) {
+  DataDensity sum = trials_density(model, data, forces, noise, by_force, pointwise);
+  const auto columns = static_cast<Eigen::Index>(data.plan.force.cols());
+  Eigen::Map<Eigen::Matrix3Xd> by(by_force, 3, columns);
+  by.rightCols(columns - data.trials).setZero();
+  for (std::size_t t = 0; t < data.tasks.size(); ++t) {
+    const ObservedTask& task = data.tasks[t];
+    Eigen::Matrix3Xd unit(3, static_cast<Eigen::Index>(task.pulls.size()));
+    for (std::size_t j = 0; j < task.pulls.size(); ++j)
+      unit.col(static_cast<Eigen::Index>(j)) =
+          Eigen::Map<const Eigen::Vector3d>(forces + 3 * task.pulls[j].column);
+    const TaskDensity one = task_density(model, unit, task.pulls, task.force, task.sd, noise);
+    for (std::size_t j = 0; j < task.pulls.size(); ++j)
+      by.col(task.pulls[j].column) += one.by_unit.col(static_cast<Eigen::Index>(j));
+    if (pointwise != nullptr) pointwise[data.trials + t] = one.log_density;
+    sum = add(sum, one.log_density, one.by_log_noise);
+  }
+  return sum;
+}
+
+}  // namespace thenar

@@ -1,0 +1,42 @@
+#pragma once
+
+/// The measurements of one experiment, as a posterior compares them with a model.
+
+#include "posterior/force_density.h"
+#include "posterior/force_kernel.h"
+
+namespace thenar {
+
+/// One task with electromyography.
+struct ObservedTask {
+  std::vector<MusclePull> pulls;  // column: of all columns of ObservedForces::plan
+  Eigen::Vector3d force, sd;      // [N] (3)
+};
+
+/// Trials, and after them unit pulls of muscles in the postures of tasks.
+struct ObservedForces {
+  ExperimentPlan plan;  // with the unit pulls as further trials
+  int trials = 0;       // of them measured
+  std::vector<ObservedTask> tasks;
+  Eigen::Matrix3Xd precision;  // 1 / sd^2 of the trials [1/N^2] (3, trials)
+  Eigen::VectorXd log_scale;   // -log of the product of a trial's sds (trials)
+};
+
+/// @throws InputError if a task names a muscle the digit has not, or one of unknown max_force.
+[[nodiscard]] ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
+                                             const Experiment& experiment);
+
+/// log likelihood of all measurements of an experiment at one point, with derivatives.
+/// @param forces     of all columns of the plan (3 columns)
+/// @param noise      factor on sds [1]
+/// @param by_force   receives d/d forces (3 columns)
+/// @param pointwise  receives the summands: trials, then tasks; may be null
+/// @return {log likelihood, derivative by log noise}
+struct DataDensity {
+  double log_density, by_log_noise;
+};
+[[nodiscard]] DataDensity data_density(const ForceNoise& model, const ObservedForces& data,
+                                       const double* forces, double noise, double* by_force,
+                                       double* pointwise);
+
+}  // namespace thenar

@@ -1,0 +1,101 @@
+#include "posterior/posterior_entries.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+class EntryLister {
+ public:
+  EntryLister(const FitProblem& problem, bool learn_spread)
+      : problem_(problem), learn_spread_(learn_spread) {
+    out_.gauges = find_gauges(problem);
+    for (const Gauge& gauge : out_.gauges) left_out_.push_back(gauge.along);
+    const int coordinates = problem.parameters().coordinates();
+    for (int c = 0; c < coordinates; ++c) {
+      const CoordinateEntries of = problem.entries(c);
+      if (of.population >= 0) add(of.population, c, -1, of.population_sd);
+      for (int s = 0; s < static_cast<int>(problem.specimens().size()) && of.deviation >= 0; ++s)
+        add(of.deviation + s * problem.deviations(), c, s, of.deviation_sd);
+    }
+    std::sort(out_.coordinates.begin(), out_.coordinates.end(),
+              [](const CoordinateEntry& a, const CoordinateEntry& b) { return a.z < b.z; });
+  }
+
+  PosteriorEntries take() { return std::move(out_); }
+
+  void pair_tilts() {
+    const int hinges = static_cast<int>(problem_.digit().names.hinges.size());
+    for (int s = -1; s < static_cast<int>(problem_.specimens().size()); ++s)
+      for (int hinge = 0; hinge < hinges; ++hinge) pair_tilts(hinge, s);
+  }
+
+ private:
+  void add(int z, int c, int specimen, double sd) {
+    if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
+    constexpr double kRoom = 1e-12;  // less is rounding [prior sds]
+    CoordinateEntry entry{z, c, specimen, sd, problem_.lower()[z], problem_.upper()[z], {}, -1};
+    if (entry.upper - entry.lower <= kRoom) {
+      out_.held.push_back(z);
+      return;
+    }
+    if (std::isfinite(entry.lower) || std::isfinite(entry.upper))
+      entry.bounded.emplace(entry.lower, entry.upper);
+    if (specimen >= 0 && learn_spread_) entry.spread = spread_of(c);
+    out_.coordinates.push_back(std::move(entry));
+  }
+
+  int spread_of(int c) {
+    const FitParameters& parameters = problem_.parameters();
+    const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
+    auto& known = out_.spreads;
+    const auto found = std::find(known.begin(), known.end(), kind);
+    const int at = static_cast<int>(found - known.begin());
+    if (found == known.end()) known.push_back(kind);
+    return at;
+  }
+
+  /// Entry of x that moves this tilt, of the population (-1) or a specimen; -1: none.
+  [[nodiscard]] int tilt_entry(int hinge, int component, int specimen, double* mean) const {
+    const FitParameters& parameters = problem_.parameters();
+    for (std::size_t i = 0; i < out_.coordinates.size(); ++i) {
+      const CoordinateEntry& entry = out_.coordinates[i];
+      const Parameter& p = parameters.all[parameters.leader[entry.coordinate]];
+      if (p.kind != ParameterKind::kAxisDirection || p.item != hinge || p.component != component)
+        continue;
+      *mean = p.mean;
+      if (entry.specimen == specimen) return static_cast<int>(i);
+    }
+    return -1;
+  }
+
+  void pair_tilts(int hinge, int specimen) {
+    TiltPair pair{};
+    for (int k = 0; k < 2; ++k) {
+      pair.x[k] = tilt_entry(hinge, k, specimen, &pair.mean[k]);
+      pair.centre[k] = specimen < 0 ? -1 : tilt_entry(hinge, k, -1, &pair.mean[k]);
+      if (pair.x[k] < 0) return;
+    }
+    const auto& all = out_.coordinates;
+    if (all[pair.x[0]].sd == all[pair.x[1]].sd) out_.tilts.push_back(pair);
+  }
+
+  const FitProblem& problem_;
+  bool learn_spread_;
+  std::vector<int> left_out_;  // coordinates
+  PosteriorEntries out_;
+};
+
+}  // namespace
+
+PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise, bool learn_spread,
+                              bool sphere_priors) {
+  EntryLister lister(problem, learn_spread && problem.specimens().size() > 1);
+  if (sphere_priors) lister.pair_tilts();
+  PosteriorEntries out = lister.take();
+  if (learn_noise) out.noises = static_cast<int>(problem.experiments().size());
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,50 @@
+#pragma once
+
+/// How the entries of a posterior's x move the coordinates of a fit.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "posterior/bounded_normal.h"
+#include "posterior/gauge.h"
+
+namespace thenar {
+
+/// One entry of x that stands for one of z: it adds to coordinate c of one or all specimens
+///   k sd z(x; lower / k, upper / k),    k the spread factor of its kind, or 1.
+struct CoordinateEntry {
+  int z;                                 // entry of z
+  int coordinate;                        // of u
+  int specimen;                          // -1: the population, so all
+  double sd;                             // [SI]
+  double lower, upper;                   // of z; infinite if not bounded [1]
+  std::optional<BoundedNormal> bounded;  // absent: z = x
+  int spread = -1;                       // index of the spread factor; -1: none
+};
+
+/// Both tilts of an axis, of the population or of a specimen, with a von Mises-Fisher prior.
+struct TiltPair {
+  int x[2];        // entries of the tilts
+  int centre[2];   // entries of the population's; -1: it has none, and stays at the mean
+  double mean[2];  // prior mean of the population [rad]
+};
+
+/// x: entries of z in their order, then noise factors, then spread factors.
+struct PosteriorEntries {
+  std::vector<CoordinateEntry> coordinates;
+  std::vector<Gauge> gauges;           // what x leaves out
+  std::vector<int> held;               // entries of z whose bounds leave them no room
+  std::vector<TiltPair> tilts;         // populations first
+  std::vector<ParameterKind> spreads;  // of each spread factor
+  int noises = 0;                      // number of noise factors, of experiments in turn
+
+  [[nodiscard]] int noise_at() const { return static_cast<int>(coordinates.size()); }
+  [[nodiscard]] int spread_at() const { return noise_at() + noises; }
+  [[nodiscard]] int size() const { return spread_at() + static_cast<int>(spreads.size()); }
+};
+
+[[nodiscard]] PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
+                                            bool learn_spread, bool sphere_priors);
+
+}  // namespace thenar
