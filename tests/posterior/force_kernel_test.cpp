@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
+#include "tests/posterior/thumb_scene.h"
 
 namespace thenar {
 namespace {
@@ -52,6 +53,24 @@ TEST(ForceKernel, HasTheDerivativesOfMeasuredFingers) {
     const Case c(build_problem(sample::finger_inputs("an_chao_middle", {specimen})));
     EXPECT_LT(error_against_ceres(c, 0.5, 2, rng), kExact) << specimen;
   }
+}
+
+TEST(ForceKernel, HasTheDerivativesOfTheThumbScene) {
+  std::mt19937 rng(2);
+  EXPECT_LT(error_against_ceres(Case(sample::thumb_problem()), 0.2, 5, rng), kExact);
+}
+
+// What thumb_scene.h promises to samplers.
+TEST(ThumbScene, IsAsIllConditionedAsThumbsAre) {
+  const FitProblem problem = sample::thumb_problem();
+  ASSERT_EQ(problem.size(), 20);
+  ASSERT_EQ(problem.data_rows(), 54);
+  const Solution mode = solve(least_squares(problem), Eigen::VectorXd::Zero(20));
+  const Eigen::VectorXd sigma =
+      problem.evaluate(mode.z, WithJacobian::kYes).J.jacobiSvd().singularValues();
+  const double condition = std::pow(sigma[0] / sigma[19], 2);
+  EXPECT_GT(condition, 1e7);
+  EXPECT_LT(condition, 1e8);
 }
 
 TEST(ForceKernel, RejectsWrongShapes) {
