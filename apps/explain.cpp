@@ -51,6 +51,7 @@ Explanation explain_file(const Options& options) {
           name_of(kind));
   if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));
   if (kind == FileKind::kResult) return explain_fit_file(options.file);
+  if (kind == FileKind::kNet) return explain(read_net(options.file));
   // Settings and proportions do nothing by themselves.
   Section section{"file", summarise_file(options.file), {}, {}};
   if (kind == FileKind::kFitSettings)
@@ -72,7 +73,7 @@ void add_explain(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
-  command->add_option("file", options->file, "Subject, experiment or fit")->required();
+  command->add_option("file", options->file, "Subject, experiment, net or fit")->required();
   command->add_option("--digit", options->digit, "Digit of a subject to explain");
   command->add_option("--settings", options->settings, "Fit settings instead of the built-in ones");
   command->add_flag("--json", options->json, "Print JSON");

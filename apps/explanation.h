@@ -9,6 +9,7 @@
 
 #include "apps/print_table.h"
 #include "data/io/experiment.h"
+#include "data/io/net.h"
 #include "data/io/subject.h"
 #include "kinematics_fit/fit.h"
 #include "tendons/tendon_model.h"
@@ -29,6 +30,8 @@ using Explanation = std::vector<Section>;
                                   const SourceText& settings);
 [[nodiscard]] Explanation explain(const Experiment& experiment);
 [[nodiscard]] Explanation explain(const Fit& fit);
+/// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.
+[[nodiscard]] Explanation explain(const NetDescription& net);
 
 /// What a call of each question costs on this machine, now. Times are of the mid-range posture.
 [[nodiscard]] Section explain_cost(const Subject& subject, const std::string& digit,

@@ -437,6 +437,21 @@ class Tendon(Near):
         self.assertIn("steps of -5 deg do not lead from 0 to 90 deg",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=0:90:-5"))
 
+    def test_explains_what_a_net_is_made_of(self):
+        for name in ("chao_an", "dogadov2017", "winslow"):
+            path = ROOT / f"data/nets/{name}.toml"
+            net, said = tomllib.loads(path.read_text()), ask("explain", path)
+            for kind, key in (("node", "node"), ("band", "band"), ("surface", "surface")):
+                self.assertEqual([row[key] for row in said[kind + "s"]["rows"]],
+                                 [part["name"] for part in net.get(kind, [])])
+            for row, band in zip(said["bands"]["rows"], net["band"]):
+                if "modulus_MPa" in band:
+                    self.near([row["EA_N"]], [band["modulus_MPa"] * band["area_mm2"]], 0.051)
+            self.assertEqual(len(said["muscles"]["rows"]),
+                             sum(len(muscle["pulls"]) for muscle in net["muscle"]))
+            self.assertEqual([row["rung"] for row in said["assumes"]["rows"]],
+                             ["separate tendons", "fixed force fractions", "floating net"])
+
     def test_infers_the_bands_of_a_net(self):
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder) / "bands.html"
