@@ -1,0 +1,43 @@
+#pragma once
+
+/// Which combinations of parameters the data decided, and which they left as they were believed.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// A combination v'x, with v' P v = 1: one prior sd long.
+struct LearntDirection {
+  double sd_ratio = 1;    // posterior sd over prior sd; 1: nothing learnt [1]
+  Eigen::VectorXd v;      // [1 / unit of x] (n)
+  Eigen::VectorXd share;  // v_i^2 P_ii over their sum: which entries it is made of, 0..1 (n)
+  std::string text;       // "0.62 a - 0.31 b: sd 0.04 of the prior's": signed shares, largest first
+};
+
+struct LearntDirections {
+  std::vector<LearntDirection> directions;  // best learnt first (n)
+  int decided = 0;                          // of them, below the limit
+  double effective_parameters = 0;          // sum of max(0, 1 - sd_ratio^2) [1]
+};
+
+/// Generalised eigenproblem  S v = r^2 P v  of posterior against prior covariance. It is the same
+/// in whatever units or linear coordinates x is. Covariances see straight directions only: of two
+/// modes it says that they lie apart, of a bent ridge that it is wide.
+///
+/// From covariances of N draws each r is uncertain by about sqrt(n / N).
+/// @param S, P           posterior and prior covariance; P positive definite (n, n)
+/// @param decided_below  sd ratio at which a direction counts as decided [1]
+/// @throws InputError if shapes disagree, or P is not positive definite.
+/// Source: [Cui2014] sec. 3.1, where r^2 = 1 / (1 + eigenvalue).
+[[nodiscard]] LearntDirections learnt_directions(const std::vector<std::string>& names,
+                                                 const Eigen::Ref<const Eigen::MatrixXd>& S,
+                                                 const Eigen::Ref<const Eigen::MatrixXd>& P,
+                                                 double decided_below = 0.5);
+
+/// Covariance of the columns of x (n, n). @param x  at least two draws (n, N)
+[[nodiscard]] Eigen::MatrixXd covariance_of(const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+}  // namespace thenar
