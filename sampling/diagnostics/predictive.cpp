@@ -1,0 +1,102 @@
+#include "sampling/diagnostics/predictive.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "sampling/diagnostics/order_statistics.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kOddP = 0.01;      // beyond it on either side a p is called odd
+constexpr double kOddCoverage = 3;  // standard errors
+
+void check_shapes(const Eigen::VectorXd& measured, const Replicates& of, int trial_size) {
+  const Eigen::Index m = measured.size(), draws = of.expected.cols();
+  require(m > 0 && draws > 0, "a check needs measured numbers and draws, got {} and {}", m, draws);
+  require(trial_size > 0 && m % trial_size == 0, "{} numbers are not whole trials of {}", m,
+          trial_size);
+  require(of.expected.rows() == m && of.replicated.rows() == m && of.replicated.cols() == draws,
+          "{} measured numbers, {} x {} expected, {} x {} replicated", m, of.expected.rows(), draws,
+          of.replicated.rows(), of.replicated.cols());
+  require(of.sd.rows() == m && (of.sd.cols() == draws || of.sd.cols() == 1),
+          "noise sds are {} x {}, wanted {} x {} or 1", of.sd.rows(), of.sd.cols(), m, draws);
+  require(measured.allFinite() && of.expected.allFinite() && of.replicated.allFinite(),
+          "measured, expected and replicated numbers must be finite");
+  require(of.sd.allFinite() && of.sd.minCoeff() > 0, "noise sds must be positive");
+}
+
+/// Sums of squared noise over each trial (trials, draws).
+Eigen::MatrixXd chi_squares(const Eigen::MatrixXd& numbers, const Replicates& of, int trial_size) {
+  const Eigen::Index trials = numbers.rows() / trial_size;
+  Eigen::MatrixXd sums(trials, of.expected.cols());
+  for (Eigen::Index s = 0; s < sums.cols(); ++s) {
+    const Eigen::VectorXd y = numbers.col(numbers.cols() == 1 ? 0 : s);
+    const Eigen::VectorXd sd = of.sd.col(of.sd.cols() == 1 ? 0 : s);
+    const Eigen::VectorXd square = ((y - of.expected.col(s)).array() / sd.array()).square();
+    sums.col(s) = square.reshaped(trial_size, trials).colwise().sum().transpose();
+  }
+  return sums;
+}
+
+/// Share of draws whose replicate is further off than the measurement; ties count half.
+double exceedance(const Eigen::VectorXd& replicated, const Eigen::VectorXd& measured) {
+  const auto off = (replicated - measured).array();
+  return ((off > 0).cast<double>() + 0.5 * (off == 0).cast<double>()).mean();
+}
+
+Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicated, double level) {
+  long inside = 0;
+  for (Eigen::Index i = 0; i < measured.size(); ++i) {
+    const Eigen::VectorXd rising = sorted(replicated.row(i));
+    inside += measured[i] >= quantile(rising, (1 - level) / 2) &&
+              measured[i] <= quantile(rising, (1 + level) / 2);
+  }
+  const double m = double(measured.size());
+  return {level, double(inside) / m, std::sqrt(level * (1 - level) / m)};
+}
+
+std::vector<std::string> find_doubts(const PredictiveCheck& of) {
+  std::vector<std::string> doubts;
+  if (of.p < kOddP || of.p > 1 - kOddP)
+    doubts.push_back(
+        fmt::format("{:.2g} % of replicated measurements are further from the model "
+                    "than the measured ones: the model is too {}",
+                    of.p, of.p < 0.5 ? "sure" : "unsure"));
+  for (Eigen::Index t = 0; t < of.trial_p.size(); ++t)
+    if (of.trial_p[t] < kOddP / double(of.trial_p.size()))
+      doubts.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates", t + 1,
+                                   100 * (1 - of.trial_p[t])));
+  for (const Coverage& interval : of.coverage)
+    if (std::abs(interval.share - interval.level) > kOddCoverage * interval.error)
+      doubts.push_back(fmt::format("{:.3g} % of measurements lie in their {:.3g} % intervals",
+                                   100 * interval.share, 100 * interval.level));
+  return doubts;
+}
+
+}  // namespace
+
+PredictiveCheck check_predictive(const Eigen::Ref<const Eigen::VectorXd>& measured,
+                                 const Replicates& replicates, int trial_size) {
+  check_shapes(measured, replicates, trial_size);
+  PredictiveCheck of;
+  for (const double level : {0.5, 0.8, 0.95})
+    of.coverage.push_back(cover(measured, replicates.replicated, level));
+  of.rank_share =
+      ((replicates.replicated.colwise() - measured).array() < 0).cast<double>().rowwise().mean();
+
+  const Eigen::MatrixXd seen = chi_squares(measured, replicates, trial_size);
+  const Eigen::MatrixXd again = chi_squares(replicates.replicated, replicates, trial_size);
+  of.trial_p.resize(seen.rows());
+  for (Eigen::Index t = 0; t < seen.rows(); ++t)
+    of.trial_p[t] = exceedance(again.row(t).transpose(), seen.row(t).transpose());
+  const Eigen::VectorXd all_seen = seen.colwise().sum(), all_again = again.colwise().sum();
+  of.p = exceedance(all_again, all_seen);
+  of.mean_chi_square = all_seen.mean();
+  of.doubts = find_doubts(of);
+  return of;
+}
+
+}  // namespace thenar
