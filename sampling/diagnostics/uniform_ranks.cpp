@@ -1,0 +1,157 @@
+#include "sampling/diagnostics/uniform_ranks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+/// Binomial probabilities by table of log factorials.
+class Binomial {
+ public:
+  explicit Binomial(int most) : log_factorial_(most + 1) {
+    for (int i = 0; i <= most; ++i) log_factorial_[i] = std::lgamma(i + 1.0);
+  }
+
+  /// P(count = c) of n with probability p in (0, 1).
+  [[nodiscard]] double at(int c, int n, double log_p, double log_rest) const {
+    return std::exp(log_factorial_[n] - log_factorial_[c] - log_factorial_[n - c] + c * log_p +
+                    (n - c) * log_rest);
+  }
+
+  /// P(count <= c) for all c (n + 1).
+  [[nodiscard]] Eigen::VectorXd cumulative(int n, double p) const {
+    Eigen::VectorXd sum(n + 1);
+    double total = 0;
+    for (int c = 0; c <= n; ++c) sum[c] = total += at(c, n, std::log(p), std::log1p(-p));
+    return sum;
+  }
+
+ private:
+  std::vector<double> log_factorial_;
+};
+
+/// Even points of the ranks 1 .. L.
+Eigen::VectorXi evaluation_points(int draws, int points) {
+  return Eigen::VectorXi::NullaryExpr(points, [&](Eigen::Index i) {
+    return int(std::lround(double(i + 1) * (draws + 1) / (points + 1)));
+  });
+}
+
+/// Binomial quantiles at gamma / 2 and 1 - gamma / 2.
+struct Limits {
+  Eigen::VectorXi low, high;  // (points)
+};
+
+Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
+  Limits of{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
+  for (std::size_t i = 0; i < cumulative.size(); ++i) {
+    const Eigen::VectorXd& F = cumulative[i];
+    const auto quantile = [&F](double share) {
+      const auto found = std::lower_bound(F.begin(), F.end(), share) - F.begin();
+      return int(std::min<Eigen::Index>(found, F.size() - 1));
+    };
+    of.low[i] = quantile(gamma / 2);
+    of.high[i] = quantile(1 - gamma / 2);
+  }
+  return of;
+}
+
+/// Probability that the counts of N uniform ranks stay within limits: counts are a Markov chain in
+/// which each rank not yet counted falls into the next part alone.
+double stay_inside(const Limits& limits, const Eigen::VectorXi& below, int N, int draws,
+                   const Binomial& binomial) {
+  Eigen::VectorXd now = Eigen::VectorXd::Zero(N + 1), next;
+  now[0] = 1;
+  int first = 0, last = 0, before = 0;
+  for (Eigen::Index i = 0; i < below.size(); ++i) {
+    const double p = double(below[i] - before) / (draws + 1 - before);
+    const double log_p = std::log(p), log_rest = std::log1p(-p);
+    next = Eigen::VectorXd::Zero(N + 1);
+    for (int c = first; c <= last; ++c)
+      for (int to = std::max(c, limits.low[i]); now[c] > 0 && to <= limits.high[i]; ++to)
+        next[to] += now[c] * binomial.at(to - c, N - c, log_p, log_rest);
+    now = next;
+    first = limits.low[i];
+    last = limits.high[i];
+    before = below[i];
+  }
+  return now.sum();
+}
+
+std::vector<Eigen::VectorXd> cumulative_at(const Eigen::VectorXi& below, int N, int draws,
+                                           const Binomial& binomial) {
+  std::vector<Eigen::VectorXd> of;
+  for (const int point : below) of.push_back(binomial.cumulative(N, double(point) / (draws + 1)));
+  return of;
+}
+
+void check(int ranks, int draws, int points) {
+  require(ranks > 0 && draws > 0 && points > 0 && points <= draws,
+          "a rank band needs ranks, draws and at most as many points, got {}, {} and {}", ranks,
+          draws, points);
+}
+
+}  // namespace
+
+Eigen::VectorXi count_below(const Eigen::VectorXi& rank, const Eigen::VectorXi& below) {
+  return below.unaryExpr([&rank](int point) { return int((rank.array() < point).count()); });
+}
+
+RankBand uniform_rank_band(int ranks, int draws, int points, double level) {
+  check(ranks, draws, points);
+  require(level > 0 && level < 1, "a band's level lies in (0, 1), got {}", level);
+  const Binomial binomial(ranks);
+  RankBand band{evaluation_points(draws, points), {}, {}, 0};
+  const auto cumulative = cumulative_at(band.below, ranks, draws, binomial);
+
+  // All points at once stray at most as often as each alone, summed: gamma lies in between.
+  double narrow = 1 - level, wide = (1 - level) / points;
+  for (int i = 0; i < 25; ++i) {
+    const double gamma = std::sqrt(narrow * wide);
+    const double inside =
+        stay_inside(limits_at(gamma, cumulative), band.below, ranks, draws, binomial);
+    (inside >= level ? wide : narrow) = gamma;
+  }
+  const Limits limits = limits_at(wide, cumulative);
+  band.low = limits.low;
+  band.high = limits.high;
+  band.pointwise = 1 - wide;
+  return band;
+}
+
+double uniform_rank_p(const Eigen::VectorXi& rank, int draws, int points) {
+  check(int(rank.size()), draws, points);
+  require(rank.minCoeff() >= 0 && rank.maxCoeff() <= draws, "ranks lie in 0..{}, got {} to {}",
+          draws, rank.minCoeff(), rank.maxCoeff());
+  const int N = int(rank.size());
+  const Binomial binomial(N);
+  const Eigen::VectorXi below = evaluation_points(draws, points);
+  const auto cumulative = cumulative_at(below, N, draws, binomial);
+  const Eigen::VectorXi count = count_below(rank, below);
+
+  // The least of the two tails at any point, the count itself included.
+  double tail = 1;
+  for (Eigen::Index i = 0; i < below.size(); ++i) {
+    const Eigen::VectorXd& F = cumulative[i];
+    tail = std::min({tail, F[count[i]], 1 - (count[i] > 0 ? F[count[i] - 1] : 0)});
+  }
+
+  // Limits just inside of it: counts whose smaller tail is larger.
+  Limits inside{Eigen::VectorXi(below.size()), Eigen::VectorXi(below.size())};
+  const double more = tail * (1 + 1e-9);
+  for (std::size_t i = 0; i < cumulative.size(); ++i) {
+    const Eigen::VectorXd& F = cumulative[i];
+    int low = 0, high = N;
+    while (low <= N && F[low] <= more) ++low;
+    while (high > 0 && 1 - F[high - 1] <= more) --high;
+    inside.low[i] = low;
+    inside.high[i] = high;
+  }
+  return std::clamp(1 - stay_inside(inside, below, N, draws, binomial), 0.0, 1.0);
+}
+
+}  // namespace thenar
