@@ -25,14 +25,18 @@ struct InferenceGroup {
   std::map<std::string, InferenceArray> arrays;
 };
 
-/// posterior, sample_stats, log_likelihood, posterior_predictive, prior, observed_data, ...
+/// What stands in a file: posterior, sample_stats, log_likelihood, posterior_predictive, prior,
+/// observed_data, ...
 struct InferenceFile {
   std::map<std::string, InferenceGroup> groups;
   std::map<std::string, std::string> attributes;  // of the whole: provenance, inputs
 };
 
-/// Writes to `path + ".tmp"` and renames when complete. `az.from_netcdf(path)` opens it.
-/// @throws InputError if shapes disagree or the file cannot be written.
+/// Writes to a temporary beside `path` and renames when complete. `az.from_netcdf(path)` opens it.
+/// Every group also gets the attributes that ArviZ notes: created_at (that of the file, or now),
+/// creation_library, inference_library and its version.
+/// @throws InputError if shapes disagree, an array of integers or bools holds something else, an
+/// attribute is named "program" (which marks the file as ours), or the file cannot be written.
 void write_inference(const InferenceFile& file, const std::string& path);
 
 /// @throws DataError if there is no such file, or it is not one of ours.
