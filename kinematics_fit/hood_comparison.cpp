@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/fit_parameters.h"
-#include "kinematics_fit/held_tip.h"
+#include "kinematics_fit/net_records.h"
 #include "kinematics_fit/predict_forces.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
@@ -20,20 +20,6 @@ using Eigen::VectorXd;
 double median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
-}
-
-/// Force on the load cell for one torque of the tendons, experiment components (3) [N].
-Eigen::Vector3d cell_force(const TendonModel<double>& model, const ExperimentPlan& plan,
-                           const VectorXd& q, const MatrixX<double>& tau) {
-  const TreeState<double> state = pose_tree(model.tree, q);
-  const MatrixX<double> L = held_loads(model, state, plan.hold, 0.0);
-  const MatrixX<double> loads =
-      L.rows() < L.cols() ? solve_least_norm(L, tau) : solve_least_squares(L, tau);
-  const auto axes = [&](int link) -> Eigen::Matrix3d {
-    return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
-  };
-  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
-         loads.topRows<3>();
 }
 
 /// Errors of the trials that a test picks; of no trial if it picks none.
@@ -123,7 +109,7 @@ HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
     const auto began = std::chrono::steady_clock::now();
     const TendonPull pull = tendons.pull(q, t, start);
-    out.force.col(i) = cell_force(digit.model, plan, q, pull.tau);
+    out.force.col(i) = cell_map(digit.model, plan, q) * pull.tau;
     seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
     out.trouble.push_back(pull.trouble);

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/held_tip.h"
-#include "kinematics_fit/predict_forces.h"
 #include "tendons/net/net_statics.h"
 #include "tendons/net/net_sweep.h"
 
@@ -17,20 +16,6 @@ using Eigen::VectorXd;
 
 ExperimentPlan plan_of(const NetTendons& tendons, const Experiment& experiment) {
   return plan_experiment(tendons.digit(), choose_parameters(tendons.digit(), {}, {}), experiment);
-}
-
-/// Force on the load cell per joint torque, experiment components (3, coordinates) [1/m].
-MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
-  const TreeState<double> state = pose_tree(model.tree, q);
-  const MatrixXd L = held_loads(model, state, plan.hold, 0.0);
-  const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
-  const MatrixX<double> loads =
-      L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
-  const auto axes = [&](int link) -> Eigen::Matrix3d {
-    return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
-  };
-  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
-         loads.topRows<3>();
 }
 
 TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int posture,
@@ -62,6 +47,19 @@ VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
 }
 
 }  // namespace
+
+MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
+  const TreeState<double> state = pose_tree(model.tree, q);
+  const MatrixXd L = held_loads(model, state, plan.hold, 0.0);
+  const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
+  const MatrixX<double> loads =
+      L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
+  const auto axes = [&](int link) -> Eigen::Matrix3d {
+    return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
+  };
+  return plan.components * axes(plan.force_link).transpose() * axes(model.tip_link) *
+         loads.topRows<3>();
+}
 
 CandidateNet candidate_of(const NetTendons& tendons) {
   const TendonModel<double>& model = tendons.digit().model;

@@ -5,10 +5,16 @@
 #include <vector>
 
 #include "data/io/experiment.h"
+#include "kinematics_fit/predict_forces.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/candidate_net.h"
 
 namespace thenar {
+
+/// Force of the held tip on the load cell per joint torque, in the experiment's components [1/m]
+/// (3, coordinates). Where the hold takes more loads than there are joints, the least.
+[[nodiscard]] Eigen::MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan,
+                                       const Eigen::VectorXd& q);
 
 /// Every passive band of the digit's net as a candidate.
 [[nodiscard]] CandidateNet candidate_of(const NetTendons& tendons);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "tendons/net/band_course.h"
 #include "tendons/wrapping/chord_over.h"
 
 namespace thenar {
@@ -18,8 +19,7 @@ double band_length(const Net& net, const TreeState<double>& state, const NetBand
   const Vector3d p_a = moved(state, a.link, a.p), p_b = moved(state, b.link, b.p);
   if (band.over < 0) return (p_a - p_b).norm();
   const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
-  const Pose<double> X =
-      surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+  const Pose<double> X = surface_pose(surface, state);
   const Chord chord = chord_over(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
   require(chord.possible, "band '{}' of net '{}' starts inside surface '{}', over which it bends",
           band.name, net.name, surface.name);

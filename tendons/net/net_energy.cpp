@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tendons/net/band_course.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -63,8 +65,7 @@ bool gripped(const NetScene& scene, int i, double length) {
 
 NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
   NetScene scene;
-  for (const BoneSurface& s : net.surfaces)
-    scene.surface.push_back(s.link < 0 ? s.X : state[s.link].X * s.X);
+  for (const BoneSurface& s : net.surfaces) scene.surface.push_back(surface_pose(s, state));
   return scene;
 }
 

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "tendons/net/check_net.h"
-#include "tendons/net/net_energy.h"
+#include "tendons/net/world_surface.h"
 
 namespace thenar {
 namespace {
@@ -57,9 +57,7 @@ class Rounds {
  private:
   Pose<double> frame(int s) const { return scene_.surface[static_cast<std::size_t>(s)]; }
   SurfaceProbe probe_at(int s, const Vector3d& x) const {
-    SurfaceProbe seen = probe(net_.surfaces[static_cast<std::size_t>(s)], frame(s).inverse() * x);
-    seen.normal = frame(s).R * seen.normal;
-    return seen;
+    return internal::probe_world(net_, scene_, s, x);
   }
 
   /// Seats nodes on their bones; those that touch one stick until they are seen to give way.

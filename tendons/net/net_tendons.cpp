@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
 
@@ -39,8 +40,7 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
     const NetBand& band = net.bands[b];
     if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= 0) continue;
     const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
-    const Pose<double> X =
-        bone.link < 0 ? bone.X : state[static_cast<std::size_t>(bone.link)].X * bone.X;
+    const Pose<double> X = surface_pose(bone, state);
     for (int end : {band.a, band.b})
       if (probe(bone, X.inverse() * Eigen::Vector3d(rest.x.col(end))).gap < -kInside)
         return fmt::format("band '{}' of net '{}' ends inside '{}', over which it bends", band.name,
