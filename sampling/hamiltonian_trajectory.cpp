@@ -27,26 +27,29 @@ class JitteredLength : public Trajectory {
     point_ = from;
     const double length = kPi / 2 * (0.5 + random.uniform());
     left_ = static_cast<int>(std::clamp(std::round(length / step), 1.0, kMostSteps));
-    acceptance_ = 0;
+    acceptance_sum_ = told_ = 0;
   }
 
   PhasePoint& moving() override { return point_; }
   [[nodiscard]] int direction() const override { return 1; }
 
   Verdict judge(double energy_error, RandomStream& random) override {
+    ++told_;
     if (!(energy_error <= kDivergence)) return {false, false, true};
+    const double acceptance = std::min(1.0, std::exp(-energy_error));
+    acceptance_sum_ += acceptance;
     if (--left_ > 0) return {};
-    acceptance_ = std::min(1.0, std::exp(-energy_error));
-    return {true, random.uniform() < acceptance_, true};
+    return {true, random.uniform() < acceptance, true};
   }
 
-  [[nodiscard]] double acceptance() const override { return acceptance_; }
+  // Of the end alone, no step size would be small enough where trajectories hit a wall.
+  [[nodiscard]] double acceptance() const override { return acceptance_sum_ / told_; }
   [[nodiscard]] int depth() const override { return 0; }
 
  private:
   PhasePoint point_;
   int left_ = 0;  // leapfrogs [1]
-  double acceptance_ = 0;
+  double acceptance_sum_ = 0, told_ = 0;
 };
 
 }  // namespace

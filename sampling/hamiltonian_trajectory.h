@@ -49,7 +49,8 @@ class Trajectory {
   /// @param energy_error  of the point that has moved; +inf if its density is zero or broken
   virtual Verdict judge(double energy_error, RandomStream& random) = 0;
 
-  [[nodiscard]] virtual double acceptance() const = 0;  // mean over the points so far, 0..1 [1]
+  /// Mean over the points so far of what a proposal of each would be accepted with, 0..1 [1].
+  [[nodiscard]] virtual double acceptance() const = 0;
   [[nodiscard]] virtual int depth() const = 0;          // complete doublings [1]
 };
 

@@ -5,6 +5,8 @@
 namespace thenar::internal {
 namespace {
 
+constexpr long kLeastSteps = 20;  // of a warm-up that learns a metric
+
 int first_window(Metric metric, int n) {
   return metric == Metric::kDense ? std::max(25, 2 * n) : 25;
 }
@@ -12,7 +14,7 @@ int first_window(Metric metric, int n) {
 }  // namespace
 
 MetricWindows metric_windows(long warm_up, int first_window) {
-  if (warm_up < 20) return {warm_up, {}};
+  if (warm_up < kLeastSteps) return {warm_up, {}};
   MetricWindows windows;
   windows.first = std::min<long>(20, warm_up * 15 / 100);
   const long last = warm_up - std::min<long>(50, warm_up * 35 / 100);
@@ -38,8 +40,10 @@ WarmUp::WarmUp(int n, double target_acceptance, const SamplerOptions& options)
 void WarmUp::learn_trial(double energy_error) {
   if (!search_.learn(energy_error)) return;
   searching_ = false;
-  step_ = search_.step();
-  averaging_.restart(step_);
+  // Ten times as much is tried soon, which a short warm-up would not recover from.
+  const bool brief = steps_ < kLeastSteps;
+  step_ = brief ? search_.step() / 2 : search_.step();
+  averaging_.restart(step_, brief ? 1 : 10);
 }
 
 void WarmUp::learn(long step, const Eigen::VectorXd& x, double acceptance) {

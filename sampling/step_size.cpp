@@ -4,10 +4,10 @@
 
 namespace thenar::internal {
 
-void DualAveraging::restart(double step) {
+void DualAveraging::restart(double step, double lean) {
   count_ = error_ = 0;
   log_step_ = log_averaged_ = std::log(step);
-  lean_ = std::log(10 * step);
+  lean_ = std::log(lean * step);
 }
 
 void DualAveraging::learn(double acceptance) {

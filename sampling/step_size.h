@@ -12,8 +12,9 @@ class DualAveraging {
  public:
   explicit DualAveraging(double target) : target_(target) {}
 
-  /// Forgets all but a first step size, and leans towards ten times that.
-  void restart(double step);
+  /// Forgets all but a first step size.
+  /// @param lean  multiple of it to lean towards [1]
+  void restart(double step, double lean);
   void learn(double acceptance);  // of the last step, 0..1 [1]
 
   [[nodiscard]] double step() const;      // to be tried next [1]
