@@ -42,7 +42,9 @@ struct Estimate {
 };
 
 /// @param x      (draws, chains)
-/// @param group  of each chain; chains of one group are pooled for R-hat over groups
+/// @param group  of each chain; chains of one group, walkers of an ensemble, are pooled for R-hat
+/// over groups, and ESS and the error of the mean are the worse of those that chains and means over
+/// groups give
 [[nodiscard]] Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
                                 const std::vector<int>& group);
 

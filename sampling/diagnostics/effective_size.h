@@ -2,6 +2,8 @@
 
 /// Effective size of one series; those of several chains are in convergence.h.
 
+#include <vector>
+
 #include <Eigen/Core>
 
 namespace thenar {
@@ -14,5 +16,14 @@ namespace thenar {
 
 /// Independent draws worth one series [1]; NaN if it is constant or not finite.
 [[nodiscard]] double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+/// Effective size for the mean of draws whose chains are walkers of ensembles. Walkers of one
+/// depend on each other, which no chain alone shows; the mean over an ensemble does:
+///   ESS = var(x) ESS(m) / var(m),   m the means over the walkers of each group at each draw.
+/// For independent walkers this is the sum of theirs; for walkers that do the same, that of one.
+/// @param x      (draws, chains)
+/// @param group  of each chain
+[[nodiscard]] double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                  const std::vector<int>& group);
 
 }  // namespace thenar

@@ -6,9 +6,26 @@
 
 #include "sampling/diagnostics/chain_parts.h"
 #include "sampling/diagnostics/convergence.h"
+#include "sampling/diagnostics/effective_size.h"
 #include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
+namespace {
+
+/// Walkers of one ensemble are not independent: the worse of what chains and ensembles say.
+void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
+                    const Eigen::MatrixXd& pooled, Estimate& of) {
+  const auto below = [&x](double limit) -> Eigen::MatrixXd {
+    return (x.array() <= limit).cast<double>();
+  };
+  of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
+  of.mcse_mean = std::max(of.mcse_mean, of.sd / std::sqrt(ensemble_ess(x, group)));
+  of.bulk_ess = std::min(of.bulk_ess, ensemble_ess(normal_scores(x), group));
+  of.tail_ess = std::min(
+      {of.tail_ess, ensemble_ess(below(of.q05), group), ensemble_ess(below(of.q95), group)});
+}
+
+}  // namespace
 
 Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
                   const std::vector<int>& group) {
@@ -28,9 +45,9 @@ Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixX
   of.mcse_mean = mean_mcse(x);
   of.mcse_sd = sd_mcse(x);
   of.r_hat = rank_r_hat(x);
-  if (pooled.cols() < x.cols()) of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
   of.bulk_ess = bulk_ess(x);
   of.tail_ess = tail_ess(x);
+  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, of);
   return of;
 }
 

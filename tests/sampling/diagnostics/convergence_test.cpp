@@ -8,7 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "sampling/diagnostics/autocovariance.h"
+#include "sampling/diagnostics/effective_size.h"
 #include "sampling/diagnostics/order_statistics.h"
+#include "tests/matrix_near.h"
 #include "tests/sampling/diagnostics/reference_chains.h"
 
 namespace thenar {
@@ -163,21 +166,56 @@ TEST(Convergence, TooFewDrawsAreRefused) {
   EXPECT_THROW((void)mean_ess(Eigen::MatrixXd(10, 0)), InputError);
 }
 
+/// Walkers 0 .. 9 are group 0, and so on.
+std::vector<int> tens(int chains) {
+  std::vector<int> group(chains);
+  for (int chain = 0; chain < chains; ++chain) group[chain] = chain / 10;
+  return group;
+}
+
+// Sums one by one and FFT are the same numbers.
+TEST(Convergence, AutocovarianceByHandAndByFft) {
+  // 1, 2, 4, 1 have the mean 2: deviations -1, 0, 2, -1.
+  EXPECT_NEAR(autocovariance(Eigen::Vector4d(1, 2, 4, 1))[0], 6.0 / 4, 1e-15);
+  EXPECT_NEAR(autocovariance(Eigen::Vector4d(1, 2, 4, 1))[1], -2.0 / 4, 1e-15);
+  const Eigen::VectorXd x = autoregressive(0.9, 777, 1);
+  EXPECT_TRUE(matrix_near(autocovariance(x, 50), autocovariance(x).head(50), 1e-14));
+}
+
 // Walkers of an ensemble mix, ensembles do not: only R-hat over groups can see it clearly.
 TEST(Convergence, RHatOverGroupsSeesEnsemblesApart) {
   Eigen::MatrixXd x = autoregressive(0, 500, 40);
-  const std::vector<int> walker_groups = [] {
-    std::vector<int> group(40);
-    for (int chain = 0; chain < 40; ++chain) group[chain] = chain / 10;
-    return group;
-  }();
-  // Inside a group walkers lie far apart on both sides; groups differ by a fraction of that.
   for (int chain = 0; chain < 40; ++chain) x.col(chain).array() += chain < 10 ? 0.5 : 0.0;
   std::vector<int> alone(40);
   for (int chain = 0; chain < 40; ++chain) alone[chain] = chain;
-  const double apart = estimate("x", x, walker_groups).r_hat;
+  const double apart = estimate("x", x, tens(40)).r_hat;
   EXPECT_GE(apart, estimate("x", x, alone).r_hat);
   EXPECT_GT(apart, 1.02);
+}
+
+// Independent walkers count one by one.
+TEST(Convergence, EnsembleEssOfIndependentWalkers) {
+  const Eigen::MatrixXd x = autoregressive(0.5, 5000, 40);
+  EXPECT_NEAR(ensemble_ess(x, tens(40)) / (200000.0 / 3), 1, 0.1);
+}
+
+// Walkers that do all the same are worth one chain, whatever each alone looks like.
+TEST(Convergence, WalkersInStepAreWorthOneChain) {
+  const Eigen::MatrixXd leaders = autoregressive(0, 2000, 4);
+  Eigen::MatrixXd x(2000, 40);
+  for (int chain = 0; chain < 40; ++chain) x.col(chain) = leaders.col(chain / 10);
+  const Estimate of = estimate("x", x, tens(40));
+  EXPECT_GT(bulk_ess(x), 60000);  // chains alone are deceived
+  EXPECT_NEAR(of.bulk_ess / bulk_ess(leaders), 1, 0.02);
+  EXPECT_NEAR(of.tail_ess / tail_ess(leaders), 1, 0.02);
+  EXPECT_NEAR(of.mcse_mean / mean_mcse(leaders), 1, 0.02);
+}
+
+// The chain forgets so slowly that few lags are not enough: both ways meet at the closed form.
+TEST(Convergence, LongMemoryNeedsAllLags) {
+  const double phi = 0.99;
+  const Eigen::MatrixXd x = autoregressive(phi, 50000, 4);
+  EXPECT_NEAR(mean_ess(x) / (200000 * (1 - phi) / (1 + phi)), 1, 0.15);
 }
 
 }  // namespace
