@@ -52,6 +52,27 @@ THENAR_INLINE void store(double* x, const V& v) {
   std::memcpy(__builtin_assume_aligned(x, 32), &v, sizeof v);
 }
 
+/// Eight doubles in one register of a processor with AVX-512.
+using EightLanes = double __attribute__((vector_size(64)));
+using EightBits = std::int64_t __attribute__((vector_size(64)));
+
+THENAR_INLINE EightBits bits(const EightLanes& v) { return reinterpret_cast<const EightBits&>(v); }
+THENAR_INLINE EightLanes lanes(const EightBits& b) {
+  return reinterpret_cast<const EightLanes&>(b);
+}
+
+/// One alone.
+THENAR_INLINE std::uint64_t bits(double v) {
+  std::uint64_t b;
+  std::memcpy(&b, &v, sizeof b);
+  return b;
+}
+THENAR_INLINE double lanes(std::uint64_t b) {
+  double v;
+  std::memcpy(&v, &b, sizeof v);
+  return v;
+}
+
 THENAR_INLINE LaneBits bits(const Lanes& v) { return reinterpret_cast<const LaneBits&>(v); }
 THENAR_INLINE HalfBits bits(const Half& v) { return reinterpret_cast<const HalfBits&>(v); }
 
@@ -78,7 +99,7 @@ struct SinCos {
 
 inline constexpr double kSinCosBound = 1e5;  // of |angle| for sin_cos() [rad]
 
-/// Sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is Lanes or Half.
+/// Sine and cosine to 1e-16, for |angle| <= kSinCosBound. V is any of the above.
 ///
 /// The angle is brought to |r| <= pi/4 by subtracting n pi/2 in three parts whose products with
 /// n are exact; polynomials of degree 13 and 14 do the rest.

@@ -1,49 +1,43 @@
 #include "posterior/force_kernel.h"
 
-#include <vector>
-
 #include "base/error.h"
-#include "kinematics_fit/force_jacobian.h"
+#include "posterior/kernel/batch.h"
+#include "posterior/kernel/compile.h"
 
 namespace thenar {
 
-struct ForceKernel::Program {
-  TendonDigit digit;
-  FitParameters parameters;
-  ExperimentPlan plan;
-};
+struct ForceKernel::Program : kernel::Program {};
 
 class ForceKernel::Tape {
  public:
-  std::vector<Eigen::MatrixXd> J;  // of each point (3 trials, coordinates)
+  kernel::Batch batch;  // its forces have moved out
 };
 
 ForceKernel::ForceKernel(const TendonDigit& digit, const FitParameters& parameters,
                          const ExperimentPlan& plan)
-    : program_(new Program{digit, parameters, plan}) {}
+    : program_(std::make_unique<Program>()) {
+  kernel::compile(digit, parameters, plan, *program_);
+}
 ForceKernel::~ForceKernel() = default;
 ForceKernel::ForceKernel(ForceKernel&&) noexcept = default;
 
-int ForceKernel::coordinates() const { return program_->parameters.coordinates(); }
-int ForceKernel::trials() const { return static_cast<int>(program_->plan.force.cols()); }
-int ForceKernel::lanes() { return 1; }
+int ForceKernel::coordinates() const { return program_->fit_coordinates; }
+int ForceKernel::trials() const { return program_->trials; }
+int ForceKernel::lanes() { return kernel::units().front().lanes; }
 
 Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
-  Eigen::MatrixXd forces(3 * trials(), u.cols());
-  for (Eigen::Index k = 0; k < u.cols(); ++k)
-    forces.col(k) =
-        force_values(program_->digit, program_->parameters, program_->plan, u.col(k)).reshaped();
-  return forces;
+  return kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kNo).forces;
 }
 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
-  Recorded out{forces(u), std::make_shared<Tape>()};
-  for (Eigen::Index k = 0; k < u.cols(); ++k)
-    out.tape->J.push_back(
-        force_jacobian(program_->digit, program_->parameters, program_->plan, u.col(k)).J);
-  return out;
+  require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
+          u.rows());
+  auto tape = std::make_shared<Tape>();
+  tape->batch = kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kYes);
+  Eigen::MatrixXd forces = std::move(tape->batch.forces);
+  return {std::move(forces), std::move(tape)};
 }
 
 Eigen::MatrixXd ForceKernel::pull_back(const Recorded& recorded,
@@ -51,10 +45,7 @@ Eigen::MatrixXd ForceKernel::pull_back(const Recorded& recorded,
   require(weights.rows() == 3 * trials() && weights.cols() == recorded.forces.cols(),
           "weights are wanted for {} forces of {} points, got {} x {}", 3 * trials(),
           recorded.forces.cols(), weights.rows(), weights.cols());
-  Eigen::MatrixXd gradient(coordinates(), weights.cols());
-  for (Eigen::Index k = 0; k < weights.cols(); ++k)
-    gradient.col(k) = recorded.tape->J[static_cast<std::size_t>(k)].transpose() * weights.col(k);
-  return gradient;
+  return kernel::pull_batch(*program_, recorded.tape->batch, weights);
 }
 
 }  // namespace thenar

@@ -1,0 +1,52 @@
+#pragma once
+
+/// Many points through a unit, a group of lanes at a time.
+
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "posterior/kernel/unit.h"
+
+namespace thenar::kernel {
+
+/// Memory for packs of any unit.
+class Packs {
+ public:
+  explicit Packs(long doubles);
+  [[nodiscard]] double* first() const { return first_.get(); }
+
+ private:
+  struct Free {
+    void operator()(double* p) const;
+  };
+  std::unique_ptr<double, Free> first_;
+};
+
+/// Points that went through a unit together, and what it left behind.
+struct Group {
+  const Unit* unit;
+  Eigen::Index first;  // point
+  int count;           // of points
+  Packs tape;
+};
+
+struct Batch {
+  Eigen::MatrixXd forces;     // [N] (3 trials, points)
+  std::vector<Group> groups;  // empty if not to be kept
+};
+
+enum class KeepTape { kNo, kYes };
+
+/// @param choice  units to take, widest first; what is left over goes to the narrowest that holds
+/// it
+/// @param u       (fit coordinates, points)
+[[nodiscard]] Batch run_batch(const Program& program, const std::vector<Unit>& choice,
+                              const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep);
+
+/// J' w (fit coordinates, points) for weights w (3 trials, points).
+[[nodiscard]] Eigen::MatrixXd pull_batch(const Program& program, const Batch& batch,
+                                         const Eigen::Ref<const Eigen::MatrixXd>& weights);
+
+}  // namespace thenar::kernel

@@ -1,0 +1,118 @@
+#pragma once
+
+/// Step 3b: arms of muscles through the hood, and the torques of all trials of a posture.
+
+#include "posterior/kernel/arms.h"
+
+namespace thenar::kernel {
+namespace {
+
+/// A fraction c moved by u on the logit scale; its derivative by u is f (1 - f).
+inline V shifted(double c, const V& u) {
+  const V odds = c * exponential(u);
+  return odds / ((1.0 - c) + odds);
+}
+
+/// Strands of the hood that a share feeds: arms at coordinate j of the central slip and, through
+/// the lateral bands, of bands and terminal slip.
+struct Fed {
+  V central, lateral;
+};
+inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int j) {
+  const int n = program.coordinates;
+  const HoodSteps& hood = program.hood;
+  return {arm[hood.central_slip * n + j], share.radial * arm[hood.radial_band * n + j] +
+                                              (1 - share.radial) * arm[hood.ulnar_band * n + j] +
+                                              arm[hood.terminal_slip * n + j]};
+}
+
+/// row = arms of the strand pulled + h (c central + (1 - c) lateral)
+inline void set_rows(const Program& program, const Numbers& digit, Posed& posed) {
+  const int n = program.coordinates;
+  for (int m = 0; m < program.pulls_strand.size(); ++m)
+    for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
+  const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
+  for (int b = 0; b < program.shares.size(); ++b) {
+    const ShareStep& share = program.shares[b];
+    posed.into[b] = shifted(share.into, digit.number[share.into_shift]);
+    posed.central[b] = shifted(
+        share.central, digit.number[share.central_shift] + digit.number[share.slope] * bent);
+    for (int j = 0; j < n; ++j) {
+      const Fed strands = fed(program, share, posed.arm, j);
+      posed.row[share.muscle * n + j] +=
+          posed.into[b] *
+          (posed.central[b] * strands.central + (1.0 - posed.central[b]) * strands.lateral);
+    }
+  }
+}
+
+inline void pull_rows(const Program& program, const Numbers& digit, const Posed& posed, Posed& bar,
+                      Numbers& bar_digit) {
+  const int n = program.coordinates;
+  for (int m = 0; m < program.pulls_strand.size(); ++m)
+    for (int j = 0; j < n; ++j) bar.arm[program.pulls_strand[m] * n + j] += bar.row[m * n + j];
+  const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
+  const HoodSteps& hood = program.hood;
+  for (int b = 0; b < program.shares.size(); ++b) {
+    const ShareStep& share = program.shares[b];
+    const V h = posed.into[b], c = posed.central[b];
+    V by_central = V{}, by_lateral = V{};
+    for (int j = 0; j < n; ++j) {
+      const V push = bar.row[share.muscle * n + j];
+      const Fed strands = fed(program, share, posed.arm, j);
+      by_central += push * strands.central;
+      by_lateral += push * strands.lateral;
+      const V central = h * c * push, lateral = h * (1.0 - c) * push;
+      bar.arm[hood.central_slip * n + j] += central;
+      bar.arm[hood.radial_band * n + j] += share.radial * lateral;
+      bar.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
+      bar.arm[hood.terminal_slip * n + j] += lateral;
+    }
+    const V h_bar = c * by_central + (1.0 - c) * by_lateral;
+    const V c_bar = h * (by_central - by_lateral);
+    bar_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
+    const V logit_bar = c_bar * c * (1.0 - c);
+    bar_digit.number[share.central_shift] += logit_bar;
+    bar_digit.number[share.slope] += logit_bar * bent;
+    if (program.knuckle.coordinate >= 0)
+      bar.angle[program.knuckle.coordinate] +=
+          logit_bar * digit.number[share.slope] * program.knuckle.ratio;
+  }
+}
+
+/// torque = sum over muscles of  gain tension row
+inline void set_torques(const Program& program, int k, const Numbers& digit, Posed& posed) {
+  const int n = program.coordinates;
+  const PostureStep& posture = program.postures[k];
+  clear(posed.torque, (posture.last_trial - posture.first_trial) * n);
+  for (int i = posture.first_trial; i < posture.last_trial; ++i) {
+    V* torque = posed.torque + (i - posture.first_trial) * n;
+    for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
+      const PullStep& pull = program.pulls[t];
+      const V tension = pull.tension * digit.number[program.gain + pull.muscle];
+      for (int j = 0; j < n; ++j) torque[j] += tension * posed.row[pull.muscle * n + j];
+    }
+  }
+}
+
+inline void pull_torques(const Program& program, int k, const Numbers& digit, const Posed& posed,
+                         Posed& bar, Numbers& bar_digit) {
+  const int n = program.coordinates;
+  const PostureStep& posture = program.postures[k];
+  for (int i = posture.first_trial; i < posture.last_trial; ++i) {
+    const V* push = bar.torque + (i - posture.first_trial) * n;
+    for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
+      const PullStep& pull = program.pulls[t];
+      const V tension = pull.tension * digit.number[program.gain + pull.muscle];
+      V along = V{};
+      for (int j = 0; j < n; ++j) {
+        bar.row[pull.muscle * n + j] += tension * push[j];
+        along += posed.row[pull.muscle * n + j] * push[j];
+      }
+      bar_digit.number[program.gain + pull.muscle] += pull.tension * along;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace thenar::kernel

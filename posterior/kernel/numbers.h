@@ -1,0 +1,39 @@
+#pragma once
+
+/// Step 1: from displacements u to the numbers of the digit, and back.
+
+#include "posterior/kernel/tape.h"
+
+namespace thenar::kernel {
+namespace {
+
+/// number = start + weights u;  direction = number / |number|
+inline void set_numbers(const Program& program, const V* u, Numbers& digit) {
+  for (int i = 0; i < program.start.size(); ++i) digit.number[i] = splat(program.start[i]);
+  for (const Move& move : program.moves)
+    digit.number[move.number] += move.weight * u[move.coordinate];
+  for (int i = 0; i < program.hinges.size(); ++i) {
+    const Vec d = vector_at(digit.number + program.hinges[i].direction);
+    if (program.hinges[i].tilts) {
+      digit.shrink[i] = 1.0 / square_root(dot(d, d));
+      digit.direction[i] = digit.shrink[i] * d;
+    } else {
+      digit.direction[i] = d;
+    }
+  }
+}
+
+/// Adjoint. A push along the direction itself is lost in the normalisation.
+inline void pull_numbers(const Program& program, const Numbers& digit, Numbers& bar, V* u_bar) {
+  for (int i = 0; i < program.hinges.size(); ++i) {
+    if (!program.hinges[i].tilts) continue;
+    const Vec d = digit.direction[i], push = bar.direction[i];
+    add_vector(bar.number + program.hinges[i].direction,
+               digit.shrink[i] * (push - dot(push, d) * d));
+  }
+  for (const Move& move : program.moves)
+    u_bar[move.coordinate] += move.weight * bar.number[move.number];
+}
+
+}  // namespace
+}  // namespace thenar::kernel

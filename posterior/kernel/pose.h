@@ -1,0 +1,117 @@
+#pragma once
+
+/// Step 2: angles, and where links and hinges are. Its adjoint is a sum of forces and moments from
+/// the tip to the base, as in statics.
+
+#include "posterior/kernel/tape.h"
+
+namespace thenar::kernel {
+namespace {
+
+/// R times the turn of a hinge, with along = R d:
+///   column k:  cos R e_k + (1 - cos) d_k along + sin R (d x e_k).
+inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, const V& cosine) {
+  const Vec u = (1.0 - cosine) * along, s = sine * d;
+  return {cosine * R.x + d.x * u + s.z * R.y - s.y * R.z,
+          cosine * R.y + d.y * u + s.x * R.z - s.z * R.x,
+          cosine * R.z + d.z * u + s.y * R.x - s.x * R.y};
+}
+
+/// Sines and cosines of all hinges in posture `k`.
+inline void set_angles(const Program& program, int k, const Numbers& digit, Posed& posed) {
+  const int n = program.coordinates, own = program.postures[k].own_error;
+  for (int j = 0; j < n; ++j) {
+    posed.angle[j] = program.q[k * n + j] + digit.number[program.angle_error + j];
+    if (own >= 0) posed.angle[j] += digit.number[own + j];
+  }
+  for (int i = 0; i < program.hinges.size(); ++i) {
+    const StillAngle& still = program.still_angles[k * program.hinges.size() + i];
+    const HingeStep& hinge = program.hinges[i];
+    if (still.still) {
+      posed.sine[i] = splat(still.sine), posed.cosine[i] = splat(still.cosine);
+    } else {
+      const auto turn = sine_and_cosine(hinge.ratio * posed.angle[hinge.coordinate] + hinge.offset);
+      posed.sine[i] = turn.sine, posed.cosine[i] = turn.cosine;
+    }
+  }
+}
+
+inline void pull_angles(const Program& program, int k, const Posed& bar, Numbers& bar_digit) {
+  const int own = program.postures[k].own_error;
+  for (int j = 0; j < program.coordinates; ++j) {
+    bar_digit.number[program.angle_error + j] += bar.angle[j];
+    if (own >= 0) bar_digit.number[own + j] += bar.angle[j];
+  }
+}
+
+/// Link by link:  axis = R_parent d,  point = where the parent carries it,  R = R_parent turn.
+inline void pose(const Program& program, const Numbers& digit, Posed& posed) {
+  for (int i = 0; i < program.hinges.size(); ++i) {
+    const HingeStep& hinge = program.hinges[i];
+    const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
+    Mat R = constant_matrix(kIdentity);
+    posed.axis[i] = d, posed.point[i] = p;
+    if (hinge.parent >= 0) {
+      const int parent = hinge.parent;
+      R = posed.R[parent];
+      const Vec carried = p - vector_at(digit.number + program.hinges[parent].point);
+      posed.axis[i] = R * d;
+      posed.point[i] = posed.point[parent] + R * carried;
+    }
+    posed.R[i] = turned(R, posed.axis[i], d, posed.sine[i], posed.cosine[i]);
+  }
+}
+
+/// A link feels force F at its hinge's point and moment M about it (see Wrenches). With the twists
+///   of the angle: axis;  of a tilt e: sin R e + (1 - cos) axis x R e;  of the point: (R_parent -
+///   R) e
+/// that move all beyond, and what the axis and the point themselves feel:
+///   angle_bar = axis . M,
+///   d_bar     = R_parent' (sin M + (1 - cos) M x axis + axis_bar),
+///   p_bar     = R_parent' (F + point_bar) - R' F.
+inline void pull_pose(const Program& program, const Posed& posed, Wrenches& on, Posed& bar,
+                      Numbers& bar_digit) {
+  for (int i = program.hinges.size() - 1; i >= 0; --i) {
+    const HingeStep& hinge = program.hinges[i];
+    const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
+    bar.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
+    Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + bar.axis[i];
+    const Vec carried = F + bar.point[i];
+    Vec shift = carried;
+    if (hinge.parent >= 0) {
+      const int parent = hinge.parent;
+      tilt = turned_back(posed.R[parent], tilt);
+      shift = turned_back(posed.R[parent], shift);
+      on.force[parent] += carried;
+      on.moment[parent] +=
+          M + cross(axis, bar.axis[i]) + cross(posed.point[i] - posed.point[parent], carried);
+    }
+    if (hinge.tilts) bar_digit.direction[i] += tilt;
+    if (hinge.shifts)
+      add_vector(bar_digit.number + hinge.point, shift - turned_back(posed.R[i], F));
+  }
+}
+
+/// Where a link carries a point now, link -1 being the base.
+inline Vec carried(const Program& program, const Numbers& digit, const Posed& posed, int link,
+                   int place) {
+  const Vec p = vector_at(digit.number + place);
+  if (link < 0) return p;
+  return posed.point[link] +
+         posed.R[link] * (p - vector_at(digit.number + program.hinges[link].point));
+}
+
+/// Adjoint: a force `push` at x, the point carried, is felt by its link.
+inline void pull_carried(const Posed& posed, int link, int place, const Vec& x, const Vec& push,
+                         Wrenches& on, Numbers& bar_digit) {
+  if (link < 0) {
+    add_vector(bar_digit.number + place, push);
+  } else {
+    add_vector(bar_digit.number + place, turned_back(posed.R[link], push));
+    on.force[link] += push;
+    on.moment[link] += cross(x - posed.point[link], push);
+  }
+}
+
+}  // namespace
+}  // namespace thenar::kernel

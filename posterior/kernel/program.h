@@ -1,0 +1,148 @@
+#pragma once
+
+/// The force model of one digit in one experiment as flat lists: what is computed, in which order,
+/// from which numbers. Plain numbers alone, since sources for other processors read it.
+
+#include "posterior/kernel/array.h"
+
+namespace thenar::kernel {
+
+/// number[i] += weight u[coordinate]
+struct Move {
+  int number, coordinate;
+  double weight;
+};
+
+/// An angle of the posture:  ratio q[coordinate] + offset;  coordinate -1: frozen.
+struct AngleStep {
+  int coordinate;
+  double ratio, offset;
+};
+
+/// A hinge, after its parent.
+struct HingeStep {
+  int parent;            // hinge; -1: the base
+  int coordinate;        // entry of q
+  double ratio, offset;  // angle = ratio q + offset
+  int direction, point;  // places of three numbers each
+  bool tilts, shifts;    // does anything move them?
+};
+
+/// A point of a tendon path.
+struct NodeStep {
+  int link;   // -1: the base
+  int place;  // of its three numbers
+};
+
+/// What a run of tendon adds to the arm about one hinge:  weight u (axis x (node - point)).
+struct ClimbStep {
+  int hinge;
+  int node;
+  int arm;        // entry of the arms (strands, coordinates)
+  double weight;  // ratio of the hinge; negative where the end further out climbs
+};
+
+/// A straight run of tendon between two links, u its direction.
+struct RunStep {
+  int from, to;     // nodes
+  int first, last;  // of the climbs
+};
+
+/// A bend of the sheaths, felt by all coordinates from felt_from on.
+struct BendStep {
+  AngleStep angle;
+  int felt_from;
+};
+
+/// A strand with friction.
+struct SheathStep {
+  int strand;
+  int friction;  // place of its number
+};
+
+/// Strands of the hood.
+struct HoodSteps {
+  int central_slip, radial_band, ulnar_band, terminal_slip;
+};
+
+/// A muscle's share in the hood.
+struct ShareStep {
+  int muscle;
+  double radial;                         // part of the lateral share that the radial band takes [1]
+  double into, central;                  // fractions before they are shifted [1]
+  int into_shift, central_shift, slope;  // places of numbers
+};
+
+/// tension of a muscle in a trial [N]
+struct PullStep {
+  int muscle;
+  double tension;
+};
+
+/// One loading.
+struct TrialStep {
+  int column;       // of the forces
+  int first, last;  // of the pulls
+};
+
+/// A posture and the trials in it.
+struct PostureStep {
+  int first_trial, last_trial;
+  int own_error;  // place of the first of its own angle errors; -1: none
+};
+
+/// Sine and cosine of a hinge in a posture, if it never moves there.
+struct StillAngle {
+  bool still;
+  double sine, cosine;
+};
+
+struct Program {
+  int coordinates = 0;      // entries of q
+  int fit_coordinates = 0;  // entries of u
+  int trials = 0;
+  int loads = 0;  // columns of held_loads()
+
+  Array<double> start;  // the numbers at u = 0
+  Array<Move> moves;
+
+  Array<HingeStep> hinges;
+  Array<PostureStep> postures;
+  Array<double> q;                 // (postures, coordinates) [rad]
+  Array<StillAngle> still_angles;  // (postures, hinges)
+  int angle_error = 0;             // place of the first angle error
+
+  bool arms_move = false;      // else the torques of all trials are as in still_torque
+  Array<double> still_torque;  // (trials in the order below, coordinates) [N m]
+  int strands = 0;
+  int arms = 0;  // place of the constant arms (strands, coordinates)
+  Array<NodeStep> nodes;
+  Array<RunStep> runs;
+  Array<ClimbStep> climbs;
+  Array<int> path_strands;  // strands whose arms follow from their paths
+  Array<BendStep> bends;
+  Array<SheathStep> sheaths;
+  HoodSteps hood{};
+  AngleStep knuckle{};
+  double hood_angle = 0;  // of the knuckle, at which shares are stated [rad]
+  Array<ShareStep> shares;
+  Array<int> pulls_strand;  // of each muscle
+  int gain = 0;             // place of the first gain
+  Array<PullStep> pulls;
+  Array<TrialStep> trial_steps;  // by posture
+
+  int tip_link = 0;
+  int tip = 0;              // place of three numbers
+  Array<int> tip_hinges;    // from the tip to the base
+  double tip_axes[9] = {};  // columns proximal, dorsal, radial
+  int out_of_plane = 0;     // place
+  double hold_length = 0;   // of flexion moments [m]
+
+  bool cell_moves = false;    // else the cell sees the tip's components through still_cell
+  double still_cell[9] = {};  // by columns
+  int sensor_tilt = 0;        // place of three numbers
+  int force_link = 0;
+  double components[9] = {};  // by columns
+};
+
+}  // namespace thenar::kernel

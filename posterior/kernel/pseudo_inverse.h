@@ -1,0 +1,123 @@
+#pragma once
+
+/// The pseudo-inverse P of the loads L: least squares where the hold carries fewer loads than there
+/// are joints, exact where as many, least norm where more.
+
+#include "posterior/kernel/tape.h"
+
+namespace thenar::kernel {
+namespace {
+
+/// Squared sine of the angle between a column and those before it, below which it is one of them:
+/// no digit of a force would be right.
+inline constexpr double kSingularSquare = 1e-24;
+
+/// X = A^+ (columns, rows) of A (rows, columns), column-major, rows >= columns, NaN if singular.
+/// A = Q U by modified Gram-Schmidt, twice, so that Q is orthogonal to rounding;  U X = D^-1 Q'.
+/// @param work  (rows columns + columns columns + columns)
+/// Source: [Bjorck1996], methods based on Gram-Schmidt.
+inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
+  V *Q = work, *U = Q + rows * columns, *inverse = U + columns * columns;
+  const auto product = [&](int a, int b) {
+    V sum = Q[a * rows] * Q[b * rows];
+    for (int j = 1; j < rows; ++j) sum += Q[a * rows + j] * Q[b * rows + j];
+    return sum;
+  };
+  for (int i = 0; i < rows * columns; ++i) Q[i] = A[i];
+  for (int k = 0; k < columns; ++k) {
+    const V whole = product(k, k);
+    for (int l = 0; l < k; ++l) U[l * columns + k] = V{};
+    for (int pass = 0; pass < 2; ++pass)
+      for (int l = 0; l < k; ++l) {
+        const V u = product(l, k) * inverse[l];
+        U[l * columns + k] += u;
+        for (int j = 0; j < rows; ++j) Q[k * rows + j] -= u * Q[l * rows + j];
+      }
+    const V rest = product(k, k);
+    inverse[k] = rest > kSingularSquare * whole ? 1.0 / rest : splat(kNaN);
+  }
+  for (int k = columns - 1; k >= 0; --k)
+    for (int j = 0; j < rows; ++j) {
+      V x = inverse[k] * Q[k * rows + j];
+      for (int l = k + 1; l < columns; ++l) x -= U[k * columns + l] * X[l * rows + j];
+      X[k * rows + j] = x;
+    }
+}
+
+/// P (c, n) row-major of L (n, c) row-major.
+/// @param work  (n c + (n + c + 1) max(n, c) + n c)
+inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
+  if (n < c) {  // least norm: L' is tall, and stands there column by column
+    V* X = work + n * c + n * n + n;
+    pseudo_inverse(L, c, n, X, work);
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < c; ++k) P[k * n + j] = X[j * c + k];
+  } else {
+    V* A = work + n * c + c * c + c;
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < c; ++k) A[k * n + j] = L[j * c + k];
+    pseudo_inverse(A, n, c, P, work);
+  }
+}
+
+/// Adjoint, of which only the first three rows of P matter: those of the force. With Z = P P_bar',
+///   n >= c:  L_bar = (P_bar' - L Z) P P' - P' Z'      (nothing in brackets where n = c)
+///   n < c:   L_bar = P' (Z (I - P L) - Z').
+/// @param P_bar  (3, n) row-major     @param work  (2 c c + 3 n)
+/// Source: [Golub1973, eq. 4.12].
+inline void pull_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar, V* work) {
+  V *Z = work, *W = Z + 3 * c, *T = W + c * c;  // Z (c, 3): its other columns are zero
+  for (int a = 0; a < c; ++a)
+    for (int b = 0; b < 3; ++b) {
+      V sum = P[a * n] * P_bar[b * n];
+      for (int j = 1; j < n; ++j) sum += P[a * n + j] * P_bar[b * n + j];
+      Z[a * 3 + b] = sum;
+    }
+  if (n >= c) {
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < c; ++k) {
+        V sum = -(P[j] * Z[k * 3]);
+        for (int b = 1; b < 3; ++b) sum -= P[b * n + j] * Z[k * 3 + b];
+        L_bar[j * c + k] = sum;
+      }
+    if (n == c) return;
+    for (int b = 0; b < 3; ++b)  // G = P P', its first three rows
+      for (int k = 0; k < c; ++k) {
+        V sum = P[b * n] * P[k * n];
+        for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
+        W[b * c + k] = sum;
+      }
+    for (int j = 0; j < n; ++j) {
+      for (int b = 0; b < 3; ++b) {
+        V sum = P_bar[b * n + j];
+        for (int a = 0; a < c; ++a) sum -= L[j * c + a] * Z[a * 3 + b];
+        T[b] = sum;
+      }
+      for (int k = 0; k < c; ++k)
+        L_bar[j * c + k] += T[0] * W[k] + T[1] * W[c + k] + T[2] * W[2 * c + k];
+    }
+  } else {
+    V* N = T;  // I - P L, its first three rows
+    for (int b = 0; b < 3; ++b)
+      for (int k = 0; k < c; ++k) {
+        V sum = splat(b == k ? 1 : 0);
+        for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
+        N[b * c + k] = sum;
+      }
+    for (int a = 0; a < c; ++a)
+      for (int k = 0; k < c; ++k) {
+        V sum = a < 3 ? -Z[k * 3 + a] : V{};
+        for (int b = 0; b < 3; ++b) sum += Z[a * 3 + b] * N[b * c + k];
+        W[a * c + k] = sum;
+      }
+    for (int j = 0; j < n; ++j)
+      for (int k = 0; k < c; ++k) {
+        V sum = P[j] * W[k];
+        for (int a = 1; a < c; ++a) sum += P[a * n + j] * W[a * c + k];
+        L_bar[j * c + k] = sum;
+      }
+  }
+}
+
+}  // namespace
+}  // namespace thenar::kernel
