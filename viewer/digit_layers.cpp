@@ -11,8 +11,8 @@ Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>
   return moved(state, model.tip_link, model.tip);
 }
 
-/// The point of each axis nearest to a straight way from the first axis to the tip: where a bone
-/// would cross it. Any point of an axis is as good for kinematics; this one is fit to look at.
+}  // namespace
+
 std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
                                          const TreeState<double>& state) {
   std::vector<Eigen::Vector3d> points;
@@ -28,8 +28,6 @@ std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
     }
   return points;
 }
-
-}  // namespace
 
 Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
   const TreeState<double> state = pose_tree(digit.model.tree, q);

@@ -10,46 +10,25 @@
 #include <vector>
 
 #include "data/io/experiment.h"
+#include "sampling/diagnostics/modes.h"
+#include "sampling/diagnostics/psis.h"
 #include "viewer/axis_cloud.h"
 #include "viewer/draw_blocks.h"
 
 namespace thenar {
 
-/// A mode as the mode table tells it.
-struct ModeRow {
-  std::string name;            // "1", "2": best first
-  double log_density;          // at its peak, up to a constant [1]
-  double mass;                 // share of the draws near it [1]
-  double mcse_mass;            // Monte Carlo error of that [1]; NaN: not known
-  std::vector<double> center;  // of the quantities named in PosteriorPicture::mode_quantities
-};
-
-/// How much leaving out one observation would change the posterior.
-struct ParetoShape {
-  std::string name;  // "H01 Hook FDP"
-  double k;          // shape of the tail of its importance weights [1]
-};
-
-/// Leave-one-out in one word, as PSIS-LOO estimates it.
+/// Leave-one-out with names for its observations.
 struct LeftOut {
-  double elpd = 0, elpd_sd = 0;     // expected log predictive density and its standard error [1]
-  double p_eff = 0;                 // effective number of parameters [1]
-  std::vector<ParetoShape> shapes;  // of each observation
+  LeaveOneOut result;
+  std::vector<std::string> observations;  // "H01 Hook FDP" (observations)
 };
 
-/// Simulation-based calibration of one quantity: F(r) - r of its ranks, r = 0..1.
-struct CalibrationCurve {
-  std::string name;
-  std::vector<double>
-      difference;  // of the empirical distribution from the uniform one [1] (points)
-};
-
-/// Calibration of a model: ranks of true values among draws of simulated data.
-struct Calibration {
-  int simulations = 0;
-  std::vector<double> rank;       // where all curves stand, as a fraction [1] (points)
-  std::vector<double> low, high;  // band that holds 95 % of whole curves [1] (points)
-  std::vector<CalibrationCurve> curves;
+/// Simulation-based calibration: ranks of true values among draws of simulated data.
+struct CalibrationRanks {
+  std::vector<std::string> names;    // of the quantities (quantities)
+  Eigen::MatrixXi rank;              // 0 .. draws (quantities, simulations)
+  int draws = 0;                     // of each simulation
+  std::vector<std::string> reasons;  // to doubt the sampler, as RankCalibration::reasons
 };
 
 /// Predicted and measured forces of one experiment.
@@ -71,37 +50,43 @@ struct PosteriorPicture {
   std::string title;   // "H01 and H02"; heads the sections
   std::string prefix;  // of section ids, where a page shows several
   std::vector<Quantity> quantities;
-  Convergence convergence;                   // its estimates are not used: quantities have them
-  std::string run;                           // one sentence: sampler, chains, draws, seconds
-  std::vector<std::string> corner;           // quantities to start the corner plot with
-  std::vector<std::string> mode_quantities;  // columns of the mode table, with units
-  std::vector<ModeRow> modes;
+  Convergence convergence;          // its estimates are not used: quantities have them
+  std::string run;                  // one sentence: sampler, chains, draws, seconds
+  std::vector<std::string> corner;  // quantities to start the corner plot with
+  std::optional<ModeTable> modes;
   std::optional<TendonDigit> digit;  // before the fit; absent: no scene
   Eigen::VectorXd posture;           // to draw it in [rad]
   std::vector<AxisCloud> clouds;
   std::optional<TendonModel<double>> truth;  // digit that simulated data were made with
   std::vector<PredictedForces> predicted;
   std::optional<LeftOut> left_out;
-  std::optional<Calibration> calibration;
+  std::optional<CalibrationRanks> calibration;
   std::vector<SamplerCourse> samplers;
 };
 
 /// A banner that cannot be overlooked if the run has not converged, and a quiet line if it has.
 [[nodiscard]] Json convergence_banner(const Convergence& convergence, const std::string& run);
 
-[[nodiscard]] Json mode_table(const std::vector<ModeRow>& modes,
-                              const std::vector<std::string>& quantities);
+/// Share of the draws in each mode, how often chains cross, and means of the quantities that tell
+/// the modes apart best, in their units.
+/// @param quantities  of the same draws and chains as the table
+/// @param most        quantities shown
+/// @throws InputError if a quantity has other draws than the table.
+[[nodiscard]] Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities,
+                              std::size_t most = 4);
 
 /// Measured components over posterior predictive 50 and 95 % intervals, by posture and tendon.
 /// @throws InputError if `replicated` has not three rows a trial.
 [[nodiscard]] Json predictive_block(const PredictedForces& predicted);
 
-/// Pareto k of every observation; above 0.7 the estimate without it is not to be trusted.
-/// Source: [Vehtari2024].
+/// Pareto k of every observation, those above the limit by name.
+/// @throws InputError if there is not one name for each.
 [[nodiscard]] Json pareto_chart(const LeftOut& left_out);
 
-/// Curves that leave the band are named, the others are drawn alike. Source: [Sailynoja2022].
-[[nodiscard]] Json calibration_chart(const Calibration& calibration);
+/// Empirical distribution of ranks less the uniform one, over the band that holds 95 % of such
+/// curves whole. Curves that leave it are named, the others are drawn alike.
+/// @throws InputError if names and ranks disagree.  Source: [Sailynoja2022].
+[[nodiscard]] Json calibration_chart(const CalibrationRanks& calibration);
 
 /// Error over time on logarithmic axes, one line a sampler.
 [[nodiscard]] Json sampler_chart(const std::vector<SamplerCourse>& samplers);

@@ -3,9 +3,13 @@
 import { el, paragraphs } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { faults, isEmpty } from "./check.js";
+import { drawBanner } from "./banner.js";
 import { drawBars } from "./bars.js";
+import { drawChains } from "./chains.js";
+import { drawCorner } from "./corner.js";
 import { drawInterval } from "./interval.js";
 import { drawLines } from "./lines.js";
+import { drawPredictive } from "./predictive.js";
 import { drawScene } from "./scene_block.js";
 import { drawTable } from "./table.js";
 import { drawVectors } from "./vectors.js";
@@ -21,6 +25,10 @@ const DRAW = {
   scene: drawScene,
   bars: drawBars,
   interval: drawInterval,
+  banner: drawBanner,
+  chains: drawChains,
+  corner: drawCorner,
+  predictive: drawPredictive,
   text: drawText,
   row: drawRow,
 };

@@ -4,6 +4,7 @@ import { SHAPES } from "../scene/shapes.js";
 
 const isArray = Array.isArray;
 const isVector = (n) => (v) => isArray(v) && v.length === n;
+const isNumber = Number.isFinite;
 const isText = (v) => typeof v === "string";
 const list = (inner) => (v) => isArray(v) && v.every(inner);
 const shape = (keys) => (v) =>
@@ -16,6 +17,7 @@ const ITEMS = {
   hull: { vertices: list(isVector(3)), faces: list(isVector(3)) },
   points: { positions: list(isVector(3)) },
   line: { positions: list(isVector(3)) },
+  lines: { positions: (v) => list(isVector(3))(v) && v.length % 2 === 0 },
   surface: {
     shape: (v) => SHAPES.includes(v),
     size: isArray,
@@ -28,7 +30,9 @@ const isItem = (v) => v && v.kind in ITEMS && shape(ITEMS[v.kind])(v) && isColor
 
 const sameLength = (s) =>
   s.x.length === s.y.length &&
-  [s.band_low, s.band_high, s.labels].every((extra) => !extra || extra.length === s.x.length);
+  [s.band_low, s.band_high, s.labels, s.hints].every(
+    (extra) => !extra || extra.length === s.x.length,
+  );
 const isSeries = (s) => shape({ name: isText, x: isArray, y: isArray })(s) && sameLength(s);
 
 const isArrow = shape({ group: isText, measured: isVector(2), predicted: isVector(2) });
@@ -36,6 +40,31 @@ const isPlane = shape({
   name: isText,
   panels: list(shape({ title: isText, arrows: list(isArrow) })),
 });
+
+const sameLists = (lists, wanted) => isArray(lists) && lists.every((v) => v?.length === wanted);
+
+/// Every chain of every quantity has a trace as long as "draws", counts and autocorrelations.
+const chainsAgree = (quantities, { chains, draws }) =>
+  quantities.every(
+    (q) =>
+      [q.traces, q.ranks.counts, q.autocorrelation].every((v) => v?.length === chains?.length) &&
+      sameLists(q.traces, draws?.length),
+  );
+const isRanks = shape({ counts: list(isArray), mean: isNumber, low: isNumber, high: isNumber });
+const isChain = shape({ name: isText, traces: isArray, ranks: isRanks, autocorrelation: isArray });
+
+const isDraws = (q) => shape({ name: isText, draws: isArray })(q) && q.draws.length > 2;
+const drawsAgree = (quantities) =>
+  sameLists(
+    quantities.map((q) => q.draws),
+    quantities[0]?.draws.length ?? 0,
+  );
+const namesShown = (v, { quantities }) =>
+  v === undefined || (isArray(v) && v.every((i) => i in (quantities ?? [])));
+
+const isPredicted = (row) => shape({ name: isText, values: list(shape({})) })(row);
+const fits = (groups, { components }) =>
+  groups.every((g) => g.rows.every((row) => row.values.length === components?.length));
 
 // What each type of block must carry, and in words for the message.
 const NEEDS = {
@@ -67,6 +96,33 @@ const NEEDS = {
     ],
   },
   interval: { rows: [list(shape({ name: isText })), "a list of {name, estimate, low, high}"] },
+  banner: {
+    ok: [(v) => typeof v === "boolean", "true or false"],
+    title: [isText, "a string"],
+    reasons: [(v) => v === undefined || list(isText)(v), "a list of strings"],
+  },
+  chains: {
+    chains: [list(isText), "a list of names"],
+    draws: [isArray, "a list of numbers"],
+    quantities: [
+      (v, block) => list(isChain)(v) && chainsAgree(v, block),
+      "a list of {name, traces, ranks: {counts, mean, low, high}, autocorrelation}, a list in each for each chain",
+    ],
+  },
+  corner: {
+    quantities: [
+      (v) => list(isDraws)(v) && drawsAgree(v),
+      "a list of {name, draws}, equally many draws, at least 3",
+    ],
+    shown: [namesShown, "a list of indices of quantities"],
+  },
+  predictive: {
+    components: [list(isText), "a list of names"],
+    groups: [
+      (v, block) => list(shape({ name: isText, rows: list(isPredicted) }))(v) && fits(v, block),
+      "a list of {name, rows: [{name, values}]}, a value for each component",
+    ],
+  },
   text: { text: [isText, "a string"] },
   row: { blocks: [isArray, "a list of blocks"] },
 };
@@ -78,6 +134,9 @@ const CONTENT = {
   scene: "layers",
   bars: "groups",
   interval: "rows",
+  chains: "quantities",
+  corner: "quantities",
+  predictive: "groups",
 };
 
 /// Whether a faultless block has nothing to draw.
@@ -98,7 +157,7 @@ export function faults(block) {
   if (!block || !(block.type in NEEDS))
     return [`unknown block type "${block?.type}"; known are ${BLOCK_TYPES.join(", ")}`];
   const found = Object.entries(NEEDS[block.type])
-    .filter(([key, [ok]]) => !ok(block[key]))
+    .filter(([key, [ok]]) => !ok(block[key], block))
     .map(([key, [, wanted]]) => `${block.type}: "${key}" must be ${wanted}`);
   return block.type === "table" && !found.length ? raggedRow(block) : found;
 }

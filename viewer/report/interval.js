@@ -1,7 +1,8 @@
 // A forest plot: estimates with their intervals, over what was believed before.
 
-import { el, svg } from "./dom.js";
+import { svg } from "./dom.js";
 import { figure } from "./figure.js";
+import { fluid } from "./fluid.js";
 import { key } from "./legend.js";
 import { formatNumber, isNumber } from "../numbers/format.js";
 import { extent, linear, ticks } from "../numbers/ticks.js";
@@ -9,7 +10,9 @@ import { describe } from "./tooltip.js";
 import { axisBelow, references, textWidth } from "./svg_axis.js";
 
 const ROW = 24;
-const WIDTH = 900;
+const TALL_ROW = 42; // with its words above the marks
+const NARROW = 620; // where there is no room for words beside the marks
+const LEAST = 200; // that the marks need otherwise
 const TOP = 26;
 const BOTTOM = 42; // [px]
 const INK = "var(--blue)";
@@ -43,11 +46,30 @@ function marks(row, x, y) {
         rx: 3,
       }),
     );
+  if (isNumber(row.prior_inner_low) && isNumber(row.prior_inner_high))
+    drawn.push(
+      svg("rect", {
+        class: "prior inner-prior",
+        x: x(row.prior_inner_low),
+        width: Math.max(1, x(row.prior_inner_high) - x(row.prior_inner_low)),
+        y: y - 7,
+        height: 14,
+      }),
+    );
   if (isNumber(row.low) && isNumber(row.high))
     drawn.push(svg("line", { class: "whisker", x1: x(row.low), x2: x(row.high), y1: y, y2: y }));
+  if (isNumber(row.inner_low) && isNumber(row.inner_high))
+    drawn.push(
+      svg("line", { class: "inner", x1: x(row.inner_low), x2: x(row.inner_high), y1: y, y2: y }),
+    );
   if (isNumber(row.estimate))
     drawn.push(
-      svg("circle", { class: row.null ? "hollow" : "estimate", cx: x(row.estimate), cy: y, r: 5 }),
+      svg("circle", {
+        class: row.null ? "hollow" : "estimate",
+        cx: x(row.estimate),
+        cy: y,
+        r: isNumber(row.inner_low) ? 3.5 : 5,
+      }),
     );
   if (isNumber(row.truth))
     drawn.push(svg("path", { class: "truth", d: `M${x(row.truth)} ${y - 8}v16` }));
@@ -57,6 +79,12 @@ function marks(row, x, y) {
 const words = (row) => [
   row.name,
   rowText(row),
+  ...(isNumber(row.inner_low)
+    ? [`inner ${formatNumber(row.inner_low)} to ${formatNumber(row.inner_high)}`]
+    : []),
+  ...(isNumber(row.inner_low) && isNumber(row.low)
+    ? [`outer ${formatNumber(row.low)} to ${formatNumber(row.high)}`]
+    : []),
   ...(row.null ? ["not identifiable"] : []),
   ...(isNumber(row.prior_low)
     ? [`prior ${formatNumber(row.prior_low)} to ${formatNumber(row.prior_high)}`]
@@ -64,44 +92,63 @@ const words = (row) => [
   ...(isNumber(row.truth) ? [`truth ${formatNumber(row.truth)}`] : []),
 ];
 
-function line(row, y, x, left, right) {
+/// One row; in a narrow chart its words stand above the marks.
+function line(row, top, { x, left, right, width, narrow, row: height }) {
+  const y = narrow ? top + height - 11 : top + height / 2;
+  const text = narrow ? top + 15 : y + 4;
+  const name = narrow ? { x: 0 } : { x: left - 10, "text-anchor": "end" };
+  const side = narrow ? { x: width, "text-anchor": "end" } : { x: right + 12 };
   const group = svg(
     "g",
     { class: `interval-row ${row.null ? "null" : ""}`, style: `color: ${INK}`, role: "img" },
-    svg("rect", { class: "catch", x: 0, y: y - ROW / 2, width: WIDTH, height: ROW }),
-    svg("text", { class: "name", x: left - 10, y: y + 4, "text-anchor": "end" }, row.name),
+    svg("rect", { class: "catch", x: 0, y: top, width, height }),
     ...marks(row, x, y),
-    svg("text", { class: row.null ? "note" : "", x: right + 12, y: y + 4 }, sideText(row)),
+    svg("text", { class: "name", y: text, ...name }, row.name),
+    svg("text", { class: row.null ? "note" : "", y: text, ...side }, sideText(row)),
   );
   return describe(group, words(row));
 }
 
-function chart(block) {
-  const { rows } = block;
+/// Where the columns of a chart of this width stand.
+function layoutOf({ rows, reference_lines = [] }, width) {
   const values = rows
     .flatMap((r) => [r.estimate, r.low, r.high, r.prior_low, r.prior_high, r.truth])
     .filter(isNumber);
-  const range = extent([...values, ...(block.reference_lines ?? []).map((r) => r.value)], 0.04);
-  const left = 18 + Math.max(60, ...rows.map((r) => textWidth(r.name)));
-  const right = WIDTH - 24 - Math.max(...rows.map((r) => textWidth(sideText(r))), 60);
+  const range = extent([...values, ...reference_lines.map((r) => r.value)], 0.04);
+  const names = 18 + Math.max(60, ...rows.map((r) => textWidth(r.name)));
+  const words = Math.max(...rows.map((r) => textWidth(sideText(r))), 60);
+  const narrow = width < NARROW || width - names - words < LEAST;
+  const left = narrow ? 8 : names;
+  const right = width - (narrow ? 8 : 24 + words);
   const x = linear(range, [left, right]);
-  const bottom = TOP + rows.length * ROW;
+  return { range, left, right, width, narrow, x, row: narrow ? TALL_ROW : ROW };
+}
+
+function chart(block, width) {
+  const at = layoutOf(block, width);
+  const bottom = TOP + block.rows.length * at.row;
+  const middle = (at.left + at.right) / 2;
+  const count = Math.min(6, Math.max(2, Math.floor((at.right - at.left) / 60)));
   return svg(
     "svg",
     {
       class: "plot",
-      viewBox: `0 0 ${WIDTH} ${bottom + BOTTOM}`,
+      width,
+      height: bottom + BOTTOM,
+      viewBox: `0 0 ${width} ${bottom + BOTTOM}`,
       role: "group",
       "aria-label": block.caption ?? "Intervals",
     },
-    ...axisBelow(x, ticks(...range, 6), TOP - 4, bottom, block.x_label, (left + right) / 2),
-    ...references(x, block.reference_lines ?? [], TOP - 4, bottom),
-    ...rows.map((row, i) => line(row, TOP + (i + 0.5) * ROW, x, left, right)),
+    ...axisBelow(at.x, ticks(...at.range, count), TOP - 4, bottom, block.x_label, middle),
+    ...references(at.x, block.reference_lines ?? [], TOP - 4, bottom),
+    ...block.rows.map((row, i) => line(row, TOP + i * at.row, at)),
   );
 }
 
 function keyOf({ rows }) {
-  const entries = [{ name: "estimate and interval", color: INK, mark: "dot" }];
+  const two = rows.some((r) => isNumber(r.inner_low));
+  const interval = two ? "estimate, inner and outer interval" : "estimate and interval";
+  const entries = [{ name: interval, color: INK, mark: "dot" }];
   if (rows.some((r) => isNumber(r.prior_low)))
     entries.push({ name: "prior", color: "var(--prior)", mark: "box" });
   if (rows.some((r) => isNumber(r.truth)))
@@ -112,4 +159,9 @@ function keyOf({ rows }) {
 }
 
 export const drawInterval = (block) =>
-  figure("figure", block.caption, keyOf(block), el("div", { class: "chart" }, chart(block)));
+  figure(
+    "figure",
+    block.caption,
+    keyOf(block),
+    fluid({ class: "intervals" }, (width) => [chart(block, width)]),
+  );

@@ -12,6 +12,7 @@ function ordered(series, { log_x, log_y }) {
     low: bandValue(series.band_low, i, log_y),
     high: bandValue(series.band_high, i, log_y),
     label: series.labels?.[i],
+    hint: series.hints?.[i],
   }));
   return points.filter(({ x }) => drawable(x, log_x)).sort((a, b) => a.x - b.x);
 }

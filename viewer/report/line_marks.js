@@ -1,6 +1,6 @@
 // What uPlot does not draw by itself: names beside points, and reference lines.
 
-import { cssColor } from "./palette.js";
+import { seriesColors } from "./palette.js";
 import { themeColor } from "./theme.js";
 
 const onCanvas = (plot, draw) => {
@@ -95,6 +95,7 @@ export function labelPoints(plot, block, points, shown) {
     )
     .filter(({ label, y }) => label && y !== null);
   if (!named.length) return;
+  const colors = seriesColors(block.series);
   onCanvas(plot, (ctx, box, ratio) => {
     const height = 13 * ratio;
     const taken = marksOf(plot, points, shown, 4 * ratio);
@@ -110,7 +111,7 @@ export function labelPoints(plot, block, points, shown) {
       );
       if (!place) continue;
       taken.push(place);
-      ctx.fillStyle = themeColor(cssColor(s));
+      ctx.fillStyle = themeColor(colors[s]);
       halo(ctx, label, place.left, place.top + height / 2, ratio);
     }
   });

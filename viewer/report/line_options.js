@@ -3,20 +3,19 @@
 import { drawReferences, labelPoints } from "./line_marks.js";
 import { formatNumber, isNumber } from "../numbers/format.js";
 import { extent } from "../numbers/ticks.js";
-import { cssColor } from "./palette.js";
+import { seriesColors } from "./palette.js";
 import { themeColor } from "./theme.js";
 
 const HEIGHT = 320; // [px]
 const FONT = "12px system-ui, sans-serif";
-const color = (s) => themeColor(cssColor(s));
 
-function seriesOptions(block, { series: s, part }) {
+function seriesOptions(block, { series: s, part }, color) {
   const style = block.series[s].style ?? "lines";
   if (part !== "y") return { stroke: "transparent", width: 0, points: { show: false } };
   return {
     label: block.series[s].name,
-    stroke: () => color(s),
-    width: style === "points" ? 0 : 2,
+    stroke: () => color(s) + (block.series[s].faint ? "a0" : ""),
+    width: style === "points" ? 0 : block.series[s].faint ? 1 : 2,
     paths: style === "points" ? () => null : undefined,
     points: {
       show: style === "points" || style === "both",
@@ -27,7 +26,7 @@ function seriesOptions(block, { series: s, part }) {
   };
 }
 
-const bands = (plan) =>
+const bands = (plan, color) =>
   plan.flatMap(({ series, part }, i) =>
     part === "high" ? [{ series: [i + 1, i], fill: () => `${color(series)}33` }] : [],
   );
@@ -67,6 +66,8 @@ function range(log, references) {
 
 /// uPlot's options; `shown` tells for each series whether the reader has it switched on.
 export function chartOptions(block, model, shown, width) {
+  const colors = seriesColors(block.series);
+  const color = (s) => themeColor(colors[s]);
   const references = (name) =>
     (block.reference_lines ?? []).filter((r) => (r.axis ?? "y") === name).map((r) => r.value);
   return {
@@ -83,8 +84,8 @@ export function chartOptions(block, model, shown, width) {
       { ...axis(block.x_label, block.log_x), size: 34 },
       { ...axis(block.y_label, block.log_y), size: 64 },
     ],
-    series: [{}, ...model.plan.map((column) => seriesOptions(block, column))],
-    bands: bands(model.plan),
+    series: [{}, ...model.plan.map((column) => seriesOptions(block, column, color))],
+    bands: bands(model.plan, color),
     hooks: {
       draw: [
         (plot) => drawReferences(plot, block.reference_lines ?? []),

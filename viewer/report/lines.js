@@ -7,7 +7,7 @@ import { legend } from "./legend.js";
 import { lineData } from "./line_data.js";
 import { chartOptions } from "./line_options.js";
 import { formatNumber } from "../numbers/format.js";
-import { cssColor } from "./palette.js";
+import { seriesColors } from "./palette.js";
 import { onThemeChange } from "./theme.js";
 import { hideTooltip, showTooltip } from "./tooltip.js";
 
@@ -32,7 +32,7 @@ function wordsOf(block, p) {
   const { name } = block.series[p.s];
   const band = p.low !== null && p.high !== null;
   return [
-    p.label ? `${name}: ${p.label}` : name,
+    (p.label ?? p.hint) ? `${name}: ${p.label ?? p.hint}` : name,
     `${block.x_label ?? "x"}: ${formatNumber(p.x)}`,
     `${block.y_label ?? "y"}: ${formatNumber(p.y)}`,
     ...(band ? [`band ${formatNumber(p.low)} to ${formatNumber(p.high)}`] : []),
@@ -58,11 +58,14 @@ function followPointer(plot, block, points, shown) {
 }
 
 function entries(block) {
-  return block.series.map(({ name, style }, s) => ({
+  const colors = seriesColors(block.series);
+  const all = block.series.map(({ name, style, band_low, faint }, s) => ({
     name,
-    color: cssColor(s),
-    mark: style === "points" ? "dot" : "line",
+    color: colors[s],
+    mark: style === "points" ? "dot" : faint && band_low ? "box" : "line",
   }));
+  // Series of one name are switched together.
+  return all.filter(({ name }, s) => all.findIndex((other) => other.name === name) === s);
 }
 
 /// uPlot needs a width, which the frame has only once it is in the page.

@@ -18,6 +18,12 @@ const HEX = {
 /// For CSS and SVG: follows the colour scheme by itself.
 export const cssColor = (index) => `var(--${NAMES[index % NAMES.length]})`;
 
+/// Colours of series: faint ones are grey and take none from the others.
+export function seriesColors(series) {
+  let next = 0;
+  return series.map(({ faint }) => (faint ? "var(--muted)" : cssColor(next++)));
+}
+
 /// For WebGL, which has no colour scheme.
 export const hexColor = (index) => HEX[NAMES[index % NAMES.length]];
 

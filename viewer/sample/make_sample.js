@@ -5,6 +5,7 @@ import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { evidence, forces } from "./fit_sections.js";
 import { axes, speed } from "./model_sections.js";
+import { posterior } from "./posterior_sections.js";
 
 const report = {
   title: "Middle finger: joint axes from fingertip forces",
@@ -20,7 +21,7 @@ const report = {
     Eigen: "3.4.0",
     Ceres: "2.1.0",
   },
-  sections: [forces(), evidence(), axes(), speed()],
+  sections: [forces(), evidence(), axes(), speed(), ...posterior()],
 };
 
 // Numbers of one list stand in one line.

@@ -4,7 +4,7 @@ import { noise, round } from "./random.js";
 
 // A middle finger slightly flexed, joint centres in the frame of the metacarpal; x radial, y
 // distal, z dorsal [mm].
-const CHAIN = [
+export const CHAIN = [
   [0, -45, 2],
   [0, 0, 0],
   [1, 43, -12],

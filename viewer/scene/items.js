@@ -4,7 +4,7 @@ import { Color, Group, MeshLambertMaterial } from "three";
 import { buildArrow, buildAxis } from "./arrows.js";
 import { buildSurface } from "./shapes.js";
 import { buildSegment, buildPoints } from "./solids.js";
-import { buildHull, buildLine } from "./surfaces.js";
+import { buildHull, buildLine, buildLines } from "./surfaces.js";
 
 const BUILD = {
   segment: buildSegment,
@@ -13,6 +13,7 @@ const BUILD = {
   hull: buildHull,
   points: buildPoints,
   line: buildLine,
+  lines: buildLines,
   surface: buildSurface,
 };
 

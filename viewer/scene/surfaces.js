@@ -17,6 +17,7 @@ import { LineGeometry } from "three/addons/lines/LineGeometry.js";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 
 export const HULL_OPACITY = 0.35;
+export const LINES_OPACITY = 0.15;
 export const LINE_WIDTH = 2.5; // [px]
 
 function hullGeometry(vertices, faces) {
@@ -63,4 +64,15 @@ export function buildLine({ positions, dashed = false, width = LINE_WIDTH }, { c
   line.computeLineDistances();
   line.userData.labelAt = new Vector3(...positions[Math.floor(positions.length / 2)]);
   return line;
+}
+
+/// Many straight lines, from every first position to the next: translucent, so that where most of
+/// them lie is darkest.
+export function buildLines({ positions, opacity = LINES_OPACITY }, { color }) {
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new Float32BufferAttribute(positions.flat(), 3));
+  const material = new LineBasicMaterial({ color, transparent: true, opacity, depthWrite: false });
+  const lines = new LineSegments(geometry, material);
+  lines.userData.labelAt = new Vector3(...(positions[0] ?? [0, 0, 0]));
+  return lines;
 }

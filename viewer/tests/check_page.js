@@ -58,13 +58,13 @@ async function shootAll(browser, name, sections) {
 
 function judge(name, seen) {
   assert.deepEqual(seen.errors, [], `${name}: error boxes`);
-  assert.equal(seen.scenes.length, 3, `${name}: number of scenes`);
+  assert.equal(seen.scenes.length, 4, `${name}: number of scenes`);
   for (const [i, { covered }] of seen.scenes.entries())
     assert.ok(covered > LEAST_COVERED, `${name}: scene ${i} is blank, ${covered} of it covered`);
   for (const [i, { colors }] of seen.charts.entries())
     assert.ok(colors > 5, `${name}: chart ${i} has only ${colors} colours`);
   assert.equal(seen.tables, 2, `${name}: number of tables`);
-  assert.equal(seen.plots, 10, `${name}: number of SVG plots`);
+  assert.equal(seen.plots, 24, `${name}: number of SVG plots`);
   assert.ok(seen.overflow <= 0, `${name}: the page is ${seen.overflow} px wider than its window`);
 }
 
