@@ -8,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "sampling/run_chains.h"
 #include "tests/matrix_near.h"
+#include "tests/sampling/expect_posterior.h"
 
 namespace thenar {
 namespace {
@@ -107,6 +109,41 @@ TEST(AdaptedLadder, FindsTheGeometricLadderOfANormal) {
     temper = adapted_ladder(temper, (0.1 * ratio.log()).matrix());
   }
   EXPECT_TRUE(matrix_near(temper, temperature_ladder(6, 0.01), 1e-6));
+}
+
+std::vector<Eigen::MatrixXd> coordinates(const Draws& draws) {
+  std::vector<Eigen::MatrixXd> x;
+  for (int i = 0; i < draws.size(); ++i) x.push_back(draws.coordinate(i));
+  return x;
+}
+
+/// Four chains that all begin in the smaller of two modes.
+Draws temper_two_modes(SamplingMethod method, int temperatures, long draws, int thin) {
+  RunOptions options;
+  options.method = method;
+  options.sampler.warm_up = 1000;
+  options.temperatures = temperatures;
+  options.draws = draws;
+  options.thin = thin;
+  options.threads = 1;
+  return run_chains(sample::two_modes(4).target, sample::normal_starts(4, 4, 1, 3, -5), options);
+}
+
+TEST(Tempering, WeighsModesThatNoChainBeganIn) {
+  for (const auto method : {SamplingMethod::kAdaptiveMetropolis, SamplingMethod::kNuts}) {
+    const bool nuts = method == SamplingMethod::kNuts;
+    const Draws draws = temper_two_modes(method, 7, 1000, nuts ? 5 : 40);
+    sample::expect_posterior(coordinates(draws), sample::two_modes(4));
+    EXPECT_GT(draws.swap_rate.minCoeff(), 0.2) << name_of(method);
+    // The share of draws in the larger mode is 2/3.
+    const Eigen::MatrixXd larger = (coordinates(draws)[0].array() > 0).cast<double>();
+    EXPECT_NEAR(larger.mean(), 2.0 / 3, 4 * mean_mcse(larger)) << name_of(method);
+  }
+}
+
+TEST(Tempering, IsWhatFindsThem) {
+  const Draws draws = temper_two_modes(SamplingMethod::kNuts, 1, 500, 1);
+  EXPECT_LT(draws.coordinate(0).maxCoeff(), 0);
 }
 
 }  // namespace
