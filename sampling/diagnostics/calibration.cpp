@@ -47,6 +47,15 @@ int rank_of_truth(double truth, const Eigen::Ref<const Eigen::VectorXd>& draws) 
   return int((draws.array() < truth).count()) + int(std::nearbyint(equal / 2));
 }
 
+int rank_of_truth(double truth, const Eigen::Ref<const Eigen::MatrixXd>& x, int draws) {
+  require(draws > 0 && x.size() >= draws, "there are {} draws, not {}", x.size(), draws);
+  const Eigen::VectorXd all = x.reshaped();
+  const double step = double(all.size()) / draws;
+  return rank_of_truth(truth, Eigen::VectorXd::NullaryExpr(draws, [&](Eigen::Index i) {
+                         return all[Eigen::Index((double(i) + 0.5) * step)];
+                       }));
+}
+
 RankCalibration judge_calibration(const std::vector<std::string>& names,
                                   const Eigen::Ref<const Eigen::MatrixXi>& rank, int draws,
                                   const CalibrationOptions& options) {

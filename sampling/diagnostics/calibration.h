@@ -15,6 +15,12 @@ namespace thenar {
 /// more, rounded to even. Draws must be nearly independent: thin them first.
 [[nodiscard]] int rank_of_truth(double truth, const Eigen::Ref<const Eigen::VectorXd>& draws);
 
+/// The same among L of the draws of some chains, evenly spread over them all.
+/// @param x      (draws, chains), at least L entries
+/// @param draws  L
+[[nodiscard]] int rank_of_truth(double truth, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                                int draws);
+
 /// Ranks of one parameter over all runs.
 struct ParameterCalibration {
   std::string name;

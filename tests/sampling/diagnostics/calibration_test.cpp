@@ -62,6 +62,16 @@ TEST(RankOfTruth, CountsDrawsBelow) {
   EXPECT_THROW((void)rank_of_truth(std::nan(""), draws), InputError);
 }
 
+// Of 0 .. 99 in two chains, ten draws from the middles of tenths: 5, 15, .. 95.
+TEST(RankOfTruth, ThinsEvenlyOverAllChains) {
+  const Eigen::MatrixXd x = Eigen::VectorXd::LinSpaced(100, 0, 99).reshaped(50, 2);
+  EXPECT_EQ(rank_of_truth(0, x, 10), 0);
+  EXPECT_EQ(rank_of_truth(14.5, x, 10), 1);
+  EXPECT_EQ(rank_of_truth(94.5, x, 10), 9);
+  EXPECT_EQ(rank_of_truth(98, x, 10), 10);
+  EXPECT_THROW((void)rank_of_truth(0, x, 101), InputError);
+}
+
 /// mu ~ N(0, 1), five y ~ N(mu, 1): ranks of mu among 63 draws of a posterior that believes in
 /// mu ~ N(prior_mean, prior_sd^2), and whose sd is stretched.
 Eigen::MatrixXi conjugate_ranks(double prior_mean, double prior_sd, double stretch) {

@@ -83,6 +83,24 @@ TEST(Modes, FindsTwoUnequalOnes) {
   }
 }
 
+// A chain that leaves the light mode with probability a and the heavy one with b at every step:
+// masses b/(a+b), indicators correlated by rho = 1 - a - b, variance p (1-p) (1+rho)/(1-rho) / N.
+TEST(Modes, ErrorOfAMassCountsCrossings) {
+  const double a = 0.04, b = 0.02, rho = 1 - a - b;
+  bool light = false;
+  const Draws draws = make_draws(2, 5000, 4, 8, [&](int, int, RandomStream& random) {
+    light = random.uniform() < (light ? 1 - a : b);
+    return Eigen::VectorXd(normal(2, random).array() + (light ? 8 : 0));
+  });
+  const ModeTable table = tabulate_modes(draws);
+  ASSERT_EQ(table.modes.size(), 2U);
+  const double expected = std::sqrt(2.0 / 9 / 20000 * (1 + rho) / (1 - rho));
+  EXPECT_NEAR(table.modes[1].mcse / expected, 1, 0.2);
+  EXPECT_NEAR(table.modes[1].mass, 1.0 / 3, 4 * expected);
+  EXPECT_NEAR(double(table.crossings) / 19996, 2 * a * b / (a + b), 0.005);
+  EXPECT_THAT(table.doubts, IsEmpty());
+}
+
 // The gap is oblique: no coordinate shows it, nor does the direction of largest variance.
 TEST(Modes, FindsAnObliqueGap) {
   Eigen::Vector3d across(1, -1, 1);
