@@ -13,9 +13,10 @@ namespace thenar {
 
 /// Draws of the sampling phase of several chains, in memory.
 struct Draws {
-  std::vector<Eigen::MatrixXd> x;             // of each chain (n, draws)
-  std::vector<std::vector<StepStats>> stats;  // of each chain and draw
-  std::vector<int> group;                     // of each chain: walkers of one ensemble share theirs
+  std::vector<Eigen::MatrixXd> x;  // of each chain (n, draws)
+  // Of each chain and draw; evaluations, broken and divergent of all steps since the draw before.
+  std::vector<std::vector<StepStats>> stats;
+  std::vector<int> group;     // of each chain: walkers of one ensemble share theirs
   Eigen::VectorXd temper;     // powers of the likelihood, 1 first; one entry: no tempering
   Eigen::MatrixXd swap_rate;  // accepted share of swaps of neighbours (temperatures - 1, groups)
   long warm_up = 0;           // steps before the first draw

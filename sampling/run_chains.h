@@ -23,7 +23,7 @@ struct RunOptions {
   int thin = 1;                  // steps a draw [1]
   std::string folder;            // of checkpoints and streams; empty: in memory only
   double checkpoint_every = 10;  // [s]
-  int threads = 0;               // 0: as many as there are processors [1]
+  int threads = 0;               // 0: as many as fill lanes and processors; 1 of several ranks [1]
   std::string fingerprint;       // of target and data: a checkpoint of another one is refused
   Progress progress;
 };
@@ -33,9 +33,14 @@ struct RunOptions {
 /// returns what there is (Draws::complete is false).
 ///
 /// Samplers (groups x temperatures) are dealt to ranks; rank 0 returns all draws, the others none.
+/// Only rank 0 needs the folder. It may be asked for more draws than before, and goes on; threads,
+/// ranks and the time between checkpoints may change as well. Whatever else differs is refused.
+///
+/// An error of one rank alone ends all ranks (Ranks::abort); one that all of them meet is thrown.
 /// @param starts  one column for each walker of each group; hotter rungs start from the same
 /// (n, groups * walkers)
-/// @throws InputError if options do not fit together, or a checkpoint belongs to another run.
+/// @throws InputError if options do not fit together; if a checkpoint belongs to another run or is
+/// damaged, or another process works in its folder; or if nothing can be written there.
 [[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
                                const RunOptions& options, const Ranks& ranks);
 

@@ -12,7 +12,7 @@ PROGRAM, MPIEXEC = sys.argv[1:]
 # Processes of this machine only, more of them than cores, and by root in containers.
 ENVIRONMENT = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_btl": "self,vader", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-               "OMPI_MCA_hwloc_base_binding_policy": "none"}
+               "OMPI_MCA_mpi_yield_when_idle": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
 
 
 def run(ranks, *arguments):
@@ -20,6 +20,11 @@ def run(ranks, *arguments):
     start = [MPIEXEC, "-n", str(ranks), "--oversubscribe"] if ranks else []
     return subprocess.run([*start, PROGRAM, *map(str, arguments)], env=ENVIRONMENT, text=True,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+
+
+def fake_mpi():
+    """A library with an MPI_Init that is none, as Ipopt's MUMPS brings along."""
+    return next(pathlib.Path("/usr/lib/x86_64-linux-gnu").glob("libmpiseq_seq-*.so"), None)
 
 
 def sound(done):
@@ -52,4 +57,11 @@ with tempfile.TemporaryDirectory() as name:
     refused = run(3, "nuts", 2, 20000, out, folder)
     assert refused.returncode != 0
     assert "temperatures (was 1, is 2)" in refused.stderr, refused.stderr
+    # An MPI_Init that comes before that of libmpi is noticed, not called.
+    if fake_mpi():
+        ENVIRONMENT["LD_PRELOAD"] = str(fake_mpi())
+        fooled = subprocess.run([PROGRAM, "nuts", "1", "10", out], text=True, timeout=60,
+                                env={**ENVIRONMENT, "OMPI_COMM_WORLD_SIZE": "1"},
+                                stderr=subprocess.PIPE)
+        assert fooled.returncode != 0 and "must come from libmpi" in fooled.stderr, fooled.stderr
     print("a rank that died, and a checkpoint of another run: as wanted")

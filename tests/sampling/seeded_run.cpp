@@ -74,8 +74,9 @@ void run(char** arguments, int count, const Ranks& ranks) {
 
 int main(int count, char** arguments) {
   if (count < 5) return 2;
-  const auto ranks = thenar::world_ranks();
+  std::unique_ptr<thenar::Ranks> ranks;  // outlives an error, so that others may have it, too
   try {
+    ranks = thenar::world_ranks();
     thenar::run(arguments, count, *ranks);
   } catch (const thenar::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
