@@ -12,14 +12,20 @@
 namespace thenar {
 namespace {
 
-/// " and 3 more" after the worst of 4.
-std::string and_more(long others) { return others > 0 ? fmt::format(" and {} more", others) : ""; }
-
 /// Quantities on the wrong side of a limit: the worst, by name, and how many share its trouble.
 struct Offence {
   const Estimate* worst = nullptr;
   double figure = 0;
   long others = -1;
+
+  /// "tau and 3 more"
+  [[nodiscard]] std::string who() const {
+    return others > 0 ? fmt::format("{} and {} more", worst->name, others) : worst->name;
+  }
+  /// What to add to the worst figure.
+  [[nodiscard]] std::string more() const {
+    return others > 0 ? fmt::format(" (as is that of {} more)", others) : "";
+  }
 };
 
 /// @param badness  of an estimate; above `limit` offends, NaN is passed over
@@ -37,44 +43,42 @@ Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badne
   return found;
 }
 
-void judge_estimates(const std::vector<Estimate>& estimates, double r_hat, double ess,
-                     std::vector<std::string>& reasons) {
-  const Offence unknown = find_offence(
-      estimates, 0.5, [](const Estimate& of) { return std::isfinite(of.mean) ? 0.0 : 1.0; });
-  if (unknown.worst)
-    reasons.push_back(fmt::format("{}{} has draws that are not finite", unknown.worst->name,
-                                  and_more(unknown.others)));
-
-  const Offence still =
-      find_offence(estimates, 0.5, [](const Estimate& of) { return of.sd == 0 ? 1.0 : 0.0; });
-  if (still.worst)
-    reasons.push_back(fmt::format("all draws of {}{} are alike: no chain has moved there",
-                                  still.worst->name, and_more(still.others)));
-
-  const Offence apart = find_offence(estimates, r_hat, [](const Estimate& of) { return of.r_hat; });
-  if (apart.worst)
-    reasons.push_back(fmt::format(
-        "R-hat of {} is {:.4g}, above {:.4g}{}: chains disagree", apart.worst->name, apart.figure,
-        r_hat, apart.others ? fmt::format(" (as is that of {} more)", apart.others) : ""));
-
-  const auto few = [&](const char* what, auto size) {
-    const Offence low =
-        find_offence(estimates, -ess, [&](const Estimate& of) { return -size(of); });
-    if (low.worst)
-      reasons.push_back(fmt::format(
-          "{} effective sample size of {} is {:.0f}, below {:.0f}{}", what, low.worst->name,
-          -low.figure, ess, low.others ? fmt::format(" (as is that of {} more)", low.others) : ""));
+/// Draws about which no figure can be told.
+void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string>& reasons) {
+  const auto find = [&](auto holds) {
+    return find_offence(estimates, 0, [&](const Estimate& of) { return holds(of) ? 1.0 : 0.0; });
   };
-  const Offence mute = find_offence(estimates, 0.5, [](const Estimate& of) {
-    return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess) ? 1.0 : 0.0;
+  const Offence broken = find([](const Estimate& of) { return !std::isfinite(of.mean); });
+  if (broken.worst)
+    reasons.push_back(fmt::format("there are draws that are not finite, of {}", broken.who()));
+  const Offence still = find([](const Estimate& of) { return of.sd == 0; });
+  if (still.worst)
+    reasons.push_back(
+        fmt::format("all draws of {} are alike: no chain has moved there", still.who()));
+  const Offence mute = find([](const Estimate& of) {
+    return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess);
   });
   if (mute.worst)
     reasons.push_back(
-        fmt::format("the draws of {}{} are too few, or too many of them are alike, "
-                    "to judge them",
-                    mute.worst->name, and_more(mute.others)));
-  few("bulk", [](const Estimate& of) { return of.bulk_ess; });
-  few("tail", [](const Estimate& of) { return of.tail_ess; });
+        fmt::format("draws of {} are too few, or too many are alike, to be judged", mute.who()));
+}
+
+void judge_agreement(const std::vector<Estimate>& estimates, double limit,
+                     std::vector<std::string>& reasons) {
+  const Offence apart = find_offence(estimates, limit, [](const Estimate& of) { return of.r_hat; });
+  if (apart.worst)
+    reasons.push_back(fmt::format("R-hat of {} is {:.4g}, above {:.4g}{}: chains disagree",
+                                  apart.worst->name, apart.figure, limit, apart.more()));
+}
+
+/// @param size  member of Estimate: bulk or tail ESS
+void judge_size(const std::vector<Estimate>& estimates, const char* what, double Estimate::*size,
+                double least, std::vector<std::string>& reasons) {
+  const Offence few =
+      find_offence(estimates, -least, [size](const Estimate& of) { return -(of.*size); });
+  if (few.worst)
+    reasons.push_back(fmt::format("{} effective sample size of {} is {:.0f}, below {:.0f}{}", what,
+                                  few.worst->name, -few.figure, least, few.more()));
 }
 
 void judge_steps(const Convergence& result, long steps, double allowed,
@@ -139,8 +143,11 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
         fmt::format("independent chains or ensembles: {}; one that is stuck shows only beside "
                     "another, so 2 are needed",
                     groups));
-  judge_estimates(result.estimates, limits.r_hat, limits.ess_per_chain * double(groups),
-                  result.reasons);
+  const double least = limits.ess_per_chain * double(groups);
+  judge_draws(result.estimates, result.reasons);
+  judge_agreement(result.estimates, limits.r_hat, result.reasons);
+  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.reasons);
+  judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.reasons);
   judge_steps(result, draws.draws() * draws.chains(), limits.divergent_share, result.reasons);
   judge_swaps(draws, limits.swap_rate, result.reasons);
   return result;

@@ -40,7 +40,8 @@ Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixX
   of.q05 = quantile(rising, 0.05);
   of.median = quantile(rising, 0.5);
   of.q95 = quantile(rising, 0.95);
-  if (x.rows() < 4 || !can_be_judged(x)) return of;
+  if (!can_be_judged(x)) of.sd = 0;  // alike: not even rounding of the mean
+  if (x.rows() < 4 || of.sd == 0) return of;
 
   of.mcse_mean = mean_mcse(x);
   of.mcse_sd = sd_mcse(x);

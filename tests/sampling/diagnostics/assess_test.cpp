@@ -78,10 +78,10 @@ TEST(Assess, DivergencesAreCountedAndNotAllowed) {
 
 TEST(Assess, BrokenAndStillQuantitiesAreNamed) {
   Draws draws = good_draws();
-  for (auto& x : draws.x) x.row(0).setConstant(2);
+  for (auto& x : draws.x) x.row(0).setConstant(0.1);
   draws.x[1](1, 10) = std::numeric_limits<double>::quiet_NaN();
   const Convergence result = assess(draws, {"a", "b"});
-  EXPECT_THAT(result.reasons, ElementsAre("b has draws that are not finite",
+  EXPECT_THAT(result.reasons, ElementsAre("there are draws that are not finite, of b",
                                           "all draws of a are alike: no chain has moved there"));
   EXPECT_TRUE(std::isnan(result.worst_r_hat));
   EXPECT_TRUE(std::isnan(result.least_tail_ess));
