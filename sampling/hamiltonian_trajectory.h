@@ -51,7 +51,7 @@ class Trajectory {
 
   /// Mean over the points so far of what a proposal of each would be accepted with, 0..1 [1].
   [[nodiscard]] virtual double acceptance() const = 0;
-  [[nodiscard]] virtual int depth() const = 0;          // complete doublings [1]
+  [[nodiscard]] virtual int depth() const = 0;  // complete doublings [1]
 };
 
 /// Multinomial draws from trajectories that double until they turn back.
