@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "sampling/random_stream.h"
 #include "sampling/run_chains.h"
 #include "tests/matrix_near.h"
 #include "tests/sampling/expect_posterior.h"
@@ -109,6 +110,35 @@ TEST(AdaptedLadder, FindsTheGeometricLadderOfANormal) {
     temper = adapted_ladder(temper, (0.1 * ratio.log()).matrix());
   }
   EXPECT_TRUE(matrix_near(temper, temperature_ladder(6, 0.01), 1e-6));
+}
+
+/// Mean refusals between neighbours of a ladder from a normal likelihood of condition 1e8 to its
+/// standard normal prior, in 20 dimensions, from exact draws of every rung.
+Eigen::VectorXd refusals(const Eigen::VectorXd& temper, unsigned seed) {
+  constexpr int kDraws = 500, kSize = 20;
+  Eigen::MatrixXd log_likelihood = Eigen::MatrixXd::Zero(kDraws, temper.size());
+  RandomStream random(seed, 0, 0);
+  for (Eigen::Index i = 0; i < temper.size(); ++i)
+    for (int k = 0; k < kDraws; ++k)
+      for (int j = 0; j < kSize; ++j) {
+        const double precision = std::pow(1e8, j / (kSize - 1.0)), w = random.normal();
+        log_likelihood(k, i) -= 0.5 * w * w * precision / (1 + temper[i] * precision);
+      }
+  SwapTally tally(static_cast<int>(temper.size()));
+  for (const int round : {0, 1}) tally.add(decide_swaps(temper, log_likelihood, seed, 0, round));
+  return tally.rejected();
+}
+
+// Hardly one swap in fifty passes the worst place of the ladder, until the rungs are moved there.
+// As many refusals everywhere is the best there is.
+TEST(AdaptedLadder, OpensTheWayFromThePriorToAPosteriorOfCondition1e8) {
+  Eigen::VectorXd temper = temperature_ladder(32, 0);
+  EXPECT_GT(refusals(temper, 1).maxCoeff(), 0.95);
+  for (unsigned round = 2; round < 7; ++round)
+    temper = adapted_ladder(temper, refusals(temper, round));
+  const Eigen::VectorXd after = refusals(temper, 99);
+  EXPECT_LT(after.maxCoeff(), 0.7);
+  EXPECT_GT(after.minCoeff(), 0.5);
 }
 
 std::vector<Eigen::MatrixXd> coordinates(const Draws& draws) {
