@@ -75,6 +75,24 @@ std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities,
   return shown;
 }
 
+/// A number without the digits that an error of this size leaves open, two of the error's own kept.
+double to_error(double value, double error) {
+  if (!std::isfinite(value) || !(error > 0)) return value;
+  const double step = std::pow(10, std::floor(std::log10(error)) - 1);
+  return std::stod(fmt::format("{:.12g}", std::round(value / step) * step));
+}
+
+Json estimate_row(const Quantity& quantity) {
+  const Estimate& e = quantity.estimate;
+  const std::string unit = shown_unit(quantity);
+  Json row = Json::array({unit.empty() ? quantity.name : quantity.name + " [" + unit + "]"});
+  for (const double value : {e.mean, e.mcse_mean}) row.push_back(to_error(value, e.mcse_mean));
+  for (const double value : {e.sd, e.mcse_sd}) row.push_back(to_error(value, e.mcse_sd));
+  for (const double value : {e.q05, e.median, e.q95}) row.push_back(to_error(value, e.mcse_mean));
+  for (const double value : {e.r_hat, e.bulk_ess, e.tail_ess}) row.push_back(value);
+  return row;
+}
+
 }  // namespace
 
 Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,
@@ -94,18 +112,13 @@ Json estimate_table(const std::vector<Quantity>& quantities, const std::string& 
     return worse(a->estimate.r_hat, b->estimate.r_hat);
   });
   Json rows = Json::array();
-  for (const Quantity* quantity : order) {
-    const Estimate& e = quantity->estimate;
-    rows.push_back({quantity->name, shown_unit(*quantity), e.mean, e.sd, e.mcse_mean, e.mcse_sd,
-                    e.q05, e.median, e.q95, e.r_hat, e.bulk_ess, e.tail_ess});
-  }
+  for (const Quantity* quantity : order) rows.push_back(estimate_row(*quantity));
   Json table = table_block(caption,
                            {{"quantity", ""},
-                            {"unit", ""},
                             {"mean", ""},
+                            {"MCSE", ""},
                             {"sd", ""},
-                            {"MCSE mean", ""},
-                            {"MCSE sd", ""},
+                            {"MCSE", ""},
                             {"5 %", ""},
                             {"median", ""},
                             {"95 %", ""},

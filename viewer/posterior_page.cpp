@@ -1,12 +1,17 @@
 #include "viewer/posterior_page.h"
 
+#include <cctype>
+
 #include <fmt/format.h>
 
 namespace thenar {
 namespace {
 
-std::string titled(const PosteriorPicture& picture, const std::string& text) {
-  return picture.title.empty() ? text : picture.title + ": " + text;
+/// "H01: what was learnt", or "What was learnt" where there is but one posterior.
+std::string titled(const PosteriorPicture& picture, std::string text) {
+  if (!picture.title.empty()) return picture.title + ": " + text;
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
 }
 
 void add(const PosteriorPicture& picture, const std::string& id, const std::string& title,

@@ -130,9 +130,22 @@ TEST(ForestBlock, LeavesOutWhatHasNoPrior) {
 TEST(EstimateTable, HasARowForEachWorstFirst) {
   const Json table =
       estimate_table({quantity("good", 0, 1, 1.001), quantity("bad", 0, 1, 1.2)}, "");
-  EXPECT_EQ(table["rows"][0][0], "bad");
+  EXPECT_EQ(table["rows"][0][0], "bad [deg]");
   EXPECT_EQ(table["rows"][0].size(), table["columns"].size());
-  EXPECT_EQ(table["rows"][0][9], 1.2);
+  EXPECT_EQ(table["rows"][0][8], 1.2);
+}
+
+// With an error of 0.0123 all digits beyond the third decimal are noise.
+TEST(EstimateTable, ShowsNoDigitsThatTheErrorLeavesOpen) {
+  Quantity q = quantity("a", 0, 1, 1);
+  q.estimate.mean = 12.345678;
+  q.estimate.mcse_mean = 0.0123456;
+  q.estimate.sd = 1.98765;
+  q.estimate.mcse_sd = 0.0;  // not known: as it is
+  const Json row = estimate_table({q}, "")["rows"][0];
+  EXPECT_EQ(row[1], 12.346);
+  EXPECT_EQ(row[2], 0.012);
+  EXPECT_EQ(row[3], 1.98765);
 }
 
 }  // namespace

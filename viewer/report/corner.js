@@ -70,7 +70,7 @@ export function drawCorner(block) {
       if (chosen.length > room) change(chosen.slice(0, room), false);
       fitted = true;
     }
-    const side = Math.max(LEAST_PANEL, Math.min(170, (width - SIDE) / chosen.length));
+    const side = Math.max(LEAST_PANEL, Math.min(170, (width - SIDE - 4) / chosen.length));
     return [
       cornerSvg(
         chosen.map((i) => quantities[i]),

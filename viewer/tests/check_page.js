@@ -8,8 +8,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
-import { boxOf, chartWithoutSeries, hideFirstTendon, isReady, look } from "./probes.js";
-import { middleOf, picture, tooltipText } from "./probes.js";
+import { boxOf, chartWithoutSeries, chooseQuantity, hideFirstTendon, isReady } from "./probes.js";
+import { leaveOutQuantity, look, middleOf, picture, tooltipText } from "./probes.js";
 
 const SHOTS = join(import.meta.dirname, "screenshots");
 const VIEWS = {
@@ -100,6 +100,14 @@ async function checkTooltip(browser) {
   assert.match(await ask(browser, tooltipText), /measured.*predicted.*difference/s);
 }
 
+/// The reader chooses which quantities to see.
+async function checkChoices(browser) {
+  const { facts, changed } = await ask(browser, chooseQuantity, 3);
+  assert.match(facts, /^R-hat 1\.\d+, bulk ESS \d+, tail ESS \d+$/);
+  assert.ok(changed, "another quantity has another trace");
+  assert.deepEqual(await ask(browser, leaveOutQuantity), [21, 15], "panels of 6 and 5 quantities");
+}
+
 async function print(browser) {
   const options = { printBackground: true, preferCSSPageSize: true };
   const { data } = await browser.send("Page.printToPDF", options);
@@ -146,6 +154,7 @@ try {
     8,
     "a tendon is hidden in 4 panels of 2 planes",
   );
+  await checkChoices(browser);
   await print(browser);
   judgeEvents(browser.events);
 } finally {

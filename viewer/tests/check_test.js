@@ -79,3 +79,61 @@ test("faults inside a row are found, with their section", () => {
   const report = { title: "t", sections: [{ id: "s", title: "S", blocks }] };
   assert.match(reportFaults(report)[0], /^section "s": unknown block type "pie"/);
 });
+
+test("chains of unequal number or length are refused", () => {
+  const quantity = (more) => ({
+    name: "q",
+    traces: [
+      [1, 2],
+      [3, 4],
+    ],
+    ranks: { counts: [[1], [1]], mean: 1, low: 0, high: 2 },
+    autocorrelation: [[1], [1]],
+    lag_step: 1,
+    ...more,
+  });
+  const block = (q) => ({ type: "chains", chains: ["1", "2"], draws: [1, 2], quantities: [q] });
+  assert.deepEqual(faults(block(quantity({}))), []);
+  assert.equal(faults(block(quantity({ traces: [[1, 2]] }))).length, 1);
+  assert.equal(faults(block(quantity({ traces: [[1], [2]] }))).length, 1);
+  assert.equal(faults(block(quantity({ ranks: { counts: [[1], [1]] } }))).length, 1);
+});
+
+test("a corner plot wants equally many draws, and shows only what it has", () => {
+  const corner = (a, b, shown) => ({
+    type: "corner",
+    shown,
+    quantities: [
+      { name: "a", draws: a },
+      { name: "b", draws: b },
+    ],
+  });
+  assert.deepEqual(faults(corner([1, 2, 3], [4, 5, 6], [1])), []);
+  assert.equal(faults(corner([1, 2, 3], [4, 5])).length, 1);
+  assert.equal(faults(corner([1, 2, 3], [4, 5, 6], [2])).length, 1);
+});
+
+test("a prediction has a value for each component", () => {
+  const block = (values) => ({
+    type: "predictive",
+    components: ["x", "y"],
+    groups: [{ name: "g", rows: [{ name: "r", values }] }],
+  });
+  assert.deepEqual(faults(block([{ measured: 1 }, { measured: null }])), []);
+  assert.equal(faults(block([{ measured: 1 }])).length, 1);
+});
+
+test("a cloud of lines has two ends for each", () => {
+  const scene = (positions) => ({
+    type: "scene",
+    layers: [{ name: "l", items: [{ kind: "lines", positions }] }],
+  });
+  const p = [0, 0, 0];
+  assert.deepEqual(faults(scene([p, p, p, p])), []);
+  assert.equal(faults(scene([p, p, p])).length, 1);
+});
+
+test("a banner says whether all is well", () => {
+  assert.deepEqual(faults({ type: "banner", ok: true, title: "t" }), []);
+  assert.equal(faults({ type: "banner", title: "t" }).length, 1);
+});

@@ -67,6 +67,26 @@ export function tooltipText() {
   return box && !box.hidden ? box.innerText : "";
 }
 
+/// Picks another quantity of the chains; tells what stands beside the choice, and whether the trace
+/// changed.
+export function chooseQuantity(index) {
+  const figure = document.querySelector(".chain-panels").closest("figure");
+  const trace = () => figure.querySelector(".chain-panel svg").innerHTML;
+  const before = trace();
+  const select = figure.querySelector(".chooser select");
+  select.value = String(index);
+  select.dispatchEvent(new Event("change"));
+  return { facts: figure.querySelector(".facts").textContent, changed: trace() !== before };
+}
+
+/// Leaves the first quantity out of the corner plot; tells how many panels were there and are.
+export function leaveOutQuantity() {
+  const panels = () => document.querySelectorAll(".corner-plot .panel-frame").length;
+  const before = panels();
+  document.querySelector(".chip").click();
+  return [before, panels()];
+}
+
 /// Whether the first chart changes when its first series is switched off.
 export function chartWithoutSeries() {
   const figure = document.querySelector(".uplot").closest("figure");

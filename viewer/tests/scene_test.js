@@ -165,3 +165,22 @@ test("an empty scene is no error", () => {
   fitCamera(makeCamera(new Vector3(0, 1, 0)), box, 1);
   buildGrid(box, 1, new Vector3(0, 1, 0));
 });
+
+test("a cloud of lines is translucent, and within the extent", () => {
+  const item = {
+    kind: "lines",
+    opacity: 0.3,
+    positions: [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 2, 0],
+      [0, 2, 7],
+    ],
+  };
+  const [{ group }] = buildLayers([layer([item])], 10);
+  const { material, geometry } = group.children[0];
+  assert.equal(material.opacity, 0.3);
+  assert.equal(material.transparent, true);
+  assert.equal(geometry.getAttribute("position").count, 4);
+  assert.deepEqual(extentOf([layer([item])]).max.toArray(), [1, 2, 7]);
+});
