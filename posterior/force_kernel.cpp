@@ -10,6 +10,7 @@ struct ForceKernel::Program : kernel::Program {};
 
 class ForceKernel::Tape {
  public:
+  explicit Tape(kernel::Batch of) : batch(std::move(of)) {}
   kernel::Batch batch;  // its forces have moved out
 };
 
@@ -34,8 +35,8 @@ Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
-  auto tape = std::make_shared<Tape>();
-  tape->batch = kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kYes);
+  auto tape = std::make_shared<Tape>(
+      kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kYes));
   Eigen::MatrixXd forces = std::move(tape->batch.forces);
   return {std::move(forces), std::move(tape)};
 }

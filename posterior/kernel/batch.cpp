@@ -10,6 +10,9 @@ namespace {
 constexpr std::align_val_t kAlignment{64};
 constexpr int kMostLanes = 8;
 
+/// Up to whole cache lines.
+long padded(long doubles) { return (doubles + kMostLanes - 1) / kMostLanes * kMostLanes; }
+
 /// Columns of a matrix, the last one again in lanes that are left over.
 template <typename Matrix, typename Column>
 std::array<Column, kMostLanes> columns(Matrix& matrix, Eigen::Index first, int count) {
@@ -33,7 +36,30 @@ const Unit& unit_for(const std::vector<Unit>& choice, Eigen::Index points) {
   return choice.front();
 }
 
-Packs packs(const Unit& unit, long length) { return Packs(length * unit.lanes); }
+/// Groups of points, and where their tapes begin in memory; `length` is that of all [doubles].
+struct Division {
+  std::vector<Group> groups;
+  std::vector<long> begins;
+  long length = 0;
+};
+Division divide(const Program& program, const std::vector<Unit>& choice, Eigen::Index points,
+                KeepTape keep) {
+  Division all;
+  for (Eigen::Index first = 0; first < points;) {
+    const Unit& unit = unit_for(choice, points - first);
+    const int count = static_cast<int>(std::min<Eigen::Index>(unit.lanes, points - first));
+    const long tape = padded(unit.lanes * unit.tape_length(program));
+    all.begins.push_back(keep == KeepTape::kYes ? all.length : 0);
+    all.length = keep == KeepTape::kYes ? all.length + tape : std::max(all.length, tape);
+    all.groups.push_back({&unit, first, count, nullptr});
+    first += count;
+  }
+  return all;
+}
+
+long scratch_doubles(const Program& program, const Unit& unit) {
+  return padded(unit.lanes * unit.scratch_length(program));
+}
 
 }  // namespace
 
@@ -44,18 +70,16 @@ void Packs::Free::operator()(double* p) const { ::operator delete(p, kAlignment)
 
 Batch run_batch(const Program& program, const std::vector<Unit>& choice,
                 const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep) {
-  Batch batch{Eigen::MatrixXd(3 * program.trials, u.cols()), {}};
-  const Unit& widest = choice.front();
-  const Packs scratch = packs(widest, widest.scratch_length(program));
-  Packs tape(0);
-  for (Eigen::Index first = 0; first < u.cols();) {
-    const Unit& unit = unit_for(choice, u.cols() - first);
-    const int count = static_cast<int>(std::min<Eigen::Index>(unit.lanes, u.cols() - first));
-    if (keep == KeepTape::kYes || first == 0) tape = packs(unit, unit.tape_length(program));
-    unit.run(program, columns_of(u, first, count).data(), count, tape.first(), scratch.first(),
-             columns_of(batch.forces, first, count).data());
-    if (keep == KeepTape::kYes) batch.groups.push_back({&unit, first, count, std::move(tape)});
-    first += count;
+  Division division = divide(program, choice, u.cols(), keep);
+  const long scratch = scratch_doubles(program, choice.front());
+  Batch batch{Eigen::MatrixXd(3 * program.trials, u.cols()), std::move(division.groups),
+              Packs(scratch + division.length)};
+  for (std::size_t g = 0; g < batch.groups.size(); ++g) {
+    Group& group = batch.groups[g];
+    group.tape = batch.memory.first() + scratch + division.begins[g];
+    group.unit->run(program, columns_of(u, group.first, group.count).data(), group.count,
+                    group.tape, batch.memory.first(),
+                    columns_of(batch.forces, group.first, group.count).data());
   }
   return batch;
 }
@@ -64,12 +88,11 @@ Eigen::MatrixXd pull_batch(const Program& program, const Batch& batch,
                            const Eigen::Ref<const Eigen::MatrixXd>& weights) {
   Eigen::MatrixXd gradient(program.fit_coordinates, weights.cols());
   if (batch.groups.empty()) return gradient;
-  const Unit& widest = *batch.groups.front().unit;
-  const Packs scratch = packs(widest, widest.scratch_length(program));
+  const Packs scratch(scratch_doubles(program, *batch.groups.front().unit));
   for (const Group& group : batch.groups)
-    group.unit->pull(program, group.tape.first(),
-                     columns_of(weights, group.first, group.count).data(), group.count,
-                     scratch.first(), columns_of(gradient, group.first, group.count).data());
+    group.unit->pull(program, group.tape, columns_of(weights, group.first, group.count).data(),
+                     group.count, scratch.first(),
+                     columns_of(gradient, group.first, group.count).data());
   return gradient;
 }
 

@@ -29,12 +29,13 @@ struct Group {
   const Unit* unit;
   Eigen::Index first;  // point
   int count;           // of points
-  Packs tape;
+  double* tape;        // in the batch's memory
 };
 
 struct Batch {
-  Eigen::MatrixXd forces;     // [N] (3 trials, points)
-  std::vector<Group> groups;  // empty if not to be kept
+  Eigen::MatrixXd forces;  // [N] (3 trials, points)
+  std::vector<Group> groups;
+  Packs memory;  // of all tapes, or of one that all groups wrote over
 };
 
 enum class KeepTape { kNo, kYes };
