@@ -11,8 +11,9 @@ int main() {
              "required", "error", "verdict");
   bool pass = true;
   for (const auto& row_function :
-       {ratio_kinematics, ratio_chain, ratio_force_map, ratio_fit, ratio_net_relaxation,
-        ratio_net_kinsol, ratio_net_masses, ratio_net_tuned_masses}) {
+       {ratio_kinematics, ratio_chain, ratio_force_map, ratio_fit, ratio_posterior_lanes,
+        ratio_posterior_gradient, ratio_posterior_jets, ratio_net_relaxation, ratio_net_kinsol,
+        ratio_net_masses, ratio_net_tuned_masses}) {
     const Row row = row_function();
     fmt::print(
         "{:<44}{:>11.3f}{:>12.2f}{:>9.1f}{:>10}{:>10}{:>11}\n", row.name, row.ours, row.rival,
@@ -27,6 +28,7 @@ int main() {
       "Who uses what: fits run the templated chain, on jets (hand/chain.h), not the first row;\n"
       "FastKinematics is for whoever needs many poses of a whole hand, force_map for samplers of\n"
       "static thumb forces. No command of thenar calls either of these two today.\n"
+      "Thumb forces in lanes: the rival runs the same steps of ours, point after point.\n"
       "The net starts from its rest 0.02 rad away; its error is that of tensions [N]. Point "
       "masses\n"
       "run by Runge and Kutta's steps of controlled error; stepped by semi-explicit Euler, at a "
