@@ -80,7 +80,7 @@ TEST(FindModes, KeepsEverySearchAndItsStatus) {
   }
   EXPECT_EQ(hits, 8);
   EXPECT_EQ(found.mode_of_search[0], 1);  // down the nearer well
-  // The global search looks at many points, and yet sees no difference of 0.08 as worth a step.
+  // The global search, without slopes, looks at far more points than a descent.
   EXPECT_GT(found.searches[7].evaluations, 10 * found.searches[0].evaluations);
 }
 
