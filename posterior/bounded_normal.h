@@ -2,11 +2,11 @@
 
 /// A normal prior cut off at bounds, as the smooth image of one that is not.
 
-namespace thenar {
+#include <vector>
 
-/// Quantiles of the standard normal distribution: z with Phi(z) = p; -inf and inf at 0 and 1.
-/// Relative error about 1e-15. Source: [Wichura1988] PPND16.
-[[nodiscard]] double normal_quantile(double p);
+#include "posterior/lane_loops.h"
+
+namespace thenar {
 
 /// Phi(z), with full relative accuracy in the lower tail.
 [[nodiscard]] double normal_probability(double z);
@@ -35,6 +35,25 @@ class BoundedNormal {
   double lower_, upper_;
   double below_, above_, within_;         // Phi(l), 1 - Phi(h) and what is left [1]
   double density_lower_, density_upper_;  // exp(-l^2 / 2), exp(-h^2 / 2) [1]
+};
+
+/// The same map from a table: polynomials of degree 5 in cells of 1/64, which meet with equal
+/// value, slope and curvature. Off by less than 1e-10 [prior sds]; beyond |x| = 8.5 exact.
+class BoundedTable {
+ public:
+  explicit BoundedTable(const BoundedNormal& exact);
+
+  struct Image {
+    double z, by_x;
+  };
+  [[nodiscard]] Image at(double x) const;
+  /// scale z and scale dz/dx of eight points.
+  void at_lanes(const double* x, double scale, double* y, double* by_x) const;
+  [[nodiscard]] double inverse(double z) const;
+
+ private:
+  BoundedNormal exact_;
+  std::vector<double> coefficients_;
 };
 
 }  // namespace thenar

@@ -11,84 +11,15 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using internal::Displaced;
 using internal::EntryMotion;
 using internal::PosteriorParts;
 using Points = Eigen::Ref<const MatrixXd>;
 
-/// Coordinates of every specimen at every point.
-struct Displaced {
-  std::vector<MatrixXd> u;   // of each specimen [SI] (coordinates, points)
-  std::vector<char> broken;  // of each point: u is not finite, and was put to zero
-};
-
-/// Factors beyond these are no numbers to compute with.
-bool sane(double log_factor) { return std::abs(log_factor) < 50; }
-
-EntryMotion move(const PosteriorParts& parts, const Points& x) {
-  const PosteriorEntries& entries = parts.entries;
-  const auto n = static_cast<Index>(entries.coordinates.size());
-  const auto experiments = static_cast<Index>(parts.data.size());
-  const auto kinds = static_cast<Index>(entries.spreads.size());
-  EntryMotion out{MatrixXd(n, x.cols()),           MatrixXd(n, x.cols()),
-                  MatrixXd(n, x.cols()),           MatrixXd(n, x.cols()),
-                  MatrixXd(experiments, x.cols()), MatrixXd(kinds, x.cols())};
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  const auto factor = [&](double sd, double value) {
-    return sane(sd * value) ? std::exp(sd * value) : kNaN;
-  };
-  for (Index p = 0; p < x.cols(); ++p) {
-    for (Index e = 0; e < experiments; ++e)
-      out.noise(e, p) =
-          entries.noises == 0 ? 1 : factor(parts.options.noise_sd, x(entries.noise_at() + e, p));
-    for (Index k = 0; k < kinds; ++k)
-      out.spread(k, p) = factor(parts.options.spread_sd, x(entries.spread_at() + k, p));
-    for (Index i = 0; i < n; ++i) {
-      const CoordinateEntry& entry = entries.coordinates[i];
-      const double k = entry.spread < 0 ? 1 : out.spread(entry.spread, p);
-      const double scale = k * entry.sd;
-      out.scale(i, p) = scale;
-      out.y(i, p) = out.by_spread(i, p) = scale * x(i, p);
-      out.by_x(i, p) = scale;
-      if (!entry.bounded || std::isnan(k)) continue;
-      const BoundedNormal::Image image =
-          entry.spread < 0 ? entry.bounded->at(x(i, p)) : parts.bounds(entry, k)->at(x(i, p));
-      out.y(i, p) = scale * image.z;
-      out.by_x(i, p) = scale * image.by_x;
-      out.by_spread(i, p) = scale * image.z;
-      if (std::isfinite(entry.lower))
-        out.by_spread(i, p) -= entry.sd * image.by_lower * entry.lower;
-      if (std::isfinite(entry.upper))
-        out.by_spread(i, p) -= entry.sd * image.by_upper * entry.upper;
-    }
-  }
-  return out;
-}
-
-Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
-  const Index points = motion.y.cols();
-  Displaced out;
-  out.broken.assign(points, 0);
-  for (const Eigen::VectorXd& rest : parts.rest) out.u.push_back(rest.replicate(1, points));
-  for (std::size_t i = 0; i < parts.entries.coordinates.size(); ++i) {
-    const CoordinateEntry& entry = parts.entries.coordinates[i];
-    for (std::size_t s = 0; s < out.u.size(); ++s)
-      if (entry.specimen < 0 || entry.specimen == static_cast<int>(s))
-        for (Index p = 0; p < points; ++p)
-          out.u[s](entry.coordinate, p) += motion.y(static_cast<Index>(i), p);
-  }
-  for (Index p = 0; p < points; ++p)
-    for (MatrixXd& u : out.u)
-      if (!u.col(p).allFinite()) {
-        out.broken[p] = 1;
-        u.col(p).setZero();
-      }
-  return out;
-}
-
 /// d/dx from d/du of each specimen.
 void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
                     const std::vector<MatrixXd>& by_u, MatrixXd& gradient) {
-  for (Index p = 0; p < motion.y.cols(); ++p)
+  for (Index p = 0; p < motion.log_noise.cols(); ++p)
     for (std::size_t i = 0; i < parts.entries.coordinates.size(); ++i) {
       const CoordinateEntry& entry = parts.entries.coordinates[i];
       const auto at = static_cast<Index>(i);
@@ -115,7 +46,7 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
   MatrixXd by_force(recorded.forces.rows(), u.cols());
   for (Index p = 0; p < u.cols(); ++p) {
     const DataDensity one = data_density(parts.model, parts.data[e], recorded.forces.col(p).data(),
-                                         motion.noise(e, p), by_force.col(p).data(), nullptr);
+                                         motion.log_noise(e, p), by_force.col(p).data(), nullptr);
     at.log_likelihood[p] += one.log_density;
     if (wanted && parts.entries.noises > 0)
       at.likelihood_gradient(parts.entries.noise_at() + e, p) +=
@@ -135,12 +66,6 @@ std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const std::vecto
 }
 
 }  // namespace
-
-std::optional<BoundedNormal> internal::PosteriorParts::bounds(const CoordinateEntry& entry,
-                                                              double k) const {
-  if (!entry.bounded || entry.spread < 0) return entry.bounded;
-  return BoundedNormal(entry.lower / k, entry.upper / k);
-}
 
 PosteriorOptions posterior_options(const PosteriorBeliefs& beliefs) {
   PosteriorOptions options;
@@ -167,7 +92,8 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
           "bounds");
   parts.model = ForceNoise(fit.robust_scale());
   for (std::size_t e = 0; e < fit.experiments().size(); ++e) {
-    parts.data.push_back(observed_forces(fit.digit(), fit.plans()[e], fit.experiments()[e]));
+    parts.data.push_back(
+        observed_forces(fit.digit(), fit.plans()[e], fit.experiments()[e], parts.model));
     parts.kernels.emplace_back(fit.digit(), fit.parameters(), parts.data.back().plan);
   }
   parts.rest = resting(fit, parts.entries.held);
@@ -183,15 +109,14 @@ const PosteriorOptions& HandPosterior::options() const { return parts_->options;
 Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   const bool wanted = want == WithGradient::kYes;
-  const EntryMotion motion = move(*parts_, x);
-  const Displaced displaced = displace(*parts_, motion);
+  const EntryMotion motion = internal::move(*parts_, x);
+  const Displaced displaced = internal::displace(*parts_, motion);
   Densities at{Eigen::VectorXd(x.cols()), Eigen::VectorXd::Zero(x.cols()), {}, {}};
   if (wanted) {
     at.prior_gradient.resize(x.rows(), x.cols());
     at.likelihood_gradient = MatrixXd::Zero(x.rows(), x.cols());
   }
-  internal::add_prior(parts_->entries, parts_->options.spread_sd, motion, x, at.log_prior,
-                      at.prior_gradient);
+  internal::set_prior(*parts_, motion, at.log_prior, at.prior_gradient);
   std::vector<MatrixXd> by_u;
   for (const MatrixXd& u : displaced.u)
     by_u.push_back(MatrixXd::Zero(wanted ? u.rows() : 0, wanted ? u.cols() : 0));
@@ -205,7 +130,7 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
 
 MatrixXd HandPosterior::forces(const Points& x, int e) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
-  const Displaced displaced = displace(*parts_, move(*parts_, x));
+  const Displaced displaced = internal::displace(*parts_, internal::move(*parts_, x));
   MatrixXd forces = parts_->kernels.at(e)
                         .forces(displaced.u[parts_->problem.specimen_of(e)])
                         .topRows(3 * parts_->data[e].trials);
@@ -216,8 +141,8 @@ MatrixXd HandPosterior::forces(const Points& x, int e) const {
 
 MatrixXd HandPosterior::pointwise(const Points& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
-  const EntryMotion motion = move(*parts_, x);
-  const Displaced displaced = displace(*parts_, motion);
+  const EntryMotion motion = internal::move(*parts_, x);
+  const Displaced displaced = internal::displace(*parts_, motion);
   Index trials = 0, tasks = 0;
   for (const ObservedForces& data : parts_->data) {
     trials += data.trials;
@@ -234,7 +159,8 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
     Eigen::VectorXd summands(data.trials + own);
     for (Index p = 0; p < x.cols(); ++p) {
       (void)data_density(parts_->model, data, forces.col(p).data(),
-                         motion.noise(static_cast<Index>(e), p), by_force.data(), summands.data());
+                         motion.log_noise(static_cast<Index>(e), p), by_force.data(),
+                         summands.data());
       if (displaced.broken[p] != 0) summands.setConstant(std::nan(""));
       out.block(trial, p, data.trials, 1) = summands.head(data.trials);
       out.block(task, p, own, 1) = summands.tail(own);

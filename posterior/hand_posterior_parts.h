@@ -3,11 +3,11 @@
 /// What a HandPosterior is made of; for its own sources.
 
 #include "posterior/hand_posterior.h"
+#include "posterior/lane_rows.h"
 #include "posterior/posterior_data.h"
 #include "posterior/posterior_entries.h"
 
 namespace thenar {
-
 namespace internal {
 
 struct PosteriorParts {
@@ -18,24 +18,30 @@ struct PosteriorParts {
   std::vector<ObservedForces> data;   // of each experiment
   std::vector<ForceKernel> kernels;   // of each experiment
   std::vector<Eigen::VectorXd> rest;  // u of each specimen where all entries add nothing [SI]
-
-  /// The map of an entry where its spread factor is k.
-  [[nodiscard]] std::optional<BoundedNormal> bounds(const CoordinateEntry& entry, double k) const;
 };
 
 /// What the entries of some points add to coordinates.
 struct EntryMotion {
-  Eigen::MatrixXd y;          // [SI] (entries, points)
-  Eigen::MatrixXd by_x;       // dy/dx [SI] (entries, points)
-  Eigen::MatrixXd by_spread;  // dy/d log k [SI] (entries, points)
-  Eigen::MatrixXd scale;      // k sd [SI] (entries, points)
-  Eigen::MatrixXd noise;      // factors [1] (experiments, points)
+  LaneRows x;                 // as asked for [1] (entries of x, points)
+  LaneRows y;                 // [SI] (coordinate entries, points)
+  LaneRows by_x;              // dy/dx [SI] (coordinate entries, points)
+  LaneRows by_spread;         // dy/d log k [SI]; empty without spreads (the same, points)
+  Eigen::MatrixXd log_noise;  // log of the factors [1] (experiments, points)
   Eigen::MatrixXd spread;     // factors k [1] (kinds, points)
 };
 
+[[nodiscard]] EntryMotion move(const PosteriorParts& parts,
+                               const Eigen::Ref<const Eigen::MatrixXd>& x);
+
+/// Coordinates of every specimen at every point.
+struct Displaced {
+  std::vector<Eigen::MatrixXd> u;  // of each specimen [SI] (coordinates, points)
+  std::vector<char> broken;        // of each point: u is not finite, and was put to zero
+};
+[[nodiscard]] Displaced displace(const PosteriorParts& parts, const EntryMotion& motion);
+
 /// Log prior of the points; its gradient by x where it has columns.
-void add_prior(const PosteriorEntries& entries, double spread_sd, const EntryMotion& motion,
-               const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::VectorXd& log_prior,
+void set_prior(const PosteriorParts& parts, const EntryMotion& motion, Eigen::VectorXd& log_prior,
                Eigen::MatrixXd& gradient);
 
 }  // namespace internal

@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-using internal::PosteriorParts;
 
 constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of random numbers
 
@@ -25,10 +24,18 @@ VectorXd values_of(const FitParameters& parameters, const std::vector<int>& whic
   return some;
 }
 
+/// z(x) of an entry, where its spread factor is k.
+double entry_image(const CoordinateEntry& entry, double k, double x) {
+  if (entry.table) return entry.table->at(x).z;
+  const auto bounds = entry.bounds(k);
+  return bounds ? bounds->at(x).z : x;
+}
+
 /// Finds x of an entry from what it adds to its coordinate.
-double entry_from(const PosteriorParts& parts, const CoordinateEntry& entry, double k, double y) {
+double entry_from(const CoordinateEntry& entry, double k, double y) {
   const double z = y / (k * entry.sd);
-  const auto bounds = parts.bounds(entry, k);
+  if (entry.table) return entry.table->inverse(z);
+  const auto bounds = entry.bounds(k);
   return bounds ? bounds->inverse(z) : z;
 }
 
@@ -73,9 +80,7 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
         entry.spread < 0
             ? 1
             : std::exp(parts_->options.spread_sd * x[entries.spread_at() + entry.spread]);
-    const auto bounds = parts_->bounds(entry, k);
-    const double own = x[static_cast<Index>(i)];
-    z[entry.z] = k * (bounds ? bounds->at(own).z : own);
+    z[entry.z] = k * entry_image(entry, k, x[static_cast<Index>(i)]);
   }
   return z;
 }
@@ -88,7 +93,7 @@ VectorXd HandPosterior::from_fit(const VectorXd& z) const {
   VectorXd x = VectorXd::Zero(size());
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
-    x[static_cast<Index>(i)] = entry_from(*parts_, entry, 1, entry.sd * at[entry.z]);
+    x[static_cast<Index>(i)] = entry_from(entry, 1, entry.sd * at[entry.z]);
   }
   return x;
 }
@@ -151,7 +156,7 @@ VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
         const CoordinateEntry& entry = entries.coordinates[pair.x[c]];
         const double z = shift[c] / entry.sd;
         inside &= entry.lower <= z && z <= entry.upper;
-        x[pair.x[c]] = entry_from(*parts_, entry, k, shift[c]);
+        x[pair.x[c]] = entry_from(entry, k, shift[c]);
       }
     }
   }

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "posterior/lane_loops.h"
 
 namespace thenar {
 namespace {
@@ -67,30 +68,36 @@ class TaskPlanner {
   ObservedForces& out_;
 };
 
-DataDensity add(const DataDensity& a, double log_density, double by_log_noise) {
-  return {a.log_density + log_density, a.by_log_noise + by_log_noise};
+/// Normal noise: all trials are one sum of squares.
+DataDensity normal_density(const ObservedForces& data, const double* forces, double log_noise,
+                           double* by_force) {
+  const double scale = std::exp(-2 * log_noise);
+  const int count = 3 * data.trials;
+  const double m = scale * internal::weigh_residuals(count, data.plan.force.data(), forces,
+                                                     data.precision.data(), scale, by_force);
+  return {data.log_peak - count * log_noise - 0.5 * m, m - count};
 }
 
+/// Noise of any kind, trial by trial.
 DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
-                           const double* forces, double noise, double* by_force,
+                           const double* forces, double log_noise, double* by_force,
                            double* pointwise) {
-  const double precision = 1 / (noise * noise), log_noise = std::log(noise);
-  const double* measured = data.plan.force.data();
+  const double scale = std::exp(-2 * log_noise);
+  (void)internal::weigh_residuals(3 * data.trials, data.plan.force.data(), forces,
+                                  data.precision.data(), scale, by_force);
   DataDensity sum{0, 0};
   for (int i = 0; i < data.trials; ++i) {
-    // Residuals in units of their variances, and of their sds squared.
-    double m = 0, scaled[3];
-    for (int k = 0; k < 3; ++k) {
-      const double r = measured[3 * i + k] - forces[3 * i + k];
-      scaled[k] = r * data.precision(k, i) * precision;
-      m += r * scaled[k];
-    }
+    const double* measured = data.plan.force.data() + 3 * i;
+    const double* predicted = forces + 3 * i;
+    double* by = by_force + 3 * i;
+    double m = 0;
+    for (int k = 0; k < 3; ++k) m += (measured[k] - predicted[k]) * by[k];
     const ForceNoise::Tail tail = model.tail(m);
-    const double log_density =
-        model.log_constant + data.log_scale[i] - 3 * log_noise + tail.log_density;
-    for (int k = 0; k < 3; ++k) by_force[3 * i + k] = tail.weight * scaled[k];
+    for (int k = 0; k < 3; ++k) by[k] *= tail.weight;
+    const double log_density = data.log_scale[i] - 3 * log_noise + tail.log_density;
     if (pointwise != nullptr) pointwise[i] = log_density;
-    sum = add(sum, log_density, tail.weight * m - 3);
+    sum.log_density += log_density;
+    sum.by_log_noise += tail.weight * m - 3;
   }
   return sum;
 }
@@ -98,18 +105,22 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
 }  // namespace
 
 ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
-                               const Experiment& experiment) {
-  ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}};
+                               const Experiment& experiment, const ForceNoise& model) {
+  ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}, 0};
   out.precision = plan.sd.cwiseAbs2().cwiseInverse();
-  out.log_scale = -plan.sd.array().log().colwise().sum().transpose();
+  out.log_scale = model.log_constant - plan.sd.array().log().colwise().sum().transpose();
+  out.log_peak = out.log_scale.sum();
   TaskPlanner planner(digit, experiment, out);
   for (const ActivationRow& row : experiment.activations) out.tasks.push_back(planner.plan(row));
   return out;
 }
 
 DataDensity data_density(const ForceNoise& model, const ObservedForces& data, const double* forces,
-                         double noise, double* by_force, double* pointwise) {
-  DataDensity sum = trials_density(model, data, forces, noise, by_force, pointwise);
+                         double log_noise, double* by_force, double* pointwise) {
+  const bool plain = std::isinf(model.c2) && pointwise == nullptr;
+  DataDensity sum = plain ? normal_density(data, forces, log_noise, by_force)
+                          : trials_density(model, data, forces, log_noise, by_force, pointwise);
+  if (data.tasks.empty()) return sum;
   const auto columns = static_cast<Eigen::Index>(data.plan.force.cols());
   Eigen::Map<Eigen::Matrix3Xd> by(by_force, 3, columns);
   by.rightCols(columns - data.trials).setZero();
@@ -119,11 +130,13 @@ DataDensity data_density(const ForceNoise& model, const ObservedForces& data, co
     for (std::size_t j = 0; j < task.pulls.size(); ++j)
       unit.col(static_cast<Eigen::Index>(j)) =
           Eigen::Map<const Eigen::Vector3d>(forces + 3 * task.pulls[j].column);
-    const TaskDensity one = task_density(model, unit, task.pulls, task.force, task.sd, noise);
+    const TaskDensity one =
+        task_density(model, unit, task.pulls, task.force, task.sd, std::exp(log_noise));
     for (std::size_t j = 0; j < task.pulls.size(); ++j)
       by.col(task.pulls[j].column) += one.by_unit.col(static_cast<Eigen::Index>(j));
     if (pointwise != nullptr) pointwise[data.trials + t] = one.log_density;
-    sum = add(sum, one.log_density, one.by_log_noise);
+    sum.log_density += one.log_density;
+    sum.by_log_noise += one.by_log_noise;
   }
   return sum;
 }

@@ -40,10 +40,17 @@ class EntryLister {
       out_.held.push_back(z);
       return;
     }
-    if (std::isfinite(entry.lower) || std::isfinite(entry.upper))
-      entry.bounded.emplace(entry.lower, entry.upper);
     if (specimen >= 0 && learn_spread_) entry.spread = spread_of(c);
+    if (entry.spread < 0 && entry.bounds(1)) entry.table = table_of(entry);
     out_.coordinates.push_back(std::move(entry));
+  }
+
+  /// One table for all entries of the same bounds.
+  [[nodiscard]] std::shared_ptr<const BoundedTable> table_of(const CoordinateEntry& entry) const {
+    for (const CoordinateEntry& other : out_.coordinates)
+      if (other.table && other.lower == entry.lower && other.upper == entry.upper)
+        return other.table;
+    return std::make_shared<const BoundedTable>(*entry.bounds(1));
   }
 
   int spread_of(int c) {
@@ -88,6 +95,12 @@ class EntryLister {
 };
 
 }  // namespace
+
+std::optional<BoundedNormal> CoordinateEntry::bounds(double k) const {
+  constexpr double kFar = 38;  // no mass of a normal distribution lies beyond [sds]
+  if (lower < -kFar * k && upper > kFar * k) return std::nullopt;
+  return BoundedNormal(lower / k, upper / k);
+}
 
 PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise, bool learn_spread,
                               bool sphere_priors) {

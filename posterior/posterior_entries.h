@@ -2,6 +2,7 @@
 
 /// How the entries of a posterior's x move the coordinates of a fit.
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,13 +15,17 @@ namespace thenar {
 /// One entry of x that stands for one of z: it adds to coordinate c of one or all specimens
 ///   k sd z(x; lower / k, upper / k),    k the spread factor of its kind, or 1.
 struct CoordinateEntry {
-  int z;                                 // entry of z
-  int coordinate;                        // of u
-  int specimen;                          // -1: the population, so all
-  double sd;                             // [SI]
-  double lower, upper;                   // of z; infinite if not bounded [1]
-  std::optional<BoundedNormal> bounded;  // absent: z = x
-  int spread = -1;                       // index of the spread factor; -1: none
+  int z;                                      // entry of z
+  int coordinate;                             // of u
+  int specimen;                               // -1: the population, so all
+  double sd;                                  // [SI]
+  double lower, upper;                        // of z; infinite if not bounded [1]
+  std::shared_ptr<const BoundedTable> table;  // of their map where they are fixed and not too far;
+                                              // shared by entries of the same bounds
+  int spread = -1;                            // index of the spread factor; -1: none
+
+  /// The map of bounds, where the spread factor is k; absent: z = x.
+  [[nodiscard]] std::optional<BoundedNormal> bounds(double k) const;
 };
 
 /// Both tilts of an axis, of the population or of a specimen, with a von Mises-Fisher prior.

@@ -14,25 +14,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(NormalQuantile, IsThePublishedOne) {
-  // Tables: 97.5 %, 99.9 % and a billionth.
-  EXPECT_NEAR(normal_quantile(0.975), 1.959963984540054, 1e-15);
-  EXPECT_NEAR(normal_quantile(0.999), 3.090232306167814, 2e-15);
-  EXPECT_NEAR(normal_quantile(1e-9), -5.997807015007687, 2e-15);
-  EXPECT_EQ(normal_quantile(0.5), 0);
-  EXPECT_EQ(normal_quantile(0), -kInfinity);
-  EXPECT_EQ(normal_quantile(1), kInfinity);
-  EXPECT_TRUE(std::isnan(normal_quantile(1.5)));
-}
-
-// dp / p = z dz in the far tail, so an error of 1e-15 of z becomes z^2 1e-15 of p.
-TEST(NormalQuantile, InvertsTheProbabilityInAllTails) {
-  for (double log10_p = -300; log10_p < -0.31; log10_p += 0.7) {
-    const double p = std::pow(10, log10_p), z = normal_quantile(p);
-    EXPECT_NEAR(normal_probability(z) / p, 1, 2e-15 * (1 + z * z)) << p;
-  }
-}
-
 // Given bounds at -1.5 and 2.5 sds, x must have as much of the whole below it as z of the rest.
 TEST(BoundedNormal, KeepsProbabilities) {
   const BoundedNormal map(-1.5, 2.5);
@@ -99,6 +80,37 @@ TEST(BoundedNormal, RefusesBoundsThatLeaveOutTheMean) {
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "bounds must enclose the prior mean, got 1 .. 2 prior sds");
   }
+}
+
+TEST(BoundedTable, IsTheMapToTenDigits) {
+  for (const auto& [lower, upper] : {std::pair(-1.5, 2.5), {0.0, 8.0}, {-3.9, 3.9}, {-9.0, 0.2}}) {
+    const BoundedNormal exact(lower, upper);
+    const BoundedTable table(exact);
+    for (double x = -12; x <= 12; x += 0.0137) {
+      EXPECT_NEAR(table.at(x).z, exact.at(x).z, 1e-10) << lower << " " << upper << " " << x;
+      EXPECT_NEAR(table.at(x).by_x, exact.at(x).by_x, 1e-8) << lower << " " << upper << " " << x;
+    }
+  }
+}
+
+TEST(BoundedTable, IsSmoothWhereCellsMeet) {
+  const BoundedTable table(BoundedNormal(-1.5, 2.5));
+  constexpr double kLittle = 1e-13;
+  for (double x = -8.5; x <= 8.5; x += 1.0 / 64) {
+    const auto left = table.at(x - kLittle), right = table.at(x + kLittle);
+    EXPECT_NEAR(left.z, right.z, 1e-12);
+    EXPECT_NEAR(left.by_x, right.by_x, 1e-11);
+  }
+}
+
+TEST(BoundedTable, IsInverted) {
+  const BoundedTable table(BoundedNormal(-1.5, 2.5));
+  for (double x = -3; x <= 3; x += 0.1) EXPECT_NEAR(table.inverse(table.at(x).z), x, 1e-12);
+  EXPECT_NEAR(table.at(table.inverse(2.5)).z, 2.499, 1e-10);
+}
+
+TEST(BoundedTable, TakesNoNumberForNoNumber) {
+  EXPECT_TRUE(std::isnan(BoundedTable(BoundedNormal(-1, 1)).at(std::nan("")).z));
 }
 
 }  // namespace
