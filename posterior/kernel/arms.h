@@ -70,6 +70,13 @@ inline V size_of(const BendStep& bend, const Posed& posed) {
                                    : square_root(angle * angle + 1e-4);
 }
 
+/// Is coordinate j the first to feel some bend?
+inline bool bends_before(const Program& program, int j) {
+  for (const BendStep& bend : program.bends)
+    if (bend.felt_from == j) return true;
+  return false;
+}
+
 /// arm = bare exp(-mu bent),  bent_j = sum of the bends nearer the muscle than coordinate j.
 inline void set_friction(const Program& program, const Numbers& digit, Posed& posed) {
   const int n = program.coordinates;
@@ -83,7 +90,10 @@ inline void set_friction(const Program& program, const Numbers& digit, Posed& po
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
-      posed.left[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
+      if (bends_before(program, j))
+        posed.left[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
+      else
+        posed.left[i] = j == 0 ? splat(1) : posed.left[i - 1];
       posed.arm[i] = posed.bare[i] * posed.left[i];
     }
 }

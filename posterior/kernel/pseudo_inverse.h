@@ -60,62 +60,82 @@ inline void invert_loads(const V* L, int n, int c, V* P, V* work) {
   }
 }
 
-/// Adjoint, of which only the first three rows of P matter: those of the force. With Z = P P_bar',
-///   n >= c:  L_bar = (P_bar' - L Z) P P' - P' Z'      (nothing in brackets where n = c)
-///   n < c:   L_bar = P' (Z (I - P L) - Z').
-/// @param P_bar  (3, n) row-major     @param work  (2 c c + 3 n)
-/// Source: [Golub1973, eq. 4.12].
-inline void pull_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar, V* work) {
-  V *Z = work, *W = Z + 3 * c, *T = W + c * c;  // Z (c, 3): its other columns are zero
+/// Z = P P_bar' (c, 3); its other columns are zero.
+inline void product_with(const V* P, const V* P_bar, int n, int c, V* Z) {
   for (int a = 0; a < c; ++a)
     for (int b = 0; b < 3; ++b) {
       V sum = P[a * n] * P_bar[b * n];
       for (int j = 1; j < n; ++j) sum += P[a * n + j] * P_bar[b * n + j];
       Z[a * 3 + b] = sum;
     }
-  if (n >= c) {
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < c; ++k) {
-        V sum = -(P[j] * Z[k * 3]);
-        for (int b = 1; b < 3; ++b) sum -= P[b * n + j] * Z[k * 3 + b];
-        L_bar[j * c + k] = sum;
-      }
-    if (n == c) return;
-    for (int b = 0; b < 3; ++b)  // G = P P', its first three rows
-      for (int k = 0; k < c; ++k) {
-        V sum = P[b * n] * P[k * n];
-        for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
-        W[b * c + k] = sum;
-      }
-    for (int j = 0; j < n; ++j) {
-      for (int b = 0; b < 3; ++b) {
-        V sum = P_bar[b * n + j];
-        for (int a = 0; a < c; ++a) sum -= L[j * c + a] * Z[a * 3 + b];
-        T[b] = sum;
-      }
-      for (int k = 0; k < c; ++k)
-        L_bar[j * c + k] += T[0] * W[k] + T[1] * W[c + k] + T[2] * W[2 * c + k];
+}
+
+/// L_bar = -P' Z'
+inline void pull_square(const V* P, const V* Z, int n, int c, V* L_bar) {
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < c; ++k) {
+      V sum = -(P[j] * Z[k * 3]);
+      for (int b = 1; b < 3; ++b) sum -= P[b * n + j] * Z[k * 3 + b];
+      L_bar[j * c + k] = sum;
     }
+}
+
+/// L_bar += (P_bar' - L Z) P P'
+inline void pull_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
+                          V* L_bar, V* G) {
+  for (int b = 0; b < 3; ++b)  // first three rows of P P'
+    for (int k = 0; k < c; ++k) {
+      V sum = P[b * n] * P[k * n];
+      for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
+      G[b * c + k] = sum;
+    }
+  for (int j = 0; j < n; ++j) {
+    V left[3];  // row j of the bracket
+    for (int b = 0; b < 3; ++b) {
+      left[b] = P_bar[b * n + j];
+      for (int a = 0; a < c; ++a) left[b] -= L[j * c + a] * Z[a * 3 + b];
+    }
+    for (int k = 0; k < c; ++k)
+      L_bar[j * c + k] += left[0] * G[k] + left[1] * G[c + k] + left[2] * G[2 * c + k];
+  }
+}
+
+/// L_bar = P' (Z (I - P L) - Z')
+inline void pull_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar, V* work) {
+  V *N = work, *W = N + 3 * c;
+  for (int b = 0; b < 3; ++b)  // first three rows of I - P L
+    for (int k = 0; k < c; ++k) {
+      V sum = splat(b == k ? 1 : 0);
+      for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
+      N[b * c + k] = sum;
+    }
+  for (int a = 0; a < c; ++a)
+    for (int k = 0; k < c; ++k) {
+      V sum = a < 3 ? -Z[k * 3 + a] : V{};
+      for (int b = 0; b < 3; ++b) sum += Z[a * 3 + b] * N[b * c + k];
+      W[a * c + k] = sum;
+    }
+  for (int j = 0; j < n; ++j)
+    for (int k = 0; k < c; ++k) {
+      V sum = P[j] * W[k];
+      for (int a = 1; a < c; ++a) sum += P[a * n + j] * W[a * c + k];
+      L_bar[j * c + k] = sum;
+    }
+}
+
+/// Adjoint, of which only the first three rows of P matter: those of the force. With Z = P P_bar',
+///   n >= c:  L_bar = (P_bar' - L Z) P P' - P' Z'      (nothing in brackets where n = c)
+///   n < c:   L_bar = P' (Z (I - P L) - Z').
+/// @param P_bar  (3, n) row-major     @param work  (6 c + c c)
+/// Source: [Golub1973] for the derivative, dP = -P dL P + P P' dL' (I - L P) + (I - P L) dL' P' P.
+inline void pull_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar, V* work) {
+  V* Z = work;
+  product_with(P, P_bar, n, c, Z);
+  if (n < c) {
+    pull_least_norm(L, P, Z, n, c, L_bar, Z + 3 * c);
   } else {
-    V* N = T;  // I - P L, its first three rows
-    for (int b = 0; b < 3; ++b)
-      for (int k = 0; k < c; ++k) {
-        V sum = splat(b == k ? 1 : 0);
-        for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
-        N[b * c + k] = sum;
-      }
-    for (int a = 0; a < c; ++a)
-      for (int k = 0; k < c; ++k) {
-        V sum = a < 3 ? -Z[k * 3 + a] : V{};
-        for (int b = 0; b < 3; ++b) sum += Z[a * 3 + b] * N[b * c + k];
-        W[a * c + k] = sum;
-      }
-    for (int j = 0; j < n; ++j)
-      for (int k = 0; k < c; ++k) {
-        V sum = P[j] * W[k];
-        for (int a = 1; a < c; ++a) sum += P[a * n + j] * W[a * c + k];
-        L_bar[j * c + k] = sum;
-      }
+    pull_square(P, Z, n, c, L_bar);
+    if (n > c) pull_residual(L, P, P_bar, Z, n, c, L_bar, Z + 3 * c);
   }
 }
 
