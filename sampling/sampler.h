@@ -81,7 +81,9 @@ struct SamplerOptions {
 };
 
 /// @param starts  one column for each chain; kStretchMove wants at least n + 2 and an even number,
-/// kDreamZs at least 3, the others one (n, chains)
+/// kDreamZs at least 3, the others one (n, chains). Their densities are not known yet: a Hamiltonian
+/// chain at a start of no density has no slope to follow; it stays, and calls each step divergent,
+/// until move() takes it away.
 /// @throws InputError if shapes or options do not fit, or a start is not finite.
 [[nodiscard]] std::unique_ptr<Sampler> build_sampler(SamplingMethod method,
                                                      const Eigen::MatrixXd& starts,
