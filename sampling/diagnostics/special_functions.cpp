@@ -1,10 +1,14 @@
 #include "sampling/diagnostics/special_functions.h"
 
+#include <limits>
+
 #include <unsupported/Eigen/SpecialFunctions>
 
 namespace thenar {
 
-double normal_quantile(double p) { return Eigen::numext::ndtri(p); }
+double normal_quantile(double p) {
+  return p >= 0 && p <= 1 ? Eigen::numext::ndtri(p) : std::numeric_limits<double>::quiet_NaN();
+}
 
 double chi_square_tail(double x, double dof) {
   return x > 0 ? Eigen::numext::igammac(dof / 2, x / 2) : 1;

@@ -5,7 +5,7 @@
 
 namespace thenar {
 
-/// z with P(Z <= z) = p, Z standard normal. @param p  in (0, 1)
+/// z with P(Z <= z) = p, Z standard normal; -inf at 0, inf at 1, NaN beyond.
 [[nodiscard]] double normal_quantile(double p);
 
 /// P(X > x), X chi-square with `dof` degrees of freedom.

@@ -11,6 +11,7 @@
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/effective_size.h"
 #include "sampling/diagnostics/order_statistics.h"
+#include "sampling/diagnostics/special_functions.h"
 #include "tests/matrix_near.h"
 #include "tests/sampling/diagnostics/reference_chains.h"
 
@@ -97,6 +98,14 @@ TEST(Convergence, ErrorsOfIndependentNormalDraws) {
   EXPECT_NEAR(mean_mcse(x) * std::sqrt(n), 1, 0.05);
   EXPECT_NEAR(sd_mcse(x) * std::sqrt(2 * n), 1, 0.05);
   EXPECT_NEAR(quantile_mcse(x, 0.5) * std::sqrt(n * 2 / M_PI), 1, 0.21);
+}
+
+// Beta(a, 1) has the distribution function x^a, Beta(1, b) has 1 - (1 - x)^b.
+TEST(Convergence, BetaQuantilesByHand) {
+  for (const double p : {0.1586553, 0.5, 0.999}) {
+    EXPECT_NEAR(beta_quantile(p, 250, 1), std::pow(p, 1.0 / 250), 1e-13);
+    EXPECT_NEAR(beta_quantile(p, 1, 40), 1 - std::pow(1 - p, 1.0 / 40), 1e-13);
+  }
 }
 
 // Uniform draws: m2 = 1/12, m4 = 1/80, so the sd's error is sqrt(1/180 / N) / (2 sqrt(1/12)), a
