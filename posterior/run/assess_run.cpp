@@ -1,0 +1,18 @@
+#include "posterior/run/assess_run.h"
+
+#include "posterior/run/laplace.h"
+
+namespace thenar {
+
+void assess_run(PosteriorRun& run) {
+  if (run.draws.draws() == 0) return;
+  run.convergence = assess(run.draws, run.posterior->names(), run.settings.limits);
+  std::vector<KnownMode> known;
+  for (const Mode& mode : run.modes) {
+    const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);
+    known.push_back({centre, laplace_covariance(*run.posterior, centre)});
+  }
+  run.mode_table = tabulate_modes(run.draws, known);
+}
+
+}  // namespace thenar

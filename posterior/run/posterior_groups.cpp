@@ -1,0 +1,251 @@
+#include "posterior/run/posterior_groups.h"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "kinematics_fit/prediction.h"
+#include "posterior/run/predict_draws.h"
+#include "posterior/run/run_quantities.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr long kPredictedDraws = 1000;  // replicated for each chain, at most
+
+std::vector<std::string> component_names() { return {"first", "second", "third"}; }
+
+/// One array over chains, draws and the rows of `values`, which come chain by
+/// chain.
+/// @param values  (rows, chains * draws)
+std::vector<double> by_draw(const Eigen::MatrixXd& values) {
+  return {values.data(), values.data() + values.size()};  // column by column: the last index runs
+}
+
+void add_draws(InferenceGroup& group, int chains, long draws) {
+  group.lengths["chain"] = static_cast<std::size_t>(chains);
+  group.lengths["draw"] = static_cast<std::size_t>(draws);
+}
+
+void add_names(InferenceGroup& group, const std::string& dimension,
+               const std::vector<std::string>& names) {
+  group.lengths[dimension] = names.size();
+  group.coordinates[dimension] = names;
+}
+
+/// Rows of `all` that a family owns, in the unit people read.
+Eigen::MatrixXd family_rows(const Eigen::MatrixXd& all, const std::vector<Eigen::Index>& rows,
+                            double scale) {
+  Eigen::MatrixXd picked(static_cast<Eigen::Index>(rows.size()), all.cols());
+  for (Eigen::Index i = 0; i < picked.rows(); ++i)
+    picked.row(i) = scale * all.row(rows[static_cast<std::size_t>(i)]);
+  return picked;
+}
+
+/// Parameters of one kind, which share a unit.
+struct Family {
+  std::string name, unit;
+  double scale = 1;
+  std::vector<std::string> members;
+  std::vector<Eigen::Index> rows;  // of PosteriorValues::population
+};
+
+std::vector<Family> families(const HandPosterior& posterior) {
+  std::vector<Family> found;
+  const std::vector<int> moving = posterior.moving_parameters();
+  for (std::size_t row = 0; row < moving.size(); ++row) {
+    const Parameter& p =
+        posterior.problem().parameters().all[static_cast<std::size_t>(moving[row])];
+    std::string name = name_of(p.kind);
+    std::replace(name.begin(), name.end(), '/', '_');
+    auto family =
+        std::find_if(found.begin(), found.end(), [&](const Family& f) { return f.name == name; });
+    if (family == found.end())
+      family = found.insert(found.end(), {name, display_unit(p), display_scale(p), {}, {}});
+    family->members.push_back(p.name);
+    family->rows.push_back(static_cast<Eigen::Index>(row));
+  }
+  return found;
+}
+
+/// Specimens next to each other within a draw. (specimens * rows, points)
+Eigen::MatrixXd stacked(const std::vector<Eigen::MatrixXd>& specimens, const Family& family) {
+  const auto rows = static_cast<Eigen::Index>(family.rows.size());
+  Eigen::MatrixXd all(rows * static_cast<Eigen::Index>(specimens.size()), specimens[0].cols());
+  for (std::size_t s = 0; s < specimens.size(); ++s)
+    all.middleRows(static_cast<Eigen::Index>(s) * rows, rows) =
+        family_rows(specimens[s], family.rows, family.scale);
+  return all;
+}
+
+void add_factors(InferenceGroup& group, const std::string& name, const std::string& dimension,
+                 const std::vector<std::string>& names, const Eigen::MatrixXd& factors,
+                 const std::string& description) {
+  if (factors.rows() == 0) return;
+  add_names(group, dimension, names);
+  group.arrays[name] = {by_draw(factors), {"chain", "draw", dimension}, "1", description};
+}
+
+std::vector<std::string> experiment_names(const FitProblem& problem) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
+  return names;
+}
+
+/// Draws of every chain, evenly thinned to at most `most`. (size, chains *
+/// draws)
+Eigen::MatrixXd thinned(const Draws& draws, long most) {
+  const long kept = std::min(most, draws.draws());
+  Eigen::MatrixXd x(draws.size(), kept * draws.chains());
+  for (int c = 0; c < draws.chains(); ++c)
+    for (long k = 0; k < kept; ++k)
+      x.col(c * kept + k) = draws.x[static_cast<std::size_t>(c)].col(k * draws.draws() / kept);
+  return x;
+}
+
+}  // namespace
+
+InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::MatrixXd& x,
+                               int chains) {
+  InferenceGroup group;
+  add_draws(group, chains, x.cols() / chains);
+  const PosteriorValues values = posterior.values(x);
+  add_names(group, "specimen", posterior.problem().specimens());
+  for (const Family& family : families(posterior)) {
+    const std::string dimension = family.name + "_parameter";
+    add_names(group, dimension, family.members);
+    group.arrays[family.name] = {by_draw(family_rows(values.population, family.rows, family.scale)),
+                                 {"chain", "draw", dimension},
+                                 family.unit,
+                                 "of the population"};
+    group.arrays[family.name + "_specimen"] = {by_draw(stacked(values.specimens, family)),
+                                               {"chain", "draw", "specimen", dimension},
+                                               family.unit,
+                                               "of each specimen"};
+  }
+  add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
+              "factor on the stated sd of the forces");
+  add_factors(group, "spread", "spread_kind", posterior.spread_kinds(), values.spread,
+              "factor on the sd between specimens");
+  return group;
+}
+
+InferenceGroup coordinate_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  add_draws(group, run.draws.chains(), run.draws.draws());
+  add_names(group, "coordinate", run.posterior->names());
+  group.arrays["x"] = {by_draw(pooled(run.draws)),
+                       {"chain", "draw", "coordinate"},
+                       "1",
+                       "as sampled: unbounded, in prior sds"};
+  return group;
+}
+
+InferenceGroup statistics_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  add_draws(group, run.draws.chains(), run.draws.draws());
+  const auto add = [&](const std::string& name, const std::string& description,
+                       const std::function<double(const StepStats&)>& pick) -> InferenceArray& {
+    std::vector<double> values;
+    for (const std::vector<StepStats>& chain : run.draws.stats)
+      for (const StepStats& step : chain) values.push_back(pick(step));
+    return group.arrays[name] = {std::move(values), {"chain", "draw"}, "1", description};
+  };
+  add("lp", "log posterior", [](const StepStats& s) { return s.log_prior + s.log_likelihood; });
+  add("log_prior", "log prior", [](const StepStats& s) { return s.log_prior; });
+  add("log_likelihood", "log likelihood", [](const StepStats& s) { return s.log_likelihood; });
+  add("acceptance_rate", "mean probability of acceptance",
+      [](const StepStats& s) { return s.acceptance; });
+  add("step_size", "of the leapfrog", [](const StepStats& s) { return s.step_size; });
+  add("energy", "Hamiltonian", [](const StepStats& s) { return s.energy; });
+  add("tree_depth", "of the trajectory", [](const StepStats& s) { return s.depth; }).integer = true;
+  add("n_steps", "densities asked for", [](const StepStats& s) { return s.evaluations; }).integer =
+      true;
+  add("broken", "densities that were NaN", [](const StepStats& s) { return s.broken; }).integer =
+      true;
+  add("diverging", "energy error above 1000", [](const StepStats& s) {
+    return s.divergent ? 1 : 0;
+  }).boolean = true;
+  return group;
+}
+
+InferenceGroup likelihood_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  add_draws(group, run.draws.chains(), run.draws.draws());
+  const Eigen::MatrixXd pointwise = run.posterior->pointwise(pooled(run.draws));
+  const std::vector<std::string> trials =
+      observation_names(run.posterior->problem(), Observed::kForces);
+  const auto count = static_cast<Eigen::Index>(trials.size());
+  add_names(group, "trial", trials);
+  group.arrays["force"] = {by_draw(pointwise.topRows(count)),
+                           {"chain", "draw", "trial"},
+                           "1",
+                           "log likelihood of the three components together"};
+  if (pointwise.rows() == count) return group;
+  const std::vector<std::string> all = observation_names(run.posterior->problem());
+  add_names(group, "activation_row", {all.begin() + count, all.end()});
+  group.arrays["activation"] = {by_draw(pointwise.bottomRows(pointwise.rows() - count)),
+                                {"chain", "draw", "activation_row"},
+                                "1",
+                                "log likelihood of a row of muscle activations"};
+  return group;
+}
+
+InferenceGroup predictive_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  const Eigen::MatrixXd x = thinned(run.draws, kPredictedDraws);
+  const long draws = x.cols() / run.draws.chains();
+  add_draws(group, run.draws.chains(), draws);
+  add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
+  add_names(group, "component", component_names());
+  group.arrays["force"] = {
+      by_draw(replicated_forces(*run.posterior, x, run.settings.run.sampler.seed)),
+      {"chain", "draw", "trial", "component"},
+      "N",
+      "what a repeated measurement would read; draws evenly thinned"};
+  return group;
+}
+
+InferenceGroup observed_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
+  add_names(group, "component", component_names());
+  std::vector<double> force;
+  for (const ExperimentPlan& plan : run.posterior->problem().plans())
+    force.insert(force.end(), plan.force.data(), plan.force.data() + plan.force.size());
+  group.arrays["force"] = {std::move(force), {"trial", "component"}, "N", "measured"};
+  return group;
+}
+
+InferenceGroup noise_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
+  add_names(group, "component", component_names());
+  std::vector<double> sd;
+  for (const ExperimentPlan& plan : run.posterior->problem().plans())
+    sd.insert(sd.end(), plan.sd.data(), plan.sd.data() + plan.sd.size());
+  group.arrays["force_sd"] = {std::move(sd), {"trial", "component"}, "N", "as stated"};
+  return group;
+}
+
+InferenceGroup mode_group(const PosteriorRun& run) {
+  InferenceGroup group;
+  Eigen::MatrixXd x(run.posterior->size(), static_cast<Eigen::Index>(run.modes.size()));
+  std::vector<double> cost, hits, mass;
+  for (std::size_t m = 0; m < run.modes.size(); ++m) {
+    x.col(static_cast<Eigen::Index>(m)) = run.posterior->from_fit(run.modes[m].z);
+    cost.push_back(run.modes[m].cost);
+    hits.push_back(run.modes[m].hits);
+    mass.push_back(run.modes[m].laplace_mass);
+  }
+  group.lengths["mode"] = run.modes.size();
+  add_names(group, "coordinate", run.posterior->names());
+  group.arrays["x"] = {by_draw(x), {"mode", "coordinate"}, "1", "where the mode is"};
+  group.arrays["cost"] = {cost, {"mode"}, "1", "half the sum of squares there"};
+  group.arrays["hits"] = {hits, {"mode"}, "1", "searches that ended there", true};
+  group.arrays["laplace_mass"] = {mass, {"mode"}, "1", "share by Laplace's approximation"};
+  return group;
+}
+
+}  // namespace thenar::internal

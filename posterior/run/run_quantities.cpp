@@ -1,0 +1,91 @@
+#include "posterior/run/run_quantities.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+/// A row of values, chain by chain, as (draws, chains).
+Eigen::MatrixXd by_chain(const Eigen::RowVectorXd& row, int chains) {
+  return Eigen::Map<const Eigen::MatrixXd>(row.data(), row.size() / chains, chains);
+}
+
+}  // namespace
+
+double prior_sd(const ReadQuantity& quantity) {
+  const Eigen::ArrayXd off = quantity.prior.array() - quantity.prior.mean();
+  return std::sqrt(off.square().sum() / static_cast<double>(off.size() - 1));
+}
+
+Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count) {
+  Eigen::MatrixXd prior(run.posterior->size(), count);
+  for (int k = 0; k < count; ++k)
+    prior.col(k) =
+        run.posterior->draw_prior(run.settings.run.sampler.seed, static_cast<unsigned>(k));
+  return prior;
+}
+
+std::vector<ReadQuantity> read_quantities(const PosteriorRun& run, int prior_count) {
+  const HandPosterior& posterior = *run.posterior;
+  const FitProblem& problem = posterior.problem();
+  const PosteriorValues values = posterior.values(pooled(run.draws));
+  const PosteriorValues prior = posterior.values(prior_draws(run, prior_count));
+  const std::vector<int> moving = posterior.moving_parameters();
+  const int chains = run.draws.chains();
+
+  std::vector<ReadQuantity> found;
+  const auto add_parameters = [&](const std::string& whose, const Eigen::MatrixXd& drawn,
+                                  const Eigen::MatrixXd& before) {
+    for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
+      const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
+      const Parameter& p = problem.parameters().all[at];
+      const double scale = display_scale(p);
+      found.push_back({whose + p.name, display_unit(p), scale * by_chain(drawn.row(i), chains),
+                       scale * before.row(i).transpose()});
+    }
+  };
+  const bool several = problem.specimens().size() > 1;
+  if (several) add_parameters("", values.population, prior.population);
+  for (std::size_t s = 0; s < problem.specimens().size(); ++s)
+    add_parameters(several ? problem.specimens()[s] + ": " : "", values.specimens[s],
+                   prior.specimens[s]);
+
+  const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
+                               const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
+    for (Eigen::Index i = 0; i < drawn.rows(); ++i)
+      found.push_back({kind + names[static_cast<std::size_t>(i)], "1",
+                       by_chain(drawn.row(i), chains), before.row(i).transpose()});
+  };
+  std::vector<std::string> experiments;
+  for (const Experiment& experiment : problem.experiments()) experiments.push_back(experiment.name);
+  if (run.settings.posterior.learn_noise)
+    add_factors("noise/", experiments, values.noise, prior.noise);
+  add_factors("spread/", posterior.spread_kinds(), values.spread, prior.spread);
+  return found;
+}
+
+std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : problem.experiments())
+    for (const Trial& trial : experiment.trials)
+      names.push_back(
+          fmt::format("{}: {} {}", experiment.name, trial.posture, describe_loads(trial)));
+  if (which == Observed::kForces) return names;
+  for (const Experiment& experiment : problem.experiments())
+    for (const ActivationRow& row : experiment.activations)
+      names.push_back(fmt::format("{}: {} muscle activity", experiment.name, row.posture));
+  return names;
+}
+
+std::vector<Estimate> estimates_of(const std::vector<ReadQuantity>& quantities,
+                                   const std::vector<int>& group) {
+  std::vector<Estimate> estimates;
+  for (const ReadQuantity& q : quantities) estimates.push_back(estimate(q.name, q.draws, group));
+  return estimates;
+}
+
+}  // namespace thenar

@@ -1,0 +1,52 @@
+#pragma once
+
+/// From files to draws: the posterior of a fit, its modes, its chains, and whether to believe them.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/fit.h"
+#include "posterior/find_modes.h"
+#include "posterior/hand_posterior.h"
+#include "sampling/diagnostics/convergence.h"
+#include "sampling/diagnostics/modes.h"
+#include "sampling/run_chains.h"
+
+namespace thenar {
+
+struct PosteriorSettings {
+  PosteriorOptions posterior;
+  RunOptions run;        // fingerprint and covariance are set here; walkers 0: as few as can be
+  int mode_starts = 16;  // of the search for modes, before sampling [1]
+  ConvergenceLimits limits;
+};
+
+/// Draws from the posterior of a digit.
+struct PosteriorRun {
+  FitInputs inputs;
+  PosteriorSettings settings;
+  std::shared_ptr<const HandPosterior> posterior;  // shared with whoever draws more from it
+  std::vector<Mode> modes;                         // found before sampling, best first
+  Draws draws;
+  Convergence convergence;
+  ModeTable mode_table;  // masses of the modes, from the draws
+};
+
+/// Finds the modes, starts chains at overdispersed points about them, samples, and assesses.
+///
+/// Run by several ranks, rank 0 returns all and the others empty draws.
+/// @throws InputError or DataError as build_problem() and run_chains() do, and if no start of
+/// finite density is found.
+[[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
+                                            const PosteriorSettings& settings, const Ranks& ranks);
+[[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
+                                            const PosteriorSettings& settings);
+
+/// "nuts: 4 chains of 1000 draws after 1000 steps of warm-up, 3.2 s".
+[[nodiscard]] std::string describe_run(const PosteriorRun& run);
+
+/// All draws of all chains side by side, chain by chain (size, chains * draws).
+[[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
+
+}  // namespace thenar
