@@ -155,6 +155,23 @@ void share_mass(std::vector<Mode>& modes) {
   for (Mode& mode : modes) mode.laplace_mass /= sum;
 }
 
+struct Share {
+  std::size_t mode;
+  double share;  // of the starts
+};
+
+/// Modes that a run could ever visit, and how many starts each gets.
+std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
+  constexpr double kLeastMass = 1e-6;
+  std::vector<Share> shares;
+  for (std::size_t m = 0; m < modes.size(); ++m)
+    if (modes[m].laplace_mass >= kLeastMass) shares.push_back({m, modes[m].laplace_mass});
+  require(!shares.empty(), "no mode has a Laplace mass of {} or more", kLeastMass);
+  const double even = 1 / static_cast<double>(shares.size());
+  for (Share& share : shares) share.share = 0.5 * (share.share + even);
+  return shares;
+}
+
 /// Brings z within bounds, as in a mirror, and a little off them.
 double reflected(double z, double lower, double upper) {
   if (lower >= upper) return lower;
@@ -187,8 +204,9 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   require(!modes.empty(), "no modes to start from");
   require(count >= 1, "count of starts must be >= 1, got {}", count);
   require(inflation > 0, "inflation must be > 0, got {}", inflation);
+  const std::vector<Share> shares = shares_of_starts(modes);
   std::vector<Eigen::MatrixXd> roots;
-  for (const Mode& mode : modes) roots.push_back(inflation * root(mode.covariance));
+  for (const Share& share : shares) roots.push_back(inflation * root(modes[share.mode].covariance));
   const Eigen::Index n = modes[0].z.size();
   Eigen::MatrixXd starts(n, count);
   for (int k = 0; k < count; ++k) {
@@ -196,13 +214,11 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
     constexpr double kGolden = 0.6180339887498949;
     double left = std::fmod((k + 0.5) * kGolden, 1.0);
     std::size_t m = 0;
-    for (; m + 1 < modes.size(); ++m) {
-      left -= 0.5 * (modes[m].laplace_mass + 1.0 / static_cast<double>(modes.size()));
-      if (left < 0) break;
-    }
+    while (m + 1 < shares.size() && left >= shares[m].share) left -= shares[m++].share;
     RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
     const Eigen::VectorXd z =
-        modes[m].z + roots[m] * Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
+        modes[shares[m].mode].z +
+        roots[m] * Eigen::VectorXd::NullaryExpr(n, [&] { return random.normal(); });
     for (Eigen::Index i = 0; i < n; ++i)
       starts(i, k) = reflected(z[i], problem.lower[i], problem.upper[i]);
   }

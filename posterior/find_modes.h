@@ -49,8 +49,10 @@ FoundModes find_modes(const LeastSquares& problem, const ModeSearch& search = {}
 
 /// Starting points of chains, further out than the posterior reaches: draws from
 ///   sum_m w_m N(z_m, inflation^2 C_m),   w_m = (laplace_mass_m + 1 / modes) / 2,
-/// reflected at bounds and kept off them by 1 % of their distance (0.01 from a single one). Columns
-/// next to each other are spread over the modes as evenly as the weights allow.
+/// over modes whose Laplace mass is at least 1e-6: in a lighter one a chain would be stuck where a
+/// run of a million draws has no business, and spoil it. Draws are reflected at bounds and kept off
+/// them by 1 % of their distance (0.01 from a single one). Columns next to each other are spread
+/// over the modes as evenly as the weights allow.
 /// @param count      columns
 /// @param inflation  of the Laplace sds [1]
 /// @throws InputError if there is no mode, or an argument is out of range.

@@ -186,6 +186,16 @@ TEST(DispersedStarts, VisitEveryMode) {
   EXPECT_NEAR((starts.row(0).array() > 0).cast<double>().mean(), 0.51, 0.03);
 }
 
+// At (-2, 1/2) the residual of (z_0 - 2) / 0.1 is 40: the well has e^-800 of the other's mass.
+TEST(DispersedStarts, LeaveOutModesThatNoRunWouldVisit) {
+  const LeastSquares problem = problem_of(
+      1, [](const VectorXd& z) { return Vector2d(200 * (z[0] * z[0] - 4), 10 * (z[0] - 2)); },
+      [](const VectorXd& z) { return Vector2d(400 * z[0], 10); });
+  const FoundModes found = find_modes(problem);
+  ASSERT_EQ(found.modes.size(), 2);
+  EXPECT_GT(dispersed_starts(problem, found.modes, 50).minCoeff(), 1.9);
+}
+
 TEST(DispersedStarts, StayOffBounds) {
   LeastSquares problem = two_wells();
   problem.lower = Vector2d(-2.1, 0.4);
