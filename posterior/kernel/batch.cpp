@@ -79,7 +79,7 @@ Batch run_batch(const Program& program, const std::vector<Unit>& choice,
     group.tape = batch.memory.first() + scratch + division.begins[g];
     group.unit->run(program, columns_of(u, group.first, group.count).data(), group.count,
                     group.tape, batch.memory.first(),
-                    columns_of(batch.forces, group.first, group.count).data());
+                    columns_of(batch.forces, group.first, group.count).data(), keep);
   }
   return batch;
 }

@@ -38,8 +38,6 @@ struct Batch {
   Packs memory;  // of all tapes, or of one that all groups wrote over
 };
 
-enum class KeepTape { kNo, kYes };
-
 /// @param choice  units to take, widest first; what is left over goes to the narrowest that holds
 /// it
 /// @param u       (fit coordinates, points)

@@ -87,7 +87,7 @@ inline void scatter(const V* from, int rows, int count, double* const* points) {
 }
 
 inline void run(const Program& program, const double* const* u, int count, double* tape,
-                double* scratch, double* const* forces) {
+                double* scratch, double* const* forces, KeepTape keep) {
   Bump kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
   V* displacement = passing.take<V>(program.fit_coordinates);
   V* force = passing.take<V>(3 * program.trials);
@@ -96,7 +96,9 @@ inline void run(const Program& program, const double* const* u, int count, doubl
   Numbers digit(program, kept);
   set_numbers(program, displacement, digit);
   for (int k = 0; k < program.postures.size(); ++k) {
-    Posed posed(program, program.postures[k], kept);
+    Bump own = kept;
+    Posed posed(program, program.postures[k], own);
+    if (keep == KeepTape::kYes) kept = own;
     run_posture(program, k, digit, posed, work, force);
   }
   scatter(force, 3 * program.trials, count, forces);

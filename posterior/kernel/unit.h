@@ -8,6 +8,10 @@
 
 namespace thenar::kernel {
 
+/// Will pull() be asked? If not, all postures are written over the same part of the tape, which
+/// then stays in the cache.
+enum class KeepTape { kNo, kYes };
+
 /// One of them. Sizes are in packs of `lanes` doubles; memory is aligned to 64 bytes.
 struct Unit {
   const char* name;
@@ -18,7 +22,7 @@ struct Unit {
   /// Forces of `count` of the `lanes` points whose coordinates are given; those beyond are computed
   /// and dropped, so repeat a point there.
   void (*run)(const Program&, const double* const* u, int count, double* tape, double* scratch,
-              double* const* forces);
+              double* const* forces, KeepTape keep);
   /// Their adjoint.
   void (*pull)(const Program&, double* tape, const double* const* weights, int count,
                double* scratch, double* const* gradient);
