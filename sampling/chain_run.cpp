@@ -34,11 +34,12 @@ void ChainRun::resume() {
   StateReader reader(state);
   const long step = reader.integer();
   seconds_before_ = reader.number();
+  const Eigen::MatrixXd temper = reader.matrix();
   std::vector<std::string> all;
   while (!reader.done()) all.push_back(reader.bytes());
   require(all.size() == static_cast<std::size_t>(options_.groups * options_.temperatures),
           "the checkpoint has {} samplers", all.size());
-  samplers_.restore(step, all);
+  samplers_.restore(step, temper, all);
   saved_step_ = step;
 }
 
@@ -95,6 +96,7 @@ std::string ChainRun::state(const std::vector<std::string>& samplers) const {
   StateWriter writer;
   writer.put(std::int64_t{samplers_.step()});
   writer.put(seconds_before_ + seconds_since(start_));
+  writer.put(samplers_.temper());
   for (const std::string& sampler : samplers) writer.put_bytes(sampler);
   return writer.bytes();
 }

@@ -1,6 +1,7 @@
 #include "sampling/dealt_samplers.h"
 
 #include <algorithm>
+#include <limits>
 #include <thread>
 
 #include "base/error.h"
@@ -8,6 +9,8 @@
 
 namespace thenar::internal {
 namespace {
+
+constexpr double kSwapsToLearn = 20;  // of each pair, before the ladder follows them
 
 /// Items are dealt in consecutive shares: `part` has those from first_of(part) to first_of(part+1).
 int first_of(int part, int parts, int items) {
@@ -90,11 +93,47 @@ std::size_t DealtSamplers::share(int worker) const {
 }
 
 void DealtSamplers::advance_to(long step) {
-  if (split_ranks_ || split_threads_)
-    advance_together(step);
-  else
-    team_->run([&](int worker) { advance_apart(share(worker), share(worker + 1), step); });
-  step_ = step;
+  while (step_ < step) {
+    const long tuning = next_retuning(step_), stop = std::min(step, tuning);
+    if (split_ranks_ || split_threads_)
+      advance_together(stop);
+    else
+      team_->run([&](int worker) { advance_apart(share(worker), share(worker + 1), stop); });
+    step_ = stop;
+    if (stop == tuning) retune();
+  }
+}
+
+// The ladder changes at an eighth, a quarter and a half of warm-up, so that every rung has time to
+// learn its own step; at the end of warm-up swaps are counted anew.
+long DealtSamplers::next_retuning(long from) const {
+  const long warm_up = options_.sampler.warm_up;
+  if (options_.temperatures > 1)
+    for (const long part : {8, 4, 2, 1})
+      if (warm_up / part > from) return warm_up / part;
+  return std::numeric_limits<long>::max();
+}
+
+void DealtSamplers::retune() {
+  // Swaps of all groups, in their order: the same sums on every rank.
+  const Eigen::Index pairs = temper_.size() - 1;
+  Eigen::VectorXd mine(0);
+  for (const SamplerSlot& slot : slots_) {
+    if (slot.rung != 0) continue;
+    mine.conservativeResize(mine.size() + 2 * pairs);
+    mine.tail(2 * pairs) << slot.tally.tried, slot.tally.probability;
+  }
+  const Eigen::VectorXd all = ranks_.all_gather(mine);
+  SwapTally sum(options_.temperatures);
+  for (Eigen::Index at = 0; at < all.size(); at += 2 * pairs) {
+    sum.tried += all.segment(at, pairs);
+    sum.probability += all.segment(at + pairs, pairs);
+  }
+  if (step_ < options_.sampler.warm_up) {
+    if ((sum.tried.array() < kSwapsToLearn).any()) return;
+    temper_ = adapted_ladder(temper_, sum.rejected());
+  }
+  for (SamplerSlot& slot : slots_) slot.retemper(temper_[slot.rung]);
 }
 
 void DealtSamplers::advance_together(long step) {
@@ -161,7 +200,7 @@ void DealtSamplers::swap(std::size_t from, std::size_t to,
         log_likelihood(w, t) = group[t][static_cast<std::size_t>(w)].at.log_likelihood[0];
     const Swaps swaps = decide_swaps(temper_, log_likelihood, options_.sampler.seed,
                                      static_cast<std::uint32_t>(slot.group), round);
-    if (slot.rung == 0 && step > options_.sampler.warm_up) slot.tally.add(swaps);
+    if (slot.rung == 0) slot.tally.add(swaps);
     for (int w = 0; w < options_.walkers; ++w) {
       const int other = partner(swaps, w, slot.rung);
       if (other == slot.rung) continue;
@@ -188,9 +227,13 @@ std::vector<std::string> DealtSamplers::save() const {
   return states;
 }
 
-void DealtSamplers::restore(long step, const std::vector<std::string>& all) {
+void DealtSamplers::restore(long step, const Eigen::VectorXd& temper,
+                            const std::vector<std::string>& all) {
+  require(temper.size() == temper_.size(), "the checkpoint has {} temperatures", temper.size());
+  temper_ = temper;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
     StateReader reader(all.at(static_cast<std::size_t>(first_) + k));
+    slots_[k].retemper(temper_[slots_[k].rung]);
     slots_[k].restore(reader);
     require(reader.done() && slots_[k].sampler->steps() == step,
             "the checkpoint does not fit sampler {}", static_cast<std::size_t>(first_) + k);

@@ -35,7 +35,7 @@ class DealtSamplers {
   [[nodiscard]] std::vector<std::string> save() const;
   /// @param all  states of all samplers of all ranks
   /// @throws InputError if they do not fit.
-  void restore(long step, const std::vector<std::string>& all);
+  void restore(long step, const Eigen::VectorXd& temper, const std::vector<std::string>& all);
 
   [[nodiscard]] const Eigen::VectorXd& temper() const { return temper_; }
   [[nodiscard]] long divergent() const;  // steps of rung 0 after warm-up, of the groups dealt here
@@ -48,6 +48,8 @@ class DealtSamplers {
   [[nodiscard]] std::vector<std::vector<Place>> gather_places() const;
   [[nodiscard]] long next_stop(long from, long step) const;  // the next swap, or `step`
   [[nodiscard]] std::size_t share(int worker) const;         // its first slot
+  [[nodiscard]] long next_retuning(long from) const;         // step; never: far away
+  void retune();
   void advance_together(long step);  // all to each swap, where groups are split
   void advance_apart(std::size_t from, std::size_t to, long step);  // whole groups
   void advance_slots(std::size_t from, std::size_t to, long step);  // without swaps

@@ -37,6 +37,8 @@ class Hamiltonian : public Sampler {
   void move(int chain, const Eigen::VectorXd& x, const Densities& at) override;
   [[nodiscard]] Densities density(int /*chain*/) const override { return place_.at; }
 
+  void retemper(double temper) override;
+
   void save(StateWriter& to) const override;
   void restore(StateReader& from) override;
 
@@ -236,9 +238,16 @@ void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities&
   begin();
 }
 
+void Hamiltonian::retemper(double temper) {
+  options_.temper = temper;
+  if (!known_) return;
+  usable_ = usable(place_.at);
+  begin();
+}
+
 void Hamiltonian::save(StateWriter& to) const {
   to.put(std::int64_t{steps_});
-  to.put(std::int64_t{known_});
+  to.put(std::int64_t{known_ ? 1 : 0});
   to.put(place_.x);
   to.put(place_.at.log_prior);
   to.put(place_.at.log_likelihood);

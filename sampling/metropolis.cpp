@@ -100,6 +100,14 @@ void Metropolis::move(int chain, const Eigen::VectorXd& x, const Densities& at) 
     proposals_.x = x_;
 }
 
+void Metropolis::retemper(double temper) {
+  require(round_ == 0, "a sampler can change its temper between steps only");
+  options_.temper = temper;
+  if (!begun_) return;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered(density(k), 0, temper).value;
+  proposals_ = propose(0);
+}
+
 Densities Metropolis::density(int chain) const {
   return {prior_.segment<1>(chain), likelihood_.segment<1>(chain), {}, {}};
 }

@@ -27,6 +27,7 @@ class Metropolis : public Sampler {
   [[nodiscard]] const std::vector<StepStats>& stats() const final { return stats_; }
   void move(int chain, const Eigen::VectorXd& x, const Densities& at) final;
   [[nodiscard]] Densities density(int chain) const final;
+  void retemper(double temper) final;
   void save(StateWriter& to) const final;
   void restore(StateReader& from) final;
 

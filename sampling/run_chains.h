@@ -32,6 +32,9 @@ struct RunOptions {
 /// goes on from there and ends with the same draws, to the bit. A stop request checkpoints and
 /// returns what there is (Draws::complete is false).
 ///
+/// The ladder of temperatures keeps its ends; in warm-up those between them move to where all
+/// neighbours swap about equally often (Draws::temper).
+///
 /// Samplers (groups x temperatures) are dealt to ranks; rank 0 returns all draws, the others none.
 /// Only rank 0 needs the folder. It may be asked for more draws than before, and goes on; threads,
 /// ranks and the time between checkpoints may change as well. Whatever else differs is refused.

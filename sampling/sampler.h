@@ -54,7 +54,11 @@ class Sampler {
   /// Density at a chain's position, as move() wants it.
   [[nodiscard]] virtual Densities density(int chain) const = 0;
 
-  /// Everything that the next step depends on; only between steps.
+  /// Another power of the likelihood from now on; only between steps of warm-up. It is no part of
+  /// the saved state: who changes it says it again before restore().
+  virtual void retemper(double temper) = 0;
+
+  /// Everything that the next step depends on, but the options; only between steps.
   virtual void save(StateWriter& to) const = 0;
   virtual void restore(StateReader& from) = 0;
 };

@@ -39,6 +39,11 @@ std::vector<Place> SamplerSlot::places() const {
   return all;
 }
 
+void SamplerSlot::retemper(double temper) {
+  sampler->retemper(temper);
+  tally = SwapTally(static_cast<int>(tally.tried.size()) + 1);
+}
+
 void SamplerSlot::save(StateWriter& to) const {
   sampler->save(to);
   tally.save(to);

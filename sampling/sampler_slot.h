@@ -15,7 +15,7 @@ namespace thenar::internal {
 struct SamplerSlot {
   int group = 0, rung = 0;
   std::unique_ptr<Sampler> sampler;
-  SwapTally tally;               // of the group, after warm-up
+  SwapTally tally;               // of the group, since warm-up or the last change of the ladder
   std::vector<double> pending;   // draws not taken yet: columns of all its chains (draw_rows.h)
   std::vector<StepStats> since;  // the last draw: evaluations, broken, divergent (chains)
   long divergent = 0;            // steps after warm-up, of all its chains
@@ -27,6 +27,9 @@ struct SamplerSlot {
   [[nodiscard]] Eigen::MatrixXd take();
 
   [[nodiscard]] std::vector<Place> places() const;
+
+  /// Another temper, and swaps counted anew.
+  void retemper(double temper);
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);

@@ -258,6 +258,33 @@ TEST(RunChainsPlain, TemperedChainsFindTheWeightsOfTheModes) {
   EXPECT_LT(error, 0.03);
 }
 
+// From a normal prior of sd 10 in 8 dimensions to a normal of sd 1, by a ladder that is uneven.
+TEST(RunChainsPlain, WarmUpEvensOutTheSwaps) {
+  const sample::FunctionTarget narrow(
+      8,
+      [](const Eigen::VectorXd& x, Eigen::VectorXd& by) {
+        by = -x;
+        return 0.5 * x.dot(by);
+      },
+      10);
+  RunOptions options = options_of({SamplingMethod::kNuts, 2, 1, 8});
+  options.least_temper = 0;
+  options.swap_every = 1;
+  options.thin = 1;
+  options.draws = 4000;
+  const auto rates = [&](long warm_up) -> Eigen::VectorXd {
+    options.sampler.warm_up = warm_up;
+    const Draws draws = run_chains(narrow, Eigen::MatrixXd::Zero(8, 2), options);
+    EXPECT_EQ(draws.temper[0], 1);
+    EXPECT_EQ(draws.temper[7], 0);
+    return draws.swap_rate.rowwise().mean();
+  };
+  const Eigen::VectorXd uneven = rates(30), even = rates(4000);  // 30: too few swaps to learn
+  EXPECT_GT(uneven.maxCoeff() - uneven.minCoeff(), 0.3) << uneven.transpose();
+  EXPECT_LT(even.maxCoeff() - even.minCoeff(), 0.1) << even.transpose();
+  EXPECT_GT(even.minCoeff(), uneven.minCoeff()) << even.transpose();
+}
+
 TEST_F(RunChainsOnce, MoreDrawsGoOnAndFewerAreTheFirst) {
   RunOptions options = options_of(kCase);
   options.draws = 50;
