@@ -238,6 +238,25 @@ TEST_P(EverySampler, TempersTheLikelihood) {
   for (const Eigen::MatrixXd& x : drawn.x) expect_moments(x, 0, 2);
 }
 
+// A ladder that moves in warm-up: whoever goes on at another temper goes on like one that was built
+// with it and put in the same state.
+TEST_P(EverySampler, GoesOnAtAnotherTemper) {
+  const SplitTarget target(2, flat, standard_normal);
+  SamplerOptions options;
+  options.warm_up = 60;
+  const auto cold = build(target, options);
+  advance({cold[0].get()}, target, 30);
+  StateWriter state;
+  cold[0]->save(state);
+  cold[0]->retemper(0.25);
+  options.temper = 0.25;
+  const auto hot = build(target, options);
+  StateReader reader(state.bytes());
+  hot[0]->restore(reader);
+  advance({cold[0].get(), hot[0].get()}, target, 100);
+  EXPECT_EQ(cold[0]->positions(), hot[0]->positions());
+}
+
 TEST_P(EverySampler, DrawsFromThePriorAtTemperZero) {
   const auto tight = [](const Eigen::VectorXd& x, Eigen::VectorXd& by) {
     by = -1e6 * x;
