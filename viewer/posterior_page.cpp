@@ -7,6 +7,8 @@
 namespace thenar {
 namespace {
 
+const char* const kNotConverged = "This run has NOT converged";
+
 /// "H01: what was learnt", or "What was learnt" where there is but one posterior.
 std::string titled(const PosteriorPicture& picture, std::string text) {
   if (!picture.title.empty()) return picture.title + ": " + text;
@@ -16,9 +18,13 @@ std::string titled(const PosteriorPicture& picture, std::string text) {
 
 void add(const PosteriorPicture& picture, const std::string& id, const std::string& title,
          const std::string& text, Json blocks, Json& sections) {
-  if (!blocks.empty())
-    sections.push_back(
-        section(picture.prefix + id, titled(picture, title), text, std::move(blocks)));
+  if (blocks.empty()) return;
+  // A reader may come by a link to any section.
+  if (!sections.empty() && !picture.convergence.reasons.empty()) {
+    const Json warning{{"type", "banner"}, {"ok", false}, {"title", kNotConverged}};
+    blocks.insert(blocks.begin(), warning);
+  }
+  sections.push_back(section(picture.prefix + id, titled(picture, title), text, std::move(blocks)));
 }
 
 /// A banner of doubts, if there are any.
@@ -97,7 +103,7 @@ Json convergence_banner(const Convergence& convergence, const std::string& run) 
   const bool ok = convergence.reasons.empty();
   Json banner{{"type", "banner"},
               {"ok", ok},
-              {"title", ok ? "The chains agree" : "This run has NOT converged"},
+              {"title", ok ? "The chains agree" : kNotConverged},
               {"reasons", convergence.reasons}};
   banner["text"] =
       ok ? fmt::format("Largest R-hat {:.4f}, least bulk ESS {:.0f}, least tail ESS {:.0f}. {}",

@@ -91,7 +91,8 @@ struct PosteriorPicture {
 /// Error over time on logarithmic axes, one line a sampler.
 [[nodiscard]] Json sampler_chart(const std::vector<SamplerCourse>& samplers);
 
-/// The sections of a report, the banner in the first.
+/// The sections of a report. The first has the banner; if the run has not converged, all others say
+/// so too.
 [[nodiscard]] Json posterior_sections(const PosteriorPicture& picture);
 
 }  // namespace thenar

@@ -169,6 +169,19 @@ TEST(PosteriorSections, PutDoubtsBeforeTheirNumbers) {
   EXPECT_EQ(section["blocks"][1]["type"], "table");
 }
 
+TEST(PosteriorSections, AllSayThatTheRunHasNotConverged) {
+  PosteriorPicture picture;
+  picture.convergence.reasons = {"R-hat of a is 1.2, wanted at most 1.01"};
+  picture.quantities = {quantity("a", 0, 1, 1.2), quantity("b", 0, 1, 1)};
+  picture.samplers = {{"nuts", {1}, {0.1}}};
+  const Json sections = posterior_sections(picture);
+  ASSERT_EQ(sections.size(), 3U);
+  for (const Json& section : sections) {
+    EXPECT_EQ(section["blocks"][0]["type"], "banner");
+    EXPECT_EQ(section["blocks"][0]["title"], "This run has NOT converged");
+  }
+}
+
 // A report of 60 quantities, 4 chains and 1000 draws is sent by mail; THENAR_PAGE keeps it.
 TEST(PosteriorSections, AreOfASizeToBeSent) {
   PosteriorPicture picture;
