@@ -61,7 +61,7 @@ class NoUTurn : public Trajectory {
   }
 
   PhasePoint& moving() override { return ends_[forward_]; }
-  [[nodiscard]] int direction() const override { return forward_ ? 1 : -1; }
+  [[nodiscard]] int direction() const override { return forward_ == 1 ? 1 : -1; }
 
   Verdict judge(double energy_error, RandomStream& random) override {
     ++told_;

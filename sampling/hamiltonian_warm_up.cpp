@@ -72,7 +72,7 @@ void WarmUp::save(StateWriter& to) const {
   averaging_.save(to);
   to.put(search_.step());
   to.put(step_);
-  to.put(std::int64_t{searching_});
+  to.put(std::int64_t{searching_ ? 1 : 0});
 }
 
 void WarmUp::restore(StateReader& from) {
