@@ -85,7 +85,10 @@ class EntryLister {
       if (pair.x[k] < 0) return;
     }
     const auto& all = out_.coordinates;
-    if (all[pair.x[0]].sd == all[pair.x[1]].sd) out_.tilts.push_back(pair);
+    const double sd = all[pair.x[0]].sd;
+    if (sd != all[pair.x[1]].sd) return;
+    pair.log_constant = -std::log1p(-std::exp(-1 / (sd * sd)));
+    out_.tilts.push_back(pair);
   }
 
   const FitProblem& problem_;

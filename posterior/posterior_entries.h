@@ -30,9 +30,10 @@ struct CoordinateEntry {
 
 /// Both tilts of an axis, of the population or of a specimen, with a von Mises-Fisher prior.
 struct TiltPair {
-  int x[2];        // entries of the tilts
-  int centre[2];   // entries of the population's; -1: it has none, and stays at the mean
-  double mean[2];  // prior mean of the population [rad]
+  int x[2];             // entries of the tilts
+  int centre[2];        // entries of the population's; -1: it has none, and stays at the mean
+  double mean[2];       // prior mean of the population [rad]
+  double log_constant;  // of its density without spread, over that of normal tilts [1]
 };
 
 /// x: entries of z in their order, then noise factors, then spread factors.

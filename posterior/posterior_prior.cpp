@@ -106,8 +106,7 @@ class PriorBlock {
     tilt_lanes({{pair.mean[0], pair.mean[1]}, sd, concentration}, motion_.y.row(block_, pair.x[0]),
                motion_.y.row(block_, pair.x[1]), sum_.data(), product_.data(), by[0].data(),
                by[1].data());
-    const double constant = -std::log1p(-std::exp(-concentration));
-    for (double& sum : sum_) sum += constant;
+    for (double& sum : sum_) sum += pair.log_constant;
     for (int t = 0; t < 2 && gradient.size() > 0; ++t)
       for (Index k = 0; k < count_; ++k)
         gradient(pair.x[t], first_ + k) += by[t][k] * motion_.by_x.row(block_, pair.x[t])[k];

@@ -1,6 +1,7 @@
 // Tests for posterior/posterior_prior.cpp and hand_posterior_values.cpp: priors, and x against z.
 
 #include <cmath>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -165,6 +166,49 @@ range_mm = 2
     EXPECT_NEAR(moment.row(i).mean(), -1, 4 * error(moment.row(i))) << names[i];
   }
   EXPECT_TRUE(matrix_near(posterior.draw_prior(3, 7), x.col(7), 0)) << "same seed, same draw";
+}
+
+// -- Moment arms of thumbs --------------------------------------------------------------------
+
+/// Arms of a thumb by name, with the built-in settings.
+std::map<std::string, Parameter> thumb_arms(const std::string& subject) {
+  const SourceText text = sample::source("subjects/" + subject);
+  const TendonDigit digit = build_tendon_digit(parse_subject(text.text, text.path), "thumb");
+  const SourceText settings = sample::source("fits/thumb");
+  const FitParameters chosen =
+      choose_parameters(digit, {}, parse_fit_settings(settings.text, settings.path));
+  std::map<std::string, Parameter> arms;
+  for (std::size_t p = 0; p < chosen.all.size(); ++p)
+    if (chosen.all[p].kind == ParameterKind::kArm && chosen.coordinate[p] >= 0)
+      arms[chosen.all[p].name] = chosen.all[p];
+  return arms;
+}
+
+TEST(ThumbSettings, BelieveBothSourcesOfMomentArms) {
+  const auto ours = thumb_arms("arms_thumb"), theirs = thumb_arms("graspit_skewed_thumb");
+  double sum = 0, compared = 0;
+  for (const auto& [name, arm] : ours) {
+    const auto other = theirs.find(name);
+    if (other == theirs.end()) continue;
+    // The difference of two draws has twice the variance.
+    const double z =
+        (arm.mean - other->second.mean) / (std::sqrt(2) * std::hypot(arm.sd, arm.between_sd));
+    EXPECT_LT(std::abs(z), 2) << name;
+    sum += z * z;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 22);         // FPL and EPL at four joints, OPP at two, four others at three
+  EXPECT_LT(sum / compared, 1);    // wide enough,
+  EXPECT_GT(sum / compared, 0.3);  // and no wider than need be
+}
+
+TEST(ThumbSettings, MoveNoJointBeyondAnInsertion) {
+  for (const char* subject : {"arms_thumb", "graspit_skewed_thumb"}) {
+    const auto arms = thumb_arms(subject);
+    for (const char* name : {"arm/OPP/MCP1_FE", "arm/OPP/MCP1_AA", "arm/FPB/IP1", "arm/ADPt/IP1"})
+      EXPECT_EQ(arms.count(name), 0U) << name;
+    EXPECT_EQ(arms.count("arm/FPL/IP1"), 1U);
+  }
 }
 
 // -- x and the fit's z ------------------------------------------------------------------------
