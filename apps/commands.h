@@ -11,6 +11,7 @@ void add_explain(CLI::App& app);
 void add_feasible_force(CLI::App& app);
 void add_fit(CLI::App& app);
 void add_pose(CLI::App& app);
+void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_tendon(CLI::App& app);

@@ -1,7 +1,8 @@
 // thenar fit EXPERIMENT.toml... --subject SUBJECT.toml -o FIT.h5
 //
 // Fits the parameters of a digit to measured fingertip forces. Several specimens are fitted
-// together, as people who differ from their population.
+// together, as people who differ from their population. With --method mcmc the whole posterior is
+// sampled instead: under mpirun by all ranks, and an interrupted run goes on where it stopped.
 
 #include <algorithm>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
+#include "apps/fit_posterior.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
@@ -26,6 +28,7 @@ struct Options {
   unsigned seed = 1;
   int max_evaluations = 0;
   bool json = false;
+  ChainOptions chains;
 };
 
 FitInputs inputs_of(const Options& options) {
@@ -126,6 +129,13 @@ void print_summary(const Fit& fit, const std::vector<CrossValidation>& validatio
 }
 
 void run(const Options& options) {
+  if (options.method == "mcmc") {
+    require(options.leave_out.empty(),
+            "--cross-validate is for fits; a posterior's file says how well it would predict each "
+            "trial unseen (`thenar posterior summary`)");
+    fit_posterior(inputs_of(options), options.chains, options.seed, options.output, options.json);
+    return;
+  }
   SolveOptions solve_options;
   solve_options.method = fit_method(options.method);
   solve_options.seed = options.seed;
@@ -158,17 +168,19 @@ void add_fit(CLI::App& app) {
   CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
   command->add_option("experiments", options->experiments, "Experiment files")->required();
   command->add_option("--subject", options->subject, "Subject file to start from")->required();
-  command->add_option("-o,--output", options->output, "Result file (HDF5)")->required();
-  command->add_option("--method", options->method, "ceres|nlopt|nlopt-global|ipopt");
+  command->add_option("-o,--output", options->output, "Result file: .h5, of mcmc .nc")->required();
+  command->add_option("--method", options->method,
+                      "ceres|nlopt|nlopt-global|ipopt, or mcmc: draws from the posterior");
   command->add_option("--settings", options->settings,
                       "Which parameters move (default: built in, see `thenar explain`)");
   command->add_option("--free", options->free, "Also free the parameters matching these globs");
   command->add_option("--cross-validate", options->leave_out,
                       "Also leave out one posture|tendon|specimen at a time");
-  command->add_option("--seed", options->seed, "Of the global search");
+  command->add_option("--seed", options->seed, "Of the global search, or of the chains");
   command->add_option("--max-evaluations", options->max_evaluations, "0: the method's own limit")
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", options->json, "Print JSON");
+  add_chain_options(*command, options->chains);
   command->callback([options] { run(*options); });
 }
 

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   thenar::add_simulate(app);
   thenar::add_fit(app);
   thenar::add_predict(app);
+  thenar::add_posterior(app);
   thenar::add_demo(app);
   try {
     app.parse(argc, argv);

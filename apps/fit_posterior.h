@@ -1,0 +1,31 @@
+#pragma once
+
+/// `thenar fit --method mcmc`: draws instead of one best point.
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "kinematics_fit/fit.h"
+#include "posterior/run/sample_posterior.h"
+
+namespace thenar {
+
+/// What only a sampler asks of the command line.
+struct ChainOptions {
+  std::string sampler = "nuts";
+  int chains = 4, walkers = 0, temperatures = 1, thin = 1, threads = 0, mode_starts = 16;
+  long warm_up = 1000, draws = 1000;
+  double least_temper = 0;
+  bool fixed_noise = false, allow_unconverged = false, fresh = false;
+};
+
+void add_chain_options(CLI::App& command, ChainOptions& options);
+
+/// Samples, writes `output` (ArviZ InferenceData), prints what was learnt.
+/// @throws Error if the chains have not converged, unless allowed; the file is
+/// written first.
+void fit_posterior(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
+                   const std::string& output, bool json);
+
+}  // namespace thenar

@@ -1,0 +1,119 @@
+// thenar posterior summary|plot|predict POSTERIOR.nc
+//
+// What the draws of `thenar fit --method mcmc` say.
+
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/output_ending.h"
+#include "apps/posterior_summary.h"
+#include "apps/print_prediction.h"
+#include "apps/progress_bar.h"
+#include "base/provenance.h"
+#include "base/write_file.h"
+#include "posterior/run/posterior_file.h"
+#include "posterior/run/predict_draws.h"
+#include "viewer/posterior_picture.h"
+#include "viewer/report_page.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string posterior, output;
+  std::vector<std::string> experiments;
+  std::size_t rows = 20;
+  long draws = 2000;
+  bool json = false, population = false, allow_unconverged = false;
+};
+
+void summary(const Options& options) {
+  const PosteriorRun run = read_posterior(options.posterior);
+  if (options.json)
+    fmt::print("{}\n", summary_json(run).dump(2));
+  else
+    print_summary(run, options.rows);
+  require_converged(run, options.allow_unconverged);
+}
+
+Json provenance(const PosteriorRun& run) {
+  Json out = Json::object();
+  const auto add = [&](const SourceText& source) {
+    out[source.path] = "sha256 " + sha256(source.text);
+  };
+  add(run.inputs.subject);
+  add(run.inputs.settings);
+  for (const SourceText& source : run.inputs.experiments) add(source);
+  for (const auto& [name, version] : versions()) out[name] = version;
+  out["seed"] = fmt::format("{}", run.settings.run.sampler.seed);
+  out["fidelity"] = describe(run.posterior->problem().digit().fidelity);
+  return out;
+}
+
+void plot(const Options& options) {
+  require_ending(options.output, {".html"});
+  require_writable(options.output);
+  const PosteriorRun run = read_posterior(options.posterior);
+  std::string title;
+  for (const std::string& specimen : run.posterior->problem().specimens())
+    title += (title.empty() ? "" : ", ") + specimen;
+  write_report({{"title", "thenar: posterior of " + title},
+                {"subtitle", describe_run(run)},
+                {"provenance", provenance(run)},
+                {"sections", posterior_sections(posterior_picture(run, title))}},
+               options.output);
+  fmt::print("wrote {}\n", options.output);
+  require_converged(run, options.allow_unconverged);
+}
+
+void predict(const Options& options) {
+  const PosteriorRun run = read_posterior(options.posterior);
+  nlohmann::json out = nlohmann::json::array();
+  for (const std::string& path : options.experiments) {
+    const Experiment experiment = read_experiment(path);
+    const FitProblem& problem = run.posterior->problem();
+    const int specimen = options.population ? -1 : find_specimen(problem, experiment.specimen);
+    const Prediction prediction =
+        summarise(predict_draws(run, experiment, specimen, options.draws));
+    if (options.json)
+      out.push_back(prediction_json(prediction, experiment.specimen, specimen >= 0));
+    else
+      print_prediction(prediction, experiment, specimen >= 0);
+  }
+  if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
+  require_converged(run, options.allow_unconverged);
+}
+
+CLI::App* add(CLI::App& parent, const char* name, const char* text,
+              const std::shared_ptr<Options>& options, void (*run)(const Options&)) {
+  CLI::App* command = parent.add_subcommand(name, text);
+  command->add_option("posterior", options->posterior, "Result file of `thenar fit --method mcmc`")
+      ->required();
+  command->add_flag("--allow-unconverged", options->allow_unconverged,
+                    "Do not fail if the chains have not converged");
+  command->callback([options, run] { run(*options); });
+  return command;
+}
+
+}  // namespace
+
+void add_posterior(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("posterior", "What sampled parameters say");
+  command->require_subcommand(1);
+  auto options = std::make_shared<Options>();  // lives as long as the callbacks
+  CLI::App* first = add(*command, "summary", "Parameters, convergence, modes", options, summary);
+  first->add_option("--rows", options->rows, "Parameters to print");
+  first->add_flag("--json", options->json, "Print JSON");
+  CLI::App* second = add(*command, "plot", "A page to look at", options, plot);
+  second->add_option("-o,--output", options->output, "Page (.html)")->required();
+  CLI::App* third = add(*command, "predict", "Forces of any experiment", options, predict);
+  third->add_option("experiments", options->experiments, "Experiment files")->required();
+  third->add_option("--draws", options->draws, "Draws to predict with")->check(CLI::PositiveNumber);
+  third->add_flag("--population", options->population,
+                  "Predict a fitted specimen as if it had never been seen");
+  third->add_flag("--json", options->json, "Print JSON");
+}
+
+}  // namespace thenar
