@@ -1,0 +1,109 @@
+#include "posterior/study/thumb_calibration.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "posterior/study/thumb_case.h"
+#include "sampling/random_stream.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::uint32_t kReading = 221;  // purpose of the random stream
+constexpr unsigned kTruths = 7919;       // seeds of truths, apart from those of chains
+
+/// A thumb from the prior and what a load cell read of it.
+struct Simulation {
+  Eigen::VectorXd truth;  // x (size)
+  Experiment pulls;
+};
+
+Simulation simulate(const HandPosterior& prior, const Experiment& base, unsigned seed, int number) {
+  Simulation out{prior.draw_prior(seed + kTruths, static_cast<unsigned>(number)), base};
+  const Eigen::MatrixXd forces = prior.forces(out.truth, 0);
+  const double factor = prior.values(out.truth).noise(0, 0);
+  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kReading);
+  for (std::size_t i = 0; i < base.trials.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      out.pulls.trials[i].force[k] = forces(3 * static_cast<Eigen::Index>(i) + k, 0) +
+                                     factor * (*base.trials[i].sd)[k] * random.normal();
+  return out;
+}
+
+/// Ranks of all entries of x, and of the log likelihood.
+Eigen::VectorXi ranks_of(const Simulation& simulation, const PosteriorRun& run, int ranked) {
+  const Draws& draws = run.draws;
+  Eigen::VectorXi rank(draws.size() + 1);
+  for (int i = 0; i < draws.size(); ++i)
+    rank[i] = rank_of_truth(simulation.truth[i], draws.coordinate(i), ranked);
+  Eigen::MatrixXd likelihood(draws.draws(), draws.chains());
+  for (int c = 0; c < draws.chains(); ++c)
+    for (long k = 0; k < draws.draws(); ++k)
+      likelihood(k, c) =
+          draws.stats[static_cast<std::size_t>(c)][static_cast<std::size_t>(k)].log_likelihood;
+  const double truth =
+      run.posterior->evaluate(simulation.truth, WithGradient::kNo).log_likelihood[0];
+  rank[draws.size()] = rank_of_truth(truth, likelihood, ranked);
+  return rank;
+}
+
+/// Coverage of the central 90 % by the share of each simulation; the last row is no parameter.
+void judge(ThumbCalibration& out) {
+  const Eigen::Index runs = out.rank.cols();
+  CalibrationOptions options;
+  options.bins = std::min<int>(20, static_cast<int>(runs) / 5);
+  out.judged = judge_calibration(out.names, out.rank, out.ranked, options);
+  const Eigen::ArrayXXd share =
+      (out.rank.topRows(out.rank.rows() - 1).cast<double>().array() + 0.5) / (out.ranked + 1);
+  const Eigen::ArrayXd within =
+      ((share > 0.05) && (share < 0.95)).cast<double>().colwise().mean().transpose();
+  out.covered = within.mean();
+  out.covered_error =
+      std::sqrt((within - out.covered).square().sum() / static_cast<double>(runs * (runs - 1)));
+}
+
+}  // namespace
+
+ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
+                                 const ThumbCalibrationSettings& settings) {
+  const SourceText& file = settings.thumb.skewed ? inputs.skewed : inputs.orthogonal;
+  PosteriorSettings sampling;
+  sampling.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
+  sampling.run.draws = settings.draws;
+  sampling.run.sampler.warm_up = settings.warm_up;
+  sampling.run.sampler.target_acceptance = 0.9;
+  sampling.mode_starts = settings.mode_starts;
+
+  const TendonDigit start =
+      build_tendon_digit(parse_subject(inputs.start.text, inputs.start.path), "thumb");
+  PullOptions pulls;
+  pulls.noise = settings.thumb.noise;
+  pulls.postures = settings.thumb.postures;
+  pulls.add_noise = false;
+  internal::ThumbData data{start, start, pull_muscles(start, pulls), {}};
+  const Experiment base = data.pulls;
+  const HandPosterior prior(build_problem(internal::case_inputs(inputs, settings.thumb, data)),
+                            sampling.posterior);
+
+  ThumbCalibration out;
+  out.ranked = settings.ranked;
+  out.names = prior.names();
+  out.names.emplace_back("log likelihood");
+  out.rank.resize(prior.size() + 1, settings.simulations);
+  int done = 0;
+  for (; done < settings.simulations && !settings.progress.stop(); ++done) {
+    settings.progress(static_cast<double>(done) / settings.simulations, "calibration");
+    const Simulation simulation = simulate(prior, base, settings.seed, done);
+    data.pulls = simulation.pulls;
+    sampling.run.sampler.seed = settings.seed + static_cast<unsigned>(done);
+    const PosteriorRun run =
+        sample_posterior(internal::case_inputs(inputs, settings.thumb, data), sampling);
+    out.rank.col(done) = ranks_of(simulation, run, settings.ranked);
+    if (!run.convergence.reasons.empty()) ++out.not_converged;
+  }
+  out.rank.conservativeResize(Eigen::NoChange, done);
+  if (done >= 20) judge(out);
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Are posteriors of thumbs what they claim to be? Truths from the prior, forces from the model.
+
+#include "posterior/study/thumb_study.h"
+#include "sampling/diagnostics/calibration.h"
+
+namespace thenar {
+
+struct ThumbCalibrationSettings {
+  ThumbCaseSettings thumb;  // which model, how much noise, how many postures; no tasks
+  int simulations = 200;
+  int ranked = 63;                  // draws among which each truth is ranked, L [1]
+  long draws = 250, warm_up = 250;  // of each of 4 chains [1]
+  int mode_starts = 4;              // of the search for modes [1]
+  unsigned seed = 1;
+  Progress progress;
+};
+
+struct ThumbCalibration {
+  std::vector<std::string> names;  // entries of x, and the log likelihood
+  Eigen::MatrixXi rank;            // of the truths, 0 .. ranked (names, simulations done)
+  int ranked = 0;
+  int not_converged = 0;  // runs; their ranks count all the same
+  RankCalibration judged;
+  double covered = 0, covered_error = 0;  // share of truths within central 90 % intervals of
+                                          // ranks, and its error, runs being independent [1]
+};
+
+/// Every simulation draws a thumb from the prior of the fit, simulates its pulls with noise of the
+/// stated sds times a factor from its prior, and samples the posterior. The stated sds are those
+/// that fit the thumb at the start: they must not know the truth. A stop request judges what there
+/// is; nothing is judged below 20 simulations.
+/// Source: [Talts2018]; the log likelihood among the ranked as [Sailynoja2022] advise.
+[[nodiscard]] ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
+                                               const ThumbCalibrationSettings& settings);
+
+}  // namespace thenar

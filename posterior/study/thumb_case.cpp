@@ -1,0 +1,137 @@
+#include "posterior/study/thumb_case.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "kinematics_fit/prediction.h"
+#include "posterior/run/predict_draws.h"
+#include "posterior/study/thumb_truth.h"
+
+namespace thenar::internal {
+namespace {
+
+/// Arms of tendons at the joints that they cross.
+const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "arm/EPB/CMC1_*",
+                                     "arm/EPB/MCP1_*",  "arm/APB/CMC1_*",      "arm/APB/MCP1_*",
+                                     "arm/FPB/CMC1_*",  "arm/FPB/MCP1_*",      "arm/OPP/CMC1_*",
+                                     "arm/ADPt/CMC1_*", "arm/ADPt/MCP1_*",     "arm/ADPo/CMC1_*",
+                                     "arm/ADPo/MCP1_*", "arm/1stDI_MC1/CMC1_*"};
+
+PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
+                                     const ThumbCaseSettings& settings,
+                                     const ThumbStudySettings& study, int doublings) {
+  const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
+  PosteriorSettings out;
+  out.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
+  out.run.draws = study.draws << doublings;
+  out.run.sampler.warm_up = study.warm_up << doublings;
+  out.run.sampler.seed = study.seed;
+  // Shorter steps each time: where chains do not agree, divergences are mostly why.
+  out.run.sampler.target_acceptance =
+      std::array<double, 3>{0.9, 0.95, 0.99}[std::min(doublings, 2)];
+  out.run.progress.stop_requested = study.progress.stop_requested;
+  out.mode_starts = study.mode_starts;
+  return out;
+}
+
+/// Angles between the posterior mean of the pulls' forces and those measured, and how far that mean
+/// is from the true forces.
+void score_pulls(const ThumbData& data, ThumbCase& out) {
+  const PredictedDraws predicted = predict_draws(out.run, data.pulls, 0, 500);
+  const Prediction mean = summarise(predicted);
+  const Eigen::Matrix3Xd truth = true_forces(data.truth, data.pulls);
+  Eigen::ArrayXd angle(static_cast<Eigen::Index>(mean.trials.size()));
+  double off = 0;
+  for (Eigen::Index i = 0; i < angle.size(); ++i) {
+    const PredictedTrial& trial = mean.trials[static_cast<std::size_t>(i)];
+    angle[i] = direction_error(trial);
+    off += (trial.predicted - truth.col(i)).squaredNorm();
+  }
+  out.direction = angle.mean();
+  out.direction_sd = std::sqrt((angle - angle.mean()).square().sum() /
+                               static_cast<double>(std::max<Eigen::Index>(1, angle.size() - 1)));
+  out.relative_error = std::sqrt(off / truth.squaredNorm());
+}
+
+/// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.
+void score_tasks(const ThumbData& data, int draws, ThumbCase& out) {
+  const HandPosterior& posterior = *out.run.posterior;
+  const FitParameters& parameters = posterior.problem().parameters();
+  const std::vector<int> moving = posterior.moving_parameters();
+  const Eigen::MatrixXd all = pooled(out.run.draws);
+  const long count = std::min<long>(draws, all.cols());
+  Eigen::MatrixXd x(all.rows(), count);
+  for (long k = 0; k < count; ++k) x.col(k) = all.col(k * all.cols() / count);
+  const Eigen::MatrixXd values = posterior.values(x).specimens.front();
+
+  std::vector<TaskMisfit> sum(data.tasks.activations.size(), {0, 0, 0});
+  double explained = 0;
+  TendonDigit drawn = posterior.problem().digit();
+  for (long k = 0; k < count; ++k) {
+    std::vector<double> all_values;
+    for (const Parameter& parameter : parameters.all) all_values.push_back(parameter.mean);
+    for (std::size_t i = 0; i < moving.size(); ++i)
+      all_values[static_cast<std::size_t>(moving[i])] = values(static_cast<Eigen::Index>(i), k);
+    drawn.model = specimen_model(posterior.problem().digit(), parameters, all_values).digit;
+    const std::vector<TaskMisfit> misfits = task_misfits(drawn, data.tasks);
+    explained += task_scores(misfits).explained / static_cast<double>(count);
+    for (std::size_t i = 0; i < sum.size(); ++i) {
+      sum[i].direction += misfits[i].direction / static_cast<double>(count);
+      sum[i].torque += misfits[i].torque / static_cast<double>(count);
+    }
+  }
+  out.tasks = task_scores(sum);
+  out.tasks.explained = explained;
+}
+
+std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbCase& fitted) {
+  const std::vector<ReadQuantity> quantities = read_quantities(fitted.run);
+  const std::vector<Parameter>& all = fitted.run.posterior->problem().parameters().all;
+  std::vector<LearntNumber> learnt;
+  for (const ReadQuantity& quantity : quantities) {
+    const auto parameter = std::find_if(
+        all.begin(), all.end(), [&](const Parameter& p) { return p.name == quantity.name; });
+    if (parameter == all.end() || parameter->name.find("/along") != std::string::npos) continue;
+    const Estimate e = estimate(quantity.name, quantity.draws, fitted.run.draws.group);
+    LearntNumber number{e.name, quantity.unit, e.mean, e.sd, prior_sd(quantity), e.q05, e.q95, {}};
+    if (fitted.settings.skewed) {
+      number.truth = true_value(*parameter, data.start, data.truth);
+      if (number.truth) *number.truth *= display_scale(*parameter);
+    }
+    learnt.push_back(std::move(number));
+  }
+  return learnt;
+}
+
+}  // namespace
+
+FitInputs case_inputs(const ThumbStudyInputs& inputs, const ThumbCaseSettings& settings,
+                      const ThumbData& data) {
+  Experiment fitted = data.pulls;
+  if (settings.with_tasks) fitted.activations = data.tasks.activations;
+  FitInputs out{inputs.start, settings.skewed ? inputs.skewed : inputs.orthogonal, {}, {}};
+  out.experiments = {{"made up for the thumb study", experiment_text(fitted)}};
+  if (settings.arms == Arms::kFree) out.also_free = kArms;
+  return out;
+}
+
+ThumbCase run_thumb_case(const ThumbStudyInputs& inputs, const ThumbCaseSettings& settings,
+                         const ThumbData& data, const ThumbStudySettings& study) {
+  ThumbCase out;
+  out.settings = settings;
+  const FitInputs fit = case_inputs(inputs, settings, data);
+  for (int doublings = 0; doublings <= study.retries; ++doublings) {
+    out.run = sample_posterior(fit, posterior_settings(inputs, settings, study, doublings));
+    if (!out.run.draws.complete || out.converged()) break;
+  }
+  if (!out.run.draws.complete) return out;
+  score_pulls(data, out);
+  score_tasks(data, study.scored_draws, out);
+  out.learnt = learnt_numbers(data, out);
+  out.left_out =
+      leave_one_out(out.run.posterior->pointwise(pooled(out.run.draws)), out.run.draws.chains());
+  return out;
+}
+
+}  // namespace thenar::internal

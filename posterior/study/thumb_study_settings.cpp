@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include "data/io/toml_node.h"
+#include "posterior/study/thumb_study.h"
+
+namespace thenar {
+namespace {
+
+constexpr bool kBothModels[] = {false, true};
+constexpr double kNoises[] = {0.05, 0.1, 0.2};
+
+void add_noises(Arms arms, std::vector<ThumbCaseSettings>& cases) {
+  for (const double noise : kNoises)
+    for (const bool skewed : kBothModels) cases.push_back({skewed, arms, noise, 2, false});
+}
+
+/// 1, 3 and 4 postures at 10 %; 2 are among the noises.
+void add_postures(bool skewed, Arms arms, std::vector<ThumbCaseSettings>& cases) {
+  for (const int postures : {1, 3, 4}) cases.push_back({skewed, arms, 0.1, postures, false});
+}
+
+}  // namespace
+
+ThumbStudyInputs thumb_study_inputs(const std::string& data) {
+  const auto read = [&](const char* file) {
+    const std::string path = data + "/" + file;
+    return SourceText{path, read_text_file(path)};
+  };
+  return {read("subjects/arms_five_axis_thumb.toml"),
+          read("subjects/mechanical_five_axis_thumb.toml"), read("fits/five_axis_orthogonal.toml"),
+          read("fits/five_axis_skewed.toml")};
+}
+
+ThumbStudySettings full_thumb_study() {
+  ThumbStudySettings settings;
+  for (const Arms arms : {Arms::kFixed, Arms::kFree}) {
+    add_noises(arms, settings.cases);
+    for (const bool skewed : kBothModels) add_postures(skewed, arms, settings.cases);
+    for (const bool skewed : kBothModels) settings.cases.push_back({skewed, arms, 0.1, 2, true});
+  }
+  return settings;
+}
+
+ThumbStudySettings quick_thumb_study() {
+  ThumbStudySettings settings;
+  add_noises(Arms::kFixed, settings.cases);
+  add_postures(true, Arms::kFixed, settings.cases);
+  settings.draws = 500;
+  settings.warm_up = 500;
+  settings.mode_starts = 8;
+  settings.retries = 1;
+  return settings;
+}
+
+std::string describe_case(const ThumbCaseSettings& settings) {
+  return fmt::format(
+      "{}, arms {}, {:.0f} % noise, {} {}{}", settings.skewed ? "skewed" : "orthogonal",
+      settings.arms == Arms::kFixed ? "known" : "free", 100 * settings.noise, settings.postures,
+      settings.postures == 1 ? "posture" : "postures", settings.with_tasks ? ", with tasks" : "");
+}
+
+}  // namespace thenar

@@ -1,0 +1,33 @@
+#pragma once
+
+/// A thumb that data are made with, seen from the thumb that is fitted to them.
+
+#include <optional>
+#include <string>
+
+#include "kinematics_fit/parameter.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// The same digit in another frame: turned and shifted so that its tip and the tip's directions at
+/// the reference posture are those of `start`. No angle, length or tip force changes by that.
+/// @throws InputError if the digits have other hinges, or strands that run along paths.
+[[nodiscard]] TendonDigit in_frame_of(const TendonDigit& start, const TendonDigit& digit);
+
+/// Value of a parameter of `start` at which it has the axis, or the arm, of `truth` [SI]; none for
+/// other kinds. With d0 and p0 the axis at the start and e its tangents, the true axis (d, p) has
+///   tilt_k = e_k.d / d0.d,   shift_k = e_k.(p + s d - p0),  s such that d0.(p + s d - p0) = 0.
+/// @param truth  in the frame of `start`
+/// @throws InputError if the true axis stands square to the one at the start: no tilt leads there.
+[[nodiscard]] std::optional<double> true_value(const Parameter& parameter, const TendonDigit& start,
+                                               const TendonDigit& truth);
+
+/// Angle between two axes, whichever way they point [rad], and the length of their common normal.
+struct AxisGap {
+  double angle;     // 0..pi/2 [rad]
+  double distance;  // [m]
+};
+[[nodiscard]] AxisGap axis_gap(const Hinge<double>& a, const Hinge<double>& b);
+
+}  // namespace thenar
