@@ -44,6 +44,8 @@ std::vector<ReadQuantity> read_quantities(const PosteriorRun& run, int prior_cou
       const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
       const Parameter& p = problem.parameters().all[at];
       const double scale = display_scale(p);
+      // A mounting belongs to one specimen: the population has none of its own.
+      if (before.row(i).minCoeff() == before.row(i).maxCoeff()) continue;
       found.push_back({whose + p.name, display_unit(p), scale * by_chain(drawn.row(i), chains),
                        scale * before.row(i).transpose()});
     }
