@@ -1,8 +1,8 @@
 // thenar demo --data data -o out
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
-// solver, cross-validates, predicts what was not seen, compares two thumbs, and writes it all as
-// one page.
+// solver, cross-validates, predicts what was not seen, samples their posteriors, compares two
+// thumbs, and writes it all as one page.
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/demo_posteriors.h"
 #include "apps/net_file.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
@@ -117,6 +118,7 @@ void run(const Options& options) {
   require_writable(path);
   const std::vector<SpecimenStudy> studies = study_specimens(inputs, progress);
   const PopulationStudy population = study_population(inputs, progress);
+  const Json posteriors = posterior_pages(inputs, options.output, progress);
   if (interrupted()) throw Interrupted("stopped before the report was complete");
   for (const SpecimenStudy& study : studies)
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
@@ -126,6 +128,7 @@ void run(const Options& options) {
                                parameter_page(studies), finger_page(studies),
                                population_page(population, studies), hood_section(inputs),
                                thumb_page(thumb_cases(options))});
+  sections.insert(sections.end(), posteriors.begin(), posteriors.end());
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_report(

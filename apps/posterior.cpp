@@ -62,7 +62,7 @@ void plot(const Options& options) {
   write_report({{"title", "thenar: posterior of " + title},
                 {"subtitle", describe_run(run)},
                 {"provenance", provenance(run)},
-                {"sections", posterior_sections(posterior_picture(run, title))}},
+                {"sections", posterior_sections(posterior_picture(run))}},
                options.output);
   fmt::print("wrote {}\n", options.output);
   require_converged(run, options.allow_unconverged);

@@ -1,5 +1,10 @@
 #include "viewer/posterior_picture.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
 #include "kinematics_fit/prediction.h"
 #include "posterior/run/predict_draws.h"
 #include "posterior/run/run_quantities.h"
@@ -9,24 +14,48 @@ namespace thenar {
 namespace {
 
 constexpr long kPredictiveDraws = 2000;
+constexpr std::size_t kDoubtful = 8;  // quantities shown for their R-hat
 
-std::vector<Quantity> quantities_of(const PosteriorRun& run,
-                                    const std::map<std::string, double>& truth) {
+/// Which quantities to show, in their order: the most doubtful, and those most was learnt about.
+std::vector<std::size_t> chosen(const std::vector<ReadQuantity>& quantities,
+                                const std::vector<Estimate>& estimates, std::size_t most) {
+  std::vector<std::size_t> order(quantities.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (order.size() <= most) return order;
+  const auto sort_from = [&](std::size_t first, auto&& figure) {
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+                     [&](std::size_t a, std::size_t b) { return figure(a) < figure(b); });
+  };
+  sort_from(0, [&](std::size_t i) { return -estimates[i].r_hat; });
+  sort_from(std::min(kDoubtful, most),
+            [&](std::size_t i) { return estimates[i].sd / prior_sd(quantities[i]); });
+  order.resize(most);
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+/// Adds the quantities, and says which of all they are.
+void add_quantities(const PosteriorRun& run, const PictureOptions& options,
+                    PosteriorPicture& picture) {
   const std::vector<ReadQuantity> read = read_quantities(run);
   const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
-  std::vector<Quantity> quantities;
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    quantities.push_back({read[i].name,
-                          read[i].unit,
-                          read[i].draws,
-                          run.draws.group,
-                          estimates[i],
-                          read[i].prior,
-                          {}});
-    if (const auto known = truth.find(read[i].name); known != truth.end())
-      quantities.back().truth = known->second;
+  for (const std::size_t i : chosen(read, estimates, options.most)) {
+    picture.quantities.push_back({read[i].name,
+                                  read[i].unit,
+                                  read[i].draws,
+                                  run.draws.group,
+                                  estimates[i],
+                                  read[i].prior,
+                                  {}});
+    if (const auto known = options.truth.find(read[i].name); known != options.truth.end())
+      picture.quantities.back().truth = known->second;
   }
-  return quantities;
+  picture.run = describe_run(run);
+  if (picture.quantities.size() < read.size())
+    picture.run += fmt::format(
+        ". Of {} quantities the {} are shown that most was learnt about, or that have the largest "
+        "R-hat",
+        read.size(), picture.quantities.size());
 }
 
 std::vector<AxisCloud> clouds_of(const PosteriorRun& run) {
@@ -63,14 +92,13 @@ std::optional<LeftOut> left_out_of(const PosteriorRun& run) {
 
 }  // namespace
 
-PosteriorPicture posterior_picture(const PosteriorRun& run, const std::string& title,
-                                   const std::map<std::string, double>& truth) {
+PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions& options) {
   const FitProblem& problem = run.posterior->problem();
   PosteriorPicture picture;
-  picture.title = title;
-  picture.quantities = quantities_of(run, truth);
+  picture.title = options.title;
+  picture.prefix = options.prefix;
   picture.convergence = run.convergence;
-  picture.run = describe_run(run);
+  add_quantities(run, options, picture);
   picture.digit = problem.digit();
   picture.posture = problem.plans().front().postures.front();
   picture.clouds = clouds_of(run);

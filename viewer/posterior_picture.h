@@ -10,10 +10,15 @@
 
 namespace thenar {
 
-/// @param title  heads the sections
-/// @param truth  values that the data were made with, by parameter [display
-/// unit]; empty: unknown
-[[nodiscard]] PosteriorPicture posterior_picture(const PosteriorRun& run, const std::string& title,
-                                                 const std::map<std::string, double>& truth = {});
+struct PictureOptions {
+  std::string title;                    // heads the sections
+  std::string prefix;                   // of section ids, where a page shows several posteriors
+  std::map<std::string, double> truth;  // by quantity, if the data were made with it [display unit]
+  std::size_t most = 64;                // quantities shown: those learnt most about, and the eight
+                                        // with the largest R-hat
+};
+
+[[nodiscard]] PosteriorPicture posterior_picture(const PosteriorRun& run,
+                                                 const PictureOptions& options = {});
 
 }  // namespace thenar

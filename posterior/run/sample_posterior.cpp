@@ -6,13 +6,15 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "posterior/run/agreed_work.h"
 #include "posterior/run/assess_run.h"
 #include "posterior/run/laplace.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kInflation = 2;  // of the starts, in Laplace sds [1]
+constexpr int kGlobalSearch = 60;  // coordinates [1]
+constexpr double kInflation = 2;   // of the starts, in Laplace sds [1]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
   std::string text = inputs.subject.text + '\n' + inputs.settings.text;
@@ -27,9 +29,12 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
   ModeSearch search;
   search.starts = settings.mode_starts;
+  // A global search without derivatives finds nothing among more coordinates than this.
+  if (problem.size() > kGlobalSearch) search.global_searches = 0;
   search.also = Eigen::VectorXd::Zero(problem.size());
   search.seed = settings.run.sampler.seed;
   search.progress = settings.run.progress;
+  search.polish.progress.stop_requested = settings.run.progress.stop_requested;
   return find_modes(least_squares(problem), search);
 }
 
@@ -79,27 +84,58 @@ Eigen::MatrixXd pooled(const Draws& draws) {
   return all;
 }
 
+/// Where chains begin, and the first guess of how far they reach.
+struct Beginning {
+  Eigen::MatrixXd starts, covariance;
+};
+
+/// Finds the modes, unless asked to stop: half a search would give other starts than the whole one.
+std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
+  FoundModes found = search_modes(run.posterior->problem(), run.settings);
+  if (found.stopped || options.progress.stop()) return {};
+  require(!found.modes.empty(), "no search from {} starts ended at a finite cost",
+          found.searches.size());
+  run.modes = std::move(found.modes);
+  return Beginning{
+      find_starts(*run.posterior, run.modes, options.groups * options.walkers,
+                  options.sampler.seed),
+      laplace_covariance(*run.posterior, run.posterior->from_fit(run.modes.front().z))};
+}
+
+/// What rank 0 has, on all ranks.
+Eigen::MatrixXd shared_out(const Ranks& ranks, const Eigen::MatrixXd& mine, Eigen::Index rows) {
+  return ranks
+      .all_gather(ranks.rank() == 0 ? Eigen::VectorXd(mine.reshaped()) : Eigen::VectorXd())
+      .reshaped(rows, Eigen::AutoSize);
+}
+
+}  // namespace
+
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
                               const Ranks& ranks) {
   PosteriorRun run;
   run.inputs = inputs;
   run.settings = settings;
-  run.posterior = std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
-  FoundModes found = search_modes(run.posterior->problem(), settings);
-  require(!found.modes.empty(), "no search from {} starts ended at a finite cost",
-          found.searches.size());
-  run.modes = std::move(found.modes);
-
   RunOptions options = settings.run;
-  if (options.walkers == 0) options.walkers = least_walkers(options.method, run.posterior->size());
-  options.sampler.covariance =
-      laplace_covariance(*run.posterior, run.posterior->from_fit(run.modes.front().z));
+  std::optional<Beginning> beginning;
+  agreed_work(ranks, [&] {
+    run.posterior =
+        std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
+    if (options.walkers == 0)
+      options.walkers = least_walkers(options.method, run.posterior->size());
+    check_before_search(options, run.posterior->size());
+    // The others need not search for what they are told.
+    if (ranks.rank() == 0) beginning = begin(run, options);
+  });
+  const bool stopped = ranks.all_gather(Eigen::VectorXd::Constant(1, !beginning))[0] > 0;
+  if (stopped) return run;
+  if (!beginning) beginning.emplace();
+  const Eigen::Index n = run.posterior->size();
+  const Eigen::MatrixXd starts = shared_out(ranks, beginning->starts, n);
+  options.sampler.covariance = shared_out(ranks, beginning->covariance, n);
   options.fingerprint = fingerprint(inputs, settings);
-  run.draws = run_chains(*run.posterior,
-                         find_starts(*run.posterior, run.modes, options.groups * options.walkers,
-                                     options.sampler.seed),
-                         options, ranks);
-  assess_run(run);
+  run.draws = run_chains(*run.posterior, starts, options, ranks);
+  agreed_work(ranks, [&] { assess_run(run); });
   return run;
 }
 
