@@ -14,6 +14,7 @@ void add_pose(CLI::App& app);
 void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);
 void add_simulate(CLI::App& app);
+void add_study(CLI::App& app);
 void add_tendon(CLI::App& app);
 void add_tip_force(CLI::App& app);
 void add_validate(CLI::App& app);

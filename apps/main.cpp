@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   thenar::add_feasible_force(app);
   thenar::add_tendon(app);
   thenar::add_simulate(app);
+  thenar::add_study(app);
   thenar::add_fit(app);
   thenar::add_predict(app);
   thenar::add_posterior(app);

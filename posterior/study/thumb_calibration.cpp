@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "posterior/study/thumb_case.h"
+#include "posterior/study/thumb_fit.h"
 #include "sampling/random_stream.h"
 
 namespace thenar {
@@ -82,7 +82,7 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
   pulls.add_noise = false;
   internal::ThumbData data{start, start, pull_muscles(start, pulls), {}};
   const Experiment base = data.pulls;
-  const HandPosterior prior(build_problem(internal::case_inputs(inputs, settings.thumb, data)),
+  const HandPosterior prior(build_problem(internal::thumb_fit_inputs(inputs, settings.thumb, data)),
                             sampling.posterior);
 
   ThumbCalibration out;
@@ -97,7 +97,7 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
     data.pulls = simulation.pulls;
     sampling.run.sampler.seed = settings.seed + static_cast<unsigned>(done);
     const PosteriorRun run =
-        sample_posterior(internal::case_inputs(inputs, settings.thumb, data), sampling);
+        sample_posterior(internal::thumb_fit_inputs(inputs, settings.thumb, data), sampling);
     out.rank.col(done) = ranks_of(simulation, run, settings.ranked);
     if (!run.convergence.reasons.empty()) ++out.not_converged;
   }

@@ -8,10 +8,10 @@
 namespace thenar {
 
 struct ThumbCalibrationSettings {
-  ThumbCaseSettings thumb;  // which model, how much noise, how many postures; no tasks
+  ThumbFitSettings thumb;  // which model, how much noise, how many postures; no tasks
   int simulations = 200;
-  int ranked = 63;                  // draws among which each truth is ranked, L [1]
-  long draws = 250, warm_up = 250;  // of each of 4 chains [1]
+  int ranked = 99;                  // draws among which each truth is ranked, L [1]
+  long draws = 500, warm_up = 500;  // of each of 4 chains [1]
   int mode_starts = 4;              // of the search for modes [1]
   unsigned seed = 1;
   Progress progress;

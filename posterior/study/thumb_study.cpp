@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "posterior/study/thumb_case.h"
+#include "posterior/study/thumb_fit.h"
 #include "posterior/study/thumb_truth.h"
 
 namespace thenar {
@@ -20,17 +20,36 @@ Experiment tasks_at(const TendonDigit& truth, double noise, unsigned seed) {
   return perform_tasks(truth, options);
 }
 
-internal::ThumbData data_of(const ThumbStudy& study, const ThumbCaseSettings& settings,
-                            unsigned seed) {
+Experiment pulls_of(const TendonDigit& truth, const ThumbFitSettings& settings, unsigned seed) {
   PullOptions pulls;
   pulls.noise = settings.noise;
   pulls.postures = settings.postures;
   pulls.seed = seed;
-  Experiment pulled = pull_muscles(study.truth, pulls);
-  Experiment tasks = tasks_at(study.truth, settings.noise, seed);
-  // Tasks that are fitted with pulls share their postures.
-  if (settings.with_tasks) pulled.postures = tasks.postures;
-  return {study.truth, study.start, std::move(pulled), std::move(tasks)};
+  return pull_muscles(truth, pulls);
+}
+
+ThumbReference reference_of(const ThumbStudy& study, const ThumbFitSettings& settings,
+                            unsigned seed) {
+  const TendonDigit truth = true_thumb(study, settings.skewness);
+  ThumbFitSettings two = settings;
+  two.postures = 2;
+  const Experiment pulls = pulls_of(truth, two, seed);
+  const Experiment tasks = tasks_at(truth, settings.noise, seed);
+  const Eigen::Matrix3Xd predicted = true_forces(study.start, pulls);
+  const auto [direction, sd] = internal::direction_errors(
+      compare(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols())));
+  return {settings.noise,
+          settings.skewness,
+          direction,
+          sd,
+          task_scores(task_misfits(study.start, tasks)),
+          task_scores(task_misfits(truth, tasks))};
+}
+
+void add_reference(const ThumbFitSettings& settings, unsigned seed, ThumbStudy& study) {
+  for (const ThumbReference& known : study.references)
+    if (known.noise == settings.noise && known.skewness == settings.skewness) return;
+  study.references.push_back(reference_of(study, settings, seed));
 }
 
 }  // namespace
@@ -52,26 +71,39 @@ TaskScores task_scores(const std::vector<TaskMisfit>& misfits) {
   return out;
 }
 
+TendonDigit true_thumb(const ThumbStudy& study, double skewness) {
+  if (skewness == 1) return study.truth;
+  const SourceText& file = study.inputs.skewed;
+  const FitParameters parameters =
+      choose_parameters(study.start, {}, parse_fit_settings(file.text, file.path));
+  std::vector<double> values;
+  for (const Parameter& parameter : parameters.all) {
+    const bool axis = parameter.name.rfind("axis/", 0) == 0;
+    const std::optional<double> value = true_value(parameter, study.start, study.truth);
+    values.push_back(axis && value ? skewness * *value : value.value_or(parameter.mean));
+  }
+  TendonDigit out = study.truth;
+  out.model = specimen_model(study.start, parameters, values).digit;
+  return out;
+}
+
 ThumbStudy study_thumb(const ThumbStudyInputs& inputs, const ThumbStudySettings& settings) {
   ThumbStudy study;
   study.inputs = inputs;
   study.start = thumb_of(inputs.start);
   study.truth = in_frame_of(study.start, thumb_of(inputs.truth));
-  for (const ThumbCaseSettings& one : settings.cases)
-    if (std::find(study.task_noise.begin(), study.task_noise.end(), one.noise) ==
-        study.task_noise.end()) {
-      study.task_noise.push_back(one.noise);
-      study.by_truth.push_back(
-          task_scores(task_misfits(study.truth, tasks_at(study.truth, one.noise, settings.seed))));
-    }
-  for (std::size_t i = 0; i < settings.cases.size(); ++i) {
-    settings.progress(static_cast<double>(i) / static_cast<double>(settings.cases.size()),
-                      describe_case(settings.cases[i]));
+  for (const ThumbFitSettings& one : settings.fits) add_reference(one, settings.seed, study);
+  for (std::size_t i = 0; i < settings.fits.size(); ++i) {
+    settings.progress(static_cast<double>(i) / static_cast<double>(settings.fits.size()),
+                      describe_fit(settings.fits[i]));
     if (settings.progress.stop()) return study;
-    ThumbCase one = internal::run_thumb_case(
-        inputs, settings.cases[i], data_of(study, settings.cases[i], settings.seed), settings);
+    const TendonDigit truth = true_thumb(study, settings.fits[i].skewness);
+    const internal::ThumbData data{truth, study.start,
+                                   pulls_of(truth, settings.fits[i], settings.seed),
+                                   tasks_at(truth, settings.fits[i].noise, settings.seed)};
+    ThumbFit one = internal::run_thumb_fit(inputs, settings.fits[i], data, settings);
     if (!one.run.draws.complete) return study;
-    study.cases.push_back(std::move(one));
+    study.fits.push_back(std::move(one));
   }
   study.complete = true;
   return study;

@@ -31,26 +31,28 @@ struct ThumbStudyInputs {
 enum class Arms { kFixed, kFree };
 
 /// One fit of the study.
-struct ThumbCaseSettings {
+struct ThumbFitSettings {
   bool skewed = true;
   Arms arms = Arms::kFixed;
-  double noise = 0.1;       // of forces [1]
-  int postures = 2;         // 1..4
+  double noise = 0.1;   // of forces [1]
+  int postures = 2;     // 1..4
+  double skewness = 1;  // true tilts and shifts from the start, as multiples of the published [1]
   bool with_tasks = false;  // the tasks with electromyography are fitted too
 };
 
 struct ThumbStudySettings {
-  std::vector<ThumbCaseSettings> cases;  // empty: nothing is done
-  long draws = 1000, warm_up = 1000;     // of each of 4 chains [1]
-  int retries = 2;                       // doublings of both where chains do not agree [1]
-  int mode_starts = 16;                  // of the search for modes [1]
-  int scored_draws = 100;                // on which tasks are scored [1]
+  std::vector<ThumbFitSettings> fits;  // empty: nothing is done
+  long draws = 1000, warm_up = 1000;   // of each of 4 chains [1]
+  int retries = 2;                     // doublings of both where chains do not agree [1]
+  int mode_starts = 16;                // of the search for modes [1]
+  int scored_draws = 100;              // on which tasks are scored [1]
   unsigned seed = 1;
   Progress progress;
 };
 
-/// Both models at 5, 10 and 20 % noise with fixed and free arms, 1 to 4 postures at 10 %, and with
-/// tasks beside the pulls.
+/// Both models with fixed and free arms: at 5, 10 and 20 % noise, also at twice the published
+/// skewness, in 1 to 4 postures at 10 %, and with tasks beside the pulls; and at 1 % with fixed
+/// arms.
 [[nodiscard]] ThumbStudySettings full_thumb_study();
 /// Both models at three noises, and 1 to 4 postures, arms fixed: less than 20 s on one core.
 [[nodiscard]] ThumbStudySettings quick_thumb_study();
@@ -72,8 +74,8 @@ struct LearntNumber {
 };
 
 /// One fit and what it says.
-struct ThumbCase {
-  ThumbCaseSettings settings;
+struct ThumbFit {
+  ThumbFitSettings settings;
   PosteriorRun run;
   double direction = 0, direction_sd = 0;  // posterior mean and measured forces of pulls [rad]
   double relative_error = 0;               // rms of predicted less true force over rms force [1]
@@ -83,21 +85,31 @@ struct ThumbCase {
   [[nodiscard]] bool converged() const { return run.convergence.reasons.empty(); }
 };
 
+/// Thumbs that were not fitted, on the same data.
+struct ThumbReference {
+  double noise, skewness;          // [1]
+  double direction, direction_sd;  // forces of pulls by the start and as measured [rad]
+  TaskScores start;                // the orthogonal thumb as it stands in its file
+  TaskScores truth;                // the true thumb: what noise alone does
+};
+
 struct ThumbStudy {
   ThumbStudyInputs inputs;
   TendonDigit truth;  // in the frame of the start
   TendonDigit start;
-  std::vector<double> task_noise;    // of the noises met, in turn [1]
-  std::vector<TaskScores> by_truth;  // the true thumb itself on these tasks: noise alone
-  std::vector<ThumbCase> cases;      // in the order of the settings
-  bool complete = false;             // false: stopped; cases are those that were finished
+  std::vector<ThumbReference> references;  // of the noises and skewnesses met, in turn
+  std::vector<ThumbFit> fits;              // in the order of the settings
+  bool complete = false;                   // false: stopped; fits are those that were finished
 };
 
 /// Runs the study; same settings, same bits.
 [[nodiscard]] ThumbStudy study_thumb(const ThumbStudyInputs& inputs,
                                      const ThumbStudySettings& settings);
 
+/// The thumb that a fit's data are made with.
+[[nodiscard]] TendonDigit true_thumb(const ThumbStudy& study, double skewness);
+
 /// "skewed, arms free, 10 % noise, 2 postures".
-[[nodiscard]] std::string describe_case(const ThumbCaseSettings& settings);
+[[nodiscard]] std::string describe_fit(const ThumbFitSettings& settings);
 
 }  // namespace thenar

@@ -1,3 +1,5 @@
+#include <initializer_list>
+
 #include <fmt/format.h>
 
 #include "data/io/toml_node.h"
@@ -7,16 +9,17 @@ namespace thenar {
 namespace {
 
 constexpr bool kBothModels[] = {false, true};
-constexpr double kNoises[] = {0.05, 0.1, 0.2};
 
-void add_noises(Arms arms, std::vector<ThumbCaseSettings>& cases) {
-  for (const double noise : kNoises)
-    for (const bool skewed : kBothModels) cases.push_back({skewed, arms, noise, 2, false});
+/// Both models at some noises, 2 postures.
+void add_noises(Arms arms, std::initializer_list<double> noises, double skewness,
+                std::vector<ThumbFitSettings>& fits) {
+  for (const double noise : noises)
+    for (const bool skewed : kBothModels) fits.push_back({skewed, arms, noise, 2, skewness, false});
 }
 
 /// 1, 3 and 4 postures at 10 %; 2 are among the noises.
-void add_postures(bool skewed, Arms arms, std::vector<ThumbCaseSettings>& cases) {
-  for (const int postures : {1, 3, 4}) cases.push_back({skewed, arms, 0.1, postures, false});
+void add_postures(bool skewed, Arms arms, std::vector<ThumbFitSettings>& fits) {
+  for (const int postures : {1, 3, 4}) fits.push_back({skewed, arms, 0.1, postures, 1, false});
 }
 
 }  // namespace
@@ -33,18 +36,22 @@ ThumbStudyInputs thumb_study_inputs(const std::string& data) {
 
 ThumbStudySettings full_thumb_study() {
   ThumbStudySettings settings;
+  add_noises(Arms::kFixed, {0.01}, 1, settings.fits);
   for (const Arms arms : {Arms::kFixed, Arms::kFree}) {
-    add_noises(arms, settings.cases);
-    for (const bool skewed : kBothModels) add_postures(skewed, arms, settings.cases);
-    for (const bool skewed : kBothModels) settings.cases.push_back({skewed, arms, 0.1, 2, true});
+    add_noises(arms, {0.05, 0.1, 0.2}, 1, settings.fits);
+    add_noises(arms, {0.05, 0.1, 0.2}, 2, settings.fits);
+    for (const bool skewed : kBothModels) {
+      add_postures(skewed, arms, settings.fits);
+      settings.fits.push_back({skewed, arms, 0.1, 2, 1, true});
+    }
   }
   return settings;
 }
 
 ThumbStudySettings quick_thumb_study() {
   ThumbStudySettings settings;
-  add_noises(Arms::kFixed, settings.cases);
-  add_postures(true, Arms::kFixed, settings.cases);
+  add_noises(Arms::kFixed, {0.05, 0.1, 0.2}, 1, settings.fits);
+  add_postures(true, Arms::kFixed, settings.fits);
   settings.draws = 500;
   settings.warm_up = 500;
   settings.mode_starts = 8;
@@ -52,7 +59,7 @@ ThumbStudySettings quick_thumb_study() {
   return settings;
 }
 
-std::string describe_case(const ThumbCaseSettings& settings) {
+std::string describe_fit(const ThumbFitSettings& settings) {
   return fmt::format(
       "{}, arms {}, {:.0f} % noise, {} {}{}", settings.skewed ? "skewed" : "orthogonal",
       settings.arms == Arms::kFixed ? "known" : "free", 100 * settings.noise, settings.postures,

@@ -1,4 +1,4 @@
-// Tests for posterior/study/thumb_study.cpp and thumb_case.cpp.
+// Tests for posterior/study/thumb_study.cpp and thumb_fit.cpp.
 
 #include "posterior/study/thumb_study.h"
 
@@ -13,7 +13,8 @@ namespace {
 
 ThumbStudySettings small_study() {
   ThumbStudySettings settings;
-  settings.cases = {{false, Arms::kFixed, 0.02, 4, false}, {true, Arms::kFixed, 0.02, 4, false}};
+  settings.fits = {{false, Arms::kFixed, 0.02, 4, 1, false},
+                   {true, Arms::kFixed, 0.02, 4, 1, false}};
   settings.draws = settings.warm_up = 300;
   settings.mode_starts = 4;
   settings.scored_draws = 20;
@@ -24,13 +25,13 @@ ThumbStudySettings small_study() {
 TEST(ThumbStudy, SkewedAxesExplainASkewedThumbBetter) {
   const ThumbStudy study = study_thumb(sample::study_inputs(), small_study());
   ASSERT_TRUE(study.complete);
-  ASSERT_EQ(study.cases.size(), 2U);
-  const ThumbCase &orthogonal = study.cases[0], &skewed = study.cases[1];
+  ASSERT_EQ(study.fits.size(), 2U);
+  const ThumbFit &orthogonal = study.fits[0], &skewed = study.fits[1];
   EXPECT_TRUE(skewed.converged());
   EXPECT_LT(skewed.direction, orthogonal.direction);
   EXPECT_LT(skewed.relative_error, orthogonal.relative_error);
   EXPECT_GT(skewed.left_out.elpd, orthogonal.left_out.elpd);
-  EXPECT_EQ(study.by_truth.size(), 1U);
+  EXPECT_EQ(study.references.size(), 1U);
   EXPECT_EQ(skewed.learnt.size(), 20U);
   for (const LearntNumber& number : skewed.learnt) {
     ASSERT_TRUE(number.truth.has_value());
@@ -38,17 +39,30 @@ TEST(ThumbStudy, SkewedAxesExplainASkewedThumbBetter) {
   }
 }
 
+// Twice the skewness is twice every tilt's tangent and every shift.
+TEST(ThumbStudy, SkewnessIsAMultipleOfThePublished) {
+  ThumbStudySettings settings = small_study();
+  settings.fits.clear();
+  const ThumbStudy study = study_thumb(sample::study_inputs(), settings);
+  const TendonDigit twice = true_thumb(study, 2);
+  for (const Parameter& parameter : list_parameters(study.start)) {
+    const auto once = true_value(parameter, study.start, study.truth);
+    if (!once || parameter.name.rfind("axis/", 0) != 0) continue;
+    EXPECT_NEAR(*true_value(parameter, study.start, twice), 2 * *once, 1e-14) << parameter.name;
+  }
+}
+
 TEST(ThumbStudy, SameSeedSameBits) {
   ThumbStudySettings settings = small_study();
-  settings.cases.resize(1);
+  settings.fits.resize(1);
   settings.retries = 0;
   const ThumbStudy a = study_thumb(sample::study_inputs(), settings),
                    b = study_thumb(sample::study_inputs(), settings);
-  EXPECT_EQ(a.cases[0].run.draws.x, b.cases[0].run.draws.x);
-  EXPECT_EQ(a.cases[0].tasks.direction, b.cases[0].tasks.direction);
+  EXPECT_EQ(a.fits[0].run.draws.x, b.fits[0].run.draws.x);
+  EXPECT_EQ(a.fits[0].tasks.direction, b.fits[0].tasks.direction);
 }
 
-// Stopped between cases, what was finished is kept, and marked.
+// Stopped between fits, what was finished is kept, and marked.
 TEST(ThumbStudy, StopKeepsFinishedCases) {
   ThumbStudySettings settings = small_study();
   settings.draws = settings.warm_up = 50;
@@ -58,7 +72,7 @@ TEST(ThumbStudy, StopKeepsFinishedCases) {
   settings.progress.stop_requested = [&] { return stop; };
   const ThumbStudy study = study_thumb(sample::study_inputs(), settings);
   EXPECT_FALSE(study.complete);
-  EXPECT_EQ(study.cases.size(), 1U);
+  EXPECT_EQ(study.fits.size(), 1U);
 }
 
 }  // namespace

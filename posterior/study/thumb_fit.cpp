@@ -1,10 +1,9 @@
-#include "posterior/study/thumb_case.h"
+#include "posterior/study/thumb_fit.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "kinematics_fit/prediction.h"
 #include "posterior/run/predict_draws.h"
 #include "posterior/study/thumb_truth.h"
 
@@ -19,7 +18,7 @@ const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "
                                      "arm/ADPo/MCP1_*", "arm/1stDI_MC1/CMC1_*"};
 
 PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
-                                     const ThumbCaseSettings& settings,
+                                     const ThumbFitSettings& settings,
                                      const ThumbStudySettings& study, int doublings) {
   const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings out;
@@ -37,25 +36,21 @@ PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
 
 /// Angles between the posterior mean of the pulls' forces and those measured, and how far that mean
 /// is from the true forces.
-void score_pulls(const ThumbData& data, ThumbCase& out) {
+void score_pulls(const ThumbData& data, ThumbFit& out) {
   const PredictedDraws predicted = predict_draws(out.run, data.pulls, 0, 500);
   const Prediction mean = summarise(predicted);
   const Eigen::Matrix3Xd truth = true_forces(data.truth, data.pulls);
-  Eigen::ArrayXd angle(static_cast<Eigen::Index>(mean.trials.size()));
   double off = 0;
-  for (Eigen::Index i = 0; i < angle.size(); ++i) {
-    const PredictedTrial& trial = mean.trials[static_cast<std::size_t>(i)];
-    angle[i] = direction_error(trial);
-    off += (trial.predicted - truth.col(i)).squaredNorm();
-  }
-  out.direction = angle.mean();
-  out.direction_sd = std::sqrt((angle - angle.mean()).square().sum() /
-                               static_cast<double>(std::max<Eigen::Index>(1, angle.size() - 1)));
+  for (std::size_t i = 0; i < mean.trials.size(); ++i)
+    off += (mean.trials[i].predicted - truth.col(static_cast<Eigen::Index>(i))).squaredNorm();
+  const DirectionErrors errors = direction_errors(mean);
+  out.direction = errors.mean;
+  out.direction_sd = errors.sd;
   out.relative_error = std::sqrt(off / truth.squaredNorm());
 }
 
 /// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.
-void score_tasks(const ThumbData& data, int draws, ThumbCase& out) {
+void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
   const HandPosterior& posterior = *out.run.posterior;
   const FitParameters& parameters = posterior.problem().parameters();
   const std::vector<int> moving = posterior.moving_parameters();
@@ -85,7 +80,7 @@ void score_tasks(const ThumbData& data, int draws, ThumbCase& out) {
   out.tasks.explained = explained;
 }
 
-std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbCase& fitted) {
+std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& fitted) {
   const std::vector<ReadQuantity> quantities = read_quantities(fitted.run);
   const std::vector<Parameter>& all = fitted.run.posterior->problem().parameters().all;
   std::vector<LearntNumber> learnt;
@@ -106,21 +101,33 @@ std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbCase&
 
 }  // namespace
 
-FitInputs case_inputs(const ThumbStudyInputs& inputs, const ThumbCaseSettings& settings,
-                      const ThumbData& data) {
+DirectionErrors direction_errors(const Prediction& prediction) {
+  Eigen::ArrayXd angle(static_cast<Eigen::Index>(prediction.trials.size()));
+  for (Eigen::Index i = 0; i < angle.size(); ++i)
+    angle[i] = direction_error(prediction.trials[static_cast<std::size_t>(i)]);
+  const double mean = angle.mean();
+  return {mean, std::sqrt((angle - mean).square().sum() /
+                          static_cast<double>(std::max<Eigen::Index>(1, angle.size() - 1)))};
+}
+
+FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
+                           const ThumbData& data) {
   Experiment fitted = data.pulls;
-  if (settings.with_tasks) fitted.activations = data.tasks.activations;
+  if (settings.with_tasks) {
+    fitted.activations = data.tasks.activations;
+    if (fitted.postures.size() < data.tasks.postures.size()) fitted.postures = data.tasks.postures;
+  }
   FitInputs out{inputs.start, settings.skewed ? inputs.skewed : inputs.orthogonal, {}, {}};
   out.experiments = {{"made up for the thumb study", experiment_text(fitted)}};
   if (settings.arms == Arms::kFree) out.also_free = kArms;
   return out;
 }
 
-ThumbCase run_thumb_case(const ThumbStudyInputs& inputs, const ThumbCaseSettings& settings,
-                         const ThumbData& data, const ThumbStudySettings& study) {
-  ThumbCase out;
+ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
+                       const ThumbData& data, const ThumbStudySettings& study) {
+  ThumbFit out;
   out.settings = settings;
-  const FitInputs fit = case_inputs(inputs, settings, data);
+  const FitInputs fit = thumb_fit_inputs(inputs, settings, data);
   for (int doublings = 0; doublings <= study.retries; ++doublings) {
     out.run = sample_posterior(fit, posterior_settings(inputs, settings, study, doublings));
     if (!out.run.draws.complete || out.converged()) break;
