@@ -53,15 +53,7 @@ const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
 }
 
 Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
-  const ThumbFitSettings& s = fit.settings;
-  Json row{s.skewed ? "skewed" : "orthogonal",
-           s.arms == Arms::kFixed ? "known" : "free",
-           100 * s.noise,
-           s.postures,
-           s.skewness,
-           s.with_tasks ? "fitted" : "predicted",
-           degrees(fit.direction),
-           degrees(fit.direction_sd),
+  Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
            100 * fit.relative_error};
   row = joined(std::move(row), scores(fit.tasks));
   const ThumbFit* rival = rival_of(study, fit);
@@ -79,7 +71,9 @@ Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
 
 Json reference_row(const char* name, const ThumbReference& reference, const Json& pulls,
                    const TaskScores& tasks) {
-  Json row{name, "known", 100 * reference.noise, 2, reference.skewness, "predicted"};
+  Json row{
+      fmt::format("{}, {:.0f} % noise{}", name, 100 * reference.noise,
+                  reference.skewness == 1 ? "" : fmt::format(", {} x skew", reference.skewness))};
   row = joined(joined(std::move(row), pulls), scores(tasks));
   return joined(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
 }
@@ -123,12 +117,7 @@ Json clouds_block(const ThumbStudy& study) {
 }  // namespace
 
 Json thumb_comparison_table(const ThumbStudy& study) {
-  const std::vector<Column> columns{{"axes", ""},
-                                    {"arms", ""},
-                                    {"noise", "%", 0},
-                                    {"postures", "", 0},
-                                    {"skewness", "", 0},
-                                    {"tasks", ""},
+  const std::vector<Column> columns{{"thumb", ""},
                                     {"pulls misdirected", "deg", 1},
                                     {"sd", "deg", 1},
                                     {"off the truth", "%", 1},
