@@ -43,6 +43,7 @@ Json fit_json(const ThumbFit& fit) {
            {"postures", fit.settings.postures},
            {"skewness", fit.settings.skewness},
            {"tasks_fitted", fit.settings.with_tasks},
+           {"prior_width", fit.settings.prior_width},
            {"converged", fit.converged()},
            {"reasons", fit.run.convergence.reasons},
            {"pulls_direction_deg", degrees(fit.direction)},

@@ -46,7 +46,8 @@ const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
   for (const ThumbFit& other : study.fits) {
     const ThumbFitSettings& o = other.settings;
     if (!o.skewed && s.skewed && o.arms == s.arms && o.noise == s.noise &&
-        o.postures == s.postures && o.skewness == s.skewness && o.with_tasks == s.with_tasks)
+        o.postures == s.postures && o.skewness == s.skewness && o.with_tasks == s.with_tasks &&
+        o.prior_width == s.prior_width)
       return &other;
   }
   return nullptr;
@@ -100,7 +101,7 @@ Json clouds_block(const ThumbStudy& study) {
   for (const ThumbFit& fit : study.fits) {
     const ThumbFitSettings& s = fit.settings;
     if (s.arms != Arms::kFixed || s.noise != 0.1 || s.postures != 2 || s.skewness != 1 ||
-        s.with_tasks)
+        s.with_tasks || s.prior_width != 1)
       continue;
     const HandPosterior& posterior = *fit.run.posterior;
     clouds.push_back(axis_cloud(s.skewed ? "skewed" : "orthogonal", posterior.problem().digit(),
@@ -156,7 +157,8 @@ Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
   std::vector<std::pair<std::string, std::vector<Point>>> series;
   for (const ThumbFit& fit : study.fits) {
     const ThumbFitSettings& s = fit.settings;
-    if (!s.skewed || s.arms != arms || s.skewness != 1 || s.with_tasks) continue;
+    if (!s.skewed || s.arms != arms || s.skewness != 1 || s.with_tasks || s.prior_width != 1)
+      continue;
     if (over == Over::kNoise ? s.postures != 2 : s.noise != 0.1) continue;
     const double x = over == Over::kNoise ? 100 * s.noise : s.postures;
     for (const LearntNumber& number : fit.learnt) {

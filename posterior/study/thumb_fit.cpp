@@ -4,11 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "posterior/run/predict_draws.h"
 #include "posterior/study/thumb_truth.h"
 
 namespace thenar::internal {
 namespace {
+
+constexpr double kTiltSd = 15, kShiftSd = 5;  // of data/fits/five_axis_*.toml [deg], [mm]
 
 /// Arms of tendons at the joints that they cross.
 const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "arm/EPB/CMC1_*",
@@ -110,6 +114,23 @@ DirectionErrors direction_errors(const Prediction& prediction) {
                           static_cast<double>(std::max<Eigen::Index>(1, angle.size() - 1)))};
 }
 
+namespace {
+
+/// The settings with wider priors of axes.
+SourceText widened(SourceText file, double width) {
+  if (width == 1) return file;
+  for (const char* what : {"direction/?", "point/?"}) {
+    const bool tilt = what[0] == 'd';
+    file.text += fmt::format("\n[[parameter]]\nmatch = \"axis/*/{}\"\nsd_{} = {}\nrange_{} = {}\n",
+                             what, tilt ? "deg" : "mm", width * (tilt ? kTiltSd : kShiftSd),
+                             tilt ? "deg" : "mm", tilt ? 85.0 : 40 * width);
+  }
+  file.path += fmt::format(" (axes {} times as wide)", width);
+  return file;
+}
+
+}  // namespace
+
 FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
                            const ThumbData& data) {
   Experiment fitted = data.pulls;
@@ -117,7 +138,10 @@ FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSetting
     fitted.activations = data.tasks.activations;
     if (fitted.postures.size() < data.tasks.postures.size()) fitted.postures = data.tasks.postures;
   }
-  FitInputs out{inputs.start, settings.skewed ? inputs.skewed : inputs.orthogonal, {}, {}};
+  FitInputs out{inputs.start,
+                widened(settings.skewed ? inputs.skewed : inputs.orthogonal, settings.prior_width),
+                {},
+                {}};
   out.experiments = {{"made up for the thumb study", experiment_text(fitted)}};
   if (settings.arms == Arms::kFree) out.also_free = kArms;
   return out;

@@ -38,6 +38,7 @@ struct ThumbFitSettings {
   int postures = 2;     // 1..4
   double skewness = 1;  // true tilts and shifts from the start, as multiples of the published [1]
   bool with_tasks = false;  // the tasks with electromyography are fitted too
+  double prior_width = 1;   // factor on the prior sds of axes [1]
 };
 
 struct ThumbStudySettings {

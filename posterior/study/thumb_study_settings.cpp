@@ -45,6 +45,10 @@ ThumbStudySettings full_thumb_study() {
       settings.fits.push_back({skewed, arms, 0.1, 2, 1, true});
     }
   }
+  // Where anatomy hardly helps, there may be several modes.
+  for (const int postures : {1, 2, 4})
+    for (const bool skewed : kBothModels)
+      settings.fits.push_back({skewed, Arms::kFixed, 0.05, postures, 1, false, 3});
   return settings;
 }
 
@@ -63,7 +67,8 @@ std::string describe_fit(const ThumbFitSettings& settings) {
   return fmt::format(
       "{}, arms {}, {:.0f} % noise, {} {}{}", settings.skewed ? "skewed" : "orthogonal",
       settings.arms == Arms::kFixed ? "known" : "free", 100 * settings.noise, settings.postures,
-      settings.postures == 1 ? "posture" : "postures", settings.with_tasks ? ", with tasks" : "");
+      settings.postures == 1 ? "posture" : "postures", settings.with_tasks ? ", with tasks" : "",
+      settings.prior_width == 1 ? "" : fmt::format(", {} x prior", settings.prior_width));
 }
 
 }  // namespace thenar
