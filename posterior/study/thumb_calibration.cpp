@@ -71,7 +71,6 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
   sampling.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
   sampling.run.draws = settings.draws;
   sampling.run.sampler.warm_up = settings.warm_up;
-  sampling.run.sampler.target_acceptance = 0.9;
   sampling.mode_starts = settings.mode_starts;
 
   const TendonDigit start =
@@ -96,8 +95,8 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
     const Simulation simulation = simulate(prior, base, settings.seed, done);
     data.pulls = simulation.pulls;
     sampling.run.sampler.seed = settings.seed + static_cast<unsigned>(done);
-    const PosteriorRun run =
-        sample_posterior(internal::thumb_fit_inputs(inputs, settings.thumb, data), sampling);
+    const PosteriorRun run = internal::sample_with_retries(
+        internal::thumb_fit_inputs(inputs, settings.thumb, data), sampling, settings.retries);
     out.rank.col(done) = ranks_of(simulation, run, settings.ranked);
     if (!run.convergence.reasons.empty()) ++out.not_converged;
   }

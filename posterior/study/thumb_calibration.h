@@ -12,6 +12,7 @@ struct ThumbCalibrationSettings {
   int simulations = 200;
   int ranked = 99;                  // draws among which each truth is ranked, L [1]
   long draws = 500, warm_up = 500;  // of each of 4 chains [1]
+  int retries = 2;                  // doublings of both where chains do not agree [1]
   int mode_starts = 4;              // of the search for modes [1]
   unsigned seed = 1;
   Progress progress;
@@ -21,7 +22,7 @@ struct ThumbCalibration {
   std::vector<std::string> names;  // entries of x, and the log likelihood
   Eigen::MatrixXi rank;            // of the truths, 0 .. ranked (names, simulations done)
   int ranked = 0;
-  int not_converged = 0;  // runs; their ranks count all the same
+  int not_converged = 0;  // runs, after retries; their ranks count all the same
   RankCalibration judged;
   double covered = 0, covered_error = 0;  // share of truths within central 90 % intervals of
                                           // ranks, and its error, runs being independent [1]

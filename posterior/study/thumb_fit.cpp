@@ -23,16 +23,13 @@ const std::vector<std::string> kArms{"arm/FPL/*",       "arm/EPL/*",           "
 
 PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
                                      const ThumbFitSettings& settings,
-                                     const ThumbStudySettings& study, int doublings) {
+                                     const ThumbStudySettings& study) {
   const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings out;
   out.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
-  out.run.draws = study.draws << doublings;
-  out.run.sampler.warm_up = study.warm_up << doublings;
+  out.run.draws = study.draws;
+  out.run.sampler.warm_up = study.warm_up;
   out.run.sampler.seed = study.seed;
-  // Shorter steps each time: where chains do not agree, divergences are mostly why.
-  out.run.sampler.target_acceptance =
-      std::array<double, 3>{0.9, 0.95, 0.99}[std::min(doublings, 2)];
   out.run.progress.stop_requested = study.progress.stop_requested;
   out.mode_starts = study.mode_starts;
   return out;
@@ -147,15 +144,24 @@ FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSetting
   return out;
 }
 
+PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings, int retries) {
+  constexpr std::array<double, 3> kAcceptance{0.9, 0.95, 0.99};
+  for (int attempt = 0;; ++attempt) {
+    settings.run.sampler.target_acceptance =
+        kAcceptance[static_cast<std::size_t>(std::min(attempt, 2))];
+    PosteriorRun run = sample_posterior(inputs, settings);
+    if (attempt == retries || !run.draws.complete || run.convergence.reasons.empty()) return run;
+    settings.run.draws *= 2;
+    settings.run.sampler.warm_up *= 2;
+  }
+}
+
 ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
                        const ThumbData& data, const ThumbStudySettings& study) {
   ThumbFit out;
   out.settings = settings;
   const FitInputs fit = thumb_fit_inputs(inputs, settings, data);
-  for (int doublings = 0; doublings <= study.retries; ++doublings) {
-    out.run = sample_posterior(fit, posterior_settings(inputs, settings, study, doublings));
-    if (!out.run.draws.complete || out.converged()) break;
-  }
+  out.run = sample_with_retries(fit, posterior_settings(inputs, settings, study), study.retries);
   if (!out.run.draws.complete) return out;
   score_pulls(data, out);
   score_tasks(data, study.scored_draws, out);

@@ -23,6 +23,10 @@ struct DirectionErrors {
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
+/// Samples; where chains do not agree again, each time twice as long and with shorter steps.
+[[nodiscard]] PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings,
+                                               int retries);
+
 /// Samples, again and longer where chains do not agree, and scores. `run` has no draws if stopped.
 [[nodiscard]] ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs,
                                      const ThumbFitSettings& settings, const ThumbData& data,
