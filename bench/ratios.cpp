@@ -12,8 +12,8 @@ int main() {
   bool pass = true;
   for (const auto& row_function :
        {ratio_kinematics, ratio_chain, ratio_force_map, ratio_fit, ratio_posterior_lanes,
-        ratio_posterior_gradient, ratio_posterior_jets, ratio_net_relaxation, ratio_net_kinsol,
-        ratio_net_masses, ratio_net_tuned_masses}) {
+        ratio_posterior_gradient, ratio_posterior_jets, ratio_sampler, ratio_sampler_in_all,
+        ratio_net_relaxation, ratio_net_kinsol, ratio_net_masses, ratio_net_tuned_masses}) {
     const Row row = row_function();
     fmt::print(
         "{:<44}{:>11.3f}{:>12.2f}{:>9.1f}{:>10}{:>10}{:>11}\n", row.name, row.ours, row.rival,
@@ -29,6 +29,15 @@ int main() {
       "FastKinematics is for whoever needs many poses of a whole hand, force_map for samplers of\n"
       "static thumb forces. No command of thenar calls either of these two today.\n"
       "Thumb forces in lanes: the rival runs the same steps of ours, point after point.\n"
+      "Effective draws: NUTS, 8 chains in lanes, against Haario's adaptive Metropolis on the "
+      "scalar\n"
+      "kernel; least bulk ESS of 20 entries, R-hat below 1.01 in both, processor time of one "
+      "core.\n"
+      "Both start about the modes and know the covariance there; in the second row the rival "
+      "learns\n"
+      "its own, and search and warm-up are spread over 10,000 draws. The error is that of means, "
+      "in\n"
+      "Monte Carlo errors.\n"
       "The net starts from its rest 0.02 rad away; its error is that of tensions [N]. Point "
       "masses\n"
       "run by Runge and Kutta's steps of controlled error; stepped by semi-explicit Euler, at a "

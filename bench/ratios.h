@@ -52,6 +52,8 @@ struct Patience {
 [[nodiscard]] Row ratio_posterior_lanes();  // ratio_posterior_evaluations.cpp; the rival is ours
 [[nodiscard]] Row ratio_posterior_gradient();
 [[nodiscard]] Row ratio_posterior_jets();
+[[nodiscard]] Row ratio_sampler();  // ratio_sampler.cpp
+[[nodiscard]] Row ratio_sampler_in_all();
 [[nodiscard]] Row ratio_net_relaxation();  // ratio_net.cpp
 [[nodiscard]] Row ratio_net_kinsol();
 [[nodiscard]] Row ratio_net_masses();
