@@ -6,9 +6,9 @@
 
 namespace thenar {
 
-/// Inverse of  -d2 log p / dx2  at x, by central differences of the gradient (n, n). Directions
-/// in which the density bends the wrong way, or hardly, count as bent by a twentieth of a standard
-/// normal; the identity where gradients are not finite: it is a guess to start from.
+/// Inverse of  -d2 log p / dx2  at x, by central differences of the gradient (n, n). It is a guess
+/// to start from: where the density bends the wrong way, it counts as bent as much the right way;
+/// at least by a twentieth of a standard normal. The identity where gradients are not finite.
 [[nodiscard]] Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& x);
 
 }  // namespace thenar

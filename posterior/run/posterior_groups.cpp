@@ -115,17 +115,21 @@ InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::Matr
   for (const Family& family : families(posterior)) {
     const std::string dimension = family.name + "_parameter";
     add_names(group, dimension, family.members);
-    group.arrays[family.name] = {by_draw(family_rows(values.population, family.rows, family.scale)),
-                                 {"chain", "draw", dimension},
-                                 family.unit,
-                                 "of the population"};
+    // Of one specimen alone the values of its population follow, but not how far those are off.
+    if (values.specimens.size() > 1)
+      group.arrays[family.name] = {
+          by_draw(family_rows(values.population, family.rows, family.scale)),
+          {"chain", "draw", dimension},
+          family.unit,
+          "of the population"};
     group.arrays[family.name + "_specimen"] = {by_draw(stacked(values.specimens, family)),
                                                {"chain", "draw", "specimen", dimension},
                                                family.unit,
                                                "of each specimen"};
   }
-  add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
-              "factor on the stated sd of the forces");
+  if (posterior.options().learn_noise)
+    add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
+                "factor on the stated sd of the forces");
   add_factors(group, "spread", "spread_kind", posterior.spread_kinds(), values.spread,
               "factor on the sd between specimens");
   return group;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "posterior/force_density.h"
 #include "sampling/random_stream.h"
 
 namespace thenar {
@@ -19,11 +20,9 @@ Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
   return x;
 }
 
-/// Factor of the draw on the sd between specimens of each coordinate
-/// (coordinates).
-Eigen::VectorXd spread_of(const HandPosterior& posterior, const PosteriorValues& values,
-                          Eigen::Index draw) {
-  const FitParameters& parameters = posterior.problem().parameters();
+/// Factor of the draw on the sd between specimens of each coordinate (coordinates).
+Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& parameters,
+                          const PosteriorValues& values, Eigen::Index draw) {
   const std::vector<std::string> kinds = posterior.spread_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
@@ -34,8 +33,19 @@ Eigen::VectorXd spread_of(const HandPosterior& posterior, const PosteriorValues&
   return factor;
 }
 
-/// Displacements of one draw, a stranger's deviation and unknown postures drawn
-/// (coordinates).
+/// A stranger's deviation in coordinate c [SI]: none in what x leaves out as a gauge, and within
+/// the bounds of what belongs to a specimen alone.
+double stranger(const Parameter& leader, double sd, RandomStream& random) {
+  constexpr int kMostTries = 1000;  // bounds enclose the mean, so that one soon falls inside
+  double u = sd * random.normal();
+  if (leader.sd > 0) return u;
+  for (int k = 0;
+       k < kMostTries && !(leader.lower <= leader.mean + u && leader.mean + u <= leader.upper); ++k)
+    u = sd * random.normal();
+  return u;
+}
+
+/// Displacements of one draw, a stranger's deviation and unknown postures drawn (coordinates).
 Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values,
                           const FitParameters& parameters, const Eigen::VectorXd& x,
                           Eigen::Index draw, int specimen) {
@@ -43,26 +53,66 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const int known = problem.parameters().coordinates();
   RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(draw), 0,
                       kStranger);
+  const Eigen::VectorXd factor = spread_of(*run.posterior, parameters, values, draw);
+  const auto leader = [&](int c) -> const Parameter& {
+    return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
+  };
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   u.head(known) = problem.displacements(run.posterior->fit_coordinates(x), specimen);
-  if (specimen < 0) {
-    const Eigen::VectorXd sd = problem.unseen_variance().cwiseSqrt();
-    const Eigen::VectorXd factor = spread_of(*run.posterior, values, draw);
-    for (int c = 0; c < known; ++c) u[c] += factor[c] * sd[c] * random.normal();
-  }
+  const Eigen::VectorXd sd = problem.unseen_variance().cwiseSqrt();
+  const std::vector<int> moving = run.posterior->moving_parameters();
+  for (int c = 0; c < known && specimen < 0; ++c)
+    if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))
+      u[c] += stranger(leader(c), factor[c] * sd[c], random);
   for (int c = known; c < parameters.coordinates(); ++c)
-    u[c] =
-        parameters.all[static_cast<std::size_t>(parameters.leader[c])].between_sd * random.normal();
+    u[c] = factor[c] * leader(c).between_sd * random.normal();
   return u;
 }
 
-/// The draw's factor on the noise of an experiment.
-double noise_factor(const HandPosterior& posterior, const PosteriorValues& values,
-                    const std::string& experiment, Eigen::Index draw) {
-  const std::vector<Experiment>& fitted = posterior.problem().experiments();
-  for (std::size_t e = 0; e < fitted.size(); ++e)
+/// The draw's factor on the noise of an experiment: its own if `specimen` was fitted to it, else a
+/// new one from the prior, since experiments err by themselves.
+double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
+                    const std::string& experiment, int specimen, Eigen::Index draw,
+                    RandomStream& random) {
+  const std::vector<Experiment>& fitted = run.posterior->problem().experiments();
+  for (std::size_t e = 0; e < fitted.size() && specimen >= 0; ++e)
     if (fitted[e].name == experiment) return values.noise(static_cast<Eigen::Index>(e), draw);
-  return std::exp(values.noise.col(draw).array().log().mean());
+  const PosteriorOptions& options = run.posterior->options();
+  return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
+}
+
+/// Chi-square of `nu` degrees of freedom, nu > 0. Source: [Marsaglia2000].
+double chi_square(double nu, RandomStream& random) {
+  // Of a shape below 1: that of a larger one, times a power of a uniform number.
+  const double shape = nu / 2;
+  if (shape < 1) return chi_square(nu + 2, random) * std::pow(random.uniform(), 1 / shape);
+  const double d = shape - 1.0 / 3, c = 1 / std::sqrt(9 * d);
+  while (true) {
+    const double z = random.normal(), v = std::pow(1 + c * z, 3);
+    if (v > 0 && std::log(random.uniform()) < z * z / 2 + d - d * v + d * std::log(v))
+      return 2 * d * v;
+  }
+}
+
+/// One measurement about the expected forces of each trial: normal, or where the noise is robust
+/// Student's t, whose three components share one chi-square.
+void add_noise(const ForceNoise& noise, const Eigen::VectorXd& sd, RandomStream& random,
+               Eigen::Ref<Eigen::VectorXd> forces) {
+  for (Eigen::Index trial = 0; trial < forces.size(); trial += 3) {
+    const double scale =
+        std::isinf(noise.c2) ? 1 : std::sqrt(noise.c2 / chi_square(noise.c2 - 3, random));
+    for (Eigen::Index i = trial; i < trial + 3; ++i) forces[i] += scale * sd[i] * random.normal();
+  }
+}
+
+/// Half the width of the central 95 % of a row over that of a standard normal: its sd, if normal.
+double spread_of_row(Eigen::VectorXd row) {
+  std::sort(row.begin(), row.end());
+  const auto last = static_cast<double>(row.size() - 1);
+  const auto at = [&](double share) {
+    return row[static_cast<Eigen::Index>(std::lround(share * last))];
+  };
+  return (at(0.975) - at(0.025)) / (2 * 1.959963984540054);
 }
 
 }  // namespace
@@ -84,23 +134,24 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   PredictedDraws out{experiment,
                      specimen < 0 ? "" : posterior.problem().specimens()[specimen],
                      ForceKernel(digit, parameters, plan).forces(u),
+                     {},
                      {}};
   out.replicated = out.expected;
+  out.sd.resize(out.expected.rows(), out.expected.cols());
+  const ForceNoise noise(posterior.problem().robust_scale());
   for (Eigen::Index k = 0; k < x.cols(); ++k) {
     RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(k), 0, kMeasure);
-    const double factor = noise_factor(posterior, values, experiment.name, k);
-    for (Eigen::Index i = 0; i < out.replicated.rows(); ++i)
-      out.replicated(i, k) += factor * plan.sd.data()[i] * random.normal();
+    out.sd.col(k) =
+        noise_factor(run, values, experiment.name, specimen, k, random) * plan.sd.reshaped();
+    add_noise(noise, out.sd.col(k), random, out.replicated.col(k));
   }
   return out;
 }
 
 Prediction summarise(const PredictedDraws& predicted) {
-  const auto draws = static_cast<double>(predicted.replicated.cols());
   const Eigen::VectorXd mean = predicted.expected.rowwise().mean();
-  const Eigen::VectorXd centre = predicted.replicated.rowwise().mean();
-  const Eigen::VectorXd sd =
-      ((predicted.replicated.colwise() - centre).rowwise().squaredNorm() / (draws - 1)).cwiseSqrt();
+  Eigen::VectorXd sd(mean.size());
+  for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
   return compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
                  Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials));
@@ -110,6 +161,7 @@ Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::M
                                   unsigned seed) {
   const std::vector<ExperimentPlan>& plans = posterior.problem().plans();
   const PosteriorValues values = posterior.values(x);
+  const ForceNoise noise(posterior.problem().robust_scale());
   Eigen::Index rows = 0, first = 0;
   for (const ExperimentPlan& plan : plans) rows += plan.sd.size();
   Eigen::MatrixXd forces(rows, x.cols());
@@ -119,9 +171,8 @@ Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::M
     for (Eigen::Index k = 0; k < x.cols(); ++k) {
       RandomStream random(seed, static_cast<std::uint32_t>(k), static_cast<std::uint32_t>(e),
                           kReplicate);
-      const double factor = values.noise(static_cast<Eigen::Index>(e), k);
-      for (Eigen::Index i = 0; i < count; ++i)
-        forces(first + i, k) += factor * plans[e].sd.data()[i] * random.normal();
+      add_noise(noise, values.noise(static_cast<Eigen::Index>(e), k) * plans[e].sd.reshaped(),
+                random, forces.col(k).segment(first, count));
     }
     first += count;
   }

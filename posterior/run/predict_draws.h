@@ -14,8 +14,8 @@ struct PredictedDraws {
   Experiment experiment;
   std::string specimen;        // whose parameters; empty: a stranger of the population
   Eigen::MatrixXd expected;    // forces without noise [N] (3 trials, draws)
-  Eigen::MatrixXd replicated;  // what a repeated measurement would read [N] (3
-                               // trials, draws)
+  Eigen::MatrixXd replicated;  // what a repeated measurement would read [N] (3 trials, draws)
+  Eigen::MatrixXd sd;          // of the noise [N] (3 trials, draws)
 };
 
 /// Any experiment on the fitted digit, also of a specimen that was not fitted:
@@ -23,16 +23,16 @@ struct PredictedDraws {
 /// that the fit does not know by name err by angles drawn from their prior. At
 /// most `draws` of the run, evenly spread.
 ///
-/// The noise of an experiment that was not fitted is its stated one, times the
-/// geometric mean of the factors that the fitted experiments have in the same
-/// draw.
+/// The noise of an experiment that was not fitted, or that a stranger made, is its stated one times
+/// a factor from the prior, as experiments err by themselves.
 /// @param specimen  index in problem().specimens(), or -1: a stranger
 /// @throws InputError if the experiment does not fit the digit, or there are no
 /// draws.
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);
 
-/// Means, with sds of the replicated forces, beside the measured ones.
+/// Means beside the measured forces, with sds of the replicated ones: half their central 95 % over
+/// 1.96, which robust noise of infinite variance has, too.
 [[nodiscard]] Prediction summarise(const PredictedDraws& predicted);
 
 /// Forces of the fitted trials as they would be measured again, for every
