@@ -1,5 +1,7 @@
 #include "apps/fit_posterior.h"
 
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -10,10 +12,14 @@
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
 #include "base/error.h"
+#include "posterior/run/agreed_work.h"
 #include "posterior/run/posterior_file.h"
+#include "sampling/durable_file.h"
 
 namespace thenar {
 namespace {
+
+namespace fs = std::filesystem;
 
 PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inputs, unsigned seed,
                               const std::string& output) {
@@ -26,16 +32,82 @@ PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inpu
   run.method = sampling_method(options.sampler);
   run.sampler.seed = seed;
   run.sampler.warm_up = options.warm_up;
+  run.sampler.max_depth = options.max_depth;
+  if (run.method == SamplingMethod::kNuts || run.method == SamplingMethod::kHmc)
+    run.sampler.target_acceptance = options.target_acceptance;
   run.groups = options.chains;
   run.walkers = options.walkers;
   run.temperatures = options.temperatures;
   run.least_temper = options.least_temper;
+  run.swap_every = options.swap_every;
   run.draws = options.draws;
   run.thin = options.thin;
   run.threads = options.threads;
   run.folder = output + ".chains";
+  run.checkpoint_every = options.checkpoint_every_s;
   run.progress = terminal_progress();
   return settings;
+}
+
+/// Forgets a run. Its state goes first: what is left if we are killed here begins anew.
+/// @throws InputError if another process is sampling there.
+void forget_run(const std::string& folder) {
+  if (!fs::exists(folder)) return;
+  internal::AppendFile lock(folder + "/lock");
+  require(lock.lock(), "another process is sampling in '{}'", folder);
+  fs::remove(folder + "/state.bin");
+  fs::remove_all(folder);
+}
+
+PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
+                    const Ranks& ranks) try {
+  return sample_posterior(inputs, settings, ranks);
+} catch (const CheckpointError& refusal) {
+  throw InputError(
+      fmt::format("{}\nThe same command as before would go on with it; --fresh "
+                  "forgets it and begins anew.",
+                  refusal.what()));
+}
+
+/// Of the first rank: the file, and what was learnt.
+void tell(const PosteriorRun& run, const ChainOptions& options, const std::string& output,
+          bool json) {
+  const std::string& folder = run.settings.run.folder;
+  if (run.draws.draws() == 0)
+    throw Interrupted(
+        fmt::format("stopped before the first draw: nothing was written, and the same command "
+                    "goes on where '{}' stopped",
+                    folder));
+  write_posterior(run, output);
+  if (json)
+    fmt::print("{}\n", summary_json(run).dump(2));
+  else
+    print_summary(run);
+  std::fflush(stdout);
+  fmt::print(stderr, "wrote {}\n", output);
+  if (!run.draws.complete)
+    throw Interrupted(fmt::format(
+        "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on", output,
+        run.draws.draws(), folder));
+  // Chains that have not converged may be asked for more draws.
+  if (run.convergence.reasons.empty() || options.allow_unconverged) forget_run(folder);
+  require_converged(run, options.allow_unconverged);
+}
+
+/// All that ranks do together; whatever it throws, it throws on all of them.
+void fit_together(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
+                  const std::string& output, bool json, const Ranks& ranks) {
+  PosteriorSettings settings;
+  agreed_work(ranks, [&] {
+    settings = settings_of(options, inputs, seed, output);
+    if (ranks.rank() > 0) settings.run.progress.report = nullptr;
+    if (ranks.rank() == 0) require_result_path(output);
+    if (ranks.rank() == 0 && options.fresh) forget_run(settings.run.folder);
+  });
+  const PosteriorRun run = sample(inputs, settings, ranks);
+  agreed_work(ranks, [&] {
+    if (ranks.rank() == 0) tell(run, options, output, json);
+  });
 }
 
 }  // namespace
@@ -49,6 +121,11 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
   add("--chains", options.chains, "Independent chains, or ensembles")->check(CLI::PositiveNumber);
   add("--walkers", options.walkers, "Chains of one ensemble (0: as the sampler needs)")
       ->check(CLI::NonNegativeNumber);
+  add("--target-acceptance", options.target_acceptance,
+      "Of nuts and hmc: higher takes smaller steps, against divergent ones")
+      ->check(CLI::Range(0.05, 0.999));
+  add("--max-depth", options.max_depth, "Of trees of nuts: 2^depth steps at most")
+      ->check(CLI::Range(1, 30));
   add("--warm-up", options.warm_up, "Steps that adapt and are thrown away")
       ->check(CLI::NonNegativeNumber);
   add("--draws", options.draws, "Draws of each chain")->check(CLI::PositiveNumber);
@@ -57,8 +134,13 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
       ->check(CLI::PositiveNumber);
   add("--least-temper", options.least_temper, "Power of the likelihood on the hottest rung")
       ->check(CLI::Range(0.0, 1.0));
+  add("--swap-every", options.swap_every, "Steps between swaps of temperatures")
+      ->check(CLI::PositiveNumber);
   add("--mode-starts", options.mode_starts, "Starts of the search for modes")
       ->check(CLI::PositiveNumber);
+  add("--checkpoint-every-s", options.checkpoint_every_s,
+      "Seconds between checkpoints: what a kill may cost")
+      ->check(CLI::NonNegativeNumber);
   add("--threads", options.threads, "0: as many as there are processors")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--fixed-noise", options.fixed_noise, "Believe the stated noise")->group(group);
@@ -73,31 +155,16 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
 void fit_posterior(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
                    const std::string& output, bool json) {
   require_ending(output, {".nc"});
-  require_result_path(output);
-  const std::unique_ptr<Ranks> ranks = world_ranks();
-  const PosteriorSettings settings = settings_of(options, inputs, seed, output);
-  if (options.fresh && ranks->rank() == 0) std::filesystem::remove_all(settings.run.folder);
-  ranks->barrier();
-  const PosteriorRun run = sample_posterior(inputs, settings, *ranks);
-  if (ranks->rank() > 0) return;
-  if (run.draws.draws() == 0)
-    throw Interrupted(
-        fmt::format("stopped before the first draw; '{}' holds the state: the same "
-                    "command goes on",
-                    settings.run.folder));
-  write_posterior(run, output);
-  if (json)
-    fmt::print("{}\n", summary_json(run).dump(2));
-  else
-    print_summary(run);
-  fmt::print(stderr, "wrote {}\n", output);
-  if (!run.draws.complete)
-    throw Interrupted(
-        fmt::format("stopped; {} holds the draws so far, '{}' "
-                    "the state: the same command goes on",
-                    output, settings.run.folder));
-  std::filesystem::remove_all(settings.run.folder);
-  require_converged(run, options.allow_unconverged);
+  std::exception_ptr trouble;
+  {
+    const std::unique_ptr<Ranks> ranks = world_ranks();
+    try {
+      fit_together(inputs, options, seed, output, json, *ranks);
+    } catch (const std::exception&) {
+      if (ranks->rank() == 0) trouble = std::current_exception();
+    }
+  }  // MPI ends in peace before the first rank fails alone
+  if (trouble) std::rethrow_exception(trouble);
 }
 
 }  // namespace thenar

@@ -14,15 +14,18 @@ namespace thenar {
 /// What only a sampler asks of the command line.
 struct ChainOptions {
   std::string sampler = "nuts";
-  int chains = 4, walkers = 0, temperatures = 1, thin = 1, threads = 0, mode_starts = 16;
+  int chains = 4, walkers = 0, temperatures = 1, swap_every = 1, thin = 1, threads = 0;
+  int mode_starts = 16, max_depth = 10;
   long warm_up = 1000, draws = 1000;
-  double least_temper = 0;
+  double least_temper = 0, checkpoint_every_s = 10;
+  double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
   bool fixed_noise = false, allow_unconverged = false, fresh = false;
 };
 
 void add_chain_options(CLI::App& command, ChainOptions& options);
 
-/// Samples, writes `output` (ArviZ InferenceData), prints what was learnt.
+/// Samples, writes `output` (ArviZ InferenceData), prints what was learnt. Under mpirun the first
+/// rank alone writes, prints and fails; the others leave quietly.
 /// @throws Error if the chains have not converged, unless allowed; the file is
 /// written first.
 void fit_posterior(const FitInputs& inputs, const ChainOptions& options, unsigned seed,

@@ -31,7 +31,7 @@ int main(int argc, char** argv) {
     return silent.get_exit_code();
   } catch (const thenar::Interrupted& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
-    return 130;  // as shells say of a program that Ctrl-C ended
+    return thenar::exit_code_of_interruption();
   } catch (const std::exception& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return 1;

@@ -5,23 +5,21 @@
 
 #include <fmt/format.h>
 
+#include "apps/posterior_advice.h"
 #include "apps/print_table.h"
 #include "base/error.h"
-#include "kinematics_fit/prediction.h"
-#include "posterior/run/predict_draws.h"
-#include "posterior/run/run_quantities.h"
+#include "posterior/run/posterior_summary.h"
 
 namespace thenar {
 namespace {
 
 /// Quantities from the one that was learnt most about to the least, by sd over
 /// the prior's.
-std::vector<std::size_t> by_knowledge(const std::vector<ReadQuantity>& quantities,
-                                      const std::vector<Estimate>& estimates) {
+std::vector<std::size_t> by_knowledge(const PosteriorSummary& summary) {
   std::vector<double> left;
-  for (std::size_t i = 0; i < quantities.size(); ++i)
-    left.push_back(estimates[i].sd / prior_sd(quantities[i]));
-  std::vector<std::size_t> order(quantities.size());
+  for (std::size_t i = 0; i < summary.quantities.size(); ++i)
+    left.push_back(summary.estimates[i].sd / prior_sd(summary.quantities[i]));
+  std::vector<std::size_t> order(left.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
@@ -36,16 +34,67 @@ void print_banner(const PosteriorRun& run) {
   fmt::print("{}\n", line);
 }
 
-void print_quantities(const PosteriorRun& run, std::size_t rows) {
-  const std::vector<ReadQuantity> quantities = read_quantities(run);
-  const std::vector<Estimate> estimates = estimates_of(quantities, run.draws.group);
+void print_figures(const PosteriorRun& run) {
+  const Convergence& c = run.convergence;
+  fmt::print(
+      "{}\nworst R-hat {:.4f}, least ESS {:.0f} (bulk) and {:.0f} (tail), {} divergent, "
+      "{} broken densities\n",
+      describe_run(run), c.worst_r_hat, c.least_bulk_ess, c.least_tail_ess, c.divergent, c.broken);
+  if (run.draws.swap_rate.size() > 0) {
+    std::string rates;
+    for (const double rate : run.draws.swap_rate.rowwise().mean())
+      rates += fmt::format("{}{:.0f}", rates.empty() ? "" : ", ", 100 * rate);
+    fmt::print("temperatures swap with the next hotter one in {} % of attempts\n", rates);
+  }
+}
+
+void print_doubts(const std::string& about, const std::vector<std::string>& doubts) {
+  for (const std::string& doubt : doubts) fmt::print("  ! {}: {}\n", about, doubt);
+}
+
+void print_checks(const PosteriorSummary& summary) {
+  Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
+               "within_95_pct", "chi_square", "numbers", "p"},
+              {}};
+  for (const auto& [prediction, check] : summary.experiments) {
+    table.rows.push_back({prediction.experiment, shown(prediction.error.rms, 3),
+                          shown(prediction.error.relative, 3)});
+    for (const Coverage& coverage : check.coverage)
+      table.rows.back().push_back(shown(100 * coverage.share, 0));
+    for (const std::string& cell : {shown(check.mean_chi_square, 1),
+                                    fmt::format("{}", check.rank_share.size()), shown(check.p, 3)})
+      table.rows.back().push_back(cell);
+  }
+  print_table("forces as they would be measured again, beside those measured", table);
+  for (const ExperimentCheck& experiment : summary.experiments)
+    print_doubts(experiment.prediction.experiment, experiment.check.doubts);
+  fmt::print("\n");
+}
+
+void print_left_out(const PosteriorSummary& summary) {
+  if (!summary.left_out) return;
+  const LeaveOneOut& loo = summary.left_out->result;
+  fmt::print(
+      "left out one by one (PSIS): elpd {:.1f} +- {:.1f}, {:.1f} effective parameters, "
+      "{} of {} observations with k above {:.2f}\n",
+      loo.elpd, loo.se, loo.effective_parameters, (loo.k.array() > loo.good_k).count(),
+      loo.k.size(), loo.good_k);
+  print_doubts("leave-one-out", loo.doubts);
+  Eigen::Index worst;
+  if (loo.k.maxCoeff(&worst) > loo.good_k)
+    fmt::print("  ! number {} is {}\n", worst + 1,
+               summary.left_out->observations[static_cast<std::size_t>(worst)]);
+  fmt::print("\n");
+}
+
+void print_quantities(const PosteriorSummary& summary, std::size_t rows) {
   Table table{{"parameter", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95", "mcse",
                "r_hat", "bulk_ess", "tail_ess"},
               {}};
-  const std::vector<std::size_t> order = by_knowledge(quantities, estimates);
+  const std::vector<std::size_t> order = by_knowledge(summary);
   for (std::size_t k = 0; k < std::min(rows, order.size()); ++k) {
-    const Estimate& e = estimates[order[k]];
-    const ReadQuantity& q = quantities[order[k]];
+    const Estimate& e = summary.estimates[order[k]];
+    const ReadQuantity& q = summary.quantities[order[k]];
     table.rows.push_back({q.name, q.unit, shown(e.mean), shown(e.sd), shown(prior_sd(q)),
                           shown(e.q05), shown(e.median), shown(e.q95), shown(e.mcse_mean),
                           shown(e.r_hat, 3), shown(e.bulk_ess, 0), shown(e.tail_ess, 0)});
@@ -53,84 +102,59 @@ void print_quantities(const PosteriorRun& run, std::size_t rows) {
   print_table(fmt::format("learnt most ({} of {})", table.rows.size(), order.size()), table);
 }
 
-void print_modes(const PosteriorRun& run) {
-  Table table{{"mode", "cost", "searches", "laplace_mass"}, {}};
-  for (std::size_t m = 0; m < run.modes.size(); ++m)
-    table.rows.push_back({fmt::format("{}", m + 1), shown(run.modes[m].cost, 2),
-                          fmt::format("{}", run.modes[m].hits),
-                          shown(run.modes[m].laplace_mass, 3)});
-  print_table("modes found before sampling", table);
+void print_directions(const PosteriorSummary& summary, std::size_t rows) {
+  const LearntDirections& found = summary.directions;
+  fmt::print("{} of {} directions are decided by the data, {:.1f} parameters in effect\n",
+             found.decided, found.directions.size(), found.effective_parameters);
+  for (std::size_t i = 0; i < std::min(rows, found.directions.size()); ++i)
+    if (found.directions[i].sd_ratio < 1) fmt::print("  {}\n", found.directions[i].text);
+  fmt::print("\n");
 }
 
-nlohmann::json estimate_json(const ReadQuantity& q, const Estimate& e) {
-  return {{"name", q.name},          {"unit", q.unit},
-          {"mean", e.mean},          {"sd", e.sd},
-          {"prior_sd", prior_sd(q)}, {"mcse_mean", e.mcse_mean},
-          {"mcse_sd", e.mcse_sd},    {"q05", e.q05},
-          {"median", e.median},      {"q95", e.q95},
-          {"r_hat", e.r_hat},        {"bulk_ess", e.bulk_ess},
-          {"tail_ess", e.tail_ess}};
+/// Masses by the draws beside those of Laplace's approximation before sampling.
+void print_modes(const PosteriorRun& run) {
+  Table table{{"mode", "mass", "mcse", "crossings", "cost", "searches", "laplace_mass"}, {}};
+  for (const ModeMass& mode : run.mode_table.modes) {
+    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), shown(mode.mass, 3),
+                          shown(mode.mcse, 3), fmt::format("{}", mode.crossings)});
+    std::vector<std::string>& row = table.rows.back();
+    if (mode.known < 0) {
+      row.insert(row.end(), 3, "-");
+      continue;
+    }
+    const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
+    for (const std::string& cell :
+         {shown(found.cost, 2), fmt::format("{}", found.hits), shown(found.laplace_mass, 3)})
+      row.push_back(cell);
+  }
+  print_table("modes, by the draws in each and by the search before", table);
+  print_doubts("modes", run.mode_table.doubts);
 }
 
 }  // namespace
 
-nlohmann::json summary_json(const PosteriorRun& run) {
-  const Convergence& c = run.convergence;
-  nlohmann::json out{{"sampler", name_of(run.settings.run.method)},
-                     {"chains", run.draws.chains()},
-                     {"draws", run.draws.draws()},
-                     {"warm_up", run.draws.warm_up},
-                     {"complete", run.draws.complete},
-                     {"seconds", run.draws.seconds},
-                     {"converged", c.reasons.empty()},
-                     {"reasons", c.reasons},
-                     {"worst_r_hat", c.worst_r_hat},
-                     {"least_bulk_ess", c.least_bulk_ess},
-                     {"least_tail_ess", c.least_tail_ess},
-                     {"divergent", c.divergent},
-                     {"broken", c.broken}};
-  const std::vector<ReadQuantity> quantities = read_quantities(run);
-  const std::vector<Estimate> estimates = estimates_of(quantities, run.draws.group);
-  for (std::size_t i = 0; i < quantities.size(); ++i)
-    out["parameters"].push_back(estimate_json(quantities[i], estimates[i]));
-  for (const Mode& mode : run.modes)
-    out["modes"].push_back(
-        {{"cost", mode.cost}, {"searches", mode.hits}, {"laplace_mass", mode.laplace_mass}});
-  return out;
-}
-
 void print_summary(const PosteriorRun& run, std::size_t rows) {
+  const PosteriorSummary summary = summarise_posterior(run);
   print_banner(run);
-  fmt::print("{}\n", describe_run(run));
-  const Convergence& c = run.convergence;
-  fmt::print(
-      "worst R-hat {:.4f}, least ESS {:.0f} (bulk) and {:.0f} (tail), "
-      "{} divergent, "
-      "{} broken densities\n",
-      c.worst_r_hat, c.least_bulk_ess, c.least_tail_ess, c.divergent, c.broken);
-  for (const Experiment& experiment : run.posterior->problem().experiments()) {
-    const ForceError error =
-        summarise(predict_draws(run, experiment,
-                                find_specimen(run.posterior->problem(), experiment.specimen)))
-            .error;
-    fmt::print(
-        "  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}, "
-        "{:.0f} % within 95 %\n",
-        experiment.name, error.rms, error.relative, 100 * error.covered.value_or(0));
-  }
+  print_figures(run);
   fmt::print("\n");
-  print_quantities(run, rows);
+  print_checks(summary);
+  print_left_out(summary);
+  print_quantities(summary, rows);
+  print_directions(summary, std::min<std::size_t>(rows, 8));
   print_modes(run);
-  print_banner(run);
 }
 
 void require_converged(const PosteriorRun& run, bool allowed) {
-  if (run.convergence.reasons.empty() || allowed) return;
-  std::string text =
-      "the chains have NOT converged; the file holds them, but do not use them "
-      "(--allow-unconverged to go on):";
+  if (run.convergence.reasons.empty()) return;
+  std::string text = "the chains have NOT converged; do not use these draws";
+  if (!allowed) text += " (--allow-unconverged to exit without error)";
+  text += ":";
   for (const std::string& reason : run.convergence.reasons) text += "\n  * " + reason;
-  throw Error(text);
+  text += "\nWhat may help:";
+  for (const std::string& sentence : advise(run)) text += "\n  * " + sentence;
+  if (!allowed) throw Error(text);
+  fmt::print(stderr, "thenar: warning: {}\n", text);
 }
 
 }  // namespace thenar

@@ -8,14 +8,15 @@
 
 namespace thenar {
 
+/// Everything below, for programs.
 [[nodiscard]] nlohmann::json summary_json(const PosteriorRun& run);
 
-/// Tables of parameters, modes, directions and chains; a banner first if they
-/// have not converged.
+/// Tables: predictive checks, leave-one-out, parameters, directions, modes; a banner first if the
+/// chains have not converged.
 void print_summary(const PosteriorRun& run, std::size_t rows = 20);
 
-/// @throws Error with every reason if the run has not converged and that is not
-/// allowed.
+/// @throws Error with every reason, and what may help, if the run has not converged; a warning on
+/// stderr where that is allowed.
 void require_converged(const PosteriorRun& run, bool allowed);
 
 }  // namespace thenar

@@ -12,11 +12,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-volatile std::sig_atomic_t g_interrupted = 0;  // a signal handler can reach nothing else
+volatile std::sig_atomic_t g_signal = 0;  // a signal handler can reach nothing else
 
-void on_interrupt(int /*signal*/) {
-  g_interrupted = 1;
-  std::signal(SIGINT, SIG_DFL);
+void on_interrupt(int signal) {
+  g_signal = signal;
+  std::signal(signal, SIG_DFL);
 }
 
 /// Draws at most ten times a second, and wipes its line when it goes.
@@ -47,7 +47,7 @@ class Bar {
 }  // namespace
 
 Progress terminal_progress() {
-  std::signal(SIGINT, on_interrupt);
+  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_interrupt);
   Progress progress;
   progress.stop_requested = interrupted;
   if (isatty(STDERR_FILENO) == 0) return progress;
@@ -57,6 +57,8 @@ Progress terminal_progress() {
   return progress;
 }
 
-bool interrupted() { return g_interrupted != 0; }
+bool interrupted() { return g_signal != 0; }
+
+int exit_code_of_interruption() { return 128 + (interrupted() ? g_signal : SIGINT); }
 
 }  // namespace thenar

@@ -6,13 +6,17 @@
 namespace thenar {
 
 /// A progress bar on stderr, drawn only on a terminal and only for work longer than a second;
-/// Ctrl-C asks the work to stop and keep what it has, a second one kills.
+/// Ctrl-C or SIGTERM asks the work to stop and keep what it has, a second one kills.
 [[nodiscard]] Progress terminal_progress();
 
-/// Was Ctrl-C pressed?
+/// Was Ctrl-C pressed, or SIGTERM sent?
 [[nodiscard]] bool interrupted();
 
-/// Thrown by a command that Ctrl-C cut short, after it has saved what it had.
+/// As shells say of a program that a signal ended: 130 after Ctrl-C, also where another process of
+/// the run was told to stop; 143 after SIGTERM.
+[[nodiscard]] int exit_code_of_interruption();
+
+/// Thrown by a command that a signal cut short, after it has saved what it had.
 class Interrupted : public Error {
  public:
   using Error::Error;

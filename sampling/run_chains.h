@@ -5,11 +5,18 @@
 #include <functional>
 #include <string>
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "sampling/draws.h"
 #include "sampling/ranks.h"
 
 namespace thenar {
+
+/// The folder of a run holds the checkpoint of another one, or a damaged one.
+class CheckpointError : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 struct RunOptions {
   SamplingMethod method = SamplingMethod::kNuts;
@@ -42,8 +49,9 @@ struct RunOptions {
 /// An error of one rank alone ends all ranks (Ranks::abort); one that all of them meet is thrown.
 /// @param starts  one column for each walker of each group; hotter rungs start from the same
 /// (n, groups * walkers)
-/// @throws InputError if options do not fit together; if a checkpoint belongs to another run or is
-/// damaged, or another process works in its folder; or if nothing can be written there.
+/// @throws CheckpointError if a checkpoint belongs to another run or is damaged.
+/// @throws InputError if options do not fit together, another process works in the folder, or
+/// nothing can be written there.
 [[nodiscard]] Draws run_chains(const Target& target, const Eigen::MatrixXd& starts,
                                const RunOptions& options, const Ranks& ranks);
 

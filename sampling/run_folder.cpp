@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "sampling/run_chains.h"
 #include "sampling/state_bytes.h"
 
 namespace thenar::internal {
@@ -54,14 +55,15 @@ std::string differences(RunIdentity was, RunIdentity is) {
 void check_identity(const std::string& folder, const RunIdentity& identity) {
   const std::string path = folder + "/run.txt";
   if (!fs::exists(path)) {
-    require(!fs::exists(folder + "/state.bin"), "folder '{}' has a checkpoint but no run.txt",
-            folder);
+    if (fs::exists(folder + "/state.bin"))
+      throw CheckpointError(fmt::format("folder '{}' has a checkpoint but no run.txt", folder));
     replace_file(path, text_of(identity));
     return;
   }
   const std::string differing = differences(identity_of(content_of(path)), identity);
-  require(differing.empty(), "the checkpoint in '{}' belongs to another run; what differs: {}",
-          folder, differing);
+  if (!differing.empty())
+    throw CheckpointError(fmt::format(
+        "the checkpoint in '{}' belongs to another run; what differs: {}", folder, differing));
 }
 
 }  // namespace
@@ -76,10 +78,14 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
   lock_.emplace(folder + "/lock");
   require(lock_->lock(), "another process is sampling in '{}'", folder);
   check_identity(folder, identity);
-  read_state();
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    streams_.emplace_back(fmt::format("{}/group_{:03}.draws", folder, k), rows[k]);
-    streams_.back().resume(columns_);
+  try {
+    read_state();
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      streams_.emplace_back(fmt::format("{}/group_{:03}.draws", folder, k), rows[k]);
+      streams_.back().resume(columns_);
+    }
+  } catch (const InputError& damage) {
+    throw CheckpointError(damage.what());
   }
 }
 

@@ -25,8 +25,9 @@ using RunIdentity = std::map<std::string, std::string>;
 class RunFolder {
  public:
   /// @param rows  of the streams (groups)
-  /// @throws InputError naming what differs, if the folder belongs to another run; if another
-  /// process works in it; or if nothing can be written there.
+  /// @throws CheckpointError naming what differs, if the folder belongs to another run, or is
+  /// damaged.
+  /// @throws InputError if another process works in it, or nothing can be written there.
   RunFolder(const std::string& folder, const RunIdentity& identity,
             const std::vector<Eigen::Index>& rows);
 

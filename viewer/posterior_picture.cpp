@@ -6,9 +6,8 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/run/posterior_summary.h"
 #include "posterior/run/predict_draws.h"
-#include "posterior/run/run_quantities.h"
-#include "sampling/diagnostics/psis.h"
 
 namespace thenar {
 namespace {
@@ -84,10 +83,9 @@ std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
 }
 
 std::optional<LeftOut> left_out_of(const PosteriorRun& run) {
-  const Eigen::MatrixXd pointwise = run.posterior->pointwise(pooled(run.draws));
-  if (run.draws.draws() < 4 || !pointwise.allFinite()) return {};
-  return LeftOut{leave_one_out(pointwise, run.draws.chains()),
-                 observation_names(run.posterior->problem())};
+  std::optional<LeftOutObservations> found = leave_out_observations(run);
+  if (!found) return {};
+  return LeftOut{std::move(found->result), std::move(found->observations)};
 }
 
 }  // namespace

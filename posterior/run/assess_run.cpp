@@ -6,7 +6,9 @@ namespace thenar {
 
 void assess_run(PosteriorRun& run) {
   if (run.draws.draws() == 0) return;
-  run.convergence = assess(run.draws, run.posterior->names(), run.settings.limits);
+  ConvergenceLimits limits = run.settings.limits;
+  limits.max_depth = run.settings.run.sampler.max_depth;
+  run.convergence = assess(run.draws, run.posterior->names(), limits);
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {
     const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);

@@ -34,10 +34,13 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
   add("sampler", name_of(run.method));
   add("seed", run.sampler.seed);
   add("warm_up", run.sampler.warm_up);
+  add("target_acceptance", run.sampler.target_acceptance);
+  add("max_depth", run.sampler.max_depth);
   add("groups", run.groups);
   add("walkers", run.walkers);
   add("temperatures", run.temperatures);
   add("least_temper", run.least_temper);
+  add("swap_every", run.swap_every);
   add("thin", run.thin);
   add("draws", run.draws);
   add("mode_starts", settings.mode_starts);
@@ -68,10 +71,13 @@ PosteriorSettings settings_of(const Given& given) {
   run.method = sampling_method(given.text("setting_sampler"));
   run.sampler.seed = static_cast<unsigned>(given.number("seed"));
   run.sampler.warm_up = static_cast<long>(given.number("warm_up"));
+  run.sampler.target_acceptance = given.number("target_acceptance");
+  run.sampler.max_depth = given.integer("max_depth");
   run.groups = given.integer("groups");
   run.walkers = given.integer("walkers");
   run.temperatures = given.integer("temperatures");
   run.least_temper = given.number("least_temper");
+  run.swap_every = given.integer("swap_every");
   run.thin = given.integer("thin");
   run.draws = static_cast<long>(given.number("draws"));
   return settings;

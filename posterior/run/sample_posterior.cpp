@@ -1,6 +1,8 @@
 #include "posterior/run/sample_posterior.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +11,7 @@
 #include "posterior/run/agreed_work.h"
 #include "posterior/run/assess_run.h"
 #include "posterior/run/laplace.h"
+#include "sampling/swap_temperatures.h"
 
 namespace thenar {
 namespace {
@@ -38,11 +41,21 @@ FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& sett
   return find_modes(least_squares(problem), search);
 }
 
+/// Entries at the end of x that are factors of noise and spread.
+Eigen::Index count_factors(const HandPosterior& posterior) {
+  const std::vector<std::string> names = posterior.names();
+  return std::count_if(names.begin(), names.end(), [](const std::string& name) {
+    return name.rfind("noise/", 0) == 0 || name.rfind("spread/", 0) == 0;
+  });
+}
+
 /// Points about the modes where the density is not zero (size, count).
 Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mode>& modes,
                             int count, unsigned seed) {
   const LeastSquares problem = least_squares(posterior.problem());
   Eigen::MatrixXd starts(posterior.size(), count);
+  // A fit knows no factors of noise and spread: they begin where the prior has them.
+  const Eigen::Index factors = count_factors(posterior);
   double inflation = kInflation;
   for (int found = 0, attempt = 0; found < count; ++attempt, inflation *= 0.7) {
     require(attempt < 20, "no start with a density above zero was found about {} modes",
@@ -50,7 +63,8 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
     const Eigen::MatrixXd z =
         dispersed_starts(problem, modes, count, inflation, seed + static_cast<unsigned>(attempt));
     for (int k = found; k < count; ++k) {
-      const Eigen::VectorXd x = posterior.from_fit(z.col(k));
+      Eigen::VectorXd x = posterior.from_fit(z.col(k));
+      x.tail(factors) = posterior.draw_prior(seed, static_cast<unsigned>(k)).tail(factors);
       const Densities at = posterior.evaluate(x, WithGradient::kNo);
       if (!std::isfinite(at.log_prior[0] + at.log_likelihood[0])) break;
       starts.col(found++) = x;
@@ -65,23 +79,10 @@ int least_walkers(SamplingMethod method, int n) {
   return method == SamplingMethod::kDreamZs ? 3 : 1;
 }
 
-}  // namespace
-
-std::string describe_run(const PosteriorRun& run) {
-  const RunOptions& options = run.settings.run;
-  std::string text = fmt::format("{}: {} {} of {} draws after {} steps of warm-up, {:.1f} s",
-                                 name_of(options.method), run.draws.chains(),
-                                 run.draws.chains() == 1 ? "chain" : "chains", run.draws.draws(),
-                                 run.draws.warm_up, run.draws.seconds);
-  if (options.temperatures > 1) text += fmt::format(", {} temperatures", options.temperatures);
-  return text + (run.draws.complete ? "" : "; stopped early");
-}
-
-Eigen::MatrixXd pooled(const Draws& draws) {
-  Eigen::MatrixXd all(draws.size(), draws.chains() * draws.draws());
-  for (int c = 0; c < draws.chains(); ++c)
-    all.middleCols(c * draws.draws(), draws.draws()) = draws.x[static_cast<std::size_t>(c)];
-  return all;
+/// What run_chains() would refuse, said before the search rather than after it.
+void check_chains(const RunOptions& options, int n) {
+  (void)build_sampler(options.method, Eigen::MatrixXd::Zero(n, options.walkers), options.sampler);
+  (void)temperature_ladder(options.temperatures, options.least_temper);
 }
 
 /// Where chains begin, and the first guess of how far they reach.
@@ -104,12 +105,28 @@ std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
 
 /// What rank 0 has, on all ranks.
 Eigen::MatrixXd shared_out(const Ranks& ranks, const Eigen::MatrixXd& mine, Eigen::Index rows) {
-  return ranks
-      .all_gather(ranks.rank() == 0 ? Eigen::VectorXd(mine.reshaped()) : Eigen::VectorXd())
+  return ranks.all_gather(ranks.rank() == 0 ? Eigen::VectorXd(mine.reshaped()) : Eigen::VectorXd())
       .reshaped(rows, Eigen::AutoSize);
 }
 
 }  // namespace
+
+std::string describe_run(const PosteriorRun& run) {
+  const RunOptions& options = run.settings.run;
+  std::string text = fmt::format("{}: {} {} of {} draws after {} steps of warm-up, {:.1f} s",
+                                 name_of(options.method), run.draws.chains(),
+                                 run.draws.chains() == 1 ? "chain" : "chains", run.draws.draws(),
+                                 run.draws.warm_up, run.draws.seconds);
+  if (options.temperatures > 1) text += fmt::format(", {} temperatures", options.temperatures);
+  return text + (run.draws.complete ? "" : "; stopped early");
+}
+
+Eigen::MatrixXd pooled(const Draws& draws) {
+  Eigen::MatrixXd all(draws.size(), draws.chains() * draws.draws());
+  for (int c = 0; c < draws.chains(); ++c)
+    all.middleCols(c * draws.draws(), draws.draws()) = draws.x[static_cast<std::size_t>(c)];
+  return all;
+}
 
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
                               const Ranks& ranks) {
@@ -123,7 +140,7 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
         std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
     if (options.walkers == 0)
       options.walkers = least_walkers(options.method, run.posterior->size());
-    check_before_search(options, run.posterior->size());
+    check_chains(options, run.posterior->size());
     // The others need not search for what they are told.
     if (ranks.rank() == 0) beginning = begin(run, options);
   });

@@ -35,9 +35,10 @@ struct PosteriorRun {
 
 /// Finds the modes, starts chains at overdispersed points about them, samples, and assesses.
 ///
-/// Run by several ranks, rank 0 returns all and the others empty draws.
+/// Asked to stop while it searches, it returns no draws and no modes: the next call searches again.
+/// Of several ranks, the first alone searches, and returns all; the others return no draws.
 /// @throws InputError or DataError as build_problem() and run_chains() do, and if no start of
-/// finite density is found.
+/// finite density is found; on all ranks alike.
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
                                             const PosteriorSettings& settings, const Ranks& ranks);
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,

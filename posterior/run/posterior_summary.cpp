@@ -1,0 +1,51 @@
+#include "posterior/run/posterior_summary.h"
+
+#include "base/error.h"
+#include "posterior/run/predict_draws.h"
+
+namespace thenar {
+namespace {
+
+constexpr long kCheckedDraws = 2000;  // replicated for the predictive checks, at most
+
+/// The prior of the sampled coordinates is standard normal, by their making.
+LearntDirections directions_of(const PosteriorRun& run) {
+  const Eigen::Index n = run.draws.size();
+  return learnt_directions(run.posterior->names(), covariance_of(pooled(run.draws)),
+                           Eigen::MatrixXd::Identity(n, n));
+}
+
+ExperimentCheck check_of(const PosteriorRun& run, const Experiment& experiment) {
+  const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
+  const PredictedDraws predicted = predict_draws(run, experiment, specimen, kCheckedDraws);
+  Eigen::VectorXd measured(predicted.expected.rows());
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i)
+    measured.segment<3>(3 * static_cast<Eigen::Index>(i)) = experiment.trials[i].force;
+  return {summarise(predicted),
+          check_predictive(measured, {predicted.expected, predicted.replicated, predicted.sd})};
+}
+
+}  // namespace
+
+std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& run) {
+  if (run.draws.draws() < 4) return {};
+  const Eigen::MatrixXd pointwise = run.posterior->pointwise(pooled(run.draws));
+  if (!pointwise.allFinite()) return {};
+  return LeftOutObservations{leave_one_out(pointwise, run.draws.chains()),
+                             observation_names(run.posterior->problem())};
+}
+
+PosteriorSummary summarise_posterior(const PosteriorRun& run) {
+  require(run.draws.draws() * run.draws.chains() >= 2, "a summary needs 2 draws, got {}",
+          run.draws.draws() * run.draws.chains());
+  PosteriorSummary summary;
+  summary.quantities = read_quantities(run);
+  summary.estimates = estimates_of(summary.quantities, run.draws.group);
+  summary.directions = directions_of(run);
+  for (const Experiment& experiment : run.posterior->problem().experiments())
+    if (!experiment.trials.empty()) summary.experiments.push_back(check_of(run, experiment));
+  summary.left_out = leave_out_observations(run);
+  return summary;
+}
+
+}  // namespace thenar
