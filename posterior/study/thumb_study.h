@@ -51,9 +51,9 @@ struct ThumbStudySettings {
   Progress progress;
 };
 
-/// Both models with fixed and free arms: at 5, 10 and 20 % noise, also at twice the published
-/// skewness, in 1 to 4 postures at 10 %, and with tasks beside the pulls; and at 1 % with fixed
-/// arms.
+/// Both models, arms fixed: at 1, 5, 10 and 20 % noise, at twice the published skewness, in 1 to 4
+/// postures, with tasks beside the pulls, and with priors three times as wide; arms free: at 5, 10
+/// and 20 % noise. Minutes.
 [[nodiscard]] ThumbStudySettings full_thumb_study();
 /// Both models at three noises, and 1 to 4 postures, arms fixed: less than 20 s on one core.
 [[nodiscard]] ThumbStudySettings quick_thumb_study();

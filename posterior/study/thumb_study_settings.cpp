@@ -36,15 +36,13 @@ ThumbStudyInputs thumb_study_inputs(const std::string& data) {
 
 ThumbStudySettings full_thumb_study() {
   ThumbStudySettings settings;
-  add_noises(Arms::kFixed, {0.01}, 1, settings.fits);
-  for (const Arms arms : {Arms::kFixed, Arms::kFree}) {
-    add_noises(arms, {0.05, 0.1, 0.2}, 1, settings.fits);
-    add_noises(arms, {0.05, 0.1, 0.2}, 2, settings.fits);
-    for (const bool skewed : kBothModels) {
-      add_postures(skewed, arms, settings.fits);
-      settings.fits.push_back({skewed, arms, 0.1, 2, 1, true});
-    }
+  add_noises(Arms::kFixed, {0.01, 0.05, 0.1, 0.2}, 1, settings.fits);
+  add_noises(Arms::kFixed, {0.05, 0.1, 0.2}, 2, settings.fits);
+  for (const bool skewed : kBothModels) {
+    add_postures(skewed, Arms::kFixed, settings.fits);
+    settings.fits.push_back({skewed, Arms::kFixed, 0.1, 2, 1, true});
   }
+  add_noises(Arms::kFree, {0.05, 0.1, 0.2}, 1, settings.fits);
   // Where anatomy hardly helps, there may be several modes.
   for (const int postures : {1, 2, 4})
     for (const bool skewed : kBothModels)
@@ -65,7 +63,7 @@ ThumbStudySettings quick_thumb_study() {
 
 std::string describe_fit(const ThumbFitSettings& settings) {
   return fmt::format(
-      "{}, arms {}, {:.0f} % noise, {} {}{}", settings.skewed ? "skewed" : "orthogonal",
+      "{}, arms {}, {:.0f} % noise, {} {}{}{}", settings.skewed ? "skewed" : "orthogonal",
       settings.arms == Arms::kFixed ? "known" : "free", 100 * settings.noise, settings.postures,
       settings.postures == 1 ? "posture" : "postures", settings.with_tasks ? ", with tasks" : "",
       settings.prior_width == 1 ? "" : fmt::format(", {} x prior", settings.prior_width));
