@@ -62,9 +62,9 @@ std::vector<std::string> find_doubts(const PredictiveCheck& of) {
   std::vector<std::string> doubts;
   if (of.p < kOddP || of.p > 1 - kOddP)
     doubts.push_back(
-        fmt::format("{:.2g} % of replicated measurements are further from the model "
+        fmt::format("{:.3g} % of replicated measurements are further from the model "
                     "than the measured ones: the model is too {}",
-                    of.p, of.p < 0.5 ? "sure" : "unsure"));
+                    100 * of.p, of.p < 0.5 ? "sure" : "unsure"));
   for (Eigen::Index t = 0; t < of.trial_p.size(); ++t)
     if (of.trial_p[t] < kOddP / double(of.trial_p.size()))
       doubts.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates", t + 1,
