@@ -14,7 +14,8 @@ namespace thenar {
 /// Draws of the sampling phase of several chains, in memory.
 struct Draws {
   std::vector<Eigen::MatrixXd> x;  // of each chain (n, draws)
-  // Of each chain and draw; evaluations, broken and divergent of all steps since the draw before.
+  // Of each chain and draw; evaluations, broken and divergent of all steps since the draw before,
+  // those of the posterior's own chain alone: what hotter chains of tempering cost is not counted.
   std::vector<std::vector<StepStats>> stats;
   std::vector<int> group;     // of each chain: walkers of one ensemble share theirs
   Eigen::VectorXd temper;     // powers of the likelihood, 1 first; one entry: no tempering

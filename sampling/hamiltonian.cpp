@@ -115,7 +115,7 @@ void Hamiltonian::begin() {
 void Hamiltonian::begin_trial() {
   waits_ = Waits::kForTrial;
   RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
-                      static_cast<std::uint32_t>(steps_),
+                      stream_step(steps_),
                       kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
   draw_momentum(random);
   trial_ = from_;
@@ -125,7 +125,7 @@ void Hamiltonian::begin_trial() {
 void Hamiltonian::begin_trajectory() {
   waits_ = Waits::kForPoint;
   random_ = RandomStream(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
-                         static_cast<std::uint32_t>(steps_), kStepStream);
+                         stream_step(steps_), kStepStream);
   draw_momentum(random_);
   place_.energy = start_energy_;
   // Until the metric is known a quarter turn in its units leads nowhere; doubling gets there.
@@ -211,6 +211,7 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
                divergent};
   evaluations_ = broken_ = 0;
   if (usable_) warm_up_.learn(steps_, place_.x, acceptance);
+  warm_up_.settle(steps_);
   begin();
 }
 

@@ -49,9 +49,18 @@ void WarmUp::learn_trial(double energy_error) {
 void WarmUp::learn(long step, const Eigen::VectorXd& x, double acceptance) {
   if (step > steps_) return;
   averaging_.learn(acceptance);
-  step_ = step == steps_ ? averaging_.averaged() : averaging_.step();
+  step_ = averaging_.step();
   if (step > windows_.first && !metric_settled(step - 1)) estimate_.add(x);
   if (std::binary_search(windows_.ends.begin(), windows_.ends.end(), step)) learn_metric();
+}
+
+void WarmUp::settle(long step) {
+  if (step < steps_) return;
+  if (searching_)
+    step_ = search_.step();
+  else if (step == steps_)
+    step_ = averaging_.averaged();
+  searching_ = false;
 }
 
 bool WarmUp::metric_settled(long steps) const {

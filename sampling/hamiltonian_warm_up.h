@@ -42,6 +42,11 @@ class WarmUp {
   /// @param step  its number, from 1
   void learn(long step, const Eigen::VectorXd& x, double acceptance);
 
+  /// To be told of every step, after learn(), and of those of chains that cannot learn, too: from
+  /// the last of the warm-up on, metric and step size stay. A search for a step size that is not
+  /// over, as of a chain that found no density, ends with what it would have tried next.
+  void settle(long step);
+
   /// Whether the metric is final after this many steps.
   [[nodiscard]] bool metric_settled(long steps) const;
 

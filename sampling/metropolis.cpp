@@ -38,7 +38,7 @@ bool Metropolis::inside(int chain) const { return value_[chain] > kZero; }
 
 RandomStream Metropolis::random(int chain, std::uint32_t purpose) const {
   return {options_.seed, static_cast<std::uint32_t>(options_.first_chain + chain),
-          static_cast<std::uint32_t>(steps_), purpose};
+          stream_step(steps_), purpose};
 }
 
 void Metropolis::begin(const Densities& at) {

@@ -8,6 +8,8 @@
 namespace thenar {
 namespace {
 
+constexpr long kMostSteps = 1L << 32;  // that 32 bits tell apart
+
 constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
     {{SamplingMethod::kAdaptiveMetropolis, "adaptive-metropolis"},
      {SamplingMethod::kDreamZs, "dream-zs"},
@@ -20,7 +22,8 @@ void check(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
   require(n >= 1 && starts.cols() >= 1, "starts are {} x {}", n, starts.cols());
   require(starts.allFinite(), "a start is not finite");
   require(options.first_chain >= 0, "first chain must be >= 0, got {}", options.first_chain);
-  require(options.warm_up >= 0, "warm-up must be >= 0 steps, got {}", options.warm_up);
+  require(options.warm_up >= 0 && options.warm_up < kMostSteps,
+          "warm-up must be >= 0 and below 2^32 steps, got {}", options.warm_up);
   require(options.temper >= 0 && options.temper <= 1, "temper must be in 0..1, got {}",
           options.temper);
   require(options.target_acceptance >= 0 && options.target_acceptance < 1,
@@ -46,6 +49,12 @@ std::unique_ptr<Sampler> build_sampler(SamplingMethod method, const Eigen::Matri
     default:
       return internal::hamiltonian(method, starts, options);
   }
+}
+
+std::uint32_t internal::stream_step(long step) {
+  require(step >= 0 && step < kMostSteps,
+          "a chain has random numbers for 2^32 steps, asked for those of step {}", step);
+  return static_cast<std::uint32_t>(step);
 }
 
 SamplingMethod sampling_method(const std::string& name) {

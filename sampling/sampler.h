@@ -2,6 +2,7 @@
 
 /// Markov chains as machines that ask for densities, so that many may share one evaluation.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,14 +22,15 @@ struct StepStats {
   double step_size = 0;       // of the leapfrog; 0 for samplers without one [1]
   double energy = 0;          // Hamiltonian at the new position; 0 without one [1]
   int depth = 0;              // of the tree of NUTS [1]
-  int evaluations = 0;        // densities asked for [1]
+  int evaluations = 0;        // densities asked for, by this chain: hotter ones not counted [1]
   int broken = 0;             // of them: NaN or +inf [1]
   bool divergent = false;     // the energy error of a trajectory exceeded 1000
 };
 
 /// One chain, or several that advance together (walkers of an ensemble). The driver evaluates
 /// what it asks for and tells it, until it has made as many steps as are wanted. Every draw is a
-/// function of the seed, the chain's number and the step alone.
+/// function of the seed, the chain's number and the step alone. Streams of random numbers count
+/// steps in 32 bits: a chain makes fewer than 2^32 (4.3e9) of them.
 ///
 /// A density of NaN or +inf counts as zero and is counted in StepStats::broken.
 class Sampler {
@@ -40,6 +42,7 @@ class Sampler {
 
   /// Points whose densities the next tell() must bring; never empty (n, points).
   [[nodiscard]] virtual const Eigen::MatrixXd& asks() const = 0;
+  /// @throws InputError if densities are not of what was asked for, or after 2^32 steps.
   virtual void tell(const Densities& at) = 0;
 
   /// Steps completed. The starting point is no step; its density is asked for first.
@@ -76,7 +79,7 @@ enum class Metric { kDiagonal, kDense };
 struct SamplerOptions {
   unsigned seed = 1;
   int first_chain = 0;             // number of its first chain, for its random streams [1]
-  long warm_up = 1000;             // steps that adapt; afterwards nothing does [1]
+  long warm_up = 1000;             // steps that adapt, below 2^32; afterwards nothing does [1]
   double temper = 1;               // power of the likelihood: prior * likelihood^temper, 0..1 [1]
   double target_acceptance = 0;    // 0: the method's own [1]
   int max_depth = 10;              // of trees of NUTS [1]
@@ -85,9 +88,9 @@ struct SamplerOptions {
 };
 
 /// @param starts  one column for each chain; kStretchMove wants at least n + 2 and an even number,
-/// kDreamZs at least 3, the others one (n, chains). Their densities are not known yet: a Hamiltonian
-/// chain at a start of no density has no slope to follow; it stays, and calls each step divergent,
-/// until move() takes it away.
+/// kDreamZs at least 3, the others one (n, chains). Their densities are not known yet: a
+/// Hamiltonian chain at a start of no density has no slope to follow; it stays, and calls each step
+/// divergent, until move() takes it away.
 /// @throws InputError if shapes or options do not fit, or a start is not finite.
 [[nodiscard]] std::unique_ptr<Sampler> build_sampler(SamplingMethod method,
                                                      const Eigen::MatrixXd& starts,
@@ -98,6 +101,10 @@ struct SamplerOptions {
 [[nodiscard]] std::string name_of(SamplingMethod method);
 
 namespace internal {
+/// The number of a step, from 0, for its stream of random numbers.
+/// @throws InputError from 2^32 on, where the numbers would begin to repeat.
+[[nodiscard]] std::uint32_t stream_step(long step);
+
 std::unique_ptr<Sampler> adaptive_metropolis(const Eigen::MatrixXd&, const SamplerOptions&);
 std::unique_ptr<Sampler> dream_zs(const Eigen::MatrixXd&, const SamplerOptions&);
 std::unique_ptr<Sampler> stretch_move(const Eigen::MatrixXd&, const SamplerOptions&);

@@ -305,6 +305,26 @@ TEST(Hamiltonian, StaysAtAStartWithoutDensityUntilItIsMoved) {
   EXPECT_GE(chain->positions()(0), -1);
 }
 
+// Where a swap frees it after warm-up: it goes on with the step that it had.
+TEST(Hamiltonian, LearnsNothingWhenItIsMovedAfterWarmUp) {
+  const auto target = cut_normal(kNone, kNone);
+  for (const long warm_up : {0, 5, 40}) {
+    const auto chain =
+        build_sampler(SamplingMethod::kNuts, Eigen::Vector2d(-2, 0), options_of(warm_up));
+    advance({chain.get()}, target, 50);
+    const double step_size = chain->stats()[0].step_size;
+    const Eigen::Vector2d there(0.5, 0.5);
+    chain->move(0, there, target.evaluate(there, WithGradient::kYes));
+    for (long step = 51; step <= 80; ++step) {
+      advance({chain.get()}, target, step);
+      EXPECT_EQ(chain->stats()[0].step_size, step_size) << warm_up;
+      // Leapfrogs of the tree alone, none of a search.
+      EXPECT_LT(chain->stats()[0].evaluations, 1 << (chain->stats()[0].depth + 1));
+    }
+    EXPECT_NE(chain->positions(), there);
+  }
+}
+
 // Likelihood N(0, 1 / 3) to the power of 1 / 4 times prior N(0, 1): precision 1 + 3 / 4.
 TEST(Hamiltonian, TempersTheLikelihoodAlone) {
   const sample::FunctionTarget target(

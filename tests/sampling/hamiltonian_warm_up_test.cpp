@@ -63,11 +63,26 @@ TEST(WarmUp, LearnsNothingAfterwards) {
   WarmUp warm_up(1, 0.8, options_of(10));
   warm_up.learn_trial(10);
   warm_up.learn_trial(0);
-  for (long step = 1; step <= 10; ++step) warm_up.learn(step, Eigen::VectorXd::Zero(1), 0.5);
+  const auto learn = [&warm_up](long step, double acceptance) {
+    warm_up.learn(step, Eigen::VectorXd::Zero(1), acceptance);
+    warm_up.settle(step);
+  };
+  for (long step = 1; step <= 10; ++step) learn(step, 0.5);
   const double step_size = warm_up.step();
   EXPECT_LT(step_size, 0.25);  // half of 0.5 at first, and less since 0.5 is below 0.8
-  for (long step = 11; step <= 20; ++step) warm_up.learn(step, Eigen::VectorXd::Zero(1), 0);
+  for (long step = 11; step <= 20; ++step) learn(step, 0);
   EXPECT_EQ(warm_up.step(), step_size);
+}
+
+TEST(WarmUp, EndsItsSearchWithTheLastStep) {
+  WarmUp warm_up(1, 0.8, options_of(30));
+  warm_up.learn_trial(0);  // accepted: twice as much would be next
+  for (long step = 1; step <= 30; ++step) {
+    EXPECT_TRUE(warm_up.searching());
+    warm_up.settle(step);
+  }
+  EXPECT_FALSE(warm_up.searching());
+  EXPECT_EQ(warm_up.step(), 2);
 }
 
 }  // namespace

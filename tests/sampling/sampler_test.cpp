@@ -191,6 +191,27 @@ TEST_P(EverySampler, GoesOnAfterRestoreAsIfNothingHappened) {
   }
 }
 
+// The number of steps stands first in the saved state. Of 2^32 steps the last that has random
+// numbers of its own is refused, too: those of the next are wanted as soon as it is made.
+TEST_P(EverySampler, RefusesStepsWhoseRandomNumbersWouldRepeat) {
+  constexpr std::int64_t kAll = std::int64_t{1} << 32;
+  const auto known = sample::gaussian(2, 4);
+  SamplerOptions options;
+  options.warm_up = kAll;
+  EXPECT_THROW((void)build(known.target, options), InputError);
+  options.warm_up = 10;
+  const auto early = build(known.target, options), late = build(known.target, options);
+  advance({early[0].get()}, known.target, 20);
+  StateWriter saved, number;
+  early[0]->save(saved);
+  number.put(kAll - 2);
+  StateReader reader(number.bytes() + saved.bytes().substr(number.bytes().size()));
+  late[0]->restore(reader);
+  advance({late[0].get()}, known.target, kAll - 1);
+  EXPECT_EQ(late[0]->steps(), kAll - 1);
+  EXPECT_THROW(advance({late[0].get()}, known.target, kAll), InputError);
+}
+
 TEST_P(EverySampler, TellsTheDensityOfWhereItIs) {
   const auto known = sample::gaussian(2, 4);
   const auto groups = build(known.target, {});
