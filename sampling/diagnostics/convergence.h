@@ -24,9 +24,16 @@ namespace thenar {
 [[nodiscard]] double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);
 [[nodiscard]] double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share);
 [[nodiscard]] double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x);  // of (x - mean)^2
+/// Of walkers of ensembles, which depend on each other: the worse of what chains and ensembles say.
+/// @param group  of each chain, walkers of one ensemble share theirs; empty: none do
+/// @throws InputError if ensembles differ in size, or there is not one group for each chain.
+[[nodiscard]] double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                              const std::vector<int>& group);
 
 /// Monte Carlo standard errors, in the unit of x.
 [[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);
+[[nodiscard]] double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x,
+                               const std::vector<int>& group);  // as of mean_ess()
 /// For any distribution with four moments, not only the normal one [KenneyKeeping1951 p. 141]:
 ///   sqrt((m4 - m2^2) / ESS of (x - mean)^2) / (2 sqrt(m2)).
 [[nodiscard]] double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x);

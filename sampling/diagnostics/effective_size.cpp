@@ -101,6 +101,12 @@ double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   return effective_size(split_chains(x));
 }
 
+double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
+  const double of_chains = mean_ess(x);
+  if (group.empty() || pool_groups(x, group).cols() == x.cols()) return of_chains;
+  return std::min(of_chains, ensemble_ess(x, group));
+}
+
 double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   (void)split_chains(x);  // enough draws?
   if (!can_be_judged(x)) return kNone;

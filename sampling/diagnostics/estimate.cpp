@@ -19,7 +19,6 @@ void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
     return (x.array() <= limit).cast<double>();
   };
   of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
-  of.mcse_mean = std::max(of.mcse_mean, of.sd / std::sqrt(ensemble_ess(x, group)));
   of.bulk_ess = std::min(of.bulk_ess, ensemble_ess(normal_scores(x), group));
   of.tail_ess = std::min(
       {of.tail_ess, ensemble_ess(below(of.q05), group), ensemble_ess(below(of.q95), group)});
@@ -43,7 +42,7 @@ Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixX
   if (!can_be_judged(x)) of.sd = 0;  // alike: not even rounding of the mean
   if (x.rows() < 4 || of.sd == 0) return of;
 
-  of.mcse_mean = mean_mcse(x);
+  of.mcse_mean = mean_mcse(x, group);
   of.mcse_sd = sd_mcse(x);
   of.r_hat = rank_r_hat(x);
   of.bulk_ess = bulk_ess(x);

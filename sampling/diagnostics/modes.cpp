@@ -48,7 +48,7 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
   ModeMass mode;
   mode.mass = inside.mean();
   mode.visits = inside.colwise().mean().transpose();
-  mode.mcse = draws.draws() < 4 ? kNone : mean_mcse(inside);
+  mode.mcse = draws.draws() < 4 ? kNone : mean_mcse(inside, draws.group);
 
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(draws.size()), square = sum;
   for (int chain = 0; chain < draws.chains(); ++chain) sum += draws.x[chain] * inside.col(chain);
@@ -64,19 +64,20 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
   return mode;
 }
 
-std::vector<std::string> find_doubts(const ModeTable& table, long least_crossings) {
+/// Of `visited` modes that hold draws, which stand first, and others that hold none.
+std::vector<std::string> find_doubts(const ModeTable& table, std::size_t visited,
+                                     const std::vector<KnownMode>& known, long least_crossings) {
   std::vector<std::string> doubts;
-  if (table.modes.size() < 2) return doubts;
-  if (table.crossings == 0) {
+  const bool apart = visited > 1 && table.crossings == 0;
+  if (apart)
     doubts.emplace_back(
         "no chain crosses between modes: their masses only repeat where the chains began");
-    return doubts;
-  }
   for (std::size_t m = 0; m < table.modes.size(); ++m) {
     const ModeMass& mode = table.modes[m];
-    if (mode.mass == 0)
+    const double draws = double(table.of_draw.size());
+    if (m >= visited && !(known[mode.known].mass * draws < 1))
       doubts.push_back(fmt::format("mode {}, known beforehand, holds no draw", m + 1));
-    else if (mode.crossings < least_crossings)
+    if (m < visited && visited > 1 && !apart && mode.crossings < least_crossings)
       doubts.push_back(
           fmt::format("chains cross into or out of mode {} only {} times, fewer than {}: its mass "
                       "of {:.3g} is not to be trusted",
@@ -124,7 +125,7 @@ ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known
   append_empty(known, visited, draws.chains(), table);
   if (table.modes.size() == 1) table.modes[0].mcse = 0;
 
-  table.doubts = find_doubts(table, options.least_crossings);
+  table.doubts = find_doubts(table, std::size_t(count), known, options.least_crossings);
   if (!known.empty() && clumps.maxCoeff() + 1 > count)
     table.doubts.push_back(
         fmt::format("the draws fall into {} clumps, more than the {} known modes that they visit",

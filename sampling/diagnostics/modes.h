@@ -2,6 +2,7 @@
 
 /// Which modes the draws of a posterior are in, how heavy each is, and whether to believe it.
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace thenar {
 struct KnownMode {
   Eigen::VectorXd centre;      // (n)
   Eigen::MatrixXd covariance;  // positive definite (n, n)
+  // Share of the posterior that it should hold, 0..1; NaN: not known.
+  double mass = std::numeric_limits<double>::quiet_NaN();
 };
 
 struct ModeOptions {
@@ -43,8 +46,10 @@ struct ModeTable {
 ///   -1/2 (x - c_m)' C_m^-1 (x - c_m) - 1/2 log |C_m|.
 /// None known: by find_clumps(), whose header says what it cannot see.
 ///
-/// A mass is a mean of indicators, so that its standard error is theirs; it means nothing where
-/// chains do not cross: masses then only repeat where the chains began.
+/// A mass is a mean of indicators, so that its standard error is theirs, of ensembles where
+/// draws.group says that chains are walkers; it means nothing where chains do not cross: masses
+/// then only repeat where the chains began. A known mode that holds no draw is doubted, unless its
+/// mass promises less than one.
 /// @throws InputError if shapes disagree, a draw is not finite or a covariance not positive
 /// definite.
 [[nodiscard]] ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known = {},

@@ -11,9 +11,11 @@
 
 namespace thenar {
 
-double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x) { return mean_mcse(x, {}); }
+
+double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
   const double variance = (x.array() - x.mean()).square().sum() / double(x.size() - 1);
-  return std::sqrt(variance / mean_ess(x));
+  return std::sqrt(variance / mean_ess(x, group));
 }
 
 double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x) {

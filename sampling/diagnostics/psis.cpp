@@ -20,15 +20,17 @@ double error_of_sum(const Eigen::VectorXd& terms) {
 }
 
 /// Effective over actual draws for the mean of the likelihood; 1 if it does not vary.
-double efficiency_of(const Eigen::VectorXd& log_likelihood, int chains) {
+double efficiency_of(const Eigen::VectorXd& log_likelihood, int chains,
+                     const std::vector<int>& group) {
   const Eigen::VectorXd likelihood = (log_likelihood.array() - log_likelihood.maxCoeff()).exp();
-  const double ess = mean_ess(likelihood.reshaped(likelihood.size() / chains, chains));
+  const double ess = mean_ess(likelihood.reshaped(likelihood.size() / chains, chains), group);
   return std::isnan(ess) ? 1 : ess / double(likelihood.size());
 }
 
 }  // namespace
 
-LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihood, int chains) {
+LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihood, int chains,
+                          const std::vector<int>& group) {
   const Eigen::Index draws = log_likelihood.cols(), observations = log_likelihood.rows();
   require(chains > 0 && draws % chains == 0 && draws / chains >= 4 && observations > 0,
           "leave-one-out needs observations and 4 draws a chain, got {} of {} chains for {}", draws,
@@ -41,7 +43,7 @@ LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihoo
   of.k.resize(observations);
   for (Eigen::Index i = 0; i < observations; ++i) {
     const Eigen::VectorXd seen = log_likelihood.row(i).transpose();
-    const SmoothedWeights weights = smooth_weights(-seen, efficiency_of(seen, chains));
+    const SmoothedWeights weights = smooth_weights(-seen, efficiency_of(seen, chains, group));
     of.k[i] = weights.k;
     of.pointwise[i] = log_sum(weights.log_weight + seen);
     of.effective_parameters += log_sum(seen) - std::log(double(draws)) - of.pointwise[i];

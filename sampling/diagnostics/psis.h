@@ -27,10 +27,11 @@ struct LeaveOneOut {
 /// Observations must be independent given x.
 /// @param log_likelihood  finite; draws chain by chain (observations, draws * chains)
 /// @param chains          by which the draws' efficiency is told
+/// @param group           of each chain, walkers of one ensemble share theirs; empty: none do
 /// @throws InputError if there are not 4 draws for every chain, or one is not finite.
 /// Source: [Vehtari2017] eqs. 4, 10 and sec. 2; [Vehtari2024] for the limit of k.
 [[nodiscard]] LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihood,
-                                        int chains);
+                                        int chains, const std::vector<int>& group = {});
 
 /// Difference in elpd of two models of the same observations, first less second, and its se.
 struct ElpdDifference {

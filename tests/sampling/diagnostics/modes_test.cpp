@@ -101,6 +101,22 @@ TEST(Modes, ErrorOfAMassCountsCrossings) {
   EXPECT_THAT(table.doubts, IsEmpty());
 }
 
+// Ten walkers that do the same say no more than one: two ensembles are worth 2 x 1000 independent
+// draws, not 20000.
+TEST(Modes, ErrorOfAMassHeedsEnsembles) {
+  Draws draws = make_draws(1, 1000, 20, 9, [](int, int, RandomStream& random) {
+    const double centre = random.uniform() < 1.0 / 3 ? -5 : 5;
+    return Eigen::VectorXd(normal(1, random).array() + centre);
+  });
+  for (int chain = 0; chain < 20; ++chain) {
+    draws.group[chain] = chain / 10;
+    draws.x[chain] = draws.x[chain / 10 * 10];
+  }
+  const ModeTable table = tabulate_modes(draws);
+  ASSERT_EQ(table.modes.size(), 2U);
+  EXPECT_NEAR(table.modes[0].mcse / std::sqrt(2.0 / 9 / 2000), 1, 0.1);
+}
+
 // The gap is oblique: no coordinate shows it, nor does the direction of largest variance.
 TEST(Modes, FindsAnObliqueGap) {
   Eigen::Vector3d across(1, -1, 1);
@@ -196,6 +212,34 @@ TEST(Modes, KnownOnesAreKeptByNumber) {
   EXPECT_EQ(table.modes[2].known, 1);
   EXPECT_EQ(table.modes[2].mass, 0);
   EXPECT_THAT(table.doubts, ElementsAre("mode 3, known beforehand, holds no draw"));
+}
+
+// All chains are in the one mode that they should be in: nothing is to be crossed.
+TEST(Modes, AKnownOneWithoutDrawsIsNotCrossedInto) {
+  const Eigen::MatrixXd I = Eigen::Matrix2d::Identity();
+  std::vector<KnownMode> known = {{Eigen::Vector2d(0, 0), I}, {Eigen::Vector2d(0, 30), I}};
+  const Draws draws =
+      make_draws(2, 500, 4, 7, [](int, int, RandomStream& random) { return normal(2, random); });
+  EXPECT_THAT(tabulate_modes(draws, known).doubts,
+              ElementsAre("mode 2, known beforehand, holds no draw"));
+  known[1].mass = 1e-3;  // 2 of 2000 draws
+  EXPECT_THAT(tabulate_modes(draws, known).doubts,
+              ElementsAre("mode 2, known beforehand, holds no draw"));
+  known[1].mass = 1e-7;
+  EXPECT_THAT(tabulate_modes(draws, known).doubts, IsEmpty());
+}
+
+// Two modes that chains never leave, and one that none began in.
+TEST(Modes, StuckChainsAreToldBesideAnEmptyMode) {
+  const Eigen::MatrixXd I = Eigen::MatrixXd::Identity(1, 1);
+  const auto at = [](double x) { return Eigen::VectorXd::Constant(1, x); };
+  const Draws draws = make_draws(1, 500, 4, 7, [](int chain, int, RandomStream& random) {
+    return Eigen::VectorXd(normal(1, random).array() + (chain == 0 ? 10 : 0));
+  });
+  EXPECT_THAT(tabulate_modes(draws, {{at(0), I}, {at(10), I}, {at(30), I}}).doubts,
+              ElementsAre("no chain crosses between modes: their masses only repeat where the "
+                          "chains began",
+                          "mode 3, known beforehand, holds no draw"));
 }
 
 TEST(Modes, KnownOnesThatMissAClumpSaySo) {

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "sampling/diagnostics/convergence.h"
 #include "sampling/random_stream.h"
 
 namespace thenar {
@@ -145,6 +146,25 @@ TEST(LeaveOneOut, ComparesTwoModels) {
       compare_elpd(leave_one_out(seen, 4), leave_one_out(seen.array() - 0.5, 4));
   EXPECT_NEAR(difference.elpd, 15, 1e-9);
   EXPECT_NEAR(difference.se, 0, 1e-9);
+}
+
+// Ten walkers that do the same are worth one tenth of their draws, which lengthens the tail that
+// is smoothed by sqrt(10).
+TEST(LeaveOneOut, WalkersOfAnEnsembleAreNotIndependent) {
+  const int draws = 500;
+  const Eigen::MatrixXd apart = conjugate().draw_log_likelihood(2 * draws);
+  Eigen::MatrixXd seen(apart.rows(), 20 * draws);
+  std::vector<int> group(20);
+  for (int chain = 0; chain < 20; ++chain) {
+    group[chain] = chain / 10;
+    seen.middleCols(chain * draws, draws) = apart.middleCols(group[chain] * draws, draws);
+  }
+  const LeaveOneOut of = leave_one_out(seen, 20, group);
+  const Eigen::VectorXd likelihood = apart.row(0).array().exp();
+  const double efficiency = mean_ess(likelihood.reshaped(draws, 2)) / (20 * draws);
+  const double wanted = smooth_weights(-seen.row(0).transpose(), efficiency).k;
+  EXPECT_NEAR(of.k[0], wanted, 1e-9);
+  EXPECT_GT(std::abs(leave_one_out(seen, 20).k[0] - wanted), 0.01);
 }
 
 TEST(LeaveOneOut, RefusesWhatIsNotThere) {
