@@ -55,7 +55,7 @@ if(MPI_CXX_FOUND)
 endif()
 
 if(THENAR_TESTS)
-  find_package(GTest 1.12 REQUIRED)  # GTest::gtest_main
+  find_package(GTest 1.12 REQUIRED)  # GTest::gtest_main, GTest::gmock
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   # Debian's own, which sees Debian's xarray whatever other Python comes first.
   find_program(DEBIAN_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
