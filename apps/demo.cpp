@@ -1,8 +1,8 @@
 // thenar demo --data data -o out
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
-// solver, cross-validates, predicts what was not seen, samples their posteriors, compares two
-// thumbs, and writes it all as one page.
+// solver, cross-validates, predicts what was not seen, samples their posteriors, asks
+// what forces tell of a thumb's axes, compares two thumbs, and writes it all as one page.
 
 #include <algorithm>
 #include <chrono>
@@ -24,6 +24,7 @@
 #include "viewer/hood_page.h"
 #include "viewer/report_page.h"
 #include "viewer/thumb_page.h"
+#include "viewer/thumb_study_page.h"
 
 namespace thenar {
 namespace {
@@ -119,6 +120,9 @@ void run(const Options& options) {
   const std::vector<SpecimenStudy> studies = study_specimens(inputs, progress);
   const PopulationStudy population = study_population(inputs, progress);
   const Json posteriors = posterior_pages(inputs, options.output, progress);
+  ThumbStudySettings thumbs = quick_thumb_study();
+  thumbs.progress = progress;
+  const ThumbStudy thumb_study = study_thumb(thumb_study_inputs(options.data), thumbs);
   if (interrupted()) throw Interrupted("stopped before the report was complete");
   for (const SpecimenStudy& study : studies)
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
@@ -129,6 +133,7 @@ void run(const Options& options) {
                                population_page(population, studies), hood_section(inputs),
                                thumb_page(thumb_cases(options))});
   sections.insert(sections.end(), posteriors.begin(), posteriors.end());
+  sections.push_back(thumb_study_section(thumb_study));
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_report(
