@@ -40,8 +40,10 @@ PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inpu
   run.temperatures = options.temperatures;
   run.least_temper = options.least_temper;
   run.swap_every = options.swap_every;
-  run.draws = options.draws;
-  run.thin = options.thin;
+  // An ensemble has more than twice as many walkers as parameters, all of which draw.
+  const int sparse = run.method == SamplingMethod::kStretchMove ? 10 : 1;
+  run.thin = options.thin > 0 ? options.thin : sparse;
+  run.draws = options.draws > 0 ? options.draws : 1000 / sparse;
   run.threads = options.threads;
   run.folder = output + ".chains";
   run.checkpoint_every = options.checkpoint_every_s;
@@ -128,8 +130,9 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
       ->check(CLI::Range(1, 30));
   add("--warm-up", options.warm_up, "Steps that adapt and are thrown away")
       ->check(CLI::NonNegativeNumber);
-  add("--draws", options.draws, "Draws of each chain")->check(CLI::PositiveNumber);
-  add("--thin", options.thin, "Steps a draw")->check(CLI::PositiveNumber);
+  add("--draws", options.draws, "Draws of each chain (default 1000, stretch 100)")
+      ->check(CLI::PositiveNumber);
+  add("--thin", options.thin, "Steps a draw (default 1, stretch 10)")->check(CLI::PositiveNumber);
   add("--temperatures", options.temperatures, "Rungs of parallel tempering (1: none)")
       ->check(CLI::PositiveNumber);
   add("--least-temper", options.least_temper, "Power of the likelihood on the hottest rung")

@@ -13,6 +13,7 @@ namespace thenar::internal {
 namespace {
 
 constexpr long kPredictedDraws = 1000;  // replicated for each chain, at most
+constexpr long kAllPredicted = 20000;   // of all chains together, but one of each
 
 std::vector<std::string> component_names() { return {"first", "second", "third"}; }
 
@@ -198,7 +199,8 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
 
 InferenceGroup predictive_group(const PosteriorRun& run) {
   InferenceGroup group;
-  const Eigen::MatrixXd x = thinned(run.draws, kPredictedDraws);
+  const long most = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
+  const Eigen::MatrixXd x = thinned(run.draws, most);
   const long draws = x.cols() / run.draws.chains();
   add_draws(group, run.draws.chains(), draws);
   add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));

@@ -30,10 +30,12 @@ std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
           "the draws have {} coordinates, the inputs in the file give {}",
           group.lengths.at("coordinate"), n);
   std::vector<Eigen::MatrixXd> x;
-  for (std::size_t c = 0; c < chains; ++c)
+  for (std::size_t c = 0; c < chains; ++c) {
     x.emplace_back(
         Eigen::Map<const Eigen::MatrixXd>(values.data() + c * draws * static_cast<std::size_t>(n),
                                           n, static_cast<Eigen::Index>(draws)));
+    require(x.back().allFinite(), "chain {} has draws that are not finite", c);
+  }
   return x;
 }
 
