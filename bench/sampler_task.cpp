@@ -99,24 +99,19 @@ TimedRun run_ours(const HandPosterior& posterior, RunOptions options) {
 TimedRun run_metropolis(const HandPosterior& posterior, const RivalRun& options) {
   TimedRun run;
   const int n = posterior.size();
-  Eigen::MatrixXd guess = Eigen::MatrixXd::Identity(n, n), starts(n, options.chains);
-  if (options.told == Told::kPrior) {
-    for (int k = 0; k < options.chains; ++k)
-      starts.col(k) = posterior.draw_prior(options.seed, static_cast<unsigned>(k));
-  } else {
-    const Prepared prepared = prepare(posterior, options.chains, options.seed);
-    run.before = prepared.seconds;
-    starts = prepared.starts;
-    guess = options.told == Told::kAll ? prepared.modes.front().covariance
-                                       : Eigen::MatrixXd(kGuessSd * kGuessSd * guess);
-  }
+  const Prepared prepared = prepare(posterior, options.chains, options.seed);
+  run.before = prepared.seconds;
+  const Eigen::MatrixXd guess =
+      options.told == Told::kAll
+          ? prepared.modes.front().covariance
+          : Eigen::MatrixXd(kGuessSd * kGuessSd * Eigen::MatrixXd::Identity(n, n));
   ThumbDensity density(posterior.problem());
   std::vector<Eigen::MatrixXd> chains;
   for (int k = 0; k < options.chains; ++k) {
     HaarioMetropolis::Options own;
     own.seed = 1000 * options.seed + static_cast<unsigned>(k);
     HaarioMetropolis chain([&](const Eigen::VectorXd& z) { return density(z); },
-                           posterior.fit_coordinates(starts.col(k)), guess, own);
+                           posterior.fit_coordinates(prepared.starts.col(k)), guess, own);
     chains.push_back(sample(chain, posterior, options, run));
   }
   judge(chains, run);

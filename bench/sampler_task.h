@@ -41,9 +41,8 @@ void judge(const std::vector<Eigen::MatrixXd>& chains, TimedRun& run);
 /// Ours, on one thread, with modes and metric found beforehand.
 [[nodiscard]] TimedRun run_ours(const HandPosterior& posterior, RunOptions options);
 
-/// What Haario's sampler is told.
+/// What Haario's sampler is told. From draws of the prior it does not converge in a million steps.
 enum class Told {
-  kPrior,   // starts are drawn from the prior, whose covariance is the first guess
   kStarts,  // our starts about the modes; the first guess has sds of 0.001, the best of those tried
   kAll      // our starts, and the covariance there
 };
