@@ -42,46 +42,27 @@ TEST(AdaptiveMetropolis, TakesAGuessOfTheCovariance) {
   sample::expect_posterior(sample::collect(groups, known.target, 1000, 50).x, known);
 }
 
+// What it has learnt stands last: shapes of a mean and of a matrix, their entries, a scale.
 TEST(AdaptiveMetropolis, LearnsNothingAfterWarmUp) {
-  const auto known = sample::gaussian(3, 100);
-  SamplerOptions options;
-  options.warm_up = 200;
-  const auto groups = sample::build_groups(kMethod, sample::normal_starts(3, 1, 1), 1, options);
-  // What it has learnt stands last: shapes of a mean and of a matrix, their entries, a scale.
-  constexpr std::size_t kLearnt = 8 * (2 + 3 + 2 + 9 + 1);
-  const auto learnt = [&](long steps) {
-    advance({groups[0].get()}, known.target, steps);
-    StateWriter writer;
-    groups[0]->save(writer);
-    return writer.bytes().substr(writer.bytes().size() - kLearnt);
-  };
-  const std::string early = learnt(199), last = learnt(200);
-  EXPECT_NE(early, last);
-  EXPECT_EQ(learnt(400), last);
+  sample::expect_nothing_learnt_after_warm_up(kMethod, 1, 2 + 3 + 2 + 9 + 1);
 }
 
 TEST(AdaptiveMetropolis, LearnsTwentyDimensionsOfCondition1e8FromNothing) {
   if (sample::long_runs() == 0) GTEST_SKIP() << "set THENAR_SAMPLES=1";
-  const auto known = sample::gaussian(20, 1e8);
   Plan plan;
   plan.warm_up = 60000;
   plan.thin = 50 * sample::long_runs();
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
-  sample::expect_posterior(drawn.x, known);
-  sample::record_cost(drawn);
+  sample::expect_at_cost(kMethod, sample::gaussian(20, 1e8), plan);
 }
 
 // A global covariance fits no part of the bend: 5e-5 independent draws an evaluation.
 TEST(AdaptiveMetropolis, DrawsFromTheBananaWithPatience) {
   if (sample::long_runs() == 0) GTEST_SKIP() << "set THENAR_SAMPLES=1";
-  const auto known = sample::banana();
   Plan plan;
   plan.groups = 8;
   plan.warm_up = 20000;
   plan.thin = 5000 * sample::long_runs();
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
-  sample::expect_posterior(drawn.x, known);
-  sample::record_cost(drawn);
+  sample::expect_at_cost(kMethod, sample::banana(), plan);
 }
 
 }  // namespace

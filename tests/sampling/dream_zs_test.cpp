@@ -53,47 +53,28 @@ TEST(DreamZs, RHatOfGroupsThatBeganApartIsLarge) {
   EXPECT_GT(sample::draw(kMethod, known.target, plan, starts).worst_r_hat(), 1.5);
 }
 
+// What it has learnt stands last: the archive, 10 n states and 4 every 10 steps, and three
+// vectors of the three crossovers.
 TEST(DreamZs, ArchiveAndCrossoversAreFrozenAfterWarmUp) {
-  const auto known = sample::gaussian(3, 100);
-  SamplerOptions options;
-  options.warm_up = 200;
-  const auto groups = sample::build_groups(kMethod, sample::normal_starts(3, 4, 1), 4, options);
-  // What it has learnt stands last: the archive, 10 n states and 4 every 10 steps, and three
-  // vectors of the three crossovers.
-  constexpr std::size_t kLearnt = 8 * (2 + 3 * (30 + 4 * 20) + 3 * (2 + 3));
-  const auto learnt = [&](long steps) {
-    advance({groups[0].get()}, known.target, steps);
-    StateWriter writer;
-    groups[0]->save(writer);
-    return writer.bytes().substr(writer.bytes().size() - kLearnt);
-  };
-  const std::string early = learnt(199), last = learnt(200);
-  EXPECT_NE(early, last);
-  EXPECT_EQ(learnt(400), last);
+  sample::expect_nothing_learnt_after_warm_up(kMethod, 4, 2 + 3 * (30 + 4 * 20) + 3 * (2 + 3));
 }
 
 TEST(DreamZs, DrawsFromTwentyDimensionsOfCondition1e8) {
   if (sample::long_runs() == 0) GTEST_SKIP() << "set THENAR_SAMPLES=1";
-  const auto known = sample::gaussian(20, 1e8);
   Plan plan;
   plan.each = 4;
   plan.warm_up = 20000;
   plan.thin = 40 * sample::long_runs();
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
-  sample::expect_posterior(drawn.x, known);
-  sample::record_cost(drawn);
+  sample::expect_at_cost(kMethod, sample::gaussian(20, 1e8), plan);
 }
 
 TEST(DreamZs, DrawsFromTheBanana) {
   if (sample::long_runs() == 0) GTEST_SKIP() << "set THENAR_SAMPLES=1";
-  const auto known = sample::banana();
   Plan plan;
   plan.each = 5;
   plan.warm_up = 20000;
   plan.thin = 200 * sample::long_runs();
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
-  sample::expect_posterior(drawn.x, known);
-  sample::record_cost(drawn);
+  sample::expect_at_cost(kMethod, sample::banana(), plan);
 }
 
 }  // namespace

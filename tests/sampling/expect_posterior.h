@@ -64,4 +64,30 @@ inline void record_cost(const Collected& drawn) {
                                 std::to_string(ess / double(drawn.evaluations)));
 }
 
+/// Draws that meet what is known; for the log of the test, what they cost.
+inline void expect_at_cost(SamplingMethod method, const KnownPosterior& known, const Plan& plan) {
+  const Collected drawn = draw(method, known.target, plan);
+  expect_posterior(drawn.x, known);
+  record_cost(drawn);
+}
+
+/// One sampler of `each` chains learns until step 200, the last of its warm-up, and then no more.
+/// @param numbers  that it has learnt and saves last, those of a matrix's shape among them [1]
+inline void expect_nothing_learnt_after_warm_up(SamplingMethod method, int each,
+                                                std::size_t numbers) {
+  const auto known = gaussian(3, 100);
+  SamplerOptions options;
+  options.warm_up = 200;
+  const auto groups = build_groups(method, normal_starts(3, each, 1), each, options);
+  const auto learnt = [&](long steps) {
+    advance({groups[0].get()}, known.target, steps);
+    StateWriter writer;
+    groups[0]->save(writer);
+    return writer.bytes().substr(writer.bytes().size() - 8 * numbers);
+  };
+  const std::string early = learnt(199), last = learnt(200);
+  EXPECT_NE(early, last);
+  EXPECT_EQ(learnt(400), last);
+}
+
 }  // namespace thenar::sample
