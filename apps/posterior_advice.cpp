@@ -57,8 +57,9 @@ std::vector<std::string> advise(const PosteriorRun& run) {
                     "higher --least-temper (was {:.4g})",
                     options.temperatures, options.least_temper));
   if (!too_short(run)) return advice;
-  advice.push_back(fmt::format("more --draws (were {}) and --warm-up (was {})", options.draws,
-                               options.sampler.warm_up));
+  advice.push_back(fmt::format("more draws: --draws {}, with which the same command goes on",
+                               4 * options.draws));
+  advice.push_back(fmt::format("more --warm-up (was {}), with --fresh", options.sampler.warm_up));
   if (run.convergence.depth_limit > 0)
     advice.push_back(
         fmt::format("{} trees were cut short, if not for too little warm-up: "

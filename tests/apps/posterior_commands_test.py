@@ -221,12 +221,23 @@ class Samplers(WithFolder):
         result = run(*self.fit("--draws", 10, "--warm-up", 10))
         self.assertEqual(result.returncode, 1)
         self.assertTrue(result.stdout.lstrip("!").startswith("\n!! NOT CONVERGED"))
-        self.assertIn("more --draws (were 10) and --warm-up (was 10)", result.stderr)
-        self.assertEqual(draws(self.output).shape, (4, 10, 8))
+        self.assertIn("--draws 40, with which the same command goes on", result.stderr)
+        few = draws(self.output)
+        self.assertEqual(few.shape, (4, 10, 8))
+        run(*self.fit("--draws", 40, "--warm-up", 10))
+        self.assertTrue((draws(self.output)[:, :10] == few).all())
+        self.assertEqual(draws(self.output).shape, (4, 40, 8))
         for words in (["summary"], ["plot", "-o", self.folder / "P.html"]):
             words = ["posterior", words[0], self.output, *words[1:]]
             self.assertEqual(run(*words).returncode, 1)
             self.assertEqual(run(*words, "--allow-unconverged").returncode, 0)
+
+    def test_temperatures_that_seldom_swap_ask_for_more(self):
+        # From the posterior to the prior in one step: nearly all swaps are refused.
+        result = run(*self.fit("--draws", 200, "--warm-up", 200, "--temperatures", 2))
+        self.assertEqual(result.returncode, 1)
+        self.assertIn("hot chains do not help cold ones", result.stderr)
+        self.assertIn("more --temperatures (was 2), or a higher --least-temper", result.stderr)
 
     def test_ranks_draw_alike_and_fail_in_peace(self):
         if MPIEXEC is None:
