@@ -75,11 +75,10 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
 void tell(const PosteriorRun& run, const ChainOptions& options, const std::string& output,
           bool json) {
   const std::string& folder = run.settings.run.folder;
+  if (run.modes.empty()) throw Interrupted("stopped in the search for modes; nothing was written");
   if (run.draws.draws() == 0)
-    throw Interrupted(
-        fmt::format("stopped before the first draw: nothing was written, and the same command "
-                    "goes on where '{}' stopped",
-                    folder));
+    throw Interrupted(fmt::format(
+        "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
   write_posterior(run, output);
   if (json)
     fmt::print("{}\n", summary_json(run).dump(2));

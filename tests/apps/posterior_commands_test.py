@@ -259,7 +259,7 @@ class Samplers(WithFolder):
 
 
 class Interruption(WithFolder):
-    DRAWS = ["--draws", 1000, "--thin", 5, "--warm-up", 300, "--threads", 1, "--seed", 3,
+    DRAWS = ["--draws", 400, "--thin", 12, "--warm-up", 300, "--threads", 1, "--seed", 3,
              "--checkpoint-every-s", 0.02, "--allow-unconverged", "--mode-starts", 2]
 
     def setUp(self):
@@ -293,7 +293,7 @@ class Interruption(WithFolder):
             self.assertEqual(returned, code, message)
             self.assertIn("the same command goes on", message)
             so_far = draws(self.output)
-            self.assertTrue(0 < so_far.shape[1] < 1000, so_far.shape)
+            self.assertTrue(0 < so_far.shape[1] < 400, so_far.shape)
             self.assertTrue((so_far == wanted[:, :so_far.shape[1]]).all())
             self.assertFalse(ask("posterior", "summary", self.output,
                                  "--allow-unconverged")["complete"])
@@ -315,6 +315,17 @@ class Interruption(WithFolder):
         self.done(*self.fit(*words, "--fresh"))
         self.assertEqual(draws(self.output).shape, (4, 20, 8))
         self.assertFalse(self.chains.exists())
+
+    def test_stopped_in_its_search_it_leaves_nothing(self):
+        command = [*self.command, "--fresh"]
+        command[command.index("--mode-starts") + 1] = "2000"  # seconds of searches
+        with subprocess.Popen(command, stderr=subprocess.PIPE, text=True) as process:
+            time.sleep(1)
+            process.send_signal(signal.SIGINT)
+            message = process.communicate()[1]
+        self.assertEqual(process.returncode, 130)
+        self.assertIn("stopped in the search for modes", message)
+        self.assertEqual(self.files(), ["few.toml"])
 
     def test_two_processes_do_not_share_a_run(self):
         with subprocess.Popen(self.command, stdout=subprocess.DEVNULL,
