@@ -47,8 +47,8 @@ Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>&
       rows.push_back(row(named, experiment, "in sample"));
     for (const Experiment& experiment : unseen)
       rows.push_back(row(named, experiment, "never seen: a stranger"));
-    const LeaveOneOut loo =
-        leave_one_out(posterior.pointwise(pooled(named.run.draws)), named.run.draws.chains());
+    const LeaveOneOut loo = leave_one_out(posterior.pointwise(pooled(named.run.draws)),
+                                          named.run.draws.chains(), named.run.draws.group);
     const Convergence& c = named.run.convergence;
     runs.push_back({named.name, posterior.size(), c.worst_r_hat, c.least_bulk_ess, c.divergent,
                     named.run.modes.size(), loo.elpd, loo.se, loo.effective_parameters,

@@ -64,4 +64,15 @@ int RandomStream::index(int n) {
   return static_cast<int>(uniform() * n);
 }
 
+double RandomStream::chi_square(double nu) {
+  // Of a shape below 1: that of a larger one, times a power of a uniform number.
+  const double shape = nu / 2;
+  if (shape < 1) return chi_square(nu + 2) * std::pow(uniform(), 1 / shape);
+  const double d = shape - 1.0 / 3, c = 1 / std::sqrt(9 * d);
+  while (true) {
+    const double z = normal(), v = std::pow(1 + c * z, 3);
+    if (v > 0 && std::log(uniform()) < z * z / 2 + d - d * v + d * std::log(v)) return 2 * d * v;
+  }
+}
+
 }  // namespace thenar

@@ -23,6 +23,8 @@ class RandomStream {
   double uniform();  // in (0, 1), never an end
   double normal();   // standard normal
   int index(int n);  // 0 .. n - 1, uniform
+  /// Chi-square of `nu` > 0 degrees of freedom. Source: [Marsaglia2000].
+  double chi_square(double nu);
 
  private:
   std::uint64_t bits();

@@ -12,7 +12,7 @@ void assess_run(PosteriorRun& run) {
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {
     const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);
-    known.push_back({centre, laplace_covariance(*run.posterior, centre)});
+    known.push_back({centre, laplace_covariance(*run.posterior, centre), mode.laplace_mass});
   }
   run.mode_table = tabulate_modes(run.draws, known);
 }

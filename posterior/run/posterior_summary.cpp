@@ -31,7 +31,7 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
   if (run.draws.draws() < 4) return {};
   const Eigen::MatrixXd pointwise = run.posterior->pointwise(pooled(run.draws));
   if (!pointwise.allFinite()) return {};
-  return LeftOutObservations{leave_one_out(pointwise, run.draws.chains()),
+  return LeftOutObservations{leave_one_out(pointwise, run.draws.chains(), run.draws.group),
                              observation_names(run.posterior->problem())};
 }
 

@@ -81,26 +81,13 @@ double noise_factor(const PosteriorRun& run, const PosteriorValues& values,
   return options.learn_noise ? std::exp(options.noise_sd * random.normal()) : 1;
 }
 
-/// Chi-square of `nu` degrees of freedom, nu > 0. Source: [Marsaglia2000].
-double chi_square(double nu, RandomStream& random) {
-  // Of a shape below 1: that of a larger one, times a power of a uniform number.
-  const double shape = nu / 2;
-  if (shape < 1) return chi_square(nu + 2, random) * std::pow(random.uniform(), 1 / shape);
-  const double d = shape - 1.0 / 3, c = 1 / std::sqrt(9 * d);
-  while (true) {
-    const double z = random.normal(), v = std::pow(1 + c * z, 3);
-    if (v > 0 && std::log(random.uniform()) < z * z / 2 + d - d * v + d * std::log(v))
-      return 2 * d * v;
-  }
-}
-
 /// One measurement about the expected forces of each trial: normal, or where the noise is robust
 /// Student's t, whose three components share one chi-square.
 void add_noise(const ForceNoise& noise, const Eigen::VectorXd& sd, RandomStream& random,
                Eigen::Ref<Eigen::VectorXd> forces) {
   for (Eigen::Index trial = 0; trial < forces.size(); trial += 3) {
     const double scale =
-        std::isinf(noise.c2) ? 1 : std::sqrt(noise.c2 / chi_square(noise.c2 - 3, random));
+        std::isinf(noise.c2) ? 1 : std::sqrt(noise.c2 / random.chi_square(noise.c2 - 3));
     for (Eigen::Index i = trial; i < trial + 3; ++i) forces[i] += scale * sd[i] * random.normal();
   }
 }

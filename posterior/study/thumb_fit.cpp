@@ -166,8 +166,8 @@ ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& s
   score_pulls(data, out);
   score_tasks(data, study.scored_draws, out);
   out.learnt = learnt_numbers(data, out);
-  out.left_out =
-      leave_one_out(out.run.posterior->pointwise(pooled(out.run.draws)), out.run.draws.chains());
+  out.left_out = leave_one_out(out.run.posterior->pointwise(pooled(out.run.draws)),
+                               out.run.draws.chains(), out.run.draws.group);
   return out;
 }
 

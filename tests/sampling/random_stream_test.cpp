@@ -41,6 +41,23 @@ TEST(RandomStream, NormalHasTheMomentsOfANormal) {
   EXPECT_NEAR(fourth / n, 3, 5 * std::sqrt(96.0 / n));
 }
 
+// Mean nu, variance 2 nu; below two degrees of freedom as above. The standard error of a variance
+// s is s sqrt((2 + 12 / nu) / n), by the kurtosis 3 + 12 / nu.
+TEST(RandomStream, ChiSquareHasItsMoments) {
+  for (const double nu : {0.5, 1.0, 7.3, 20.0}) {
+    RandomStream stream(3, 1, 4);
+    const int n = 50000;
+    double sum = 0, square = 0;
+    for (int i = 0; i < n; ++i) {
+      const double x = stream.chi_square(nu);
+      sum += x;
+      square += (x - nu) * (x - nu);
+    }
+    EXPECT_NEAR(sum / n, nu, 5 * std::sqrt(2 * nu / n)) << nu;
+    EXPECT_NEAR(square / n, 2 * nu, 5 * 2 * nu * std::sqrt((2 + 12 / nu) / n)) << nu;
+  }
+}
+
 TEST(RandomStream, UniformStaysInsideAndIndexReachesAll) {
   RandomStream stream(1, 1, 1);
   std::array<int, 7> seen{};
