@@ -27,8 +27,7 @@ void add_chain_options(CLI::App& command, ChainOptions& options);
 
 /// Samples, writes `output` (ArviZ InferenceData), prints what was learnt. Under mpirun the first
 /// rank alone writes, prints and fails; the others leave quietly.
-/// @throws Error if the chains have not converged, unless allowed; the file is
-/// written first.
+/// @throws Error if the chains have not converged, unless allowed; the file is written first.
 void fit_posterior(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
                    const std::string& output, bool json);
 

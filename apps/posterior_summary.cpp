@@ -13,8 +13,7 @@
 namespace thenar {
 namespace {
 
-/// Quantities from the one that was learnt most about to the least, by sd over
-/// the prior's.
+/// Quantities from the one that was learnt most about to the least, by sd over the prior's.
 std::vector<std::size_t> by_knowledge(const PosteriorSummary& summary) {
   std::vector<double> left;
   for (std::size_t i = 0; i < summary.quantities.size(); ++i)

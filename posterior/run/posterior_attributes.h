@@ -1,7 +1,6 @@
 #pragma once
 
-/// What a posterior file keeps as attributes: inputs and settings, to run it
-/// again.
+/// What a posterior file keeps as attributes: inputs and settings, to run it again.
 
 #include <map>
 #include <string>

@@ -17,8 +17,7 @@ constexpr long kAllPredicted = 20000;   // of all chains together, but one of ea
 
 std::vector<std::string> component_names() { return {"first", "second", "third"}; }
 
-/// One array over chains, draws and the rows of `values`, which come chain by
-/// chain.
+/// One array over chains, draws and the rows of `values`, which come chain by chain.
 /// @param values  (rows, chains * draws)
 std::vector<double> by_draw(const Eigen::MatrixXd& values) {
   return {values.data(), values.data() + values.size()};  // column by column: the last index runs
@@ -94,8 +93,7 @@ std::vector<std::string> experiment_names(const FitProblem& problem) {
   return names;
 }
 
-/// Draws of every chain, evenly thinned to at most `most`. (size, chains *
-/// draws)
+/// Draws of every chain, evenly thinned to at most `most`. (size, chains * draws)
 Eigen::MatrixXd thinned(const Draws& draws, long most) {
   const long kept = std::min(most, draws.draws());
   Eigen::MatrixXd x(draws.size(), kept * draws.chains());

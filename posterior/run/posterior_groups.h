@@ -7,8 +7,7 @@
 
 namespace thenar::internal {
 
-/// Every parameter that moves, by family, of the population and of each
-/// specimen.
+/// Every parameter that moves, by family, of the population and of each specimen.
 /// @param x  (size, chains * draws), chain by chain
 [[nodiscard]] InferenceGroup parameter_group(const HandPosterior& posterior,
                                              const Eigen::MatrixXd& x, int chains);

@@ -18,16 +18,14 @@ struct PredictedDraws {
   Eigen::MatrixXd sd;          // of the noise [N] (3 trials, draws)
 };
 
-/// Any experiment on the fitted digit, also of a specimen that was not fitted:
-/// then every draw adds a stranger's deviation from the population. Postures
-/// that the fit does not know by name err by angles drawn from their prior. At
-/// most `draws` of the run, evenly spread.
+/// Any experiment on the fitted digit, also of a specimen that was not fitted: then every draw adds
+/// a stranger's deviation from the population. Postures that the fit does not know by name err by
+/// angles drawn from their prior. At most `draws` of the run, evenly spread.
 ///
 /// The noise of an experiment that was not fitted, or that a stranger made, is its stated one times
 /// a factor from the prior, as experiments err by themselves.
 /// @param specimen  index in problem().specimens(), or -1: a stranger
-/// @throws InputError if the experiment does not fit the digit, or there are no
-/// draws.
+/// @throws InputError if the experiment does not fit the digit, or there are no draws.
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);
 

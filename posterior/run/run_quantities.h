@@ -1,7 +1,6 @@
 #pragma once
 
-/// The draws of a run as numbers that people read: parameters with units,
-/// factors.
+/// The draws of a run as numbers that people read: parameters with units, factors.
 
 #include <string>
 #include <vector>
@@ -18,8 +17,7 @@ struct ReadQuantity {
   Eigen::VectorXd prior;  // draws from the prior [unit]
 };
 
-/// The population's parameters, every specimen's where there are several, noise
-/// and spread.
+/// The population's parameters, every specimen's where there are several, noise and spread.
 /// @param prior_draws  of each quantity [1]
 [[nodiscard]] std::vector<ReadQuantity> read_quantities(const PosteriorRun& run,
                                                         int prior_draws = 1000);
