@@ -1,16 +1,17 @@
 // seeded_run METHOD TEMPERATURES DRAWS OUT [FOLDER [KILLED_RANK]]
 //
-// Draws from a known posterior, alone or under mpirun, and writes all numbers of rank 0 to OUT.
+// Draws from a known posterior, alone or under mpirun, and writes all numbers of rank 0 to OUT,
+// which is whole or missing.
 // With a FOLDER it leaves checkpoints there, and goes on from them. KILLED_RANK kills itself
 // half-way.
 
 #include <cmath>
 #include <csignal>
 #include <cstdio>
-#include <fstream>
 #include <string>
 
 #include "base/error.h"
+#include "base/write_file.h"
 #include "sampling/run_chains.h"
 #include "sampling/state_bytes.h"
 #include "tests/sampling/known_posteriors.h"
@@ -65,7 +66,7 @@ void run(char** arguments, int count, const Ranks& ranks) {
     for (int i = 0; i < 8; ++i) starts(i, c) = std::sin(1 + double(i + 8 * c));
   const Draws draws = run_chains(posterior.target, starts, options, ranks);
   if (ranks.rank() != 0) return;
-  std::ofstream(arguments[4], std::ios::binary) << bytes_of(draws);
+  write_file(arguments[4], bytes_of(draws));
   std::printf("%.3f s\n", draws.seconds);
 }
 
