@@ -15,9 +15,9 @@
 #include "apps/demo_posteriors.h"
 #include "apps/net_file.h"
 #include "apps/progress_bar.h"
+#include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "base/angles.h"
-#include "base/provenance.h"
 #include "base/write_file.h"
 #include "tendons/net/build_tendons.h"
 #include "viewer/fit_pages.h"
@@ -95,18 +95,12 @@ Json hood_section(const StudyInputs& inputs) {
 }
 
 Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seconds) {
-  Json out = Json::object();
-  const auto add = [&](const SourceText& source) {
-    out[source.path] = "sha256 " + sha256(source.text);
-  };
-  add(inputs.specimen.subject);
-  add(inputs.specimen.settings);
-  add(inputs.population_subject);
-  for (const SourceText& source : inputs.specimen.experiments) add(source);
-  for (const SourceText& source : inputs.unseen) add(source);
-  for (const auto& [name, version] : versions()) out[name] = version;
+  std::vector<SourceText> sources{inputs.specimen.subject, inputs.specimen.settings,
+                                  inputs.population_subject};
+  for (const auto* experiments : {&inputs.specimen.experiments, &inputs.unseen})
+    sources.insert(sources.end(), experiments->begin(), experiments->end());
+  Json out = provenance_json(sources, fidelity);
   out["seed"] = fmt::format("{}", SolveOptions{}.seed);
-  out["fidelity"] = describe(fidelity);
   out["wall time of the whole"] = fmt::format("{:.1f} s", seconds);
   return out;
 }

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "posterior/run/posterior_file.h"
+#include "posterior/run/posterior_summary.h"
 #include "posterior/run/predict_draws.h"
-#include "sampling/diagnostics/psis.h"
 #include "viewer/posterior_picture.h"
 
 namespace thenar {
@@ -20,8 +21,7 @@ struct Named {
 
 PosteriorRun sampled(const FitInputs& inputs, long draws, const Progress& progress) {
   PosteriorSettings settings;
-  settings.posterior =
-      posterior_options(parse_fit_settings(inputs.settings.text, inputs.settings.path).posterior);
+  settings.posterior = posterior_options(inputs.settings);
   settings.mode_starts = 8;
   settings.run.sampler.warm_up = draws;
   settings.run.sampler.target_acceptance = kTargetAcceptance;
@@ -47,8 +47,10 @@ Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>&
       rows.push_back(row(named, experiment, "in sample"));
     for (const Experiment& experiment : unseen)
       rows.push_back(row(named, experiment, "never seen: a stranger"));
-    const LeaveOneOut loo = leave_one_out(posterior.pointwise(pooled(named.run.draws)),
-                                          named.run.draws.chains(), named.run.draws.group);
+    const auto left_out = leave_out_observations(named.run);
+    require(left_out.has_value(), "a likelihood of the posterior of '{}' is not finite",
+            named.name);
+    const LeaveOneOut& loo = left_out->result;
     const Convergence& c = named.run.convergence;
     runs.push_back({named.name, posterior.size(), c.worst_r_hat, c.least_bulk_ess, c.divergent,
                     named.run.modes.size(), loo.elpd, loo.se, loo.effective_parameters,

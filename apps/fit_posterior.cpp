@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inputs, unsigned seed,
                               const std::string& output) {
   PosteriorSettings settings;
-  settings.posterior =
-      posterior_options(parse_fit_settings(inputs.settings.text, inputs.settings.path).posterior);
+  settings.posterior = posterior_options(inputs.settings);
   if (options.fixed_noise) settings.posterior.learn_noise = false;
   settings.mode_starts = options.mode_starts;
   RunOptions& run = settings.run;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/print_table.h"
+#include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/angles.h"
@@ -72,13 +73,11 @@ ResultFile result_file(const MotionAnswer& motion) {
 }
 
 nlohmann::json page(const MotionAnswer& motion) {
-  nlohmann::json provenance = nlohmann::json::object();
-  for (const auto& [path, text] : motion.inputs) provenance[path] = "sha256 " + sha256(text);
-  for (const auto& [name, version] : versions()) provenance[name] = version;
-  provenance["fidelity"] = describe(motion.trajectory.fidelity);
+  std::vector<SourceText> sources;
+  for (const auto& [path, text] : motion.inputs) sources.push_back({path, text});
   return {{"title", fmt::format("thenar: {} of {} in motion", motion.digit, motion.subject)},
           {"subtitle", describe(motion.trajectory.fidelity)},
-          {"provenance", provenance},
+          {"provenance", provenance_json(sources, motion.trajectory.fidelity)},
           {"sections", motion_page(motion.tendons, motion.trajectory)}};
 }
 

@@ -11,7 +11,7 @@
 #include "apps/posterior_summary.h"
 #include "apps/print_prediction.h"
 #include "apps/progress_bar.h"
-#include "base/provenance.h"
+#include "apps/provenance_json.h"
 #include "base/write_file.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
@@ -39,16 +39,10 @@ void summary(const Options& options) {
 }
 
 Json provenance(const PosteriorRun& run) {
-  Json out = Json::object();
-  const auto add = [&](const SourceText& source) {
-    out[source.path] = "sha256 " + sha256(source.text);
-  };
-  add(run.inputs.subject);
-  add(run.inputs.settings);
-  for (const SourceText& source : run.inputs.experiments) add(source);
-  for (const auto& [name, version] : versions()) out[name] = version;
+  std::vector<SourceText> sources = run.inputs.experiments;
+  sources.insert(sources.end(), {run.inputs.subject, run.inputs.settings});
+  Json out = provenance_json(sources, run.posterior->problem().digit().fidelity);
   out["seed"] = fmt::format("{}", run.settings.run.sampler.seed);
-  out["fidelity"] = describe(run.posterior->problem().digit().fidelity);
   return out;
 }
 

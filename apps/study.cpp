@@ -10,9 +10,9 @@
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
+#include "apps/provenance_json.h"
 #include "apps/to_json.h"
 #include "base/angles.h"
-#include "base/provenance.h"
 #include "base/write_file.h"
 #include "viewer/report_page.h"
 #include "viewer/thumb_study_page.h"
@@ -100,14 +100,10 @@ void print_study(const ThumbStudy& study) {
 }
 
 Json provenance(const ThumbStudy& study, const Options& options) {
-  Json out = Json::object();
   const ThumbStudyInputs& inputs = study.inputs;
-  for (const SourceText* source :
-       {&inputs.truth, &inputs.start, &inputs.orthogonal, &inputs.skewed})
-    out[source->path] = "sha256 " + sha256(source->text);
-  for (const auto& [name, version] : versions()) out[name] = version;
+  Json out = provenance_json({inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed},
+                             study.truth.fidelity);
   out["seed"] = fmt::format("{}", options.seed);
-  out["fidelity"] = describe(study.truth.fidelity);
   return out;
 }
 

@@ -16,9 +16,9 @@
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
+#include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "apps/tendon_commands.h"
-#include "base/provenance.h"
 #include "base/write_file.h"
 #include "kinematics_fit/net_records.h"
 #include "tendons/net/build_tendons.h"
@@ -72,13 +72,10 @@ Case read_case(const Options& options) {
   at.records = net_records(netted, at.experiment);
   at.pool = possible_tests(netted, at.experiment);
   at.noise = {at.experiment.sd_relative, at.experiment.sd_floor};
-  for (const SourceText& source : {experiment, person, bands})
-    at.provenance[source.path] = "sha256 " + sha256(source.text);
-  at.provenance["fidelity"] = describe(netted.digit().fidelity);
+  at.provenance = provenance_json({experiment, person, bands}, netted.digit().fidelity);
   at.provenance["method"] = options.method == "sparse"
                                 ? options.method
                                 : fmt::format("{}, seed {}", options.method, options.seed);
-  for (const auto& [name, version] : versions()) at.provenance[name] = version;
   return at;
 }
 

@@ -2,19 +2,17 @@
 
 #include <fmt/format.h>
 
+#include "apps/provenance_json.h"
 #include "apps/read_source.h"
-#include "base/provenance.h"
 #include "viewer/report_page.h"
 
 namespace thenar {
 
 void write_tendon_report(const TendonQuestion& question, const TendonCase& at,
                          const TendonSweep& sweep, const std::string& path) {
-  Json provenance{{question.subject, "sha256 " + sha256(read_source(question.subject).text)},
-                  {"fidelity", describe(at.bones().fidelity)},
-                  {"tensions", fmt::format("{}", fmt::join(question.tension, " "))}};
+  Json provenance = provenance_json({read_source(question.subject)}, at.bones().fidelity);
+  provenance["tensions"] = fmt::format("{}", fmt::join(question.tension, " "));
   if (at.net != nullptr) provenance["net"] = at.net->net().net.name;
-  for (const auto& [name, version] : versions()) provenance[name] = version;
   write_report({{"title", fmt::format("Tendons of the {} of {}", at.digit, at.subject)},
                 {"subtitle", fmt::format("under {} N", fmt::join(question.tension, ", "))},
                 {"provenance", provenance},

@@ -4,16 +4,14 @@
 // neighbouring posture.
 
 #include <chrono>
-#include <cstdio>
-#include <exception>
 
+#include "bench/chart_main.h"
 #include "bench/net_rivals/dynamic_relaxation.h"
 #include "bench/net_rivals/kinsol_balance.h"
 #include "bench/net_rivals/point_masses.h"
 #include "bench/net_sweep.h"
 #include "bench/ratios.h"
 #include "viewer/blocks.h"
-#include "viewer/report_page.h"
 
 namespace thenar::bench {
 namespace {
@@ -128,14 +126,5 @@ Json page() {
 }  // namespace thenar::bench
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: net_chart PAGE.html\n");
-    return 2;
-  }
-  try {
-    thenar::write_report(thenar::bench::page(), argv[1]);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "net_chart: %s\n", e.what());
-    return 1;
-  }
+  return thenar::bench::write_chart("net_chart", argc, argv, thenar::bench::page);
 }

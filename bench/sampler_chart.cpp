@@ -4,15 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <exception>
 
 #include <fmt/format.h>
 
+#include "bench/chart_main.h"
 #include "bench/sampler_task.h"
 #include "viewer/blocks.h"
 #include "viewer/posterior_page.h"
-#include "viewer/report_page.h"
 
 namespace thenar::bench {
 namespace {
@@ -154,14 +152,5 @@ Json page() {
 }  // namespace thenar::bench
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: sampler_chart PAGE.html\n");
-    return 2;
-  }
-  try {
-    thenar::write_report(thenar::bench::page(), argv[1]);
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "sampler_chart: %s\n", e.what());
-    return 1;
-  }
+  return thenar::bench::write_chart("sampler_chart", argc, argv, thenar::bench::page);
 }

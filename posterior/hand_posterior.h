@@ -24,11 +24,6 @@ struct PosteriorOptions {
 /// What a settings file says of them; a sd of zero learns nothing.
 [[nodiscard]] PosteriorOptions posterior_options(const PosteriorBeliefs& beliefs);
 
-/// One entry of x.
-struct PosteriorEntry {
-  std::string name;  // "axis/CMC1_FE/direction/1", "H01: arm/FPL/IP1", "noise/H01"
-};
-
 /// The parameters of a digit as people read them.
 struct PosteriorValues {
   Eigen::MatrixXd population;              // [SI] (parameters that move, points)
@@ -55,7 +50,7 @@ class HandPosterior : public Target {
 
   [[nodiscard]] const FitProblem& problem() const;
   [[nodiscard]] const PosteriorOptions& options() const;
-  [[nodiscard]] std::vector<std::string> names() const;         // of x (size)
+  [[nodiscard]] std::vector<std::string> names() const;         // of x: "noise/H01" (size)
   [[nodiscard]] std::vector<int> moving_parameters() const;     // indices in parameters().all
   [[nodiscard]] std::vector<std::string> spread_kinds() const;  // of PosteriorValues::spread
 

@@ -14,7 +14,7 @@ namespace {
 constexpr int kRankPoints = 50;  // at which curves of calibration are looked at
 
 /// Observations that are to be trusted, or not, as one series of points; NaN is not.
-Json k_series(const LeftOut& left_out, bool trusted) {
+Json k_series(const LeftOutObservations& left_out, bool trusted) {
   Json x = Json::array(), y = Json::array(), names = Json::array();
   for (std::size_t i = 0; i < left_out.observations.size(); ++i) {
     const double k = left_out.result.k[static_cast<Eigen::Index>(i)];
@@ -60,7 +60,7 @@ Json band_of(const RankBand& band, const Eigen::VectorXd& uniform, double simula
 
 }  // namespace
 
-Json pareto_chart(const LeftOut& left_out) {
+Json pareto_chart(const LeftOutObservations& left_out) {
   const LeaveOneOut& loo = left_out.result;
   require(static_cast<Eigen::Index>(left_out.observations.size()) == loo.k.size(),
           "{} names for {} observations", left_out.observations.size(), loo.k.size());

@@ -10,18 +10,12 @@
 #include <vector>
 
 #include "data/io/experiment.h"
+#include "posterior/run/posterior_summary.h"
 #include "sampling/diagnostics/modes.h"
-#include "sampling/diagnostics/psis.h"
 #include "viewer/axis_cloud.h"
 #include "viewer/draw_blocks.h"
 
 namespace thenar {
-
-/// Leave-one-out with names for its observations.
-struct LeftOut {
-  LeaveOneOut result;
-  std::vector<std::string> observations;  // "H01 Hook FDP" (observations)
-};
 
 /// Simulation-based calibration: ranks of true values among draws of simulated data.
 struct CalibrationRanks {
@@ -59,7 +53,7 @@ struct PosteriorPicture {
   std::vector<AxisCloud> clouds;
   std::optional<TendonModel<double>> truth;  // digit that simulated data were made with
   std::vector<PredictedForces> predicted;
-  std::optional<LeftOut> left_out;
+  std::optional<LeftOutObservations> left_out;
   std::optional<CalibrationRanks> calibration;
   std::vector<SamplerCourse> samplers;
 };
@@ -81,7 +75,7 @@ struct PosteriorPicture {
 
 /// Pareto k of every observation, those above the limit by name.
 /// @throws InputError if there is not one name for each.
-[[nodiscard]] Json pareto_chart(const LeftOut& left_out);
+[[nodiscard]] Json pareto_chart(const LeftOutObservations& left_out);
 
 /// Empirical distribution of ranks less the uniform one, over the band that holds 95 % of such
 /// curves whole. Curves that leave it are named, the others are drawn alike.

@@ -82,12 +82,6 @@ std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
   return predicted;
 }
 
-std::optional<LeftOut> left_out_of(const PosteriorRun& run) {
-  std::optional<LeftOutObservations> found = leave_out_observations(run);
-  if (!found) return {};
-  return LeftOut{std::move(found->result), std::move(found->observations)};
-}
-
 }  // namespace
 
 PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions& options) {
@@ -102,7 +96,7 @@ PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions
   picture.clouds = clouds_of(run);
   picture.predicted = predicted_of(run);
   picture.modes = run.mode_table;
-  picture.left_out = left_out_of(run);
+  picture.left_out = leave_out_observations(run);
   return picture;
 }
 

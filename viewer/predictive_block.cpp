@@ -31,11 +31,11 @@ std::string loads_of(const Trial& trial) {
 }
 
 /// What one component may read, and what it read; counts itself if that lies within.
-struct Coverage {
+struct Counts {
   int all = 0, within_50 = 0, within_95 = 0;
 };
 
-Json value_of(double measured, const Eigen::VectorXd& replicated, Coverage& coverage) {
+Json value_of(double measured, const Eigen::VectorXd& replicated, Counts& coverage) {
   const Eigen::VectorXd rising = sorted(replicated);
   Eigen::VectorXd q(6);
   q << measured, quantile(rising, 0.025), quantile(rising, 0.25), quantile(rising, 0.5),
@@ -64,7 +64,7 @@ Json predictive_block(const PredictedForces& predicted) {
   require(predicted.replicated.rows() == 3 * trials && predicted.replicated.cols() > 0,
           "{} trials want {} rows of replicated forces, got {} x {}", trials, 3 * trials,
           predicted.replicated.rows(), predicted.replicated.cols());
-  Coverage coverage;
+  Counts coverage;
   Json groups = Json::array();
   for (Eigen::Index i = 0; i < trials; ++i) {
     const Trial& trial = experiment.trials[static_cast<std::size_t>(i)];

@@ -6,11 +6,12 @@
 #include "posterior/run/posterior_attributes.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/posterior_groups.h"
+#include "posterior/run/run_quantities.h"
 
 namespace thenar {
 namespace {
 
-constexpr unsigned kPriorDraws = 1000;
+constexpr int kPriorDraws = 1000;
 
 std::string now() {
   const std::time_t time = std::time(nullptr);
@@ -58,12 +59,9 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
   internal::add_inputs(run.inputs, file.attributes);
   internal::add_settings(run.settings, file.attributes);
 
-  Eigen::MatrixXd prior(posterior.size(), kPriorDraws);
-  for (unsigned k = 0; k < kPriorDraws; ++k)
-    prior.col(k) = posterior.draw_prior(run.settings.run.sampler.seed, k);
   using namespace internal;
   file.groups["posterior"] = parameter_group(posterior, pooled(run.draws), run.draws.chains());
-  file.groups["prior"] = parameter_group(posterior, prior, 1);
+  file.groups["prior"] = parameter_group(posterior, prior_draws(run, kPriorDraws), 1);
   file.groups["unconstrained_posterior"] = coordinate_group(run);
   file.groups["sample_stats"] = statistics_group(run);
   add_run(run.draws, file.groups["sample_stats"]);

@@ -87,10 +87,18 @@ void add_factors(InferenceGroup& group, const std::string& name, const std::stri
   group.arrays[name] = {by_draw(factors), {"chain", "draw", dimension}, "1", description};
 }
 
-std::vector<std::string> experiment_names(const FitProblem& problem) {
-  std::vector<std::string> names;
-  for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
-  return names;
+/// Three numbers of every trial, as the plans of the experiments have them.
+void add_readings(const FitProblem& problem, const std::string& name,
+                  Eigen::Matrix3Xd ExperimentPlan::*readings, const std::string& description,
+                  InferenceGroup& group) {
+  add_names(group, "trial", observation_names(problem, Observed::kForces));
+  add_names(group, "component", component_names());
+  std::vector<double> values;
+  for (const ExperimentPlan& plan : problem.plans()) {
+    const Eigen::Matrix3Xd& of_plan = plan.*readings;
+    values.insert(values.end(), of_plan.data(), of_plan.data() + of_plan.size());
+  }
+  group.arrays[name] = {std::move(values), {"trial", "component"}, "N", description};
 }
 
 /// Draws of every chain, evenly thinned to at most `most`. (size, chains * draws)
@@ -213,23 +221,13 @@ InferenceGroup predictive_group(const PosteriorRun& run) {
 
 InferenceGroup observed_group(const PosteriorRun& run) {
   InferenceGroup group;
-  add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
-  add_names(group, "component", component_names());
-  std::vector<double> force;
-  for (const ExperimentPlan& plan : run.posterior->problem().plans())
-    force.insert(force.end(), plan.force.data(), plan.force.data() + plan.force.size());
-  group.arrays["force"] = {std::move(force), {"trial", "component"}, "N", "measured"};
+  add_readings(run.posterior->problem(), "force", &ExperimentPlan::force, "measured", group);
   return group;
 }
 
 InferenceGroup noise_group(const PosteriorRun& run) {
   InferenceGroup group;
-  add_names(group, "trial", observation_names(run.posterior->problem(), Observed::kForces));
-  add_names(group, "component", component_names());
-  std::vector<double> sd;
-  for (const ExperimentPlan& plan : run.posterior->problem().plans())
-    sd.insert(sd.end(), plan.sd.data(), plan.sd.data() + plan.sd.size());
-  group.arrays["force_sd"] = {std::move(sd), {"trial", "component"}, "N", "as stated"};
+  add_readings(run.posterior->problem(), "force_sd", &ExperimentPlan::sd, "as stated", group);
   return group;
 }
 

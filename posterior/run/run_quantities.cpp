@@ -62,12 +62,16 @@ std::vector<ReadQuantity> read_quantities(const PosteriorRun& run, int prior_cou
       found.push_back({kind + names[static_cast<std::size_t>(i)], "1",
                        by_chain(drawn.row(i), chains), before.row(i).transpose()});
   };
-  std::vector<std::string> experiments;
-  for (const Experiment& experiment : problem.experiments()) experiments.push_back(experiment.name);
   if (run.settings.posterior.learn_noise)
-    add_factors("noise/", experiments, values.noise, prior.noise);
+    add_factors("noise/", experiment_names(problem), values.noise, prior.noise);
   add_factors("spread/", posterior.spread_kinds(), values.spread, prior.spread);
   return found;
+}
+
+std::vector<std::string> experiment_names(const FitProblem& problem) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
+  return names;
 }
 
 std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {

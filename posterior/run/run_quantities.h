@@ -34,6 +34,8 @@ enum class Observed { kForces, kAll };
 [[nodiscard]] std::vector<std::string> observation_names(const FitProblem& problem,
                                                          Observed which = Observed::kAll);
 
+[[nodiscard]] std::vector<std::string> experiment_names(const FitProblem& problem);
+
 /// Draws from the prior of a posterior, by the seed of the run (size, count).
 [[nodiscard]] Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count);
 

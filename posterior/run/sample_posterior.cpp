@@ -1,6 +1,5 @@
 #include "posterior/run/sample_posterior.h"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -43,10 +42,9 @@ FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& sett
 
 /// Entries at the end of x that are factors of noise and spread.
 Eigen::Index count_factors(const HandPosterior& posterior) {
-  const std::vector<std::string> names = posterior.names();
-  return std::count_if(names.begin(), names.end(), [](const std::string& name) {
-    return name.rfind("noise/", 0) == 0 || name.rfind("spread/", 0) == 0;
-  });
+  const std::size_t noises =
+      posterior.options().learn_noise ? posterior.problem().experiments().size() : 0;
+  return static_cast<Eigen::Index>(noises + posterior.spread_kinds().size());
 }
 
 /// Points about the modes where the density is not zero (size, count).
@@ -73,7 +71,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
   return starts;
 }
 
-/// As few chains as one sampler of the method can be made of.
+/// Chains of one sampler, where nobody says how many: of an ensemble two for each entry, and two.
 int least_walkers(SamplingMethod method, int n) {
   if (method == SamplingMethod::kStretchMove) return 2 * n + 2;
   return method == SamplingMethod::kDreamZs ? 3 : 1;
@@ -110,6 +108,10 @@ Eigen::MatrixXd shared_out(const Ranks& ranks, const Eigen::MatrixXd& mine, Eige
 }
 
 }  // namespace
+
+PosteriorOptions posterior_options(const SourceText& settings) {
+  return posterior_options(parse_fit_settings(settings.text, settings.path).posterior);
+}
 
 std::string describe_run(const PosteriorRun& run) {
   const RunOptions& options = run.settings.run;

@@ -15,6 +15,9 @@
 
 namespace thenar {
 
+/// What a settings file says of the posterior. @throws DataError if it cannot be read.
+[[nodiscard]] PosteriorOptions posterior_options(const SourceText& settings);
+
 struct PosteriorSettings {
   PosteriorOptions posterior;
   RunOptions run;        // fingerprint and covariance are set here; walkers 0: as few as can be

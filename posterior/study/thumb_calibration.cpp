@@ -68,7 +68,7 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
                                  const ThumbCalibrationSettings& settings) {
   const SourceText& file = settings.thumb.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings sampling;
-  sampling.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
+  sampling.posterior = posterior_options(file);
   sampling.run.draws = settings.draws;
   sampling.run.sampler.warm_up = settings.warm_up;
   sampling.mode_starts = settings.mode_starts;

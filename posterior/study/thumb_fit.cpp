@@ -26,7 +26,7 @@ PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
                                      const ThumbStudySettings& study) {
   const SourceText& file = settings.skewed ? inputs.skewed : inputs.orthogonal;
   PosteriorSettings out;
-  out.posterior = posterior_options(parse_fit_settings(file.text, file.path).posterior);
+  out.posterior = posterior_options(file);
   out.run.draws = study.draws;
   out.run.sampler.warm_up = study.warm_up;
   out.run.sampler.seed = study.seed;

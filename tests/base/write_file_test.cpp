@@ -12,29 +12,14 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for every test, gone afterwards.
-class WriteFile : public ::testing::Test {
- protected:
-  WriteFile() { fs::create_directories(folder_); }
-  ~WriteFile() override { fs::remove_all(folder_); }
-  WriteFile(const WriteFile&) = delete;
-  WriteFile& operator=(const WriteFile&) = delete;
-
-  [[nodiscard]] std::string path(const std::string& name) const {
-    return (folder_ / name).string();
-  }
-
- private:
-  fs::path folder_ = fs::path(::testing::TempDir()) /
-                     (std::string("thenar_write_file_") +
-                      ::testing::UnitTest::GetInstance()->current_test_info()->name());
-};
+class WriteFile : public TemporaryFolder {};
 
 std::string content(const std::string& path) {
   std::ostringstream text;

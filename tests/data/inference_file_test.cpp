@@ -15,23 +15,15 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
 
-class InferenceFileTest : public testing::Test {
- protected:
-  InferenceFileTest() { fs::create_directories(folder_); }
-  ~InferenceFileTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      (testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(getpid()));
-};
+class InferenceFileTest : public TemporaryFolder {};
 
 /// Two chains of three draws; value of draw d of chain c of parameter p: 100 c + 10 d + p.
 InferenceFile example() {
@@ -67,16 +59,6 @@ bool same(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::equal(a.begin(), a.end(), b.begin(), [](double x, double y) {
            return x == y || (x != x && y != y);
          });
-}
-
-template <typename Error = InputError, typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST_F(InferenceFileTest, ReadsBackEveryBit) {

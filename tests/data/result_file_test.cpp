@@ -13,22 +13,14 @@
 #include <sys/resource.h>
 
 #include "base/error.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ResultFileTest : public testing::Test {
- protected:
-  ResultFileTest() { fs::create_directories(folder_); }
-  ~ResultFileTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-};
+class ResultFileTest : public TemporaryFolder {};
 
 ResultFile example() {
   ResultFile file;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "tests/kinematics_fit/fit_samples.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -24,20 +25,14 @@ FitInputs small_inputs() {
   return inputs;
 }
 
-class FitFile : public testing::Test {
+class FitFile : public TemporaryFolder {
  protected:
-  FitFile() { fs::create_directories(folder_); }
-  ~FitFile() override { fs::remove_all(folder_); }
-
   std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(folder_))
       names.push_back(entry.path().filename().string());
     return names;
   }
-
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(FitFile, ReadsBackWhatWasWritten) {

@@ -16,15 +16,8 @@ namespace {
 
 using Eigen::VectorXd;
 using sample::FitSetup;
+using sample::kAxes;
 using sample::middle_finger;
-
-const std::string kAxes = R"(
-[[parameter]]
-match = "axis/*/direction/*"
-state = "free"
-sd_deg = 3
-between_sd_deg = 4
-)";
 
 const std::string kAxesAndPaths = kAxes + R"(
 [[parameter]]

@@ -38,6 +38,15 @@ inline FitSettings settings(const std::string& rows) {
   return parse_fit_settings("source = 'Synek2019'\n" + rows, "fit.toml");
 }
 
+/// Settings that free the directions of all axes.
+inline const std::string kAxes = R"(
+[[parameter]]
+match = "axis/*/direction/*"
+state = "free"
+sd_deg = 3
+between_sd_deg = 4
+)";
+
 /// One digit with some parameters free and the experiments it is fitted to.
 struct FitSetup {
   TendonDigit digit;

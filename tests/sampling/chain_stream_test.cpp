@@ -12,36 +12,15 @@
 
 #include "base/error.h"
 #include "sampling/run_folder.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar::internal {
 namespace {
 
 namespace fs = std::filesystem;
 
-class ChainStreamTest : public testing::Test {
- protected:
-  ChainStreamTest() {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-  }
-  ~ChainStreamTest() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-
-  const fs::path folder_ =
-      fs::path(testing::TempDir()) /
-      (testing::UnitTest::GetInstance()->current_test_info()->name() + std::to_string(getpid()));
-};
-
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
+class ChainStreamTest : public TemporaryFolder {};
 
 const Eigen::MatrixXd kFirst = (Eigen::MatrixXd(2, 3) << 1, -0.1, 1e300, 3, 4e-310, 5).finished();
 const Eigen::MatrixXd kSecond = (Eigen::MatrixXd(2, 1) << 7, 8).finished();

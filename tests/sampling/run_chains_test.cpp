@@ -12,6 +12,7 @@
 #include "sampling/advance.h"
 #include "sampling/random_stream.h"
 #include "sampling/swap_temperatures.h"
+#include "tests/message_of.h"
 #include "tests/sampling/known_posteriors.h"
 #include "tests/sampling/thread_ranks.h"
 
@@ -168,16 +169,6 @@ INSTANTIATE_TEST_SUITE_P(Methods, RunChains,
 
 const Case kCase{SamplingMethod::kAdaptiveMetropolis, 2, 1, 1};
 using RunChainsOnce = RunChains;
-
-template <typename Call>
-std::string message_of(const Call& call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
 
 // By hand: each chain alone, every third step after warm-up.
 TEST(RunChainsPlain, DrawsAreEveryThirdStepOfTheSamplers) {

@@ -82,7 +82,7 @@ TEST(PredictiveBlock, RefusesForcesOfOtherTrials) {
 }
 
 TEST(ParetoChart, NamesWhatIsNotToBeTrusted) {
-  LeftOut left_out;
+  LeftOutObservations left_out;
   left_out.result.good_k = 0.7;
   left_out.result.k = Eigen::Vector4d(0.2, 0.9, 0.7, std::numeric_limits<double>::quiet_NaN());
   left_out.observations = {"a", "b", "c", "d"};

@@ -1,0 +1,18 @@
+#pragma once
+
+/// Where the numbers of a page came from.
+
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/fidelity.h"
+#include "kinematics_fit/fit.h"
+
+namespace thenar {
+
+/// The hash of every source by its path, the versions of all that computed, and the fidelity.
+[[nodiscard]] nlohmann::json provenance_json(const std::vector<SourceText>& sources,
+                                             const Fidelity& fidelity);
+
+}  // namespace thenar
