@@ -9,6 +9,10 @@ find_package(Ceres 2.1 REQUIRED)             # Ceres::ceres
 find_package(Simbody 3.7 REQUIRED)           # thenar::simbody, below
 find_package(SUNDIALS 6.4 REQUIRED COMPONENTS cvode kinsol)  # thenar::cvode, below
 find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # OpenSSL::Crypto
+find_package(assimp 5.2 REQUIRED)             # assimp::assimp
+find_package(pugixml 1.12 REQUIRED)           # pugixml::pugixml
+find_package(urdfdom REQUIRED)                # its targets carry no version
+find_package(fcl 0.7 REQUIRED)                # fcl
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt_cxx>=2.7)       # PkgConfig::NLOPT
 pkg_check_modules(CLP REQUIRED IMPORTED_TARGET clp>=1.17)              # PkgConfig::CLP
 pkg_check_modules(QHULL REQUIRED IMPORTED_TARGET qhull_r>=8)           # PkgConfig::QHULL
@@ -40,6 +44,13 @@ string(REGEX REPLACE ".*\"(.*)\".*" "\\1" IPOPT_VERSION "${IPOPT_VERSION}")
 find_library(HDF5_HL_LIBRARY hdf5_serial_hl REQUIRED)  # dimension scales
 add_library(thenar::hdf5 INTERFACE IMPORTED)
 target_link_libraries(thenar::hdf5 INTERFACE ${HDF5_HL_LIBRARY} PkgConfig::HDF5)
+
+# Optional: meshes in VRML and Inventor, thenar::coin.
+find_package(Coin 4.0 QUIET)
+if(TARGET Coin::Coin)
+  add_library(thenar::coin INTERFACE IMPORTED)
+  target_link_libraries(thenar::coin INTERFACE Coin::Coin)
+endif()
 
 # Optional: chains across processes, thenar::mpi. The C library alone, so that no Fortran MPI meets
 # the fake one of Ipopt's sequential MUMPS.

@@ -2,11 +2,13 @@
 
 /// What grasping needs to know of any hand, human or robot.
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/shapes/solid.h"
 #include "base/spatial.h"
 
 namespace thenar {
@@ -21,13 +23,62 @@ struct Actuation {
   Eigen::VectorXd upper;  // of u (actuators)
 };
 
+/// What happens to the other coordinates of a drive when one is blocked by a contact.
+enum class Coupled {
+  kRigid,      // all stop
+  kBreakaway,  // those further out go on
+  kCompliant   // all others go on
+};
+
+/// A coordinate that a drive moves.
+struct Driven {
+  int coordinate;
+  double ratio;  // coordinate speed per drive speed
+};
+
+/// What closes a hand: a motor, a tendon, or a single joint, with the coordinates it moves from the
+/// base outwards.
+struct Drive {
+  std::string name;
+  Coupled coupled = Coupled::kRigid;
+  std::vector<Driven> moves;
+  double speed = 0;      // in closing; 0: it stays where it is [1/s]
+  double breakaway = 0;  // effort at which a clutch opens [N m]
+};
+
+/// A link's surface, or the base's.
+struct LinkSurface {
+  int link = -1;      // that carries it; -1: the base
+  std::string name;   // "DP2", "palm"
+  std::string digit;  // "index", "finger 1"; empty: palm or arm
+  std::string material;
+  std::shared_ptr<const Solid> solid;  // hand frame, reference posture; shared by copies of a hand
+};
+
+/// Which way a hand goes at an object, in the hand's frame.
+struct PalmApproach {
+  Eigen::Vector3d point{0, 0, 0};      // [m] (3)
+  Eigen::Vector3d direction{0, 0, 1};  // unit (3)
+};
+
+/// A fingertip.
+struct HandTip {
+  std::string digit;
+  int link = -1;
+  Eigen::Vector3d p{0, 0, 0};  // reference posture [m] (3)
+};
+
 /// Names and limits, constant for the life of a hand.
 struct HandLayout {
   std::vector<std::string> coordinates;  // joint that owns each entry of q
-  Eigen::VectorXd lower;                 // [rad] (coordinates)
-  Eigen::VectorXd upper;                 // [rad] (coordinates)
+  Eigen::VectorXd lower;                 // [rad], of sliding joints [m] (coordinates)
+  Eigen::VectorXd upper;                 // [rad], of sliding joints [m] (coordinates)
   std::vector<std::string> actuators;    // tendons or motors
   std::vector<std::string> tips;         // digits that end in a tip
+  std::vector<HandTip> tip_points;       // of each of `tips`
+  std::vector<Drive> drives;             // what closes it; empty: every coordinate by itself
+  std::vector<int> parents;              // of each link, -1: the base; parents before children
+  PalmApproach approach;
 };
 
 /// A hand of any kind; every implementation obeys the laws in tests/hand/hand_laws_test.cpp.
@@ -46,6 +97,9 @@ class Hand {
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const = 0;
 
   [[nodiscard]] virtual Actuation actuation(const Eigen::VectorXd& q) const = 0;
+
+  /// What can touch; empty: a hand of bones without surfaces.
+  [[nodiscard]] virtual const std::vector<LinkSurface>& surfaces() const = 0;
 };
 
 }  // namespace thenar

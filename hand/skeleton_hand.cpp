@@ -17,14 +17,22 @@ HandLayout layout_of(const Skeleton& skeleton) {
     layout.lower[i] = skeleton.limits[i].lower;
     layout.upper[i] = skeleton.limits[i].upper;
   }
-  for (const SkeletonTip& tip : skeleton.tips) layout.tips.push_back(tip.digit);
+  for (const SkeletonTip& tip : skeleton.tips) {
+    layout.tips.push_back(tip.digit);
+    layout.tip_points.push_back({tip.digit, tip.link, tip.p});
+  }
+  for (const Hinge<double>& hinge : skeleton.tree) layout.parents.push_back(hinge.parent);
   return layout;
 }
 
 }  // namespace
 
-SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits)
-    : skeleton_(std::move(skeleton)), limits_(std::move(limits)), layout_(layout_of(skeleton_)) {
+SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
+                           std::vector<LinkSurface> surfaces)
+    : skeleton_(std::move(skeleton)),
+      limits_(std::move(limits)),
+      layout_(layout_of(skeleton_)),
+      surfaces_(std::move(surfaces)) {
   const Eigen::Index n = skeleton_.coordinates();
   require(limits_.lower.size() == n && limits_.upper.size() == n,
           "{} coordinates want as many torque limits, got {} lower and {} upper", n,

@@ -2,6 +2,8 @@
 
 /// A hand without tendons: ideal motors at its joints. For rungs on which muscles do not matter.
 
+#include <vector>
+
 #include "hand/hand.h"
 #include "hand/skeleton.h"
 
@@ -17,13 +19,14 @@ struct TorqueLimits {
 class SkeletonHand final : public Hand {
  public:
   /// @throws InputError if the limits have the wrong length or cross.
-  SkeletonHand(Skeleton skeleton, TorqueLimits limits);
+  SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {});
 
   [[nodiscard]] const HandLayout& layout() const override { return layout_; }
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const override;
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
+  [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override { return surfaces_; }
 
  private:
   void require_posture(const Eigen::VectorXd& q) const;
@@ -31,6 +34,7 @@ class SkeletonHand final : public Hand {
   Skeleton skeleton_;
   TorqueLimits limits_;
   HandLayout layout_;
+  std::vector<LinkSurface> surfaces_;
 };
 
 }  // namespace thenar

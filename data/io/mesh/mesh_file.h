@@ -1,0 +1,28 @@
+#pragma once
+
+/// Surfaces from mesh files.
+
+#include <string>
+
+#include "base/shapes/triangle_mesh.h"
+
+namespace thenar {
+
+enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kVrml, kInventor };
+
+/// By the ending of its name, .wrl for VRML and .iv for Inventor.
+/// @throws DataError for any other, listing those there are.
+[[nodiscard]] MeshFormat mesh_format(const std::string& path);
+
+/// Reads OBJ, STL, PLY, OFF, glTF/GLB and, where Coin was found, VRML 1.0 and 2.0 and Inventor.
+/// Vertices at the same place are merged; polygons are cut into triangles; the transforms of
+/// the file's own scene graph are applied.
+/// @param scale  [m] per unit of the file
+/// @throws DataError if the file cannot be read, its kind is unknown, it holds no triangle, or a
+/// coordinate is not finite.
+[[nodiscard]] TriangleMesh read_mesh(const std::string& path, double scale = 1);
+
+/// Writes an OBJ, STL (binary), PLY or OFF, by the ending of its name.
+void write_mesh(const std::string& path, const TriangleMesh& mesh);
+
+}  // namespace thenar

@@ -1,0 +1,104 @@
+#pragma once
+
+/// A robot described once, as plain data: links, joints, and degrees of freedom apart from joints.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/shapes/shape_spec.h"
+#include "base/spatial.h"
+
+namespace thenar {
+
+/// A rigid link, in a frame of its own.
+struct RobotLink {
+  std::string name;
+  std::string digit;                                  // finger it belongs to; empty: palm or arm
+  double mass = 0;                                    // [kg]; 0 if unknown
+  Eigen::Vector3d com{0, 0, 0};                       // [m] (3)
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
+  std::vector<ShapeSpec> shapes;                      // its surface, for contacts
+  std::string material;                               // of data/materials; empty: unknown
+};
+
+enum class RobotJointKind { kFixed, kRevolute, kPrismatic };
+
+/// "fixed", "revolute", "prismatic".
+[[nodiscard]] std::string name_of(RobotJointKind kind);
+
+/// Joint value = ratio * (its degree of freedom) + offset.
+/// Pose of the child in the parent = X_PJ * motion(axis, value) * X_JC.
+struct RobotJoint {
+  std::string name;
+  RobotJointKind kind = RobotJointKind::kRevolute;
+  std::string parent;             // link
+  std::string child;              // link
+  Pose<double> X_PJ;              // joint frame in the parent link
+  Eigen::Vector3d axis{0, 0, 1};  // unit, in the joint frame (3)
+  Pose<double> X_JC;              // child link in the moved joint frame
+  double lower = 0;               // of the joint value [rad] or [m]
+  double upper = 0;               // of the joint value [rad] or [m]
+  std::string dof;                // degree of freedom that drives it; empty: fixed or free
+  double ratio = 1;               // [1], [m/rad] or [rad/m]
+  double offset = 0;              // [rad] or [m]
+  double damping = 0;             // [N m s/rad] or [N s/m]
+  double friction = 0;            // Coulomb's [N m] or [N]
+  double stiffness = 0;           // of a spring to `rest` [N m/rad] or [N/m]
+  double rest = 0;                // [rad] or [m]
+};
+
+/// How one motor drives several joints.
+enum class RobotDofKind {
+  kRigid,      // gears: if one joint is blocked, all are
+  kBreakaway,  // a clutch: blocked beyond `breakaway` a joint stops, those further out go on
+  kCompliant   // springs or an adaptive linkage: a blocked joint stops, all others go on
+};
+
+/// A motor.
+struct RobotDof {
+  std::string name;
+  RobotDofKind kind = RobotDofKind::kRigid;
+  double lower = 0;       // [rad] or [m]
+  double upper = 0;       // [rad] or [m]
+  double speed = 0;       // in closing, relative to the others; negative closes downwards [1]
+  double max_effort = 0;  // [N m] or [N]; 0 if unknown
+  double breakaway = 0;   // torque at which the clutch opens [N m]
+  double stiffness = 0;   // of a compliant coupling [N m/rad]
+};
+
+/// Which way a hand goes at an object.
+struct RobotApproach {
+  Eigen::Vector3d point{0, 0, 0};      // in the base link [m] (3)
+  Eigen::Vector3d direction{0, 0, 1};  // unit, in the base link (3)
+};
+
+/// Joints stand parents before children; the first link is the base.
+struct RobotSpec {
+  std::string name;
+  std::string description;
+  std::string source;   // citation keys
+  std::string licence;  // of the file it came from; empty: ours
+  std::vector<RobotLink> links;
+  std::vector<RobotJoint> joints;
+  std::vector<RobotDof> dofs;
+  RobotApproach approach;
+  std::vector<std::string> warnings;  // what an importer met and did not understand
+};
+
+/// Reads a robot from TOML; the format is in docs/data_format.md. Mesh files are found beside it.
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] RobotSpec read_robot(const std::string& path);
+[[nodiscard]] RobotSpec parse_robot(const std::string& text, const std::string& path);
+
+/// The robot as TOML that read_robot() reads without loss.
+[[nodiscard]] std::string robot_toml(const RobotSpec& robot);
+
+/// `tool` mounted on a link of `carrier`: one tree; names of the tool get "NAME/" before them where
+/// the carrier has them already.
+/// @throws InputError if the carrier has no such link.
+[[nodiscard]] RobotSpec attach(const RobotSpec& carrier, const std::string& link,
+                               const RobotSpec& tool, const Pose<double>& X_LT);
+
+}  // namespace thenar

@@ -1,0 +1,41 @@
+#pragma once
+
+/// What things are made of, and how they slide on each other.
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace thenar {
+
+/// Dry friction between two materials.
+struct Friction {
+  double static_coefficient;   // [1]
+  double kinetic_coefficient;  // [1]
+};
+
+/// One material.
+struct Material {
+  std::string name;
+  double density = 0;          // [kg/m^3]; 0 if unknown
+  double young = 0;            // of its soft layer [Pa]; 0: rigid
+  double layer_thickness = 0;  // of its soft layer [m]; 0: rigid
+};
+
+struct Materials {
+  std::vector<Material> materials;
+  std::map<std::pair<std::string, std::string>, Friction> friction;  // names in alphabetic order
+
+  /// @throws InputError if there is no such material, listing those there are.
+  [[nodiscard]] const Material& at(const std::string& name) const;
+  /// @throws InputError if the pair has no friction.
+  [[nodiscard]] Friction between(const std::string& a, const std::string& b) const;
+};
+
+[[nodiscard]] Materials read_materials(const std::string& path);
+
+/// The table that comes with thenar, data/materials.toml.
+[[nodiscard]] const Materials& built_in_materials();
+
+}  // namespace thenar

@@ -1,0 +1,29 @@
+#pragma once
+
+/// One place where a hand touches an object.
+
+#include <Eigen/Core>
+
+#include "base/spatial.h"
+
+namespace thenar {
+
+/// A contact as force closure sees it: point, normal, friction.
+struct Contact {
+  Eigen::Vector3d p{0, 0, 0};  // [m] (3)
+  Eigen::Vector3d n{0, 0, 1};  // unit, into the object: the direction a finger pushes (3)
+  double friction = 0;         // Coulomb's coefficient [1]
+  double torsion = 0;          // torque about n per normal force, soft fingers [m]; 0: a hard point
+};
+
+/// A contact of a hand.
+struct HandContact {
+  Contact contact;   // in the object's frame
+  int surface = -1;  // entry of Hand::surfaces()
+  double depth = 0;  // how far the two were in each other when it was found [m]
+};
+
+/// A contact seen from another frame, or moved. @param X_AB  (B: the frame it is given in)
+[[nodiscard]] Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B);
+
+}  // namespace thenar

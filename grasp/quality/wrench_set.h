@@ -1,0 +1,45 @@
+#pragma once
+
+/// The wrenches that contacts can make, with their true friction cones.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "grasp/contact/contact.h"
+
+namespace thenar {
+
+using Wrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [N] (6)
+
+/// What one contact can make at unit normal force: an ellipsoid { c + A z : |z| <= 1 }, a disc for
+/// a hard point with friction, a point without, three-dimensional for a soft finger.
+/// Its support function is  h(u) = u' c + |A' u|.
+struct WrenchCap {
+  Wrench c;                                             // frictionless unit wrench (6)
+  Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes (6, 0..3)
+};
+
+/// All contacts of a grasp.
+struct WrenchSet {
+  std::vector<WrenchCap> caps;  // one a contact
+};
+
+/// How contact forces are limited together.
+enum class ForceLimit {
+  kL1,   // the sum of normal forces is at most 1: the convex hull of the caps
+  kLinf  // each normal force is at most 1: the Minkowski sum of the caps joined with 0
+};
+
+/// Caps of contacts about a centre, torques divided by `torque_scale`.
+///   c = (n, (p - centre) x n / scale),  semi-axes mu (t, (p - centre) x t / scale) for tangents
+///   t = t1, t2, and (0, torsion n / scale).
+/// @throws InputError unless normals are unit, coefficients not negative, scale positive, all
+/// finite. Source: [Ferrari1992] for the sets, [Howe1996] for the ellipsoid of soft fingers.
+[[nodiscard]] WrenchSet wrench_set(const std::vector<Contact>& contacts,
+                                   const Eigen::Vector3d& centre, double torque_scale);
+
+/// Support of the whole set in a direction:  max over L1 caps, or sum of positive ones for Linf.
+[[nodiscard]] double support(const WrenchSet& set, const Wrench& u, ForceLimit limit);
+
+}  // namespace thenar
