@@ -1,0 +1,31 @@
+#pragma once
+
+/// Where things stand, as GraspIt! XML tells it.
+
+#include <string>
+#include <vector>
+
+#include "base/spatial.h"
+#include "data/io/graspit/xml_file.h"
+
+namespace thenar {
+
+inline constexpr double kGraspitLength = 1e-3;  // [m] in its unit of length
+inline constexpr double kGraspitMass = 1e-3;    // [kg] in its unit of mass
+inline constexpr double kGraspitForce = 1e-6;   // [N] in its unit of force
+inline constexpr double kGraspitMoment = 1e-9;  // [N m] in its unit of torque
+
+/// The pose in a <transform>, or in an element that holds one: the product, left to right, of
+///   <fullTransform>(qw qx qy qz)[x y z]   a rotation, then a way in the outer frame
+///   <translation>x y z
+///   <rotation>angle axis                  in degrees, about x, y or z, or about "ax ay az"
+///   <rotationMatrix>nine numbers          column by column
+/// with lengths in mm. The identity if there is none.
+/// @param warnings  gets a line for every element that is not one of these
+/// @throws DataError if numbers are missing, or a rotation is none (beyond 1e-3; what is within is
+/// made orthogonal).
+/// Source: [GraspIt] for the format.
+[[nodiscard]] Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
+                                             std::vector<std::string>& warnings);
+
+}  // namespace thenar

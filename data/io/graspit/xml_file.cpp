@@ -1,0 +1,77 @@
+#include "data/io/graspit/xml_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <utility>
+
+#include <pugixml.hpp>
+
+#include "base/error.h"
+#include "data/io/toml_node.h"
+
+namespace thenar {
+namespace {
+
+int line_at(const std::string& text, std::ptrdiff_t offset) {
+  const auto end = text.begin() +
+                   std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
+  return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+}  // namespace
+
+struct XmlFile::Document {
+  pugi::xml_document xml;
+};
+
+XmlFile::XmlFile(const std::string& path) : XmlFile(read_text_file(path), path) {}
+
+XmlFile::XmlFile(std::string text, std::string path)
+    : text_(std::move(text)), path_(std::move(path)), document_(std::make_unique<Document>()) {
+  const pugi::xml_parse_result result = document_->xml.load_buffer(text_.data(), text_.size());
+  if (!result) throw DataError(path_, line_at(text_, result.offset), result.description());
+}
+
+XmlFile::~XmlFile() = default;
+
+pugi::xml_node XmlFile::root() const { return document_->xml.document_element(); }
+
+int XmlFile::line(const pugi::xml_node& node) const { return line_at(text_, node.offset_debug()); }
+
+void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
+  throw DataError(path_, line(node), what);
+}
+
+std::string XmlFile::text(const pugi::xml_node& node) const {
+  const std::string all = node.text().get();
+  const char* const white = " \t\r\n";
+  const std::size_t first = all.find_first_not_of(white);
+  if (first == std::string::npos) return "";
+  return all.substr(first, all.find_last_not_of(white) - first + 1);
+}
+
+std::vector<double> XmlFile::numbers(const pugi::xml_node& node, int count) const {
+  std::string all = text(node);
+  for (char& c : all)
+    if (std::string("()[],;\t\r\n").find(c) != std::string::npos) c = ' ';
+  std::vector<double> found;
+  for (const char* at = all.c_str(); *(at += std::strspn(at, " ")) != '\0';) {
+    char* end = nullptr;
+    found.push_back(std::strtod(at, &end));
+    if (end == at || (*end != ' ' && *end != '\0') || !std::isfinite(found.back()))
+      fail(node, fmt::format("wanted finite numbers in <{}>, got '{}'", node.name(), text(node)));
+    at = end;
+  }
+  if (count > 0 && static_cast<int>(found.size()) != count)
+    fail(node, fmt::format("wanted {} numbers in <{}>, got {}", count, node.name(), found.size()));
+  return found;
+}
+
+std::string XmlFile::not_understood(const pugi::xml_node& node) const {
+  return fmt::format("{}:{}: <{}> is not understood and was left out", path_, line(node),
+                     node.name());
+}
+
+}  // namespace thenar

@@ -1,0 +1,55 @@
+#pragma once
+
+/// An XML file that remembers its lines.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace pugi {
+class xml_node;
+}
+
+namespace thenar {
+
+/// A parsed file. Its nodes point into it, so it must outlive them.
+class XmlFile {
+ public:
+  /// Reads and parses `path`. @throws DataError if it cannot be read or is not XML.
+  explicit XmlFile(const std::string& path);
+  /// Parses `text`; `path` only names it in messages.
+  XmlFile(std::string text, std::string path);
+  ~XmlFile();
+  XmlFile(const XmlFile&) = delete;
+  XmlFile& operator=(const XmlFile&) = delete;
+
+  /// The outermost element.
+  [[nodiscard]] pugi::xml_node root() const;
+
+  [[nodiscard]] const std::string& path() const { return path_; }
+
+  /// Where an element stands, from 1.
+  [[nodiscard]] int line(const pugi::xml_node& node) const;
+
+  /// Throws a DataError at an element.
+  [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
+
+  /// The text inside an element, without white space around it.
+  [[nodiscard]] std::string text(const pugi::xml_node& node) const;
+
+  /// The numbers in an element's text, apart by spaces, commas or brackets.
+  /// @param count  how many are wanted; 0: any number
+  /// @throws DataError if there are others, or one is not a finite number.
+  [[nodiscard]] std::vector<double> numbers(const pugi::xml_node& node, int count = 0) const;
+
+  /// "path:line: <name> is not understood and was left out", to be shown to the user.
+  [[nodiscard]] std::string not_understood(const pugi::xml_node& node) const;
+
+ private:
+  struct Document;
+  std::string text_;
+  std::string path_;
+  std::unique_ptr<Document> document_;
+};
+
+}  // namespace thenar
