@@ -95,7 +95,7 @@ inline RoundedMesh rounded_segment(const Eigen::Vector3d& from, const Eigen::Vec
 }
 
 /// The surface of a box of full edges about the origin, 12 triangles.
-inline TriangleMesh box_mesh(const Eigen::Vector3d& edges) {
+inline TriangleMesh block_mesh(const Eigen::Vector3d& edges) {
   TriangleMesh mesh{Eigen::Matrix3Xd(3, 8), Eigen::Matrix3Xi(3, 12)};
   for (int i = 0; i < 8; ++i)
     mesh.vertices.col(i) = edges.cwiseProduct(

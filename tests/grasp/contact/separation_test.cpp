@@ -58,7 +58,7 @@ TEST(Separation, OfCapsuleAndBall) {
 // All of one face is as near as any: halving it down to the tolerance would take 1e5 questions.
 TEST(Separation, OfParallelFacesTakesFewQuestions) {
   const Eigen::Vector3d edges(0.04, 0.06, 0.02);
-  const Solid a = touching({{box_mesh(edges), 0}});
+  const Solid a = touching({{block_mesh(edges), 0}});
   const Separation s = separation(a, at(0, 0, 0.025), box_shape({0.1, 0.1, 0.02}), {});
   EXPECT_NEAR(s.distance, 0.005, kTolerance);
   EXPECT_LT(s.evaluations, 200);
@@ -94,7 +94,7 @@ TEST(Separation, OfBoxesMatchesBruteForce) {
     const Eigen::Vector3d edges = Eigen::Vector3d::Constant(0.06) + drawn_point(rng, 0.04);
     const Eigen::Vector3d edges_B = Eigen::Vector3d::Constant(0.06) + drawn_point(rng, 0.04);
     const Pose<double> X_WA = drawn_pose(rng, 0.08);
-    const TriangleMesh mesh = box_mesh(edges);
+    const TriangleMesh mesh = block_mesh(edges);
     double brute = 1;
     for (Eigen::Index t = 0; t < 12; ++t)
       for (int u = 0; u <= kCells; ++u)
@@ -113,7 +113,7 @@ TEST(Separation, OfBoxesMatchesBruteForce) {
 
 TEST(Separation, DependsOnTheRelativePoseOnly) {
   std::mt19937 rng(3);
-  const Solid a = touching({{box_mesh({0.02, 0.03, 0.04}), 0}});
+  const Solid a = touching({{block_mesh({0.02, 0.03, 0.04}), 0}});
   const Solid b = box_shape({0.05, 0.05, 0.05});
   for (int i = 0; i < 50; ++i) {
     const Pose<double> X_WA = drawn_pose(rng, 0.1), X_WB = drawn_pose(rng, 0.1);
@@ -125,7 +125,7 @@ TEST(Separation, DependsOnTheRelativePoseOnly) {
 
 // A warm start changes the work, not the answer.
 TEST(Separation, StartsFromAnyTriangle) {
-  const TouchBody a = touch_body(touching({{box_mesh({0.02, 0.03, 0.04}), 0}}));
+  const TouchBody a = touch_body(touching({{block_mesh({0.02, 0.03, 0.04}), 0}}));
   const Pose<double> X_WA{rotation_about<double>({0, 0.6, 0.8}, 1.0), {0.06, 0.01, 0}};
   const double cold = separation(a, X_WA, ball_solid(0.03), {}).distance;
   for (int start = -1; start < 14; ++start) {
@@ -136,7 +136,7 @@ TEST(Separation, StartsFromAnyTriangle) {
 }
 
 TEST(Separation, BeyondTheCutoffIsALowerBound) {
-  const Solid a = touching({{box_mesh({0.02, 0.02, 0.02}), 0}});
+  const Solid a = touching({{block_mesh({0.02, 0.02, 0.02}), 0}});
   const Separation s = separation(a, at(1, 0, 0), ball_solid(0.1), {}, kTolerance, 0.1);
   EXPECT_GT(s.distance, 0.1);
   EXPECT_LE(s.distance, 1 - 0.1 - 0.01);
