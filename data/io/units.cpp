@@ -32,6 +32,9 @@ const std::vector<Unit>& all_units() {
       {"Nmm_per_deg", Dimension::kAngularStiffness, 1e-3 / kDegree},
       {"Nms_per_rad", Dimension::kAngularDamping, 1},
       {"Nmms_per_rad", Dimension::kAngularDamping, 1e-3},
+      {"N_per_m", Dimension::kLinearStiffness, 1},
+      {"N_per_mm", Dimension::kLinearStiffness, 1e3},
+      {"Ns_per_m", Dimension::kLinearDamping, 1},
   };
   return units;
 }
@@ -68,9 +71,13 @@ std::string dimension_name(Dimension dimension) {
     case Dimension::kAngularStiffness:
       return "an angular stiffness";
     case Dimension::kAngularDamping:
+      return "an angular damping";
+    case Dimension::kLinearStiffness:
+      return "a stiffness";
+    case Dimension::kLinearDamping:
       break;
   }
-  return "an angular damping";
+  return "a damping";
 }
 
 }  // namespace thenar

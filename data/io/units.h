@@ -20,7 +20,9 @@ enum class Dimension {
   kStress,
   kAcceleration,
   kAngularStiffness,
-  kAngularDamping
+  kAngularDamping,
+  kLinearStiffness,
+  kLinearDamping
 };
 
 /// One way to write a dimension: `point_mm = 5` is 5 * 0.001 m.

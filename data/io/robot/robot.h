@@ -30,6 +30,7 @@ enum class RobotJointKind { kFixed, kRevolute, kPrismatic };
 
 /// Joint value = ratio * (its degree of freedom) + offset.
 /// Pose of the child in the parent = X_PJ * motion(axis, value) * X_JC.
+/// Limits are finite: a joint that turns without end goes from -pi to pi.
 struct RobotJoint {
   std::string name;
   RobotJointKind kind = RobotJointKind::kRevolute;
@@ -92,12 +93,28 @@ struct RobotSpec {
 [[nodiscard]] RobotSpec read_robot(const std::string& path);
 [[nodiscard]] RobotSpec parse_robot(const std::string& text, const std::string& path);
 
-/// The robot as TOML that read_robot() reads without loss.
+/// The robot as TOML that read_robot() reads without loss: every double survives to the bit. A mesh
+/// that came from a file is named, not written out.
+/// @throws InputError as check_robot().
 [[nodiscard]] std::string robot_toml(const RobotSpec& robot);
 
-/// `tool` mounted on a link of `carrier`: one tree; names of the tool get "NAME/" before them where
-/// the carrier has them already.
-/// @throws InputError if the carrier has no such link.
+/// Whether some rigid body has this inertia about its centre of mass: symmetric, no principal
+/// moment negative, none larger than the sum of the others; to 1e-6 of the largest.
+/// @param inertia  [kg m^2] (3, 3)
+[[nodiscard]] bool is_body_inertia(const Eigen::Matrix3d& inertia);
+
+/// Refuses a robot that is none, naming what is wrong: no link, a name given twice, a link that is
+/// unknown, that two joints carry, or that hangs on a loop, joints out of order, an unknown degree
+/// of freedom, an axis or direction that is no unit vector, a rotation that is none, limits that
+/// cross, a mass or a limit below zero, an inertia that is not a body's, anything not finite.
+/// @throws InputError
+void check_robot(const RobotSpec& robot);
+
+/// `tool` mounted on a link of `carrier`: one tree, which approaches as the tool does; names of the
+/// tool get "NAME/" before them where the carrier has them already. A fixed joint "NAME mount"
+/// holds them together.
+/// @param X_LT  base link of the tool in that link
+/// @throws InputError if the carrier has no such link, or as check_robot().
 [[nodiscard]] RobotSpec attach(const RobotSpec& carrier, const std::string& link,
                                const RobotSpec& tool, const Pose<double>& X_LT);
 

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "data/io/robot/robot_parts.h"
+
+namespace thenar {
+namespace {
+
+void require_finite(double value, const std::string& whose, const char* what) {
+  require(std::isfinite(value), "wanted the {} of {} to be finite, got {}", what, whose, value);
+}
+
+void require_not_negative(double value, const std::string& whose, const char* what) {
+  require_finite(value, whose, what);
+  require(value >= 0, "wanted the {} of {} >= 0, got {}", what, whose, value);
+}
+
+void require_unit(const Eigen::Vector3d& v, const std::string& whose, const char* what) {
+  require(std::abs(v.norm() - 1) <= internal::kUnitTolerance,
+          "wanted the {} of {} as a unit vector, got [{}, {}, {}]", what, whose, v.x(), v.y(),
+          v.z());
+}
+
+void require_limits(double lower, double upper, const std::string& whose) {
+  require_finite(lower, whose, "lower limit");
+  require_finite(upper, whose, "upper limit");
+  require(lower <= upper, "limits of {} cross: {} .. {}", whose, lower, upper);
+}
+
+template <typename Part>
+void require_own_names(const std::vector<Part>& parts, const char* kind) {
+  std::set<std::string> names;
+  for (const Part& part : parts) {
+    require(!part.name.empty(), "a {} has no name", kind);
+    require(names.insert(part.name).second, "{} '{}' is given twice", kind, part.name);
+  }
+}
+
+/// Walks from the joint's parent to the base, along what stands anywhere in the file.
+bool closes_loop(const std::map<std::string, std::string>& parent_of, const RobotJoint& joint) {
+  std::string link = joint.parent;
+  for (std::size_t step = 0; step <= parent_of.size(); ++step) {
+    if (link == joint.child) return true;
+    const auto found = parent_of.find(link);
+    if (found == parent_of.end()) return false;
+    link = found->second;
+  }
+  return true;
+}
+
+void check_tree(const RobotSpec& robot) {
+  std::map<std::string, std::string> parent_of;
+  for (const RobotLink& link : robot.links) parent_of[link.name] = "";
+  for (const RobotJoint& joint : robot.joints) {
+    for (const std::string& link : {joint.parent, joint.child})
+      require(parent_of.count(link) == 1, "joint '{}' names link '{}', which there is not",
+              joint.name, link);
+    require(parent_of[joint.child].empty(), "link '{}' has two parents: '{}' and '{}'", joint.child,
+            parent_of[joint.child], joint.parent);
+    parent_of[joint.child] = joint.parent;
+  }
+  const std::string& base = robot.links.front().name;
+  std::set<std::string> reached{base};
+  for (const RobotJoint& joint : robot.joints) {
+    require(!closes_loop(parent_of, joint), "joint '{}' closes a loop: '{}' carries '{}' already",
+            joint.name, joint.child, joint.parent);
+    require(joint.child != base, "the first link, '{}', is the base, and joint '{}' moves it", base,
+            joint.name);
+    require(reached.count(joint.parent) == 1,
+            "joint '{}' stands before the joint that carries its parent '{}'", joint.name,
+            joint.parent);
+    reached.insert(joint.child);
+  }
+  for (const RobotLink& link : robot.links)
+    require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
+}
+
+void check_drives(const RobotSpec& robot) {
+  for (const RobotJoint& joint : robot.joints)
+    require(joint.dof.empty() ||
+                std::any_of(robot.dofs.begin(), robot.dofs.end(),
+                            [&](const RobotDof& dof) { return dof.name == joint.dof; }),
+            "joint '{}' is driven by '{}', which is no degree of freedom", joint.name, joint.dof);
+}
+
+}  // namespace
+
+bool is_body_inertia(const Eigen::Matrix3d& inertia) {
+  if (!inertia.allFinite()) return false;
+  const double tolerance = 1e-6 * inertia.cwiseAbs().maxCoeff();
+  if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > tolerance) return false;
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  return moments[0] >= -tolerance && moments[2] <= moments[0] + moments[1] + tolerance;
+}
+
+namespace internal {
+
+void check_pose(const Pose<double>& X, const std::string& whose) {
+  require(X.p.allFinite(), "wanted the position of {} to be finite, got [{}, {}, {}]", whose,
+          X.p.x(), X.p.y(), X.p.z());
+  const double off = (X.R * X.R.transpose() - Eigen::Matrix3d::Identity()).norm();
+  require(off <= kUnitTolerance && X.R.determinant() > 0,
+          "wanted the rotation of {} to be one, but R R' - I is {:.3g}, its determinant {:.3g}",
+          whose, off, X.R.determinant());
+}
+
+void check_shape(const ShapeSpec& shape, const std::string& whose) {
+  check_pose(shape.X_BS, whose);
+  for (int i = 0; i < size_count(shape.kind); ++i)
+    require(std::isfinite(shape.size[i]) && shape.size[i] >= 0,
+            "wanted size {} of {} finite and >= 0, got {}", i + 1, whose, shape.size[i]);
+  require(std::isfinite(shape.mesh_scale) && shape.mesh_scale > 0,
+          "wanted the scale of {} > 0, got {}", whose, shape.mesh_scale);
+  require(shape.mesh.vertices.allFinite(), "a vertex of {} is not finite", whose);
+}
+
+void check_link(const RobotLink& link) {
+  const std::string whose = fmt::format("link '{}'", link.name);
+  require_not_negative(link.mass, whose, "mass");
+  require(link.com.allFinite(), "wanted the centre of mass of {} to be finite, got [{}, {}, {}]",
+          whose, link.com.x(), link.com.y(), link.com.z());
+  require(is_body_inertia(link.inertia), "the inertia of {} is not a body's", whose);
+  for (const ShapeSpec& shape : link.shapes)
+    check_shape(shape, fmt::format("a {} of {}", name_of(shape.kind), whose));
+}
+
+void check_joint(const RobotJoint& joint) {
+  const std::string whose = fmt::format("joint '{}'", joint.name);
+  check_pose(joint.X_PJ, whose);
+  check_pose(joint.X_JC, "the child of " + whose);
+  require_unit(joint.axis, whose, "axis");
+  require_limits(joint.lower, joint.upper, whose);
+  require_finite(joint.offset, whose, "offset");
+  require_finite(joint.rest, whose, "rest");
+  require_finite(joint.ratio, whose, "ratio");
+  require(joint.dof.empty() || joint.ratio != 0, "{} cannot follow '{}' with ratio 0", whose,
+          joint.dof);
+  require(joint.dof.empty() || joint.kind != RobotJointKind::kFixed,
+          "{} is fixed and cannot follow '{}'", whose, joint.dof);
+  require_not_negative(joint.damping, whose, "damping");
+  require_not_negative(joint.friction, whose, "friction");
+  require_not_negative(joint.stiffness, whose, "stiffness");
+}
+
+void check_dof(const RobotDof& dof) {
+  const std::string whose = fmt::format("degree of freedom '{}'", dof.name);
+  require_limits(dof.lower, dof.upper, whose);
+  require_finite(dof.speed, whose, "speed");
+  require_not_negative(dof.max_effort, whose, "effort");
+  require_not_negative(dof.breakaway, whose, "breakaway torque");
+  require_not_negative(dof.stiffness, whose, "stiffness");
+}
+
+}  // namespace internal
+
+void check_robot(const RobotSpec& robot) {
+  require(!robot.links.empty(), "robot '{}' has no link", robot.name);
+  require_own_names(robot.links, "link");
+  require_own_names(robot.joints, "joint");
+  require_own_names(robot.dofs, "degree of freedom");
+  for (const RobotLink& link : robot.links) internal::check_link(link);
+  for (const RobotJoint& joint : robot.joints) internal::check_joint(joint);
+  for (const RobotDof& dof : robot.dofs) internal::check_dof(dof);
+  check_tree(robot);
+  check_drives(robot);
+  require(robot.approach.point.allFinite(), "the approach of robot '{}' is not finite", robot.name);
+  require_unit(robot.approach.direction, fmt::format("robot '{}'", robot.name), "approach");
+}
+
+}  // namespace thenar

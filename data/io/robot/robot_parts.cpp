@@ -1,0 +1,174 @@
+// Links, joints and degrees of freedom from TOML.
+
+#include "data/io/robot/robot_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "data/io/dh.h"
+
+namespace thenar::internal {
+namespace {
+
+/// What a joint's numbers measure: turning or sliding.
+struct Measures {
+  Dimension value, effort, stiffness, damping;
+};
+
+constexpr Measures kTurning{Dimension::kAngle, Dimension::kMoment, Dimension::kAngularStiffness,
+                            Dimension::kAngularDamping};
+constexpr Measures kSliding{Dimension::kLength, Dimension::kForce, Dimension::kLinearStiffness,
+                            Dimension::kLinearDamping};
+
+const Measures& measures_of(RobotJointKind kind) {
+  return kind == RobotJointKind::kPrismatic ? kSliding : kTurning;
+}
+
+/// Runs a check that throws InputError, and says where in the file.
+template <typename Check>
+void check_here(const TomlTable& table, Check check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    table.fail(error.what());
+  }
+}
+
+void read_range(TomlTable& table, Dimension dimension, double& lower, double& upper) {
+  if (!table.has(dimension, "range")) return;
+  const std::vector<double> range = table.numbers(dimension, "range", 2);
+  lower = range[0];
+  upper = range[1];
+}
+
+RobotJointKind read_kind(TomlTable& table) {
+  if (!table.has("kind")) return RobotJointKind::kRevolute;
+  const std::string kind = table.choice("kind", {"fixed", "revolute", "prismatic"});
+  if (kind == "fixed") return RobotJointKind::kFixed;
+  return kind == "revolute" ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
+}
+
+/// What [[joint]] and a row of [[dh_chain]] share.
+void read_drive(TomlTable& table, RobotJoint& joint) {
+  joint.kind = read_kind(table);
+  joint.child = table.text("child");
+  joint.dof = table.text_or("dof", "");
+  joint.ratio = table.number_or(Dimension::kNumber, "ratio", 1);
+  const Measures& in = measures_of(joint.kind);
+  read_range(table, in.value, joint.lower, joint.upper);
+  joint.offset = table.number_or(in.value, "offset", 0);
+  joint.rest = table.number_or(in.value, "rest", 0);
+  joint.damping = table.number_or(in.damping, "damping", 0);
+  joint.friction = table.number_or(in.effort, "friction", 0);
+  joint.stiffness = table.number_or(in.stiffness, "stiffness", 0);
+}
+
+/// An axis as written, made a unit vector unless it is one to rounding already.
+Eigen::Vector3d read_axis(TomlTable& table) {
+  if (!table.has(Dimension::kNumber, "axis")) return Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d axis = table.vector(Dimension::kNumber, "axis");
+  return std::abs(axis.norm() - 1) <= kUnitTolerance ? axis : table.direction("axis");
+}
+
+/// Diagonal [xx, yy, zz]; [xx, yy, zz, xy, xz, yz]; or all nine, row by row.
+Eigen::Matrix3d read_inertia(TomlTable& table) {
+  if (!table.has(Dimension::kInertia, "inertia")) return Eigen::Matrix3d::Zero();
+  const std::vector<double> I = table.numbers(Dimension::kInertia, "inertia");
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  if (I.size() == 9) {
+    inertia << I[0], I[1], I[2], I[3], I[4], I[5], I[6], I[7], I[8];
+  } else if (I.size() == 6) {
+    inertia << I[0], I[3], I[4], I[3], I[1], I[5], I[4], I[5], I[2];
+  } else if (I.size() == 3) {
+    inertia.diagonal() << I[0], I[1], I[2];
+  } else {
+    table.fail(fmt::format("wanted 3, 6 or 9 numbers in 'inertia', got {}", I.size()), "inertia");
+  }
+  return inertia;
+}
+
+Pose<double> pose_or_none(TomlTable& table, const std::string& key) {
+  std::optional<TomlTable> pose = table.table(key);
+  return pose ? read_pose(*pose) : Pose<double>();
+}
+
+RobotJoint read_row(TomlTable& table) {
+  RobotJoint joint;
+  joint.name = table.text("joint");
+  read_drive(table, joint);
+  joint.X_JC = dh_motion({table.number_or(Dimension::kAngle, "theta", 0),
+                          table.number_or(Dimension::kLength, "d", 0),
+                          table.number_or(Dimension::kLength, "a", 0),
+                          table.number_or(Dimension::kAngle, "alpha", 0)});
+  table.done();
+  check_here(table, [&] { check_joint(joint); });
+  return joint;
+}
+
+}  // namespace
+
+RobotLink read_robot_link(TomlTable& table, const std::string& path) {
+  RobotLink link;
+  link.name = table.text("name");
+  link.digit = table.text_or("digit", "");
+  link.material = table.text_or("material", "");
+  link.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
+  link.com = table.vector_or(Dimension::kLength, "com", {0, 0, 0});
+  link.inertia = read_inertia(table);
+  for (TomlTable& shape : table.tables("shape")) link.shapes.push_back(read_shape(shape, path));
+  table.done();
+  check_here(table, [&] { check_link(link); });
+  return link;
+}
+
+RobotJoint read_robot_joint(TomlTable& table) {
+  RobotJoint joint;
+  joint.name = table.text("name");
+  joint.parent = table.text("parent");
+  read_drive(table, joint);
+  joint.axis = read_axis(table);
+  joint.X_PJ = pose_or_none(table, "frame");
+  joint.X_JC = pose_or_none(table, "child_frame");
+  table.done();
+  check_here(table, [&] { check_joint(joint); });
+  return joint;
+}
+
+std::vector<RobotJoint> read_robot_dh_chain(TomlTable& table) {
+  std::string parent = table.text("parent");
+  Pose<double> X = pose_or_none(table, "frame");
+  std::vector<RobotJoint> joints;
+  for (TomlTable& row : table.tables("rows")) {
+    RobotJoint joint = read_row(row);
+    joint.parent = parent;
+    joint.X_PJ = X;
+    X = {};
+    parent = joint.child;
+    joints.push_back(std::move(joint));
+  }
+  table.done();
+  return joints;
+}
+
+RobotDof read_robot_dof(TomlTable& table) {
+  RobotDof dof;
+  dof.name = table.text("name");
+  const std::string kind =
+      table.has("kind") ? table.choice("kind", {"rigid", "breakaway", "compliant"}) : "rigid";
+  dof.kind = kind == "rigid"       ? RobotDofKind::kRigid
+             : kind == "breakaway" ? RobotDofKind::kBreakaway
+                                   : RobotDofKind::kCompliant;
+  const bool slides = table.has(Dimension::kLength, "range");
+  const Measures& in = slides ? kSliding : kTurning;
+  read_range(table, in.value, dof.lower, dof.upper);
+  dof.speed = table.number_or(Dimension::kNumber, "speed", 0);
+  dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
+  dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);
+  dof.stiffness = table.number_or(in.stiffness, "stiffness", 0, Range::kNotNegative);
+  table.done();
+  check_here(table, [&] { check_dof(dof); });
+  return dof;
+}
+
+}  // namespace thenar::internal

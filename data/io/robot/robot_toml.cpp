@@ -1,0 +1,194 @@
+// Robots to TOML.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "data/io/robot/robot_parts.h"
+#include "data/io/sources.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using internal::pose_lines;
+using internal::same_bits;
+using internal::toml_list;
+using internal::toml_number;
+using internal::toml_text;
+
+/// The units of turning and of sliding.
+struct Units {
+  const char *value, *effort, *stiffness, *damping;
+};
+constexpr Units kTurning{"_rad", "_Nm", "_Nm_per_rad", "_Nms_per_rad"};
+constexpr Units kSliding{"_m", "_N", "_N_per_m", "_Ns_per_m"};
+
+void add(std::string& text, const std::string& line) { text += line + "\n"; }
+
+void add_text(std::string& text, const std::string& key, const std::string& value) {
+  if (!value.empty()) add(text, key + " = " + toml_text(value));
+}
+
+/// Nothing for what the reader assumes anyway.
+void add_number(std::string& text, const std::string& key, double value, double assumed = 0) {
+  if (value != assumed || std::signbit(value) != std::signbit(assumed))
+    add(text, key + " = " + toml_number(value));
+}
+
+void add_pose(std::string& text, const std::string& key, const Pose<double>& X) {
+  const std::vector<std::string> lines = pose_lines(X);
+  if (!lines.empty()) add(text, fmt::format("{} = {{{}}}", key, fmt::join(lines, ", ")));
+}
+
+std::vector<std::string> split(const std::string& keys) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = keys.find(", ", begin)) != std::string::npos; begin = at + 2)
+    parts.push_back(keys.substr(begin, at - begin));
+  parts.push_back(keys.substr(begin));
+  return parts;
+}
+
+/// Citation keys; those that data/sources.bib does not have stand for themselves.
+std::string source_lines(const std::string& source) {
+  if (source.empty())
+    return "source = \"unstated\"\n\n[sources]\nunstated = \"where it came from says none\"\n";
+  const std::vector<std::string> keys = split(source);
+  std::string text = "source = " + toml_list(keys) + "\n", own;
+  const std::vector<std::string>& known = known_sources();
+  for (auto key = keys.begin(); key != keys.end(); ++key)
+    if (std::find(known.begin(), known.end(), *key) == known.end() &&
+        std::find(keys.begin(), key, *key) == key)
+      own += toml_text(*key) + " = " + toml_text(*key) + "\n";
+  return own.empty() ? text : text + "\n[sources]\n" + own;
+}
+
+std::string link_lines(const RobotLink& link) {
+  std::string text = "\n[[link]]\nname = " + toml_text(link.name) + "\n";
+  add_text(text, "digit", link.digit);
+  add_text(text, "material", link.material);
+  add_number(text, "mass_kg", link.mass);
+  if (!same_bits(link.com, Vector3d(0, 0, 0))) add(text, "com_m = " + toml_list(link.com));
+  const Eigen::Matrix3d& I = link.inertia;
+  if (!same_bits(I, Eigen::Matrix3d(Eigen::Matrix3d::Zero())))
+    add(text, "inertia_kg_m2 = " +
+                  toml_list(same_bits(I, Eigen::Matrix3d(I.transpose()))
+                                ? std::vector<double>{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2),
+                                                      I(1, 2)}
+                                : std::vector<double>{I(0, 0), I(0, 1), I(0, 2), I(1, 0), I(1, 1),
+                                                      I(1, 2), I(2, 0), I(2, 1), I(2, 2)}));
+  for (const ShapeSpec& shape : link.shapes) {
+    add(text, "\n[[link.shape]]");
+    for (const std::string& line : internal::shape_lines(shape)) add(text, line);
+  }
+  return text;
+}
+
+std::string joint_lines(const RobotJoint& joint) {
+  const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSliding : kTurning;
+  std::string text = "\n[[joint]]\nname = " + toml_text(joint.name) + "\n";
+  add(text, "kind = " + toml_text(name_of(joint.kind)));
+  add(text, "parent = " + toml_text(joint.parent));
+  add(text, "child = " + toml_text(joint.child));
+  add_text(text, "dof", joint.dof);
+  add_number(text, "ratio", joint.ratio, 1);
+  if (!same_bits(joint.axis, Vector3d(0, 0, 1))) add(text, "axis = " + toml_list(joint.axis));
+  if (joint.kind != RobotJointKind::kFixed || joint.lower != 0 || joint.upper != 0)
+    add(text, fmt::format("range{} = {}", in.value,
+                          toml_list(std::vector<double>{joint.lower, joint.upper})));
+  add_number(text, std::string("offset") + in.value, joint.offset);
+  add_number(text, std::string("rest") + in.value, joint.rest);
+  add_number(text, std::string("damping") + in.damping, joint.damping);
+  add_number(text, std::string("friction") + in.effort, joint.friction);
+  add_number(text, std::string("stiffness") + in.stiffness, joint.stiffness);
+  add_pose(text, "frame", joint.X_PJ);
+  add_pose(text, "child_frame", joint.X_JC);
+  return text;
+}
+
+const char* kind_name(RobotDofKind kind) {
+  if (kind == RobotDofKind::kRigid) return "rigid";
+  return kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant";
+}
+
+/// A motor is measured as the first joint it drives.
+bool slides(const RobotSpec& robot, const RobotDof& dof) {
+  for (const RobotJoint& joint : robot.joints)
+    if (joint.dof == dof.name) return joint.kind == RobotJointKind::kPrismatic;
+  return false;
+}
+
+std::string dof_lines(const RobotDof& dof, const Units& in) {
+  std::string text = "\n[[dof]]\nname = " + toml_text(dof.name) + "\n";
+  add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
+  add(text,
+      fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
+  add_number(text, "speed", dof.speed);
+  add_number(text, std::string("max_effort") + in.effort, dof.max_effort);
+  add_number(text, std::string("breakaway") + in.effort, dof.breakaway);
+  add_number(text, std::string("stiffness") + in.stiffness, dof.stiffness);
+  return text;
+}
+
+std::string approach_lines(const RobotApproach& approach) {
+  return fmt::format("\n[approach]\npoint_m = {}\ndirection = {}\n", toml_list(approach.point),
+                     toml_list(approach.direction));
+}
+
+}  // namespace
+
+namespace internal {
+
+std::string toml_number(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+std::string toml_text(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      quoted += fmt::format("\\u{:04X}", static_cast<int>(c));
+    else
+      quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string toml_list(const std::vector<double>& values) {
+  std::vector<std::string> numbers;
+  for (const double value : values) numbers.push_back(toml_number(value));
+  return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+std::string toml_list(const std::vector<std::string>& values) {
+  std::vector<std::string> quoted;
+  for (const std::string& value : values) quoted.push_back(toml_text(value));
+  return fmt::format("[{}]", fmt::join(quoted, ", "));
+}
+
+std::string toml_list(const Eigen::Vector3d& v) {
+  return toml_list(std::vector<double>{v.x(), v.y(), v.z()});
+}
+
+}  // namespace internal
+
+std::string robot_toml(const RobotSpec& robot) {
+  check_robot(robot);
+  std::string text = "name = " + toml_text(robot.name) + "\n";
+  add_text(text, "description", robot.description);
+  add_text(text, "licence", robot.licence);
+  if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
+  text += source_lines(robot.source);
+  text += approach_lines(robot.approach);
+  for (const RobotLink& link : robot.links) text += link_lines(link);
+  for (const RobotDof& dof : robot.dofs)
+    text += dof_lines(dof, slides(robot, dof) ? kSliding : kTurning);
+  for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
+  return text;
+}
+
+}  // namespace thenar

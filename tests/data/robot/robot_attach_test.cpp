@@ -1,0 +1,67 @@
+// Tests for data/io/robot/attach.cpp.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/data/robot/sample_robots.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+TEST(Attach, RenamesWhatTheCarrierHas) {
+  RobotSpec tool = sample::small_robot(2);
+  tool.name = "T";
+  tool.links[3].name = "claw";
+  tool.joints[2].child = "claw";
+  std::mt19937 rng(3);
+  const Pose<double> X = sample::random_pose(rng);
+  const RobotSpec both = attach(sample::small_robot(), "jaw", tool, X);
+  EXPECT_EQ(both.links.size(), 10U);
+  EXPECT_EQ(both.links[5].name, "T/base");
+  EXPECT_EQ(both.links[8].name, "claw");
+  EXPECT_EQ(both.links[6].digit, "T/finger 1");
+  EXPECT_EQ(both.joints[4].name, "T mount");
+  EXPECT_EQ(both.joints[4].parent, "jaw");
+  EXPECT_EQ(both.joints[4].child, "T/base");
+  EXPECT_EQ(both.joints[4].X_PJ.p, X.p);
+  EXPECT_EQ(both.joints[5].dof, "T/curl");
+}
+
+// Carrier: a slide at offset 0.2 m along x. The tool sits turned by 90 deg about z beyond it.
+TEST(Attach, ApproachesAsTheToolDoes) {
+  RobotSpec carrier;
+  carrier.name = "slide";
+  carrier.links.resize(2);
+  carrier.links[0].name = "rail";
+  carrier.links[1].name = "cart";
+  carrier.joints.resize(1);
+  carrier.joints[0].name = "way";
+  carrier.joints[0].kind = RobotJointKind::kPrismatic;
+  carrier.joints[0].parent = "rail";
+  carrier.joints[0].child = "cart";
+  carrier.joints[0].axis = {1, 0, 0};
+  carrier.joints[0].offset = 0.2;
+  RobotSpec tool;
+  tool.name = "tool";
+  tool.links.resize(1);
+  tool.links[0].name = "palm";
+  tool.approach = {{0.1, 0, 0}, {1, 0, 0}};
+  Pose<double> X;
+  X.R << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  X.p << 0, 0, 0.5;
+  const RobotApproach approach = attach(carrier, "cart", tool, X).approach;
+  EXPECT_TRUE(matrix_near(approach.point, Eigen::Vector3d(0.2, 0.1, 0.5), 1e-15));
+  EXPECT_TRUE(matrix_near(approach.direction, Eigen::Vector3d(0, 1, 0), 1e-15));
+}
+
+TEST(Attach, RefusesALinkThereIsNot) {
+  const RobotSpec robot = sample::small_robot();
+  EXPECT_THAT(message_of([&] { (void)attach(robot, "claw", robot, {}); }),
+              testing::HasSubstr("has no link 'claw'"));
+}
+
+}  // namespace
+}  // namespace thenar

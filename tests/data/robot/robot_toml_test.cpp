@@ -1,0 +1,164 @@
+// Tests for data/io/robot/robot_toml.cpp and robot_toml_read.cpp.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "data/io/robot/robot_parts.h"
+#include "tests/data/robot/sample_robots.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using internal::same_bits;
+
+void expect_same_pose(const Pose<double>& a, const Pose<double>& b) {
+  EXPECT_TRUE(same_bits(a.R, b.R));
+  EXPECT_TRUE(same_bits(a.p, b.p));
+}
+
+void expect_same_link(const RobotLink& a, const RobotLink& b) {
+  EXPECT_EQ(a.name, b.name);
+  EXPECT_EQ(a.digit, b.digit);
+  EXPECT_EQ(a.material, b.material);
+  EXPECT_EQ(a.mass, b.mass);
+  EXPECT_TRUE(same_bits(a.com, b.com));
+  EXPECT_TRUE(same_bits(a.inertia, b.inertia));
+  ASSERT_EQ(a.shapes.size(), b.shapes.size());
+  for (std::size_t i = 0; i < a.shapes.size(); ++i) {
+    EXPECT_EQ(a.shapes[i].kind, b.shapes[i].kind);
+    EXPECT_TRUE(same_bits(a.shapes[i].size, b.shapes[i].size));
+    EXPECT_TRUE(same_bits(a.shapes[i].exponents, b.shapes[i].exponents));
+    EXPECT_EQ(a.shapes[i].mesh.vertices, b.shapes[i].mesh.vertices);
+    EXPECT_EQ(a.shapes[i].mesh.triangles, b.shapes[i].mesh.triangles);
+    EXPECT_EQ(a.shapes[i].mesh_scale, b.shapes[i].mesh_scale);
+    expect_same_pose(a.shapes[i].X_BS, b.shapes[i].X_BS);
+  }
+}
+
+void expect_same_joint(const RobotJoint& a, const RobotJoint& b) {
+  EXPECT_EQ(std::tie(a.name, a.kind, a.parent, a.child, a.dof, a.ratio, a.offset),
+            std::tie(b.name, b.kind, b.parent, b.child, b.dof, b.ratio, b.offset));
+  EXPECT_EQ(std::tie(a.lower, a.upper, a.damping, a.friction, a.stiffness, a.rest),
+            std::tie(b.lower, b.upper, b.damping, b.friction, b.stiffness, b.rest));
+  EXPECT_TRUE(same_bits(a.axis, b.axis));
+  expect_same_pose(a.X_PJ, b.X_PJ);
+  expect_same_pose(a.X_JC, b.X_JC);
+}
+
+void expect_same(const RobotSpec& a, const RobotSpec& b) {
+  EXPECT_EQ(std::tie(a.name, a.description, a.source, a.licence, a.warnings),
+            std::tie(b.name, b.description, b.source, b.licence, b.warnings));
+  EXPECT_TRUE(same_bits(a.approach.point, b.approach.point));
+  EXPECT_TRUE(same_bits(a.approach.direction, b.approach.direction));
+  ASSERT_EQ(a.links.size(), b.links.size());
+  ASSERT_EQ(a.joints.size(), b.joints.size());
+  ASSERT_EQ(a.dofs.size(), b.dofs.size());
+  for (std::size_t i = 0; i < a.links.size(); ++i) expect_same_link(a.links[i], b.links[i]);
+  for (std::size_t i = 0; i < a.joints.size(); ++i) expect_same_joint(a.joints[i], b.joints[i]);
+  for (std::size_t i = 0; i < a.dofs.size(); ++i) {
+    const RobotDof &x = a.dofs[i], &y = b.dofs[i];
+    EXPECT_EQ(
+        std::tie(x.name, x.kind, x.lower, x.upper, x.speed, x.max_effort, x.breakaway, x.stiffness),
+        std::tie(y.name, y.kind, y.lower, y.upper, y.speed, y.max_effort, y.breakaway,
+                 y.stiffness));
+    EXPECT_EQ(std::signbit(x.lower), std::signbit(y.lower));
+  }
+}
+
+TEST(RobotToml, KeepsEveryBit) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const RobotSpec robot = sample::small_robot(seed);
+    expect_same(parse_robot(robot_toml(robot), "robot.toml"), robot);
+  }
+}
+
+TEST(RobotToml, KeepsEveryKindOfShape) {
+  RobotSpec robot = sample::small_robot();
+  std::mt19937 rng(5);
+  for (std::size_t kind = 0; kind < shape_names().size(); ++kind) {
+    ShapeSpec shape;
+    shape.kind = static_cast<ShapeKind>(kind);
+    shape.X_BS = sample::random_pose(rng);
+    for (int i = 0; i < internal::size_count(shape.kind); ++i) shape.size[i] = 0.1 / (i + 3);
+    if (shape.kind == ShapeKind::kSuperellipsoid) shape.exponents << 0.3, 1.0 / 3;
+    robot.links[1].shapes.push_back(shape);
+  }
+  TriangleMesh& mesh = robot.links[1].shapes.back().mesh;
+  mesh.vertices = 0.1 * Eigen::Matrix<double, 3, 4>::Identity();
+  mesh.triangles.resize(3, 2);
+  mesh.triangles << 0, 3, 1, 2, 2, 1;
+  robot.links[1].shapes.back().mesh_scale = 1e-3;
+  expect_same(parse_robot(robot_toml(robot), "robot.toml"), robot);
+}
+
+TEST(RobotToml, KeepsThatARobotHasNoSource) {
+  RobotSpec robot = sample::small_robot();
+  robot.source.clear();
+  EXPECT_EQ(parse_robot(robot_toml(robot), "robot.toml").source, "");
+}
+
+const std::string kHead = "name = \"r\"\nsource = \"GraspIt\"\n";
+
+// One row of each kind: Rz(theta) Tz(d) Tx(a) Rx(alpha) with theta = 90 deg, alpha = 90 deg.
+TEST(RobotToml, ReadsDenavitHartenbergRows) {
+  const RobotSpec robot = parse_robot(kHead + R"(
+link = [{name = "base"}, {name = "a"}, {name = "b"}]
+dof = [{name = "d1", range_deg = [0, 90]}, {name = "d2", range_mm = [0, 10], max_effort_N = 3}]
+[[dh_chain]]
+parent = "base"
+frame = {position_mm = [1, 2, 3], quaternion_wxyz = [0.7071, 0.7071, 0, 0]}
+rows = [
+  {joint = "J1", child = "a", dof = "d1", theta_deg = 90, d_mm = 5, a_mm = 7, alpha_deg = 90},
+  {joint = "J2", kind = "prismatic", child = "b", dof = "d2", range_mm = [0, 10]}]
+)",
+                                      "robot.toml");
+  ASSERT_EQ(robot.joints.size(), 2U);
+  const RobotJoint& joint = robot.joints[0];
+  Eigen::Matrix3d about_x, row;
+  about_x << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  row << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  EXPECT_TRUE(matrix_near(joint.X_PJ.R, about_x, 1e-15));
+  EXPECT_TRUE(matrix_near(joint.X_PJ.p, Eigen::Vector3d(0.001, 0.002, 0.003), 1e-18));
+  EXPECT_TRUE(matrix_near(joint.X_JC.R, row, 1e-15));
+  EXPECT_TRUE(matrix_near(joint.X_JC.p, Eigen::Vector3d(0, 0.007, 0.005), 1e-17));
+  EXPECT_EQ(robot.joints[1].parent, "a");
+  EXPECT_EQ(robot.joints[1].kind, RobotJointKind::kPrismatic);
+  EXPECT_EQ(robot.dofs[1].max_effort, 3);
+}
+
+// Roll 90 deg about x first, then yaw 90 deg about the fixed z: y goes to z, x to y.
+TEST(RobotToml, TurnsAboutFixedAxesRollFirst) {
+  const RobotSpec robot = parse_robot(kHead + R"(
+link = [{name = "base"}, {name = "a"}]
+[[joint]]
+name = "J"
+kind = "fixed"
+parent = "base"
+child = "a"
+frame = {rpy_deg = [90, 0, 90]}
+)",
+                                      "robot.toml");
+  EXPECT_TRUE(matrix_near(robot.joints[0].X_PJ.R.col(1), Eigen::Vector3d::UnitZ(), 1e-15));
+  EXPECT_TRUE(matrix_near(robot.joints[0].X_PJ.R.col(0), Eigen::Vector3d::UnitY(), 1e-15));
+}
+
+std::string message(const std::string& body) {
+  return message_of<DataError>([&] { (void)parse_robot(kHead + body, "r.toml"); });
+}
+
+TEST(RobotToml, NamesWhatIsWrongAndWhere) {
+  EXPECT_EQ(message("link = []\n"), "r.toml:1: robot 'r' has no link");
+  EXPECT_EQ(message("link = [{name = \"a\"}]\n[[dof]]\nname = \"d\"\nrange_deg = [2, 1]\n"),
+            "r.toml:4: limits of degree of freedom 'd' cross: 0.03490658503988659 .. "
+            "0.017453292519943295");
+  EXPECT_THAT(message("[[link]]\nname = \"a\"\nmas_kg = 1\n"), testing::HasSubstr("r.toml:5: "));
+  EXPECT_THAT(message("[[link]]\nname = \"a\"\nmass_kg = nan\n"), testing::HasSubstr("finite"));
+  EXPECT_EQ(message("[[link]]\nname = \"a\"\ninertia_kg_m2 = [1, 1, 3]\n"),
+            "r.toml:3: the inertia of link 'a' is not a body's");
+}
+
+}  // namespace
+}  // namespace thenar
