@@ -14,18 +14,23 @@ struct EpsilonOptions {
 
 /// Signed epsilon quality: the signed distance of the origin from the boundary of the wrench set,
 /// positive inside. Force closure if lower > 0.
+///
+/// `lower` and `upper` enclose the true value, the rounding of every step included; a set with less
+/// than full rank (1e-10 of its largest singular value) is first projected onto its span, and its
+/// value is then exactly 0 if below 1e-9 of the largest wrench. The search goes on beyond `gap`
+/// until the sign is settled, or the value is below 1e-9 of the largest wrench.
 struct [[nodiscard]] Epsilon {
   double lower;  // certified: the true value is in [lower, upper]
   double upper;
-  int rank;            // dimension of the affine hull of the wrenches with 0, 0..6
-  bool force_closure;  // lower > 0 in all six dimensions
-  bool has_missing_direction;
-  Wrench
-      missing_direction;  // unit: no wrench resists a disturbance along it; without force closure
-  Wrench worst_wrench;    // unit: the disturbance withstood least
-  bool converged;         // upper - lower <= gap
-  int supports;           // support points asked for
-  int facets;             // of the last hull
+  int rank;                    // dimension of the affine hull of the wrenches with 0, 0..6
+  bool force_closure;          // lower > 0 in all six dimensions
+  bool has_missing_direction;  // true without force closure
+  Wrench missing_direction;    // unit u: no wrench of the grasp has w'u > upper, which is <= 0 or,
+                               // where the sign stayed open, about 0
+  Wrench worst_wrench;         // unit: the disturbance withstood least, -argmin h
+  bool converged;              // upper - lower <= gap
+  int supports;                // support points asked for
+  int facets;                  // of the last hull; 0 where none was needed
 };
 
 /// epsilon = min over |u| = 1 of h_W(u), h_W the support function of the wrench set W.
@@ -36,6 +41,7 @@ struct [[nodiscard]] Epsilon {
 /// span: their epsilon is 0 (the origin in their relative interior or boundary) or minus the
 /// distance of the origin from the set, and the direction they lack is named.
 /// For kLinf without force closure the value is that of kL1, as the Minkowski sum always holds 0.
+/// @throws InputError if the gap is not positive or a wrench not finite.
 /// Source: [Ferrari1992] for epsilon; docs/theory/grasp_quality.md for the bounds.
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options = {});
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 
 #include "base/error.h"
 #include "base/spatial.h"
@@ -27,7 +28,7 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
   };
   const Eigen::Vector3d n = contact.n.normalized();
   const Tangents t = tangents(n);
-  WrenchCap cap{wrench(n), {}};
+  WrenchCap cap{wrench(n), {}, -1};
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
   cap.A.resize(6, slides + twists);
   if (slides > 0)
@@ -54,11 +55,16 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
 
 double support(const WrenchSet& set, const Wrench& u, ForceLimit limit) {
   double largest = -std::numeric_limits<double>::infinity(), sum = 0;
+  std::map<int, double> shared;  // best of the caps of numbered contacts, where positive
   for (const WrenchCap& cap : set.caps) {
     const double reach = u.dot(cap.c) + (cap.A.transpose() * u).norm();
     largest = std::max(largest, reach);
-    sum += std::max(0.0, reach);
+    if (cap.contact < 0)
+      sum += std::max(0.0, reach);
+    else
+      shared[cap.contact] = std::max(shared[cap.contact], reach);
   }
+  for (const auto& [contact, reach] : shared) sum += reach;
   return limit == ForceLimit::kL1 ? largest : sum;
 }
 

@@ -18,11 +18,12 @@ using Wrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [
 struct WrenchCap {
   Wrench c;                                             // frictionless unit wrench (6)
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes (6, 0..3)
+  int contact = -1;  // caps of one number >= 0 share a contact's limit; -1: a contact of its own
 };
 
 /// All contacts of a grasp.
 struct WrenchSet {
-  std::vector<WrenchCap> caps;  // one a contact
+  std::vector<WrenchCap> caps;  // one a contact, or several of one number
 };
 
 /// How contact forces are limited together.
@@ -39,7 +40,8 @@ enum class ForceLimit {
 [[nodiscard]] WrenchSet wrench_set(const std::vector<Contact>& contacts,
                                    const Eigen::Vector3d& centre, double torque_scale);
 
-/// Support of the whole set in a direction:  max over L1 caps, or sum of positive ones for Linf.
+/// Support of the whole set in a direction:  max over L1 caps; for Linf the sum over contacts of
+/// the best of their caps, where positive.
 [[nodiscard]] double support(const WrenchSet& set, const Wrench& u, ForceLimit limit);
 
 }  // namespace thenar

@@ -1,0 +1,172 @@
+#include "grasp/quality/epsilon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "grasp/quality/epsilon_start.h"
+#include "grasp/quality/hull.h"
+#include "grasp/quality/min_norm.h"
+
+namespace thenar {
+namespace {
+
+using internal::Hull;
+using internal::Reach;
+using internal::Support;
+
+constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
+constexpr double kUndecided = 1e-9;    // an epsilon below this part of the size has no sign [1]
+constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
+
+/// Directions of the wrenches with 0: orthonormal, the first `rank` span them.
+struct Span {
+  int rank;
+  Eigen::Matrix<double, 6, 6> basis;
+};
+
+Span span_of(const WrenchSet& set) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
+  for (const WrenchCap& cap : set.caps) {
+    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
+    all.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  return {static_cast<int>((sigma.array() > kFlat * sigma(0)).count()), svd.matrixU()};
+}
+
+void require_sound(const WrenchSet& set, const EpsilonOptions& options) {
+  require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
+          "the gap is {}, wanted > 0", options.gap);
+  require(options.most_facets > 0, "the hull may have {} facets, wanted > 0", options.most_facets);
+  for (std::size_t i = 0; i < set.caps.size(); ++i)
+    require(set.caps[i].c.allFinite() && set.caps[i].A.allFinite(), "wrenches {} are not finite",
+            i);
+}
+
+Epsilon nothing() {
+  Epsilon out{};
+  out.converged = true;
+  out.has_missing_direction = true;
+  out.missing_direction = Wrench::Unit(0);
+  out.worst_wrench = -out.missing_direction;
+  return out;
+}
+
+/// Distance of the origin from a set that does not hold it in its interior.
+Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& options) {
+  const Support support(set, ForceLimit::kL1);
+  const auto nearest = internal::min_norm(support, std::min(options.gap, kOutsideGap));
+  Epsilon out{};
+  out.rank = span.rank;
+  out.supports = nearest.supports;
+  out.has_missing_direction = true;
+  out.missing_direction = nearest.away;
+  out.lower = -nearest.x.norm() - support.rounding();
+  out.upper = nearest.reach + support.rounding();
+  if (span.rank < 6 && !(out.upper < -kUndecided * support.size())) {
+    out.missing_direction = span.basis.col(5);
+    out.upper = 0;
+    if (out.lower > -kUndecided * support.size()) out.lower = 0;
+  }
+  out.worst_wrench = -out.missing_direction;
+  out.converged = out.upper - out.lower <= options.gap;
+  return out;
+}
+
+/// What is known of epsilon while the hull grows.
+class Search {
+ public:
+  Search(const Support& support, const EpsilonOptions& options)
+      : support_(support), options_(options) {}
+
+  /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
+  bool run() {
+    const auto simplex = internal::first_simplex(support_, kFlat);
+    supports_ += simplex.supports;
+    if (!simplex.found) return false;
+    Hull hull(simplex.points);
+    lower_ = -support_.size();
+    while (upper_ > 0 && hull.facets() <= options_.most_facets) {
+      hull.set_bar(bar());
+      const int facet = hull.pop_nearest();
+      if (facet < 0) break;
+      const Hull::Plane plane = hull.plane(facet);
+      lower_ = plane.d - hull.error();
+      if (settled()) break;
+      const Reach reach = look(plane.n);
+      if (settled() || !hull.insert(reach.p, facet)) break;
+    }
+    facets_ = hull.facets();
+    if (hull.pop_nearest() < 0) lower_ = std::max(lower_, bar() - hull.error());
+    return true;
+  }
+
+  [[nodiscard]] Epsilon result() const {
+    Epsilon out{};
+    out.lower = lower_;
+    out.upper = upper_;
+    out.rank = 6;
+    out.force_closure = lower_ > 0;
+    out.has_missing_direction = false;
+    out.missing_direction = Wrench::Zero();
+    out.worst_wrench = -worst_;
+    out.converged = upper_ - lower_ <= options_.gap;
+    out.supports = supports_;
+    out.facets = facets_;
+    return out;
+  }
+
+  [[nodiscard]] double upper() const { return upper_; }
+  [[nodiscard]] const Wrench& worst() const { return worst_; }
+
+ private:
+  Reach look(const Wrench& u) {
+    const Reach reach = support_(u);
+    ++supports_;
+    if (reach.h + support_.rounding() < upper_) {
+      upper_ = reach.h + support_.rounding();
+      worst_ = u;
+    }
+    return reach;
+  }
+
+  /// The gap that also settles the sign.
+  [[nodiscard]] double needed_gap() const {
+    return std::min(options_.gap, std::max(0.99 * upper_, kUndecided * support_.size()));
+  }
+  [[nodiscard]] double bar() const { return upper_ - 0.99 * needed_gap(); }
+  [[nodiscard]] bool settled() const { return upper_ - lower_ <= needed_gap(); }
+
+  const Support& support_;
+  const EpsilonOptions& options_;
+  double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
+  Wrench worst_ = Wrench::Unit(0);
+  int supports_ = 0, facets_ = 0;
+};
+
+}  // namespace
+
+Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
+  require_sound(set, options);
+  if (set.caps.empty()) return nothing();
+  const Span span = span_of(set);
+  if (span.rank < 6) return outside(set, span, options);
+
+  const Support support(set, options.limit);
+  Search search(support, options);
+  if (!search.run() || search.upper() <= support.rounding()) return outside(set, span, options);
+  Epsilon out = search.result();
+  if (!out.force_closure) {
+    out.has_missing_direction = true;
+    out.missing_direction = search.worst();
+  }
+  return out;
+}
+
+}  // namespace thenar
