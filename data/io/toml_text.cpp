@@ -1,0 +1,59 @@
+#include "data/io/toml_text.h"
+
+#include <cmath>
+
+#include "base/error.h"
+
+namespace thenar {
+
+std::string toml_number(double value) {
+  require(std::isfinite(value), "only finite numbers are written to files, got {}", value);
+  const std::string text = fmt::format("{}", value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+std::string toml_quoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\')
+      quoted += std::string("\\") + c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      quoted += fmt::format("\\u{:04X}", static_cast<int>(c));
+    else
+      quoted += c;
+  }
+  return quoted + "\"";
+}
+
+std::string toml_list(const std::vector<double>& values) {
+  std::vector<std::string> texts;
+  for (const double value : values) texts.push_back(toml_number(value));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string toml_list(const std::vector<std::string>& values) {
+  std::vector<std::string> texts;
+  for (const std::string& value : values) texts.push_back(toml_quoted(value));
+  return fmt::format("[{}]", fmt::join(texts, ", "));
+}
+
+std::string toml_list(const Eigen::Vector3d& values) {
+  return toml_list(std::vector<double>{values.x(), values.y(), values.z()});
+}
+
+std::string toml_rows(const Eigen::Matrix3d& matrix) {
+  return fmt::format("[{}, {}, {}]", toml_list(Eigen::Vector3d(matrix.row(0).transpose())),
+                     toml_list(Eigen::Vector3d(matrix.row(1).transpose())),
+                     toml_list(Eigen::Vector3d(matrix.row(2).transpose())));
+}
+
+std::string toml_keys(const std::string& keys) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t at; (at = keys.find(", ", begin)) != std::string::npos; begin = at + 2)
+    parts.push_back(keys.substr(begin, at - begin));
+  parts.push_back(keys.substr(begin));
+  return toml_list(parts);
+}
+
+}  // namespace thenar
