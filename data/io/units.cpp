@@ -26,6 +26,8 @@ const std::vector<Unit>& all_units() {
       {"kPa", Dimension::kStress, 1e3},
       {"Pa", Dimension::kStress, 1},
       {"m_s2", Dimension::kAcceleration, 1},
+      {"g_cm3", Dimension::kDensity, 1e3},
+      {"kg_m3", Dimension::kDensity, 1},
       {"Nm_per_rad", Dimension::kAngularStiffness, 1},
       {"Nmm_per_rad", Dimension::kAngularStiffness, 1e-3},
       {"Nm_per_deg", Dimension::kAngularStiffness, 1 / kDegree},
@@ -68,6 +70,8 @@ std::string dimension_name(Dimension dimension) {
       return "a stress";
     case Dimension::kAcceleration:
       return "an acceleration";
+    case Dimension::kDensity:
+      return "a density";
     case Dimension::kAngularStiffness:
       return "an angular stiffness";
     case Dimension::kAngularDamping:

@@ -19,6 +19,7 @@ enum class Dimension {
   kInertia,
   kStress,
   kAcceleration,
+  kDensity,
   kAngularStiffness,
   kAngularDamping,
   kLinearStiffness,
