@@ -4,12 +4,12 @@
 
 #include <cmath>
 #include <limits>
-#include <map>
-#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
+#include "tests/base/shapes/enclosed_volume.h"
 #include "tests/base/shapes/random_points.h"
 #include "tests/message_of.h"
 
@@ -34,24 +34,6 @@ std::vector<ShapeSpec> round_shapes() {
           spec(ShapeKind::kTaperedCapsule, {0.004, 0.02, 0.01}),
           spec(ShapeKind::kEllipsoid, {0.01, 0.02, 0.04}),
           spec(ShapeKind::kEllipsoid, {0.04, 0.04, 0.003})};
-}
-
-/// Every edge is walked once each way, and the surface encloses a positive
-/// volume.
-double enclosed_volume(const TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, int> walked;
-  double volume = 0;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Eigen::Vector3i corners = mesh.triangles.col(t);
-    for (int k = 0; k < 3; ++k) ++walked[{corners(k), corners((k + 1) % 3)}];
-    volume += mesh.vertices.col(corners(0))
-                  .dot(Vector3d(mesh.vertices.col(corners(1)))
-                           .cross(Vector3d(mesh.vertices.col(corners(2))))) /
-              6;
-  }
-  for (const auto& [edge, times] : walked)
-    EXPECT_TRUE(times == 1 && walked.count({edge.second, edge.first})) << edge.first;
-  return volume;
 }
 
 /// The largest distance from the surface at random points of a touch surface.
