@@ -112,7 +112,7 @@ void check_pose(const Pose<double>& X, const std::string& whose) {
 
 void check_shape(const ShapeSpec& shape, const std::string& whose) {
   check_pose(shape.X_BS, whose);
-  for (int i = 0; i < size_count(shape.kind); ++i)
+  for (int i = 0; i < 3; ++i)
     require(std::isfinite(shape.size[i]) && shape.size[i] >= 0,
             "wanted size {} of {} finite and >= 0, got {}", i + 1, whose, shape.size[i]);
   require(std::isfinite(shape.mesh_scale) && shape.mesh_scale > 0,

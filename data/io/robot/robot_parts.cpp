@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "data/io/dh.h"
+#include "data/io/mesh/shape_toml.h"
 
 namespace thenar::internal {
 namespace {
@@ -90,7 +91,10 @@ Eigen::Matrix3d read_inertia(TomlTable& table) {
 
 Pose<double> pose_or_none(TomlTable& table, const std::string& key) {
   std::optional<TomlTable> pose = table.table(key);
-  return pose ? read_pose(*pose) : Pose<double>();
+  if (!pose) return {};
+  const Pose<double> X = read_pose_keys(*pose);
+  pose->done();
+  return X;
 }
 
 RobotJoint read_row(TomlTable& table) {
@@ -116,7 +120,8 @@ RobotLink read_robot_link(TomlTable& table, const std::string& path) {
   link.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
   link.com = table.vector_or(Dimension::kLength, "com", {0, 0, 0});
   link.inertia = read_inertia(table);
-  for (TomlTable& shape : table.tables("shape")) link.shapes.push_back(read_shape(shape, path));
+  for (TomlTable& shape : table.tables("shape"))
+    link.shapes.push_back(read_shape_table(shape, path));
   table.done();
   check_here(table, [&] { check_link(link); });
   return link;

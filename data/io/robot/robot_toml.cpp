@@ -4,18 +4,16 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "data/io/mesh/shape_toml.h"
 #include "data/io/robot/robot_parts.h"
 #include "data/io/sources.h"
+#include "data/io/toml_text.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-using internal::pose_lines;
 using internal::same_bits;
-using internal::toml_list;
-using internal::toml_number;
-using internal::toml_text;
 
 /// The units of turning and of sliding.
 struct Units {
@@ -27,7 +25,7 @@ constexpr Units kSliding{"_m", "_N", "_N_per_m", "_Ns_per_m"};
 void add(std::string& text, const std::string& line) { text += line + "\n"; }
 
 void add_text(std::string& text, const std::string& key, const std::string& value) {
-  if (!value.empty()) add(text, key + " = " + toml_text(value));
+  if (!value.empty()) add(text, key + " = " + toml_quoted(value));
 }
 
 /// Nothing for what the reader assumes anyway.
@@ -37,7 +35,7 @@ void add_number(std::string& text, const std::string& key, double value, double 
 }
 
 void add_pose(std::string& text, const std::string& key, const Pose<double>& X) {
-  const std::vector<std::string> lines = pose_lines(X);
+  const std::vector<std::string> lines = toml_of(X);
   if (!lines.empty()) add(text, fmt::format("{} = {{{}}}", key, fmt::join(lines, ", ")));
 }
 
@@ -60,12 +58,12 @@ std::string source_lines(const std::string& source) {
   for (auto key = keys.begin(); key != keys.end(); ++key)
     if (std::find(known.begin(), known.end(), *key) == known.end() &&
         std::find(keys.begin(), key, *key) == key)
-      own += toml_text(*key) + " = " + toml_text(*key) + "\n";
+      own += toml_quoted(*key) + " = " + toml_quoted(*key) + "\n";
   return own.empty() ? text : text + "\n[sources]\n" + own;
 }
 
 std::string link_lines(const RobotLink& link) {
-  std::string text = "\n[[link]]\nname = " + toml_text(link.name) + "\n";
+  std::string text = "\n[[link]]\nname = " + toml_quoted(link.name) + "\n";
   add_text(text, "digit", link.digit);
   add_text(text, "material", link.material);
   add_number(text, "mass_kg", link.mass);
@@ -80,17 +78,17 @@ std::string link_lines(const RobotLink& link) {
                                                       I(1, 2), I(2, 0), I(2, 1), I(2, 2)}));
   for (const ShapeSpec& shape : link.shapes) {
     add(text, "\n[[link.shape]]");
-    for (const std::string& line : internal::shape_lines(shape)) add(text, line);
+    for (const std::string& line : toml_of(shape)) add(text, line);
   }
   return text;
 }
 
 std::string joint_lines(const RobotJoint& joint) {
   const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSliding : kTurning;
-  std::string text = "\n[[joint]]\nname = " + toml_text(joint.name) + "\n";
-  add(text, "kind = " + toml_text(name_of(joint.kind)));
-  add(text, "parent = " + toml_text(joint.parent));
-  add(text, "child = " + toml_text(joint.child));
+  std::string text = "\n[[joint]]\nname = " + toml_quoted(joint.name) + "\n";
+  add(text, "kind = " + toml_quoted(name_of(joint.kind)));
+  add(text, "parent = " + toml_quoted(joint.parent));
+  add(text, "child = " + toml_quoted(joint.child));
   add_text(text, "dof", joint.dof);
   add_number(text, "ratio", joint.ratio, 1);
   if (!same_bits(joint.axis, Vector3d(0, 0, 1))) add(text, "axis = " + toml_list(joint.axis));
@@ -120,7 +118,7 @@ bool slides(const RobotSpec& robot, const RobotDof& dof) {
 }
 
 std::string dof_lines(const RobotDof& dof, const Units& in) {
-  std::string text = "\n[[dof]]\nname = " + toml_text(dof.name) + "\n";
+  std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
   add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
   add(text,
       fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
@@ -138,47 +136,9 @@ std::string approach_lines(const RobotApproach& approach) {
 
 }  // namespace
 
-namespace internal {
-
-std::string toml_number(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text;
-}
-
-std::string toml_text(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      quoted += fmt::format("\\u{:04X}", static_cast<int>(c));
-    else
-      quoted += c;
-  }
-  return quoted + "\"";
-}
-
-std::string toml_list(const std::vector<double>& values) {
-  std::vector<std::string> numbers;
-  for (const double value : values) numbers.push_back(toml_number(value));
-  return fmt::format("[{}]", fmt::join(numbers, ", "));
-}
-
-std::string toml_list(const std::vector<std::string>& values) {
-  std::vector<std::string> quoted;
-  for (const std::string& value : values) quoted.push_back(toml_text(value));
-  return fmt::format("[{}]", fmt::join(quoted, ", "));
-}
-
-std::string toml_list(const Eigen::Vector3d& v) {
-  return toml_list(std::vector<double>{v.x(), v.y(), v.z()});
-}
-
-}  // namespace internal
-
 std::string robot_toml(const RobotSpec& robot) {
   check_robot(robot);
-  std::string text = "name = " + toml_text(robot.name) + "\n";
+  std::string text = "name = " + toml_quoted(robot.name) + "\n";
   add_text(text, "description", robot.description);
   add_text(text, "licence", robot.licence);
   if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
