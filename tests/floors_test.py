@@ -41,7 +41,7 @@ FENCES = {
     r"libqhull.*": ["tendons/convex_hull.cpp", "bench/", "tests/grasp/"],
     r"assimp/.*": ["data/io/mesh/assimp_mesh.cpp"],
     r"Inventor/.*": ["data/io/mesh/inventor_mesh.cpp"],
-    r"urdf_(parser|model)/.*": ["data/io/robot/urdf.cpp"],
+    r"(urdf_(parser|model)|console_bridge)/.*": ["data/io/robot/urdf.cpp"],
     r"pugixml\.hpp": ["data/io/graspit/", "data/io/robot/", "data/io/world/",
                       "tests/data/graspit/"],
     r"fcl/.*": ["grasp/contact/fcl_separation.cpp", "bench/"],

@@ -1,0 +1,92 @@
+#include "data/io/robot/import_mesh.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "data/io/mesh/mesh_file.h"
+
+namespace thenar::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool starts_with(const std::string& text, const std::string& beginning) {
+  return text.compare(0, beginning.size(), beginning) == 0;
+}
+
+/// "/a/b" of "file:///a/b"; "pkg/a/b" of "package://pkg/a/b"; any other as it is.
+std::string without_scheme(const std::string& name) {
+  for (const std::string scheme : {"file://", "package://", "model://"})
+    if (starts_with(name, scheme)) return name.substr(scheme.size());
+  return name;
+}
+
+std::string existing(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(path, ignored) ? path.lexically_normal().string() : "";
+}
+
+}  // namespace
+
+std::string find_mesh(const std::string& name, const std::string& robot_file) {
+  std::string plain = without_scheme(name);
+  for (char& letter : plain)
+    if (letter == '\\') letter = '/';
+  const bool in_package = starts_with(name, "package://") || starts_with(name, "model://");
+  if (fs::path(plain).is_absolute() && !in_package) return existing(plain);
+
+  // In a package the first folder may be the one we stand in, under whatever name.
+  std::vector<fs::path> tails{plain};
+  if (in_package && plain.find('/') != std::string::npos)
+    tails.emplace_back(plain.substr(plain.find('/') + 1));
+  const fs::path start = fs::absolute(fs::path(robot_file)).parent_path();
+  for (const fs::path& tail : tails)
+    for (fs::path folder = start;; folder = folder.parent_path()) {
+      const std::string found = existing(folder / tail);
+      if (!found.empty()) return found;
+      if (folder == folder.parent_path()) break;
+    }
+  return "";
+}
+
+ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement) {
+  const Eigen::Matrix3d& A = placement.A;
+  const double scale = A(0, 0);
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  if (scale > 0 && A == Eigen::Matrix3d(scale * Eigen::Matrix3d::Identity()) &&
+      placement.b.isZero(0)) {
+    shape.mesh = read_mesh(file, scale);
+    shape.mesh_file = file;
+    shape.mesh_scale = scale;
+    return shape;
+  }
+  shape.mesh = read_mesh(file);
+  shape.mesh.vertices = (A * shape.mesh.vertices).colwise() + placement.b;
+  if (A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
+  return shape;
+}
+
+bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& placement,
+              const std::string& robot_file, const std::string& link,
+              std::vector<std::string>& warnings) {
+  const std::string file = find_mesh(name, robot_file);
+  if (file.empty()) {
+    warnings.push_back(fmt::format("MISSING MESH '{}': link '{}' goes without it", name, link));
+    return false;
+  }
+  try {
+    const Pose<double> X_BS = shape.X_BS;
+    shape = mesh_shape(file, placement);
+    shape.X_BS = X_BS;
+  } catch (const DataError& error) {
+    warnings.push_back(
+        fmt::format("UNREADABLE MESH, link '{}' goes without it: {}", link, error.what()));
+    return false;
+  }
+  return true;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,252 @@
+// Tests for data/io/robot/urdf.cpp.
+
+#include "data/io/robot/urdf.h"
+
+#include <gmock/gmock.h>
+
+#include "base/angles.h"
+#include "base/write_file.h"
+#include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/link_poses.h"
+#include "tests/data/robot/named_parts.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr double kRounding = 1e-15;  // of numbers that are read, turned once and compared
+
+/// Base, a finger of two joints, the second of which follows the first, and a slide.
+const char* const kGripper = R"(<?xml version="1.0"?>
+<robot name="gripper">
+  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
+  <link name="tip">
+    <collision><origin xyz="0 0 0.01"/><geometry><sphere radius="0.005"/></geometry></collision>
+  </link>
+  <link name="base">
+    <inertial>
+      <origin xyz="0.01 0.02 0.03" rpy="0 0 1.5707963267948966"/>
+      <mass value="0.5"/>
+      <inertia ixx="0.002" ixy="0" ixz="0" iyy="0.003" iyz="0" izz="0.004"/>
+    </inertial>
+    <visual><geometry><box size="9 9 9"/></geometry><material name="grey"/></visual>
+    <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision>
+  </link>
+  <link name="finger"><visual><geometry><cylinder radius="0.01" length="0.05"/></geometry></visual></link>
+  <link name="slider"><collision><geometry><capsule radius="0.01" length="0.04"/></geometry></collision></link>
+  <joint name="distal" type="revolute">
+    <origin xyz="0 0 0.05"/><parent link="finger"/><child link="tip"/><axis xyz="0 2 0"/>
+    <limit lower="0" upper="1.7" effort="1" velocity="1"/>
+    <mimic joint="knuckle" multiplier="0.5" offset="0.1"/>
+  </joint>
+  <joint name="knuckle" type="revolute">
+    <origin xyz="0.1 0 0" rpy="0 0 1.5707963267948966"/><parent link="base"/><child link="finger"/>
+    <axis xyz="0 1 0"/><dynamics damping="0.2" friction="0.3"/>
+    <limit lower="0" upper="1.6" effort="4" velocity="2"/>
+  </joint>
+  <joint name="slide" type="prismatic">
+    <parent link="base"/><child link="slider"/><axis xyz="1 0 0"/>
+    <limit lower="-0.02" upper="0" effort="30" velocity="0.1"/>
+  </joint>
+  <transmission name="t"><type>x</type></transmission>
+</robot>)";
+
+class Urdf : public TemporaryFolder {
+ protected:
+  RobotSpec read(const std::string& text, const std::string& name = "robot.urdf") {
+    write_file(path(name), text);
+    return read_urdf(path(name));
+  }
+  std::string refusal(const std::string& text) {
+    return message_of<DataError>([&] { (void)read(text); });
+  }
+};
+
+/// A base, and a tip on a joint of the given type and content.
+std::string two_links(const std::string& joint, const std::string& tip = "") {
+  return "<robot name='r'>\n<link name='base'/>\n<link name='tip'>" + tip + "</link>\n" + joint +
+         "\n</robot>\n";
+}
+const char* const kEnds = "<parent link='base'/><child link='tip'/>";
+
+TEST_F(Urdf, PutsBaseFirstAndParentsBeforeChildren) {
+  const RobotSpec robot = read(kGripper);
+  EXPECT_EQ(robot.name, "gripper");
+  EXPECT_THAT(names(robot.links), ElementsAre("base", "tip", "finger", "slider"));
+  EXPECT_THAT(names(robot.joints), ElementsAre("knuckle", "distal", "slide"));
+  EXPECT_NO_THROW(check_robot(robot));
+}
+
+TEST_F(Urdf, TurnsInertiaIntoTheLink) {
+  const RobotLink base = read(kGripper).links[0];
+  EXPECT_EQ(base.mass, 0.5);
+  EXPECT_EQ(base.com, Eigen::Vector3d(0.01, 0.02, 0.03));
+  // A quarter turn about z swaps x and y.
+  EXPECT_TRUE(matrix_near(base.inertia, Eigen::Vector3d(0.003, 0.002, 0.004).asDiagonal(), 1e-17));
+}
+
+TEST_F(Urdf, TakesCollisionShapesAndVisualOnesWhereThereAreNone) {
+  const RobotSpec robot = read(kGripper);
+  ASSERT_EQ(robot.links[0].shapes.size(), 1U);
+  EXPECT_EQ(robot.links[0].shapes[0].size, Eigen::Vector3d(0.1, 0.2, 0.3));
+  EXPECT_EQ(robot.links[1].shapes[0].X_BS.p, Eigen::Vector3d(0, 0, 0.01));
+  EXPECT_EQ(robot.links[2].shapes[0].kind, ShapeKind::kCylinder);
+  EXPECT_THAT(robot.warnings, Contains(AllOf(HasSubstr("visual"), HasSubstr("finger"))));
+  EXPECT_EQ(robot.links[3].shapes[0].kind, ShapeKind::kCapsule);
+  EXPECT_EQ(robot.links[3].shapes[0].size.head<2>(), Eigen::Vector2d(0.01, 0.04));
+}
+
+TEST_F(Urdf, DrivesMimicsByTheJointTheyFollow) {
+  const RobotSpec robot = read(kGripper);
+  ASSERT_THAT(names(robot.dofs), ElementsAre("knuckle", "slide"));
+  EXPECT_EQ(robot.dofs[0].max_effort, 4);
+  EXPECT_EQ(robot.dofs[0].speed, 2);
+  EXPECT_EQ(robot.dofs[0].upper, 1.6);   // the follower reaches 0.9 of its 1.7
+  EXPECT_EQ(robot.dofs[1].speed, -0.1);  // closes towards its lower limit
+  EXPECT_EQ(robot.joints[1].dof, "knuckle");
+  EXPECT_EQ(robot.joints[1].ratio, 0.5);
+  EXPECT_EQ(robot.joints[1].offset, 0.1);
+  EXPECT_EQ(robot.joints[0].damping, 0.2);
+  EXPECT_EQ(robot.joints[0].friction, 0.3);
+}
+
+// Knuckle at 1: the finger stands at (0.1, 0, 0), its y along world -x, so its z leans over
+// to sin(1) along world y. The tip turns by 0.5 * 1 + 0.1 more about the same line.
+TEST_F(Urdf, PlacesLinksAsByHand) {
+  const RobotSpec robot = read(kGripper);
+  const std::vector<Pose<double>> X = link_poses(robot, {{"knuckle", 1.0}, {"slide", -0.02}});
+  EXPECT_TRUE(matrix_near(X[1].p, Eigen::Vector3d(0.1, 0.05 * std::sin(1.0), 0.05 * std::cos(1.0)),
+                          kRounding));
+  EXPECT_TRUE(
+      matrix_near(X[1].R.col(2), Eigen::Vector3d(0, std::sin(1.6), std::cos(1.6)), kRounding));
+  EXPECT_TRUE(matrix_near(X[3].p, Eigen::Vector3d(-0.02, 0, 0), kRounding));
+}
+
+TEST_F(Urdf, FollowsChainsOfMimics) {
+  const std::string limits =
+      "<axis xyz='0 0 1'/><limit lower='-9' upper='9' effort='1' velocity='1'/>";
+  const RobotSpec robot = read(
+      "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='d'/>"
+      "<joint name='3' type='revolute'><parent link='c'/><child link='d'/><mimic joint='2' "
+      "multiplier='-2' offset='0.5'/>" +
+      limits +
+      "</joint>"
+      "<joint name='2' type='revolute'><parent link='b'/><child link='c'/><mimic joint='1' "
+      "multiplier='3' offset='1'/>" +
+      limits +
+      "</joint>"
+      "<joint name='1' type='revolute'><parent link='a'/><child link='b'/>" +
+      limits + "</joint></robot>");
+  const RobotJoint& last = robot.joints[2];
+  EXPECT_EQ(last.dof, "1");
+  EXPECT_EQ(last.ratio, -6);     // -2 * 3
+  EXPECT_EQ(last.offset, -1.5);  // -2 * 1 + 0.5
+  // Joint 3 within +-9: -6 q - 1.5 in [-9, 9], so q in [-1.75, 1.25]; joint 2: q in [-10/3, 8/3].
+  EXPECT_DOUBLE_EQ(robot.dofs[0].lower, -1.75);
+  EXPECT_DOUBLE_EQ(robot.dofs[0].upper, 1.25);
+}
+
+TEST_F(Urdf, NamesWhatItDoesNotRead) {
+  const RobotSpec robot = read(kGripper);
+  EXPECT_THAT(robot.warnings,
+              Contains(HasSubstr("<transmission> in <robot> is not read (line 32)")));
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("<material> in <robot> is not read (line 3)")));
+}
+
+TEST_F(Urdf, GivesContinuousJointsOneTurn) {
+  const RobotSpec robot =
+      read(two_links(std::string("<joint name='j' type='continuous'>") + kEnds + "</joint>"));
+  EXPECT_EQ(robot.dofs[0].lower, -kPi);
+  EXPECT_EQ(robot.dofs[0].upper, kPi);
+  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d::UnitX());  // the format's default
+}
+
+TEST_F(Urdf, HoldsFloatingAndPlanarJointsAndSaysSo) {
+  for (const std::string type : {"floating", "planar"}) {
+    const RobotSpec robot =
+        read(two_links("<joint name='j' type='" + type + "'>" + kEnds + "</joint>"));
+    EXPECT_EQ(robot.joints[0].kind, RobotJointKind::kFixed);
+    EXPECT_THAT(robot.warnings, ElementsAre(HasSubstr(type + " joint 'j' is taken as fixed")));
+  }
+}
+
+TEST_F(Urdf, FindsMeshesInPackagesAboveIt) {
+  std::filesystem::create_directories(folder_ / "my_robot" / "urdf");
+  std::filesystem::create_directories(folder_ / "my_robot" / "meshes");
+  write_file(path("my_robot/meshes/t.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const auto with = [&](const std::string& name) {
+    return read(two_links(std::string("<joint name='j' type='fixed'>") + kEnds + "</joint>",
+                          "<collision><geometry><mesh filename='" + name +
+                              "' scale='0.001 0.001 0.001'/></geometry></collision>"),
+                "my_robot/urdf/robot.urdf");
+  };
+  for (const std::string name :
+       {"package://my_robot/meshes/t.off", "model://renamed/meshes/t.off", "../meshes/t.off"}) {
+    const RobotSpec robot = with(name);
+    ASSERT_EQ(robot.links[1].shapes.size(), 1U) << name;
+    EXPECT_EQ(robot.links[1].shapes[0].mesh_scale, 0.001);
+    EXPECT_DOUBLE_EQ(robot.links[1].shapes[0].mesh.vertices.maxCoeff(), 0.001);
+    EXPECT_THAT(robot.warnings, IsEmpty());
+  }
+  const RobotSpec without = with("package://my_robot/meshes/lost.stl");
+  EXPECT_THAT(without.links[1].shapes, IsEmpty());
+  EXPECT_THAT(without.warnings, ElementsAre(AllOf(HasSubstr("MISSING MESH"), HasSubstr("lost.stl"),
+                                                  HasSubstr("tip"))));
+}
+
+// A mirrored triangle keeps its outside: x -> -x with corners swapped.
+TEST_F(Urdf, TurnsMirroredMeshesRightSideOut) {
+  write_file(path("t.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  const RobotSpec robot =
+      read(two_links(std::string("<joint name='j' type='fixed'>") + kEnds + "</joint>",
+                     "<collision><geometry><mesh filename='t.off' scale='-1 1 1'/></geometry>"
+                     "</collision>"));
+  const TriangleMesh& mesh = robot.links[1].shapes[0].mesh;
+  const Eigen::Vector3d a = mesh.vertices.col(mesh.triangles(0, 0)),
+                        b = mesh.vertices.col(mesh.triangles(1, 0)),
+                        c = mesh.vertices.col(mesh.triangles(2, 0));
+  EXPECT_EQ((b - a).cross(c - a), Eigen::Vector3d(0, 0, 1));
+}
+
+TEST_F(Urdf, RefusesWithTheLine) {
+  EXPECT_THAT(refusal("<robot name='r'>\n<link name='a'>\n</robot>"), HasSubstr("robot.urdf:3: "));
+  EXPECT_THAT(refusal("<robot name='r'>\n<xacro:finger n='1'/></robot>"),
+              AllOf(HasSubstr(":2: "), HasSubstr("xacro")));
+  EXPECT_THAT(refusal(two_links("<joint name='j' type='fixed'><parent link='base'/>"
+                                "<child link='tipp'/></joint>")),
+              AllOf(HasSubstr(":4: "), HasSubstr("'tipp'")));
+  EXPECT_THAT(refusal(two_links(std::string("<joint name='j' type='revolute'>") + kEnds +
+                                "<limit lower='nan' upper='1'/></joint>")),
+              AllOf(HasSubstr(":4: "), HasSubstr("<limit> lower")));
+  EXPECT_THAT(refusal(two_links(std::string("<joint name='j' type='continuous'>") + kEnds +
+                                "<mimic joint='x'/></joint>")),
+              AllOf(HasSubstr(":4: "), HasSubstr("there is no such joint")));
+  EXPECT_THAT(refusal(two_links(std::string("<joint name='j' type='continuous'>") + kEnds +
+                                "<mimic joint='j'/></joint>")),
+              AllOf(HasSubstr(":4: "), HasSubstr("follows itself")));
+  EXPECT_THAT(refusal("<robot name='r'>\n<link name='a'/><link name='b'/></robot>"),
+              HasSubstr("Two root links found: [a] and [b]"));
+}
+
+// What urdfdom refuses though its meaning is plain.
+TEST_F(Urdf, ForgivesMissingEffortAndDuplicateColours) {
+  const RobotSpec robot = read(
+      "<robot name='r'><material name='m'/><material name='m'/><link name='base'/><link name='tip'>"
+      "<collision/></link>" +
+      std::string("<joint name='j' type='revolute'>") + kEnds +
+      "<limit lower='0' upper='1'/></joint></robot>");
+  EXPECT_EQ(robot.dofs[0].max_effort, 0);
+  EXPECT_EQ(robot.dofs[0].upper, 1);
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("<collision> of link 'tip' has no shape")));
+}
+
+}  // namespace
+}  // namespace thenar
