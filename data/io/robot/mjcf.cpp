@@ -1,0 +1,328 @@
+#include "data/io/robot/mjcf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/angles.h"
+#include "base/error.h"
+#include "data/io/robot/import_couplings.h"
+#include "data/io/robot/link_poses.h"
+#include "data/io/robot/mjcf_drive.h"
+#include "data/io/robot/mjcf_geom.h"
+
+namespace thenar {
+namespace {
+
+using internal::MassOfBody;
+using internal::MjcfElement;
+using internal::MjcfGeom;
+using internal::MjcfSource;
+using internal::Unread;
+
+/// An element of a body, with the frame (<frame>) and class it stands in.
+struct Part {
+  pugi::xml_node node;
+  Pose<double> X_BF;
+  std::string childclass;
+};
+
+constexpr double kUnknownTravel = 1;  // of a slide without limits, either way [m]
+
+class BodyTree {
+ public:
+  BodyTree(const MjcfSource& source, RobotSpec& robot)
+      : source_(source), meshes_(internal::find_meshes(source)), robot_(robot) {}
+
+  void run() {
+    std::vector<Part> parts;
+    for (const pugi::xml_node world : source_.file.root().children("worldbody"))
+      collect(world, {}, "", parts);
+    if (parts.empty()) source_.file.fail(source_.file.root(), "the model has no body");
+    names_.insert("world");
+    RobotLink world;
+    world.name = "world";
+    fill(world, parts);
+    robot_.links.push_back(world);
+    for (const Part& part : parts)
+      if (is(part, "body")) add_body(part, "world");
+    drop_idle_world();
+    if (!shown_.empty())
+      robot_.warnings.push_back(
+          fmt::format("geoms that do not collide stand for the missing collision geoms of {}",
+                      fmt::join(shown_, ", ")));
+  }
+
+  [[nodiscard]] const std::vector<double>& ref() const { return ref_; }
+
+ private:
+  static bool is(const Part& part, const char* name) {
+    return std::string(part.node.name()) == name;
+  }
+
+  /// The elements of a body, those inside of <frame> carried out of it.
+  void collect(const pugi::xml_node& body, const Pose<double>& X_BF, const std::string& childclass,
+               std::vector<Part>& parts) {
+    for (const pugi::xml_node node : body.children()) {
+      const std::string name = node.name();
+      if (name == "frame") {
+        collect(node, X_BF * MjcfElement(source_, node, childclass).pose(),
+                node.attribute("childclass").as_string(childclass.c_str()), parts);
+      } else if (name == "body" || name == "joint" || name == "freejoint" || name == "geom" ||
+                 name == "inertial") {
+        parts.push_back({node, X_BF, childclass});
+      } else if (node.type() == pugi::node_element) {
+        source_.unread.note(node, fmt::format("<{}> in a body is not read", name));
+      }
+    }
+  }
+
+  std::string unique(std::string name, const std::string& otherwise) {
+    if (name.empty()) name = otherwise;
+    std::string candidate = name;
+    for (int i = 2; !names_.insert(candidate).second; ++i)
+      candidate = fmt::format("{} {}", name, i);
+    return candidate;
+  }
+
+  void add_body(const Part& part, const std::string& parent) {
+    const std::string childclass =
+        part.node.attribute("childclass").as_string(part.childclass.c_str());
+    RobotLink link;
+    link.name = unique(part.node.attribute("name").value(), parent + " body");
+    std::vector<Part> parts;
+    collect(part.node, {}, childclass, parts);
+    fill(link, parts);
+    const Pose<double> X_PB = part.X_BF * MjcfElement(source_, part.node, part.childclass).pose();
+    if (part.node.attribute("mocap").as_bool())
+      source_.unread.note(part.node, fmt::format("mocap body '{}' is taken as fixed", link.name));
+    const std::string name = link.name;
+    robot_.links.push_back(std::move(link));
+    connect(name, parent, X_PB, parts);
+    for (const Part& child : parts)
+      if (is(child, "body")) add_body(child, name);
+  }
+
+  // ---- shapes and mass
+
+  void fill(RobotLink& link, const std::vector<Part>& parts) {
+    std::vector<MassOfBody> masses;
+    std::vector<ShapeSpec> shown;
+    const MjcfSource& source = source_;
+    for (const Part& part : parts) {
+      if (!is(part, "geom")) continue;
+      const MjcfElement element(source, part.node, part.childclass);
+      MjcfGeom geom =
+          internal::read_geom(source, meshes_, element, part.X_BF, link.name, robot_.warnings);
+      masses.push_back(geom.mass);
+      if (geom.shape) (geom.collides ? link.shapes : shown).push_back(std::move(*geom.shape));
+    }
+    if (link.shapes.empty() && !shown.empty()) {
+      link.shapes = std::move(shown);
+      shown_.push_back(link.name);
+    }
+    if (link.name != "world") set_mass(link, parts, masses);
+  }
+
+  void set_mass(RobotLink& link, const std::vector<Part>& parts,
+                const std::vector<MassOfBody>& masses) {
+    const auto inertial = std::find_if(parts.begin(), parts.end(),
+                                       [](const Part& part) { return is(part, "inertial"); });
+    const std::string& from_geom = source_.compiler.inertia_from_geom;
+    MassOfBody mass;
+    if (from_geom == "true" || (from_geom == "auto" && inertial == parts.end())) {
+      mass = internal::together(masses);
+    } else if (inertial != parts.end()) {
+      mass = read_inertial(*inertial);
+    }
+    if (mass.mass < source_.compiler.bound_mass) mass.mass = source_.compiler.bound_mass;
+    link.mass = mass.mass;
+    link.com = mass.com;
+    link.inertia = mass.inertia;
+  }
+
+  [[nodiscard]] MassOfBody read_inertial(const Part& part) const {
+    const MjcfElement inertial(source_, part.node, part.childclass);
+    if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
+    Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
+    const std::vector<double> full = inertial.numbers("fullinertia");
+    if (!full.empty()) {
+      if (full.size() != 6) inertial.fail("fullinertia wants 6 numbers");
+      I << full[0], full[3], full[4],  //
+          full[3], full[1], full[5],   //
+          full[4], full[5], full[2];
+    } else {
+      I = inertial.vector3("diaginertia", Eigen::Vector3d::Zero()).asDiagonal();
+    }
+    const Pose<double> X = part.X_BF * inertial.pose();
+    return {inertial.number("mass", 0), X.p, X.R * I * X.R.transpose()};
+  }
+
+  // ---- joints
+
+  void connect(const std::string& name, const std::string& parent, const Pose<double>& X_PB,
+               const std::vector<Part>& parts) {
+    std::vector<Part> joints;
+    for (const Part& part : parts) {
+      if (is(part, "freejoint")) name_free(part, name, "free");
+      if (!is(part, "joint")) continue;
+      const std::string type =
+          MjcfElement(source_, part.node, part.childclass).text("type", "hinge");
+      if (type == "hinge" || type == "slide") {
+        joints.push_back(part);
+      } else {
+        name_free(part, name, type);
+      }
+    }
+    if (joints.empty()) {
+      RobotJoint fixed;
+      fixed.name = unique_joint("", name + " mount");
+      fixed.kind = RobotJointKind::kFixed;
+      fixed.parent = parent;
+      fixed.child = name;
+      fixed.X_PJ = X_PB;
+      add(fixed, 0);
+    }
+    std::string carrier = parent;
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      const bool last = i + 1 == joints.size();
+      const std::string child = last ? name : unique("", fmt::format("{} after {}", name, i + 1));
+      if (!last) {
+        RobotLink between;
+        between.name = child;
+        robot_.links.push_back(between);
+      }
+      add_joint(joints[i], carrier, child, i == 0 ? X_PB : Pose<double>{}, name);
+      carrier = child;
+    }
+  }
+
+  void name_free(const Part& part, const std::string& body, const std::string& type) {
+    source_.unread.note(part.node,
+                        fmt::format("{} joint of body '{}' is taken as fixed", type, body));
+  }
+
+  std::string unique_joint(const std::string& name, const std::string& otherwise) {
+    const std::string wanted = name.empty() ? otherwise : name;
+    std::string candidate = wanted;
+    for (int i = 2; !joint_names_.insert(candidate).second; ++i)
+      candidate = fmt::format("{} {}", wanted, i);
+    return candidate;
+  }
+
+  void add_joint(const Part& part, const std::string& parent, const std::string& child,
+                 const Pose<double>& X_PB, const std::string& body) {
+    const MjcfElement element(source_, part.node, part.childclass);
+    RobotJoint joint;
+    joint.name = unique_joint(element.text("name"), body + " joint");
+    joint.parent = parent;
+    joint.child = child;
+    const bool hinge = element.text("type", "hinge") == "hinge";
+    joint.kind = hinge ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
+    const Eigen::Vector3d axis = element.vector3("axis", Eigen::Vector3d::UnitZ());
+    if (axis.isZero(0)) element.fail(fmt::format("axis of joint '{}' has no length", joint.name));
+    joint.axis = part.X_BF.R * axis.normalized();
+    const Eigen::Vector3d at = part.X_BF * element.vector3("pos", Eigen::Vector3d::Zero());
+    const double unit = hinge ? source_.compiler.angle : 1;
+    const double ref = unit * element.number("ref", 0);
+    // In the file's own posture the joint stands at `ref`.
+    joint.X_PJ = X_PB * Pose<double>{Eigen::Matrix3d::Identity(), at} * joint_motion(joint, -ref);
+    joint.X_JC = {Eigen::Matrix3d::Identity(), -at};
+    set_limits(joint, element, unit);
+    joint.damping = element.number("damping", 0);
+    joint.friction = element.number("frictionloss", 0);
+    joint.stiffness = element.number("stiffness", 0);
+    joint.rest = unit * element.number("springref", 0);
+    add(joint, ref);
+  }
+
+  void set_limits(RobotJoint& joint, const MjcfElement& element, double unit) {
+    const std::vector<double> range = element.numbers("range");
+    const std::string limited = element.text("limited", "auto");
+    const bool has_limits =
+        limited == "true" || (limited == "auto" && source_.compiler.auto_limits && !range.empty());
+    if (has_limits) {
+      if (range.size() != 2)
+        element.fail(fmt::format("range of joint '{}' wants two numbers", joint.name));
+      joint.lower = unit * std::min(range[0], range[1]);
+      joint.upper = unit * std::max(range[0], range[1]);
+      return;
+    }
+    joint.upper = joint.kind == RobotJointKind::kRevolute ? kPi : kUnknownTravel;
+    joint.lower = -joint.upper;
+    robot_.warnings.push_back(fmt::format("joint '{}' has no limits; it gets {:.6g} to {:.6g} {}",
+                                          joint.name, joint.lower, joint.upper,
+                                          joint.kind == RobotJointKind::kRevolute ? "rad" : "m"));
+  }
+
+  void add(const RobotJoint& joint, double ref) {
+    robot_.joints.push_back(joint);
+    ref_.push_back(ref);
+  }
+
+  /// A world without shapes that carries one body, which stands still at its origin, is no link.
+  void drop_idle_world() {
+    const auto on_world = [](const RobotJoint& joint) { return joint.parent == "world"; };
+    const bool alone = std::count_if(robot_.joints.begin(), robot_.joints.end(), on_world) == 1;
+    const RobotJoint& first = robot_.joints.front();
+    if (!alone || !robot_.links.front().shapes.empty() || first.kind != RobotJointKind::kFixed ||
+        !first.X_PJ.R.isIdentity(0) || !first.X_PJ.p.isZero(0))
+      return;
+    robot_.links.erase(robot_.links.begin());
+    robot_.joints.erase(robot_.joints.begin());
+    ref_.erase(ref_.begin());
+  }
+
+  const MjcfSource& source_;
+  internal::MjcfMeshes meshes_;
+  RobotSpec& robot_;
+  std::vector<double> ref_;  // of each joint [rad] or [m]
+  std::set<std::string> names_, joint_names_;
+  std::vector<std::string> shown_;  // links whose geoms do not collide
+};
+
+void note_sections(const XmlFile& file, Unread& unread) {
+  static const std::set<std::string> read{"compiler", "default",  "asset",   "worldbody",
+                                          "tendon",   "equality", "actuator"};
+  for (const pugi::xml_node node : file.root().children())
+    if (node.type() == pugi::node_element && read.count(node.name()) == 0)
+      unread.note(node, fmt::format("<{}> is not read", node.name()));
+}
+
+void set_total_mass(RobotSpec& robot, double wanted) {
+  double sum = 0;
+  for (const RobotLink& link : robot.links) sum += link.mass;
+  if (!(wanted > 0) || !(sum > 0)) return;
+  for (RobotLink& link : robot.links) {
+    link.mass *= wanted / sum;
+    link.inertia *= wanted / sum;
+  }
+}
+
+}  // namespace
+
+RobotSpec read_mjcf(const std::string& path) {
+  const XmlFile file(path);
+  const std::string root = file.root().name();
+  if (root != "mujoco" && root != "mujocoinclude")
+    file.fail(file.root(), fmt::format("wanted <mujoco>, got <{}>", root));
+  internal::expand_includes(file);
+  Unread unread(file);
+  note_sections(file, unread);
+  MjcfSource source{file, unread, internal::read_compiler(file, unread), {}};
+  source.defaults.read(file, file.root());
+  RobotSpec robot;
+  robot.name = file.root().attribute("model").value();
+  BodyTree tree(source, robot);
+  tree.run();
+  set_total_mass(robot, source.compiler.total_mass);
+  internal::drive_mjcf(source, tree.ref(), robot);
+  const std::vector<std::string> warnings = unread.warnings();
+  robot.warnings.insert(robot.warnings.end(), warnings.begin(), warnings.end());
+  return robot;
+}
+
+}  // namespace thenar

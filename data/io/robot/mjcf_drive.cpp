@@ -1,0 +1,322 @@
+#include "data/io/robot/mjcf_drive.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "data/io/robot/import_couplings.h"
+#include "data/io/robot/link_poses.h"
+
+namespace thenar::internal {
+namespace {
+
+struct Term {
+  std::string joint;
+  double coefficient;  // [m/rad], [1]..
+};
+
+/// A fixed tendon: its length is a sum of joint values.
+struct FixedTendon {
+  std::string name;
+  std::vector<Term> terms;
+};
+
+struct Actuator {
+  std::string name;
+  std::string joint, tendon;  // one of them
+  double effort = 0;          // [N m] or [N]; 0 if unknown
+};
+
+class Drive {
+ public:
+  Drive(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot)
+      : source_(source), robot_(robot) {
+    for (std::size_t i = 0; i < robot.joints.size(); ++i) ref_[robot.joints[i].name] = ref[i];
+  }
+
+  void run() {
+    read_tendons();
+    read_equalities();
+    read_actuators();
+    hold_joints();
+    couple_joints(robot_, couplings_, source_.file.path());
+    for (const Actuator& actuator : actuators_)
+      if (!actuator.tendon.empty()) drive_through_tendon(actuator);
+    for (const Actuator& actuator : actuators_)
+      if (!actuator.joint.empty()) drive_joint(actuator);
+    name_undriven();
+  }
+
+ private:
+  RobotJoint& joint(const pugi::xml_node& node, const std::string& name) {
+    RobotJoint* found = find_joint(robot_, name);
+    if (found == nullptr)
+      source_.file.fail(node, fmt::format("<{}> names joint '{}', and there is no such hinge or "
+                                          "slide",
+                                          node.name(), name));
+    return *found;
+  }
+
+  void read_tendons() {
+    for (const pugi::xml_node section : source_.file.root().children("tendon"))
+      for (const pugi::xml_node node : section.children()) {
+        if (node.type() != pugi::node_element) continue;
+        if (std::string(node.name()) != "fixed") {
+          source_.unread.note(node, fmt::format("<{}> tendon '{}' is not read", node.name(),
+                                                node.attribute("name").value()));
+          continue;
+        }
+        FixedTendon tendon{node.attribute("name").value(), {}};
+        for (const pugi::xml_node term : node.children("joint")) {
+          const std::string name = required_text(source_.file, term, "joint");
+          (void)joint(term, name);
+          tendon.terms.push_back({name, number_or(source_.file, term, "coef", 1)});
+        }
+        tendons_.push_back(std::move(tendon));
+      }
+  }
+
+  const FixedTendon* find_tendon(const std::string& name) const {
+    for (const FixedTendon& tendon : tendons_)
+      if (tendon.name == name) return &tendon;
+    return nullptr;
+  }
+
+  void read_equalities() {
+    for (const pugi::xml_node section : source_.file.root().children("equality"))
+      for (const pugi::xml_node node : section.children()) {
+        if (node.type() != pugi::node_element) continue;
+        const MjcfElement equality(source_, node, "");
+        const std::string kind = node.name();
+        const std::string name = node.attribute("name").value();
+        if (equality.text("active", "true") == "false") {
+          source_.unread.note(node, fmt::format("<{}> '{}' is not active", kind, name));
+        } else if (kind == "joint") {
+          couple(node, equality);
+        } else if (kind == "tendon") {
+          couple_through_tendon(node, equality);
+        } else {
+          source_.unread.note(
+              node, fmt::format("<{}> between '{}' and '{}' is not kept: a robot here is a tree",
+                                kind, first_of(node, {"body1", "site1", "geom1", "name"}),
+                                first_of(node, {"body2", "site2", "geom2"})));
+        }
+      }
+  }
+
+  static std::string first_of(const pugi::xml_node& node,
+                              const std::vector<const char*>& attributes) {
+    for (const char* attribute : attributes)
+      if (node.attribute(attribute)) return node.attribute(attribute).value();
+    return "world";
+  }
+
+  /// q1 - ref1 = a0 + a1 (q2 - ref2) + ..
+  void couple(const pugi::xml_node& node, const MjcfElement& equality) {
+    std::vector<double> a = equality.numbers("polycoef");
+    if (a.empty()) a = {0, 1};
+    a.resize(5, 0);
+    const std::string first = required_text(source_.file, node, "joint1");
+    const std::string second = node.attribute("joint2").value();
+    (void)joint(node, first);
+    if (second.empty()) {
+      held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line()});
+      return;
+    }
+    (void)joint(node, second);
+    if (a[2] != 0 || a[3] != 0 || a[4] != 0)
+      source_.unread.note(node, fmt::format("only the linear part of the equality of '{}' and '{}' "
+                                            "is kept",
+                                            first, second));
+    add_coupling(
+        {first, second, a[1], a[0] + ref_.at(first) - a[1] * ref_.at(second), equality.line()},
+        node);
+  }
+
+  /// c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
+  void couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality) {
+    const FixedTendon* tendon = find_tendon(required_text(source_.file, node, "tendon1"));
+    if (tendon == nullptr || tendon->terms.size() != 2 || node.attribute("tendon2")) {
+      source_.unread.note(node,
+                          "<tendon> equality of other than one fixed tendon of two joints is not "
+                          "kept");
+      return;
+    }
+    const std::vector<double> a = equality.numbers("polycoef");
+    const Term& leader = tendon->terms[0];
+    const Term& follower = tendon->terms[1];
+    if (follower.coefficient == 0) source_.file.fail(node, "a coefficient of the tendon is zero");
+    const double ratio = -leader.coefficient / follower.coefficient;
+    const double offset = (a.empty() ? 0 : a[0]) / follower.coefficient;
+    add_coupling(
+        {follower.joint, leader.joint, ratio,
+         offset + ref_.at(follower.joint) - ratio * ref_.at(leader.joint), equality.line()},
+        node);
+  }
+
+  void add_coupling(const Coupling& coupling, const pugi::xml_node& node) {
+    const bool again =
+        std::any_of(couplings_.begin(), couplings_.end(),
+                    [&](const Coupling& other) { return other.joint == coupling.joint; });
+    if (again) {
+      source_.unread.note(node, fmt::format("joint '{}' follows another already; its equality with "
+                                            "'{}' is not kept",
+                                            coupling.joint, coupling.master));
+    } else {
+      couplings_.push_back(coupling);
+    }
+  }
+
+  /// Joints that an equality holds at a value become fixed there.
+  void hold_joints() {
+    for (const Coupling& held : held_) {
+      RobotJoint& fixed = *find_joint(robot_, held.joint);
+      fixed.X_PJ = fixed.X_PJ * joint_motion(fixed, held.offset);
+      fixed.kind = RobotJointKind::kFixed;
+      fixed.lower = fixed.upper = 0;
+    }
+  }
+
+  void read_actuators() {
+    for (const pugi::xml_node section : source_.file.root().children("actuator"))
+      for (const pugi::xml_node node : section.children()) {
+        if (node.type() != pugi::node_element) continue;
+        const MjcfElement element(source_, node, "");
+        Actuator actuator;
+        actuator.name = element.text("name");
+        actuator.joint = element.text("joint", element.text("jointinparent"));
+        actuator.tendon = element.text("tendon");
+        actuator.effort = effort_of(element, node.name());
+        if (!actuator.joint.empty()) (void)joint(node, actuator.joint);
+        if (actuator.joint.empty() && find_tendon(actuator.tendon) == nullptr) {
+          source_.unread.note(node, fmt::format("<{}> '{}' drives no joint and no fixed tendon",
+                                                node.name(), actuator.name));
+          continue;
+        }
+        actuators_.push_back(std::move(actuator));
+      }
+  }
+
+  /// The largest force: of its range, or for a motor gear times the largest control.
+  static double effort_of(const MjcfElement& actuator, const std::string& kind) {
+    const auto largest = [&](const char* range) {
+      const std::vector<double> ends = actuator.numbers(range);
+      return ends.size() == 2 ? std::max(std::abs(ends[0]), std::abs(ends[1])) : 0;
+    };
+    const std::vector<double> gear = actuator.numbers("gear");
+    const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
+    if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
+      return largest("forcerange") * ratio;
+    return kind == "motor" && actuator.text("ctrllimited") != "false" ? largest("ctrlrange") * ratio
+                                                                      : 0;
+  }
+
+  void drive_joint(const Actuator& actuator) {
+    const RobotJoint& driven = *find_joint(robot_, actuator.joint);
+    RobotDof* dof = find_dof(robot_, driven.dof);
+    if (dof == nullptr) return;
+    dof->max_effort += actuator.effort * std::abs(driven.ratio);
+    moved_.insert(dof->name);
+  }
+
+  /// The length of the tendon by each degree of freedom it spans.
+  std::map<std::string, double> gradient(const FixedTendon& tendon) {
+    std::map<std::string, double> by_dof;
+    for (const Term& term : tendon.terms) {
+      const RobotJoint& spanned = *find_joint(robot_, term.joint);
+      if (!spanned.dof.empty()) by_dof[spanned.dof] += term.coefficient * spanned.ratio;
+    }
+    return by_dof;
+  }
+
+  void drive_through_tendon(const Actuator& actuator) {
+    const FixedTendon& tendon = *find_tendon(actuator.tendon);
+    const std::map<std::string, double> by_dof = gradient(tendon);
+    double squares = 0;
+    for (const auto& [name, coefficient] : by_dof) squares += coefficient * coefficient;
+    if (!(squares > 0)) return;
+    if (by_dof.size() == 1) {
+      RobotDof& dof = *find_dof(robot_, by_dof.begin()->first);
+      dof.max_effort += actuator.effort * std::sqrt(squares);
+      moved_.insert(dof.name);
+      return;
+    }
+    for (const auto& [name, coefficient] : by_dof)
+      if (moved_.count(name) > 0) {
+        robot_.warnings.push_back(
+            fmt::format("tendon '{}' spans '{}', which another tendon drives: "
+                        "it is not read",
+                        tendon.name, name));
+        return;
+      }
+    join(tendon.name, by_dof, squares, actuator.effort);
+  }
+
+  /// One compliant degree of freedom in place of several.
+  void join(const std::string& tendon, const std::map<std::string, double>& by_dof, double squares,
+            double effort) {
+    RobotDof shared;
+    shared.name = tendon;
+    while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
+    shared.kind = RobotDofKind::kCompliant;
+    shared.speed = 1;
+    shared.max_effort = effort;
+    shared.lower = -std::numeric_limits<double>::infinity();
+    shared.upper = std::numeric_limits<double>::infinity();
+    for (RobotJoint& moved : robot_.joints) {
+      const auto part = by_dof.find(moved.dof);
+      if (part == by_dof.end() || moved.dof.empty() || part->second == 0) continue;
+      moved.ratio *= part->second / squares;
+      moved.dof = shared.name;
+      const Range range = range_through(moved);
+      shared.lower = std::max(shared.lower, range.lower);
+      shared.upper = std::min(shared.upper, range.upper);
+    }
+    if (shared.lower > shared.upper)
+      throw DataError(
+          source_.file.path(), 1,
+          fmt::format("limits of the joints of tendon '{}' leave no way to move", tendon));
+    const auto place =
+        std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
+                     [&](const RobotDof& dof) { return by_dof.count(dof.name) > 0; });
+    robot_.dofs.insert(place, shared);
+    robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(),
+                                     [&](const RobotDof& dof) {
+                                       const auto part = by_dof.find(dof.name);
+                                       return part != by_dof.end() && part->second != 0;
+                                     }),
+                      robot_.dofs.end());
+    moved_.insert(shared.name);
+  }
+
+  void name_undriven() {
+    std::vector<std::string> idle;
+    for (const RobotDof& dof : robot_.dofs)
+      if (moved_.count(dof.name) == 0) idle.push_back(dof.name);
+    if (!idle.empty() && !actuators_.empty())
+      robot_.warnings.push_back(
+          fmt::format("no actuator drives {}; each is a degree of freedom of unknown effort",
+                      fmt::join(idle, ", ")));
+  }
+
+  const MjcfSource& source_;
+  RobotSpec& robot_;
+  std::map<std::string, double> ref_;
+  std::vector<FixedTendon> tendons_;
+  std::vector<Coupling> couplings_, held_;
+  std::vector<Actuator> actuators_;
+  std::set<std::string> moved_;  // degrees of freedom with an actuator
+};
+
+}  // namespace
+
+void drive_mjcf(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot) {
+  Drive(source, ref, robot).run();
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,268 @@
+#include "data/io/robot/mjcf_geom.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/angles.h"
+#include "base/error.h"
+#include "data/io/robot/import_mesh.h"
+
+namespace thenar::internal {
+namespace {
+
+Eigen::Matrix3d diagonal(double x, double y, double z) {
+  return Eigen::Vector3d(x, y, z).asDiagonal();
+}
+
+MassOfBody ellipsoid(const Eigen::Vector3d& s) {
+  const double m = 4 * kPi / 3 * s.prod();
+  const Eigen::Vector3d q = s.cwiseAbs2();
+  return {m, {0, 0, 0}, m / 5 * diagonal(q.y() + q.z(), q.x() + q.z(), q.x() + q.y())};
+}
+
+MassOfBody box(const Eigen::Vector3d& edges) {
+  const double m = edges.prod();
+  const Eigen::Vector3d q = edges.cwiseAbs2();
+  return {m, {0, 0, 0}, m / 12 * diagonal(q.y() + q.z(), q.x() + q.z(), q.x() + q.y())};
+}
+
+MassOfBody cylinder(double r, double height) {
+  const double m = kPi * r * r * height, across = m * (3 * r * r + height * height) / 12;
+  return {m, {0, 0, 0}, diagonal(across, across, m * r * r / 2)};
+}
+
+/// A cylinder and two half balls, whose centroids stand 3/8 r from their flat sides.
+MassOfBody capsule(double r, double height) {
+  MassOfBody body = cylinder(r, height);
+  const double m = 4 * kPi / 3 * r * r * r, h = height / 2;
+  const double across = m * (2 * r * r / 5 + h * h + 3 * h * r / 4);
+  body.mass += m;
+  body.inertia += diagonal(across, across, m * 2 * r * r / 5);
+  return body;
+}
+
+/// Sum over the tetrahedra from the origin to every triangle.
+MassOfBody solid_mesh(const TriangleMesh& mesh) {
+  double volume = 0;
+  Eigen::Vector3d first = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x'
+  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i) {
+    Eigen::Matrix3d V;
+    for (int corner = 0; corner < 3; ++corner)
+      V.col(corner) = mesh.vertices.col(mesh.triangles(corner, i));
+    const double six = V.determinant();
+    const Eigen::Vector3d sum = V.rowwise().sum();
+    volume += six / 6;
+    first += six / 24 * sum;
+    second += six / 120 * (V * V.transpose() + sum * sum.transpose());
+  }
+  if (!(volume > 0)) return {};
+  const Eigen::Vector3d com = first / volume;
+  const Eigen::Matrix3d C = second - volume * com * com.transpose();
+  return {volume, com, C.trace() * Eigen::Matrix3d::Identity() - C};
+}
+
+MassOfBody in_own_frame(const ShapeSpec& shape) {
+  const Eigen::Vector3d& s = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      return ellipsoid(Eigen::Vector3d::Constant(s.x()));
+    case ShapeKind::kBox:
+      return box(s);
+    case ShapeKind::kCylinder:
+      return cylinder(s.x(), s.y());
+    case ShapeKind::kCapsule:
+      return capsule(s.x(), s.y());
+    case ShapeKind::kEllipsoid:
+      return ellipsoid(s);
+    case ShapeKind::kMesh:
+      return solid_mesh(shape.mesh);
+    case ShapeKind::kTaperedCapsule:
+    case ShapeKind::kSuperellipsoid:
+      break;
+  }
+  throw InputError(fmt::format("no MJCF geom is a {}", name_of(shape.kind)));
+}
+
+/// Sizes as MuJoCo has them (half lengths) to ours.
+void set_primitive(ShapeSpec& shape, const MjcfElement& geom, const std::string& type,
+                   const std::vector<double>& size) {
+  const auto want = [&](std::size_t count) {
+    if (size.size() < count)
+      geom.fail(fmt::format("a {} wants {} size{}, got {}", type, count, count == 1 ? "" : "s",
+                            size.size()));
+  };
+  want(type == "box" || type == "ellipsoid" ? 3 : type == "sphere" ? 1 : 2);
+  if (type == "sphere") {
+    shape.kind = ShapeKind::kSphere;
+    shape.size.x() = size[0];
+  } else if (type == "box") {
+    shape.kind = ShapeKind::kBox;
+    shape.size = 2 * Eigen::Vector3d(size[0], size[1], size[2]);
+  } else if (type == "ellipsoid") {
+    shape.kind = ShapeKind::kEllipsoid;
+    shape.size = {size[0], size[1], size[2]};
+  } else {
+    shape.kind = type == "capsule" ? ShapeKind::kCapsule : ShapeKind::kCylinder;
+    shape.size = {size[0], 2 * size[1], 0};
+  }
+}
+
+/// Place and half length of a geom between two points.
+void apply_from_to(const MjcfElement& geom, Pose<double>& X, std::vector<double>& size) {
+  const std::vector<double> ends = geom.numbers("fromto");
+  if (ends.size() != 6) geom.fail(fmt::format("fromto wants 6 numbers, got {}", ends.size()));
+  const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
+  if ((from - to).isZero(0)) geom.fail("fromto wants two different points");
+  if (size.empty()) geom.fail("fromto wants size=\"RADIUS\"");
+  X = {rotation_to(from - to), (from + to) / 2};
+  const double half = (from - to).norm() / 2;
+  const std::string type = geom.text("type", "sphere");
+  size.resize(1);
+  if (type == "box" || type == "ellipsoid") size.push_back(size[0]);
+  size.push_back(half);
+}
+
+/// Corners and triangles written in the file itself.
+bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlacement& placement) {
+  const std::vector<double> corners = mesh.numbers("vertex"), faces = mesh.numbers("face");
+  if (corners.empty() || faces.empty()) return false;
+  if (corners.size() % 3 != 0 || faces.size() % 3 != 0)
+    mesh.fail("vertex and face want three numbers each");
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
+      corners.data(), 3, static_cast<Eigen::Index>(corners.size() / 3));
+  shape.mesh.triangles = Eigen::Map<const Eigen::Matrix3Xd>(
+                             faces.data(), 3, static_cast<Eigen::Index>(faces.size() / 3))
+                             .cast<int>();
+  if (shape.mesh.triangles.minCoeff() < 0 ||
+      shape.mesh.triangles.maxCoeff() >= static_cast<int>(shape.mesh.vertices.cols()))
+    mesh.fail("a face names a vertex that is not there");
+  shape.mesh.vertices = (placement.A * shape.mesh.vertices).colwise() + placement.b;
+  if (placement.A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
+  return true;
+}
+
+/// v -> S R' (v - refpos).
+MeshPlacement placement_of(const MjcfElement& mesh) {
+  const Eigen::Vector3d scale = mesh.vector3("scale", Eigen::Vector3d::Ones());
+  const Eigen::Vector3d moved = mesh.vector3("refpos", Eigen::Vector3d::Zero());
+  MeshPlacement placement;
+  placement.A = scale.asDiagonal();
+  const std::vector<double> q = mesh.numbers("refquat");
+  if (q.size() == 4)
+    placement.A *=
+        Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix().transpose();
+  placement.b = -(placement.A * moved);
+  return placement;
+}
+
+bool set_mesh(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& meshes,
+              const MjcfElement& geom, const std::string& body,
+              std::vector<std::string>& warnings) {
+  const std::string name = geom.text("mesh");
+  const auto found = meshes.find(name);
+  if (found == meshes.end()) geom.fail(fmt::format("there is no mesh '{}' in <asset>", name));
+  const MjcfElement mesh(source, found->second, "");
+  const MeshPlacement placement = placement_of(mesh);
+  if (!mesh.has("file")) {
+    if (set_written_mesh(shape, mesh, placement)) return true;
+    warnings.push_back(fmt::format(
+        "MISSING MESH '{}', which has neither file nor faces: link '{}' goes without it", name,
+        body));
+    return false;
+  }
+  std::filesystem::path file = mesh.text("file");
+  if (source.compiler.strip_path) file = file.filename();
+  const std::string path = (std::filesystem::path(source.compiler.mesh_folder) / file).string();
+  return try_mesh(shape, path, placement, source.file.path(), body, warnings);
+}
+
+bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& meshes,
+               const MjcfElement& geom, const std::string& body,
+               std::vector<std::string>& warnings) {
+  const std::string type = geom.text("type", "sphere");
+  if (type == "mesh" || geom.has("mesh")) {
+    if (type != "mesh")
+      warnings.push_back(
+          fmt::format("a {} fitted to a mesh, of link '{}': the mesh itself is taken", type, body));
+    return set_mesh(shape, source, meshes, geom, body, warnings);
+  }
+  if (type == "plane" || type == "hfield" || type == "sdf") {
+    warnings.push_back(
+        fmt::format("a {} of link '{}' is left out (line {})", type, body, geom.line()));
+    return false;
+  }
+  if (type != "sphere" && type != "box" && type != "ellipsoid" && type != "capsule" &&
+      type != "cylinder")
+    geom.fail(fmt::format("unknown type of geom: '{}'", type));
+  std::vector<double> size = geom.numbers("size");
+  if (geom.has("fromto")) apply_from_to(geom, shape.X_BS, size);
+  set_primitive(shape, geom, type, size);
+  return true;
+}
+
+}  // namespace
+
+MassOfBody mass_at_unit_density(const ShapeSpec& shape) {
+  const MassOfBody own = in_own_frame(shape);
+  const Eigen::Matrix3d& R = shape.X_BS.R;
+  return {own.mass, shape.X_BS * own.com, R * own.inertia * R.transpose()};
+}
+
+MassOfBody together(const std::vector<MassOfBody>& parts) {
+  MassOfBody sum;
+  for (const MassOfBody& part : parts) {
+    sum.mass += part.mass;
+    sum.com += part.mass * part.com;
+  }
+  if (sum.mass > 0) sum.com /= sum.mass;
+  for (const MassOfBody& part : parts) {
+    const Eigen::Vector3d r = part.com - sum.com;
+    sum.inertia += part.inertia +
+                   part.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  }
+  return sum;
+}
+
+MjcfMeshes find_meshes(const MjcfSource& source) {
+  MjcfMeshes meshes;
+  for (const pugi::xml_node asset : source.file.root().children("asset"))
+    for (const pugi::xml_node node : asset.children()) {
+      if (std::string(node.name()) != "mesh") {
+        if (node.type() == pugi::node_element)
+          source.unread.note(node, fmt::format("<{}> in <asset> is not read", node.name()));
+        continue;
+      }
+      std::string name = node.attribute("name").value();
+      if (name.empty()) name = std::filesystem::path(node.attribute("file").value()).stem();
+      meshes[name] = node;
+    }
+  return meshes;
+}
+
+MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const MjcfElement& geom,
+                   const Pose<double>& X_BF, const std::string& body,
+                   std::vector<std::string>& warnings) {
+  MjcfGeom result;
+  result.collides = geom.number("contype", 1) != 0 || geom.number("conaffinity", 1) != 0;
+  ShapeSpec shape;
+  shape.X_BS = geom.pose();
+  if (!set_shape(shape, source, meshes, geom, body, warnings)) return result;
+  shape.X_BS = X_BF * shape.X_BS;
+  const double group = geom.number("group", 0);
+  if (group >= source.compiler.least_group && group <= source.compiler.largest_group) {
+    result.mass = mass_at_unit_density(shape);
+    const double volume = result.mass.mass;
+    const double density = geom.has("mass")
+                               ? (volume > 0 ? geom.number("mass", 0) / volume : 0)
+                               : geom.number("density", 1000);  // water, MuJoCo's default [kg/m^3]
+    result.mass.mass *= density;
+    result.mass.inertia *= density;
+  }
+  result.shape = std::move(shape);
+  return result;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,235 @@
+#include "data/io/robot/mjcf_source.h"
+
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/angles.h"
+#include "base/error.h"
+
+namespace thenar::internal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All actuators share their defaults.
+std::string default_kind(const std::string& element) {
+  static const std::set<std::string> actuators{"motor",       "position", "velocity",
+                                               "intvelocity", "damper",   "cylinder",
+                                               "muscle",      "adhesion", "dcmotor"};
+  if (actuators.count(element) > 0) return "general";
+  if (element == "fixed" || element == "spatial") return "tendon";
+  return element;
+}
+
+void expand(const XmlFile& file, pugi::xml_node node, std::set<std::string>& open) {
+  for (pugi::xml_node child = node.first_child(); child;) {
+    const pugi::xml_node next = child.next_sibling();
+    if (std::string(child.name()) == "include") {
+      const fs::path wanted =
+          fs::path(file.path()).parent_path() / required_text(file, child, "file");
+      const std::string path = wanted.lexically_normal().string();
+      if (!fs::is_regular_file(path)) file.fail(child, fmt::format("there is no file '{}'", path));
+      if (!open.insert(path).second) file.fail(child, fmt::format("'{}' is included twice", path));
+      const XmlFile included(path);
+      pugi::xml_node holder = node.insert_child_before("included", child);
+      for (const pugi::xml_node part : included.root().children()) holder.append_copy(part);
+      node.remove_child(child);
+      expand(file, holder, open);
+      while (const pugi::xml_node part = holder.first_child()) {
+        node.insert_move_before(part, holder);
+      }
+      node.remove_child(holder);
+    } else {
+      expand(file, child, open);
+    }
+    child = next;
+  }
+}
+
+void read_compiler(MjcfCompiler& compiler, const XmlFile& file, Unread& unread,
+                   const pugi::xml_node& node) {
+  const auto text = [&](const char* name, const std::string& otherwise) {
+    return std::string(node.attribute(name).as_string(otherwise.c_str()));
+  };
+  const std::string angle = text("angle", "");
+  if (!angle.empty()) compiler.angle = angle == "radian" ? 1 : kDegree;
+  compiler.euler_sequence = text("eulerseq", compiler.euler_sequence);
+  if (compiler.euler_sequence.size() != 3 ||
+      compiler.euler_sequence.find_first_not_of("xyzXYZ") != std::string::npos)
+    file.fail(node,
+              fmt::format("eulerseq wants three of xyzXYZ, got '{}'", compiler.euler_sequence));
+  compiler.mesh_folder = text("meshdir", text("assetdir", compiler.mesh_folder));
+  compiler.strip_path = node.attribute("strippath").as_bool(compiler.strip_path);
+  compiler.auto_limits = node.attribute("autolimits").as_bool(compiler.auto_limits);
+  compiler.inertia_from_geom = text("inertiafromgeom", compiler.inertia_from_geom);
+  compiler.bound_mass = number_or(file, node, "boundmass", compiler.bound_mass);
+  compiler.total_mass = number_or(file, node, "settotalmass", compiler.total_mass);
+  if (const pugi::xml_attribute groups = node.attribute("inertiagrouprange")) {
+    const std::vector<double> range =
+        parse_numbers(file, node, groups.value(), "inertiagrouprange");
+    if (range.size() != 2) file.fail(node, "inertiagrouprange wants two numbers");
+    compiler.least_group = range[0];
+    compiler.largest_group = range[1];
+  }
+  if (text("coordinate", "local") != "local")
+    file.fail(node, "coordinate=\"global\" is not read; save the model with local coordinates");
+  for (const char* name : {"balanceinertia", "boundinertia", "fusestatic"})
+    if (node.attribute(name)) unread.note(node, fmt::format("<compiler {}> is not heeded", name));
+}
+
+Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string& sequence) {
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  for (int i = 0; i < 3; ++i) {
+    const std::size_t letter = std::string("xyzXYZ").find(sequence[static_cast<std::size_t>(i)]);
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(static_cast<int>(letter % 3));
+    const Eigen::Matrix3d turn = rotation_about<double>(axis, angles[i]);
+    R = letter < 3 ? Eigen::Matrix3d(R * turn) : Eigen::Matrix3d(turn * R);
+  }
+  return R;
+}
+
+}  // namespace
+
+void MjcfDefaults::read(const XmlFile& file, const pugi::xml_node& root) {
+  classes_[""];
+  for (const pugi::xml_node node : root.children("default")) {
+    read_class(file, node, "", classes_[""]);
+    classes_[node.attribute("class").as_string("main")] = classes_[""];
+  }
+}
+
+void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node,
+                              const std::string& name, const Class& above) {
+  Class own = above;
+  for (const pugi::xml_node element : node.children())
+    for (const pugi::xml_attribute attribute : element.attributes())
+      own[default_kind(element.name())][attribute.name()] = attribute.value();
+  own.erase("default");
+  classes_[name] = own;
+  for (const pugi::xml_node nested : node.children("default"))
+    read_class(file, nested, required_text(file, nested, "class"), own);
+}
+
+const std::string* MjcfDefaults::find(const std::string& name_of_class, const std::string& element,
+                                      const std::string& attribute) const {
+  const auto in_class = classes_.find(name_of_class);
+  if (in_class == classes_.end()) return nullptr;
+  const auto of_element = in_class->second.find(default_kind(element));
+  if (of_element == in_class->second.end()) return nullptr;
+  const auto value = of_element->second.find(attribute);
+  return value == of_element->second.end() ? nullptr : &value->second;
+}
+
+void expand_includes(const XmlFile& file) {
+  std::set<std::string> open{fs::path(file.path()).lexically_normal().string()};
+  expand(file, file.root(), open);
+}
+
+MjcfCompiler read_compiler(const XmlFile& file, Unread& unread) {
+  MjcfCompiler compiler;
+  compiler.angle = kDegree;
+  for (const pugi::xml_node node : file.root().children("compiler"))
+    read_compiler(compiler, file, unread, node);
+  return compiler;
+}
+
+MjcfElement::MjcfElement(const MjcfSource& source, const pugi::xml_node& node,
+                         std::string childclass)
+    : source_(&source), node_(node), kind_(node.name()), class_(std::move(childclass)) {
+  const pugi::xml_attribute own = node.attribute("class");
+  if (own) class_ = own.value();
+  if (!source.defaults.has_class(class_))
+    fail(fmt::format("there is no default class '{}'", class_));
+}
+
+const char* MjcfElement::find(const char* attribute) const {
+  if (const pugi::xml_attribute own = node_.attribute(attribute)) return own.value();
+  const std::string* by_class = source_->defaults.find(class_, kind_, attribute);
+  return by_class == nullptr ? nullptr : by_class->c_str();
+}
+
+bool MjcfElement::has(const char* attribute) const { return find(attribute) != nullptr; }
+
+std::string MjcfElement::text(const char* attribute, const std::string& otherwise) const {
+  const char* found = find(attribute);
+  return found == nullptr ? otherwise : found;
+}
+
+std::vector<double> MjcfElement::numbers(const char* attribute) const {
+  const char* found = find(attribute);
+  if (found == nullptr) return {};
+  return parse_numbers(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+}
+
+double MjcfElement::number(const char* attribute, double otherwise) const {
+  const char* found = find(attribute);
+  if (found == nullptr) return otherwise;
+  return parse_number(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+}
+
+Eigen::Vector3d MjcfElement::vector3(const char* attribute,
+                                     const Eigen::Vector3d& otherwise) const {
+  const char* found = find(attribute);
+  if (found == nullptr) return otherwise;
+  return parse_vector3(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+}
+
+void MjcfElement::fail(const std::string& what) const { source_->file.fail(node_, what); }
+
+int MjcfElement::line() const { return source_->file.line(node_); }
+
+Pose<double> MjcfElement::pose() const {
+  return {rotation(), vector3("pos", Eigen::Vector3d::Zero())};
+}
+
+Eigen::Matrix3d MjcfElement::rotation() const {
+  const auto of_size = [&](const char* attribute, std::size_t count) {
+    const std::vector<double> v = numbers(attribute);
+    if (v.size() != count)
+      fail(fmt::format("<{}> {} wants {} numbers, got {}", kind_, attribute, count, v.size()));
+    if (Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<Eigen::Index>(count)).norm() == 0 &&
+        std::string(attribute) != "euler")
+      fail(fmt::format("<{}> {} has no length", kind_, attribute));
+    return v;
+  };
+  if (has("euler"))
+    return euler_rotation(source_->compiler.angle * vector3("euler", Eigen::Vector3d::Zero()),
+                          source_->compiler.euler_sequence);
+  if (has("axisangle")) {
+    const std::vector<double> v = of_size("axisangle", 4);
+    const Eigen::Vector3d axis(v[0], v[1], v[2]);
+    if (axis.isZero(0)) fail("axisangle has no axis");
+    return rotation_about<double>(axis.normalized(), v[3] * source_->compiler.angle);
+  }
+  if (has("xyaxes")) {
+    const std::vector<double> v = of_size("xyaxes", 6);
+    const Eigen::Vector3d x = Eigen::Vector3d(v[0], v[1], v[2]).normalized();
+    Eigen::Vector3d y(v[3], v[4], v[5]);
+    y = (y - y.dot(x) * x).normalized();
+    Eigen::Matrix3d R;
+    R << x, y, x.cross(y);
+    if (!(R.determinant() > 0.5)) fail("xyaxes wants two directions that are not parallel");
+    return R;
+  }
+  if (has("zaxis")) {
+    const std::vector<double> v = of_size("zaxis", 3);
+    return rotation_to({v[0], v[1], v[2]});
+  }
+  if (!has("quat")) return Eigen::Matrix3d::Identity();
+  const std::vector<double> q = of_size("quat", 4);
+  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
+}
+
+Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d z = direction.normalized(), axis = Eigen::Vector3d::UnitZ().cross(z);
+  const double sine = axis.norm();
+  if (sine < 1e-12)
+    return z.z() > 0 ? Eigen::Matrix3d::Identity()
+                     : rotation_about<double>(Eigen::Vector3d::UnitX(), kPi);
+  return rotation_about<double>(axis / sine, std::atan2(sine, z.z()));
+}
+
+}  // namespace thenar::internal

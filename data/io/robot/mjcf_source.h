@@ -1,0 +1,93 @@
+#pragma once
+
+/// What holds for a whole MJCF file: settings of its compiler, defaults, included files.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <pugixml.hpp>
+
+#include "base/spatial.h"
+#include "data/io/robot/import_xml.h"
+
+namespace thenar::internal {
+
+/// The attributes of <compiler> that matter here.
+struct MjcfCompiler {
+  double angle = 0;  // of one unit of angle [rad]
+  std::string euler_sequence = "xyz";
+  std::string mesh_folder;  // beside the file
+  bool strip_path = false;  // of mesh files
+  bool auto_limits = true;  // a range alone limits
+  std::string inertia_from_geom = "auto";
+  double least_group = 0, largest_group = 5;  // of geoms that have mass
+  double bound_mass = 0;                      // least mass of a moving body [kg]
+  double total_mass = -1;                     // [kg]; negative: as it comes
+};
+
+/// Values of attributes that elements leave out.
+class MjcfDefaults {
+ public:
+  /// Reads all <default> under `root`.
+  void read(const XmlFile& file, const pugi::xml_node& root);
+  /// @param name_of_class  empty: the outermost
+  /// @return null if the class says nothing about it.
+  [[nodiscard]] const std::string* find(const std::string& name_of_class,
+                                        const std::string& element,
+                                        const std::string& attribute) const;
+  [[nodiscard]] bool has_class(const std::string& name) const { return classes_.count(name) > 0; }
+
+ private:
+  using Class = std::map<std::string, std::map<std::string, std::string>>;
+  void read_class(const XmlFile& file, const pugi::xml_node& node, const std::string& name,
+                  const Class& above);
+  std::map<std::string, Class> classes_;
+};
+
+struct MjcfSource {
+  const XmlFile& file;
+  Unread& unread;
+  MjcfCompiler compiler;
+  MjcfDefaults defaults;
+};
+
+/// Puts the content of included files in the place of <include file="..">.
+/// @throws DataError if a file is missing or includes itself.
+void expand_includes(const XmlFile& file);
+
+[[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, Unread& unread);
+
+/// An element with what its class and the body around it say.
+class MjcfElement {
+ public:
+  /// @throws DataError if its class is unknown.
+  MjcfElement(const MjcfSource& source, const pugi::xml_node& node, std::string childclass);
+
+  [[nodiscard]] bool has(const char* attribute) const;
+  [[nodiscard]] std::string text(const char* attribute, const std::string& otherwise = "") const;
+  [[nodiscard]] double number(const char* attribute, double otherwise) const;
+  /// Empty if absent.
+  [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
+  [[nodiscard]] Eigen::Vector3d vector3(const char* attribute,
+                                        const Eigen::Vector3d& otherwise) const;
+  /// From pos and one of quat, axisangle, euler, xyaxes, zaxis.
+  [[nodiscard]] Pose<double> pose() const;
+  [[noreturn]] void fail(const std::string& what) const;
+  [[nodiscard]] int line() const;
+
+ private:
+  [[nodiscard]] const char* find(const char* attribute) const;
+  [[nodiscard]] Eigen::Matrix3d rotation() const;
+
+  const MjcfSource* source_;
+  pugi::xml_node node_;
+  std::string kind_;
+  std::string class_;
+};
+
+/// Turns z into `direction` the short way; half a turn about x if it points down.
+/// @param direction  not zero (3)
+[[nodiscard]] Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction);
+
+}  // namespace thenar::internal
