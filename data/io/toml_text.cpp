@@ -47,13 +47,15 @@ std::string toml_rows(const Eigen::Matrix3d& matrix) {
                      toml_list(Eigen::Vector3d(matrix.row(2).transpose())));
 }
 
-std::string toml_keys(const std::string& keys) {
+std::vector<std::string> keys_in(const std::string& keys) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
   for (std::size_t at; (at = keys.find(", ", begin)) != std::string::npos; begin = at + 2)
     parts.push_back(keys.substr(begin, at - begin));
   parts.push_back(keys.substr(begin));
-  return toml_list(parts);
+  return parts;
 }
+
+std::string toml_keys(const std::string& keys) { return toml_list(keys_in(keys)); }
 
 }  // namespace thenar

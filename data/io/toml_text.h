@@ -21,6 +21,9 @@ namespace thenar {
 [[nodiscard]] std::string toml_list(const Eigen::Vector3d& values);
 [[nodiscard]] std::string toml_rows(const Eigen::Matrix3d& matrix);  // a list of its rows
 
+/// The citation keys in "A, B".
+[[nodiscard]] std::vector<std::string> keys_in(const std::string& keys);
+
 /// "A, B" as a list: ["A", "B"].
 [[nodiscard]] std::string toml_keys(const std::string& keys);
 

@@ -33,9 +33,16 @@ struct Materials {
   [[nodiscard]] Friction between(const std::string& a, const std::string& b) const;
 };
 
-[[nodiscard]] Materials read_materials(const std::string& path);
+/// Reads a table of materials; the format is in docs/data_format.md.
+/// @param below  what holds where the file says nothing: its materials and pairs
+/// @throws DataError  `path:line: what was wanted, what came`.
+[[nodiscard]] Materials read_materials(const std::string& path, const Materials& below = {});
+[[nodiscard]] Materials parse_materials(const std::string& text, const std::string& path,
+                                        const Materials& below = {});
 
-/// The table that comes with thenar, data/materials.toml.
+/// The table that comes with thenar, data/materials.toml. "frictionless" slides on everything;
+/// "skin" has measured friction with metal, rubber and sandpaper, and stand-ins for the rest.
+/// Source: [GraspItWorld] for hard materials and rubber, [Seo2009] and [Savescu2008] for skin.
 [[nodiscard]] const Materials& built_in_materials();
 
 }  // namespace thenar

@@ -11,6 +11,7 @@
 
 #include "base/shapes/shape_spec.h"
 #include "base/spatial.h"
+#include "data/io/world/materials.h"
 
 namespace thenar {
 
@@ -27,12 +28,14 @@ struct BodySpec {
   std::string description;
   std::string source;             // citation keys
   std::vector<ShapeSpec> shapes;  // their union
-  std::string material;
-  std::optional<BodyMass> mass;  // absent: from the shapes at `density`
-  double density = 0;            // [kg/m^3]; 0 if unknown
+  std::string material;           // empty: unknown
+  std::optional<BodyMass> mass;   // as stated; absent: from the shapes, by the next two
+  double spread_mass = 0;         // spread evenly over the shapes [kg]; 0 if unknown
+  double density = 0;             // [kg/m^3]; 0 if unknown: that of the material
 };
 
-/// A body in its place.
+/// A body in its place. One with a file is written to worlds as its name, its material and that
+/// file.
 struct PlacedBody {
   BodySpec body;
   std::string file;  // it was read from, as written; empty: written out in the world
@@ -55,20 +58,34 @@ struct Camera {
   Eigen::Vector3d target{0, 0, 0};      // [m] (3)
 };
 
+/// A citation key of a file's own, and what it stands for.
+using OwnSources = std::map<std::string, std::string>;
+
 struct WorldSpec {
   std::string name;
+  std::string description;
+  std::string source = "Scene";  // citation keys of its numbers
+  OwnSources own_sources{{"Scene", "Arranged for this scene"}};
+  std::string materials_file;                  // as written; empty: the built-in table alone
+  Materials materials = built_in_materials();  // those of the file over the built-in ones
+  std::string folder;  // where it was read from, which its files are relative to; empty: here
   std::vector<PlacedHand> hands;
   std::vector<PlacedBody> bodies;
   Camera camera;
 };
 
-/// Reads an object (data/objects) or a world from TOML; formats are in docs/data_format.md. Files
-/// named in them are found beside them.
+/// Reads an object (data/objects) or a world (data/worlds) from TOML; formats are in
+/// docs/data_format.md. Files named in them are found beside them.
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] BodySpec read_object(const std::string& path);
+[[nodiscard]] BodySpec parse_object(const std::string& text, const std::string& path);
 [[nodiscard]] WorldSpec read_world(const std::string& path);
+[[nodiscard]] WorldSpec parse_world(const std::string& text, const std::string& path);
 
-/// A world as TOML that read_world() reads without loss; every double survives to the bit.
+/// An object or a world as TOML that its reader reads without loss; every double survives to the
+/// bit. `folder` and `materials` are not written: they follow from where it is read.
+/// @throws InputError if a number is not finite, or an inertia not symmetric.
+[[nodiscard]] std::string object_toml(const BodySpec& body);
 [[nodiscard]] std::string world_toml(const WorldSpec& world);
 
 }  // namespace thenar

@@ -1,0 +1,93 @@
+// Tests for data/io/world/materials.cpp and read_materials.cpp.
+
+#include "data/io/world/materials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+const std::string kHead =
+    "source = \"Seo2009\"\n[[material]]\nname = \"a\"\n[[material]]\nname = \"b\"\n";
+
+std::string refusal(const std::string& text) {
+  return message_of<DataError>([&] { (void)parse_materials(text, "m.toml"); });
+}
+
+// Numbers of World::setDefaults in [GraspItWorld].
+TEST(Materials, HoldThePublishedTable) {
+  const Materials& materials = built_in_materials();
+  EXPECT_EQ(materials.between("glass", "metal").static_coefficient, 0.2);
+  EXPECT_EQ(materials.between("stone", "rubber").static_coefficient, 1.5);
+  EXPECT_EQ(materials.between("rubber", "stone").kinetic_coefficient, 1.4);
+  EXPECT_EQ(materials.between("wood", "plastic").static_coefficient, 0.4);
+  for (const auto& [pair, friction] : materials.friction)
+    if (pair.first != "skin" && pair.second != "skin" && pair.first != "frictionless" &&
+        pair.second != "frictionless") {
+      EXPECT_NEAR(friction.static_coefficient - friction.kinetic_coefficient, 0.1, 1e-15)
+          << pair.first << " " << pair.second;
+    }
+}
+
+TEST(Materials, HoldMeasuredSkin) {
+  const Materials& materials = built_in_materials();
+  EXPECT_EQ(materials.between("skin", "metal").static_coefficient, 0.6);       // [Seo2009]
+  EXPECT_EQ(materials.between("skin", "rubber").static_coefficient, 0.9);      // [Seo2009]
+  EXPECT_EQ(materials.between("skin", "sandpaper").static_coefficient, 0.96);  // [Savescu2008]
+  EXPECT_EQ(materials.at("skin").young, 25e3);
+  EXPECT_EQ(materials.at("skin").layer_thickness, 3e-3);
+  EXPECT_EQ(materials.at("metal").young, 0);
+}
+
+TEST(Materials, KnowEveryPairThatAHandMeets) {
+  const Materials& materials = built_in_materials();
+  for (const char* hand : {"skin", "rubber", "plastic", "metal", "frictionless"})
+    for (const char* object : {"glass", "metal", "plastic", "wood", "rubber", "stone", "skin"})
+      EXPECT_NO_THROW((void)materials.between(hand, object)) << hand << " " << object;
+}
+
+TEST(Materials, NameWhatIsMissing) {
+  EXPECT_THAT(message_of([] { (void)built_in_materials().at("cheese"); }),
+              HasSubstr("no material 'cheese'; there are frictionless, glass, metal"));
+  EXPECT_EQ(message_of([] { (void)built_in_materials().between("sandpaper", "glass"); }),
+            "no friction between 'sandpaper' and 'glass'");
+}
+
+TEST(Materials, StandOverOthers) {
+  const Materials materials = parse_materials(
+      "source = \"Seo2009\"\nfriction = [{between = [\"felt\", \"glass\"], static = 0.5, kinetic = "
+      "0.25},\n {between = [\"metal\", \"glass\"], static = 0.125, kinetic = 0.125}]\n"
+      "[[material]]\nname = \"felt\"\ndensity_g_cm3 = 0.25\n",
+      "m.toml", built_in_materials());
+  EXPECT_EQ(materials.at("felt").density, 250);
+  EXPECT_EQ(materials.between("glass", "felt").kinetic_coefficient, 0.25);
+  EXPECT_EQ(materials.between("glass", "metal").static_coefficient, 0.125);
+  EXPECT_EQ(materials.between("glass", "glass").static_coefficient, 0.2);
+}
+
+TEST(Materials, RefuseWhatIsWrong) {
+  const auto pair = [](const std::string& keys) {
+    return refusal(kHead + "[[friction]]\n" + keys);
+  };
+  EXPECT_THAT(pair("between = [\"a\", \"c\"]\nstatic = 1\nkinetic = 1"),
+              HasSubstr("m.toml:7: no material 'c'"));
+  EXPECT_THAT(pair("between = [\"a\"]\nstatic = 1\nkinetic = 1"), HasSubstr(":7: wanted 2"));
+  EXPECT_THAT(pair("between = [\"a\", \"b\"]\nstatic = 1\nkinetic = 2"),
+              HasSubstr(":9: kinetic friction 2 is above the static 1"));
+  EXPECT_THAT(pair("between = [\"a\", \"b\"]\nstatic = -1\nkinetic = -2"), HasSubstr(":8: "));
+  EXPECT_THAT(pair("between = [\"a\", \"b\"]\nstatic = 1\nkinetic = 1\n[[friction]]\nbetween = "
+                   "[\"b\", \"a\"]\nstatic = 1\nkinetic = 1"),
+              HasSubstr("between a and b is given twice"));
+  EXPECT_THAT(refusal(kHead + "[[material]]\nname = \"a\""),
+              HasSubstr(":7: material 'a' is given"));
+  EXPECT_THAT(refusal(kHead + "young_kPa = 3"), HasSubstr("layer_thickness"));
+  EXPECT_THAT(refusal(kHead + "densty_g_cm3 = 3"), HasSubstr("m.toml:6: "));
+}
+
+}  // namespace
+}  // namespace thenar
