@@ -4,9 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
-
 #include "base/error.h"
 #include "grasp/quality/epsilon_start.h"
 #include "grasp/quality/hull.h"
@@ -17,28 +14,13 @@ namespace {
 
 using internal::Hull;
 using internal::Reach;
+using internal::Span;
+using internal::span_of;
 using internal::Support;
 
 constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
 constexpr double kUndecided = 1e-9;    // an epsilon below this part of the size has no sign [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
-
-/// Directions of the wrenches with 0: orthonormal, the first `rank` span them.
-struct Span {
-  int rank;
-  Eigen::Matrix<double, 6, 6> basis;
-};
-
-Span span_of(const WrenchSet& set) {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
-  for (const WrenchCap& cap : set.caps) {
-    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
-    all.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
-  }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
-  const Eigen::VectorXd& sigma = svd.singularValues();
-  return {static_cast<int>((sigma.array() > kFlat * sigma(0)).count()), svd.matrixU()};
-}
 
 void require_sound(const WrenchSet& set, const EpsilonOptions& options) {
   require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
@@ -150,6 +132,18 @@ class Search {
   int supports_ = 0, facets_ = 0;
 };
 
+/// kLinf without proof of force closure: the value of kL1, unless that one has the proof; then the
+/// larger set has it, too.
+Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
+  options.limit = ForceLimit::kL1;
+  const Epsilon l1 = epsilon(set, options);
+  if (!l1.force_closure) return l1;
+  linf.lower = l1.lower;
+  linf.force_closure = true;
+  linf.converged = linf.upper - linf.lower <= options.gap;
+  return linf;
+}
+
 }  // namespace
 
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
@@ -162,10 +156,10 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   Search search(support, options);
   if (!search.run() || search.upper() <= support.rounding()) return outside(set, span, options);
   Epsilon out = search.result();
-  if (!out.force_closure) {
-    out.has_missing_direction = true;
-    out.missing_direction = search.worst();
-  }
+  if (out.force_closure) return out;
+  if (options.limit == ForceLimit::kLinf) return of_l1(set, options, out);
+  out.has_missing_direction = true;
+  out.missing_direction = search.worst();
   return out;
 }
 

@@ -1,9 +1,14 @@
 #include "grasp/quality/epsilon_start.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <Eigen/SVD>
 
 namespace thenar::internal {
 namespace {
+
+constexpr double kFlat = 1e-10;  // singular values below this part of the largest are 0 [1]
 
 /// The unit vector least along the first `count` orthonormal columns, made orthogonal to them.
 Wrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
@@ -16,6 +21,17 @@ Wrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
 }
 
 }  // namespace
+
+Span span_of(const WrenchSet& set) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
+  for (const WrenchCap& cap : set.caps) {
+    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
+    all.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  return {static_cast<int>((sigma.array() > kFlat * sigma(0)).count()), svd.matrixU()};
+}
 
 FirstSimplex first_simplex(const Support& support, double flat) {
   FirstSimplex out{{}, false, 1};

@@ -8,6 +8,14 @@
 
 namespace thenar::internal {
 
+/// Directions of the wrenches with 0.
+struct Span {
+  int rank;                           // how many of the basis span them: singular values above
+                                      // 1e-10 of the largest
+  Eigen::Matrix<double, 6, 6> basis;  // orthonormal columns, the spanning ones first
+};
+[[nodiscard]] Span span_of(const WrenchSet& set);
+
 /// Seven support points that span all six dimensions.
 struct FirstSimplex {
   std::array<Wrench, 7> points;

@@ -22,6 +22,13 @@ std::uint64_t scatter(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
+/// Where vertex j stands in the facet without vertex i, such that all facets are oriented alike: in
+/// order, but with the first two swapped in every other facet.
+int place_in_simplex(int i, int j) {
+  const int place = j < i ? j : j - 1;
+  return i % 2 == 1 && place < 2 ? 1 - place : place;
+}
+
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 }  // namespace
@@ -36,10 +43,11 @@ Hull::Hull(const std::array<Wrench, 7>& simplex) : bar_(std::numeric_limits<doub
   for (int i = 0; i < 7; ++i) (void)new_facet();
   for (int i = 0; i < 7; ++i) {
     Links& links = links_[at(i)];
-    for (int j = 0, place = 0; j < 7; ++j) {
+    for (int j = 0; j < 7; ++j) {
       if (j == i) continue;
-      links.vertex[at(place)] = links.neighbour[at(place)] = j;
-      links.back[at(place++)] = static_cast<std::int8_t>(i < j ? i : i - 1);
+      const std::size_t place = at(place_in_simplex(i, j));
+      links.vertex[place] = links.neighbour[place] = j;
+      links.back[place] = static_cast<std::int8_t>(place_in_simplex(j, i));
     }
     planes_[at(i)] = solve(links);
     error_ = std::max(error_, planes_[at(i)].error);
@@ -84,13 +92,6 @@ int Hull::pop_nearest() {
   return -1;
 }
 
-int Hull::facet_below(const Wrench& p, double clearance) const {
-  for (std::size_t i = 0; i < links_.size(); ++i)
-    if (links_[i].birth != 0 && planes_[i].n.dot(p) - planes_[i].d > clearance)
-      return static_cast<int>(i);
-  return -1;
-}
-
 bool Hull::insert(const Wrench& p, int facet) {
   size_ = std::max(size_, p.norm());
   find_visible(p, facet);
@@ -121,7 +122,9 @@ void Hull::find_visible(const Wrench& p, int facet) {
     Links& links = links_[at(f)];
     if (links.stamp == stamp_) return links.s > 0;
     links.stamp = stamp_;
-    links.s = planes_[at(f)].n.dot(p) - planes_[at(f)].d;
+    const Plane& plane = planes_[at(f)];
+    const double s = plane.n.dot(p) - plane.d;
+    links.s = s > plane.error + kRounding * size_ ? s : std::min(s, 0.0);
     if (links.s > 0) visible_.push_back(f);
     return links.s > 0;
   };
@@ -231,9 +234,9 @@ double Hull::volume() const {
     if (links.birth == 0) continue;
     Eigen::Matrix<double, 6, 6> edges;
     for (int i = 0; i < 6; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - inside_;
-    sum += std::abs(edges.determinant());
+    sum += edges.determinant();
   }
-  return sum / 720;  // 6!
+  return std::abs(sum) / 720;  // 6!; all facets are oriented alike
 }
 
 }  // namespace thenar::internal

@@ -10,14 +10,15 @@
 
 namespace thenar::internal {
 
-/// Beneath-beyond with simplicial facets, no tolerances and no joggling.
+/// Beneath-beyond with simplicial facets and no joggling.
 ///
 /// A new facet contains the horizon ridge between a visible facet (n1, d1) and a hidden one (n2,
 /// d2), and the new point p. With s = n'p - d, s1 > 0 >= s2, its plane is the pencil's
 ///     (n, d) ~ -s2 (n1, d1) + s1 (n2, d2),
-/// a sum with weights >= 0: coplanar points are no special case. Every plane carries a bound of
-/// |n'v - d| over its vertices v, which grows by the same weights; beyond kErrorToCheck it is
-/// measured, and if need be the plane solved anew.
+/// a sum with weights >= 0. Facets that p is coplanar with, to rounding, are hidden and have s2 =
+/// 0: no special case, either. Every plane carries a bound of |n'v - d| over its vertices v, which
+/// grows by the same weights; where it exceeds 1e-13 of the size it is measured, and if need be the
+/// plane solved anew.
 ///
 /// Why the bounds hold: facets are a closed surface about an inner point whatever rounding does to
 /// its convexity, so each ray from inside meets a facet in a point x of the true hull, and there
@@ -39,18 +40,16 @@ class Hull {
   /// Takes the queued facet of least offset off the queue; -1 when none is left below the bar.
   int pop_nearest();
 
-  /// Adds a point beyond `facet`, which is replaced. @returns false if it is not beyond it
+  /// Adds a point beyond `facet`, which is replaced. @returns false if it is not, to rounding, and
+  /// nothing was done
   bool insert(const Wrench& p, int facet);
-
-  /// A facet the point lies beyond by more than `clearance`, or -1.
-  [[nodiscard]] int facet_below(const Wrench& p, double clearance) const;
 
   [[nodiscard]] const Plane& plane(int facet) const {
     return planes_[static_cast<std::size_t>(facet)];
   }
   [[nodiscard]] int facets() const { return alive_; }
   [[nodiscard]] double error() const { return error_; }  // largest of all planes so far
-  [[nodiscard]] double volume() const;
+  [[nodiscard]] double volume() const;                   // signed simplices: folds cancel
 
  private:
   struct Links {
