@@ -28,7 +28,7 @@ HandLayout layout_of(const Skeleton& skeleton) {
 }  // namespace
 
 SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
-                           std::vector<LinkSurface> surfaces)
+                           std::vector<LinkSurface> surfaces, HandUse use)
     : skeleton_(std::move(skeleton)),
       limits_(std::move(limits)),
       layout_(layout_of(skeleton_)),
@@ -40,6 +40,12 @@ SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
   for (Eigen::Index i = 0; i < n; ++i)
     require(limits_.lower[i] <= limits_.upper[i], "torque limits of joint '{}' cross: {} .. {} N m",
             layout_.coordinates[i], limits_.lower[i], limits_.upper[i]);
+  for (const Drive& drive : use.drives)
+    for (const Driven& driven : drive.moves)
+      require(driven.coordinate >= 0 && driven.coordinate < n,
+              "drive '{}' moves coordinate {}; there are {}", drive.name, driven.coordinate, n);
+  layout_.drives = std::move(use.drives);
+  layout_.approach = use.approach;
 }
 
 std::vector<Pose<double>> SkeletonHand::pose(const Eigen::VectorXd& q) const {

@@ -15,11 +15,19 @@ struct TorqueLimits {
   Eigen::VectorXd upper;  // [N m] (coordinates)
 };
 
+/// How a hand is used: what closes it, and which way it goes at things.
+struct HandUse {
+  std::vector<Drive> drives;
+  PalmApproach approach;
+};
+
 /// A skeleton as a Hand: B = I, u = motor torques, tau_0 = passive joint torque.
 class SkeletonHand final : public Hand {
  public:
-  /// @throws InputError if the limits have the wrong length or cross.
-  SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {});
+  /// @throws InputError if the limits have the wrong length or cross, or a drive moves a coordinate
+  /// that is not there.
+  SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {},
+               HandUse use = {});
 
   [[nodiscard]] const HandLayout& layout() const override { return layout_; }
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;

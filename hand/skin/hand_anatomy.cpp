@@ -1,0 +1,235 @@
+#include "hand/skin/hand_anatomy.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/spatial.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kBones = 3;  // of a digit with flesh of its own
+
+/// What is known of digits by their names.
+struct Proportion {
+  std::array<double, kBones> radius;  // over hand length, cylinders of [Mirakhorlo2016] [1]
+  double length;                      // of the three bones over hand length [Buchholz1992] [1]
+};
+
+const std::map<std::string, Proportion>& proportions() {
+  static const std::map<std::string, Proportion> table{
+      {"thumb", {{11.52 / 196, 10.00 / 196, 10.00 / 196}, 0.251 + 0.196 + 0.158}},
+      {"index", {{9.73 / 196, 9.30 / 196, 9.30 / 196}, 0.245 + 0.143 + 0.097}},
+      {"middle", {{9.28 / 196, 8.45 / 196, 8.45 / 196}, 0.266 + 0.170 + 0.108}},
+      {"ring", {{8.39 / 196, 7.62 / 196, 7.61 / 196}, 0.244 + 0.165 + 0.107}},
+      {"little", {{7.19 / 196, 6.69 / 196, 6.68 / 196}, 0.204 + 0.117 + 0.093}}};
+  return table;
+}
+
+const Proportion& proportion_of(const std::string& digit) {
+  const auto found = proportions().find(digit);
+  return found == proportions().end() ? proportions().at("middle") : found->second;
+}
+
+constexpr double kBreadthOfLength = 0.0875 / 0.195;  // [Buchholz1992]
+constexpr double kThicknessOfBreadth = 24.0 / 68.0;  // [Mirakhorlo2016]
+
+const Segment* segment_named(const Subject& subject, const std::string& name) {
+  for (const Segment& segment : subject.segments)
+    if (segment.name == name) return &segment;
+  return nullptr;
+}
+
+const JointAxis* joint_moving(const Subject& subject, const std::string& child) {
+  for (const JointAxis& joint : subject.joints)
+    if (joint.child == child) return &joint;
+  return nullptr;
+}
+
+bool is_link(const Segment& segment) {
+  const std::string suffix = "_link", &name = segment.name;
+  return segment.proximal == segment.distal ||
+         (name.size() > suffix.size() &&
+          name.compare(name.size() - suffix.size(), suffix.size(), suffix) == 0);
+}
+
+/// The segments with flesh from the tip towards the base, at most four: the digit's and its root.
+std::vector<const Segment*> flesh_of(const Subject& subject, const Digit& digit) {
+  std::vector<const Segment*> chain;
+  std::string name = digit.tip_segment;
+  while (chain.size() < kBones) {
+    const Segment* segment = segment_named(subject, name);
+    if (segment != nullptr && !is_link(*segment)) chain.push_back(segment);
+    const JointAxis* joint = joint_moving(subject, name);
+    require(joint != nullptr || chain.size() == kBones,
+            "digit '{}' of '{}' has {} bones to its tip; a skin wants {}", digit.name, subject.name,
+            chain.size(), kBones);
+    name = joint->parent;
+  }
+  return chain;
+}
+
+/// The first segment with flesh, or the base, inwards of a segment.
+std::string root_of(const Subject& subject, std::string name) {
+  while (const JointAxis* joint = joint_moving(subject, name)) {
+    name = joint->parent;
+    const Segment* segment = segment_named(subject, name);
+    if (segment != nullptr && !is_link(*segment)) break;
+  }
+  return name;
+}
+
+/// All hinges between a bone and the bone before it, from the bone inwards.
+std::vector<const JointAxis*> hinges_of(const Subject& subject, std::string name) {
+  std::vector<const JointAxis*> hinges;
+  while (const JointAxis* joint = joint_moving(subject, name)) {
+    for (const JointAxis& each : subject.joints)
+      if (each.child == name) hinges.push_back(&each);
+    name = joint->parent;
+    const Segment* segment = segment_named(subject, name);
+    if (segment == nullptr || !is_link(*segment)) break;
+  }
+  return hinges;
+}
+
+Vector3d nearest_on_axis(const JointAxis& joint, const Vector3d& p) {
+  return joint.point + joint.direction.normalized() * (p - joint.point).dot(joint.direction) /
+                           joint.direction.norm();
+}
+
+/// A joint's centre, see find_anatomy(). `across` is the radial direction.
+Vector3d joint_center(const Subject& subject, const Segment& bone, double radius,
+                      const Vector3d& across) {
+  const JointAxis* flexion = nullptr;
+  for (const JointAxis* hinge : hinges_of(subject, bone.name)) {
+    if (flexion == nullptr ||
+        std::abs(hinge->direction.dot(across)) > std::abs(flexion->direction.dot(across)))
+      flexion = hinge;
+  }
+  if (flexion == nullptr) return bone.proximal;
+  Vector3d from = bone.proximal;
+  const std::string root = root_of(subject, bone.name);
+  for (const Surface& head : subject.surfaces)
+    if (head.segment == root && head.shape == SurfaceShape::kCylinder &&
+        (head.center - bone.proximal).norm() < 2 * radius)
+      from = (bone.proximal + head.center) / 2;
+  const Vector3d way = nearest_on_axis(*flexion, from) - bone.proximal;
+  return bone.proximal + std::min(1.0, 1.5 * radius / std::max(way.norm(), 1e-9)) * way;
+}
+
+/// Directions across a bone that keep the digit's radial one.
+void aim(const Digit& digit, DigitBone& bone) {
+  const Vector3d proximal = (bone.proximal - bone.distal).normalized();
+  Vector3d radial = digit.radial - digit.radial.dot(proximal) * proximal;
+  if (radial.norm() < 0.1) radial = tangents(proximal).e1;
+  bone.radial = radial.normalized();
+  const double hand = digit.radial.cross(digit.proximal).dot(digit.dorsal) < 0 ? -1 : 1;
+  bone.dorsal = hand * bone.radial.cross(proximal);
+}
+
+DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double length, bool& assumed) {
+  const std::vector<const Segment*> chain = flesh_of(subject, digit);
+  DigitAnatomy anatomy{digit.name, root_of(subject, chain.back()->name), {}};
+  for (int i = 0; i < kBones; ++i) {
+    const Segment& segment = *chain[kBones - 1 - i];
+    assumed = assumed || segment.radius == 0;
+    const double radius =
+        segment.radius > 0 ? segment.radius : proportion_of(digit.name).radius[i] * length;
+    anatomy.bones.push_back({segment.name,
+                             joint_center(subject, segment, radius, digit.radial),
+                             digit.tip,
+                             radius,
+                             {},
+                             {}});
+    if (i > 0) anatomy.bones[i - 1].distal = anatomy.bones[i].proximal;
+  }
+  for (DigitBone& bone : anatomy.bones) {
+    require((bone.distal - bone.proximal).norm() > 1e-3, "segment '{}' of '{}' has no length",
+            bone.segment, subject.name);
+    aim(digit, bone);
+  }
+  return anatomy;
+}
+
+/// From the bones of all digits together.
+double length_of(const Subject& subject) {
+  const auto stated = subject.lengths.find("hand_length");
+  if (stated != subject.lengths.end()) return stated->second;
+  double bones = 0, parts = 0;
+  for (const Digit& digit : subject.digits) {
+    for (const Segment* segment : flesh_of(subject, digit))
+      bones += (segment->distal - segment->proximal).norm();
+    parts += proportion_of(digit.name).length;
+  }
+  return bones / parts;
+}
+
+Vector3d wrist_of(const Subject& subject, const Segment& palm) {
+  const std::vector<const JointAxis*> hinges = hinges_of(subject, palm.name);
+  return hinges.empty() ? palm.proximal : nearest_on_axis(*hinges.back(), palm.proximal);
+}
+
+std::optional<PalmAnatomy> palm_of(const Subject& subject, const HandAnatomy& hand) {
+  // Knuckles of the fingers that share a root, radial ones first.
+  std::vector<const DigitBone*> knuckles;
+  std::string root;
+  for (const char* name : {"index", "middle", "ring", "little"})
+    if (const DigitAnatomy* digit = digit_named(hand, name)) {
+      if (!knuckles.empty() && digit->root != root) continue;
+      root = digit->root;
+      knuckles.push_back(&digit->bones.front());
+    }
+  const Segment* segment = segment_named(subject, root);
+  if (knuckles.size() < 2 || segment == nullptr) return std::nullopt;
+
+  PalmAnatomy palm;
+  palm.segment = root;
+  palm.wrist = wrist_of(subject, *segment);
+  Vector3d heads = Vector3d::Zero(), dorsal = Vector3d::Zero();
+  for (const DigitBone* bone : knuckles) {
+    heads += bone->proximal / static_cast<double>(knuckles.size());
+    dorsal += bone->dorsal;
+  }
+  palm.distal = (heads - palm.wrist).normalized();
+  const Vector3d across = knuckles.front()->proximal - knuckles.back()->proximal;
+  palm.radial = (across - across.dot(palm.distal) * palm.distal).normalized();
+  palm.dorsal = palm.distal.cross(palm.radial);
+  if (palm.dorsal.dot(dorsal) < 0) palm.dorsal = -palm.dorsal;
+  const auto stated = subject.lengths.find("hand_breadth");
+  palm.breadth = stated == subject.lengths.end() ? kBreadthOfLength * hand.length : stated->second;
+  palm.thickness = kThicknessOfBreadth * palm.breadth;
+  return palm;
+}
+
+}  // namespace
+
+HandAnatomy find_anatomy(const Subject& subject) {
+  require(!subject.digits.empty(), "subject '{}' has no digit to lay skin on", subject.name);
+  HandAnatomy hand;
+  hand.length = length_of(subject);
+  bool assumed = false;
+  for (const Digit& digit : subject.digits)
+    hand.digits.push_back(anatomy_of(subject, digit, hand.length, assumed));
+  if (assumed)
+    hand.warnings.push_back(
+        fmt::format("breadths of digits that '{}' does not state: in proportion to hand length, "
+                    "as in Mirakhorlo 2016",
+                    subject.name));
+  hand.palm = palm_of(subject, hand);
+  return hand;
+}
+
+const DigitAnatomy* digit_named(const HandAnatomy& hand, const std::string& name) {
+  for (const DigitAnatomy& digit : hand.digits)
+    if (digit.name == name) return &digit;
+  return nullptr;
+}
+
+}  // namespace thenar

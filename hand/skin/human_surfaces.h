@@ -1,0 +1,43 @@
+#pragma once
+
+/// What of a human hand can touch: skin, or the bones within it.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/shapes/triangle_mesh.h"
+#include "hand/hand.h"
+#include "hand/skeleton.h"
+#include "hand/skin/soft_body.h"
+
+namespace thenar {
+
+/// How fine the skin is, and what is used instead of it.
+struct SkinOptions {
+  int triangles = 800;            // of each link, at most, of the palm twice as many; 6000
+                                  // look smooth in pictures
+  std::string material = "skin";  // see Materials
+  std::map<std::string, TriangleMesh> own;  // segment -> its surface in the subject's reference
+                                            // posture, as segmented from CT or MRI [m]
+};
+
+/// Watertight skin of every segment that the skeleton keeps, in the hand's frame at the reference
+/// posture: skin_bodies() as triangles, or the user's own meshes.
+/// @throws InputError as find_anatomy(); for an own mesh of a segment that is not there, or naming
+/// the segment whose mesh leaks.
+[[nodiscard]] std::vector<LinkSurface> human_surfaces(const Subject& subject,
+                                                      const Skeleton& skeleton,
+                                                      const SkinOptions& options = {});
+
+/// The skin of one body as triangles, `triangles` at most. @throws InputError below 100.
+[[nodiscard]] TriangleMesh skin_mesh(const SoftBody& body, int triangles);
+
+/// Bones of every segment, of material "bone": shafts of 0.45 of the flesh's radius that swell to
+/// two condyles at the distal end and one base at the proximal, 0.6 of it: priors, chosen by eye.
+/// Those of the palm run from the carpus to the knuckles. A fingertip's ends in a tuft two thirds
+/// of its radius before the skin.
+[[nodiscard]] std::vector<LinkSurface> bone_surfaces(const Subject& subject,
+                                                     const Skeleton& skeleton);
+
+}  // namespace thenar

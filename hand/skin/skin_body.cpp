@@ -1,0 +1,222 @@
+#include "hand/skin/skin_body.h"
+
+#include <algorithm>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kJointAspect = 1.08, kTipAspect = 1.22;  // breadth over depth, priors [1]
+
+/// A point beside a bone, in parts of its length and mean radius.
+Vector3d beside(const DigitBone& bone, double along, double dorsal, double radial = 0) {
+  return bone.proximal + along * (bone.distal - bone.proximal) +
+         bone.radius * (dorsal * bone.dorsal + radial * bone.radial);
+}
+
+Lump capsule(const Vector3d& a, const Vector3d& b, double ra, double rb, double blend) {
+  Lump lump;
+  lump.core = {a, b, b};
+  lump.radius = {ra, rb};
+  lump.blend = blend;
+  return lump;
+}
+
+Lump flattened(Lump lump, const Vector3d& dorsal, double aspect) {
+  const Vector3d along = lump.core[1] - lump.core[0];
+  const Vector3d across = dorsal - dorsal.dot(along) / std::max(along.squaredNorm(), 1e-12) * along;
+  lump.flat = across.normalized();
+  lump.aspect = aspect;
+  return lump;
+}
+
+Lump sheet(const Vector3d& a, const Vector3d& b, const Vector3d& c, double radius, double blend) {
+  Lump lump;
+  lump.core = {a, b, c};
+  lump.radius = {radius, radius};
+  lump.sheet = true;
+  lump.blend = blend;
+  return lump;
+}
+
+/// Radius at the joint in front of bone i: between those of its bones.
+double joint_radius(const DigitAnatomy& digit, int i) {
+  if (i == 0) return digit.bones[0].radius;
+  return (digit.bones[i - 1].radius + digit.bones[i].radius) / 2;
+}
+
+/// A phalanx between two joints, with the pulp on its palmar side.
+SoftBody phalanx(const DigitAnatomy& digit, int i) {
+  const DigitBone& bone = digit.bones[i];
+  const double r = bone.radius, from = joint_radius(digit, i), to = joint_radius(digit, i + 1);
+  SoftBody body{
+      flattened(capsule(bone.proximal, bone.distal, from, to, 0), bone.dorsal, kJointAspect)};
+  body.push_back(
+      capsule(beside(bone, 0.35, -0.22), beside(bone, 0.65, -0.22), 0.86 * r, 0.86 * r, 0.5 * r));
+  return body;
+}
+
+/// The last phalanx: tapers to the tip, bulges at the pad, flatter under the nail.
+SoftBody fingertip(const DigitAnatomy& digit) {
+  const int i = static_cast<int>(digit.bones.size()) - 1;
+  const DigitBone& bone = digit.bones[i];
+  const double r = bone.radius, length = (bone.distal - bone.proximal).norm(), end = 0.66 * r;
+  const double wide = std::sqrt(kTipAspect);
+  const double last = 1 - wide * end / length;  // the cap ends at the tip
+  SoftBody body{
+      flattened(capsule(bone.proximal, beside(bone, last, -0.1), joint_radius(digit, i), end, 0),
+                bone.dorsal, kTipAspect)};
+  const double middle = 1 - 1.15 * r / length;
+  body.push_back(flattened(capsule(beside(bone, middle - 0.12, -0.22), beside(bone, middle, -0.26),
+                                   0.8 * r, 0.76 * r, 0),
+                           bone.dorsal, 1.1));
+  body.back().blend = 0.6 * r;
+  return body;
+}
+
+/// Where the free edge of the web between thumb and index hangs, and what it spans.
+struct ThumbWeb {
+  Vector3d root, thumb, index;
+};
+
+ThumbWeb thumb_web(const HandAnatomy& hand, const DigitAnatomy& thumb) {
+  const DigitBone& bone = thumb.bones.front();
+  const DigitAnatomy* index = digit_named(hand, "index");
+  const Vector3d knuckle = index != nullptr ? index->bones.front().proximal : bone.distal;
+  return {bone.proximal, beside(bone, 1.0, -0.2), bone.proximal + 0.95 * (knuckle - bone.proximal)};
+}
+
+/// First metacarpal with its share of the thenar muscles and of the web.
+SoftBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
+  const DigitBone& bone = thumb.bones.front();
+  const double r = bone.radius;
+  SoftBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
+  body.push_back(
+      capsule(beside(bone, 0.2, -0.65, 0), beside(bone, 0.75, -0.35, 0), 0.95 * r, 0.8 * r, r));
+  if (hand.palm) {
+    const ThumbWeb web = thumb_web(hand, thumb);
+    const Vector3d edge = web.thumb + 0.65 * (web.index - web.thumb);
+    const Vector3d sag = edge + 0.12 * (web.root - edge);
+    body.push_back(sheet(web.root, web.thumb, sag, 0.45 * r, 1.2 * r));
+  }
+  return body;
+}
+
+/// Lays out the palm in parts of its own measures.
+class PalmMaker {
+ public:
+  explicit PalmMaker(const HandAnatomy& hand) : hand_(hand), palm_(*hand.palm) {
+    for (const char* name : {"index", "middle", "ring", "little"})
+      if (const DigitAnatomy* digit = digit_named(hand, name))
+        if (digit->root == palm_.segment) fingers_.push_back(digit);
+    half_ = palm_.thickness / 2;
+    const Vector3d mean =
+        (fingers_.front()->bones[0].proximal + fingers_.back()->bones[0].proximal) / 2;
+    length_ = (mean - palm_.wrist).dot(palm_.distal);
+  }
+
+  SoftBody make() {
+    metacarpals();
+    carpus();
+    pads();
+    webs();
+    if (const DigitAnatomy* thumb = digit_named(hand_, "thumb"))
+      if (thumb->root == palm_.segment) thenar(*thumb);
+    return body_;
+  }
+
+ private:
+  /// In parts of breadth, length and half thickness, from the wrist.
+  [[nodiscard]] Vector3d at(double radial, double distal, double dorsal) const {
+    return palm_.wrist + radial * palm_.breadth * palm_.radial + distal * length_ * palm_.distal +
+           dorsal * half_ * palm_.dorsal;
+  }
+  [[nodiscard]] double head_radius(int i) const {
+    return std::min(0.88 * half_, 1.08 * fingers_[i]->bones[0].radius);
+  }
+  [[nodiscard]] Vector3d head(int i) const { return fingers_[i]->bones[0].proximal; }
+
+  void metacarpals() {
+    const int n = static_cast<int>(fingers_.size());
+    for (int i = 0; i < n; ++i)
+      body_.push_back(capsule(foot(i), head(i), 0.82 * half_, head_radius(i), 0.8 * half_));
+    // Interossei fill the gaps between them.
+    for (int i = 0; i + 1 < n; ++i) {
+      const double thick = 0.8 * std::min(head_radius(i), head_radius(i + 1));
+      body_.push_back(sheet(foot(i), head(i), head(i + 1), thick, 0.35 * half_));
+      body_.push_back(sheet(foot(i), head(i + 1), foot(i + 1), thick, 0.35 * half_));
+    }
+  }
+
+  /// Where a metacarpal stands on the carpus.
+  [[nodiscard]] Vector3d foot(int i) const {
+    return at(0.20 - 0.40 * i / (static_cast<double>(fingers_.size()) - 1), 0.12, 0);
+  }
+
+  /// Between the metacarpals and the forearm.
+  void carpus() {
+    Lump lump = capsule(at(0.18, 0.02, 0), at(-0.18, 0.02, 0), 0.8 * half_, 0.78 * half_, half_);
+    body_.push_back(lump);
+  }
+
+  /// The hypothenar eminence and the cushion in front of the knuckles.
+  void pads() {
+    const int last = static_cast<int>(fingers_.size()) - 1;
+    body_.push_back(capsule(at(-0.25, 0.22, -0.4),
+                            head(last) - 0.25 * length_ * palm_.distal - 0.3 * half_ * palm_.dorsal,
+                            0.78 * half_, 0.55 * half_, 0.8 * half_));
+    for (int i = 0; i < last; ++i) {
+      const Vector3d down = -0.32 * half_ * palm_.dorsal - 0.03 * length_ * palm_.distal;
+      body_.push_back(
+          capsule(head(i) + down, head(i + 1) + down, 0.55 * half_, 0.5 * half_, 0.6 * half_));
+    }
+  }
+
+  /// Skin between the roots of the fingers, a third of the way out along the first phalanges.
+  void webs() {
+    for (int i = 0; i + 1 < static_cast<int>(fingers_.size()); ++i) {
+      const DigitBone &a = fingers_[i]->bones[0], &b = fingers_[i + 1]->bones[0];
+      body_.push_back(sheet((head(i) + head(i + 1)) / 2, beside(a, 0.34, -0.25),
+                            beside(b, 0.34, -0.25), 0.45 * std::min(a.radius, b.radius),
+                            0.5 * half_));
+    }
+  }
+
+  /// Muscles at the root of the thumb, and the palm's share of its web.
+  void thenar(const DigitAnatomy& thumb) {
+    const DigitBone& bone = thumb.bones.front();
+    const Vector3d down = -0.5 * half_ * palm_.dorsal;
+    body_.push_back(capsule(at(0.16, 0.12, -0.35), beside(bone, 0.3, -0.3) + down, 0.75 * half_,
+                            0.75 * half_, half_));
+    body_.push_back(capsule(at(0.16, 0.12, -0.1), beside(bone, 0.15, 0), 0.8 * half_,
+                            0.9 * bone.radius, half_));
+    const ThumbWeb web = thumb_web(hand_, thumb);
+    const Vector3d edge = web.index + 0.65 * (web.thumb - web.index);
+    const Vector3d sag = edge + 0.12 * (web.root - edge);
+    body_.push_back(sheet(web.root, web.index, sag, 0.42 * bone.radius, half_));
+  }
+
+  const HandAnatomy& hand_;
+  const PalmAnatomy& palm_;
+  std::vector<const DigitAnatomy*> fingers_;
+  double half_ = 0, length_ = 0;  // half thickness; wrist to knuckles [m]
+  SoftBody body_;
+};
+
+}  // namespace
+
+std::map<std::string, SoftBody> skin_bodies(const HandAnatomy& hand) {
+  std::map<std::string, SoftBody> bodies;
+  for (const DigitAnatomy& digit : hand.digits) {
+    const int last = static_cast<int>(digit.bones.size()) - 1;
+    for (int i = 0; i < last; ++i)
+      bodies[digit.bones[i].segment] =
+          digit.name == "thumb" && i == 0 ? thumb_metacarpal(hand, digit) : phalanx(digit, i);
+    bodies[digit.bones[last].segment] = fingertip(digit);
+  }
+  if (hand.palm) bodies[hand.palm->segment] = PalmMaker(hand).make();
+  return bodies;
+}
+
+}  // namespace thenar

@@ -1,0 +1,64 @@
+#pragma once
+
+/// The human hand in four versions, each richer by one thing.
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "data/io/subject.h"
+#include "hand/hand.h"
+#include "hand/skin/hand_marks.h"
+#include "hand/skin/human_surfaces.h"
+
+namespace thenar {
+
+/// Which version. Source of the four steps: [Miller2005], in the order in which they are compared
+/// here.
+enum class HumanTier {
+  kOrthogonalThumb,  // rigid, thumb axes crossing at right angles, hard points
+  kSkewedThumb,      // rigid, thumb axes as measured, hard points
+  kSoftPads,         // and pads that resist twisting
+  kTendonNet         // and tendons in place of motors, the extensors through a floating net
+};
+
+/// What a contact of this hand is to be taken for.
+enum class PadContact {
+  kHardPoint,  // friction alone
+  kSoftFinger  // and torsion about the normal, from the soft layer of the surface's material
+};
+
+/// How to build it.
+struct HumanHandOptions {
+  SkinOptions skin;
+  std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
+};
+
+/// A hand with all that comparing it needs.
+struct HumanHand {
+  std::unique_ptr<Hand> hand;
+  PadContact contact;
+  std::vector<SkinPatch> patches;         // pads and nails
+  std::vector<OppositionTarget> targets;  // of Kapandji's score
+  std::vector<std::string> warnings;      // what was assumed, left out or put on a lower rung
+};
+
+/// Builds a version of a subject's hand: its digits on a welded wrist, the forearm left out.
+///
+/// Motors of the first three have the joint_strength() of the subject's tendons at the reference
+/// posture. Where the subject has none for a joint, that of default_human() serves, times the cube
+/// of the ratio of hand lengths (forces grow as sections, arms as lengths), and a warning says so.
+/// The fourth lays the net "winslow" on every finger that can carry it, and takes separate
+/// tendons elsewhere, with a warning; it wants tendons at every digit.
+/// @throws InputError naming what the subject lacks.
+[[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanTier tier,
+                                         const HumanHandOptions& options = {});
+
+/// The tier called "tier1" .. "tier4". @throws InputError listing these.
+[[nodiscard]] HumanTier human_tier(const std::string& name);
+
+/// The human of comparisons, [Mirakhorlo2016].
+[[nodiscard]] const Subject& default_human();
+
+}  // namespace thenar
