@@ -7,6 +7,7 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/shapes/compound.h"
+#include "base/shapes/mesh_distance.h"
 #include "base/shapes/primitives.h"
 #include "base/shapes/tessellate.h"
 
@@ -56,6 +57,8 @@ std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {
       return build_tapered_capsule(size(0), size(1), size(2));
     case ShapeKind::kEllipsoid:
       return build_ellipsoid(size);
+    case ShapeKind::kMesh:
+      return build_mesh_distance(spec.mesh);
     default:
       throw InputError("no " + name_of(spec.kind) + " can be built");
   }

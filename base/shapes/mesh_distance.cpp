@@ -1,0 +1,102 @@
+#include "base/shapes/mesh_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "base/shapes/nearest_grid.h"
+#include "base/shapes/triangle_tree.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d, Eigen::Vector3i;
+using internal::Feature, internal::NearestTriangle, internal::TriangleForm;
+
+/// Outward directions at a triangle's edges and corners.
+struct Pseudonormals {
+  std::array<Vector3d, 3> edge;
+  std::array<Vector3d, 3> corner;
+};
+
+double angle_at(const TriangleForm& form, int k) {
+  const Vector3d a = form.corner[(k + 1) % 3] - form.corner[k];
+  const Vector3d b = form.corner[(k + 2) % 3] - form.corner[k];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
+                                         const internal::TriangleTree& tree) {
+  Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
+  std::map<std::pair<int, int>, Vector3d> at_edge;
+  const auto edge_of = [&](const Vector3i& v, int k) {
+    return std::pair<int, int>(std::minmax(v(k), v((k + 1) % 3)));
+  };
+  for (std::size_t i = 0; i < tree.forms().size(); ++i) {
+    const TriangleForm& form = tree.forms()[i];
+    const Vector3i v = mesh.triangles.col(tree.order()[i]);
+    for (int k = 0; k < 3; ++k) {
+      at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
+      at_edge.emplace(edge_of(v, k), Vector3d::Zero()).first->second += form.normal;
+    }
+  }
+  std::vector<Pseudonormals> all(tree.forms().size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Vector3i v = mesh.triangles.col(tree.order()[i]);
+    for (int k = 0; k < 3; ++k) {
+      all[i].edge[k] = at_edge.at(edge_of(v, k));
+      all[i].corner[k] = at_vertex.col(v(k));
+    }
+  }
+  return all;
+}
+
+class MeshDistance final : public Shape {
+ public:
+  explicit MeshDistance(const TriangleMesh& mesh)
+      : tree_(mesh), grid_(tree_), normals_(pseudonormals(mesh, tree_)) {}
+
+  double distance(const Vector3d& p) const override {
+    const NearestTriangle near = grid_.nearest(p, tree_);
+    const double distance = std::sqrt(near.foot.squared);
+    return outward(near).dot(p - near.foot.at) < 0 ? -distance : distance;
+  }
+
+  NearestSurface nearest(const Vector3d& p) const override {
+    const NearestTriangle near = grid_.nearest(p, tree_);
+    const double distance = std::sqrt(near.foot.squared);
+    const Vector3d out = outward(near), arm = p - near.foot.at;
+    const double sign = out.dot(arm) < 0 ? -1 : 1;
+    // On the surface the way to it has no direction left.
+    if (near.foot.feature.kind == Feature::kFace || distance < kOnSurface)
+      return {sign * distance, out.normalized()};
+    return {sign * distance, sign / distance * arm};
+  }
+
+  Eigen::AlignedBox3d bounds() const override { return tree_.bounds(); }
+
+ private:
+  static constexpr double kOnSurface = 1e-12;  // [m]
+
+  const Vector3d& outward(const NearestTriangle& near) const {
+    const Feature& feature = near.foot.feature;
+    if (feature.kind == Feature::kFace) return tree_.forms()[near.triangle].normal;
+    const Pseudonormals& normals = normals_[near.triangle];
+    return feature.kind == Feature::kEdge ? normals.edge[feature.k] : normals.corner[feature.k];
+  }
+
+  internal::TriangleTree tree_;
+  internal::NearestGrid grid_;
+  std::vector<Pseudonormals> normals_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
+  return std::make_shared<MeshDistance>(mesh);
+}
+
+}  // namespace thenar

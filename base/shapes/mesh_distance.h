@@ -1,0 +1,23 @@
+#pragma once
+
+/// Signed distance to a triangle mesh.
+
+#include <memory>
+
+#include "base/shapes/shape.h"
+#include "base/shapes/triangle_mesh.h"
+
+namespace thenar {
+
+/// Exact to rounding. The sign is that of (p - foot) . n, where n is the normal of the face, the
+/// sum of those of an edge's two faces, or the sum of those around a corner, each weighted with its
+/// angle there: right everywhere, inside cavities as well [Baerentzen2005].
+///
+/// Near the surface a grid lists the triangles that may be nearest; elsewhere a tree of boxes is
+/// searched from a first guess.
+///
+/// @param mesh  watertight, outward, no triangle of no area, its sheets nowhere through each other:
+///              what build_solid() makes of meshes
+[[nodiscard]] std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh);
+
+}  // namespace thenar
