@@ -95,8 +95,7 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
 }
 
 /// Strength of joints by their names.
-std::map<std::string, std::pair<double, double>> named_strength(const Subject& subject,
-                                                                const Skeleton& skeleton,
+std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& skeleton,
                                                                 HandTendons tendons) {
   const TendonHand hand(skeleton, std::move(tendons));
   const TorqueLimits limits = joint_strength(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
@@ -104,7 +103,6 @@ std::map<std::string, std::pair<double, double>> named_strength(const Subject& s
   for (int i = 0; i < skeleton.coordinates(); ++i)
     if (limits.upper[i] > limits.lower[i])
       strength[skeleton.coordinate_names[i]] = {limits.lower[i], limits.upper[i]};
-  (void)subject;
   return strength;
 }
 
@@ -113,7 +111,7 @@ const std::map<std::string, std::pair<double, double>>& default_strength() {
     const Subject& human = default_human();
     const auto frozen = frozen_joints(human, {});
     std::vector<std::string> unheard;
-    return named_strength(human, build_skeleton(human, {{}, frozen}),
+    return named_strength(build_skeleton(human, {{}, frozen}),
                           hand_tendons(human, Extensors::kLinear, frozen, unheard));
   }();
   return strength;
@@ -124,8 +122,7 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           std::vector<std::string>& warnings) {
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
-      own = named_strength(subject, skeleton,
-                           hand_tendons(subject, Extensors::kLinear, frozen, warnings));
+      own = named_strength(skeleton, hand_tendons(subject, Extensors::kLinear, frozen, warnings));
     } catch (const InputError& error) {
       warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
     }
@@ -154,6 +151,19 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
   return limits;
 }
 
+std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleton,
+                                 const HumanHandOptions& options) {
+  switch (options.cover) {
+    case Cover::kSkin:
+      return human_surfaces(subject, skeleton, options.skin);
+    case Cover::kBones:
+      return bone_surfaces(subject, skeleton);
+    case Cover::kNone:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHandOptions& options) {
@@ -167,7 +177,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;
-  std::vector<LinkSurface> surfaces = human_surfaces(given, skeleton, options.skin);
+  std::vector<LinkSurface> surfaces = covered(given, skeleton, options);
   if (tier == HumanTier::kTendonNet) {
     require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
             subject.name);

@@ -29,8 +29,16 @@ enum class PadContact {
   kSoftFinger  // and torsion about the normal, from the soft layer of the surface's material
 };
 
+/// What it touches with.
+enum class Cover {
+  kSkin,
+  kBones,  // as a specimen without flesh
+  kNone    // nothing: for questions of joints and tendons alone
+};
+
 /// How to build it.
 struct HumanHandOptions {
+  Cover cover = Cover::kSkin;
   SkinOptions skin;
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
 };
