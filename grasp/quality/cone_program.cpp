@@ -1,0 +1,291 @@
+#include "grasp/quality/cone_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include <Eigen/QR>
+
+#include "base/error.h"
+#include "grasp/quality/second_order_cone.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using internal::ConeScaling;
+using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kRank = 1e-11;          // pivots below this part of the largest count as zero
+constexpr double kConsistent = 1e-9;     // misfit of dependent equalities that rounding explains
+constexpr double kShyOfBoundary = 0.99;  // part of the step to the boundary that is gone
+
+void check(const ConeProgram& p) {
+  const Index n = p.c.size(), m = p.h.size();
+  require(p.A.cols() == n || p.A.rows() == 0, "c has {} variables, A {}", n, p.A.cols());
+  require(p.A.rows() == p.b.size(), "A has {} rows, b {}", p.A.rows(), p.b.size());
+  require(p.G.rows() == m && p.G.cols() == n, "G is {} x {}, h has {} rows, c {} variables",
+          p.G.rows(), p.G.cols(), m, n);
+  for (const int rows : p.cones) require(rows > 0, "a cone has {} rows", rows);
+  require(std::accumulate(p.cones.begin(), p.cones.end(), 0) == m,
+          "cones have {} rows in all, h {}", std::accumulate(p.cones.begin(), p.cones.end(), 0), m);
+  require(
+      p.c.allFinite() && p.A.allFinite() && p.b.allFinite() && p.G.allFinite() && p.h.allFinite(),
+      "the cone programme must be finite");
+}
+
+/// minimise c' v  subject to  h - G v in K, where x = x0 + N v.
+struct Reduced {
+  VectorXd x0, c, h;
+  MatrixXd N, G;
+};
+
+struct Presolve {
+  std::optional<Reduced> reduced;  // nothing: the equalities contradict each other
+  bool unbounded_if_feasible = false;
+};
+
+Qr rank_revealing(const MatrixXd& M) {
+  Qr qr;
+  qr.setThreshold(kRank);
+  qr.compute(M);
+  return qr;
+}
+
+/// Orthonormal bases of the columns of M' and of what M maps to zero.
+struct Split {
+  MatrixXd row_space, null_space;
+};
+Split split(const MatrixXd& M) {
+  if (M.size() == 0) return {MatrixXd(M.cols(), 0), MatrixXd::Identity(M.cols(), M.cols())};
+  const Qr qr = rank_revealing(M.transpose());
+  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(M.cols(), M.cols());
+  return {Q.leftCols(qr.rank()), Q.rightCols(M.cols() - qr.rank())};
+}
+
+/// Removes equalities, then directions that no cone sees.
+Presolve presolve(const ConeProgram& p) {
+  Presolve result;
+  VectorXd x0 = VectorXd::Zero(p.c.size());
+  if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
+  if (p.A.rows() > 0 && (p.A * x0 - p.b).norm() > kConsistent * (1 + p.b.norm())) return result;
+  MatrixXd N = p.A.rows() > 0 ? split(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
+  const Split seen = split(p.G * N);
+  const VectorXd c = N.transpose() * p.c;
+  result.unbounded_if_feasible =
+      (seen.null_space.transpose() * c).norm() > kConsistent * (1 + c.norm());
+  N = (N * seen.row_space).eval();
+  result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
+  return result;
+}
+
+/// Solves  [0 G'; G -W W] [x; z] = [a; b]  through the QR factors of W^-1 G.
+class KktSolver {
+ public:
+  KktSolver(const MatrixXd& G, const ConeScaling& W) : W_(W), scaled_G_(W.divide(G)) {
+    if (G.cols() > 0) qr_.compute(scaled_G_);
+  }
+
+  void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+    const VectorXd scaled_b = W_.divide(b);
+    x = VectorXd::Zero(a.size());
+    if (a.size() > 0) {
+      const Index n = a.size();
+      const auto R = qr_.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+      const VectorXd Qb = (qr_.householderQ().transpose() * scaled_b).head(n);
+      x = R.solve(R.transpose().solve(a) + Qb);
+    }
+    z = W_.divide(scaled_G_ * x - scaled_b);
+  }
+
+ private:
+  const ConeScaling& W_;
+  MatrixXd scaled_G_;
+  Eigen::HouseholderQR<MatrixXd> qr_;
+};
+
+/// The homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa = 0.
+class Embedding {
+ public:
+  Embedding(const Reduced& p, const std::vector<int>& cones)
+      : p_(p), cones_(cones), e_(internal::cone_identity(cones)), s(e_), z(e_) {
+    x = VectorXd::Zero(p.c.size());
+  }
+
+  void step() {
+    const ConeScaling W(cones_, s, z);
+    const KktSolver kkt(p_.G, W);
+    const VectorXd lambda = W.times(z);
+    const Step toward_h = solve_for(kkt, -p_.c, p_.h);
+    const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
+    const Step affine = direction(kkt, W, lambda, toward_h, 1, pure, -kappa * tau);
+    const double length = step_length(W, lambda, affine, 1);
+    const double sigma = std::pow(1 - length, 3);
+    const VectorXd corrected =
+        pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
+        sigma * gap_per_cone() * e_;
+    const Step full = direction(kkt, W, lambda, toward_h, 1 - sigma, corrected,
+                                -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone());
+    advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
+  }
+
+  [[nodiscard]] VectorXd dual_residual() const { return p_.G.transpose() * z + p_.c * tau; }
+  [[nodiscard]] VectorXd primal_residual() const { return s + p_.G * x - p_.h * tau; }
+  [[nodiscard]] double gap_residual() const { return kappa + p_.c.dot(x) + p_.h.dot(z); }
+
+ private:
+  struct Step {
+    VectorXd x, s, z;
+    double tau = 0, kappa = 0;
+  };
+
+  static Step solve_for(const KktSolver& kkt, const VectorXd& a, const VectorXd& b) {
+    Step step;
+    kkt.solve(a, b, step.x, step.z);
+    return step;
+  }
+
+  [[nodiscard]] double gap_per_cone() const {
+    return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
+  }
+
+  /// Newton's direction that cuts the residuals by `share` and makes lambda o (...) = product.
+  [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
+                               const Step& toward_h, double share, const VectorXd& product,
+                               double kappa_tau) const {
+    const VectorXd ratio = internal::cone_quotient(cones_, lambda, product);
+    Step step =
+        solve_for(kkt, -share * dual_residual(), -share * primal_residual() - W.times(ratio));
+    const double left =
+        -share * gap_residual() - kappa_tau / tau - p_.c.dot(step.x) - p_.h.dot(step.z);
+    step.tau = left / (p_.c.dot(toward_h.x) + p_.h.dot(toward_h.z) - kappa / tau);
+    step.x += step.tau * toward_h.x;
+    step.z += step.tau * toward_h.z;
+    step.kappa = (kappa_tau - kappa * step.tau) / tau;
+    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // keeps feasibility
+    return step;
+  }
+
+  [[nodiscard]] double step_length(const ConeScaling& W, const VectorXd& lambda, const Step& step,
+                                   double most) const {
+    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), most);
+    length = internal::step_to_cone(cones_, lambda, W.times(step.z), length);
+    if (step.tau < 0) length = std::min(length, -tau / step.tau);
+    if (step.kappa < 0) length = std::min(length, -kappa / step.kappa);
+    return length;
+  }
+
+  void advance(const Step& step, double length) {
+    x += length * step.x;
+    s += length * step.s;
+    z += length * step.z;
+    tau += length * step.tau;
+    kappa += length * step.kappa;
+  }
+
+  const Reduced& p_;
+  const std::vector<int>& cones_;
+  VectorXd e_;
+
+ public:
+  VectorXd x, s, z;
+  double tau = 1, kappa = 1;
+};
+
+struct Progress {
+  double solved;      // KKT residual of (x, s, z) / tau
+  double infeasible;  // of z as a certificate: |G'z| with h'z = -1
+  double unbounded;   // of x as a certificate: |G x + s| with c'x = -1
+};
+
+Progress progress_of(const Reduced& p, const Embedding& e) {
+  const double cx = p.c.dot(e.x) / e.tau, hz = p.h.dot(e.z) / e.tau;
+  const double primal = e.primal_residual().norm() / e.tau / (1 + p.h.norm());
+  const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
+  const double gap = std::abs(cx + hz) / (1 + std::abs(cx));
+  const double hz_raw = p.h.dot(e.z), cx_raw = p.c.dot(e.x);
+  return {std::max({primal, dual, gap}),
+          hz_raw < 0 ? (p.G.transpose() * e.z).norm() / -hz_raw : kInfinity,
+          cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
+}
+
+struct Core {
+  ConeStatus status = ConeStatus::kStalled;
+  VectorXd v, z;
+  double residual = kInfinity;
+  int iterations = 0;
+};
+
+void keep_if_better(Core& best, const Embedding& e, const Progress& progress) {
+  if (!(progress.solved < best.residual)) return;
+  best.residual = progress.solved;
+  best.v = e.x / e.tau;
+  best.z = e.z / e.tau;
+}
+
+Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
+  Embedding embedding(p, cones);
+  Core best;
+  best.v = VectorXd::Zero(p.c.size());
+  best.z = VectorXd::Zero(p.h.size());
+  for (;; ++best.iterations) {
+    const Progress progress = progress_of(p, embedding);
+    keep_if_better(best, embedding, progress);
+    if (best.residual <= options.tolerance)
+      best.status = ConeStatus::kSolved;
+    else if (progress.infeasible <= options.tolerance)
+      best.status = ConeStatus::kInfeasible;
+    else if (progress.unbounded <= options.tolerance)
+      best.status = ConeStatus::kUnbounded;
+    const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
+    if (best.status != ConeStatus::kStalled || best.iterations == options.most_iterations || lost)
+      return best;
+    embedding.step();
+  }
+}
+
+/// Multipliers of the equalities, from  c + A'y + G'z = 0.
+VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& z) {
+  if (p.A.size() == 0) return VectorXd::Zero(p.b.size());
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose())
+      .solve(-p.c - p.G.transpose() * z);
+}
+
+}  // namespace
+
+ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
+  check(program);
+  const Presolve pre = presolve(program);
+  const VectorXd zero = VectorXd::Zero(program.c.size());
+  ConeResult result{ConeStatus::kInfeasible,
+                    zero,
+                    VectorXd::Zero(program.b.size()),
+                    VectorXd::Zero(program.h.size()),
+                    kInfinity,
+                    kInfinity,
+                    0,
+                    0};
+  if (!pre.reduced) return result;
+  const Core core = solve_reduced(*pre.reduced, program.cones, options);
+  result.status = core.status;
+  result.iterations = core.iterations;
+  result.residual = core.residual;
+  if (core.status == ConeStatus::kSolved && pre.unbounded_if_feasible)
+    result.status = ConeStatus::kUnbounded;
+  result.x = pre.reduced->x0 + pre.reduced->N * core.v;
+  if (result.status == ConeStatus::kInfeasible) return result;
+  result.objective = result.dual = -kInfinity;
+  if (result.status == ConeStatus::kUnbounded) return result;
+  result.z = core.z;
+  result.y = equality_multipliers(program, core.z);
+  result.objective = program.c.dot(result.x);
+  result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,56 @@
+#pragma once
+
+/// Second-order cone programmes of a few dozen variables.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// minimise c' x  subject to  A x = b,  h - G x in K.
+///
+/// K is a product of second-order cones { (t, v) : |v| <= t }, one after the other down the rows of
+/// G; a cone of one row is t >= 0, an inequality.
+struct ConeProgram {
+  Eigen::VectorXd c;       // (n)
+  Eigen::MatrixXd A;       // (r, n); r = 0 allowed
+  Eigen::VectorXd b;       // (r)
+  Eigen::MatrixXd G;       // (m, n)
+  Eigen::VectorXd h;       // (m)
+  std::vector<int> cones;  // rows of each; their sum is m
+};
+
+enum class ConeStatus {
+  kSolved,      // x is optimal within `residual`
+  kInfeasible,  // no x obeys all; proven by a certificate
+  kUnbounded,   // the objective falls without limit; proven by a certificate
+  kStalled      // neither was reached within the tolerance: x is the best point found
+};
+
+struct ConeOptions {
+  double tolerance = 1e-10;  // largest scaled residual and gap that counts as solved [1]
+  int most_iterations = 100;
+};
+
+struct [[nodiscard]] ConeResult {
+  ConeStatus status;  // read this first
+  Eigen::VectorXd x;  // (n)
+  Eigen::VectorXd y;  // multipliers of A x = b:  c + A' y + G' z = 0 (r)
+  Eigen::VectorXd z;  // multipliers of the cones, in K (m)
+  double objective;   // c' x; +infinity: infeasible, -infinity: unbounded
+  double dual;        // -b' y - h' z: a bound of the objective from below within `residual`
+  double residual;    // largest of the KKT conditions: feasibility, dual feasibility, gap, each
+                      // divided by 1 + the norm of what it is compared with [1]
+  int iterations;
+};
+
+/// Solves by a primal-dual interior-point method on the homogeneous self-dual embedding with
+/// Nesterov-Todd scaling and Mehrotra's corrector. Equalities, also redundant ones, are removed
+/// first; directions that neither cones nor equalities see are removed or prove unboundedness.
+///
+/// @throws InputError if shapes disagree or an entry is not finite.
+/// Source: [Andersen2003] for the method, [Vandenberghe2010] for its linear algebra.
+ConeResult solve(const ConeProgram& program, const ConeOptions& options = {});
+
+}  // namespace thenar
