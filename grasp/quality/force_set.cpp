@@ -1,0 +1,195 @@
+#include "grasp/quality/force_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Index variables_of(const WrenchSet& set) {
+  Index n = 0;
+  for (const WrenchCap& cap : set.caps) n += 1 + cap.A.cols();
+  return n;
+}
+
+/// Adds rows  G y <= h,  each a cone of its own.
+void add_rows(ForceSet& forces, const MatrixXd& rows, const VectorXd& most) {
+  const Index old = forces.G.rows();
+  forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
+  forces.G.bottomRows(rows.rows()) = rows;
+  forces.h.conservativeResize(old + rows.rows());
+  forces.h.tail(rows.rows()) = most;
+  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
+}
+
+/// Appends columns of zeros for efforts.
+void widen(ForceSet& forces, Index by) {
+  const Index n = forces.wrench.cols();
+  forces.wrench.conservativeResize(6, n + by);
+  forces.wrench.rightCols(by).setZero();
+  forces.G.conservativeResize(forces.G.rows(), n + by);
+  forces.G.rightCols(by).setZero();
+  forces.normals.conservativeResize(n + by);
+  forces.normals.tail(by).setZero();
+}
+
+void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
+  const Index joints = a.B.rows(), actuators = a.B.cols();
+  require(T.cols() == variables_of(set), "T has {} columns, the contacts {} forces", T.cols(),
+          variables_of(set));
+  require(T.rows() == joints && a.tau_0.size() == joints, "T, B, tau_0 have {}, {}, {} coordinates",
+          T.rows(), joints, a.tau_0.size());
+  require(a.lower.size() == actuators && a.upper.size() == actuators,
+          "B has {} actuators, its limits {} and {}", actuators, a.lower.size(), a.upper.size());
+  require(T.allFinite() && a.B.allFinite() && a.tau_0.allFinite(), "T, B and tau_0 must be finite");
+  for (Index i = 0; i < actuators; ++i)
+    require(a.lower(i) <= a.upper(i), "actuator {} has limits {} and {}", i, a.lower(i),
+            a.upper(i));
+}
+
+/// The largest finite limit, so that efforts are of order one; 1 without.
+double unit_of(double lower, double upper) {
+  double unit = 0;
+  for (const double limit : {lower, upper})
+    if (std::isfinite(limit)) unit = std::max(unit, std::abs(limit));
+  return unit > 0 ? unit : 1;
+}
+
+/// T x - B u = tau_0, each row divided by its largest coefficient.
+void balance_torques(ForceSet& forces, const MatrixXd& T, const Actuation& a) {
+  forces.A.resize(T.rows(), T.cols() + a.B.cols());
+  forces.A << T, -a.B * forces.effort_unit.asDiagonal();
+  forces.b = a.tau_0;
+  for (Index i = 0; i < forces.A.rows(); ++i) {
+    const double largest = forces.A.cols() > 0 ? forces.A.row(i).cwiseAbs().maxCoeff() : 0;
+    if (largest == 0) continue;
+    forces.A.row(i) /= largest;
+    forces.b(i) /= largest;
+  }
+}
+
+void limit_efforts(ForceSet& forces, const Actuation& a) {
+  const Index first = forces.wrench.cols() - a.B.cols();
+  for (Index i = 0; i < a.B.cols(); ++i) {
+    const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), first + i);
+    const double unit = forces.effort_unit(i);
+    if (std::isfinite(a.upper(i))) add_rows(forces, one, VectorXd::Constant(1, a.upper(i) / unit));
+    if (std::isfinite(a.lower(i)))
+      add_rows(forces, -one, VectorXd::Constant(1, -a.lower(i) / unit));
+  }
+}
+
+/// Forces, and torques about the contact, that the variables of a contact stand for: columns
+/// (torque, force) as the rows of a spatial Jacobian.
+MatrixXd local_loads(const Contact& contact) {
+  const Tangents t = tangents(contact.n);
+  const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
+  MatrixXd loads = MatrixXd::Zero(6, 1 + slides + twists);
+  loads.col(0).tail<3>() = contact.n;
+  if (slides > 0) loads.block<3, 2>(3, 1) << contact.friction * t.e1, contact.friction * t.e2;
+  if (twists > 0) loads.col(loads.cols() - 1).head<3>() = contact.torsion * contact.n;
+  return loads;
+}
+
+}  // namespace
+
+ForceSet free_forces(const WrenchSet& set) {
+  const Index n = variables_of(set);
+  ForceSet forces;
+  forces.contacts = static_cast<int>(set.caps.size());
+  forces.wrench.resize(6, n);
+  forces.normals.setZero(n);
+  forces.A.resize(0, n);
+  forces.b.resize(0);
+  forces.G = -MatrixXd::Identity(n, n);
+  forces.h.setZero(n);
+  Index column = 0;
+  for (const WrenchCap& cap : set.caps) {
+    forces.wrench.col(column) = cap.c;
+    forces.wrench.middleCols(column + 1, cap.A.cols()) = cap.A;
+    forces.normals(column) = 1;
+    forces.cones.push_back(1 + static_cast<int>(cap.A.cols()));
+    column += 1 + cap.A.cols();
+  }
+  return forces;
+}
+
+ForceSet unit_forces(const WrenchSet& set, ForceLimit limit) {
+  ForceSet forces = free_forces(set);
+  const Index n = forces.normals.size();
+  if (limit == ForceLimit::kL1) {
+    add_rows(forces, forces.normals, VectorXd::Ones(1));
+    return forces;
+  }
+  std::map<int, Eigen::RowVectorXd> shared;  // sums of caps that share a contact's limit
+  Index column = 0;
+  for (const WrenchCap& cap : set.caps) {
+    const Eigen::RowVectorXd normal = Eigen::RowVectorXd::Unit(n, column);
+    column += 1 + cap.A.cols();
+    if (cap.contact < 0)
+      add_rows(forces, normal, VectorXd::Ones(1));
+    else
+      shared.try_emplace(cap.contact, Eigen::RowVectorXd::Zero(n)).first->second += normal;
+  }
+  for (const auto& [contact, sum] : shared) add_rows(forces, sum, VectorXd::Ones(1));
+  return forces;
+}
+
+ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation) {
+  check(set, T, actuation);
+  ForceSet forces = free_forces(set);
+  widen(forces, actuation.B.cols());
+  forces.effort_unit.resize(actuation.B.cols());
+  for (Index i = 0; i < actuation.B.cols(); ++i)
+    forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
+  balance_torques(forces, T, actuation);
+  limit_efforts(forces, actuation);
+  return forces;
+}
+
+MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandContact>& contacts,
+                    const Pose<double>& X_HO) {
+  const std::vector<Pose<double>> poses = hand.pose(q);
+  MatrixXd T(q.size(), 0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto surface = static_cast<std::size_t>(contacts[i].surface);
+    require(surface < hand.surfaces().size(), "contact {} is at surface {} of {}", i,
+            contacts[i].surface, hand.surfaces().size());
+    Contact contact_H = contacts[i].contact;
+    contact_H.p = X_HO * contact_H.p;
+    contact_H.n = X_HO.R * contact_H.n;
+    const int link = hand.surfaces()[surface].link;
+    const MatrixXd loads = local_loads(contact_H);
+    MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
+    if (link >= 0) {
+      const Eigen::Vector3d reference =
+          poses[static_cast<std::size_t>(link)].inverse() * contact_H.p;
+      torques = hand.jacobian(q, link, reference).transpose() * loads;
+    }
+    T.conservativeResize(q.size(), T.cols() + loads.cols());
+    T.rightCols(loads.cols()) = torques;
+  }
+  return T;
+}
+
+ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
+  ContactForces result{{}, VectorXd(set.contacts), VectorXd(set.effort_unit.size())};
+  Index column = 0;
+  for (int i = 0; i < set.contacts; ++i) {
+    const int size = set.cones[static_cast<std::size_t>(i)];
+    result.wrenches.emplace_back(set.wrench.middleCols(column, size) * y.segment(column, size));
+    result.normal(i) = y(column);
+    column += size;
+  }
+  result.efforts = set.effort_unit.cwiseProduct(y.tail(set.effort_unit.size()));
+  return result;
+}
+
+}  // namespace thenar

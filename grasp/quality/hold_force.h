@@ -1,0 +1,33 @@
+#pragma once
+
+/// The least squeezing that holds a load.
+
+#include "grasp/quality/force_set.h"
+
+namespace thenar {
+
+/// What is kept small.
+enum class Squeeze {
+  kSum,     // the sum of all normal forces: effort in all
+  kLargest  // the largest normal force: what the most loaded spot must bear
+};
+
+struct [[nodiscard]] HoldForce {
+  ConeStatus status;     // kInfeasible: these contacts and limits cannot hold the load, proven
+  double squeeze;        // sum or largest of the normal forces [N]; infinite where infeasible
+  ContactForces forces;  // one optimal choice
+  Wrench unbalanced;     // wrench of the contacts plus load: zero but for rounding [N] (6)
+  double residual;       // largest of the scaled KKT conditions [1]
+};
+
+/// Smallest contact forces in equilibrium with a load:
+///   minimise  sum or max of f_n  subject to  W y = -load,  y in the force set.
+///
+/// A load of zero is held by no force at all. free_forces() asks of friction alone, hand_forces()
+/// also of the hand's efforts.
+/// @param load  on the object, torque / scale (6) [N]
+/// @throws InputError if the load is not finite.
+/// Source: [Boyd2007], section II, whose friction cones are second-order cones, too.
+HoldForce smallest_hold(const ForceSet& forces, const Wrench& load, Squeeze squeeze);
+
+}  // namespace thenar

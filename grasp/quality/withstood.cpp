@@ -1,0 +1,86 @@
+#include "grasp/quality/withstood.h"
+
+#include <limits>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The programme of a force set, still without an aim.
+ConeProgram program_of(const ForceSet& forces) {
+  return {
+      VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
+}
+
+/// Appends a variable that no constraint sees.
+void add_variable(ConeProgram& program) {
+  const Index n = program.c.size();
+  program.c.conservativeResize(n + 1);
+  program.c(n) = 0;
+  program.A.conservativeResize(program.A.rows(), n + 1);
+  program.A.col(n).setZero();
+  program.G.conservativeResize(program.G.rows(), n + 1);
+  program.G.col(n).setZero();
+}
+
+void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& values) {
+  const Index old = program.A.rows();
+  program.A.conservativeResize(old + rows.rows(), program.c.size());
+  program.A.bottomRows(rows.rows()) = rows;
+  program.b.conservativeResize(old + rows.rows());
+  program.b.tail(rows.rows()) = values;
+}
+
+/// The value is minus the objective.
+Reach reach_of(const ForceSet& forces, const ConeResult& solution) {
+  const VectorXd y = solution.x.head(forces.wrench.cols());
+  Reach reach{solution.status, std::numeric_limits<double>::quiet_NaN(), forces.wrench * y,
+              contact_forces(forces, y), solution.residual};
+  if (solution.status == ConeStatus::kSolved) reach.value = -solution.objective;
+  if (solution.status == ConeStatus::kUnbounded) reach.value = kInfinity;
+  if (solution.status != ConeStatus::kSolved) reach.wrench.setZero();
+  return reach;
+}
+
+void require_direction(const VectorXd& d) {
+  require(d.allFinite() && d.norm() > 0,
+          "the direction must be finite and not zero, its norm is {}", d.norm());
+}
+
+}  // namespace
+
+Reach farthest_wrench(const ForceSet& forces, const Wrench& u) {
+  require_direction(u);
+  ConeProgram program = program_of(forces);
+  program.c = -forces.wrench.transpose() * u;
+  return reach_of(forces, solve(program));
+}
+
+Reach farthest_along(const ForceSet& forces, const MatrixXd& rows, const VectorXd& start,
+                     const VectorXd& way) {
+  require_direction(way);
+  require(rows.cols() == 6 && rows.rows() == start.size() && start.size() == way.size(),
+          "rows are {} x {}, wanted {} x 6, and the way has {}", rows.rows(), rows.cols(),
+          start.size(), way.size());
+  require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
+  ConeProgram program = program_of(forces);
+  add_variable(program);
+  program.c(program.c.size() - 1) = -1;
+  MatrixXd equalities(rows.rows(), program.c.size());
+  equalities << rows * forces.wrench, -way;
+  add_equalities(program, equalities, start);
+  return reach_of(forces, solve(program));
+}
+
+Reach largest_load(const ForceSet& forces, const Wrench& d) {
+  return farthest_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), Wrench::Zero(), -d);
+}
+
+}  // namespace thenar

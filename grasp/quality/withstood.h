@@ -1,0 +1,38 @@
+#pragma once
+
+/// How far the wrenches of a force set reach: the questions that one cone programme answers.
+
+#include "grasp/quality/force_set.h"
+
+namespace thenar {
+
+/// The end of a way through a wrench set.
+struct [[nodiscard]] Reach {
+  ConeStatus status;     // read this first
+  double value;          // infinite where unbounded, NaN where infeasible or stalled
+  Wrench wrench;         // made there, zero unless solved (6)
+  ContactForces forces;  // that make it
+  double residual;       // of the KKT conditions [1]
+};
+
+/// Support function of the wrenches that forces make:  h(u) = max u' w.
+/// @param u  direction, not zero (6)
+/// @throws InputError if u is zero or not finite.
+Reach farthest_wrench(const ForceSet& forces, const Wrench& u);
+
+/// Largest k for which the forces balance the disturbance k d:  W y = -k d.
+///
+/// Without limits on forces k is zero or infinite.
+/// @param d  disturbance at k = 1 (6)
+/// @throws InputError if d is zero or not finite.
+Reach largest_load(const ForceSet& forces, const Wrench& d);
+
+/// Largest k for which  rows w = start + k way  for a wrench w of the set: how far a
+/// projection or a slice of it reaches from a point.
+/// @param rows   what is seen of a wrench  (r, 6)
+/// @param start  r;  @param way  r, not zero
+/// @throws InputError if shapes disagree or anything is not finite.
+Reach farthest_along(const ForceSet& forces, const Eigen::MatrixXd& rows,
+                     const Eigen::VectorXd& start, const Eigen::VectorXd& way);
+
+}  // namespace thenar

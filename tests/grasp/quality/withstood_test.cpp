@@ -1,0 +1,127 @@
+// Tests for grasp/quality/withstood.cpp and the force sets it asks.
+
+#include "grasp/quality/withstood.h"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/grasp/quality/pinch.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kSolved = 1e-8;  // of forces of order 10 N
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+WrenchSet random_set(std::mt19937& rng, int contacts) {
+  const auto number = [&] { return 2.0 * rng() / std::mt19937::max() - 1; };
+  std::vector<Contact> result;
+  for (int i = 0; i < contacts; ++i) {
+    const Eigen::Vector3d p = Eigen::Vector3d::NullaryExpr(number);
+    result.push_back({p, Eigen::Vector3d::NullaryExpr(number).normalized(), std::abs(number()),
+                      i % 2 ? std::abs(number()) : 0});
+  }
+  return wrench_set(result, {0, 0, 0}, 1);
+}
+
+// The support of unit forces is known without a programme: support(), or 0 where that is less.
+TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
+  std::mt19937 rng(2);
+  for (int trial = 0; trial < 100; ++trial) {
+    const WrenchSet set = random_set(rng, 1 + trial % 6);
+    const Wrench u = Wrench::NullaryExpr([&] { return 2.0 * rng() / std::mt19937::max() - 1; });
+    for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+      const Reach reach = farthest_wrench(unit_forces(set, limit), u);
+      ASSERT_EQ(reach.status, ConeStatus::kSolved);
+      ASSERT_NEAR(reach.value, std::max(0.0, support(set, u, limit)), kSolved);
+      ASSERT_NEAR(reach.wrench.dot(u), reach.value, kSolved);
+    }
+  }
+}
+
+// Each finger presses 6 N at most: the pinch bears mu 12 N across.
+TEST(Withstood, LoadAcrossAPinchIsBoundByItsMotors) {
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
+  const Reach reach = largest_load(hand, Wrench::Unit(2));
+  ASSERT_EQ(reach.status, ConeStatus::kSolved);
+  EXPECT_NEAR(reach.value, 6, kSolved);
+  EXPECT_TRUE(matrix_near(reach.wrench, -6 * Wrench::Unit(2), kSolved));
+}
+
+// Along the line of the contacts one finger gives way first: at 6 N, the other one at 0.
+TEST(Withstood, LoadAlongAPinchIsBoundByOneMotor) {
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 6, kSolved);
+}
+
+// A passive torque of 2 N on each slide adds to what the motors press.
+TEST(Withstood, CountsPassiveTorques) {
+  Actuation motors = pinch_motors(0, 6);
+  motors.tau_0.setConstant(2);
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), motors);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 8, kSolved);
+}
+
+// One tendon that pulls both fingers shares its 10 N: 5 N each, and none can press more than the
+// other, so that nothing is borne along the line of the contacts.
+TEST(Withstood, OneTendonForTwoFingersBalancesThem) {
+  const Actuation tendon{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
+                         Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 10)};
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), tendon);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 5, kSolved);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 0, kSolved);
+}
+
+TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
+  const ForceSet hand =
+      hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-kNoLimit, kNoLimit));
+  const Reach reach = largest_load(hand, Wrench::Unit(2));
+  EXPECT_EQ(reach.status, ConeStatus::kUnbounded);
+  EXPECT_EQ(reach.value, kNoLimit);
+}
+
+// Motors that must push apart at least 1 N cannot hold a finger on the ball.
+TEST(Withstood, SaysWhereNoForceBalancesTheHand) {
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
+  const Reach reach = largest_load(hand, Wrench::Unit(2));
+  EXPECT_EQ(reach.status, ConeStatus::kInfeasible);
+  EXPECT_TRUE(std::isnan(reach.value));
+}
+
+// A joint that no contact force turns (a singular posture) asks nothing of the contacts.
+TEST(Withstood, ToleratesAJointThatFeelsNothing) {
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(3, 6);
+  T.topRows(2) = pinch_torques(0.5, 0);
+  const Actuation motors{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
+                         Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(6)};
+  EXPECT_NEAR(largest_load(hand_forces(pinch(0.5, 0), T, motors), Wrench::Unit(2)).value, 6,
+              kSolved);
+}
+
+TEST(Withstood, IsZeroWithoutContactsOrFriction) {
+  EXPECT_EQ(largest_load(unit_forces({}, ForceLimit::kL1), Wrench::Unit(2)).value, 0);
+  EXPECT_NEAR(largest_load(unit_forces(pinch(0, 0), ForceLimit::kL1), Wrench::Unit(2)).value, 0,
+              kSolved);
+}
+
+TEST(Withstood, RefusesADirectionOfZero) {
+  EXPECT_EQ(message_of([] {
+              (void)largest_load(unit_forces(pinch(0.5, 0), ForceLimit::kL1), Wrench::Zero());
+            }),
+            "the direction must be finite and not zero, its norm is 0");
+}
+
+TEST(Withstood, RefusesLimitsTheWrongWayRound) {
+  EXPECT_EQ(message_of([] {
+              (void)hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(1, -1));
+            }),
+            "actuator 0 has limits 1 and -1");
+}
+
+}  // namespace
+}  // namespace thenar
