@@ -1,0 +1,108 @@
+#include "data/io/robot/import_robot.h"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+#include <pugixml.hpp>
+
+#include "base/error.h"
+#include "data/io/graspit/xml_file.h"
+#include "data/io/robot/graspit_robot.h"
+#include "data/io/robot/mjcf.h"
+#include "data/io/robot/urdf.h"
+#include "data/io/toml_node.h"
+
+namespace thenar {
+namespace {
+
+bool is_xml(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first != std::string::npos && text[first] == '<';
+}
+
+RobotFileKind kind_of_xml(const XmlFile& file) {
+  const pugi::xml_node root = file.root();
+  const std::string name = root.name();
+  if (name == "mujoco" || name == "mujocoinclude") return RobotFileKind::kMjcf;
+  if (name == "robot") {
+    for (const char* part : {"palm", "chain", "dof"})
+      if (root.child(part)) return RobotFileKind::kGraspit;
+    return RobotFileKind::kUrdf;
+  }
+  file.fail(root, fmt::format("wanted <robot> (URDF, GraspIt!) or <mujoco>, got <{}>", name));
+}
+
+RobotSpec read_kind(const std::string& path, RobotFileKind kind) {
+  switch (kind) {
+    case RobotFileKind::kUrdf:
+      return read_urdf(path);
+    case RobotFileKind::kMjcf:
+      return read_mjcf(path);
+    case RobotFileKind::kGraspit:
+      return read_graspit_robot(path);
+    case RobotFileKind::kToml:
+      break;
+  }
+  return read_robot(path);
+}
+
+/// The nearest inertia with no moment below 0 and the largest no more than the sum of the others.
+Eigen::Matrix3d bodily(const Eigen::Matrix3d& inertia) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
+      Eigen::Matrix3d((inertia + inertia.transpose()) / 2));
+  Eigen::Vector3d moments = axes.eigenvalues().cwiseMax(0);
+  moments[2] = std::min(moments[2], moments[0] + moments[1]);
+  return axes.eigenvectors() * moments.asDiagonal() * axes.eigenvectors().transpose();
+}
+
+void mend_inertias(RobotSpec& robot) {
+  for (RobotLink& link : robot.links)
+    if (!is_body_inertia(link.inertia)) {
+      const Eigen::Matrix3d mended = bodily(link.inertia);
+      robot.warnings.push_back(
+          fmt::format("inertia of link '{}' is no body's; cut down by {:.3g} kg m^2", link.name,
+                      (mended - link.inertia).norm()));
+      link.inertia = mended;
+    }
+}
+
+}  // namespace
+
+std::string name_of(RobotFileKind kind) {
+  switch (kind) {
+    case RobotFileKind::kToml:
+      return "thenar TOML";
+    case RobotFileKind::kUrdf:
+      return "URDF";
+    case RobotFileKind::kMjcf:
+      return "MJCF";
+    case RobotFileKind::kGraspit:
+      return "GraspIt! XML";
+  }
+  return "";
+}
+
+RobotFileKind find_robot_kind(const std::string& path) {
+  const std::string text = read_text_file(path);
+  const std::string ending = std::filesystem::path(path).extension();
+  if (ending == ".cfg")
+    throw DataError(
+        path, 1, "GraspIt!'s older text format .cfg is not read; GraspIt! 2.1 and later write XML");
+  if (is_xml(text)) return kind_of_xml(XmlFile(text, path));
+  return RobotFileKind::kToml;
+}
+
+RobotSpec import_robot(const std::string& path) {
+  RobotSpec robot = read_kind(path, find_robot_kind(path));
+  if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
+  mend_inertias(robot);
+  try {
+    check_robot(robot);
+  } catch (const InputError& error) {
+    throw DataError(path, 1, error.what());
+  }
+  return robot;
+}
+
+}  // namespace thenar
