@@ -47,7 +47,7 @@ struct PlacedBody {
 struct PlacedHand {
   std::string name;                       // "barrett", "human:tier4"; what builds it knows them
   std::string file;                       // robot or subject, as written; empty: by name
-  Pose<double> X_WH;                      // of its base link
+  Pose<double> X_WH;                      // of its base link, in the world or on carrier_link
   std::map<std::string, double> posture;  // coordinate -> [rad] or [m]
   std::string carrier, carrier_link;      // mounted on that hand or arm; empty: free
 };

@@ -1,0 +1,124 @@
+#include "data/io/world/graspit_body.h"
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include <pugixml.hpp>
+
+#include "base/error.h"
+#include "data/io/graspit/graspit_transform.h"
+#include "data/io/mesh/mesh_file.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+ShapeSpec mesh_shape(const std::string& path, double scale) {
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh_file = fs::absolute(path).lexically_normal().string();
+  shape.mesh_scale = scale;
+  shape.mesh = read_mesh(path, scale);
+  return shape;
+}
+
+/// Metres in one unit of a geometry file.
+double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
+  static const std::map<std::string, double> units{
+      {"", kGraspitLength}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"in", 0.0254}};
+  std::string name = geometry.attribute("Units").as_string();
+  if (name.empty()) name = geometry.attribute("units").as_string();
+  const auto found = units.find(name);
+  if (found == units.end())
+    file.fail(geometry, fmt::format("wanted 'Units' to be mm, cm, m or in, got '{}'", name));
+  return found->second;
+}
+
+/// One number, or three that are the same.
+double scaling(const XmlFile& file, const pugi::xml_node& node) {
+  const std::vector<double> v = file.numbers(node);
+  const bool even = v.size() == 1 || (v.size() == 3 && v[0] == v[1] && v[1] == v[2]);
+  if (!even || v[0] <= 0)
+    file.fail(node,
+              fmt::format("wanted one scale > 0 in <{}>, got '{}'", node.name(), file.text(node)));
+  return v[0];
+}
+
+double scale_of(const XmlFile& file, const pugi::xml_node& geometry) {
+  double scale = unit_of(file, geometry);
+  if (const pugi::xml_attribute attribute = geometry.attribute("scale")) {
+    if (!(attribute.as_double() > 0))
+      file.fail(geometry, fmt::format("wanted 'scale' > 0, got '{}'", attribute.as_string()));
+    scale *= attribute.as_double();
+  }
+  for (const char* name : {"geometryScaling", "geometryScale"})
+    if (const pugi::xml_node node = file.root().child(name)) scale *= scaling(file, node);
+  return scale;
+}
+
+ShapeSpec read_geometry(const XmlFile& file, std::vector<std::string>& warnings) {
+  const pugi::xml_node geometry = file.root().child("geometryFile");
+  if (!geometry) file.fail(file.root(), "a body needs a <geometryFile>");
+  const std::string path =
+      (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
+  if (!fs::is_regular_file(path))
+    file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
+  ShapeSpec shape = mesh_shape(path, scale_of(file, geometry));
+  if (const pugi::xml_node offset = file.root().child("geometryOffset"))
+    shape.X_BS = graspit_transform(file, offset, warnings);
+  return shape;
+}
+
+void read_mass(const XmlFile& file, BodySpec& body) {
+  const pugi::xml_node mass = file.root().child("mass"), cog = file.root().child("cog"),
+                       inertia = file.root().child("inertia_matrix");
+  if (!mass) return;
+  const double kilograms = kGraspitMass * file.numbers(mass, 1)[0];
+  if (kilograms <= 0) file.fail(mass, "wanted a mass > 0");
+  if (!cog || !inertia) {
+    body.spread_mass = kilograms;
+    return;
+  }
+  const std::vector<double> c = file.numbers(cog, 3), v = file.numbers(inertia, 9);
+  const Eigen::Matrix3d over_mass =
+      kGraspitLength * kGraspitLength * Eigen::Map<const Eigen::Matrix3d>(v.data());
+  body.mass = BodyMass{kilograms, kGraspitLength * Eigen::Vector3d(c[0], c[1], c[2]),
+                       kilograms / 2 * (over_mass + over_mass.transpose())};
+}
+
+std::string read_material(const XmlFile& file, std::vector<std::string>& warnings) {
+  const pugi::xml_node node = file.root().child("material");
+  const std::string name = file.text(node);
+  for (const Material& material : built_in_materials().materials)
+    if (material.name == name) return name;
+  if (node)
+    warnings.push_back(fmt::format("{}:{}: material '{}' is not known and was left out",
+                                   file.path(), file.line(node), name));
+  return "";
+}
+
+}  // namespace
+
+GraspitBody read_graspit_body(const std::string& path) {
+  GraspitBody read;
+  read.body.name = fs::path(path).stem().string();
+  if (fs::path(path).extension() != ".xml") {
+    read.body.shapes.push_back(mesh_shape(path, kGraspitLength));
+    return read;
+  }
+  const XmlFile file(path);
+  static const std::set<std::string> known{"material",       "mass",          "cog",
+                                           "inertia_matrix", "geometryFile",  "geometryScaling",
+                                           "geometryScale",  "geometryOffset"};
+  for (const pugi::xml_node& node : file.root().children())
+    if (node.type() == pugi::node_element && known.count(node.name()) == 0)
+      read.warnings.push_back(file.not_understood(node));
+  read.body.material = read_material(file, read.warnings);
+  read_mass(file, read.body);
+  read.body.shapes.push_back(read_geometry(file, read.warnings));
+  return read;
+}
+
+}  // namespace thenar

@@ -1,0 +1,182 @@
+#include "data/io/world/graspit_world.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <pugixml.hpp>
+
+#include "base/error.h"
+#include "data/io/graspit/graspit_transform.h"
+#include "data/io/world/graspit_body.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The last link of a robot's chain n, as thenar calls it when it imports that robot.
+std::string end_of_chain(const std::string& robot, int n) {
+  const std::string unknown = fmt::format("chain {}", n);
+  if (!fs::is_regular_file(robot)) return unknown;
+  const XmlFile file(robot);
+  pugi::xml_node chain = file.root().child("chain");
+  for (int i = 0; i < n; ++i) chain = chain.next_sibling("chain");
+  std::string last;
+  for (const pugi::xml_node& link : chain.children("link")) last = file.text(link);
+  return last.empty() ? unknown : fmt::format("chain{} {}", n + 1, fs::path(last).stem().string());
+}
+
+/// A world while it is read.
+class Reader {
+ public:
+  explicit Reader(const std::string& path) : file_(path) {
+    if (std::string(file_.root().name()) != "world")
+      file_.fail(file_.root(), fmt::format("wanted <world>, got <{}>", file_.root().name()));
+    read_.world.name = fs::path(path).stem().string();
+    read_.world.source = "File";
+    read_.world.own_sources = {{"File", "Imported from the GraspIt! world " + path}};
+  }
+
+  GraspitWorld read() {
+    for (const pugi::xml_node& node : file_.root().children()) {
+      const std::string name = node.name();
+      if (node.type() != pugi::node_element) continue;
+      if (name == "graspableBody" || name == "obstacle")
+        add_body(node, name == "graspableBody");
+      else if (name == "robot")
+        add_robot(node);
+      else if (name == "connection")
+        add_connection(node);
+      else if (name == "camera")
+        read_camera(node);
+      else
+        not_understood(node);
+    }
+    return std::move(read_);
+  }
+
+ private:
+  void not_understood(const pugi::xml_node& node) {
+    read_.warnings.push_back(file_.not_understood(node));
+  }
+
+  void warn(const pugi::xml_node& node, const std::string& what) {
+    read_.warnings.push_back(fmt::format("{}:{}: {}", file_.path(), file_.line(node), what));
+  }
+
+  /// Names the elements in `node` that are none of `known`.
+  void check(const pugi::xml_node& node, const std::vector<std::string>& known) {
+    for (const pugi::xml_node& child : node.children())
+      if (child.type() == pugi::node_element &&
+          std::find(known.begin(), known.end(), child.name()) == known.end())
+        not_understood(child);
+  }
+
+  /// The <filename> of an element, from where thenar runs; as written if there is no such file.
+  std::string named_file(const pugi::xml_node& node) const {
+    const pugi::xml_node name = node.child("filename");
+    if (!name) file_.fail(node, fmt::format("<{}> needs a <filename>", node.name()));
+    const std::string written = file_.text(name);
+    fs::path folder = fs::absolute(file_.path()).parent_path();
+    for (;; folder = folder.parent_path()) {
+      if (fs::is_regular_file(folder / written))
+        return (folder / written).lexically_normal().string();
+      if (folder == folder.parent_path()) return written;
+    }
+  }
+
+  /// "mug", then "mug_2"..
+  template <typename Taken>
+  static std::string new_name(const std::string& name, const Taken& taken) {
+    std::string candidate = name;
+    for (int i = 2; taken(candidate); ++i) candidate = fmt::format("{}_{}", name, i);
+    return candidate;
+  }
+
+  void add_body(const pugi::xml_node& node, bool dynamic) {
+    check(node, {"filename", "transform"});
+    const std::string path = named_file(node);
+    if (!fs::is_regular_file(path))
+      file_.fail(node.child("filename"), fmt::format("there is no file '{}'", path));
+    GraspitBody found = read_graspit_body(path);
+    auto& bodies = read_.world.bodies;
+    found.body.name = new_name(found.body.name, [&](const std::string& name) {
+      return std::any_of(bodies.begin(), bodies.end(),
+                         [&](const PlacedBody& other) { return other.body.name == name; });
+    });
+    auto& warnings = read_.warnings;
+    warnings.insert(warnings.end(), found.warnings.begin(), found.warnings.end());
+    bodies.push_back(
+        {std::move(found.body), "", graspit_transform(file_, node, warnings), dynamic});
+  }
+
+  void add_robot(const pugi::xml_node& node) {
+    check(node, {"filename", "transform", "dofValues"});
+    PlacedHand hand;
+    hand.file = named_file(node);
+    if (!fs::is_regular_file(hand.file))
+      warn(node, fmt::format("there is no robot file '{}'", hand.file));
+    auto& hands = read_.world.hands;
+    hand.name = new_name(fs::path(hand.file).stem().string(), [&](const std::string& name) {
+      return std::any_of(hands.begin(), hands.end(),
+                         [&](const PlacedHand& other) { return other.name == name; });
+    });
+    hand.X_WH = graspit_transform(file_, node, read_.warnings);
+    if (const pugi::xml_node values = node.child("dofValues")) {
+      const std::vector<double> q = file_.numbers(values);
+      for (std::size_t i = 0; i < q.size(); ++i) hand.posture[fmt::format("d{}", i)] = q[i];
+    }
+    hands.push_back(std::move(hand));
+  }
+
+  int whole_number(const pugi::xml_node& node, const char* name, int below) const {
+    const pugi::xml_node child = node.child(name);
+    if (!child) file_.fail(node, fmt::format("<connection> needs a <{}>", name));
+    const double number = file_.numbers(child, 1)[0];
+    if (number != static_cast<int>(number) || number < 0 || number >= below)
+      file_.fail(child, fmt::format("wanted <{}> in 0..{}, got {}", name, below - 1, number));
+    return static_cast<int>(number);
+  }
+
+  void add_connection(const pugi::xml_node& node) {
+    check(node, {"parentRobot", "parentChain", "childRobot", "transform"});
+    auto& hands = read_.world.hands;
+    const int count = static_cast<int>(hands.size());
+    const int parent = whole_number(node, "parentRobot", count);
+    const int child = whole_number(node, "childRobot", count);
+    if (parent == child) file_.fail(node, "a robot cannot carry itself");
+    PlacedHand& carried = hands[static_cast<std::size_t>(child)];
+    const PlacedHand& carrier = hands[static_cast<std::size_t>(parent)];
+    carried.carrier = carrier.name;
+    carried.carrier_link = end_of_chain(carrier.file, whole_number(node, "parentChain", kChains));
+    carried.X_WH = graspit_transform(file_, node, read_.warnings);
+  }
+
+  void read_camera(const pugi::xml_node& node) {
+    check(node, {"position", "orientation", "focalDistance"});
+    const pugi::xml_node position = node.child("position"), turn = node.child("orientation");
+    if (!position || !turn) file_.fail(node, "<camera> needs a <position> and an <orientation>");
+    const std::vector<double> p = file_.numbers(position, 3);
+    const std::vector<double> q = file_.numbers(turn, 4);  // x y z w
+    const Eigen::Quaterniond R(q[3], q[0], q[1], q[2]);
+    const pugi::xml_node focus = node.child("focalDistance");
+    const double distance = focus ? file_.numbers(focus, 1)[0] : kFocus;
+    if (!(R.norm() > 0) || !(distance > 0))
+      return warn(node, "the camera looks nowhere and was left out");
+    Camera& camera = read_.world.camera;
+    camera.eye = kGraspitLength * Eigen::Vector3d(p[0], p[1], p[2]);
+    camera.target = camera.eye + R.normalized() * Eigen::Vector3d(0, 0, -kGraspitLength * distance);
+  }
+
+  static constexpr double kFocus = 1000;  // where the file gives none [mm]
+  static constexpr int kChains = 1000;    // more than any robot has
+
+  XmlFile file_;
+  GraspitWorld read_;
+};
+
+}  // namespace
+
+GraspitWorld read_graspit_world(const std::string& path) { return Reader(path).read(); }
+
+}  // namespace thenar

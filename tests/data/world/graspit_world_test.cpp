@@ -1,0 +1,201 @@
+// Tests for data/io/world/graspit_world.cpp and graspit_body.cpp.
+
+#include "data/io/world/graspit_world.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/write_file.h"
+#include "data/io/world/graspit_body.h"
+#include "tests/data/mesh/cube_files.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr double kRounding = 1e-15;
+
+const std::string kBody = R"(<?xml version="1.0" ?>
+<root>
+  <material>wood</material>
+  <mass>200.0</mass>
+  <cog>1 2 3</cog>
+  <inertia_matrix>400 0 0 0 500 -10 0 -10 600</inertia_matrix>
+  <geometryFile type="off">cube.off</geometryFile>
+</root>
+)";
+
+const std::string kWorld = R"(<?xml version="1.0" ?>
+<world>
+  <obstacle>
+    <filename>models/cube.off</filename>
+    <transform><fullTransform>(+1 +0 +0 +0)[+0 +0 -100]</fullTransform></transform>
+  </obstacle>
+  <graspableBody>
+    <filename>models/body.xml</filename>
+    <transform><translation>10 20 30</translation><rotation>90 z</rotation></transform>
+  </graspableBody>
+  <graspableBody>
+    <filename>models/body.xml</filename>
+  </graspableBody>
+  <robot>
+    <filename>models/arm.xml</filename>
+    <dofValues>+0.5 -0.25</dofValues>
+  </robot>
+  <robot>
+    <filename>models/hand.xml</filename>
+    <dofValues>+1</dofValues>
+    <transform><translation>0 0 1</translation></transform>
+  </robot>
+  <connection>
+    <parentRobot>0</parentRobot>
+    <parentChain>0</parentChain>
+    <childRobot>1</childRobot>
+    <mountFilename>mount.xml</mountFilename>
+    <transform><translation>0 0 50</translation></transform>
+  </connection>
+  <camera>
+    <position>0 0 400</position>
+    <orientation>0 0 0 1</orientation>
+    <focalDistance>300</focalDistance>
+  </camera>
+  <light/>
+</world>
+)";
+
+class Graspit : public TemporaryFolder {
+ protected:
+  Graspit() {
+    write_file(path("models/cube.off"), cube_off());
+    write_file(path("models/body.xml"), kBody);
+    write_file(path("models/arm.xml"),
+               "<robot><chain><link>a/upper.xml</link><link>a/wrist.xml</link></chain></robot>");
+  }
+  [[nodiscard]] GraspitBody body(const std::string& xml) const {
+    write_file(path("models/other.xml"), xml);
+    return read_graspit_body(path("models/other.xml"));
+  }
+  [[nodiscard]] GraspitWorld world(const std::string& xml) const {
+    write_file(path("worlds/world.xml"), xml);
+    return read_graspit_world(path("worlds/world.xml"));
+  }
+};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST_F(Graspit, BodyHasMassAndMaterialInSi) {
+  const GraspitBody read = body(kBody);
+  EXPECT_THAT(read.warnings, ElementsAre());
+  EXPECT_EQ(read.body.name, "other");
+  EXPECT_EQ(read.body.material, "wood");
+  ASSERT_TRUE(read.body.mass);
+  EXPECT_DOUBLE_EQ(read.body.mass->mass, 0.2);
+  EXPECT_TRUE(matrix_near(read.body.mass->com, Eigen::Vector3d(0.001, 0.002, 0.003), kRounding));
+  Eigen::Matrix3d per_mass;  // [mm^2]
+  per_mass << 400, 0, 0, 0, 500, -10, 0, -10, 600;
+  EXPECT_TRUE(matrix_near(read.body.mass->inertia, 0.2 * 1e-6 * per_mass, kRounding));
+  ASSERT_EQ(read.body.shapes.size(), 1U);
+  EXPECT_DOUBLE_EQ(read.body.shapes[0].mesh.vertices.maxCoeff(), 0.002);  // 2 mm
+}
+
+TEST_F(Graspit, BodyScalesItsGeometry) {
+  const auto edge = [&](const std::string& to) {
+    return body(replaced(kBody, "type=\"off\"", to)).body.shapes[0].mesh.vertices.maxCoeff();
+  };
+  EXPECT_DOUBLE_EQ(edge("Units=\"cm\""), 0.02);
+  EXPECT_DOUBLE_EQ(edge("Units=\"m\" scale=\"0.5\""), 1);
+  EXPECT_DOUBLE_EQ(body(replaced(kBody, "<mass>", "<geometryScaling>3</geometryScaling><mass>"))
+                       .body.shapes[0]
+                       .mesh.vertices.maxCoeff(),
+                   0.006);
+}
+
+TEST_F(Graspit, BodyNamesWhatItDoesNotKnow) {
+  const std::string xml =
+      replaced(replaced(kBody, "wood", "cheese"), "<mass>", "<youngs>1</youngs><mass>");
+  const std::string file = path("models/other.xml");
+  EXPECT_THAT(body(xml).warnings,
+              ElementsAre(file + ":4: <youngs> is not understood and was left out",
+                          file + ":3: material 'cheese' is not known and was left out"));
+}
+
+TEST_F(Graspit, BodyIsRefusedWithItsLine) {
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    const std::string message =
+        message_of<DataError>([&] { (void)body(replaced(kBody, from, to)); });
+    return message.substr(message.find(".xml") + 4);
+  };
+  EXPECT_THAT(refusal("cube.off", "no.off"), StartsWith(":7: there is no geometry file"));
+  EXPECT_EQ(refusal("type=\"off\"", "Units=\"ft\""),
+            ":7: wanted 'Units' to be mm, cm, m or in, got 'ft'");
+  EXPECT_EQ(refusal("200.0", "x"), ":4: wanted finite numbers in <mass>, got 'x'");
+}
+
+TEST_F(Graspit, WorldPlacesItsBodies) {
+  const WorldSpec read = world(kWorld).world;
+  ASSERT_EQ(read.bodies.size(), 3U);
+  EXPECT_FALSE(read.bodies[0].dynamic);
+  EXPECT_EQ(read.bodies[0].X_WB.p.z(), -0.1);
+  EXPECT_TRUE(read.bodies[1].dynamic);
+  EXPECT_TRUE(matrix_near(read.bodies[1].X_WB.p, Eigen::Vector3d(0.01, 0.02, 0.03), kRounding));
+  EXPECT_TRUE(matrix_near(read.bodies[1].X_WB.R.col(0), Eigen::Vector3d(0, 1, 0), kRounding));
+  EXPECT_EQ(read.bodies[2].body.name, "body_2");
+}
+
+TEST_F(Graspit, WorldMountsHandsOnArms) {
+  const WorldSpec read = world(kWorld).world;
+  ASSERT_EQ(read.hands.size(), 2U);
+  EXPECT_EQ(read.hands[0].file, path("models/arm.xml"));
+  EXPECT_EQ(read.hands[0].posture.at("d1"), -0.25);
+  EXPECT_EQ(read.hands[1].carrier, "arm");
+  EXPECT_EQ(read.hands[1].carrier_link, "chain1 wrist");
+  EXPECT_EQ(read.hands[1].X_WH.p.z(), 0.05);
+}
+
+TEST_F(Graspit, WorldLooksThroughItsCamera) {
+  const Camera camera = world(kWorld).world.camera;
+  EXPECT_TRUE(matrix_near(camera.eye, Eigen::Vector3d(0, 0, 0.4), kRounding));
+  EXPECT_TRUE(matrix_near(camera.target, Eigen::Vector3d(0, 0, 0.1), kRounding));
+}
+
+TEST_F(Graspit, WorldNamesWhatItDoesNotKnow) {
+  const std::string file = path("worlds/world.xml");
+  EXPECT_THAT(world(kWorld).warnings,
+              ElementsAre(file + ":18: there is no robot file 'models/hand.xml'",
+                          file + ":27: <mountFilename> is not understood and was left out",
+                          file + ":35: <light> is not understood and was left out"));
+}
+
+TEST_F(Graspit, WorldSurvivesAsToml) {
+  const WorldSpec read = world(kWorld).world;
+  write_file(path("elsewhere/world.toml"),
+             replaced(world_toml(read), "models/hand.xml", path("models/arm.xml")));
+  const WorldSpec again = read_world(path("elsewhere/world.toml"));
+  EXPECT_EQ(again.bodies[1].X_WB.R, read.bodies[1].X_WB.R);
+  EXPECT_EQ(again.bodies[1].body.mass->inertia, read.bodies[1].body.mass->inertia);
+  EXPECT_EQ(again.bodies[1].body.shapes[0].mesh.vertices,
+            read.bodies[1].body.shapes[0].mesh.vertices);
+}
+
+TEST_F(Graspit, WorldIsRefusedWithItsLine) {
+  const auto refusal = [&](const std::string& from, const std::string& to) {
+    const std::string message =
+        message_of<DataError>([&] { (void)world(replaced(kWorld, from, to)); });
+    return message.substr(message.find(".xml") + 4);
+  };
+  EXPECT_THAT(refusal("models/cube.off", "no.off"), ":4: there is no file 'no.off'");
+  EXPECT_EQ(refusal("<childRobot>1", "<childRobot>2"), ":26: wanted <childRobot> in 0..1, got 2");
+  EXPECT_EQ(refusal("<childRobot>1", "<childRobot>0"), ":23: a robot cannot carry itself");
+  EXPECT_THAT(refusal("(+1 +0 +0 +0)", "(+1 +0 +0)"), HasSubstr(":5: wanted 7 numbers"));
+}
+
+}  // namespace
+}  // namespace thenar
