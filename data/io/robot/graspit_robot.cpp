@@ -11,7 +11,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
-#include "data/io/graspit/graspit_body.h"
+#include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_mesh.h"
@@ -86,13 +86,13 @@ class Translation {
       robot_.warnings.push_back(fmt::format(
           "MISSING BODY '{}': link '{}' goes without shape and mass", written, link.name));
     } else {
-      fill(link, read_graspit_body(path));
+      fill(link, read_graspit_link(path));
     }
     robot_.links.push_back(link);
     return link.name;
   }
 
-  void fill(RobotLink& link, const GraspitBody& body) {
+  void fill(RobotLink& link, const GraspitLink& body) {
     link.material = body.material;
     link.mass = body.mass;
     link.com = body.com;
@@ -101,7 +101,8 @@ class Translation {
     if (body.geometry_file.empty()) return;
     ShapeSpec shape;
     const internal::MeshPlacement placement{body.geometry_scale * Eigen::Matrix3d::Identity(),
-                                            body.geometry_offset};
+                                            {0, 0, 0}};
+    shape.X_BS = body.X_LG;
     if (internal::try_mesh(shape, fs::absolute(body.geometry_file), placement, file_.path(),
                            link.name, robot_.warnings))
       link.shapes.push_back(std::move(shape));

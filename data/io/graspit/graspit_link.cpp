@@ -1,8 +1,9 @@
-#include "data/io/graspit/graspit_body.h"
+#include "data/io/graspit/graspit_link.h"
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 #include <pugixml.hpp>
@@ -37,16 +38,42 @@ std::optional<Eigen::Matrix3d> inertia_per_mass(const XmlFile& file, const pugi:
   return {};
 }
 
-void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitBody& body) {
+double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
+  static const std::map<std::string, double> units{
+      {"mm", kGraspitLength}, {"cm", 1e-2}, {"m", 1}, {"in", 0.0254}};
+  for (const char* name : {"Units", "units"})
+    if (const pugi::xml_attribute attribute = geometry.attribute(name)) {
+      const auto found = units.find(attribute.value());
+      if (found == units.end())
+        file.fail(geometry,
+                  fmt::format("wanted {} mm, cm, m or in, got '{}'", name, attribute.value()));
+      return found->second;
+    }
+  return kGraspitLength;
+}
+
+void read_geometry(const XmlFile& file, GraspitLink& body) {
+  const pugi::xml_node geometry = file.root().child("geometryFile");
+  if (!geometry) return;
+  body.geometry_file =
+      (std::filesystem::path(file.path()).parent_path() / file.text(geometry)).string();
+  body.geometry_scale = unit_of(file, geometry) * geometry.attribute("scale").as_double(1);
+  for (const char* name : {"geometryScaling", "geometryScale"})
+    if (const pugi::xml_node scaling = file.root().child(name))
+      body.geometry_scale *= file.numbers(scaling, 1)[0];
+  if (!(body.geometry_scale > 0)) file.fail(geometry, "wanted its scale > 0");
+  const pugi::xml_node offset = file.root().child("geometryOffset");
+  if (offset.child("transform")) {
+    body.X_LG = graspit_transform(file, offset, body.warnings);
+  } else if (offset) {
+    body.X_LG.p = vector3(file, offset);
+  }
+}
+
+void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitLink& body) {
   const std::string name = node.name();
-  if (name == "geometryFile") {
-    body.geometry_file =
-        (std::filesystem::path(file.path()).parent_path() / file.text(node)).string();
-  } else if (name == "geometryScaling") {
-    body.geometry_scale = kGraspitLength * file.numbers(node, 1)[0];
-  } else if (name == "geometryOffset") {
-    body.geometry_offset = vector3(file, node);
-  } else if (name == "material") {
+  if (name.rfind("geometry", 0) == 0) return;  // by read_geometry()
+  if (name == "material") {
     body.material = file.text(node);
   } else if (name == "mass") {
     body.mass = kGraspitMass * file.numbers(node, 1)[0];
@@ -61,14 +88,15 @@ void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitBody& 
 
 }  // namespace
 
-GraspitBody read_graspit_body(const std::string& path) {
-  GraspitBody body;
+GraspitLink read_graspit_link(const std::string& path) {
+  GraspitLink body;
   if (!is_xml(path)) {
     body.geometry_file = path;
     return body;
   }
   const XmlFile file(path);
   for (const pugi::xml_node& node : file.root().children()) read_element(file, node, body);
+  read_geometry(file, body);
   if (body.mass < 0) file.fail(file.root().child("mass"), "wanted a <mass> >= 0");
   if (body.inertia && body.mass > 0) {
     *body.inertia *= body.mass;
