@@ -1,0 +1,246 @@
+// Tests for grasp/robot_hand.cpp and grasp/robot_tips.cpp, on small robots and on data/robots.
+
+#include "grasp/robot_hand.h"
+
+#include <filesystem>
+
+#include <gmock/gmock.h>
+
+#include "base/angles.h"
+#include "base/error.h"
+#include "data/io/toml_table.h"
+#include "tests/data/robot/sample_robots.h"
+#include "tests/hand/hand_laws.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+const std::string kRobots = std::string(THENAR_DATA_DIR) + "/robots/";
+
+RobotSpec robot(const std::string& name) { return read_robot(kRobots + name + ".toml"); }
+
+std::vector<std::string> all_robots() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(kRobots))
+    names.push_back(entry.path().stem().string());
+  return names;
+}
+
+std::size_t index_of(const RobotHand& hand, const std::string& link) {
+  const auto at = std::find(hand.links().begin(), hand.links().end(), link);
+  EXPECT_NE(at, hand.links().end()) << link;
+  return static_cast<std::size_t>(at - hand.links().begin());
+}
+
+VectorXd zero(const RobotHand& hand) {
+  return VectorXd::Zero(static_cast<Eigen::Index>(hand.layout().coordinates.size()));
+}
+
+// The 100 m of way of the mobile base would leave no digits for difference quotients.
+TEST(RobotHand, ObeysTheLawsOfHands) {
+  unsigned seed = 81;
+  for (const std::string& name : all_robots()) {
+    SCOPED_TRACE(name);
+    RobotSpec spec = robot(name);
+    for (RobotJoint& joint : spec.joints) joint.upper = std::min(joint.upper, 10.0);
+    expect_hand_laws(RobotHand(spec), ++seed);
+  }
+  RobotSpec small = sample::small_robot(4);
+  for (RobotJoint& joint : small.joints) {
+    joint.stiffness = 0.3;
+    joint.X_PJ.p /= 1000;  // to the size of a hand
+    joint.X_JC.p /= 1000;
+  }
+  expect_hand_laws(RobotHand(small), ++seed);
+}
+
+constexpr double kPrinted = 0.6e-6;  // figures are printed to 1 um, quaternions to 8 digits [m]
+
+TEST(RobotHand, HasLinksWherePublishedFiguresHaveThem) {
+  const std::string path = std::string(THENAR_DATA_DIR) + "/../tests/data/robot/tip_positions.toml";
+  const TomlFile file(read_text_file(path), path);
+  TomlTable top = file.top();
+  std::size_t tips = 0;
+  for (TomlTable& tip : top.tables("tip")) {
+    const RobotHand hand(robot(tip.text("robot")));
+    const std::size_t link = index_of(hand, tip.text("link"));
+    const Vector3d published = tip.vector(Dimension::kLength, "position");
+    EXPECT_TRUE(matrix_near(hand.link_frames(zero(hand))[link].p, published,
+                            tip.number_or(Dimension::kLength, "tolerance", kPrinted)))
+        << tip.text("robot") << ": " << tip.text("link");
+    ++tips;
+  }
+  EXPECT_GE(tips, 50U);
+}
+
+/// The end of the Puma by the product of its Denavit-Hartenberg rows, written out.
+Pose<double> puma_end(const VectorXd& q) {
+  const double d[] = {0.67183, 0, 0.15005, 0.4318, 0, 0};
+  const double a[] = {0, 0.4318, 0.0203, 0, 0, 0};
+  const double alpha[] = {kPi / 2, 0, -kPi / 2, kPi / 2, -kPi / 2, 0};
+  Pose<double> X;
+  for (int i = 0; i < 6; ++i) {
+    const Pose<double> about_z{rotation_about<double>(Vector3d::UnitZ(), q[i]), {0, 0, d[i]}};
+    const Pose<double> about_x{rotation_about<double>(Vector3d::UnitX(), alpha[i]), {a[i], 0, 0}};
+    X = X * about_z * about_x;
+  }
+  return X;
+}
+
+// qz, qr, qn, qs of [RoboticsToolbox]. Ready (qr): the arm stands straight up, so the wrist is
+// above the shoulder by both lengths and the elbow's offset lies across.
+TEST(RobotHand, PosesThePumaAsPublished) {
+  const RobotHand arm(robot("puma560"));
+  std::vector<VectorXd> postures(4, VectorXd::Zero(6));
+  postures[1] << 0, kPi / 2, -kPi / 2, 0, 0, 0;
+  postures[2] << 0, kPi / 4, kPi, 0, kPi / 4, 0;
+  postures[3] << 0, 0, -kPi / 2, 0, 0, 0;
+  for (const VectorXd& q : postures) {
+    const Pose<double> end = arm.link_frames(q)[index_of(arm, "link 6")], wanted = puma_end(q);
+    EXPECT_TRUE(matrix_near(end.R, wanted.R, 1e-9));  // angles in the file have ten digits
+    EXPECT_TRUE(matrix_near(end.p, wanted.p, 1e-9));
+  }
+  const Vector3d ready = arm.link_frames(postures[1])[index_of(arm, "link 6")].p;
+  EXPECT_TRUE(matrix_near(ready, Vector3d(0.0203, -0.15005, 0.67183 + 0.4318 + 0.4318), 1e-9));
+}
+
+// Barrett on Puma on XR4000: the fingertip is where the poses of the three, each by itself, put it.
+TEST(RobotHand, MountsAHandOnAnArmOnABase) {
+  const RobotSpec base = robot("xr4000"), arm = robot("puma560"), tool = robot("barrett");
+  std::mt19937 rng(7);
+  const Pose<double> X_top = sample::random_pose(rng), X_wrist = sample::random_pose(rng);
+  const RobotHand all(attach(attach(base, "top", arm, X_top), "link 6", tool, X_wrist));
+  ASSERT_EQ(all.layout().coordinates.size(), 3U + 6 + 7);
+
+  const RobotHand on_base(base), on_arm(arm), on_tool(tool);
+  VectorXd q(16);
+  for (double& value : q) value = sample::odd_number(rng, 2);
+  const Pose<double> top = on_base.link_frames(q.head(3))[index_of(on_base, "top")];
+  const Pose<double> wrist = on_arm.link_frames(q.segment(3, 6))[index_of(on_arm, "link 6")];
+  for (const char* link : {"palm", "finger 1 L3", "finger 3 L2"}) {
+    const Pose<double> wanted =
+        top * X_top * wrist * X_wrist * on_tool.link_frames(q.tail(7))[index_of(on_tool, link)];
+    const Pose<double> got = all.link_frames(q)[index_of(all, link)];
+    EXPECT_TRUE(matrix_near(got.R, wanted.R, 1e-12));
+    EXPECT_TRUE(matrix_near(got.p, wanted.p, 1e-9));  // of lengths up to 1 km
+  }
+}
+
+// Spread: 1 coordinate, rigid. Fingers: inner and outer joint each, outer at a third.
+TEST(RobotHand, LetsBreakawayJointsPart) {
+  const RobotHand hand(robot("barrett"));
+  const HandLayout& layout = hand.layout();
+  ASSERT_EQ(layout.coordinates.size(), 7U);
+  ASSERT_EQ(layout.drives.size(), 4U);
+  EXPECT_EQ(layout.drives[0].coupled, Coupled::kRigid);
+  EXPECT_EQ(layout.drives[0].moves.size(), 1U);
+  const Drive& finger = layout.drives[1];
+  EXPECT_EQ(finger.coupled, Coupled::kBreakaway);
+  EXPECT_EQ(finger.breakaway, 0.5);
+  ASSERT_EQ(finger.moves.size(), 2U);
+  EXPECT_EQ(finger.moves[0].ratio, 1);
+  EXPECT_NEAR(finger.moves[1].ratio, 1.0 / 3, 1e-9);
+  EXPECT_EQ(layout.coordinates[static_cast<std::size_t>(finger.moves[1].coordinate)],
+            "finger 1 J3");
+}
+
+// tau = u r / (r'r) with r = (1, 1/3): the motor's power u whenever joints move by r.
+TEST(RobotHand, SharesTheMotorAsItsGearing) {
+  const RobotHand hand(robot("barrett"));
+  const Actuation actuation = hand.actuation(zero(hand));
+  const Drive& finger = hand.layout().drives[1];
+  const int inner = finger.moves[0].coordinate, outer = finger.moves[1].coordinate;
+  EXPECT_NEAR(actuation.B(inner, 1), 0.9, 1e-9);
+  EXPECT_NEAR(actuation.B(outer, 1), 0.3, 1e-9);
+  EXPECT_EQ(actuation.upper[1], 2.5);
+  EXPECT_EQ(actuation.lower[1], -2.5);
+  EXPECT_EQ(RobotHand(robot("puma560")).actuation(VectorXd::Zero(6)).upper[0],
+            std::numeric_limits<double>::infinity());
+}
+
+// The outer joint of small_robot follows by 1/3 and an offset; springs pull to rest.
+TEST(RobotHand, PullsJointsToTheRestOfTheirSprings) {
+  RobotSpec spec = sample::small_robot();
+  for (RobotJoint& joint : spec.joints) {
+    joint.stiffness = 0;
+    joint.lower = -3;
+    joint.upper = 3;
+  }
+  spec.dofs[0].kind = RobotDofKind::kRigid;
+  spec.joints[1].stiffness = 0.6;
+  spec.joints[1].rest = 0.5;
+  spec.joints[1].offset = 0.2;
+  const RobotHand hand(spec);
+  const Eigen::Vector2d q(0.3, 0);  // outer joint at 0.1 + 0.2
+  EXPECT_NEAR(hand.actuation(q).tau_0[0], 0.6 * (0.5 - 0.3) / 3, 1e-15);
+}
+
+TEST(RobotHand, OpensJawsTogether) {
+  const RobotHand hand(robot("parallel_jaw"));
+  const std::vector<Pose<double>> X = hand.pose(VectorXd::Constant(1, 0.02));
+  ASSERT_EQ(X.size(), 2U);
+  EXPECT_TRUE(matrix_near(X[0].p, Vector3d(-0.02, 0, 0), 1e-17));
+  EXPECT_TRUE(matrix_near(X[1].p, Vector3d(0.02, 0, 0), 1e-17));
+  EXPECT_EQ(hand.layout().drives[0].speed, -1);
+  EXPECT_EQ(hand.layout().upper[0], 0.055);
+  // Middle of the jaws' front faces: 75 mm boxes centred 25 mm out.
+  EXPECT_TRUE(matrix_near(hand.layout().tip_points[0].p, Vector3d(-0.008, 0.0625, 0), 1e-12));
+}
+
+// Pads of the linkage stay upright: knuckle and finger turn against each other.
+TEST(RobotHand, KeepsThePadsOfTheLinkageParallel) {
+  const RobotHand hand(robot("robotiq_2f85"));
+  const std::size_t left = index_of(hand, "left pad"), right = index_of(hand, "right pad");
+  const std::vector<Pose<double>> open = hand.link_frames(zero(hand));
+  const std::vector<Pose<double>> shut = hand.link_frames(VectorXd::Constant(1, 0.8));
+  EXPECT_TRUE(matrix_near(open[left].R, shut[left].R, 1e-15));
+  const double gap = 0.00635;  // pads' thickness: half of each lies on either side of its frame
+  EXPECT_NEAR((open[left].p - open[right].p).norm() - gap, 0.085, 0.002);  // its name: 85 mm
+  EXPECT_NEAR((shut[left].p - shut[right].p).norm() - gap, 0, 0.004);
+}
+
+// Reference: every degree of freedom zero, every joint at its offset.
+TEST(RobotHand, DisplacesNothingAtItsReference) {
+  for (const std::string& name : all_robots()) {
+    const RobotHand hand(robot(name));
+    for (const Pose<double>& X : hand.pose(zero(hand))) {
+      EXPECT_TRUE(X.R.isIdentity(0));
+      EXPECT_TRUE(X.p.isZero(1e-15));
+    }
+  }
+}
+
+TEST(RobotHand, CarriesItsSurfacesInTheHandsFrame) {
+  const RobotHand hand(robot("barrett"));
+  ASSERT_EQ(hand.surfaces().size(), 9U);  // palm, 3 + 3 + 2 links
+  EXPECT_EQ(hand.surfaces()[0].link, -1);
+  const LinkSurface& tip = hand.surfaces()[3];
+  EXPECT_EQ(tip.name, "finger 1 L3");
+  EXPECT_EQ(tip.digit, "finger 1");
+  EXPECT_EQ(tip.material, "wood");
+  // Its frame lies inside near the end, 2 mm from the far end of its box.
+  const Vector3d end = hand.link_frames(zero(hand))[index_of(hand, "finger 1 L3")].p;
+  EXPECT_LT(tip.solid->shape->distance(end), 0);
+  EXPECT_GT(tip.solid->shape->distance(end), -0.0021);
+}
+
+TEST(RobotHand, RefusesLimitsThatLeaveNothing) {
+  RobotSpec spec = sample::small_robot();
+  spec.dofs[1].lower = spec.dofs[1].upper = spec.joints[2].upper + 1;
+  EXPECT_THAT(message_of([&] { (void)RobotHand(spec); }), testing::HasSubstr("leave nothing"));
+}
+
+TEST(RobotHand, FindsThePostureOfItsMotors) {
+  const RobotHand hand(robot("barrett"));
+  const VectorXd q = hand.posture(Eigen::Vector4d(0.1, 0.9, 0.3, 0.6));
+  VectorXd wanted(7);
+  wanted << 0.1, 0.9, 0.3, 0.3, 0.1, 0.6, 0.2;
+  EXPECT_TRUE(matrix_near(q, wanted, 1e-9));  // the third is printed to nine digits
+}
+
+}  // namespace
+}  // namespace thenar
