@@ -1,0 +1,184 @@
+#include "grasp/close_hand.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "grasp/link_motion.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Speed and turn of one thing as seen from another.
+struct RelativeSpeed {
+  double speed = 0;  // [m/s]
+  double turn = 0;   // [rad/s]
+};
+
+class Closing {
+ public:
+  Closing(const TouchingHand& touching, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+          const Scene& scene, const CloseOptions& options)
+      : touching_(touching),
+        hand_(*touching.hand),
+        options_(options),
+        drives_(hand_.layout()),
+        posed_{touching, X_WH, hand_.pose(q)},
+        q_(q),
+        gaps_(scene_gaps(posed_, scene)),
+        speeds_(touching.touch.size()) {
+    if (!options.self) return;
+    const std::vector<Gap> self = self_gaps(posed_, options.accuracy);
+    gaps_.insert(gaps_.end(), self.begin(), self.end());
+  }
+
+  ClosedHand run() {
+    int steps = 0;
+    for (; drives_.moving() && steps < options_.most_steps; ++steps) advance();
+    return {q_, drives_.stopped(), {}, !drives_.moving(), steps, queries_};
+  }
+
+ private:
+  void find_speeds() {
+    for (std::size_t s = 0; s < speeds_.size(); ++s)
+      speeds_[s] = surface_speed(hand_, q_, drives_.rates(), static_cast<int>(s),
+                                 touching_.touch[s].nodes[0].ball);
+  }
+
+  /// What moves both things moves neither on the other.
+  RelativeSpeed relative_speed(const Gap& gap) const {
+    RelativeSpeed sum;
+    for (Eigen::Index j = 0; j < q_.size(); ++j) {
+      const bool first = touching_.moved_by(gap.surface, j);
+      const bool second = gap.body == nullptr && touching_.moved_by(gap.other, j);
+      if (first == second) continue;
+      const SurfaceSpeed& mover = speeds_[first ? gap.surface : gap.other];
+      sum.speed += mover.speed[j];
+      sum.turn += mover.turn[j];
+    }
+    return sum;
+  }
+
+  /// One step, as long as all gaps allow, or the stop of whatever has met.
+  void advance() {
+    find_speeds();
+    double time = time_to_limits();
+    for (Gap& gap : gaps_) {
+      const RelativeSpeed relative = relative_speed(gap);
+      if (relative.speed == 0 || safe(relative, gap) >= time) continue;
+      const double way = longest_way(relative.speed, relative.turn, finite(time, relative));
+      const Separation found =
+          measure(gap, posed_, options_.accuracy / 4, way + 2 * options_.accuracy);
+      ++queries_;
+      if (gap.bound <= options_.accuracy) {
+        if (goes_into(gap, found)) return stop_both(gap);
+        time = std::min(time, options_.accuracy / 4 / relative.speed);  // slides along
+      } else {
+        time = std::min(time, safe(relative, gap));
+      }
+    }
+    move(time);
+  }
+
+  double safe(const RelativeSpeed& relative, const Gap& gap) const {
+    return safe_time(relative.speed, relative.turn,
+                     std::max(0.0, gap.bound - options_.accuracy / 2));
+  }
+
+  /// A time by which no gap is asked for more than the hand can cross.
+  static double finite(double time, const RelativeSpeed& relative) {
+    return std::min(time, safe_time(relative.speed, relative.turn, 1.0));
+  }
+
+  double time_to_limits() const {
+    double time = kInfinite;
+    for (Eigen::Index j = 0; j < q_.size(); ++j) {
+      const double rate = drives_.rates()[j];
+      if (rate != 0) time = std::min(time, std::max(0.0, (limit(j) - q_[j]) / rate));
+    }
+    return time;
+  }
+
+  double limit(Eigen::Index j) const {
+    return drives_.rates()[j] > 0 ? hand_.layout().upper[j] : hand_.layout().lower[j];
+  }
+
+  void move(double time) {
+    for (Gap& gap : gaps_) {
+      const RelativeSpeed relative = relative_speed(gap);
+      gap.bound -= longest_way(relative.speed, relative.turn, time);
+    }
+    const Eigen::VectorXd rates = drives_.rates();
+    std::vector<int> at_limit;
+    for (Eigen::Index j = 0; j < q_.size(); ++j) {
+      if (rates[j] == 0) continue;
+      const bool ends = (limit(j) - q_[j]) / rates[j] <= time;
+      q_[j] = ends ? limit(j) : q_[j] + rates[j] * time;
+      if (ends) at_limit.push_back(static_cast<int>(j));
+    }
+    posed_.links = hand_.pose(q_);
+    for (const int j : at_limit) drives_.stop(j, StoppedBy::kLimit);
+  }
+
+  Eigen::Vector3d velocity(int surface, const Eigen::Vector3d& at_W) const {
+    const int link = hand_.surfaces()[surface].link;
+    if (link < 0) return Eigen::Vector3d::Zero();
+    const Eigen::Vector3d p = posed_.of_surface(surface).inverse() * at_W;
+    return posed_.X_WH.R * (hand_.jacobian(q_, link, p).bottomRows<3>() * drives_.rates());
+  }
+
+  bool goes_into(const Gap& gap, const Separation& found) const {
+    Eigen::Vector3d v = velocity(gap.surface, found.on_a);
+    if (gap.body == nullptr) v -= velocity(gap.other, found.on_b);
+    return found.normal.dot(v) < 0;
+  }
+
+  void stop_both(const Gap& gap) {
+    for (Eigen::Index j = 0; j < q_.size(); ++j) {
+      const bool first = touching_.moved_by(gap.surface, j);
+      const bool second = gap.body == nullptr && touching_.moved_by(gap.other, j);
+      if (first != second && drives_.rates()[j] != 0)
+        drives_.stop(static_cast<int>(j), StoppedBy::kContact);
+    }
+  }
+
+  const TouchingHand& touching_;
+  const Hand& hand_;
+  CloseOptions options_;
+  ClosingDrives drives_;
+  PosedHand posed_;
+  Eigen::VectorXd q_;
+  std::vector<Gap> gaps_;
+  std::vector<SurfaceSpeed> speeds_;
+  int queries_ = 0;
+};
+
+}  // namespace
+
+void require_start(const Hand& hand, const Eigen::VectorXd& q) {
+  const HandLayout& layout = hand.layout();
+  require(q.size() == layout.lower.size(), "the hand has {} coordinates, q has {}",
+          layout.lower.size(), q.size());
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    require(q[j] >= layout.lower[j] - 1e-9 && q[j] <= layout.upper[j] + 1e-9,
+            "'{}' starts at {}, its range is {} .. {}", layout.coordinates[j], q[j],
+            layout.lower[j], layout.upper[j]);
+}
+
+ClosedHand close_hand(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+                      const Scene& scene, const CloseOptions& options) {
+  require_start(*hand.hand, q);
+  std::vector<Overlap> overlaps =
+      find_overlaps({hand, X_WH, hand.hand->pose(q)}, scene, options.accuracy);
+  if (overlaps.empty()) return Closing(hand, X_WH, q, scene, options).run();
+  ClosedHand stuck;
+  stuck.q = q;
+  stuck.stopped.assign(q.size(), StoppedBy::kNothing);
+  stuck.overlaps = std::move(overlaps);
+  return stuck;
+}
+
+}  // namespace thenar

@@ -1,0 +1,67 @@
+#include "grasp/closing_drives.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace thenar {
+namespace {
+
+std::vector<Drive> drives_of(const HandLayout& layout) {
+  if (!layout.drives.empty()) return layout.drives;
+  std::vector<Drive> drives;
+  for (std::size_t i = 0; i < layout.coordinates.size(); ++i)
+    drives.push_back(
+        {layout.coordinates[i], Coupled::kRigid, {{static_cast<int>(i), 1}}, /*speed=*/1, 0});
+  return drives;
+}
+
+}  // namespace
+
+std::string name_of(StoppedBy stop) {
+  switch (stop) {
+    case StoppedBy::kNothing:
+      return "free";
+    case StoppedBy::kLimit:
+      return "limit";
+    case StoppedBy::kContact:
+      return "contact";
+    case StoppedBy::kCoupling:
+      return "coupling";
+    case StoppedBy::kNoDrive:
+      break;
+  }
+  return "no drive";
+}
+
+ClosingDrives::ClosingDrives(const HandLayout& layout)
+    : drives_(drives_of(layout)),
+      rates_(Eigen::VectorXd::Zero(layout.lower.size())),
+      stopped_(layout.coordinates.size(), StoppedBy::kNoDrive) {
+  for (const Drive& drive : drives_)
+    for (const Driven& driven : drive.moves) {
+      const double rate = drive.speed * driven.ratio;
+      rates_[driven.coordinate] = rate;
+      if (rate != 0) stopped_[driven.coordinate] = StoppedBy::kNothing;
+    }
+}
+
+void ClosingDrives::halt(int coordinate, StoppedBy why) {
+  if (stopped_[coordinate] != StoppedBy::kNothing) return;
+  stopped_[coordinate] = why;
+  rates_[coordinate] = 0;
+}
+
+void ClosingDrives::stop(int coordinate, StoppedBy why) {
+  halt(coordinate, why);
+  for (const Drive& drive : drives_) {
+    if (drive.coupled == Coupled::kCompliant) continue;
+    const auto at = std::find_if(drive.moves.begin(), drive.moves.end(),
+                                 [&](const Driven& d) { return d.coordinate == coordinate; });
+    if (at == drive.moves.end()) continue;
+    // A clutch lets go of what is further out; gears hold everything.
+    const auto end = drive.coupled == Coupled::kRigid ? drive.moves.end() : at;
+    for (auto d = drive.moves.begin(); d != end; ++d) halt(d->coordinate, StoppedBy::kCoupling);
+  }
+}
+
+}  // namespace thenar

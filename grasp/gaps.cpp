@@ -1,0 +1,80 @@
+#include "grasp/gaps.h"
+
+namespace thenar {
+namespace {
+
+const LinkSurface& surface_of(const PosedHand& posed, int surface) {
+  return posed.touching.hand->surfaces()[surface];
+}
+
+}  // namespace
+
+Pose<double> PosedHand::of_surface(int surface) const {
+  const int link = surface_of(*this, surface).link;
+  return link < 0 ? X_WH : X_WH * links[link];
+}
+
+Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cutoff) {
+  SeparationOptions options;
+  options.tolerance = tolerance;
+  options.cutoff = cutoff;
+  options.start = gap.nearest;
+  const TouchBody& touch = posed.touching.touch[gap.surface];
+  const Pose<double> X = posed.of_surface(gap.surface);
+  const Separation found = gap.body != nullptr
+                               ? separation(touch, X, gap.body->solid, gap.body->X_WB, options)
+                               : separation(touch, X, *surface_of(posed, gap.other).solid,
+                                            posed.of_surface(gap.other), options);
+  // Beyond the cutoff the distance is a bound itself.
+  gap.bound = found.distance > cutoff ? found.distance : found.distance - found.error;
+  gap.nearest = found.triangle;
+  return found;
+}
+
+double ball_bound(const Gap& gap, const PosedHand& posed) {
+  const Ball& ball = posed.touching.touch[gap.surface].nodes[0].ball;
+  const Eigen::Vector3d c = posed.of_surface(gap.surface) * ball.c;
+  if (gap.body == nullptr) {
+    const Ball& other = posed.touching.touch[gap.other].nodes[0].ball;
+    return (c - posed.of_surface(gap.other) * other.c).norm() - ball.r - other.r;
+  }
+  const Shape& shape = *gap.body->solid.shape;
+  return shape.distance(gap.body->X_WB.inverse() * c) - shape.accuracy() - ball.r;
+}
+
+std::vector<Gap> scene_gaps(const PosedHand& posed, const Scene& scene) {
+  std::vector<Gap> gaps;
+  const auto add = [&](int surface, const SceneBody& body) {
+    gaps.push_back({surface, -1, &body});
+    gaps.back().bound = ball_bound(gaps.back(), posed);
+  };
+  for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
+    add(s, scene.object);
+    for (const SceneBody& obstacle : scene.obstacles) add(s, obstacle);
+  }
+  return gaps;
+}
+
+std::vector<Gap> self_gaps(const PosedHand& posed, double accuracy) {
+  std::vector<Gap> gaps;
+  for (const SurfacePair& pair : posed.touching.self) {
+    Gap gap{pair.a, pair.b};
+    gap.bound = ball_bound(gap, posed);
+    if (gap.bound <= accuracy) measure(gap, posed, accuracy / 4, 100 * accuracy);
+    if (gap.bound > accuracy) gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+std::vector<Overlap> find_overlaps(const PosedHand& posed, const Scene& scene, double accuracy) {
+  std::vector<Overlap> overlaps;
+  for (Gap& gap : scene_gaps(posed, scene)) {
+    if (gap.bound > 0) continue;
+    const double distance = measure(gap, posed, accuracy / 4, accuracy).distance;
+    if (distance < 0)
+      overlaps.push_back({surface_of(posed, gap.surface).name, gap.body->name, -distance});
+  }
+  return overlaps;
+}
+
+}  // namespace thenar

@@ -1,0 +1,59 @@
+#pragma once
+
+/// Lower bounds of the gaps between everything that may meet while a hand moves.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "grasp/contact/separation.h"
+#include "grasp/scene.h"
+#include "grasp/touching_hand.h"
+
+namespace thenar {
+
+/// A surface of the hand and what it may meet.
+struct Gap {
+  int surface;                      // of Hand::surfaces()
+  int other = -1;                   // another surface; -1: `body`
+  const SceneBody* body = nullptr;  // null: `other`
+  double bound = 0;                 // the gap is at least this [m]
+  int nearest = -1;                 // triangle of the surface that was nearest; -1: unknown
+};
+
+/// A posed hand.
+struct PosedHand {
+  const TouchingHand& touching;
+  Pose<double> X_WH;
+  std::vector<Pose<double>> links;  // displacements, as Hand::pose() gives them
+
+  /// From a surface's points at the reference posture to the world.
+  [[nodiscard]] Pose<double> of_surface(int surface) const;
+};
+
+/// Measures a gap at a pose and notes its bound.
+/// @param tolerance, cutoff  as of separation() [m]
+Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cutoff);
+
+/// A bound from one distance, by the balls around the surfaces [m].
+[[nodiscard]] double ball_bound(const Gap& gap, const PosedHand& posed);
+
+/// Every surface with every body of the scene, bounded by balls.
+[[nodiscard]] std::vector<Gap> scene_gaps(const PosedHand& posed, const Scene& scene);
+
+/// Surfaces of the hand that may meet and do not overlap now, bounded from below.
+[[nodiscard]] std::vector<Gap> self_gaps(const PosedHand& posed, double accuracy);
+
+/// Two things that are in each other.
+struct Overlap {
+  std::string surface;
+  std::string other;
+  double depth;  // [m]
+};
+
+/// Which surfaces are in bodies of the scene.
+[[nodiscard]] std::vector<Overlap> find_overlaps(const PosedHand& posed, const Scene& scene,
+                                                 double accuracy);
+
+}  // namespace thenar

@@ -1,0 +1,64 @@
+#include "grasp/scene.h"
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
+  return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
+}
+
+/// Centre of the volume, from tetrahedra to the origin.
+Eigen::Vector3d volume_centre(const TriangleMesh& mesh) {
+  Eigen::Vector3d moment(0, 0, 0);
+  double volume = 0;
+  for (const auto& t : mesh.triangles.colwise()) {
+    const Eigen::Vector3d a = mesh.vertices.col(t[0]), b = mesh.vertices.col(t[1]),
+                          c = mesh.vertices.col(t[2]);
+    const double part = a.dot(b.cross(c));
+    volume += part;
+    moment += part * (a + b + c) / 4;
+  }
+  return moment / volume;
+}
+
+bool is_object(const PlacedBody& placed, const std::string& name) {
+  return name.empty() ? placed.dynamic : placed.body.name == name;
+}
+
+}  // namespace
+
+SceneBody build_body(const PlacedBody& placed) {
+  SceneBody body;
+  body.name = placed.body.name;
+  body.material = placed.body.material;
+  body.solid = build_solid(placed.body.shapes);
+  body.X_WB = placed.X_WB;
+  body.com = placed.body.mass ? placed.body.mass->com : volume_centre(body.solid.picture);
+  body.reach = reach_of(body.solid.picture, body.com);
+  return body;
+}
+
+Scene build_scene(const WorldSpec& world, const std::string& object) {
+  Scene scene;
+  bool found = false;
+  for (const PlacedBody& placed : world.bodies) {
+    if (!is_object(placed, object)) {
+      scene.obstacles.push_back(build_body(placed));
+      continue;
+    }
+    require(!found, "world '{}' has more than one dynamic body{}: name the one to grasp",
+            world.name, object.empty() ? "" : " '" + object + "'");
+    scene.object = build_body(placed);
+    found = true;
+  }
+  require(
+      found,
+      object.empty() ? "world '{}' has no dynamic body to grasp{}" : "world '{}' has no body '{}'",
+      world.name, object);
+  scene.materials = built_in_materials();
+  return scene;
+}
+
+}  // namespace thenar

@@ -1,0 +1,40 @@
+#pragma once
+
+/// What a hand meets: the object to be grasped, and what stands in the way.
+
+#include <string>
+#include <vector>
+
+#include "base/shapes/solid.h"
+#include "base/spatial.h"
+#include "data/io/world/materials.h"
+#include "data/io/world/world.h"
+
+namespace thenar {
+
+/// A body in its place, ready for contacts.
+struct SceneBody {
+  std::string name;
+  std::string material;
+  Solid solid;        // body frame
+  Pose<double> X_WB;  //
+  Eigen::Vector3d com{0, 0,
+                      0};  // centre of mass, of volume if the mass is unknown, body frame [m] (3)
+  double reach = 0;        // of the surface from com: the usual torque scale [m]
+};
+
+struct Scene {
+  SceneBody object;
+  std::vector<SceneBody> obstacles;
+  Materials materials;
+};
+
+/// One body, its solid built. @throws InputError as build_solid() does.
+[[nodiscard]] SceneBody build_body(const PlacedBody& placed);
+
+/// A world around one of its dynamic bodies; the other bodies are obstacles.
+/// @param object  its name; empty: the only dynamic body
+/// @throws InputError if there is no such body, or more than one and none is named.
+[[nodiscard]] Scene build_scene(const WorldSpec& world, const std::string& object = "");
+
+}  // namespace thenar

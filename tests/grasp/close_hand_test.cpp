@@ -1,0 +1,127 @@
+// Tests for grasp/close_hand.cpp: where capsules meet bodies, worked out by hand.
+
+#include "grasp/close_hand.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "grasp/robot_hand.h"
+#include "tests/grasp/closing_samples.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using sample::kLength;
+using sample::kRadius;
+using testing::HasSubstr;
+
+constexpr double kAccuracy = 1e-4;  // default of CloseOptions [m]
+
+ClosedHand close(const RobotSpec& robot, const Scene& scene, const CloseOptions& options = {}) {
+  const RobotHand hand(robot);
+  return close_hand(touching_hand(hand), {}, Eigen::VectorXd::Zero(hand.layout().lower.size()),
+                    scene, options);
+}
+
+const ShapeSpec kBall = sample::shape(ShapeKind::kSphere, {0.01, 0, 0});
+const Scene kFar = sample::scene({sample::placed("ball", kBall, {0, 0, 1})});
+
+// The capsule is tangent to the ball where the angle from its axis to the ball's centre, as seen
+// from the knuckle, has the sine (R + r) / D.
+TEST(CloseHand, StopsAPhalanxWhereItTouchesABall) {
+  const Eigen::Vector3d centre(0.025, 0.02, 0);
+  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+                                  sample::scene({sample::placed("ball", kBall, centre)}));
+  const double D = centre.norm();
+  const double tangent = std::atan2(centre.y(), centre.x()) - std::asin((0.01 + kRadius) / D);
+  ASSERT_TRUE(closed.finished);
+  // The gap is within (0, accuracy]; it closes by D cos(...) per angle.
+  const double slope = D * std::cos(std::asin((0.01 + kRadius) / D));
+  EXPECT_LT(closed.q[0], tangent);
+  EXPECT_GT(closed.q[0], tangent - 1.01 * kAccuracy / slope);
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
+}
+
+TEST(CloseHand, RunsToItsLimitsWhereNothingIsInTheWay) {
+  const ClosedHand closed = close(sample::finger(RobotDofKind::kBreakaway), kFar);
+  ASSERT_TRUE(closed.finished);
+  EXPECT_DOUBLE_EQ(closed.q[0], kPi / 2);
+  EXPECT_DOUBLE_EQ(closed.q[1], kPi / 4);
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kLimit);
+}
+
+// A ball under the proximal phalanx: behind a clutch the distal one goes on to its own limit.
+TEST(CloseHand, LetsTheOuterLinkGoOnBehindAClutch) {
+  const Scene ball = sample::scene({sample::placed("ball", kBall, {0.025, 0.02, 0})});
+  const ClosedHand rigid = close(sample::finger(RobotDofKind::kRigid), ball);
+  const ClosedHand clutch = close(sample::finger(RobotDofKind::kBreakaway), ball);
+  ASSERT_EQ(rigid.q.size(), 1);
+  ASSERT_EQ(clutch.q.size(), 2);
+  EXPECT_NEAR(clutch.q[0], rigid.q[0], 1e-2);
+  EXPECT_GT(clutch.q[1], clutch.q[0]);
+  EXPECT_EQ(clutch.stopped[0], StoppedBy::kContact);
+}
+
+// A distal link that touches stops the proximal one too, clutch or not: it would be pushed in.
+TEST(CloseHand, StopsAllThatMoveALinkThatTouches) {
+  const Scene ball = sample::scene({sample::placed("ball", kBall, {0.085, 0.03, 0})});
+  const ClosedHand closed = close(sample::finger(RobotDofKind::kBreakaway), ball);
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
+  EXPECT_EQ(closed.stopped[1], StoppedBy::kContact);
+  EXPECT_DOUBLE_EQ(closed.q[1], closed.q[0] / 2);
+}
+
+// The fingers are mirror images: their axes lean by a with  gap / 2 - L sin a = r  at the tips'
+// centres, where capsules of radius r meet.
+TEST(CloseHand, StopsFingersOnEachOther) {
+  const double gap = 0.06;
+  const ClosedHand closed = close(sample::pincer(gap), kFar);
+  ASSERT_TRUE(closed.finished);
+  const double lean = std::asin((gap / 2 - kRadius) / kLength);
+  EXPECT_NEAR(closed.q[0], lean, 2 * kAccuracy / kLength);
+  EXPECT_LT(closed.q[0], lean);
+  EXPECT_NEAR(closed.q[1], closed.q[0], 1e-12);
+}
+
+TEST(CloseHand, PassesThroughItselfIfToldSo) {
+  CloseOptions options;
+  options.self = false;
+  EXPECT_DOUBLE_EQ(close(sample::pincer(0.06), kFar, options).q[0], kPi / 2);
+}
+
+TEST(CloseHand, DoesNotPassAPaperThinPlate) {
+  const ShapeSpec plate = sample::shape(ShapeKind::kBox, {0.1, 1e-5, 0.1});
+  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+                                  sample::scene({sample::placed("plate", plate, {0.09, 0.02, 0})}));
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
+  EXPECT_LT(closed.q[0], 0.3);
+}
+
+TEST(CloseHand, TellsWhatOverlapsAtTheStartAndDoesNotMove) {
+  const ClosedHand closed = close(sample::finger(RobotDofKind::kRigid),
+                                  sample::scene({sample::placed("ball", kBall, {0.02, 0.01, 0})}));
+  ASSERT_EQ(closed.overlaps.size(), 1u);
+  EXPECT_EQ(closed.overlaps[0].surface, "proximal");
+  EXPECT_EQ(closed.overlaps[0].other, "ball");
+  EXPECT_NEAR(closed.overlaps[0].depth, 0.008, kAccuracy);  // r + R - 10 mm
+  EXPECT_FALSE(closed.finished);
+  EXPECT_EQ(closed.q[0], 0);
+}
+
+TEST(CloseHand, RefusesPosturesOutOfRange) {
+  const RobotHand hand(sample::finger(RobotDofKind::kRigid));
+  EXPECT_THAT(message_of([&] {
+                (void)close_hand(touching_hand(hand), {}, Eigen::VectorXd::Constant(1, 7), kFar);
+              }),
+              HasSubstr("starts at 7"));
+  const double nan = std::nan("");
+  EXPECT_THAT(message_of([&] {
+                (void)close_hand(touching_hand(hand), {}, Eigen::VectorXd::Constant(1, nan), kFar);
+              }),
+              HasSubstr("starts at nan"));
+}
+
+}  // namespace
+}  // namespace thenar
