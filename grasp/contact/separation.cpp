@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "grasp/contact/lifted_bound.h"
 #include "grasp/contact/triangle_point.h"
 
 namespace thenar {
@@ -52,6 +53,10 @@ class Search {
  private:
   /// A bound from which on nothing need be searched.
   [[nodiscard]] double enough() const { return best_ - options_.tolerance; }
+
+  [[nodiscard]] bool near(const Ball& ball) const {
+    return (ball.c - options_.within.c).norm() <= ball.r + options_.within.r;
+  }
 
   double distance(const Eigen::Vector3d& p) {
     ++evaluations_;
@@ -103,6 +108,7 @@ class Search {
 
   void add_node(int index, double parent) {
     const TouchNode& node = a_.nodes[static_cast<std::size_t>(index)];
+    if (!near({X_BA_ * node.ball.c, node.ball.r})) return;
     if (node.triangle >= 0) return add_piece(whole(node.triangle), parent);
     const double d = distance(X_BA_ * node.ball.c);
     push({std::max(parent, d - node.ball.r), index, -1});
@@ -119,7 +125,10 @@ class Search {
     ++evaluations_;
     const NearestSurface seen = b_.nearest(piece.ball.c);
     descend(piece, seen);
-    const double bound = std::max(candidate.bound, lifted_bound(piece, seen));
+    const double wanted = enough() + piece.radius;
+    const double bound = std::max(
+        candidate.bound, lifted_bound(b_, piece.corners, piece.ball, seen, wanted) - piece.radius);
+    ++evaluations_;
     if (bound >= enough())
       dropped_ = std::min(dropped_, bound);
     else
@@ -145,35 +154,10 @@ class Search {
     }
   }
 
-  /// Bound from the ball about c + h n through the corners, which sags by  r^2 / 2h  below a plane.
-  double lifted_bound(const Piece& piece, const NearestSurface& seen) {
-    const double lowest =
-        seen.distance +
-        (seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c)).minCoeff();
-    const double spare = lowest - piece.radius - enough();
-    if (spare < options_.tolerance / 2) return -kInfinity;  // the corner offered was no minimum
-    const double h = std::min(piece.ball.r * piece.ball.r / spare, kHighest);
-    const Eigen::Vector3d above = piece.ball.c + h * seen.normal;
-    const double r =
-        std::sqrt((piece.corners.colwise() - above).colwise().squaredNorm().maxCoeff());
-    return distance(above) - r - piece.radius;
-  }
-
-  /// Cuts a piece across its longest side.
   void halve(const Piece& piece, double bound) {
-    int from = 0;
-    double longest = -1;
-    for (int k = 0; k < 3; ++k) {
-      const double length = (piece.corners.col(k) - piece.corners.col((k + 1) % 3)).norm();
-      if (length > longest) longest = length, from = k;
-    }
-    const int to = (from + 1) % 3;
-    const Eigen::Vector3d middle = (piece.corners.col(from) + piece.corners.col(to)) / 2;
-    for (const int end : {from, to}) {
-      Eigen::Matrix3d half = piece.corners;
-      half.col(end) = middle;
-      add_piece(evaluated(half, piece.radius, piece.triangle), bound);
-    }
+    for (const Eigen::Matrix3d& half : halves(piece.corners))
+      if (near(smallest_ball(half)))
+        add_piece(evaluated(half, piece.radius, piece.triangle), bound);
   }
 
   /// In B's frame.
@@ -193,7 +177,6 @@ class Search {
     return s;
   }
 
-  static constexpr double kHighest = 10;      // lift [m]
   static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
 
   const TouchBody& a_;
@@ -219,18 +202,21 @@ Separation turned(const Pose<double>& X_WB, Separation s) {
   return s;
 }
 
-bool finite(const Pose<double>& X) { return X.R.allFinite() && X.p.allFinite(); }
-
 }  // namespace
+
+Separation separation(const TouchBody& a, const Pose<double>& X_BA, const Shape& b,
+                      const SeparationOptions& options) {
+  require(X_BA.R.allFinite() && X_BA.p.allFinite(), "poses must be finite, got an origin at {} m",
+          X_BA.p.norm());
+  require(options.tolerance > 0, "tolerance must be positive, got {} m", options.tolerance);
+  require(!a.nodes.empty(), "a touch surface must have {} triangle or more", 1);
+  return Search(a, X_BA, b, options).run();
+}
 
 Separation separation(const TouchBody& a, const Pose<double>& X_WA, const Solid& b,
                       const Pose<double>& X_WB, const SeparationOptions& options) {
-  require(finite(X_WA) && finite(X_WB), "poses must be finite, got origins {} and {} m from {}",
-          X_WA.p.norm(), X_WB.p.norm(), "world's");
   require(b.shape != nullptr, "a solid without a {} has no distance", "shape");
-  require(options.tolerance > 0, "tolerance must be positive, got {} m", options.tolerance);
-  require(!a.nodes.empty(), "a touch surface must have {} triangle or more", 1);
-  return turned(X_WB, Search(a, X_WB.inverse() * X_WA, *b.shape, options).run());
+  return turned(X_WB, separation(a, X_WB.inverse() * X_WA, *b.shape, options));
 }
 
 Separation separation(const Solid& a, const Pose<double>& X_WA, const Solid& b,

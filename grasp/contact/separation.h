@@ -27,6 +27,7 @@ struct SeparationOptions {
   double cutoff = 1e30;            // distances beyond this need not be exact [m]
   int start = -1;                  // triangle to try first: Separation::triangle of a near pose
   int most_evaluations = 200'000;  // of B's distance; then the error is as large as it is
+  Ball within{{0, 0, 0}, 1e30};    // what of A lies outside does not count; B's frame [m]
 };
 
 /// Finds the point of A deepest in, or nearest to, B by branch and bound.
@@ -45,6 +46,10 @@ struct SeparationOptions {
 /// @throws InputError if a pose is not finite, B has no shape, or the tolerance is not positive.
 [[nodiscard]] Separation separation(const TouchBody& a, const Pose<double>& X_WA, const Solid& b,
                                     const Pose<double>& X_WB,
+                                    const SeparationOptions& options = {});
+
+/// The same against a shape, in its frame.
+[[nodiscard]] Separation separation(const TouchBody& a, const Pose<double>& X_BA, const Shape& b,
                                     const SeparationOptions& options = {});
 
 /// The same for one question: sorts A's touch surface first, which takes longer than to search it.

@@ -29,4 +29,17 @@ Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners, const Eigen:
   return best;
 }
 
+std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners) {
+  int from = 0;
+  double longest = -1;
+  for (int k = 0; k < 3; ++k) {
+    const double square = (corners.col(k) - corners.col((k + 1) % 3)).squaredNorm();
+    if (square > longest) longest = square, from = k;
+  }
+  const int to = (from + 1) % 3;
+  std::array<Eigen::Matrix3d, 2> halves{corners, corners};
+  halves[0].col(to) = halves[1].col(from) = (corners.col(from) + corners.col(to)) / 2;
+  return halves;
+}
+
 }  // namespace thenar

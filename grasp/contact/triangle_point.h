@@ -1,6 +1,8 @@
 #pragma once
 
-/// Points of triangles.
+/// Points and halves of triangles.
+
+#include <array>
 
 #include <Eigen/Core>
 
@@ -15,5 +17,8 @@ namespace thenar {
 [[nodiscard]] Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& from,
                                                  const Eigen::Vector3d& to,
                                                  const Eigen::Vector3d& p);
+
+/// The two halves of a triangle cut across its longest side. @param corners  columns [m] (3, 3)
+[[nodiscard]] std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners);
 
 }  // namespace thenar

@@ -1,0 +1,202 @@
+#include "grasp/contact/contact_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+#include "grasp/contact/contact_normal.h"
+#include "grasp/contact/patch_reduction.h"
+#include "grasp/contact/patch_search.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
+constexpr double kCoarse = 4;  // resolution of the first search, in that of the rim [1]
+
+/// Pieces that hang together.
+struct Region {
+  Ball ball;  // around their points [m]
+  PatchPoint nearest;
+  Vector3d normal;  // into B, at the nearest point (3)
+};
+
+/// A piece and which way it presses.
+struct Pressing {
+  PatchPiece piece;
+  Vector3d normal;  // into B, at its nearest point (3)
+};
+
+bool neighbours(const Pressing& x, const Pressing& y, double link) {
+  const Ball &a = x.piece.ball, &b = y.piece.ball;
+  return (a.c - b.c).norm() <= a.r + b.r + link && x.normal.dot(y.normal) >= kCosTurn;
+}
+
+/// Groups of pieces joined by chains of neighbours: entry i is the group of piece i.
+std::vector<std::size_t> groups_of(const std::vector<Pressing>& pieces, double link) {
+  std::vector<std::size_t> group(pieces.size());
+  std::iota(group.begin(), group.end(), std::size_t{0});
+  const auto root = [&](std::size_t i) {
+    while (group[i] != i) i = group[i] = group[group[i]];
+    return i;
+  };
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (root(i) != root(j) && neighbours(pieces[i], pieces[j], link)) group[root(i)] = root(j);
+  for (std::size_t i = 0; i < pieces.size(); ++i) group[i] = root(i);
+  return group;
+}
+
+Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::size_t>& group,
+                 std::size_t wanted) {
+  Eigen::AlignedBox3d box;
+  Region region{{}, pieces[wanted].piece.points.front(), pieces[wanted].normal};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    if (group[i] != wanted) continue;
+    const auto& [ball, points] = pieces[i].piece;
+    box.extend((ball.c.array() - ball.r).matrix());
+    box.extend((ball.c.array() + ball.r).matrix());
+    if (points.front().distance < region.nearest.distance)
+      region.nearest = points.front(), region.normal = pieces[i].normal;
+  }
+  region.ball = {box.center(), box.diagonal().norm() / 2};
+  return region;
+}
+
+/// Patches in B's frame.
+class PatchFinder {
+ public:
+  PatchFinder(const TouchBody& a, const Pose<double>& X_BA, const Shape& b, double friction,
+              const ContactPatchOptions& options)
+      : a_(a), X_BA_(X_BA), b_(b), friction_(friction), options_(options) {}
+
+  ContactPatches run() {
+    PatchQuery coarse;
+    coarse.level = options_.tolerance;
+    coarse.resolution = kCoarse * options_.resolution;
+    coarse.most_evaluations = options_.most_evaluations;
+    std::vector<Pressing> pieces;
+    for (PatchPiece& piece : search(coarse)) {
+      const Vector3d n = into(piece.points.front());
+      pieces.push_back({std::move(piece), n});
+    }
+    const std::vector<std::size_t> group = groups_of(pieces, options_.resolution);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      if (group[i] == i) add_patch(region_of(pieces, group, i));
+    std::sort(result_.patches.begin(), result_.patches.end(),
+              [](const ContactPatch& x, const ContactPatch& y) { return x.gap < y.gap; });
+    return std::move(result_);
+  }
+
+ private:
+  std::vector<PatchPiece> search(const PatchQuery& query) {
+    PatchPieces found = near_pieces(a_, X_BA_, b_, query);
+    result_.complete = result_.complete && found.complete;
+    return std::move(found.pieces);
+  }
+
+  void add_patch(Region region) {
+    if (is_slope(region)) return;
+    find_nearest(region);
+    const std::vector<PatchPoint> points = touching(region);
+    const Tangents t = tangents(region.normal);
+    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(points.size()));
+    for (std::size_t i = 0; i < points.size(); ++i)
+      flat.col(static_cast<Eigen::Index>(i)) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
+    const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.most_points);
+    ContactPatch patch{{}, region.nearest.distance, reduced.loss, region.normal};
+    for (const int i : reduced.kept)
+      patch.contacts.push_back(contact_at(points[static_cast<std::size_t>(i)]));
+    if (reduced.kept.size() > 1) patch.loss += options_.resolution;
+    result_.patches.push_back(std::move(patch));
+  }
+
+  /// Points of a region in the band above its nearest, which comes first.
+  std::vector<PatchPoint> touching(const Region& region) {
+    PatchQuery fine;
+    fine.level = region.nearest.distance + std::max(options_.band, 2 * b_.accuracy());
+    fine.aim = region.nearest.distance + options_.band / 2;
+    fine.resolution = options_.resolution;
+    fine.within = region.ball;
+    fine.most_evaluations = options_.most_evaluations;
+    fine.halvings = kRimHalvings;
+    std::vector<PatchPoint> points{region.nearest};
+    for (const PatchPiece& piece : search(fine))
+      for (const PatchPoint& point : piece.points)
+        if (-point.normal.dot(region.normal) >= kCosTurn ||
+            into(point).dot(region.normal) >= kCosTurn)
+          points.push_back(point);
+    return points;
+  }
+
+  /// The nearest point of A around, to a fraction of the band.
+  PatchPoint nearest_within(const Ball& ball) {
+    SeparationOptions exactly;
+    exactly.tolerance = options_.band / 5;
+    exactly.within = ball;
+    exactly.most_evaluations = options_.most_evaluations;
+    const Separation s = separation(a_, X_BA_, b_, exactly);
+    const double radius = a_.triangles[static_cast<std::size_t>(s.triangle)].radius;
+    return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
+  }
+
+  /// Whether nearer points of another region are so near that this one only leads down to them.
+  bool is_slope(const Region& region) {
+    const PatchPoint around = nearest_within({region.nearest.core, kCoarse * options_.resolution});
+    return around.distance < region.nearest.distance - options_.band &&
+           into(around).dot(region.normal) < kCosTurn;
+  }
+
+  void find_nearest(Region& region) {
+    const PatchPoint point = nearest_within(region.ball);
+    if (point.distance >= region.nearest.distance) return;
+    const Vector3d n = into(point);
+    if (n.dot(region.normal) >= kCosTurn) region.nearest = point, region.normal = n;
+  }
+
+  [[nodiscard]] Vector3d into(const PatchPoint& point) const {
+    return into_b(point, a_, X_BA_, b_);
+  }
+
+  [[nodiscard]] HandContact contact_at(const PatchPoint& point) const {
+    return {{point.on_b, into(point), friction_, 0}, -1, std::max(0.0, -point.distance)};
+  }
+
+  static constexpr int kRimHalvings = 5;
+
+  const TouchBody& a_;
+  const Pose<double> X_BA_;
+  const Shape& b_;
+  const double friction_;
+  const ContactPatchOptions options_;
+  ContactPatches result_{{}, true};
+};
+
+}  // namespace
+
+ContactPatches contact_patches(const TouchBody& a, const Pose<double>& X_WA, const Solid& b,
+                               const Pose<double>& X_WB, double friction,
+                               const ContactPatchOptions& options) {
+  require(friction >= 0 && std::isfinite(friction), "friction must be finite and >= 0, got {}",
+          friction);
+  require(options.tolerance > 0 && options.resolution > 0 && options.band > 0,
+          "tolerance, resolution and band must be positive, got {}, {} and {} m", options.tolerance,
+          options.resolution, options.band);
+  require(b.shape != nullptr, "a solid without a {} cannot be touched", "shape");
+  return PatchFinder(a, X_WB.inverse() * X_WA, *b.shape, friction, options).run();
+}
+
+std::vector<HandContact> contacts_of(const ContactPatches& patches, int surface) {
+  std::vector<HandContact> contacts;
+  for (const ContactPatch& patch : patches.patches)
+    for (HandContact contact : patch.contacts) {
+      contact.surface = surface;
+      contacts.push_back(contact);
+    }
+  return contacts;
+}
+
+}  // namespace thenar

@@ -1,0 +1,56 @@
+#pragma once
+
+/// The contacts of two solids: patches, each reduced to a few points.
+
+#include <vector>
+
+#include "grasp/contact/contact.h"
+#include "grasp/contact/separation.h"
+
+namespace thenar {
+
+/// One connected region of contact.
+struct ContactPatch {
+  std::vector<HandContact> contacts;  // in B's frame; surface -1, torsion 0: for the caller to fill
+  double gap;                         // least distance in it, negative: overlap [m]
+  double loss;  // no touching point is farther from the hull of the contacts; it changes a wrench
+                // of unit normal force by at most loss sqrt(1 + friction^2) of torque [m]
+  Eigen::Vector3d normal;  // at its nearest point, into B, unit (3)
+};
+
+struct ContactPatchOptions {
+  double tolerance = 2e-4;        // regions farther from B do not touch [m]
+  double band = 5e-6;             // of a region those points touch that are farther than its
+                                  // nearest by no more; at least twice B's accuracy [m]
+  double resolution = 1e-3;       // of the rim of a region [m]
+  double merge = 1.5e-3;          // smaller regions are one point, narrower ones two [m]
+  int most_points = 8;            // a patch, 3 or more
+  int most_evaluations = 50'000;  // of B's distance, in each search
+};
+
+struct [[nodiscard]] ContactPatches {
+  std::vector<ContactPatch> patches;  // nearest first
+  bool complete;                      // no search was cut short
+};
+
+/// Where A touches B.
+///
+/// Pieces of A within the tolerance are joined to regions where they are neighbours and press in
+/// directions that turn by less than 30 degrees. Of each region the points within a thin band of
+/// its nearest point are kept: bodies touch where they are nearest, and a ball on a plane would
+/// else touch in a disc of radius sqrt(2 R tolerance), 2 mm for a ball of 10 mm. Their convex hull,
+/// reduced by reduce_points(), gives the contacts: a face on a face the corners of the overlap, an
+/// edge two points, a ball one. The loss includes the resolution where the rim was found by
+/// halving. Positions are on B's surface, normals those of into_b()
+/// (grasp/contact/contact_normal.h).
+///
+/// @param friction  of the two materials [1]
+/// @throws InputError if friction is negative or not finite, or an option is not positive.
+ContactPatches contact_patches(const TouchBody& a, const Pose<double>& X_WA, const Solid& b,
+                               const Pose<double>& X_WB, double friction,
+                               const ContactPatchOptions& options = {});
+
+/// All contacts of all patches, marked with the entry of Hand::surfaces() they belong to.
+[[nodiscard]] std::vector<HandContact> contacts_of(const ContactPatches& patches, int surface);
+
+}  // namespace thenar

@@ -1,0 +1,151 @@
+#include "grasp/contact/patch_search.h"
+
+#include <algorithm>
+
+#include "grasp/contact/lifted_bound.h"
+#include "grasp/contact/triangle_point.h"
+
+namespace thenar {
+namespace {
+
+/// A triangle or part of one, and its rounding.
+struct Part {
+  Eigen::Matrix3d corners;  // [m] (3, 3)
+  double radius;            // [m]
+};
+
+class PatchSearch {
+ public:
+  PatchSearch(const TouchBody& a, const Pose<double>& X_BA, const Shape& b, const PatchQuery& query)
+      : a_(a), X_BA_(X_BA), b_(b), query_(query) {}
+
+  PatchPieces run() {
+    std::vector<int> nodes{0};
+    while (!nodes.empty()) {
+      const TouchNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
+      nodes.pop_back();
+      if (far({X_BA_ * node.ball.c, node.ball.r})) continue;
+      if (node.triangle >= 0) {
+        search(node.triangle);
+      } else {
+        nodes.push_back(node.right);
+        nodes.push_back(node.left);
+      }
+    }
+    return std::move(found_);
+  }
+
+ private:
+  /// Nothing in the ball counts.
+  bool far(const Ball& ball) {
+    if ((ball.c - query_.within.c).norm() > ball.r + query_.within.r) return true;
+    if (++evaluations_ > query_.most_evaluations) {
+      found_.complete = false;
+      return true;
+    }
+    return b_.distance(ball.c) - ball.r > query_.level;
+  }
+
+  void search(int triangle) {
+    const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
+    std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius}};
+    while (!parts.empty()) {
+      const Part part = parts.back();
+      parts.pop_back();
+      const Ball ball = smallest_ball(part.corners);
+      if (far({ball.c, ball.r + part.radius})) continue;
+      if (keep(part, ball)) continue;
+      for (const Eigen::Matrix3d& half : halves(part.corners)) parts.push_back({half, part.radius});
+    }
+  }
+
+  PatchPoint seen(const Eigen::Vector3d& core, double radius) {
+    ++evaluations_;
+    const NearestSurface near = b_.nearest(core);
+    return {core, near.distance - radius, core - near.distance * near.normal, near.normal, radius};
+  }
+
+  [[nodiscard]] bool counts(const PatchPoint& point) const {
+    return point.distance <= query_.level;
+  }
+
+  /// Certainly no point of the part counts.
+  bool clear(const Part& part, const Ball& ball, const PatchPoint& middle) {
+    ++evaluations_;
+    const NearestSurface seen{middle.distance + part.radius, middle.normal};
+    const double level = query_.level + part.radius;
+    return lifted_bound(b_, part.corners, ball, seen, level) > level;
+  }
+
+  /// Whether the part need not be halved; its points are then among those found.
+  bool keep(const Part& part, const Ball& ball) {
+    PatchPiece piece{ball, {}};
+    std::vector<PatchPoint> outside;
+    const auto sort_in = [&](const PatchPoint& point) {
+      (counts(point) ? piece.points : outside).push_back(point);
+    };
+    for (int k = 0; k < 3; ++k) sort_in(seen(part.corners.col(k), part.radius));
+    const std::vector<PatchPoint> inside = piece.points;
+    const PatchPoint middle = seen(ball.c, part.radius);
+    if (inside.empty() && !counts(middle) && clear(part, ball, middle)) return true;
+    if (ball.r > query_.resolution && !(outside.empty() && counts(middle))) return false;
+    sort_in(middle);
+    for (const PatchPoint& point : outside) add_rim(part, inside, point, piece);
+    if (!piece.points.empty()) add(std::move(piece));
+    return true;
+  }
+
+  /// Points of the rim towards a point outside.
+  void add_rim(const Part& part, const std::vector<PatchPoint>& inside, const PatchPoint& point,
+               PatchPiece& piece) {
+    PatchPoint over = seen(nearest_in_triangle(part.corners, point.on_b), part.radius);
+    if (!counts(over)) over = down_from(part, point, over.core);
+    if (counts(over)) piece.points.push_back(over);
+    for (PatchPoint in : inside) {
+      Eigen::Vector3d out = point.core;
+      for (int i = 0; i < query_.halvings; ++i) {
+        const PatchPoint halfway = seen((in.core + out) / 2, part.radius);
+        if (counts(halfway))
+          in = halfway;
+        else
+          out = halfway.core;
+      }
+      if (query_.halvings > 0) piece.points.push_back(in);
+    }
+  }
+
+  /// Newton's step down the slope of the distance, which the way to `over` shows, to the level
+  /// aimed at: of a slope up to an edge, onto the edge.
+  PatchPoint down_from(const Part& part, const PatchPoint& point, const Eigen::Vector3d& over) {
+    const Eigen::Vector3d way = over - point.core;
+    const double square = way.squaredNorm(), d = point.distance + part.radius;
+    if (!(square > 0)) return point;
+    const double steps = d * (point.distance - query_.aim) / square;
+    return seen(nearest_in_triangle(part.corners, point.core + steps * way), part.radius);
+  }
+
+  void add(PatchPiece piece) {
+    std::iter_swap(piece.points.begin(),
+                   std::min_element(piece.points.begin(), piece.points.end(),
+                                    [](const PatchPoint& x, const PatchPoint& y) {
+                                      return x.distance < y.distance;
+                                    }));
+    found_.pieces.push_back(std::move(piece));
+  }
+
+  const TouchBody& a_;
+  const Pose<double> X_BA_;
+  const Shape& b_;
+  const PatchQuery query_;
+  PatchPieces found_;
+  int evaluations_ = 0;
+};
+
+}  // namespace
+
+PatchPieces near_pieces(const TouchBody& a, const Pose<double>& X_BA, const Shape& b,
+                        const PatchQuery& query) {
+  return PatchSearch(a, X_BA, b, query).run();
+}
+
+}  // namespace thenar
