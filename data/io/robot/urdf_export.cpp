@@ -1,0 +1,271 @@
+#include "data/io/robot/urdf_export.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+#include "base/shapes/solid.h"
+#include "base/write_file.h"
+#include "data/io/mesh/mesh_file.h"
+
+namespace thenar {
+namespace {
+
+std::string numbers(const Eigen::Vector3d& v) {
+  return fmt::format("{} {} {}", v.x(), v.y(), v.z());
+}
+
+void set(pugi::xml_node& node, const char* attribute, const std::string& value) {
+  node.append_attribute(attribute) = value.c_str();
+}
+
+void set(pugi::xml_node& node, const char* attribute, double value) {
+  set(node, attribute, fmt::format("{}", value));
+}
+
+void append_origin(pugi::xml_node& node, const Pose<double>& X) {
+  pugi::xml_node origin = node.append_child("origin");
+  set(origin, "xyz", numbers(X.p));
+  set(origin, "rpy", numbers(roll_pitch_yaw(X.R)));
+}
+
+class Export {
+ public:
+  Export(const RobotSpec& robot, std::string mesh_prefix)
+      : robot_(robot), prefix_(std::move(mesh_prefix)) {}
+
+  UrdfText run() {
+    pugi::xml_document document;
+    pugi::xml_node top = document.append_child("robot");
+    set(top, "name", robot_.name);
+    name_unsaid();
+    for (const RobotLink& link : robot_.links) append_link(top, link);
+    for (const RobotJoint& joint : robot_.joints) append_joint(top, joint);
+    for (auto warning = out_.warnings.rbegin(); warning != out_.warnings.rend(); ++warning)
+      top.prepend_child(pugi::node_comment).set_value(comment(*warning).c_str());
+    std::ostringstream text;
+    document.save(text, "  ");
+    out_.text = text.str();
+    return std::move(out_);
+  }
+
+ private:
+  /// A comment must not hold "--".
+  static std::string comment(std::string text) {
+    for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- -");
+    return " " + text + " ";
+  }
+
+  void name_unsaid() {
+    for (const RobotDof& dof : robot_.dofs)
+      if (dof.kind != RobotDofKind::kRigid)
+        out_.warnings.push_back(fmt::format(
+            "URDF has no {} couplings: '{}' is written as rigid",
+            dof.kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant", dof.name));
+    for (const RobotJoint& joint : robot_.joints)
+      if (joint.stiffness != 0)
+        out_.warnings.push_back(
+            fmt::format("URDF has no springs: that of joint '{}' is left out", joint.name));
+  }
+
+  // ---- links
+
+  /// The link's frame in that of its URDF link.
+  [[nodiscard]] Pose<double> X_UL(const std::string& link) const {
+    for (const RobotJoint& joint : robot_.joints)
+      if (joint.child == link) return joint.X_JC;
+    return {};
+  }
+
+  void append_link(pugi::xml_node& top, const RobotLink& link) {
+    pugi::xml_node node = top.append_child("link");
+    set(node, "name", link.name);
+    const Pose<double> X = X_UL(link.name);
+    if (link.mass > 0) append_mass(node, link, X);
+    for (const ShapeSpec& shape : link.shapes) append_shape(node, shape, X * shape.X_BS, link.name);
+  }
+
+  static void append_mass(pugi::xml_node& node, const RobotLink& link, const Pose<double>& X) {
+    pugi::xml_node inertial = node.append_child("inertial");
+    append_origin(inertial, {Eigen::Matrix3d::Identity(), X * link.com});
+    pugi::xml_node mass = inertial.append_child("mass");
+    set(mass, "value", link.mass);
+    const Eigen::Matrix3d I = X.R * link.inertia * X.R.transpose();
+    pugi::xml_node inertia = inertial.append_child("inertia");
+    set(inertia, "ixx", I(0, 0));
+    set(inertia, "ixy", I(0, 1));
+    set(inertia, "ixz", I(0, 2));
+    set(inertia, "iyy", I(1, 1));
+    set(inertia, "iyz", I(1, 2));
+    set(inertia, "izz", I(2, 2));
+  }
+
+  /// Geometry for contact and for the eye alike. @return the two nodes to fill
+  template <typename Fill>
+  static void append_geometry(pugi::xml_node& link, const Pose<double>& X, const Fill& fill) {
+    for (const char* use : {"visual", "collision"}) {
+      pugi::xml_node node = link.append_child(use);
+      append_origin(node, X);
+      pugi::xml_node geometry = node.append_child("geometry");
+      fill(geometry);
+    }
+  }
+
+  static void append_sphere(pugi::xml_node& link, const Pose<double>& X, double radius) {
+    append_geometry(link, X, [&](pugi::xml_node& geometry) {
+      pugi::xml_node sphere = geometry.append_child("sphere");
+      set(sphere, "radius", radius);
+    });
+  }
+
+  static void append_cylinder(pugi::xml_node& link, const Pose<double>& X, double radius,
+                              double length) {
+    append_geometry(link, X, [&](pugi::xml_node& geometry) {
+      pugi::xml_node cylinder = geometry.append_child("cylinder");
+      set(cylinder, "radius", radius);
+      set(cylinder, "length", length);
+    });
+  }
+
+  static void append_mesh(pugi::xml_node& link, const Pose<double>& X, const std::string& file,
+                          double scale) {
+    append_geometry(link, X, [&](pugi::xml_node& geometry) {
+      pugi::xml_node mesh = geometry.append_child("mesh");
+      set(mesh, "filename", file);
+      set(mesh, "scale", numbers(Eigen::Vector3d::Constant(scale)));
+    });
+  }
+
+  void append_shape(pugi::xml_node& link, const ShapeSpec& shape, const Pose<double>& X,
+                    const std::string& name) {
+    const Eigen::Vector3d& s = shape.size;
+    if (shape.kind == ShapeKind::kSphere) {
+      append_sphere(link, X, s.x());
+    } else if (shape.kind == ShapeKind::kBox) {
+      append_geometry(link, X, [&](pugi::xml_node& geometry) {
+        pugi::xml_node box = geometry.append_child("box");
+        set(box, "size", numbers(s));
+      });
+    } else if (shape.kind == ShapeKind::kCylinder) {
+      append_cylinder(link, X, s.x(), s.y());
+    } else if (shape.kind == ShapeKind::kCapsule) {
+      append_cylinder(link, X, s.x(), s.y());
+      for (const double z : {-s.y() / 2, s.y() / 2})
+        append_sphere(link, {X.R, X * Eigen::Vector3d(0, 0, z)}, s.x());
+    } else if (shape.kind == ShapeKind::kMesh && !shape.mesh_file.empty()) {
+      append_mesh(link, X, shape.mesh_file, shape.mesh_scale);
+    } else {
+      append_mesh(link, X, written_mesh(shape, name), 1);
+    }
+  }
+
+  /// Keeps a surface to be written, and names its file.
+  std::string written_mesh(ShapeSpec shape, const std::string& link) {
+    std::string file = fmt::format("{}{}_{}.obj", prefix_, link, out_.meshes.size());
+    std::replace_if(
+        file.begin(), file.end(),
+        [](unsigned char c) { return std::isalnum(c) == 0 && c != '.' && c != '-'; }, '_');
+    if (shape.kind == ShapeKind::kMesh) {
+      out_.meshes[file] = shape.mesh;
+    } else {
+      shape.X_BS = {};
+      out_.meshes[file] = build_solid({shape}).picture;
+      out_.warnings.push_back(fmt::format("URDF has no {}: one of link '{}' is written as a mesh",
+                                          name_of(shape.kind), link));
+    }
+    return file;
+  }
+
+  // ---- joints
+
+  [[nodiscard]] const RobotJoint& leader(const std::string& dof) const {
+    const RobotJoint* first = nullptr;
+    for (const RobotJoint& joint : robot_.joints) {
+      if (joint.dof != dof) continue;
+      if (joint.ratio == 1 && joint.offset == 0) return joint;
+      if (first == nullptr) first = &joint;
+    }
+    return *first;
+  }
+
+  void append_joint(pugi::xml_node& top, const RobotJoint& joint) {
+    pugi::xml_node node = top.append_child("joint");
+    set(node, "name", joint.name);
+    set(node, "type", name_of(joint.kind));
+    append_origin(node, X_UL(joint.parent) * joint.X_PJ);
+    pugi::xml_node parent = node.append_child("parent"), child = node.append_child("child");
+    set(parent, "link", joint.parent);
+    set(child, "link", joint.child);
+    if (joint.kind == RobotJointKind::kFixed) return;
+    pugi::xml_node axis = node.append_child("axis");
+    set(axis, "xyz", numbers(joint.axis));
+    append_limit(node, joint);
+    if (joint.damping != 0 || joint.friction != 0) {
+      pugi::xml_node dynamics = node.append_child("dynamics");
+      set(dynamics, "damping", joint.damping);
+      set(dynamics, "friction", joint.friction);
+    }
+    if (!joint.dof.empty()) append_mimic(node, joint);
+  }
+
+  void append_limit(pugi::xml_node& node, const RobotJoint& joint) const {
+    double effort = 0, velocity = 0;
+    for (const RobotDof& dof : robot_.dofs)
+      if (dof.name == joint.dof) {
+        velocity = std::abs(dof.speed * joint.ratio);
+        if (&leader(dof.name) == &joint) effort = dof.max_effort / std::abs(joint.ratio);
+      }
+    pugi::xml_node limit = node.append_child("limit");
+    set(limit, "lower", joint.lower);
+    set(limit, "upper", joint.upper);
+    set(limit, "effort", effort);
+    set(limit, "velocity", velocity);
+  }
+
+  /// v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0) b_0.
+  void append_mimic(pugi::xml_node& node, const RobotJoint& joint) const {
+    const RobotJoint& first = leader(joint.dof);
+    if (&first == &joint) return;
+    const double ratio = joint.ratio / first.ratio;
+    pugi::xml_node mimic = node.append_child("mimic");
+    set(mimic, "joint", first.name);
+    set(mimic, "multiplier", ratio);
+    set(mimic, "offset", joint.offset - ratio * first.offset);
+  }
+
+  const RobotSpec& robot_;
+  std::string prefix_;
+  UrdfText out_;
+};
+
+}  // namespace
+
+Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R) {
+  const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
+  const double yaw = std::atan2(R(1, 0), R(0, 0));
+  // What is left when yaw is undone turns about x alone, also where pitch leaves yaw undetermined.
+  const double y1 = std::cos(yaw) * R(1, 1) - std::sin(yaw) * R(0, 1);
+  const double y2 = std::cos(yaw) * R(1, 2) - std::sin(yaw) * R(0, 2);
+  return {std::atan2(-y2, y1), pitch, yaw};
+}
+
+UrdfText robot_urdf(const RobotSpec& robot, const std::string& mesh_prefix) {
+  check_robot(robot);
+  return Export(robot, mesh_prefix).run();
+}
+
+std::vector<std::string> write_urdf(const std::string& path, const RobotSpec& robot) {
+  const std::filesystem::path file(path);
+  const UrdfText urdf = robot_urdf(robot, file.stem().string() + "_");
+  write_file(path, urdf.text);
+  for (const auto& [name, mesh] : urdf.meshes)
+    write_mesh((file.parent_path() / name).string(), mesh);
+  return urdf.warnings;
+}
+
+}  // namespace thenar

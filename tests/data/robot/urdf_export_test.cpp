@@ -1,0 +1,167 @@
+// Tests for data/io/robot/urdf_export.cpp.
+
+#include "data/io/robot/urdf_export.h"
+
+#include <gmock/gmock.h>
+
+#include "base/angles.h"
+#include "base/write_file.h"
+#include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/link_poses.h"
+#include "data/io/robot/urdf.h"
+#include "tests/data/robot/sample_robots.h"
+#include "tests/matrix_near.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+constexpr double kPoseTolerance = 1e-12;  // a dozen products of rotations, lengths below 1 m
+
+Pose<double> near_pose(std::mt19937& rng) {
+  Pose<double> X = sample::random_pose(rng);
+  X.p = {sample::odd_number(rng, 0.2), sample::odd_number(rng, 0.2), sample::odd_number(rng, 0.2)};
+  return X;
+}
+
+/// A chain and a branch with frames of all kinds; two motors drive three joints each, with ratios
+/// and offsets, none of which leads plainly; a ball on every link.
+RobotSpec geared_robot(std::mt19937& rng) {
+  RobotSpec robot;
+  robot.name = "geared";
+  for (const std::string motor : {"m0", "m1"}) {
+    RobotDof dof;
+    dof.name = motor;
+    dof.lower = -1;
+    dof.upper = 1;
+    dof.speed = 1;
+    dof.max_effort = 3;
+    robot.dofs.push_back(dof);
+  }
+  for (int i = 0; i <= 6; ++i) {
+    RobotLink link = sample::random_link(rng, "link" + std::to_string(i));
+    link.com *= 1e-3;
+    link.shapes.resize(1);
+    link.shapes[0] = {};
+    link.shapes[0].size.x() = 0.01;
+    link.shapes[0].X_BS = near_pose(rng);
+    robot.links.push_back(link);
+    if (i == 0) continue;
+    RobotJoint joint;
+    joint.name = "joint" + std::to_string(i);
+    joint.kind = i == 3 ? RobotJointKind::kPrismatic : RobotJointKind::kRevolute;
+    joint.parent = "link" + std::to_string(i == 5 ? 1 : i - 1);
+    joint.child = link.name;
+    joint.X_PJ = near_pose(rng);
+    joint.X_JC = near_pose(rng);
+    joint.axis = sample::random_pose(rng).R.col(0);
+    joint.dof = i % 2 == 0 ? "m0" : "m1";
+    joint.ratio = 1.5 - 0.25 * i;
+    joint.offset = 0.1 * i;
+    joint.lower = -9;
+    joint.upper = 9;
+    robot.joints.push_back(joint);
+  }
+  robot.joints[5].ratio = -2;
+  return robot;
+}
+
+class UrdfExport : public TemporaryFolder {
+ protected:
+  RobotSpec there_and_back(const RobotSpec& robot) {
+    warnings = write_urdf(path("robot.urdf"), robot);
+    return read_urdf(path("robot.urdf"));
+  }
+  std::vector<std::string> warnings;
+};
+
+TEST(RollPitchYaw, RebuildsAnyRotation) {
+  std::mt19937 rng(1);
+  const auto rebuilt = [](const Eigen::Vector3d& a) {
+    return Eigen::Matrix3d(rotation_about<double>(Eigen::Vector3d::UnitZ(), a.z()) *
+                           rotation_about<double>(Eigen::Vector3d::UnitY(), a.y()) *
+                           rotation_about<double>(Eigen::Vector3d::UnitX(), a.x()));
+  };
+  for (int i = 0; i < 1000; ++i) {
+    Eigen::Vector3d angles(sample::odd_number(rng, 6), sample::odd_number(rng, 3),
+                           sample::odd_number(rng, 6));
+    // Every other one stands where yaw and roll turn about nearly or just the same line.
+    if (i % 2 == 0) angles.y() = kPi / 2 - (i % 4 == 0 ? 0 : sample::odd_number(rng, 1e-9));
+    const Eigen::Matrix3d R = rebuilt(angles);
+    ASSERT_TRUE(matrix_near(rebuilt(roll_pitch_yaw(R)), R, 1e-15)) << angles;
+  }
+}
+
+// Balls, centres of mass and inertias must stand where they stood; frames of links may differ.
+TEST_F(UrdfExport, KeepsWhatLinksHoldInPlaceAtAnyPosture) {
+  std::mt19937 rng(2);
+  const RobotSpec robot = geared_robot(rng), back = there_and_back(robot);
+  ASSERT_EQ(back.links.size(), robot.links.size());
+  ASSERT_EQ(back.dofs.size(), 2U);
+  for (int trial = 0; trial < 50; ++trial) {
+    DofValues before, after;
+    for (const RobotDof& dof : robot.dofs) before[dof.name] = sample::odd_number(rng, 2);
+    // A motor of the URDF is named after the joint that leads, and has its value.
+    for (const RobotJoint& joint : robot.joints)
+      if (std::any_of(back.dofs.begin(), back.dofs.end(),
+                      [&](const RobotDof& dof) { return dof.name == joint.name; }))
+        after[joint.name] = joint_value(joint, before);
+    const std::vector<Pose<double>> X = link_poses(robot, before), Y = link_poses(back, after);
+    for (std::size_t i = 0; i < X.size(); ++i) {
+      const RobotLink &a = robot.links[i], &b = back.links[i];
+      ASSERT_EQ(a.name, b.name);
+      const Pose<double> ball_a = X[i] * a.shapes[0].X_BS, ball_b = Y[i] * b.shapes[0].X_BS;
+      EXPECT_TRUE(matrix_near(ball_b.p, ball_a.p, kPoseTolerance));
+      EXPECT_TRUE(matrix_near(ball_b.R, ball_a.R, kPoseTolerance));
+      EXPECT_TRUE(matrix_near(Y[i] * b.com, X[i] * a.com, kPoseTolerance));
+      EXPECT_TRUE(matrix_near(Y[i].R * b.inertia * Y[i].R.transpose(),
+                              X[i].R * a.inertia * X[i].R.transpose(), kPoseTolerance));
+    }
+  }
+}
+
+// A motor of 3 N m through ratio 1.25 (joint 1, which leads m1) turns with 3 / 1.25.
+TEST_F(UrdfExport, KeepsTheEffortOfTheLeadingJoint) {
+  std::mt19937 rng(2);
+  const RobotSpec back = there_and_back(geared_robot(rng));
+  EXPECT_DOUBLE_EQ(back.dofs[0].max_effort, 2.4);
+  EXPECT_DOUBLE_EQ(back.dofs[0].speed, 1.25);
+}
+
+TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
+  RobotSpec robot;
+  robot.name = "one";
+  robot.links.resize(1);
+  robot.links[0].name = "a/b";
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh.vertices = Eigen::Matrix3d::Identity();
+  shape.mesh.triangles.resize(3, 1);
+  shape.mesh.triangles << 0, 1, 2;
+  robot.links[0].shapes.push_back(shape);
+  shape.kind = ShapeKind::kEllipsoid;
+  shape.size = {0.1, 0.2, 0.3};
+  robot.links[0].shapes.push_back(shape);
+  const RobotSpec back = there_and_back(robot);
+  ASSERT_EQ(back.links[0].shapes.size(), 2U);
+  EXPECT_EQ(back.links[0].shapes[0].mesh.vertices, Eigen::Matrix3d::Identity());
+  EXPECT_NEAR(back.links[0].shapes[1].mesh.vertices.row(2).maxCoeff(), 0.3, 0.003);  // tessellated
+  EXPECT_THAT(warnings, Contains(HasSubstr("no ellipsoid")));
+}
+
+TEST_F(UrdfExport, SaysWhatUrdfCannot) {
+  std::mt19937 rng(3);
+  RobotSpec robot = geared_robot(rng);
+  robot.dofs[0].kind = RobotDofKind::kBreakaway;
+  robot.joints[1].stiffness = 2;
+  const UrdfText urdf = robot_urdf(robot, "");
+  EXPECT_THAT(urdf.warnings, Contains(HasSubstr("no breakaway couplings: 'm0'")));
+  EXPECT_THAT(urdf.warnings, Contains(HasSubstr("no springs: that of joint 'joint2'")));
+  EXPECT_THAT(urdf.text, HasSubstr("<!-- URDF has no breakaway couplings"));
+}
+
+}  // namespace
+}  // namespace thenar
