@@ -1,5 +1,6 @@
 #include "grasp/robot_tips.h"
 
+#include <algorithm>
 #include <map>
 
 #include "base/shapes/solid.h"
@@ -9,14 +10,21 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Origin of the joint that carries a link, in that link.
-Vector3d joint_origin(const RobotSpec& robot, const std::string& link) {
-  for (const RobotJoint& joint : robot.joints)
-    if (joint.child == link) return joint.X_JC.inverse().p;
+/// Origin of the moving joint that carries a link, in the base link.
+Vector3d joint_origin(const RobotSpec& robot, const std::vector<Pose<double>>& reference,
+                      std::string link) {
+  for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
+    if (joint->child != link) continue;
+    link = joint->parent;
+    if (joint->kind == RobotJointKind::kFixed) continue;
+    const auto at = std::find_if(robot.links.begin(), robot.links.end(),
+                                 [&](const RobotLink& other) { return other.name == link; });
+    return reference[static_cast<std::size_t>(at - robot.links.begin())] * joint->X_PJ.p;
+  }
   return {0, 0, 0};
 }
 
-/// The middle of the box's face that is farthest along the way from the joint to its centre.
+/// The middle of the box's face that is farthest along the way from a joint to its centre.
 Vector3d far_end(const Eigen::AlignedBox3d& box, const Vector3d& joint) {
   Vector3d end = box.center();
   const Vector3d way = end - joint;
@@ -52,9 +60,11 @@ std::vector<RobotTip> find_tips(const RobotSpec& robot,
   for (RobotTip& tip : tips) {
     const auto i = static_cast<std::size_t>(tip.link);
     const RobotLink& link = robot.links[i];
-    const Vector3d end = link.shapes.empty() ? Vector3d(0, 0, 0)
-                                             : far_end(build_solid(link.shapes).shape->bounds(),
-                                                       joint_origin(robot, link.name));
+    const Vector3d end =
+        link.shapes.empty()
+            ? Vector3d(0, 0, 0)
+            : far_end(build_solid(link.shapes).shape->bounds(),
+                      reference[i].inverse() * joint_origin(robot, reference, link.name));
     tip.p = reference[i] * end;
   }
   return tips;

@@ -18,7 +18,7 @@ struct RobotTip {
 
 /// The end of each digit's outermost link, in the order in which digits appear: its origin if it
 /// has no shapes; else the middle of the far face of its shapes' box, in its frame, on the side
-/// where the box's centre lies, seen from the joint that carries it.
+/// where the box's centre lies, seen from the moving joint that carries it.
 /// @param reference  pose of every link in the base link, at the reference posture
 [[nodiscard]] std::vector<RobotTip> find_tips(const RobotSpec& robot,
                                               const std::vector<Pose<double>>& reference);

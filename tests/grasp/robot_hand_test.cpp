@@ -201,6 +201,9 @@ TEST(RobotHand, KeepsThePadsOfTheLinkageParallel) {
   const double gap = 0.00635;  // pads' thickness: half of each lies on either side of its frame
   EXPECT_NEAR((open[left].p - open[right].p).norm() - gap, 0.085, 0.002);  // its name: 85 mm
   EXPECT_NEAR((shut[left].p - shut[right].p).norm() - gap, 0, 0.004);
+  // Tips: half a pad of 37.5 mm beyond the pad's frame, away from the joint that bears it.
+  const Vector3d tip = open[left].p + Vector3d(0, 0, 0.0375 / 2);
+  EXPECT_TRUE(matrix_near(hand.layout().tip_points[0].p, tip, 1e-12));
 }
 
 // Reference: every degree of freedom zero, every joint at its offset.
