@@ -52,6 +52,11 @@ Explanation explain_file(const Options& options) {
   if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));
   if (kind == FileKind::kResult) return explain_fit_file(options.file);
   if (kind == FileKind::kNet) return explain(read_net(options.file));
+  if (kind == FileKind::kObject) return explain(read_object(options.file));
+  if (kind == FileKind::kWorld) return explain(read_world(options.file));
+  if (kind == FileKind::kRobot) return explain(read_robot(options.file));
+  if (kind == FileKind::kMaterials)
+    return explain(read_materials(options.file, built_in_materials()));
   // Settings and proportions do nothing by themselves.
   Section section{"file", summarise_file(options.file), {}, {}};
   if (kind == FileKind::kFitSettings)
@@ -73,7 +78,10 @@ void add_explain(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
-  command->add_option("file", options->file, "Subject, experiment, net or fit")->required();
+  command
+      ->add_option("file", options->file,
+                   "Subject, experiment, net, fit, robot, object, world or materials")
+      ->required();
   command->add_option("--digit", options->digit, "Digit of a subject to explain");
   command->add_option("--settings", options->settings, "Fit settings instead of the built-in ones");
   command->add_flag("--json", options->json, "Print JSON");

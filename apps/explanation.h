@@ -10,7 +10,9 @@
 #include "apps/print_table.h"
 #include "data/io/experiment.h"
 #include "data/io/net.h"
+#include "data/io/robot/robot.h"
 #include "data/io/subject.h"
+#include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
 #include "tendons/tendon_model.h"
 
@@ -32,6 +34,12 @@ using Explanation = std::vector<Section>;
 [[nodiscard]] Explanation explain(const Fit& fit);
 /// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.
 [[nodiscard]] Explanation explain(const NetDescription& net);
+/// What is in a scene, of what it is made, and how it slides.
+[[nodiscard]] Explanation explain(const BodySpec& body);
+[[nodiscard]] Explanation explain(const WorldSpec& world);
+[[nodiscard]] Explanation explain(const Materials& materials);
+/// Links, joints and the motors that drive them.
+[[nodiscard]] Explanation explain(const RobotSpec& robot);
 
 /// What a call of each question costs on this machine, now. Times are of the mid-range posture.
 [[nodiscard]] Section explain_cost(const Subject& subject, const std::string& digit,

@@ -6,11 +6,14 @@
 #include <fmt/format.h>
 
 #include "apps/print_table.h"
+#include "base/shapes/solid.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
 #include "data/io/fit_settings.h"
 #include "data/io/net.h"
+#include "data/io/robot/robot.h"
+#include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
 #include "tendons/tendon_model.h"
 
@@ -75,6 +78,38 @@ std::string summary(const Fit& fit) {
                      name_of(fit.solution.status));
 }
 
+std::string summary(const BodySpec& body) {
+  (void)build_solid(body.shapes);  // throws if a mesh has holes
+  std::vector<std::string> kinds;
+  for (const ShapeSpec& shape : body.shapes) kinds.push_back(name_of(shape.kind));
+  return fmt::format("object '{}': {} ({}), material {}", body.name, counted(kinds.size(), "shape"),
+                     listed(kinds), body.material.empty() ? "unknown" : body.material);
+}
+
+std::string summary(const WorldSpec& world) {
+  std::size_t objects = 0;
+  for (const PlacedBody& placed : world.bodies) {
+    (void)build_solid(placed.body.shapes);
+    objects += placed.dynamic ? 1 : 0;
+  }
+  std::vector<std::string> hands;
+  for (const PlacedHand& hand : world.hands) hands.push_back(hand.name);
+  return fmt::format("world '{}': {} ({}), {}, {}", world.name, counted(hands.size(), "hand"),
+                     listed(hands), counted(objects, "object"),
+                     counted(world.bodies.size() - objects, "obstacle"));
+}
+
+std::string summary(const Materials& materials) {
+  return fmt::format("materials: {}, friction of {}",
+                     counted(materials.materials.size(), "material"),
+                     counted(materials.friction.size(), "pair"));
+}
+
+std::string summary(const RobotSpec& robot) {
+  return fmt::format("robot '{}': {}, {}, {}", robot.name, counted(robot.links.size(), "link"),
+                     counted(robot.joints.size(), "joint"), counted(robot.dofs.size(), "motor"));
+}
+
 }  // namespace
 
 std::string counted(std::size_t count, const std::string& thing) {
@@ -95,6 +130,14 @@ std::string summarise_file(const std::string& path) {
       return summary(read_net(path));
     case FileKind::kResult:
       return summary(read_fit(path));
+    case FileKind::kObject:
+      return summary(read_object(path));
+    case FileKind::kWorld:
+      return summary(read_world(path));
+    case FileKind::kMaterials:
+      return summary(read_materials(path, built_in_materials()));
+    case FileKind::kRobot:
+      return summary(read_robot(path));
   }
   return "";
 }

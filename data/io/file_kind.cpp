@@ -24,6 +24,12 @@ bool has_proportions(const TomlNode& top) {
          has_any(digits->items.front(), {"joint_distal_ratio", "segment"});
 }
 
+/// Objects and nets have such keys too, but not as lists of tables.
+bool has_list(const TomlNode& top, const std::string& key) {
+  const TomlNode* list = top.find(key);
+  return list != nullptr && list->kind == TomlKind::kArray;
+}
+
 }  // namespace
 
 std::string name_of(FileKind kind) {
@@ -40,6 +46,14 @@ std::string name_of(FileKind kind) {
       return "net";
     case FileKind::kResult:
       return "result";
+    case FileKind::kObject:
+      return "object";
+    case FileKind::kWorld:
+      return "world";
+    case FileKind::kMaterials:
+      return "materials";
+    case FileKind::kRobot:
+      return "robot";
   }
   return "";
 }
@@ -52,12 +66,18 @@ FileKind find_file_kind(const std::string& path) {
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
   if (has_proportions(top)) return FileKind::kProportions;
   if (has_any(top, {"bone_lengths", "node", "band"})) return FileKind::kNet;
+  if (has_any(top, {"link", "dof"})) return FileKind::kRobot;
+  if (has_any(top, {"hand", "body", "camera"})) return FileKind::kWorld;
+  if (has_list(top, "shape")) return FileKind::kObject;
+  if (has_list(top, "material") || has_list(top, "friction")) return FileKind::kMaterials;
   if (has_any(top, {"side", "segment", "joint", "dh_chain", "muscle", "strand", "tip_map"}))
     return FileKind::kSubject;
   throw DataError(
       path, 1,
       "wanted a subject ([[joint]], [[muscle]] ..), an experiment ([protocol], "
-      "[trials]), fit settings ([[parameter]]), proportions ([[digit]]) or a net ([[band]]), "
+      "[trials]), fit settings ([[parameter]]), proportions ([[digit]]), a net ([[band]]), a robot "
+      "([[link]]), an object ([[shape]]), a world ([[hand]], [[body]]) or materials "
+      "([[material]]), "
       "got none");
 }
 

@@ -6,9 +6,21 @@
 
 namespace thenar {
 
-enum class FileKind { kSubject, kExperiment, kFitSettings, kProportions, kNet, kResult };
+enum class FileKind {
+  kSubject,
+  kExperiment,
+  kFitSettings,
+  kProportions,
+  kNet,
+  kResult,
+  kObject,
+  kWorld,
+  kMaterials,
+  kRobot
+};
 
-/// "subject", "experiment", "fit settings", "proportions", "net" or "result".
+/// "subject", "experiment", "fit settings", "proportions", "net", "result", "object", "world",
+/// "materials" or "robot".
 [[nodiscard]] std::string name_of(FileKind kind);
 
 /// Tells an HDF5 result by its first bytes, a TOML file by the keys of its top level.

@@ -27,6 +27,10 @@ TEST(FileKind, TellsDataFilesByWhatTheyHold) {
   EXPECT_EQ(find_file_kind(kData + "/fits/finger.toml"), FileKind::kFitSettings);
   EXPECT_EQ(find_file_kind(kData + "/anthropometry/buchholz1992.toml"), FileKind::kProportions);
   EXPECT_EQ(find_file_kind(kData + "/nets/winslow.toml"), FileKind::kNet);
+  EXPECT_EQ(find_file_kind(kData + "/objects/mug.toml"), FileKind::kObject);
+  EXPECT_EQ(find_file_kind(kData + "/worlds/jaw_box.toml"), FileKind::kWorld);
+  EXPECT_EQ(find_file_kind(kData + "/materials.toml"), FileKind::kMaterials);
+  EXPECT_EQ(find_file_kind(kData + "/robots/barrett.toml"), FileKind::kRobot);
 }
 
 TEST(FileKind, TellsResultsByTheirFirstBytes) {

@@ -1,0 +1,104 @@
+// What objects, worlds and materials hold.
+
+#include <fmt/format.h>
+
+#include "apps/explanation.h"
+#include "apps/file_summary.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kMm = 1e-3;  // [m]
+constexpr double kG = 1e-3;   // [kg]
+
+std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
+
+/// "35", "120 60 40": only what the kind of shape uses.
+std::string sizes_of(const ShapeSpec& shape) {
+  if (shape.kind == ShapeKind::kMesh)
+    return fmt::format("{} triangles of {}", shape.mesh.triangles.cols(), or_dash(shape.mesh_file));
+  std::vector<std::string> sizes;
+  for (const double size : shape.size)
+    if (size > 0) sizes.push_back(shown(size / kMm, 2));
+  return fmt::format("{}", fmt::join(sizes, " "));
+}
+
+std::string mass_of(const BodySpec& body) {
+  if (body.mass) return shown(body.mass->mass / kG, 1) + " g, as stated with its inertia";
+  if (body.spread_mass > 0)
+    return shown(body.spread_mass / kG, 1) + " g, spread evenly over the shapes";
+  if (body.density > 0) return shown(body.density, 0) + " kg/m3 times the volume";
+  return "unknown";
+}
+
+Section explain_shapes(const BodySpec& body) {
+  Section section{"shapes", "Shapes, in the body's frame", {}, {}};
+  section.table.header = {"kind", "size_mm", "x_mm", "y_mm", "z_mm"};
+  for (const ShapeSpec& shape : body.shapes)
+    section.table.rows.push_back(row(
+        {{name_of(shape.kind), sizes_of(shape)}, cells(Eigen::Vector3d(shape.X_BS.p / kMm), 1)}));
+  return section;
+}
+
+Section explain_hands(const WorldSpec& world) {
+  Section section{"hands", "Hands and arms", {}, {}};
+  section.table.header = {"name", "file", "x_mm", "y_mm", "z_mm", "carried_by", "posture"};
+  for (const PlacedHand& hand : world.hands)
+    section.table.rows.push_back(
+        row({{hand.name, or_dash(hand.file)},
+             cells(Eigen::Vector3d(hand.X_WH.p / kMm), 1),
+             {hand.carrier.empty() ? "-" : hand.carrier + " " + hand.carrier_link,
+              hand.posture.empty() ? "rest" : counted(hand.posture.size(), "coordinate")}}));
+  return section;
+}
+
+Section explain_bodies(const WorldSpec& world) {
+  Section section{"bodies", "Bodies", {}, {}};
+  section.table.header = {"name", "role", "material", "mass", "x_mm", "y_mm", "z_mm"};
+  for (const PlacedBody& placed : world.bodies)
+    section.table.rows.push_back(
+        row({{placed.body.name, placed.dynamic ? "object" : "obstacle",
+              or_dash(placed.body.material), placed.dynamic ? mass_of(placed.body) : "-"},
+             cells(Eigen::Vector3d(placed.X_WB.p / kMm), 1)}));
+  return section;
+}
+
+/// How the materials of a world slide on each other and on skin.
+Section explain_friction(const Materials& materials) {
+  Section section{"friction", "Friction between materials", {}, {}};
+  section.table.header = {"one", "other", "static", "kinetic"};
+  for (const auto& [pair, friction] : materials.friction)
+    section.table.rows.push_back({pair.first, pair.second, shown(friction.static_coefficient, 2),
+                                  shown(friction.kinetic_coefficient, 2)});
+  return section;
+}
+
+}  // namespace
+
+Explanation explain(const BodySpec& body) {
+  Section header{"object", fmt::format("object '{}'", body.name), {}, {}};
+  header.lines = {body.description, "source " + or_dash(body.source),
+                  "material " + or_dash(body.material), "mass " + mass_of(body)};
+  return {header, explain_shapes(body)};
+}
+
+Explanation explain(const WorldSpec& world) {
+  Section header{"world", fmt::format("world '{}'", world.name), {}, {}};
+  header.lines = {world.description,
+                  "materials " + (world.materials_file.empty() ? std::string("built in")
+                                                               : world.materials_file)};
+  return {header, explain_hands(world), explain_bodies(world)};
+}
+
+Explanation explain(const Materials& materials) {
+  Section section{"materials", "Materials", {}, {}};
+  section.table.header = {"name", "density_kg_m3", "young_kPa", "layer_mm"};
+  for (const Material& material : materials.materials)
+    section.table.rows.push_back(
+        {material.name, material.density > 0 ? shown(material.density, 0) : "-",
+         material.young > 0 ? shown(material.young / 1e3, 1) : "rigid",
+         material.young > 0 ? shown(material.layer_thickness / kMm, 2) : "-"});
+  return {section, explain_friction(materials)};
+}
+
+}  // namespace thenar
