@@ -64,4 +64,12 @@ void ClosingDrives::stop(int coordinate, StoppedBy why) {
   }
 }
 
+Eigen::VectorXd open_posture(const HandLayout& layout) {
+  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  Eigen::VectorXd q = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    if (rates[j] != 0) q[j] = rates[j] > 0 ? layout.lower[j] : layout.upper[j];
+  return q;
+}
+
 }  // namespace thenar

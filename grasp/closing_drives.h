@@ -39,4 +39,8 @@ class ClosingDrives {
   std::vector<StoppedBy> stopped_;
 };
 
+/// Where closing begins: coordinates that drives move at the limit they come from, the others at
+/// zero or the limit next to it. (coordinates)
+[[nodiscard]] Eigen::VectorXd open_posture(const HandLayout& layout);
+
 }  // namespace thenar

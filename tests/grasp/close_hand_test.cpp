@@ -110,6 +110,16 @@ TEST(CloseHand, TellsWhatOverlapsAtTheStartAndDoesNotMove) {
   EXPECT_EQ(closed.q[0], 0);
 }
 
+TEST(OpenPosture, IsTheLimitThatClosingComesFrom) {
+  HandLayout layout;
+  layout.coordinates = {"closes up", "closes down", "stays", "stays beyond"};
+  layout.lower = Eigen::Vector4d(-1, -1, -1, 1);
+  layout.upper = Eigen::Vector4d(2, 2, 2, 2);
+  layout.drives = {{"a", Coupled::kRigid, {{0, 1}, {1, -1}}, 1, 0},
+                   {"b", Coupled::kRigid, {{2, 1}, {3, 1}}, 0, 0}};
+  EXPECT_EQ(open_posture(layout), Eigen::Vector4d(-1, 2, 0, 1));
+}
+
 TEST(CloseHand, RefusesPosturesOutOfRange) {
   const RobotHand hand(sample::finger(RobotDofKind::kRigid));
   EXPECT_THAT(message_of([&] {
