@@ -77,15 +77,17 @@ class Search {
     while (upper_ > 0 && hull.facets() <= options_.most_facets) {
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
-      if (facet < 0) break;
+      if (facet < 0) {  // all are beyond the bar
+        lower_ = std::max(lower_, bar() - hull.error());
+        break;
+      }
       const Hull::Plane plane = hull.plane(facet);
-      lower_ = plane.d - hull.error();
+      lower_ = std::max(lower_, plane.d - hull.error());
       if (settled()) break;
       const Reach reach = look(plane.n);
       if (settled() || !hull.insert(reach.p, facet)) break;
     }
     facets_ = hull.facets();
-    if (hull.pop_nearest() < 0) lower_ = std::max(lower_, bar() - hull.error());
     return true;
   }
 
@@ -122,7 +124,7 @@ class Search {
   [[nodiscard]] double needed_gap() const {
     return std::min(options_.gap, std::max(0.99 * upper_, kUndecided * support_.size()));
   }
-  [[nodiscard]] double bar() const { return upper_ - 0.99 * needed_gap(); }
+  [[nodiscard]] double bar() const { return upper_ - 0.9 * needed_gap(); }
   [[nodiscard]] bool settled() const { return upper_ - lower_ <= needed_gap(); }
 
   const Support& support_;

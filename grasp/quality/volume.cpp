@@ -1,6 +1,6 @@
 #include "grasp/quality/volume.h"
 
-#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/error.h"
@@ -14,6 +14,8 @@ namespace {
 constexpr double kFlat = 1e-10;  // widths below this part of the size count as 0 [1]
 constexpr double kBeyond =
     1e-13;  // a point this far beyond a facet, in parts of the size, is on it
+
+constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 struct PolytopeVolume {
   double volume;
@@ -40,8 +42,6 @@ PolytopeVolume polytope_volume(const WrenchSet& set, const VolumeOptions& option
 }  // namespace
 
 Volume volume(const WrenchSet& set, const VolumeOptions& options) {
-  require(options.edges >= 6 && options.edges % 2 == 0,
-          "volume wants an even 6 edges or more, got {}", options.edges);
   bool curved = false;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     const WrenchCap& cap = set.caps[i];
@@ -51,16 +51,12 @@ Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0};
 
   const PolytopeVolume in = polytope_volume(pyramids(set, options.edges), options);
-  if (!curved) {
-    const double upper = in.complete ? in.volume : std::numeric_limits<double>::infinity();
-    return {in.volume, upper, in.volume, in.complete, in.facets};
-  }
-  const PolytopeVolume coarse = polytope_volume(pyramids(set, options.edges / 2), options);
-  const PolytopeVolume about = polytope_volume(pyramids_about(set, options.edges), options);
-  const double upper = about.complete ? about.volume : std::numeric_limits<double>::infinity();
-  const double guess = in.volume + (in.volume - coarse.volume) / 3;
-  return {in.volume, upper, std::clamp(guess, in.volume, upper),
-          in.complete && coarse.complete && about.complete, about.facets};
+  const PolytopeVolume about =
+      curved ? polytope_volume(pyramids_about(set, options.edges), options) : in;
+  if (!in.complete || !about.complete)
+    return {in.volume, std::numeric_limits<double>::infinity(), in.volume, false, about.facets};
+  const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
+  return {in.volume, about.volume, curved ? guess : in.volume, true, about.facets};
 }
 
 }  // namespace thenar

@@ -8,7 +8,7 @@ namespace thenar {
 
 struct VolumeOptions {
   ForceLimit limit = ForceLimit::kL1;
-  int edges = 8;             // of the pyramids in and about each cone; even
+  int edges = 12;            // of the pyramids in and about each cone
   int most_facets = 400000;  // of a hull before giving up
 };
 
@@ -16,7 +16,7 @@ struct VolumeOptions {
 struct [[nodiscard]] Volume {
   double lower;     // of the set with pyramids in the cones, rounding (1e-12 of it) aside
   double upper;     // with pyramids about them; infinite if that hull was given up
-  double estimate;  // extrapolated, between the two
+  double estimate;  // between the two; `lower` where a hull was given up
   bool complete;    // no hull was given up
   int facets;       // of the last hull
 };
@@ -24,10 +24,12 @@ struct [[nodiscard]] Volume {
 /// Volume of conv(caps) (kL1), or of the Minkowski sum of caps joined with 0 (kLinf).
 ///
 /// Hulls are refined facet by facet until no support point lies beyond any. The sets with m edges
-/// in and about the cones enclose the true one; the estimate takes the error of those inside as c /
-/// m^2, from m and m / 2:  V(m) + (V(m) - V(m/2)) / 3. Without cones (points, segments) all three
-/// are the exact volume. Flat sets have volume 0.
-/// @throws InputError if edges is odd or below 6, or a wrench is not finite
+/// in and about the cones enclose the true one. Of small d = (pi / m)^2 the area of a polygon in a
+/// circle lacks 2 d / 3, that of one about it has d / 3 too much, their mean widths d / 6 and d /
+/// 3: the estimate lower^(1 - w) upper^w is exact to d^2 with w = 2/3 or 1/3. Wrench sets depend on
+/// both; w = 0.56 is within 1 % for 12 edges on random grasps of three to five contacts. Without
+/// cones (points, segments) all three are the exact volume. Flat sets have volume 0.
+/// @throws InputError if edges < 3, or a wrench is not finite
 [[nodiscard]] Volume volume(const WrenchSet& set, const VolumeOptions& options = {});
 
 }  // namespace thenar

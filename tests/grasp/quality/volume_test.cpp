@@ -1,0 +1,101 @@
+// Tests for grasp/quality/volume.cpp: volumes known in closed form.
+
+#include "grasp/quality/volume.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/grasp/quality/known_sets.h"
+#include "tests/grasp/quality/random_grasps.h"
+
+namespace thenar {
+namespace {
+
+Volume volume_of(const WrenchSet& set, ForceLimit limit, int edges = 8) {
+  VolumeOptions options;
+  options.limit = limit;
+  options.edges = edges;
+  return volume(set, options);
+}
+
+void expect_exact(const Volume& v, double known) {
+  constexpr double kRelative = 1e-12;
+  EXPECT_TRUE(v.complete);
+  EXPECT_NEAR(v.lower, known, kRelative * known);
+  EXPECT_NEAR(v.upper, known, kRelative * known);
+  EXPECT_NEAR(v.estimate, known, kRelative * known);
+}
+
+TEST(Volume, OfACrossPolytopeAndItsBox) {
+  const double box = (2 * kHalfAxes).prod();
+  expect_exact(volume_of(cross_polytope(), ForceLimit::kL1), box / 720);
+  expect_exact(volume_of(cross_polytope(), ForceLimit::kLinf), box);
+}
+
+// (n + 1)^((n + 1) / 2) / (n! n^(n / 2)) for circumradius 1, n = 6.
+TEST(Volume, OfARegularSimplex) {
+  expect_exact(volume_of(regular_simplex(), ForceLimit::kL1), std::pow(7, 3.5) / (720 * 216));
+}
+
+// The hull of bodies in orthogonal spaces about 0 of dimensions a, b, ..: a! b!
+// .. / n! times the product of their volumes.
+TEST(Volume, OfOrthogonalDiscsIsEnclosed) {
+  const double known = std::pow(M_PI, 3) * 8 / 720;
+  const Volume v = volume_of(orthogonal_discs(), ForceLimit::kL1);
+  EXPECT_TRUE(v.complete);
+  EXPECT_LE(v.lower, known);
+  EXPECT_GE(v.upper, known);
+  EXPECT_NEAR(v.estimate, known, 0.06 * known);
+}
+
+// The product of m-gons, in closed form: (m / 2 sin(2 pi / m))^3 and (m tan(pi
+// / m))^3.
+TEST(Volume, OfOrthogonalDiscsIsThatOfTheirPolygons) {
+  const double weight = 8.0 / 720;
+  const Volume v = volume_of(orthogonal_discs(), ForceLimit::kL1, 6);
+  EXPECT_NEAR(v.lower, weight * std::pow(3 * std::sin(M_PI / 3), 3), 1e-12);
+  EXPECT_NEAR(v.upper, weight * std::pow(6 * std::tan(M_PI / 6), 3), 1e-12);
+}
+
+TEST(Volume, OfFlatSetsIsZero) {
+  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+    expect_exact(volume_of(two_soft_fingers(0.5, 0), limit), 0);
+    expect_exact(volume_of({}, limit), 0);
+  }
+}
+
+TEST(Volume, IsEnclosedTheTighterTheMoreEdges) {
+  std::mt19937 rng(3);
+  const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
+  const Volume few = volume_of(set, ForceLimit::kL1, 8), many = volume_of(set, ForceLimit::kL1, 16);
+  EXPECT_LE(few.lower, many.lower);
+  EXPECT_LE(many.upper, few.upper);
+}
+
+TEST(Volume, EstimatesWithinOnePercentOfManyEdges) {
+  std::mt19937 rng(4);
+  for (int contacts = 3; contacts <= 5; ++contacts) {
+    const WrenchSet set = wrench_set(random_contacts(rng, contacts), Eigen::Vector3d::Zero(), 1);
+    const Volume v = volume_of(set, ForceLimit::kL1, 12);
+    const Volume fine = volume_of(set, ForceLimit::kL1, 32);  // bounds 2 % apart
+    EXPECT_GE(v.estimate, 0.99 * fine.lower);
+    EXPECT_LE(v.estimate, 1.01 * fine.upper);
+  }
+}
+
+TEST(Volume, GivesUpAndSaysSo) {
+  VolumeOptions options;
+  options.most_facets = 20;
+  const Volume v = volume(orthogonal_discs(), options);
+  EXPECT_FALSE(v.complete);
+  EXPECT_TRUE(std::isinf(v.upper));
+}
+
+TEST(Volume, WantsThreeEdges) {
+  EXPECT_THROW((void)volume_of(orthogonal_discs(), ForceLimit::kL1, 2), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
