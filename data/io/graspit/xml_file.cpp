@@ -38,6 +38,8 @@ XmlFile::~XmlFile() = default;
 
 pugi::xml_node XmlFile::root() const { return document_->xml.document_element(); }
 
+std::string XmlFile::root_name() const { return root().name(); }
+
 int XmlFile::line(const pugi::xml_node& node) const { return line_at(text_, node.offset_debug()); }
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {

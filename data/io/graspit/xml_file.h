@@ -25,6 +25,7 @@ class XmlFile {
 
   /// The outermost element.
   [[nodiscard]] pugi::xml_node root() const;
+  [[nodiscard]] std::string root_name() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
 

@@ -17,7 +17,6 @@
 namespace thenar {
 namespace {
 
-using internal::MassOfBody;
 using internal::MjcfElement;
 using internal::MjcfGeom;
 using internal::MjcfSource;
@@ -109,7 +108,7 @@ class BodyTree {
   // ---- shapes and mass
 
   void fill(RobotLink& link, const std::vector<Part>& parts) {
-    std::vector<MassOfBody> masses;
+    std::vector<ShapeMass> masses;
     std::vector<ShapeSpec> shown;
     const MjcfSource& source = source_;
     for (const Part& part : parts) {
@@ -128,13 +127,13 @@ class BodyTree {
   }
 
   void set_mass(RobotLink& link, const std::vector<Part>& parts,
-                const std::vector<MassOfBody>& masses) {
+                const std::vector<ShapeMass>& masses) {
     const auto inertial = std::find_if(parts.begin(), parts.end(),
                                        [](const Part& part) { return is(part, "inertial"); });
     const std::string& from_geom = source_.compiler.inertia_from_geom;
-    MassOfBody mass;
+    ShapeMass mass;
     if (from_geom == "true" || (from_geom == "auto" && inertial == parts.end())) {
-      mass = internal::together(masses);
+      mass = together(masses);
     } else if (inertial != parts.end()) {
       mass = read_inertial(*inertial);
     }
@@ -144,7 +143,7 @@ class BodyTree {
     link.inertia = mass.inertia;
   }
 
-  [[nodiscard]] MassOfBody read_inertial(const Part& part) const {
+  [[nodiscard]] ShapeMass read_inertial(const Part& part) const {
     const MjcfElement inertial(source_, part.node, part.childclass);
     if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
     Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
