@@ -13,6 +13,7 @@ void add_fit(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);
+void add_quality(CLI::App& app);
 void add_simulate(CLI::App& app);
 void add_study(CLI::App& app);
 void add_tendon(CLI::App& app);

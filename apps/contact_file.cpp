@@ -1,0 +1,152 @@
+#include "apps/contact_file.h"
+
+#include <cmath>
+#include <initializer_list>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/json_line.h"
+#include "base/error.h"
+#include "data/io/toml_node.h"
+
+namespace thenar {
+namespace {
+
+using nlohmann::json;
+using Names = std::initializer_list<const char*>;
+
+constexpr double kNearlyUnit = 1e-3;       // a normal is rounded, not wrong, if off by less [1]
+constexpr std::size_t kLongestShown = 60;  // of a value in a message [characters]
+
+/// A value with the way to it, so that complaints can name its line.
+class JsonValue {
+ public:
+  JsonValue(const std::string& path, const std::string& text, const json& value, JsonPath steps)
+      : path_(path), text_(text), value_(value), steps_(std::move(steps)) {}
+
+  [[noreturn]] void fail(const std::string& complaint) const {
+    throw DataError(path_, line_of(text_, steps_), complaint);
+  }
+  [[noreturn]] void fail_wanted(const std::string& what) const {
+    std::string came = value_.dump(-1, ' ', false, json::error_handler_t::replace);
+    if (came.size() > kLongestShown) came = came.substr(0, kLongestShown) + "...";
+    fail(fmt::format("wanted {}{}, got {}", what, steps_.empty() ? "" : " as " + name(), came));
+  }
+
+  [[nodiscard]] bool has(const char* member) const { return value_.contains(member); }
+  [[nodiscard]] JsonValue operator[](const char* member) const {
+    if (!has(member)) fail(fmt::format("{} has no '{}'", name(), member));
+    return step(value_[member], member);
+  }
+  [[nodiscard]] std::vector<JsonValue> entries(const char* what) const {
+    if (!value_.is_array()) fail_wanted(what);
+    std::vector<JsonValue> result;
+    for (std::size_t i = 0; i < value_.size(); ++i)
+      result.push_back(step(value_[i], std::to_string(i)));
+    return result;
+  }
+
+  void require_members(Names known) const {
+    if (!value_.is_object()) fail_wanted("an object");
+    for (const auto& [member, value] : value_.items())
+      if (std::find(known.begin(), known.end(), member) == known.end())
+        step(value, member)
+            .fail(fmt::format("{} knows no '{}', only {}", name(), member, fmt::join(known, ", ")));
+  }
+
+  [[nodiscard]] double number(const char* what) const {
+    if (!value_.is_number()) fail_wanted(what);
+    return value_.get<double>();
+  }
+
+  template <int n>
+  [[nodiscard]] Eigen::Matrix<double, n, 1> vector() const {
+    const std::string what = fmt::format("{} numbers", n);
+    if (!value_.is_array() || value_.size() != n) fail_wanted(what);
+    Eigen::Matrix<double, n, 1> result;
+    for (int i = 0; i < n; ++i) {
+      if (!value_[static_cast<std::size_t>(i)].is_number()) fail_wanted(what);
+      result(i) = value_[static_cast<std::size_t>(i)].get<double>();
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] JsonValue step(const json& value, const std::string& to) const {
+    JsonPath steps = steps_;
+    steps.push_back(to);
+    return {path_, text_, value, steps};
+  }
+  [[nodiscard]] std::string name() const {
+    return steps_.empty() ? "the file" : fmt::format("{}", fmt::join(steps_, "."));
+  }
+
+  const std::string& path_;
+  const std::string& text_;
+  const json& value_;
+  JsonPath steps_;
+};
+
+double not_negative(const JsonValue& value) {
+  const double number = value.number("a number >= 0");
+  if (number < 0) value.fail_wanted("a number >= 0");
+  return number;
+}
+
+double positive(const JsonValue& value) {
+  const double number = value.number("a number > 0");
+  if (number <= 0) value.fail_wanted("a number > 0");
+  return number;
+}
+
+Eigen::Vector3d unit(const JsonValue& value) {
+  const Eigen::Vector3d n = value.vector<3>();
+  const double length = n.stableNorm();
+  if (std::abs(length - 1) >= kNearlyUnit)
+    value.fail_wanted(fmt::format("a unit vector (its length is {:.6g})", length));
+  return n / length;
+}
+
+FileContact contact_with_wrenches(const JsonValue& value) {
+  FileContact result;
+  if (value.has("position")) result.contact.p = value["position"].vector<3>();
+  if (value.has("normal")) (void)value["normal"].vector<3>();
+  if (value.has("friction")) result.contact.friction = not_negative(value["friction"]);
+  const JsonValue wrenches = value["wrenches"];
+  for (const JsonValue& wrench : wrenches.entries("a list of wrenches"))
+    result.wrenches.push_back(wrench.vector<6>());
+  if (result.wrenches.empty()) wrenches.fail_wanted("at least one wrench");
+  return result;
+}
+
+FileContact contact_with_cone(const JsonValue& value) {
+  FileContact result;
+  result.contact.p = value["position"].vector<3>();
+  result.contact.n = unit(value["normal"]);
+  result.contact.friction = not_negative(value["friction"]);
+  return result;
+}
+
+FileContact file_contact(const JsonValue& value) {
+  value.require_members({"position", "normal", "friction", "torsion", "wrenches", "name"});
+  FileContact result =
+      value.has("wrenches") ? contact_with_wrenches(value) : contact_with_cone(value);
+  if (value.has("torsion")) result.contact.torsion = not_negative(value["torsion"]);
+  return result;
+}
+
+}  // namespace
+
+ContactFile read_contact_file(const std::string& path) {
+  const std::string text = read_text_file(path);
+  const json parsed = parse_json(path, text);
+  const JsonValue root(path, text, parsed, {});
+  root.require_members({"centre_of_mass", "torque_scale", "contacts", "name", "source"});
+  ContactFile file{root["centre_of_mass"].vector<3>(), positive(root["torque_scale"]), {}};
+  for (const JsonValue& contact : root["contacts"].entries("a list of contacts"))
+    file.contacts.push_back(file_contact(contact));
+  return file;
+}
+
+}  // namespace thenar

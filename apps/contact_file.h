@@ -1,0 +1,30 @@
+#pragma once
+
+/// Contacts of a grasp as `thenar quality` reads them.
+
+#include <string>
+#include <vector>
+
+#include "grasp/quality/wrench_set.h"
+
+namespace thenar {
+
+struct FileContact {
+  Contact contact;               // its point, normal and coefficients
+  std::vector<Wrench> wrenches;  // torque already divided by the scale; empty: its cone counts
+};
+
+struct ContactFile {
+  Eigen::Vector3d centre_of_mass;  // [m] (3)
+  double torque_scale;             // [m]
+  std::vector<FileContact> contacts;
+};
+
+/// Reads {"centre_of_mass": [x, y, z], "torque_scale": m, "contacts": [{"position": [x, y, z],
+/// "normal": [x, y, z], "friction": mu, "torsion": m?, "wrenches": [[fx, fy, fz, tx, ty, tz],
+/// ...]?}]}; see docs/data_format.md. Normals off unit length by less than 1e-3 are made unit.
+/// A contact with wrenches needs no position, normal and friction.
+/// @throws DataError `path:line: ...`: what was wanted, and what came.
+[[nodiscard]] ContactFile read_contact_file(const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,24 @@
+#pragma once
+
+/// Where in a JSON text a value stands, for messages about it.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace thenar {
+
+/// Steps from the root of a JSON text to a value: names of members, numbers of entries.
+using JsonPath = std::vector<std::string>;
+
+/// Parses strictly: no repeated members, no NaN or infinite numbers, no comments.
+/// @throws DataError `path:line: ...` saying what was wanted and what came.
+[[nodiscard]] nlohmann::json parse_json(const std::string& path, const std::string& text);
+
+/// Line on which a value starts, counted from 1; of a value that is not there, the line of the
+/// innermost one around it that is.
+/// @param text  that parse_json() accepts
+[[nodiscard]] int line_of(const std::string& text, const JsonPath& value);
+
+}  // namespace thenar
