@@ -10,6 +10,7 @@
 
 #include "grasp/contact/triangle_point.h"
 #include "tests/grasp/contact/analytic_shapes.h"
+#include "tests/grasp/contact/drawn.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 
@@ -20,16 +21,6 @@ constexpr double kTolerance = 5e-5;  // default of the search [m]
 
 Pose<double> at(double x, double y, double z) {
   return {Eigen::Matrix3d::Identity(), Eigen::Vector3d(x, y, z)};
-}
-
-/// In [-1, 1).
-double drawn(std::mt19937& rng) { return 2 * (static_cast<double>(rng()) / 4294967296.0) - 1; }
-Eigen::Vector3d drawn_point(std::mt19937& rng, double size) {
-  return size * Eigen::Vector3d(drawn(rng), drawn(rng), drawn(rng));
-}
-Pose<double> drawn_pose(std::mt19937& rng, double size) {
-  const Eigen::Vector3d axis = drawn_point(rng, 1).normalized();
-  return {rotation_about<double>(axis, 3 * drawn(rng)), drawn_point(rng, size)};
 }
 
 // A ball is one point with a radius: two balls are apart by the way between centres less radii.
