@@ -1,6 +1,10 @@
 #include "hand/skin/human_surfaces.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/shapes/mesh_from_distance.h"
@@ -39,7 +43,27 @@ const Segment& segment_named(const Subject& subject, const std::string& name) {
       fmt::format("a mesh for segment '{}', which '{}' does not have", name, subject.name));
 }
 
+/// Throws if an edge does not belong to two triangles that walk it in opposite ways.
+void require_closed(const TriangleMesh& mesh, const std::string& segment) {
+  std::map<std::pair<int, int>, int> edges;
+  for (const Eigen::Vector3i& corner : mesh.triangles.colwise())
+    for (int i = 0; i < 3; ++i) ++edges[{corner[i], corner[(i + 1) % 3]}];
+  int open = 0, from = 0;
+  for (const auto& [edge, count] : edges) {
+    const auto back = edges.find({edge.second, edge.first});
+    if (back != edges.end() && back->second == count) continue;
+    if (open++ == 0) from = edge.first;
+  }
+  if (open == 0) return;
+  const Vector3d p = mesh.vertices.col(from);
+  throw InputError(fmt::format(
+      "skin of segment '{}' leaks: {} edges have no triangle on one side, the first at {:.4f} "
+      "{:.4f} {:.4f} m",
+      segment, open, p.x(), p.y(), p.z()));
+}
+
 Solid solid_of(TriangleMesh mesh, const std::string& segment) {
+  require_closed(mesh, segment);
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh = std::move(mesh);

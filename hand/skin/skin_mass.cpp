@@ -42,10 +42,14 @@ std::map<std::string, std::vector<Border>> borders_of(
   return borders;
 }
 
-bool belongs_to_neighbour(const std::vector<Border>& borders, const Vector3d& p) {
-  return std::any_of(borders.begin(), borders.end(), [&](const Border& border) {
-    return (p - border.center).dot(border.outward) > 0 && soft_height(*border.other, p) < 0;
-  });
+/// Share of a cell that neighbours leave to a body [1].
+double share_left(const std::vector<Border>& borders, const Vector3d& p, double step) {
+  double share = 1;
+  for (const Border& border : borders) {
+    const double beyond = (p - border.center).dot(border.outward) / step;
+    if (beyond > -0.5 && soft_height(*border.other, p) < 0) share *= std::max(0.5 - beyond, 0.0);
+  }
+  return share;
 }
 
 /// Sums over the cells of a grid.
@@ -60,8 +64,9 @@ LinkMass integrate(const SoftBody& body, const std::vector<Border>& borders) {
     for (int j = 0; j < cells.y(); ++j)
       for (int k = 0; k < cells.z(); ++k) {
         const Vector3d p = box.min() + step * Vector3d(i + 0.5, j + 0.5, k + 0.5);
-        const double part = std::clamp(0.5 - soft_height(body, p) / step, 0.0, 1.0);
-        if (part == 0 || belongs_to_neighbour(borders, p)) continue;
+        double part = std::clamp(0.5 - soft_height(body, p) / step, 0.0, 1.0);
+        if (part > 0) part *= share_left(borders, p, step);
+        if (part == 0) continue;
         const Vector3d from = p - box.center();
         volume += part;
         first += part * from;
