@@ -49,6 +49,7 @@ TEST(RobotHand, ObeysTheLawsOfHands) {
     for (RobotJoint& joint : spec.joints) joint.upper = std::min(joint.upper, 10.0);
     expect_hand_laws(RobotHand(spec), ++seed);
   }
+  expect_hand_laws(RobotHand(attach(robot("puma560"), "link 6", robot("barrett"), {})), ++seed);
   RobotSpec small = sample::small_robot(4);
   for (RobotJoint& joint : small.joints) {
     joint.stiffness = 0.3;
@@ -204,6 +205,33 @@ TEST(RobotHand, KeepsThePadsOfTheLinkageParallel) {
   // Tips: half a pad of 37.5 mm beyond the pad's frame, away from the joint that bears it.
   const Vector3d tip = open[left].p + Vector3d(0, 0, 0.0375 / 2);
   EXPECT_TRUE(matrix_near(hand.layout().tip_points[0].p, tip, 1e-12));
+}
+
+struct Reach {
+  const char* robot;
+  const char* digit;
+  const char* link;  // outermost
+  Vector3d along;    // of its frame (3)
+  double length;     // of the tip beyond its origin [m]
+};
+
+// Lengths of the outermost links as published [GraspItRobots]; a tip frame ends at its origin.
+TEST(RobotHand, EndsDigitsAtTheirPublishedLengths) {
+  const Reach reaches[] = {{"dlr", "thumb", "thumb L4", Vector3d::UnitZ(), 0.04656},
+                           {"robonaut", "index", "index L4", Vector3d::UnitX(), 0.01778},
+                           {"robonaut", "thumb", "thumb L3", Vector3d::UnitX(), 0.03294},
+                           {"rutgers", "little", "little L4", Vector3d::UnitX(), 0.03175},
+                           {"shadow", "index", "fftip", Vector3d::UnitZ(), 0}};
+  for (const Reach& reach : reaches) {
+    SCOPED_TRACE(reach.robot);
+    const RobotHand hand(robot(reach.robot));
+    const Pose<double> frame = hand.link_frames(zero(hand))[index_of(hand, reach.link)];
+    const HandLayout& layout = hand.layout();
+    const auto at = std::find(layout.tips.begin(), layout.tips.end(), reach.digit);
+    ASSERT_NE(at, layout.tips.end());
+    const HandTip& tip = layout.tip_points[static_cast<std::size_t>(at - layout.tips.begin())];
+    EXPECT_NEAR(reach.along.dot(frame.inverse() * tip.p), reach.length, 2e-6);  // boxes: to 1 um
+  }
 }
 
 // Reference: every degree of freedom zero, every joint at its offset.
