@@ -32,7 +32,7 @@ Approached approach(const TouchingHand& hand, const Pose<double>& X_WH, const Ei
       if (gap.bound - options.accuracy / 2 >= step) continue;
       const Separation found =
           measure(gap, posed, options.accuracy / 4, step + 2 * options.accuracy);
-      if (gap.bound > options.accuracy) {
+      if (found.distance > options.accuracy) {
         step = std::min(step, gap.bound - options.accuracy / 2);
       } else if (found.normal.dot(direction) < 0) {
         result.touches = true;

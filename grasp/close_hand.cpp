@@ -73,7 +73,7 @@ class Closing {
       const Separation found =
           measure(gap, posed_, options_.accuracy / 4, way + 2 * options_.accuracy);
       ++queries_;
-      if (gap.bound <= options_.accuracy) {
+      if (found.distance <= options_.accuracy) {
         if (goes_into(gap, found)) return stop_both(gap);
         time = std::min(time, options_.accuracy / 4 / relative.speed);  // slides along
       } else {

@@ -1,0 +1,56 @@
+#pragma once
+
+/// One grasp from start to quality.
+
+#include <string>
+#include <vector>
+
+#include "grasp/approach.h"
+#include "grasp/close_hand.h"
+#include "grasp/contact/contact_patch.h"
+#include "grasp/quality/epsilon.h"
+#include "grasp/scene.h"
+#include "grasp/touching_hand.h"
+
+namespace thenar {
+
+struct GraspOptions {
+  double way = 1;  // farthest approach [m]; 0: it begins where it is
+  CloseOptions close;
+  ContactPatchOptions patches;
+  EpsilonOptions epsilon;
+};
+
+/// How far a grasp came.
+enum class GraspOutcome {
+  kGrasped,   // there are contacts: `quality` holds
+  kOverlaps,  // the hand began in something: approached.overlaps or closed.overlaps say in what
+  kMissed,    // the approach met nothing
+  kBlocked,   // the approach met an obstacle first
+  kTooLong,   // closing did not end
+  kEmpty      // closed, and the object is not touched
+};
+
+/// "grasped", "overlaps", "missed", "blocked", "too long", "empty".
+[[nodiscard]] std::string name_of(GraspOutcome outcome);
+
+struct [[nodiscard]] Grasp {
+  GraspOutcome outcome;
+  Approached approached;
+  ClosedHand closed;
+  std::vector<HandContact> contacts;  // object frame
+  Epsilon quality;                    // about the object's centre of mass, torques over its reach
+};
+
+/// Where a posed hand touches the object, patch by patch; friction from the materials of both.
+/// @throws InputError if the scene has no friction for a pair of materials.
+[[nodiscard]] std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,
+                                                     const ContactPatchOptions& options = {});
+
+/// Approaches, closes, finds the contacts, and measures.
+/// @param q  posture of the approach, where closing begins (coordinates)
+/// @throws InputError as approach(), close_hand() and find_contacts().
+Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+            const Scene& scene, const GraspOptions& options = {});
+
+}  // namespace thenar

@@ -1,0 +1,84 @@
+// Tests for grasp/grasp.cpp: whole grasps whose contacts are known.
+
+#include "grasp/grasp.h"
+
+#include <gmock/gmock.h>
+
+#include "grasp/robot_hand.h"
+#include "tests/grasp/closing_samples.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+/// Two plates of 20 x 40 mm that stand on the x axis and slide towards each other.
+RobotSpec jaws() {
+  RobotSpec robot;
+  robot.name = "jaws";
+  robot.links.resize(3);
+  robot.links[0].name = "base";
+  for (const int side : {-1, 1}) {
+    RobotLink& jaw = robot.links[side < 0 ? 1 : 2];
+    jaw.name = side < 0 ? "left" : "right";
+    jaw.material = "rubber";
+    jaw.shapes = {sample::shape(ShapeKind::kBox, {0.01, 0.04, 0.02}, {side * 0.005, 0, 0})};
+    RobotJoint joint = sample::hinge(jaw.name, "base", jaw.name, {side * 0.05, 0, 0}, "motor", 1);
+    joint.kind = RobotJointKind::kPrismatic;
+    joint.axis = {-1.0 * side, 0, 0};
+    joint.upper = 0.05;
+    robot.joints.push_back(joint);
+  }
+  robot.dofs = {sample::motor("motor", RobotDofKind::kRigid, 0.01)};
+  robot.dofs[0].upper = 0.05;
+  robot.approach.direction = {0, 1, 0};
+  return robot;
+}
+
+const ShapeSpec kCube = sample::shape(ShapeKind::kBox, {0.03, 0.03, 0.03});
+
+Grasp squeeze(const std::vector<PlacedBody>& bodies, double way) {
+  const RobotHand hand(jaws());
+  GraspOptions options;
+  options.way = way;
+  return grasp(touching_hand(hand), {}, open_posture(hand.layout()), sample::scene(bodies),
+               options);
+}
+
+// Plates 40 x 20 mm on faces 30 x 30 mm: each touches at (+-15, +-15, +-10) mm.
+TEST(Grasp, OfACubeByPlatesTouchesAtTheCornersOfTheOverlaps) {
+  const Grasp done = squeeze({sample::placed("cube", kCube, {0, 0, 0})}, 0);
+  ASSERT_EQ(done.outcome, GraspOutcome::kGrasped);
+  ASSERT_EQ(done.contacts.size(), 8u);
+  const Eigen::Vector3d corner(0.015, 0.015, 0.01);
+  for (const HandContact& contact : done.contacts) {
+    EXPECT_LT((contact.contact.p.cwiseAbs() - corner).norm(), 1e-3);  // resolution of patches
+    const double side = contact.contact.p.x() > 0 ? 1 : -1;
+    EXPECT_LT((contact.contact.n + side * Eigen::Vector3d::UnitX()).norm(), 1e-6);
+    EXPECT_EQ(contact.contact.friction, 1.0);  // rubber on wood, data/materials.toml
+  }
+  EXPECT_TRUE(done.quality.force_closure);
+}
+
+TEST(Grasp, SaysHowFarItCame) {
+  EXPECT_EQ(squeeze({sample::placed("cube", kCube, {0, 1, 0})}, 0.5).outcome,
+            GraspOutcome::kMissed);
+  EXPECT_EQ(squeeze({sample::placed("cube", kCube, {0, 1, 0})}, 0).outcome, GraspOutcome::kEmpty);
+  EXPECT_EQ(squeeze({sample::placed("cube", kCube, {0.05, 0, 0})}, 0.5).outcome,
+            GraspOutcome::kOverlaps);
+  EXPECT_EQ(squeeze({sample::placed("cube", kCube, {0, 1, 0}),
+                     sample::placed("wall", kCube, {0.05, 0.2, 0}, false)},
+                    0.5)
+                .outcome,
+            GraspOutcome::kBlocked);
+}
+
+TEST(Grasp, RefusesMaterialsWithoutFriction) {
+  PlacedBody cube = sample::placed("cube", kCube, {0, 0, 0});
+  cube.body.material = "cheese";
+  EXPECT_THAT(message_of([&] { (void)squeeze({cube}, 0); }), HasSubstr("cheese"));
+}
+
+}  // namespace
+}  // namespace thenar
