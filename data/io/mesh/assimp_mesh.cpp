@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include <assimp/postprocess.h>
@@ -13,7 +15,16 @@
 #include "base/error.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/mesh/off_text.h"
+#include "data/io/mesh/ply_header.h"
 #include "data/io/toml_node.h"
+
+namespace Assimp {
+/// Stands before assimp's own, which would abort the program on some broken files.
+[[noreturn]] void aiAssertViolation(const char* expression, const char* file, int line);
+void aiAssertViolation(const char* expression, const char* /*file*/, int /*line*/) {
+  throw std::runtime_error(std::string("the file is broken: not ") + expression);
+}
+}  // namespace Assimp
 
 namespace thenar {
 namespace {
@@ -43,23 +54,32 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
     append_node(scene, *node.mChildren[i], place, soup);
 }
 
+const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
+  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
+  if (mesh_format(path) == MeshFormat::kPly) check_ply_header(read_text_file(path), path);
+  if (mesh_format(path) != MeshFormat::kOff) return importer.ReadFile(path, kSteps);
+  const std::string obj = off_as_obj(read_text_file(path), path);
+  return importer.ReadFileFromMemory(obj.data(), obj.size(), kSteps, "obj");
+}
+
+[[noreturn]] void fail(const std::string& path, std::string why) {
+  std::replace(why.begin(), why.end(), '\n', ' ');
+  throw DataError(path, 1, why);
+}
+
 }  // namespace
 
 TriangleSoup read_assimp_mesh(const std::string& path) {
-  constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
   Assimp::Importer importer;
   const aiScene* scene = nullptr;
-  if (mesh_format(path) == MeshFormat::kOff) {
-    const std::string obj = off_as_obj(read_text_file(path), path);
-    scene = importer.ReadFileFromMemory(obj.data(), obj.size(), kSteps, "obj");
-  } else {
-    scene = importer.ReadFile(path, kSteps);
+  try {
+    scene = read_scene(importer, path);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& broken) {
+    fail(path, broken.what());
   }
-  if (scene == nullptr) {
-    std::string why = importer.GetErrorString();
-    std::replace(why.begin(), why.end(), '\n', ' ');
-    throw DataError(path, 1, why);
-  }
+  if (scene == nullptr) fail(path, importer.GetErrorString());
   TriangleSoup soup;
   if (scene->mRootNode != nullptr) append_node(*scene, *scene->mRootNode, {}, soup);
   return soup;

@@ -160,6 +160,13 @@ TEST_F(MeshFile, NamesTheLineOfABrokenOff) {
             "3: the file ends before all corners and faces are told");
 }
 
+TEST_F(MeshFile, NamesTheLineOfABrokenPlyHeader) {
+  EXPECT_EQ(refusal("word.ply", "ply\nformat ascii 1.0\nelement333 vertex"),
+            "3: wanted the header of a PLY, got 'element333 vertex'");
+  EXPECT_EQ(refusal("cut.ply", "ply\nformat ascii 1.0\ncomment a cube\n"),
+            "3: the header of this PLY has no end");
+}
+
 TEST_F(MeshFile, RefusesUnknownEndingsAndMissingFiles) {
   EXPECT_THAT(refusal("cube.step", "x"), HasSubstr(".obj"));
   EXPECT_EQ(message_of<DataError>([] { (void)read_mesh("/nowhere/a.obj"); }),
