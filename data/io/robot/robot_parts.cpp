@@ -65,13 +65,6 @@ void read_drive(TomlTable& table, RobotJoint& joint) {
   joint.stiffness = table.number_or(in.stiffness, "stiffness", 0);
 }
 
-/// An axis as written, made a unit vector unless it is one to rounding already.
-Eigen::Vector3d read_axis(TomlTable& table) {
-  if (!table.has(Dimension::kNumber, "axis")) return Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d axis = table.vector(Dimension::kNumber, "axis");
-  return std::abs(axis.norm() - 1) <= kUnitTolerance ? axis : table.direction("axis");
-}
-
 /// Diagonal [xx, yy, zz]; [xx, yy, zz, xy, xz, yz]; or all nine, row by row.
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   if (!table.has(Dimension::kInertia, "inertia")) return Eigen::Matrix3d::Zero();
@@ -112,6 +105,11 @@ RobotJoint read_row(TomlTable& table) {
 
 }  // namespace
 
+Eigen::Vector3d read_unit(TomlTable& table, const std::string& key) {
+  const Eigen::Vector3d v = table.vector(Dimension::kNumber, key);
+  return std::abs(v.norm() - 1) <= kUnitTolerance ? v : table.direction(key);
+}
+
 RobotLink read_robot_link(TomlTable& table, const std::string& path) {
   RobotLink link;
   link.name = table.text("name");
@@ -132,7 +130,7 @@ RobotJoint read_robot_joint(TomlTable& table) {
   joint.name = table.text("name");
   joint.parent = table.text("parent");
   read_drive(table, joint);
-  joint.axis = read_axis(table);
+  if (table.has(Dimension::kNumber, "axis")) joint.axis = read_unit(table, "axis");
   joint.X_PJ = pose_or_none(table, "frame");
   joint.X_JC = pose_or_none(table, "child_frame");
   table.done();

@@ -27,6 +27,9 @@ void check_link(const RobotLink& link);
 void check_joint(const RobotJoint& joint);
 void check_dof(const RobotDof& dof);
 
+/// A direction as written, made a unit vector unless it is one to rounding already.
+[[nodiscard]] Eigen::Vector3d read_unit(TomlTable& table, const std::string& key);
+
 [[nodiscard]] RobotLink read_robot_link(TomlTable& table, const std::string& path);
 [[nodiscard]] RobotJoint read_robot_joint(TomlTable& table);
 [[nodiscard]] RobotDof read_robot_dof(TomlTable& table);

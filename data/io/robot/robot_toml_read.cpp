@@ -13,7 +13,7 @@ void read_approach(TomlTable& top, RobotSpec& robot) {
   std::optional<TomlTable> table = top.table("approach");
   if (!table) return;
   robot.approach.point = table->vector_or(Dimension::kLength, "point", {0, 0, 0});
-  robot.approach.direction = table->vector(Dimension::kNumber, "direction");
+  robot.approach.direction = internal::read_unit(*table, "direction");
   table->done();
 }
 

@@ -147,6 +147,17 @@ frame = {rpy_deg = [90, 0, 90]}
   EXPECT_TRUE(matrix_near(robot.joints[0].X_PJ.R.col(0), Eigen::Vector3d::UnitY(), 1e-15));
 }
 
+TEST(RobotToml, MakesDirectionsUnitVectors) {
+  const RobotSpec robot = parse_robot(kHead + R"(
+approach = {direction = [3, 0, 4]}
+link = [{name = "base"}, {name = "a"}]
+joint = [{name = "J", parent = "base", child = "a", axis = [0, -2, 0]}]
+)",
+                                      "robot.toml");
+  EXPECT_TRUE(matrix_near(robot.approach.direction, Eigen::Vector3d(0.6, 0, 0.8), 1e-15));
+  EXPECT_EQ(robot.joints[0].axis, Eigen::Vector3d(0, -1, 0));
+}
+
 std::string message(const std::string& body) {
   return message_of<DataError>([&] { (void)parse_robot(kHead + body, "r.toml"); });
 }
