@@ -10,6 +10,7 @@ void add_demo(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_feasible_force(CLI::App& app);
 void add_fit(CLI::App& app);
+void add_import(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_posterior(CLI::App& app);
 void add_predict(CLI::App& app);

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   thenar::add_predict(app);
   thenar::add_posterior(app);
   thenar::add_quality(app);
+  thenar::add_import(app);
   thenar::add_demo(app);
   try {
     app.parse(argc, argv);

@@ -1,0 +1,248 @@
+#include "apps/import_report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "apps/mesh_holes.h"
+#include "apps/to_json.h"
+#include "data/io/robot/link_poses.h"
+#include "data/io/robot/shape_mass.h"
+
+namespace thenar {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A link that an importer put between the joints of one body, or under bodies without a base.
+bool is_added(const RobotLink& link, RobotFileKind kind) {
+  if (kind == RobotFileKind::kToml || kind == RobotFileKind::kUrdf) return false;
+  if (link.mass > 0 || !link.shapes.empty()) return false;
+  const std::size_t after = link.name.rfind(" after ");
+  const bool between = after != std::string::npos &&
+                       link.name.find_first_not_of("0123456789", after + 7) == std::string::npos;
+  return between || (kind == RobotFileKind::kMjcf && link.name == "world");
+}
+
+Json counts(const RobotSpec& robot, RobotFileKind kind) {
+  const auto added = std::count_if(robot.links.begin(), robot.links.end(),
+                                   [&](const RobotLink& link) { return is_added(link, kind); });
+  const auto moving =
+      std::count_if(robot.joints.begin(), robot.joints.end(),
+                    [](const RobotJoint& joint) { return joint.kind != RobotJointKind::kFixed; });
+  return {{"links", static_cast<long>(robot.links.size()) - added},
+          {"links_added", added},
+          {"joints", robot.joints.size()},
+          {"joints_moving", moving},
+          {"dofs", robot.dofs.size()}};
+}
+
+std::string name_of(RobotDofKind kind) {
+  switch (kind) {
+    case RobotDofKind::kRigid:
+      return "rigid";
+    case RobotDofKind::kBreakaway:
+      return "breakaway";
+    case RobotDofKind::kCompliant:
+      break;
+  }
+  return "compliant";
+}
+
+Json dofs(const RobotSpec& robot) {
+  Json list = Json::array();
+  for (const RobotDof& dof : robot.dofs) {
+    Json driven = Json::array();
+    for (const RobotJoint& joint : robot.joints)
+      if (joint.dof == dof.name) driven.push_back(joint.name);
+    list.push_back({{"name", dof.name},
+                    {"kind", name_of(dof.kind)},
+                    {"lower", dof.lower},
+                    {"upper", dof.upper},
+                    {"max_effort", dof.max_effort},
+                    {"joints", driven}});
+  }
+  return list;
+}
+
+Json joints(const RobotSpec& robot) {
+  Json list = Json::array();
+  for (const RobotJoint& joint : robot.joints) {
+    Json entry{{"name", joint.name},
+               {"kind", name_of(joint.kind)},
+               {"parent", joint.parent},
+               {"child", joint.child}};
+    if (joint.kind != RobotJointKind::kFixed) {
+      entry.update({{"dof", joint.dof},
+                    {"ratio", joint.ratio},
+                    {"offset", joint.offset},
+                    {"lower", joint.lower},
+                    {"upper", joint.upper}});
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json links(const RobotSpec& robot) {
+  const std::vector<Pose<double>> X = link_poses(robot, {});
+  Json list = Json::array();
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    list.push_back({{"name", robot.links[i].name},
+                    {"mass_kg", robot.links[i].mass},
+                    {"shapes", robot.links[i].shapes.size()},
+                    {"position_at_zero_m", vector_json(X[i].p)}});
+  return list;
+}
+
+Json leaves(const RobotSpec& robot) {
+  const std::vector<Pose<double>> X = link_poses(robot, {});
+  Json positions = Json::object();
+  for (const std::size_t leaf : leaf_links(robot))
+    positions[robot.links[leaf].name] = vector_json(X[leaf].p);
+  return positions;
+}
+
+Json shapes(const std::vector<ShapeSpec>& specs) {
+  Json list = Json::array();
+  for (const ShapeSpec& shape : specs) {
+    Json entry{{"kind", name_of(shape.kind)}};
+    if (shape.kind == ShapeKind::kMesh) {
+      entry["triangles"] = shape.mesh.triangles.cols();
+      entry["file"] = shape.mesh_file;
+    } else {
+      entry["size_m"] = vector_json(shape.size);
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json mass_json(const BodySpec& body) {
+  if (body.mass) return body.mass->mass;
+  return body.spread_mass > 0 ? Json(body.spread_mass) : Json(nullptr);
+}
+
+std::string line_of_text(const std::string& key, const Json& value) {
+  return fmt::format("{}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+}
+
+}  // namespace
+
+Json report(const RobotSpec& robot, RobotFileKind kind) {
+  double mass = 0;
+  for (const RobotLink& link : robot.links) mass += link.mass;
+  return {{"name", robot.name},
+          {"kind", name_of(kind)},
+          {"counts", counts(robot, kind)},
+          {"total_mass_kg", mass},
+          {"root_link", robot.links.front().name},
+          {"leaf_link_positions_at_zero_m", leaves(robot)},
+          {"dofs", dofs(robot)},
+          {"joints", joints(robot)},
+          {"links", links(robot)},
+          {"warnings", robot.warnings}};
+}
+
+Json report(const BodySpec& body, const std::string& kind,
+            const std::vector<std::string>& warnings) {
+  Json result{{"name", body.name},
+              {"kind", kind},
+              {"material", body.material},
+              {"mass_kg", mass_json(body)},
+              {"shapes", shapes(body.shapes)}};
+  if (body.mass) {
+    result["centre_of_mass_m"] = vector_json(body.mass->com);
+    result["inertia_kg_m2"] = to_json(body.mass->inertia);
+  }
+  result["warnings"] = warnings;
+  return result;
+}
+
+Json report(const WorldSpec& world, const std::string& kind,
+            const std::vector<std::string>& warnings) {
+  Json hands = Json::array(), bodies = Json::array();
+  for (const PlacedHand& hand : world.hands)
+    hands.push_back({{"name", hand.name},
+                     {"file", hand.file},
+                     {"position_m", vector_json(hand.X_WH.p)},
+                     {"rotation", to_json(hand.X_WH.R)},
+                     {"posture", hand.posture},
+                     {"carrier", hand.carrier},
+                     {"carrier_link", hand.carrier_link}});
+  for (const PlacedBody& body : world.bodies)
+    bodies.push_back({{"name", body.body.name},
+                      {"file", body.file},
+                      {"dynamic", body.dynamic},
+                      {"material", body.body.material},
+                      {"mass_kg", mass_json(body.body)},
+                      {"position_m", vector_json(body.X_WB.p)},
+                      {"rotation", to_json(body.X_WB.R)},
+                      {"shapes", shapes(body.body.shapes)}});
+  return {{"name", world.name},
+          {"kind", kind},
+          {"counts", {{"hands", world.hands.size()}, {"bodies", world.bodies.size()}}},
+          {"hands", hands},
+          {"bodies", bodies},
+          {"warnings", warnings}};
+}
+
+Json report(const TriangleMesh& mesh, const std::string& name) {
+  const MeshEdges edges = check_edges(mesh);
+  Json holes = Json::array();
+  for (const MeshHole& hole : edges.holes)
+    holes.push_back({{"edges", hole.edges}, {"centre_m", vector_json(hole.centre)}});
+  Json warnings = Json::array();
+  if (!edges.holes.empty())
+    warnings.push_back(
+        fmt::format("the surface is open in {} place{}: volume and mass are not "
+                    "those of a solid",
+                    edges.holes.size(), edges.holes.size() == 1 ? "" : "s"));
+  if (edges.flipped > 0)
+    warnings.push_back(
+        fmt::format("{} edges lie between triangles that face opposite ways", edges.flipped));
+  if (edges.shared > 0)
+    warnings.push_back(fmt::format("{} edges have more than two triangles", edges.shared));
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = mesh;
+  const ShapeMass mass = mass_at_unit_density(shape);
+  if (mass.mass == 0) warnings.push_back("no volume: the surface is flat, or faces inwards");
+  return {{"name", name},
+          {"kind", "mesh"},
+          {"vertices", mesh.vertices.cols()},
+          {"triangles", mesh.triangles.cols()},
+          {"watertight", edges.watertight()},
+          {"holes", holes},
+          {"lowest_corner_m", vector_json(mesh.vertices.rowwise().minCoeff())},
+          {"highest_corner_m", vector_json(mesh.vertices.rowwise().maxCoeff())},
+          {"volume_m3", mass.mass},
+          {"centre_of_mass_m", vector_json(mass.com)},
+          {"inertia", to_json(mass.inertia)},
+          {"warnings", warnings}};
+}
+
+std::string report_text(const Json& report) {
+  std::string text;
+  for (const auto& [key, value] : report.items()) {
+    const bool is_list = value.is_array() && !value.empty() && value[0].is_structured() &&
+                         key.rfind("inertia", 0) != 0;
+    if (key == "warnings") continue;
+    if (!is_list && !(value.is_object() && key.rfind("leaf", 0) == 0)) {
+      text += line_of_text(key, value);
+      continue;
+    }
+    text += key + ":\n";
+    for (const auto& [inner_key, inner] : value.items())
+      text +=
+          value.is_object() ? "  " + line_of_text(inner_key, inner) : "  " + inner.dump() + "\n";
+  }
+  const Json warnings = report.value("warnings", Json::array());
+  text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");
+  for (const Json& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
+  return text;
+}
+
+}  // namespace thenar

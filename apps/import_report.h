@@ -1,0 +1,32 @@
+#pragma once
+
+/// What `thenar import` tells of a robot, a body, a world or a mesh.
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "data/io/robot/import_robot.h"
+#include "data/io/world/world.h"
+
+namespace thenar {
+
+/// Counts, mass, leaves at zero, links, joints, degrees of freedom, warnings.
+[[nodiscard]] nlohmann::ordered_json report(const RobotSpec& robot, RobotFileKind kind);
+
+/// Name, material, mass, shapes, warnings.
+[[nodiscard]] nlohmann::ordered_json report(const BodySpec& body, const std::string& kind,
+                                            const std::vector<std::string>& warnings);
+
+/// Hands and bodies with their places, warnings.
+[[nodiscard]] nlohmann::ordered_json report(const WorldSpec& world, const std::string& kind,
+                                            const std::vector<std::string>& warnings);
+
+/// Vertices, triangles, whether it is closed and where not, box, volume, centre; inertia about it
+/// at density 1 kg/m^3.
+[[nodiscard]] nlohmann::ordered_json report(const TriangleMesh& mesh, const std::string& name);
+
+/// A report as lines for people: numbers and short lists, then what lies deeper, then the warnings.
+[[nodiscard]] std::string report_text(const nlohmann::ordered_json& report);
+
+}  // namespace thenar

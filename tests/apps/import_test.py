@@ -1,0 +1,142 @@
+"""End-to-end tests of `thenar import`; expected numbers are worked out by hand.
+
+Usage: import_test.py [path of the program]; else the environment's THENAR.
+"""
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.environ.get("THENAR", "thenar")
+
+ARM = """<robot name="arm">
+  <link name="base"/>
+  <link name="upper"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1"/></inertial>
+    <collision><geometry><box size="0.1 0.1 0.3"/></geometry></collision></link>
+  <link name="lower"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1"/></inertial></link>
+  <joint name="shoulder" type="revolute"><origin xyz="0 0 0.5"/><parent link="base"/>
+    <child link="upper"/><axis xyz="0 1 0"/>
+    <limit lower="-1" upper="1" effort="9" velocity="2"/></joint>
+  <joint name="elbow" type="revolute"><origin xyz="0 0 0.3"/><parent link="upper"/>
+    <child link="lower"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="9" velocity="2"/>
+    <mimic joint="shoulder" multiplier="0.5"/></joint>
+</robot>
+"""
+
+# The corner of a unit cube cut off; without its slanted face it has a hole of three edges, whose
+# middle is the mean of the middles of those edges.
+CORNER = "OFF\n4 {} 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n{}"
+
+
+class Import(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        path = pathlib.Path(self.folder.name) / name
+        if text is not None:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return str(path)
+
+    def thenar(self, *arguments, code=0):
+        done = subprocess.run([PROGRAM, "import", *arguments], capture_output=True, text=True,
+                              timeout=60)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done
+
+    def report(self, *arguments):
+        return json.loads(self.thenar(*arguments, "--json").stdout)
+
+    def test_tells_what_a_urdf_holds(self):
+        told = self.report(self.path("arm.urdf", ARM))
+        self.assertEqual(told["name"], "arm")
+        self.assertEqual(told["kind"], "URDF")
+        self.assertEqual(told["counts"], {"links": 3, "links_added": 0, "joints": 2,
+                                          "joints_moving": 2, "dofs": 1})
+        self.assertEqual(told["total_mass_kg"], 3)
+        self.assertEqual(told["leaf_link_positions_at_zero_m"], {"lower": [0, 0, 0.8]})
+        self.assertEqual(told["dofs"][0]["joints"], ["shoulder", "elbow"])
+        self.assertEqual(told["warnings"], [])
+
+    def test_converts_there_and_back(self):
+        arm = self.path("arm.urdf", ARM)
+        self.thenar(arm, "--out", self.path("sub/arm.toml"))
+        told = self.report(self.path("sub/arm.toml"))
+        self.assertEqual(told["kind"], "thenar TOML")
+        self.thenar(self.path("sub/arm.toml"), "--out", self.path("again.urdf"))
+        again = self.report(self.path("again.urdf"))
+        for key in ["counts", "total_mass_kg", "leaf_link_positions_at_zero_m", "dofs", "joints"]:
+            self.assertEqual(told[key], self.report(arm)[key])
+            self.assertEqual(again[key], self.report(arm)[key])
+
+    def test_finds_meshes_again_from_another_folder(self):
+        self.path("meshes/corner.off", CORNER.format(4, "3 1 2 3\n"))
+        arm = self.path("arm.urdf", ARM.replace(
+            '<box size="0.1 0.1 0.3"/>', '<mesh filename="meshes/corner.off" scale="0.1 0.1 0.1"/>'))
+        for name in ["a/b/arm.toml", "c/arm.urdf"]:
+            self.thenar(arm, "--out", self.path(name))
+            told = self.report(self.path(name))
+            self.assertEqual(told["warnings"], [])
+            self.assertEqual(told["links"][1]["shapes"], 1)
+
+    def test_fails_when_strict_and_something_is_lost(self):
+        arm = self.path("arm.urdf", ARM.replace('<box size="0.1 0.1 0.3"/>',
+                                                '<mesh filename="lost.stl"/>'))
+        self.assertIn("lost.stl", self.thenar(arm).stdout)
+        done = self.thenar(arm, "--strict", "--out", self.path("arm.toml"), code=1)
+        self.assertIn("1 warning", done.stderr)
+        self.assertFalse(os.path.exists(self.path("arm.toml")))
+
+    def test_reads_mjcf_and_graspit(self):
+        told = self.report(self.path("m.xml", "<mujoco model='m'><worldbody><body name='a' "
+                                     "pos='0 0 1'><joint range='0 90'/><joint axis='1 0 0' "
+                                     "range='0 90'/><geom size='0.1' mass='3'/></body></worldbody>"
+                                     "</mujoco>"))
+        self.assertEqual(told["kind"], "MJCF")
+        self.assertEqual(told["counts"], {"links": 1, "links_added": 2, "joints": 2,
+                                          "joints_moving": 2, "dofs": 2})
+        self.assertEqual(told["leaf_link_positions_at_zero_m"], {"a": [0, 0, 1]})
+        told = self.report(self.path("g.xml", "<robot type='G'><palm>none.xml</palm><dof type='r'/>"
+                                     "<chain><joint type='Revolute'><theta>d0</theta><d>10</d>"
+                                     "<a>20</a><alpha>0</alpha><minValue>0</minValue>"
+                                     "<maxValue>90</maxValue></joint><link>none.xml</link></chain>"
+                                     "</robot>"))
+        self.assertEqual(told["kind"], "GraspIt! XML")
+        self.assertEqual(told["leaf_link_positions_at_zero_m"], {"chain1 none": [0.02, 0, 0.01]})
+
+    def test_weighs_closed_meshes_and_names_holes(self):
+        told = self.report(self.path("corner.off", CORNER.format(4, "3 1 2 3\n")))
+        self.assertTrue(told["watertight"])
+        self.assertEqual((told["vertices"], told["triangles"]), (4, 4))
+        self.assertAlmostEqual(told["volume_m3"], 1 / 6, 12)
+        for value in told["centre_of_mass_m"]:
+            self.assertAlmostEqual(value, 0.25, 12)
+        # Second moments 1/60 each, products 1/120, less those of the centre.
+        self.assertAlmostEqual(told["inertia"][0][0], 2 * (1 / 60 - 1 / 96), 12)
+        self.assertAlmostEqual(told["inertia"][0][1], 1 / 96 - 1 / 120, 12)
+        told = self.report(self.path("open.off", CORNER.format(3, "")))
+        self.assertFalse(told["watertight"])
+        self.assertEqual(told["holes"][0]["edges"], 3)
+        for value in told["holes"][0]["centre_m"]:
+            self.assertAlmostEqual(value, 1 / 3, 12)
+        self.assertIn("open in 1 place", told["warnings"][0])
+
+    def test_refuses_what_it_cannot_read(self):
+        for name, text, words in [("a.xml", "<sdf/>", ["a.xml:1:"]),
+                                  ("b.cfg", "Barrett\n", [".cfg"]),
+                                  ("c.urdf", "<robot>\n<xacro:x/></robot>", ["c.urdf:2:", "xacro"]),
+                                  ("d.off", "OFF\n0 0 0\n", ["d.off"])]:
+            done = self.thenar(self.path(name, text), code=1)
+            for word in words:
+                self.assertIn(word, done.stderr)
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        PROGRAM = sys.argv.pop(1)
+    unittest.main()
