@@ -13,7 +13,8 @@ int main() {
   for (const auto& row_function :
        {ratio_kinematics, ratio_chain, ratio_force_map, ratio_fit, ratio_posterior_lanes,
         ratio_posterior_gradient, ratio_posterior_jets, ratio_sampler, ratio_sampler_in_all,
-        ratio_net_relaxation, ratio_net_kinsol, ratio_net_masses, ratio_net_tuned_masses}) {
+        ratio_epsilon, ratio_epsilon_fine, ratio_net_relaxation, ratio_net_kinsol, ratio_net_masses,
+        ratio_net_tuned_masses}) {
     const Row row = row_function();
     fmt::print(
         "{:<44}{:>11.3f}{:>12.2f}{:>9.1f}{:>10}{:>10}{:>11}\n", row.name, row.ours, row.rival,
@@ -42,6 +43,10 @@ int main() {
       "masses\n"
       "run by Runge and Kutta's steps of controlled error; stepped by semi-explicit Euler, at a "
       "step\n"
-      "just below where it blows up, which takes a search for every net, they rest sooner.\n");
+      "just below where it blows up, which takes a search for every net, they rest sooner.\n"
+      "Epsilon: means over grasps of three to six contacts; ours certifies a gap of 1e-3 on the "
+      "true\n"
+      "cones, the rival's whole hull of pyramids is 5 to 10 % off with 8 edges, under 0.2 % with "
+      "64.\n");
   return pass ? 0 : 1;
 }

@@ -54,6 +54,8 @@ struct Patience {
 [[nodiscard]] Row ratio_posterior_jets();
 [[nodiscard]] Row ratio_sampler();  // ratio_sampler.cpp
 [[nodiscard]] Row ratio_sampler_in_all();
+[[nodiscard]] Row ratio_epsilon();  // ratio_epsilon.cpp
+[[nodiscard]] Row ratio_epsilon_fine();
 [[nodiscard]] Row ratio_net_relaxation();  // ratio_net.cpp
 [[nodiscard]] Row ratio_net_kinsol();
 [[nodiscard]] Row ratio_net_masses();

@@ -15,30 +15,27 @@ extern "C" {
 namespace thenar {
 
 struct QhullHull {
-  bool ok;        // qhull took the points
-  double nearest; // least signed distance of the origin from a facet's plane,
-                  // positive inside
-  double volume;  // 0 unless asked for
+  bool ok;         // qhull took the points
+  double nearest;  // least signed distance of the origin from a facet's plane,
+                   // positive inside
+  double volume;   // 0 unless asked for
 };
 
 /// @param command  "qhull ..." options; @param points  one after the other
-inline QhullHull qhull_hull(const std::vector<Wrench> &points,
-                            const char *command, bool with_volume) {
+inline QhullHull qhull_hull(const std::vector<Wrench>& points, const char* command,
+                            bool with_volume) {
   std::vector<double> numbers;
-  for (const Wrench &p : points)
-    numbers.insert(numbers.end(), p.data(), p.data() + 6);
-  std::vector<char> options(
-      command, command + std::char_traits<char>::length(command) + 1);
-  std::FILE *nowhere = std::fopen("/dev/null", "w");
+  for (const Wrench& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 6);
+  std::vector<char> options(command, command + std::char_traits<char>::length(command) + 1);
+  std::FILE* nowhere = std::fopen("/dev/null", "w");
   qhT qh;
   qh_zero(&qh, nowhere);
-  QhullHull out{qh_new_qhull(&qh, 6, static_cast<int>(points.size()),
-                             numbers.data(), 0, options.data(), nowhere,
-                             nowhere) == 0,
+  QhullHull out{qh_new_qhull(&qh, 6, static_cast<int>(points.size()), numbers.data(), 0,
+                             options.data(), nowhere, nowhere) == 0,
                 std::numeric_limits<double>::infinity(), 0};
   if (out.ok) {
-    for (const facetT *facet = qh.facet_list;
-         facet != nullptr && facet->next != nullptr; facet = facet->next)
+    for (const facetT* facet = qh.facet_list; facet != nullptr && facet->next != nullptr;
+         facet = facet->next)
       out.nearest = std::min(out.nearest, -facet->offset);
     if (with_volume) {
       qh_getarea(&qh, qh.facet_list);
@@ -54,23 +51,20 @@ inline QhullHull qhull_hull(const std::vector<Wrench> &points,
 
 /// Points of a polytope: its caps (kL1), or all sums of one or none of each
 /// contact's (kLinf).
-inline std::vector<Wrench> vertices_of(const WrenchSet &polytope,
-                                       ForceLimit limit) {
+inline std::vector<Wrench> vertices_of(const WrenchSet& polytope, ForceLimit limit) {
   std::vector<Wrench> all{Wrench::Zero()};
   if (limit == ForceLimit::kL1) {
     all.clear();
-    for (const WrenchCap &cap : polytope.caps)
-      all.push_back(cap.c);
+    for (const WrenchCap& cap : polytope.caps) all.push_back(cap.c);
     return all;
   }
   for (std::size_t i = 0; i < polytope.caps.size();) {
     const std::vector<Wrench> before = all;
     const int contact = polytope.caps[i].contact;
     for (; i < polytope.caps.size() && polytope.caps[i].contact == contact; ++i)
-      for (const Wrench &p : before)
-        all.push_back(p + polytope.caps[i].c);
+      for (const Wrench& p : before) all.push_back(p + polytope.caps[i].c);
   }
   return all;
 }
 
-} // namespace thenar
+}  // namespace thenar
