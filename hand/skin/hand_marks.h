@@ -34,7 +34,8 @@ struct SkinPatch {
 
 /// Pad and nail of every digit that the skeleton keeps. The pad is centred four tenths of the
 /// distal phalanx before the tip and reaches over a third of it either way, the nail three tenths
-/// before the tip and over a quarter; breadths are those of the fingertip: priors, chosen by eye.
+/// before the tip with that half length; breadths are those of the fingertip: priors, chosen by
+/// eye.
 [[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
                                                   const Skeleton& skeleton);
 

@@ -92,8 +92,7 @@ SoftBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
   const DigitBone& bone = thumb.bones.front();
   const double r = bone.radius;
   SoftBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
-  body.push_back(
-      capsule(beside(bone, 0.2, -0.65, 0), beside(bone, 0.75, -0.35, 0), 0.95 * r, 0.8 * r, r));
+  body.push_back(capsule(beside(bone, 0.22, -0.5), beside(bone, 0.75, -0.35), 0.9 * r, 0.8 * r, r));
   if (hand.palm) {
     const ThumbWeb web = thumb_web(hand, thumb);
     const Vector3d edge = web.thumb + 0.65 * (web.index - web.thumb);
@@ -173,12 +172,12 @@ class PalmMaker {
     }
   }
 
-  /// Skin between the roots of the fingers, a third of the way out along the first phalanges.
+  /// Skin between the roots of the fingers, a quarter of the way out along the first phalanges.
   void webs() {
     for (int i = 0; i + 1 < static_cast<int>(fingers_.size()); ++i) {
       const DigitBone &a = fingers_[i]->bones[0], &b = fingers_[i + 1]->bones[0];
-      body_.push_back(sheet((head(i) + head(i + 1)) / 2, beside(a, 0.34, -0.25),
-                            beside(b, 0.34, -0.25), 0.45 * std::min(a.radius, b.radius),
+      body_.push_back(sheet((head(i) + head(i + 1)) / 2, beside(a, 0.24, -0.2),
+                            beside(b, 0.24, -0.2), 0.45 * std::min(a.radius, b.radius),
                             0.5 * half_));
     }
   }
