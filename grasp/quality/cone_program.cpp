@@ -243,8 +243,11 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
     else if (progress.unbounded <= options.tolerance)
       best.status = ConeStatus::kUnbounded;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
-    if (best.status != ConeStatus::kStalled || best.iterations == options.most_iterations || lost)
+    if (best.status != ConeStatus::kStalled) return best;
+    if (lost || best.iterations == options.most_iterations) {
+      if (best.residual <= options.acceptable) best.status = ConeStatus::kSolved;
       return best;
+    }
     embedding.step();
   }
 }

@@ -29,7 +29,9 @@ enum class ConeStatus {
 };
 
 struct ConeOptions {
-  double tolerance = 1e-10;  // largest scaled residual and gap that counts as solved [1]
+  double tolerance = 1e-10;  // scaled residual and gap at which it stops [1]
+  double acceptable =
+      1e-8;  // the same that still counts as solved where rounding ends progress [1]
   int most_iterations = 100;
 };
 

@@ -1,0 +1,96 @@
+#include "grasp/quality/grasp_stiffness.h"
+
+#include <cmath>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "base/spatial.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Wrenches of unit n, t1, t2 forces and unit torque about n, torque / scale.
+Eigen::Matrix<double, 6, 4> unit_wrenches(const Contact& contact, const Eigen::Vector3d& centre,
+                                          double torque_scale) {
+  const Tangents t = tangents(contact.n);
+  Eigen::Matrix<double, 6, 4> G = Eigen::Matrix<double, 6, 4>::Zero();
+  G.topLeftCorner<3, 3>() << contact.n, t.e1, t.e2;
+  for (int i = 0; i < 3; ++i)
+    G.col(i).tail<3>() = (contact.p - centre).cross(G.col(i).head<3>()) / torque_scale;
+  G.col(3).tail<3>() = contact.n / torque_scale;
+  return G;
+}
+
+/// Springs that resist, with the wrench of each and its place among all components.
+struct Springs {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G;
+  VectorXd k;
+  std::vector<Index> component;
+};
+
+Springs springs_of(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
+                   double torque_scale, const std::vector<PadStiffness>& pads) {
+  Springs springs{Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0), VectorXd(0), {}};
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto G = unit_wrenches(contacts[i], centre, torque_scale);
+    const Eigen::Vector4d k(pads[i].normal, pads[i].tangential, pads[i].tangential,
+                            pads[i].twisting);
+    for (Index j = 0; j < 4; ++j) {
+      require(k(j) >= 0, "a stiffness of pad {} is {}", i, k(j));
+      if (k(j) == 0) continue;
+      const Index n = springs.k.size();
+      springs.G.conservativeResize(6, n + 1);
+      springs.G.col(n) = G.col(j);
+      springs.k.conservativeResize(n + 1);
+      springs.k(n) = k(j);
+      springs.component.push_back(4 * static_cast<Index>(i) + j);
+    }
+  }
+  return springs;
+}
+
+/// J K_q^-1 J' of the components with springs.
+MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, Index components) {
+  require(joints.J.rows() == components && joints.J.cols() == joints.k.size(),
+          "J is {} x {}, wanted {} x {}", joints.J.rows(), joints.J.cols(), components,
+          joints.k.size());
+  require(joints.J.allFinite() && (joints.k.array() > 0).all(),
+          "J must be finite, joint stiffness > 0");
+  MatrixXd J(springs.k.size(), joints.J.cols());
+  for (Index i = 0; i < J.rows(); ++i)
+    J.row(i) = joints.J.row(springs.component[static_cast<std::size_t>(i)]);
+  return J * joints.k.cwiseInverse().asDiagonal() * J.transpose();
+}
+
+Eigen::Matrix<double, 6, 6> in_series(const Springs& springs, const MatrixXd& compliance) {
+  if (springs.k.size() == 0) return Eigen::Matrix<double, 6, 6>::Zero();
+  const Eigen::LDLT<MatrixXd> ldlt(compliance);
+  const VectorXd pivots = ldlt.vectorD();
+  require(pivots.minCoeff() > 1e-14 * pivots.maxCoeff(),
+          "a rigid pad has no joint behind it that yields");
+  return springs.G * ldlt.solve(MatrixXd(springs.G.transpose()));
+}
+
+}  // namespace
+
+GraspStiffness grasp_stiffness(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
+                               double torque_scale, const std::vector<PadStiffness>& pads,
+                               const std::optional<JointStiffness>& joints) {
+  require(pads.size() == contacts.size(), "{} contacts but {} pads", contacts.size(), pads.size());
+  (void)wrench_set(contacts, centre, torque_scale);  // refuses contacts that are none
+  const Springs springs = springs_of(contacts, centre, torque_scale, pads);
+  MatrixXd compliance = springs.k.cwiseInverse().asDiagonal();
+  if (joints)
+    compliance += joint_compliance(*joints, springs, 4 * static_cast<Index>(contacts.size()));
+  const Eigen::Matrix<double, 6, 6> K = in_series(springs, compliance);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(K);
+  return {K, eigen.eigenvalues()(0), eigen.eigenvectors().col(0)};
+}
+
+}  // namespace thenar

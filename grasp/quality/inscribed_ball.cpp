@@ -1,0 +1,94 @@
+#include "grasp/quality/inscribed_ball.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/error.h"
+#include "grasp/quality/epsilon.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kSame = 1e-9;  // a point beyond a facet by less of its size brings nothing new [1]
+
+ForceSet with_strength(ForceSet forces, double strength) {
+  const Eigen::Index rows = forces.G.rows();
+  forces.G.conservativeResize(rows + 1, forces.G.cols());
+  forces.G.row(rows) = forces.normals;
+  forces.h.conservativeResize(rows + 1);
+  forces.h(rows) = strength;
+  forces.cones.push_back(1);
+  return forces;
+}
+
+/// Points on the boundary of the set, and what they prove.
+class Search {
+ public:
+  Search(const ForceSet& forces, const BallOptions& options)
+      : forces_(with_strength(forces, options.strength)), options_(options) {}
+
+  InscribedBall run() {
+    for (int i = 0; i < 6 && ok(); ++i)
+      for (const double sign : {1.0, -1.0}) (void)look(sign * Wrench::Unit(i));
+    while (ok() && result_.programs < options_.most_programs && !refine()) {
+    }
+    const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
+    if (ok() && !met && !exhausted_) result_.status = ConeStatus::kStalled;
+    return result_;
+  }
+
+ private:
+  [[nodiscard]] bool ok() const { return result_.status == ConeStatus::kSolved; }
+  [[nodiscard]] double gap() const { return options_.gap * std::max(result_.upper, kSame * size_); }
+
+  /// Asks how far the set reaches. @returns whether the point is new: beyond all others
+  bool look(const Wrench& u) {
+    const Reach reach = farthest_wrench(forces_, u);
+    ++result_.programs;
+    if (reach.status != ConeStatus::kSolved) {
+      result_.status = reach.status;
+      return false;
+    }
+    if (reach.value < result_.upper) {
+      result_.upper = reach.value;
+      result_.worst_load = -u;
+    }
+    const bool is_new =
+        points_.caps.empty() || reach.value > support(points_, u, ForceLimit::kL1) + kSame * size_;
+    size_ = std::max(size_, reach.wrench.norm());
+    points_.caps.push_back({reach.wrench, {}});
+    return is_new;
+  }
+
+  /// Asks in the direction of the nearest facet, or across a flat hull. @returns whether it is done
+  bool refine() {
+    EpsilonOptions sharp;
+    sharp.gap = std::max(0.1 * gap(), 1e-12);
+    const Epsilon inner = epsilon(points_, sharp);
+    result_.lower = std::min(inner.lower, result_.upper);
+    if (result_.upper <= 0 || result_.upper - result_.lower <= gap()) return true;
+    const Wrench& u = -inner.worst_wrench;
+    exhausted_ = !look(u);
+    if (inner.rank < 6) exhausted_ = !look(-u) && exhausted_;
+    return exhausted_;
+  }
+
+  ForceSet forces_;
+  BallOptions options_;
+  WrenchSet points_;
+  double size_ = 0;
+  bool exhausted_ = false;
+  InscribedBall result_{ConeStatus::kSolved, -std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::infinity(), Wrench::Zero(), 0};
+};
+
+}  // namespace
+
+InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options) {
+  require(options.gap > 0 && options.strength > 0 && options.most_programs > 0,
+          "gap, strength and most_programs must be positive, got {}, {}, {}", options.gap,
+          options.strength, options.most_programs);
+  return Search(forces, options).run();
+}
+
+}  // namespace thenar

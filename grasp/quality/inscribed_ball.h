@@ -1,0 +1,32 @@
+#pragma once
+
+/// How large a wrench, from whatever direction, forces can make.
+
+#include "grasp/quality/withstood.h"
+
+namespace thenar {
+
+struct BallOptions {
+  double gap = 1e-2;        // certified upper - lower, as a part of upper [1]
+  double strength = 1e4;    // sum of normal forces that nothing exceeds: makes the set finite [N]
+  int most_programs = 600;  // cone programmes before giving up
+};
+
+/// Signed radius of the largest ball about the origin in the wrenches of a force set.
+struct [[nodiscard]] InscribedBall {
+  ConeStatus status;  // kSolved, kInfeasible: no force is possible, kStalled: gave up early
+  double lower;       // [N], rounding of the programmes (1e-10 of their size) aside
+  double upper;       // [N]
+  Wrench worst_load;  // unit: the load withstood least (6)
+  int programs;       // cone programmes solved
+};
+
+/// epsilon = min over |u| = 1 of h(u), h the support function of the set, a cone programme for
+/// each direction. Points found by the programmes span a hull inside the set, whose nearest facet
+/// bounds it from below and is the next direction to ask: see epsilon().
+/// Zero or negative: some load is not withstood, however small.
+/// @throws InputError if a setting is not positive
+/// Source: [Krug2017] for wrench sets bounded by actuators.
+InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options = {});
+
+}  // namespace thenar

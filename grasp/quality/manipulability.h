@@ -1,0 +1,35 @@
+#pragma once
+
+/// How well a hand moves what it holds.
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Singular values of a map in one look.
+struct Manipulability {
+  double volume;    // product of all singular values, sqrt(det M M')
+  double least;     // smallest singular value: the worst direction
+  double isotropy;  // smallest by largest, 1: alike in all directions, 0: singular [1]
+  int rank;         // singular values above 1e-12 of the largest
+};
+
+/// Of a Jacobian or a grasp map M (rows <= columns where it is to reach everything):
+///   w = sqrt(det(M M')) = sigma_1 sigma_2 ... sigma_r,  1 / cond(M) = sigma_r / sigma_1.
+/// A map with more rows than columns, or none, reaches no volume: w = 0. Rows ought to have one
+/// unit: scale torques and rotations first.
+/// @throws InputError if an entry is not finite
+/// Source: [Yoshikawa1985] for the volume, [Salisbury1982] for the isotropy.
+[[nodiscard]] Manipulability manipulability(const Eigen::MatrixXd& M);
+
+/// Object velocity per joint velocity,  H = (G')^+ J:  what contacts that neither slip nor part
+/// impose, G' nu = J q_dot, solved for nu in least squares.
+///
+/// @param G  wrenches of unit contact force components  (6, k), rank 6 for a unique answer
+/// @param J  velocities of the hand along these components (k, n)
+/// @throws InputError if shapes disagree or an entry is not finite
+/// Source: [Li1988].
+[[nodiscard]] Eigen::MatrixXd hand_object_jacobian(
+    const Eigen::Matrix<double, 6, Eigen::Dynamic>& G, const Eigen::MatrixXd& J);
+
+}  // namespace thenar

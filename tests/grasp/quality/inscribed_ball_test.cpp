@@ -1,0 +1,122 @@
+// Tests for grasp/quality/inscribed_ball.cpp and task_wrenches.cpp.
+
+#include "grasp/quality/inscribed_ball.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "grasp/quality/epsilon.h"
+#include "grasp/quality/task_wrenches.h"
+#include "tests/grasp/quality/pinch.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kSolved = 1e-8;
+
+/// Generators along both ways of every axis: each component of the wrench is free by itself.
+WrenchSet axes() {
+  WrenchSet set;
+  for (int i = 0; i < 6; ++i)
+    for (const double sign : {1.0, -1.0}) set.caps.push_back({sign * Wrench::Unit(i), {}});
+  return set;
+}
+
+// The cross-polytope, all faces 1 / sqrt 6 off; with a limit for each generator, the cube.
+TEST(InscribedBall, IsExactForPolytopes) {
+  for (const auto& [limit, radius] :
+       {std::pair(ForceLimit::kL1, 1 / std::sqrt(6.0)), std::pair(ForceLimit::kLinf, 1.0)}) {
+    const InscribedBall ball = inscribed_ball(unit_forces(axes(), limit));
+    ASSERT_EQ(ball.status, ConeStatus::kSolved);
+    EXPECT_NEAR(ball.upper, radius, kSolved);
+    EXPECT_LE(ball.lower, radius + kSolved);
+    EXPECT_GE(ball.lower, 0.99 * radius - kSolved);
+  }
+}
+
+// epsilon() finds the same by supports that are formulas.
+TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
+  const WrenchSet set = pinch(0.5, 0.01);
+  const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
+  const Epsilon expected = epsilon(set);
+  ASSERT_EQ(ball.status, ConeStatus::kSolved);
+  EXPECT_LE(ball.lower, expected.upper + kSolved);
+  EXPECT_GE(ball.upper, expected.lower - kSolved);
+  EXPECT_LE(ball.upper - ball.lower, 0.01 * ball.upper + kSolved);
+}
+
+// Hard fingers leave a twist: no ball, however strong the motors.
+TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
+  const InscribedBall ball = inscribed_ball(hand);
+  EXPECT_NEAR(ball.upper, 0, kSolved);
+  EXPECT_NEAR(std::abs(ball.worst_load(3)), 1, 1e-3);
+}
+
+// Both motors off: the only force is none.
+TEST(InscribedBall, SaysWhereNoForceIsPossible) {
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
+  EXPECT_EQ(inscribed_ball(hand).status, ConeStatus::kInfeasible);
+}
+
+TEST(TaskWrenches, WorstOfAListCounts) {
+  const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
+  const Wrench across = Wrench::Unit(2), along = Wrench::Unit(0);
+  const TaskMargin margin = margin_of_loads(hand, {along, across});
+  EXPECT_NEAR(margin.lower, 0.25 * 12, kSolved);
+  EXPECT_EQ(margin.worst_load, across);
+  EXPECT_EQ(margin_of_loads(hand, {}).lower, std::numeric_limits<double>::infinity());
+}
+
+// In the cross-polytope a load with corners (+-a, +-b) is withstood up to 1 / (a + b).
+TEST(TaskWrenches, BoxIsAsGoodAsItsWorstCorner) {
+  Wrench half = Wrench::Zero();
+  half(0) = 2;
+  half(4) = 3;
+  const TaskMargin margin = margin_of_box(unit_forces(axes(), ForceLimit::kL1), -half, half);
+  EXPECT_NEAR(margin.lower, 1.0 / 5, kSolved);
+}
+
+// Axes q_i: the cross-polytope's face is at k / sqrt(sum q_i^2), over those that are not zero.
+TEST(TaskWrenches, EllipsoidIsExactInACrossPolytope) {
+  const ForceSet forces = unit_forces(axes(), ForceLimit::kL1);
+  const Wrench q = (Wrench() << 1, 2, 3, 0.5, 1, 2).finished();
+  const TaskMargin full = margin_of_ellipsoid(forces, Eigen::MatrixXd(q.asDiagonal()));
+  ASSERT_EQ(full.status, ConeStatus::kSolved);
+  EXPECT_NEAR(full.upper, 1 / q.norm(), kSolved);
+  EXPECT_GE(full.lower, 0.99 / q.norm() - kSolved);
+  EXPECT_NEAR(full.worst_load.norm(), (q.cwiseProduct(q) / q.norm()).norm(), 1e-3);
+  const Eigen::MatrixXd forces_only = Eigen::MatrixXd(q.asDiagonal()).leftCols(3);
+  const TaskMargin flat = margin_of_ellipsoid(forces, forces_only);
+  ASSERT_EQ(flat.status, ConeStatus::kSolved);
+  EXPECT_NEAR(flat.upper, 1 / q.head<3>().norm(), kSolved);
+  EXPECT_GE(flat.lower, 0.99 / q.head<3>().norm() - kSolved);
+}
+
+// A force k at an angle a to the line of the contacts: one finger presses f = 6, the other
+// f - k cos a, and without torque each carries k sin a / 2 of the rest, at most mu (f - k cos a):
+// k = 2 mu f / (sin a + 2 mu cos a), least 2 mu f / sqrt(1 + 4 mu^2).
+TEST(TaskWrenches, ForcesWithoutTorqueNeedNoRank) {
+  const double mu = 0.25, expected = 2 * mu * 6 / std::hypot(1, 2 * mu);
+  const ForceSet hand = hand_forces(pinch(mu, 0), pinch_torques(mu, 0), pinch_motors(0, 6));
+  const TaskMargin margin =
+      margin_of_ellipsoid(hand, Eigen::Matrix<double, 6, 3>::Identity(), {2e-2, 1e4, 600});
+  EXPECT_LE(margin.lower, expected + kSolved);
+  EXPECT_GE(margin.upper, expected - kSolved);
+  EXPECT_LE(margin.upper - margin.lower, 2e-2 * margin.upper + kSolved);
+}
+
+TEST(TaskWrenches, RefusesAFlatEllipsoidOfTooManyAxes) {
+  EXPECT_EQ(message_of([] {
+              (void)margin_of_ellipsoid(unit_forces(axes(), ForceLimit::kL1),
+                                        Eigen::Matrix<double, 6, 2>::Ones());
+            }),
+            "2 axes of the ellipsoid span 1 dimensions");
+}
+
+}  // namespace
+}  // namespace thenar
