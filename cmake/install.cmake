@@ -20,4 +20,6 @@ install(FILES ${PROJECT_BINARY_DIR}/thenarConfig.cmake
               ${PROJECT_SOURCE_DIR}/cmake/dependencies.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/thenar)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/subjects ${PROJECT_SOURCE_DIR}/data/experiments
+                  ${PROJECT_SOURCE_DIR}/data/robots ${PROJECT_SOURCE_DIR}/data/objects
+                  ${PROJECT_SOURCE_DIR}/data/worlds
   DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar)
