@@ -112,7 +112,7 @@ const std::map<std::string, std::pair<double, double>>& default_strength() {
     const auto frozen = frozen_joints(human, {});
     std::vector<std::string> unheard;
     return named_strength(build_skeleton(human, {{}, frozen}),
-                          hand_tendons(human, Extensors::kLinear, frozen, unheard));
+                          hand_tendons(human, Extensors::kNet, frozen, unheard));
   }();
   return strength;
 }
@@ -122,7 +122,7 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           std::vector<std::string>& warnings) {
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
-      own = named_strength(skeleton, hand_tendons(subject, Extensors::kLinear, frozen, warnings));
+      own = named_strength(skeleton, hand_tendons(subject, Extensors::kNet, frozen, warnings));
     } catch (const InputError& error) {
       warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
     }

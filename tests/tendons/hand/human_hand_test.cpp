@@ -6,11 +6,11 @@
 
 #include <gmock/gmock.h>
 
+#include "base/error.h"
 #include "tendons/hand/hand_use.h"
 #include "tendons/hand/joint_strength.h"
 #include "tendons/hand/muscle_forces.h"
 #include "tendons/hand/tendon_hand.h"
-#include "base/error.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"
 #include "tests/message_of.h"
@@ -89,6 +89,27 @@ TEST(HumanHand, GrowsRicherByOneThingAtATime) {
   EXPECT_EQ(tip(c, 0), tip(d, 0));
   EXPECT_EQ(c.hand->layout().actuators.size(), 20U);
   EXPECT_EQ(d.hand->layout().actuators.size(), 35U);  // muscles that cross joints of digits
+}
+
+// Motors can do at the reference posture whatever the tendons can, and no joint more.
+TEST(HumanHand, HasMotorsAsStrongAsItsTendons) {
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(20);
+  const HumanHand motors = build_human_hand(default_human(), HumanTier::kSoftPads, bare());
+  const HumanHand tendons = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const Actuation box = motors.hand->actuation(q), pull = tendons.hand->actuation(q);
+  sample::Draw draw(9);
+  for (int trial = 0; trial < 1000; ++trial) {
+    Eigen::VectorXd u = pull.upper;
+    for (double& tension : u) tension *= draw.number(0, 1) < 0.5 ? 0 : 1;
+    const Eigen::VectorXd tau = pull.B * u;
+    EXPECT_TRUE((tau.array() <= box.upper.array() + 1e-12).all());
+    EXPECT_TRUE((tau.array() >= box.lower.array() - 1e-12).all());
+  }
+  for (int joint = 0; joint < 20; ++joint) {
+    const Eigen::VectorXd u =
+        (pull.B.row(joint).transpose().array() > 0).select(pull.upper, Eigen::VectorXd::Zero(35));
+    EXPECT_NEAR(pull.B.row(joint).dot(u), box.upper[joint], 1e-12);
+  }
 }
 
 TEST(HumanHand, CarriesNetsOnAllFingers) {
