@@ -12,6 +12,7 @@
 
 #include "apps/commands.h"
 #include "apps/import_report.h"
+#include "apps/mesh_holes.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
 #include "base/write_file.h"
@@ -33,6 +34,8 @@ struct Options {
   std::string file, out;
   bool json = false;
   bool strict = false;
+  bool repair = false;
+  double scale = 1;  // of a mesh [m] per unit of its file
 };
 
 /// What was read, told, and ready to be written.
@@ -94,11 +97,15 @@ Imported import_world(const WorldSpec& world, const std::string& kind, const std
           }};
 }
 
-Imported import_mesh(const std::string& path) {
-  const TriangleMesh mesh = read_mesh(path);
-  return {report(mesh, fs::path(path).stem()),
-          {".obj", ".stl", ".ply", ".off"},
-          [=](const std::string& out) { write_mesh(out, mesh); }};
+Imported import_mesh(const Options& options) {
+  TriangleMesh mesh = read_mesh(options.file, options.scale);
+  const std::size_t holes = options.repair ? check_edges(mesh).holes.size() : 0;
+  if (holes > 0) mesh = close_holes(mesh);
+  Json told = report(mesh, fs::path(options.file).stem());
+  told["holes_closed"] = holes;
+  return {told, {".obj", ".stl", ".ply", ".off"}, [=](const std::string& out) {
+            write_mesh(out, mesh);
+          }};
 }
 
 bool is_mesh(const std::string& path) {
@@ -133,8 +140,11 @@ Imported import_toml(const std::string& path) {
                               name_of(kind)));
 }
 
-Imported import_file(const std::string& path) {
-  if (is_mesh(path)) return import_mesh(path);
+Imported import_file(const Options& options) {
+  const std::string& path = options.file;
+  if (is_mesh(path)) return import_mesh(options);
+  require(!options.repair && options.scale == 1,
+          "--repair and --scale are for meshes, '{}' is none", path);
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos && text[first] == '<') return import_xml(path);
@@ -143,7 +153,7 @@ Imported import_file(const std::string& path) {
 }
 
 void run(const Options& options) {
-  const Imported imported = import_file(options.file);
+  const Imported imported = import_file(options);
   require_ending(options.out, imported.endings);
   fmt::print("{}{}", options.json ? imported.report.dump(2) : report_text(imported.report),
              options.json ? "\n" : "");
@@ -168,6 +178,8 @@ void add_import(CLI::App& app) {
       "Robots to .toml or .urdf, objects and worlds to .toml, meshes to .obj, .stl, "
       ".ply or .off");
   command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--scale", options->scale, "Metres per unit of a mesh file");
+  command->add_flag("--repair", options->repair, "Close the holes of a mesh");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
   command->callback([options] { run(*options); });
 }

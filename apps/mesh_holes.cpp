@@ -36,38 +36,57 @@ int root(std::vector<int>& parent, int i) {
   return i;
 }
 
-std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const std::vector<Edge>& open) {
+/// Edges of one triangle only, by a vertex that stands for all they are connected with; each runs
+/// as its triangle walks it.
+std::map<int, std::vector<Edge>> open_edges(const TriangleMesh& mesh) {
+  std::vector<Edge> open;
+  for (const auto& [edge, uses] : edges_of(mesh)) {
+    if (uses.up + uses.down == 1)
+      open.push_back(uses.up == 1 ? edge : Edge(edge.second, edge.first));
+  }
   std::vector<int> parent(static_cast<std::size_t>(mesh.vertices.cols()));
   std::iota(parent.begin(), parent.end(), 0);
   for (const auto& [a, b] : open)
     parent[static_cast<std::size_t>(root(parent, a))] = root(parent, b);
-  std::map<int, MeshHole> holes;
-  for (const auto& [a, b] : open) {
-    MeshHole& hole = holes[root(parent, a)];
-    ++hole.edges;
-    hole.centre += (mesh.vertices.col(a) + mesh.vertices.col(b)) / 2;
-  }
-  std::vector<MeshHole> list;
-  for (auto& [vertex, hole] : holes) {
-    hole.centre /= hole.edges;
-    list.push_back(hole);
-  }
-  return list;
+  std::map<int, std::vector<Edge>> holes;
+  for (const Edge& edge : open) holes[root(parent, edge.first)].push_back(edge);
+  return holes;
+}
+
+Eigen::Vector3d centre_of(const TriangleMesh& mesh, const std::vector<Edge>& edges) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const auto& [a, b] : edges) sum += (mesh.vertices.col(a) + mesh.vertices.col(b)) / 2;
+  return sum / static_cast<double>(edges.size());
 }
 
 }  // namespace
 
 MeshEdges check_edges(const TriangleMesh& mesh) {
   MeshEdges result;
-  std::vector<Edge> open;
   for (const auto& [edge, uses] : edges_of(mesh)) {
     const int count = uses.up + uses.down;
-    if (count == 1) open.push_back(edge);
     if (count == 2 && uses.up != uses.down) ++result.flipped;
     if (count > 2) ++result.shared;
   }
-  result.holes = holes_of(mesh, open);
+  for (const auto& [vertex, edges] : open_edges(mesh))
+    result.holes.push_back({static_cast<int>(edges.size()), centre_of(mesh, edges)});
   return result;
+}
+
+TriangleMesh close_holes(const TriangleMesh& mesh) {
+  const std::map<int, std::vector<Edge>> holes = open_edges(mesh);
+  Eigen::Index vertex = mesh.vertices.cols(), triangle = mesh.triangles.cols(), more = 0;
+  for (const auto& [name, edges] : holes) more += static_cast<Eigen::Index>(edges.size());
+  TriangleMesh closed = mesh;
+  closed.vertices.conservativeResize(3, vertex + static_cast<Eigen::Index>(holes.size()));
+  closed.triangles.conservativeResize(3, triangle + more);
+  for (const auto& [name, edges] : holes) {
+    closed.vertices.col(vertex) = centre_of(mesh, edges);
+    for (const auto& [a, b] : edges)
+      closed.triangles.col(triangle++) << b, a, static_cast<int>(vertex);
+    ++vertex;
+  }
+  return closed;
 }
 
 }  // namespace thenar

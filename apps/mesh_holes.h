@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a surface is open.
+/// Where a surface is open, and closing it.
 
 #include <vector>
 
@@ -22,5 +22,8 @@ struct MeshEdges {
 };
 
 [[nodiscard]] MeshEdges check_edges(const TriangleMesh& mesh);
+
+/// The surface with every hole closed by triangles from its edges to its centre.
+[[nodiscard]] TriangleMesh close_holes(const TriangleMesh& mesh);
 
 }  // namespace thenar

@@ -126,6 +126,16 @@ class Import(unittest.TestCase):
             self.assertAlmostEqual(value, 1 / 3, 12)
         self.assertIn("open in 1 place", told["warnings"][0])
 
+    def test_closes_holes_and_scales(self):
+        told = self.report(self.path("open.off", CORNER.format(3, "")), "--repair", "--scale", "0.1",
+                           "--out", self.path("closed.stl"))
+        self.assertTrue(told["watertight"])
+        self.assertEqual(told["holes_closed"], 1)
+        self.assertAlmostEqual(told["volume_m3"], 1e-3 / 6, 12)
+        again = self.report(self.path("closed.stl"))
+        self.assertTrue(again["watertight"])
+        self.assertAlmostEqual(again["volume_m3"], 1e-3 / 6, 9)  # single precision
+
     def test_refuses_what_it_cannot_read(self):
         for name, text, words in [("a.xml", "<sdf/>", ["a.xml:1:"]),
                                   ("b.cfg", "Barrett\n", [".cfg"]),
