@@ -1,0 +1,89 @@
+#include "grasp/quality/robustness.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/spatial.h"
+#include "grasp/quality/epsilon.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kNormal95 = 1.959963984540054;  // quantile 0.975 of the normal distribution
+constexpr double kPi = 3.14159265358979323846;
+
+/// In (0, 1), never either end.
+double uniform(std::mt19937& rng) { return (static_cast<double>(rng()) + 0.5) / 4294967296.0; }
+
+/// Box and Muller's; two numbers a call, one is used: the same on every machine.
+double normal(std::mt19937& rng) {
+  const double radius = std::sqrt(-2 * std::log(uniform(rng)));
+  return radius * std::cos(2 * kPi * uniform(rng));
+}
+
+Contact disturbed(Contact contact, const ContactUncertainty& uncertainty, std::mt19937& rng) {
+  const Tangents t = tangents(contact.n);
+  const double grip = std::exp(uncertainty.friction * normal(rng));
+  contact.friction *= grip;
+  contact.torsion *= grip;
+  const double right = normal(rng), up = normal(rng);
+  contact.p += uncertainty.place * (right * t.e1 + up * t.e2);
+  const double about_e1 = normal(rng), about_e2 = normal(rng);
+  const Eigen::Vector3d turn = uncertainty.tilt * (about_e1 * t.e1 + about_e2 * t.e2);
+  const double angle = turn.norm();
+  if (angle > 0) contact.n = (rotation_about<double>(turn / angle, angle) * contact.n).normalized();
+  return contact;
+}
+
+}  // namespace
+
+std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
+                               const ContactUncertainty& uncertainty, std::mt19937& rng) {
+  require(uncertainty.friction >= 0 && uncertainty.place >= 0 && uncertainty.tilt >= 0,
+          "standard deviations must be >= 0, got {}, {}, {}", uncertainty.friction,
+          uncertainty.place, uncertainty.tilt);
+  std::vector<Contact> result;
+  for (const Contact& contact : contacts) result.push_back(disturbed(contact, uncertainty, rng));
+  return result;
+}
+
+Interval wilson_interval(int hits, int trials) {
+  require(trials > 0 && hits >= 0 && hits <= trials, "{} hits in {} trials", hits, trials);
+  const double n = trials, p = hits / n, z2 = kNormal95 * kNormal95;
+  const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
+  const double half = kNormal95 / (1 + z2 / n) * std::sqrt(p * (1 - p) / n + z2 / (4 * n * n));
+  return {hits == 0 ? 0 : middle - half, hits == trials ? 1 : middle + half};
+}
+
+double Robustness::quantile(double p) const {
+  require(p >= 0 && p <= 1, "a quantile is in [0, 1], got {}", p);
+  const double at = p * static_cast<double>(epsilon.size() - 1);
+  const auto below = static_cast<Eigen::Index>(at);
+  const Eigen::Index above = std::min(below + 1, epsilon.size() - 1);
+  return epsilon(below) + (at - static_cast<double>(below)) * (epsilon(above) - epsilon(below));
+}
+
+Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& draw,
+                      std::mt19937& rng, const RobustnessOptions& options) {
+  require(options.draws > 0, "wanted one draw or more, got {}", options.draws);
+  EpsilonOptions each;
+  each.gap = options.gap;
+  each.limit = options.limit;
+  Robustness result{0, 0, 0, Eigen::VectorXd(options.draws)};
+  int closed = 0;
+  for (int i = 0; i < options.draws; ++i) {
+    const WrenchSet set = wrench_set(draw(rng), options.centre, options.torque_scale);
+    const Epsilon found = epsilon(set, each);
+    closed += found.force_closure ? 1 : 0;
+    result.epsilon(i) = found.lower;
+  }
+  std::sort(result.epsilon.begin(), result.epsilon.end());
+  const Interval interval = wilson_interval(closed, options.draws);
+  result.closure = static_cast<double>(closed) / options.draws;
+  result.closure_lower = interval.lower;
+  result.closure_upper = interval.upper;
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,90 @@
+// Tests for grasp/quality/robustness.cpp.
+
+#include "grasp/quality/robustness.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/grasp/quality/pinch.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+/// Three soft fingers around a ball.
+std::vector<Contact> three(double friction) {
+  std::vector<Contact> contacts;
+  for (int i = 0; i < 3; ++i) {
+    const double turn = 2 * M_PI * i / 3;
+    const Eigen::Vector3d outward(std::cos(turn), std::sin(turn), 0);
+    contacts.push_back({kRadius * outward, -outward, friction, 0.002});
+  }
+  return contacts;
+}
+
+Robustness of(const std::vector<Contact>& contacts, const ContactUncertainty& uncertainty,
+              unsigned seed) {
+  std::mt19937 rng(seed);
+  RobustnessOptions options;
+  options.draws = 200;
+  options.torque_scale = kScale;
+  return robustness([&](std::mt19937& r) { return disturbed(contacts, uncertainty, r); }, rng,
+                    options);
+}
+
+// Wilson's formula by hand, z = 1.96: 8 of 10 is 0.490 to 0.943; none of 10 ends at
+// z^2 / (n + z^2) = 0.278.
+TEST(Robustness, IntervalIsWilsons) {
+  EXPECT_NEAR(wilson_interval(8, 10).lower, 0.490, 5e-4);
+  EXPECT_NEAR(wilson_interval(8, 10).upper, 0.943, 5e-4);
+  EXPECT_EQ(wilson_interval(0, 10).lower, 0);
+  EXPECT_NEAR(wilson_interval(0, 10).upper, 0.2775, 5e-4);
+  EXPECT_EQ(wilson_interval(10, 10).upper, 1);
+}
+
+TEST(Robustness, OfWhatIsKnownIsCertain) {
+  const Robustness sure = of(three(0.5), {}, 1);
+  EXPECT_EQ(sure.closure, 1);
+  EXPECT_EQ(sure.quantile(0), sure.quantile(1));
+  EXPECT_EQ(of(pinch_contacts(0.5, 0), {}, 1).closure, 0);
+}
+
+// Two soft fingers grasp if friction covers the angles a, b of their line with their normals. With
+// one normal tilted by a normal angle of deviation sigma about each axis, a is Rayleigh:
+// P(a <= atan mu) = 1 - exp(-atan(mu)^2 / (2 sigma^2)).
+TEST(Robustness, ShareIsTheProbability) {
+  const double mu = 0.4, sigma = 0.25;
+  std::mt19937 rng(3);
+  RobustnessOptions options;
+  options.draws = 400;
+  options.torque_scale = kScale;
+  const Robustness found = robustness(
+      [&](std::mt19937& r) {
+        std::vector<Contact> contacts = pinch_contacts(mu, 0.01);
+        contacts[0] = disturbed({contacts[0]}, {0, 0, sigma}, r)[0];
+        return contacts;
+      },
+      rng, options);
+  const double expected = 1 - std::exp(-std::pow(std::atan(mu) / sigma, 2) / 2);
+  EXPECT_LE(found.closure_lower, expected);
+  EXPECT_GE(found.closure_upper, expected);
+}
+
+TEST(Robustness, SameSeedSameNumbers) {
+  const ContactUncertainty unsure{0.3, 0.003, 0.2};
+  EXPECT_EQ(of(three(0.4), unsure, 5).epsilon, of(three(0.4), unsure, 5).epsilon);
+  EXPECT_NE(of(three(0.4), unsure, 5).epsilon, of(three(0.4), unsure, 6).epsilon);
+}
+
+TEST(Robustness, RefusesNegativeDeviations) {
+  std::mt19937 rng(1);
+  EXPECT_EQ(message_of([&] {
+              (void)disturbed(three(0.5), {-1, 0, 0}, rng);
+            }),
+            "standard deviations must be >= 0, got -1, 0, 0");
+}
+
+}  // namespace
+}  // namespace thenar
