@@ -16,8 +16,12 @@ constexpr double kRounding =
     1e-6;  // how far moments of inertia may be off, in parts of the largest
 
 Eigen::Matrix3d read_inertia(TomlTable& table) {
-  const std::vector<double> v =
-      table.numbers(Dimension::kInertia, "inertia", 6);  // xx yy zz xy xz yz
+  std::vector<double> v = table.numbers(Dimension::kInertia, "inertia");  // xx yy zz xy xz yz
+  if (v.size() != 3 && v.size() != 6)
+    table.fail(
+        fmt::format("wanted 3 (xx yy zz) or 6 (and xy xz yz) moments of inertia, got {}", v.size()),
+        "inertia");
+  v.resize(6);
   Eigen::Matrix3d I;
   I << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues();

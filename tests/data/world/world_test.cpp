@@ -236,6 +236,16 @@ TEST(Object, ComesBackToTheBit) {
   expect_same(parse_object(object_toml(ball), "again.toml"), ball);
 }
 
+TEST(Object, MayGiveItsPrincipalMomentsAlone) {
+  const BodySpec ball =
+      parse_object(replaced(kBall, "mass_g = 120",
+                            "mass_g = 120\ncom_mm = [0, 0, 1]\ninertia_kg_m2 = [1, 2, 2.5]"),
+                   "ball.toml");
+  ASSERT_TRUE(ball.mass);
+  EXPECT_TRUE(
+      matrix_near(ball.mass->inertia, Eigen::Vector3d(1, 2, 2.5).asDiagonal().toDenseMatrix(), 0));
+}
+
 TEST(Object, RefusesWhatIsNoBody) {
   const auto refusal = [](const std::string& text) {
     return message_of<DataError>([&] { (void)parse_object(text, "o.toml"); });
