@@ -1,5 +1,6 @@
 #include "grasp/quality/volume.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,6 +16,7 @@ constexpr double kFlat = 1e-10;  // widths below this part of the size count as 
 constexpr double kBeyond =
     1e-13;  // a point this far beyond a facet, in parts of the size, is on it
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 struct PolytopeVolume {
@@ -39,24 +41,49 @@ PolytopeVolume polytope_volume(const WrenchSet& set, const VolumeOptions& option
   }
 }
 
+/// With pyramids of so many edges in and about the cones.
+Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
+  const PolytopeVolume in = polytope_volume(pyramids(set, options.edges), options);
+  const PolytopeVolume about = in.complete
+                                   ? polytope_volume(pyramids_about(set, options.edges), options)
+                                   : PolytopeVolume{0, false, in.facets};
+  if (!about.complete) return {in.volume, kInfinity, in.volume, false, about.facets, options.edges};
+  const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
+  return {in.volume, about.volume, guess, true, about.facets, options.edges};
+}
+
+/// Of the two the tighter bounds.
+Volume tighter(const Volume& fine, Volume coarse) {
+  coarse.lower = std::max(coarse.lower, fine.lower);
+  coarse.estimate = std::max(coarse.estimate, coarse.lower);
+  return coarse;
+}
+
 }  // namespace
 
 Volume volume(const WrenchSet& set, const VolumeOptions& options) {
+  require(options.edges >= 3, "a pyramid has at least 3 edges, got {}", options.edges);
+  require(options.most_facets > 0, "the hull may have {} facets, wanted > 0", options.most_facets);
   bool curved = false;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     const WrenchCap& cap = set.caps[i];
     require(cap.c.allFinite() && cap.A.allFinite(), "wrenches {} are not finite", i);
     curved = curved || cap.A.cols() > 1;
   }
-  if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0};
-
-  const PolytopeVolume in = polytope_volume(pyramids(set, options.edges), options);
-  const PolytopeVolume about =
-      curved ? polytope_volume(pyramids_about(set, options.edges), options) : in;
-  if (!in.complete || !about.complete)
-    return {in.volume, std::numeric_limits<double>::infinity(), in.volume, false, about.facets};
-  const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
-  return {in.volume, about.volume, curved ? guess : in.volume, true, about.facets};
+  if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0, 0};
+  if (!curved) {
+    VolumeOptions patient = options;
+    patient.most_facets = 10 * std::min(options.most_facets, 100000000);
+    const PolytopeVolume v = polytope_volume(pyramids(set, options.edges), patient);
+    return {v.volume, v.complete ? v.volume : kInfinity, v.volume, v.complete, v.facets, 0};
+  }
+  VolumeOptions now = options;
+  Volume out = enclosed_volume(set, now);
+  while (!out.complete && now.edges > 3) {
+    now.edges = std::max(3, now.edges / 2);
+    out = tighter(out, enclosed_volume(set, now));
+  }
+  return out;
 }
 
 }  // namespace thenar
