@@ -182,6 +182,10 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
     require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
             subject.name);
     HandTendons tendons = hand_tendons(subject, Extensors::kNet, frozen, human.warnings);
+    for (std::size_t i = 0; i < subject.digits.size(); ++i)
+      require(!tendons.digits[i]->digit().names.muscles.empty(),
+              "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
+              subject.name, subject.digits[i].name);
     std::vector<std::string> unheard;
     const TendonHand straight(skeleton, hand_tendons(subject, Extensors::kLinear, frozen, unheard));
     HandUse use = tendon_use(anatomy, subject, skeleton, straight.layout().actuators,

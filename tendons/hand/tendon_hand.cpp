@@ -66,6 +66,7 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   actuation.upper = max_force_;
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Place& place = places_[i];
+    if (place.actuators.empty()) continue;  // a digit without muscles
     const TendonPull here = pull(i, q);
     const Eigen::VectorXd t = working_share_ * max_force_(place.actuators);
     const Eigen::VectorXd rest = here.tau - here.R.transpose() * t;
@@ -84,6 +85,7 @@ std::string TendonHand::trouble(const Eigen::VectorXd& q) const {
   (void)bones_.pose(q);  // refuses a posture of the wrong length
   std::string all;
   for (std::size_t i = 0; i < digits_.size(); ++i) {
+    if (places_[i].actuators.empty()) continue;
     const std::string one = pull(i, q).trouble;
     if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
   }

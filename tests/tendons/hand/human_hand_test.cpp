@@ -149,6 +149,12 @@ TEST(HumanHand, RefusesTendonsWhereThereAreNone) {
   EXPECT_EQ(
       message_of([] { (void)build_human_hand(sample::scaled(), HumanTier::kTendonNet, bare()); }),
       "subject 'buchholz1992' has no tendons for the fourth version");
+  // Its fingers have no muscles: motors borrow, tendons cannot.
+  const Subject thumb_only = sample::subject("graspit_skewed_thumb");
+  EXPECT_NO_THROW((void)build_human_hand(thumb_only, HumanTier::kSkewedThumb, bare()));
+  EXPECT_EQ(message_of([&] { (void)build_human_hand(thumb_only, HumanTier::kTendonNet, bare()); }),
+            "no muscle of 'graspit_skewed_thumb' moves its index; the fourth version wants tendons "
+            "at every digit");
   EXPECT_EQ(human_tier("tier3"), HumanTier::kSoftPads);
   EXPECT_EQ(message_of([] { (void)human_tier("tier5"); }),
             "no human 'tier5'; there are tier1, tier2, tier3, tier4");
