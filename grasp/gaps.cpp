@@ -3,6 +3,8 @@
 namespace thenar {
 namespace {
 
+constexpr double kRelative = 0.2;  // error of a gap: far ones are asked for again anyway [1]
+
 const LinkSurface& surface_of(const PosedHand& posed, int surface) {
   return posed.touching.hand->surfaces()[surface];
 }
@@ -17,6 +19,7 @@ Pose<double> PosedHand::of_surface(int surface) const {
 Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cutoff) {
   SeparationOptions options;
   options.tolerance = tolerance;
+  options.relative = kRelative;
   options.cutoff = cutoff;
   options.start = gap.nearest;
   const TouchBody& touch = posed.touching.touch[gap.surface];

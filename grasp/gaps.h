@@ -32,7 +32,7 @@ struct PosedHand {
   [[nodiscard]] Pose<double> of_surface(int surface) const;
 };
 
-/// Measures a gap at a pose and notes its bound.
+/// Measures a gap at a pose, to a fifth of it or to the tolerance, and notes its bound.
 /// @param tolerance, cutoff  as of separation() [m]
 Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cutoff);
 

@@ -52,7 +52,9 @@ class Search {
 
  private:
   /// A bound from which on nothing need be searched.
-  [[nodiscard]] double enough() const { return best_ - options_.tolerance; }
+  [[nodiscard]] double enough() const {
+    return std::min(best_ - options_.tolerance, (1 - options_.relative) * best_);
+  }
 
   [[nodiscard]] bool near(const Ball& ball) const {
     return (ball.c - options_.within.c).norm() <= ball.r + options_.within.r;

@@ -24,6 +24,7 @@ struct Separation {
 /// How exactly to search.
 struct SeparationOptions {
   double tolerance = 5e-5;         // error allowed, besides that of B's distance [m]
+  double relative = 0;             // error allowed as a share of the distance, if that is more [1]
   double cutoff = 1e30;            // distances beyond this need not be exact [m]
   int start = -1;                  // triangle to try first: Separation::triangle of a near pose
   int most_evaluations = 200'000;  // of B's distance; then the error is as large as it is
