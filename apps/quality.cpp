@@ -2,6 +2,7 @@
 //
 // How large a wrench, from whatever direction, the contacts of a file withstand.
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <memory>
@@ -38,6 +39,13 @@ struct Answer {
   double cpu;  // [s]
 };
 
+constexpr double kPolytopeGap = 1e-10;  // epsilon of points is exact at little cost [1]
+
+bool is_polytope(const WrenchSet& set) {
+  return std::all_of(set.caps.begin(), set.caps.end(),
+                     [](const WrenchCap& cap) { return cap.A.cols() == 0; });
+}
+
 /// Wrenches of a file: its cones or their pyramids, and generators where they are given.
 WrenchSet wrenches_of(const ContactFile& file, int edges) {
   std::vector<Contact> cones;
@@ -59,7 +67,7 @@ Answer answer(const ContactFile& file, const Options& options) {
   const WrenchSet set = wrenches_of(file, options.edges);
   EpsilonOptions wanted;
   wanted.limit = limit;
-  wanted.gap = options.gap;
+  wanted.gap = is_polytope(set) ? std::min(options.gap, kPolytopeGap) : options.gap;
   VolumeOptions of_volume;
   of_volume.limit = limit;
   Answer result{epsilon(set, wanted), volume(set, of_volume), 0};

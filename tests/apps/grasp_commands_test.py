@@ -73,7 +73,7 @@ class Quality(unittest.TestCase):
     # The cross-polytope's facets are 1 / sqrt 6 off its centre; its volume is 2^6 / 6!.
     def test_cross_polytope_is_exact(self):
         for contacts in ([generators(CROSS)], [generators([w]) for w in CROSS]):
-            answer = self.ask(grasp(contacts), "--gap", "1e-10")
+            answer = self.ask(grasp(contacts))
             for bound in ("lower", "upper"):
                 self.assertAlmostEqual(answer["epsilon"][bound], 1 / math.sqrt(6), delta=EXACT)
             self.assertAlmostEqual(answer["volume"], 64 / 720, delta=EXACT)
@@ -86,14 +86,13 @@ class Quality(unittest.TestCase):
     def test_cube_is_exact_in_both_norms(self):
         cube = grasp([generators([list(c) for c in itertools.product((-1, 1), repeat=6)])])
         for norm in ("l1", "linf"):
-            answer = self.ask(cube, "--gap", "1e-10", "--norm", norm)
+            answer = self.ask(cube, "--norm", norm)
             self.assertAlmostEqual(answer["epsilon"]["lower"], 1, delta=EXACT)
             self.assertAlmostEqual(answer["volume"], 64, delta=64 * EXACT)
 
     # Twelve contacts of one generator each, every one with a limit of its own, add up to the cube.
     def test_linf_adds_contacts_up(self):
-        answer = self.ask(grasp([generators([w]) for w in CROSS]), "--norm", "linf", "--gap",
-                          "1e-10")
+        answer = self.ask(grasp([generators([w]) for w in CROSS]), "--norm", "linf")
         self.assertAlmostEqual(answer["epsilon"]["lower"], 1, delta=EXACT)
         self.assertAlmostEqual(answer["volume"], 64, delta=64 * EXACT)
 
