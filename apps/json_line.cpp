@@ -12,6 +12,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr int kDeepest = 32;  // brackets within brackets
+
 int line_at(const std::string& text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
@@ -92,12 +94,30 @@ int line_of_member(const std::string& text, const std::string& name, int n) {
   return line_at(text, at);
 }
 
-/// Refuses members that stand twice in an object: which one was meant?
-class Unique {
- public:
-  Unique(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+/// Line on which brackets first nest deeper than so many.
+int line_of_depth(const std::string& text, int most) {
+  bool in_string = false;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (in_string && c == '\\') ++i;
+    if (c == '"') in_string = !in_string;
+    if (!in_string && (c == '[' || c == '{') && ++depth > most) return line_at(text, i);
+    if (!in_string && (c == ']' || c == '}')) --depth;
+  }
+  return 1;
+}
 
-  bool operator()(int, json::parse_event_t event, const json& parsed) {
+/// Refuses members that stand twice in an object: which one was meant? And depths at which
+/// recursion over values would end the program.
+class Strict {
+ public:
+  Strict(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+
+  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    if (depth > kDeepest)
+      throw DataError(path_, line_of_depth(text_, kDeepest),
+                      fmt::format("wanted brackets at most {} deep", kDeepest));
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
     if (event != json::parse_event_t::key) return true;
@@ -134,8 +154,8 @@ int line_of_quoted(const std::string& text, const std::string& message) {
 
 json parse_json(const std::string& path, const std::string& text) {
   try {
-    const Unique unique(path, text);
-    return json::parse(text, unique);
+    const Strict strict(path, text);
+    return json::parse(text, strict);
   } catch (const json::parse_error& e) {
     throw DataError(path, line_at(text, std::max<std::size_t>(e.byte, 1) - 1),
                     "wanted JSON: " + plain(e.what()));
