@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kMostCells = 2e5;
 constexpr int kMostCandidates = 48;
-constexpr double kBand = 4;  // cells with lists reach so far from the surface, in cells
+constexpr double kBand = 2;  // cells with lists reach so far from the surface, in cells
 
 /// The edge of a cell: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
@@ -35,6 +35,13 @@ double distance_to(const TriangleForm& form, const Vector3d& p) {
 
 }  // namespace
 
+NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
+  const Vector3d centre = (form.corner[0] + form.corner[1] + form.corner[2]) / 3;
+  double radius = 0;
+  for (const Vector3d& corner : form.corner) radius = std::max(radius, (corner - centre).norm());
+  return {centre, radius};
+}
+
 NearestGrid::NearestGrid(const TriangleTree& tree) {
   cell_ = cell_of(tree);
   inverse_ = 1 / cell_;
@@ -45,7 +52,9 @@ NearestGrid::NearestGrid(const TriangleTree& tree) {
   while (all.edge < size_.maxCoeff()) all.edge *= 2;
   std::vector<Candidate> every;
   for (std::size_t i = 0; i < tree.forms().size(); ++i) every.push_back({0, static_cast<int>(i)});
+  for (const TriangleForm& form : tree.forms()) balls_.push_back(ball_of(form));
   refine(all, every, tree);
+  balls_ = {};
 }
 
 Vector3d NearestGrid::centre(const Block& block) const {
@@ -65,10 +74,17 @@ void NearestGrid::refine(const Block& block, const std::vector<Candidate>& above
   if ((block.low.array() >= size_.array()).any()) return;
   const Vector3d middle = centre(block);
   const double reach = std::sqrt(3.0) / 2 * cell_ * block.edge * (1 + 1e-9);
+  const auto nearer = [](const Candidate& a, const Candidate& b) {
+    return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
+  };
   std::vector<Candidate> here;
   here.reserve(above.size());
   double least = std::numeric_limits<double>::infinity();
+  // What was near before is asked first, so that most of the rest can be left out unasked.
   for (const Candidate& candidate : above) {
+    const Ball& ball = balls_[candidate.triangle];
+    const double most = least + 2 * reach + ball.radius;
+    if ((ball.centre - middle).squaredNorm() > most * most) continue;
     const double distance = distance_to(tree.forms()[candidate.triangle], middle);
     least = std::min(least, distance);
     if (distance <= least + 2 * reach) here.push_back({distance, candidate.triangle});
@@ -77,6 +93,7 @@ void NearestGrid::refine(const Block& block, const std::vector<Candidate>& above
     return candidate.distance > least + 2 * reach;
   });
   here.erase(end, here.end());
+  std::swap(here.front(), *std::min_element(here.begin(), here.end(), nearer));
   const bool far = least - reach > kBand * cell_;
   if (block.edge > 1 && !far) {
     const int half = block.edge / 2;
@@ -84,16 +101,13 @@ void NearestGrid::refine(const Block& block, const std::vector<Candidate>& above
       refine({block.low + half * Vector3i(c & 1, c >> 1 & 1, c >> 2 & 1), half}, here, tree);
     return;
   }
-  const auto nearer = [](const Candidate& a, const Candidate& b) {
-    return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
-  };
   const bool listed = !far && here.size() <= kMostCandidates;
   const int first = static_cast<int>(candidates_.size());
   if (listed) {
     std::sort(here.begin(), here.end(), nearer);
     candidates_.insert(candidates_.end(), here.begin(), here.end());
   } else {
-    candidates_.push_back(*std::min_element(here.begin(), here.end(), nearer));
+    candidates_.push_back(here.front());
   }
   fill(block, {first, listed ? static_cast<int>(here.size()) : -1});
 }

@@ -31,10 +31,15 @@ class NearestGrid {
     int first;
     int count;  // of candidates; -1: a guess only
   };
+  struct Ball {  // around a triangle
+    Eigen::Vector3d centre;
+    double radius;
+  };
   struct Block {
     Eigen::Vector3i low;
     int edge;  // in cells, a power of two
   };
+  static Ball ball_of(const TriangleForm& form);
   void refine(const Block& block, const std::vector<Candidate>& above, const TriangleTree& tree);
   void fill(const Block& block, const Cell& cell);
   [[nodiscard]] Eigen::Vector3d centre(const Block& block) const;
@@ -44,6 +49,7 @@ class NearestGrid {
   double cell_ = 0, inverse_ = 0;  // edge [m], 1 / edge [1/m]
   std::vector<Cell> cells_;
   std::vector<Candidate> candidates_;
+  std::vector<Ball> balls_;  // of each triangle, while the grid is built
 };
 
 }  // namespace thenar::internal

@@ -9,6 +9,7 @@
 #include "base/shapes/compound.h"
 #include "base/shapes/mesh_distance.h"
 #include "base/shapes/primitives.h"
+#include "base/shapes/superellipsoid.h"
 #include "base/shapes/tessellate.h"
 
 namespace thenar {
@@ -36,6 +37,10 @@ void check(const ShapeSpec& spec) {
     require(spec.size(i) > 0 && std::isfinite(spec.size(i)),
             "size {} of a {} must be positive and finite, got {} m", i, name_of(spec.kind),
             spec.size(i));
+  if (spec.kind == ShapeKind::kSuperellipsoid)
+    require(spec.exponents.minCoeff() >= 0.1 && spec.exponents.maxCoeff() <= 2,
+            "exponents of a superellipsoid must lie in [0.1, 2], got {} and {}", spec.exponents(0),
+            spec.exponents(1));
   const Pose<double>& X = spec.X_BS;
   require(X.p.allFinite() && X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) &&
               X.R.determinant() > 0,
@@ -59,9 +64,10 @@ std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {
       return build_ellipsoid(size);
     case ShapeKind::kMesh:
       return build_mesh_distance(spec.mesh);
-    default:
-      throw InputError("no " + name_of(spec.kind) + " can be built");
+    case ShapeKind::kSuperellipsoid:
+      return build_superellipsoid(size, spec.exponents);
   }
+  throw InputError("no such kind of shape");
 }
 
 TriangleMesh cylinder_mesh(double radius, double height, double tolerance) {

@@ -95,14 +95,16 @@ bool halve(Growing& surface, const Place& place_middle) {
   return !halves.empty();
 }
 
-Growing octahedron(const Shape& convex) {
+/// @param sides  1: the first octant only; 2: all
+Growing octahedron(const Shape& convex, int sides) {
   Growing surface;
   for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {1.0, -1.0}) surface.add(on_ray(convex, side * Vector3d::Unit(axis)));
-  for (int x = 0; x < 2; ++x)
-    for (int y = 0; y < 2; ++y)
-      for (int z = 0; z < 2; ++z) {
-        Vector3i triangle(x, 2 + y, 4 + z);
+    for (int side = 0; side < sides; ++side)
+      surface.add(on_ray(convex, (side ? -1 : 1) * Vector3d::Unit(axis)));
+  for (int x = 0; x < sides; ++x)
+    for (int y = 0; y < sides; ++y)
+      for (int z = 0; z < sides; ++z) {
+        Vector3i triangle(x, sides + y, 2 * sides + z);
         if ((x + y + z) % 2) std::swap(triangle.y(), triangle.z());
         surface.triangles.push_back(triangle);
       }
@@ -120,6 +122,27 @@ void push_out(const Shape& convex, Growing& surface) {
   }
   for (std::size_t i = 0; i < surface.vertices.size(); ++i)
     surface.vertices[i] += depth[i] / 2 * convex.nearest(surface.vertices[i]).normal;
+}
+
+TriangleMesh refined(const Shape& convex, Growing surface, double tolerance) {
+  for (int i = 0; i < 2; ++i)
+    halve(surface, [&](Vector3d& middle) {
+      middle = on_ray(convex, middle.normalized());
+      return true;
+    });
+  // An edge sinks in three quarters as deep as its triangles; both sides share what is left.
+  const double sunk = 0.75 * 0.8 * 2 * tolerance;
+  for (int pass = 0; pass < 16; ++pass)
+    if (!halve(surface, [&](Vector3d& middle) {
+          const NearestSurface near = convex.nearest(middle);
+          middle -= near.distance * near.normal;
+          if (!(std::abs(convex.distance(middle)) < 0.01 * tolerance))
+            middle = on_ray(convex, middle.normalized());
+          return -near.distance > sunk;
+        }))
+      break;
+  push_out(convex, surface);
+  return surface.mesh();
 }
 
 }  // namespace
@@ -166,24 +189,11 @@ TriangleMesh lathe(const std::vector<Vector2d>& profile, int sides) {
 }
 
 TriangleMesh tessellate(const Shape& convex, double tolerance) {
-  Growing surface = octahedron(convex);
-  for (int i = 0; i < 2; ++i)
-    halve(surface, [&](Vector3d& middle) {
-      middle = on_ray(convex, middle.normalized());
-      return true;
-    });
-  // An edge sinks in three quarters as deep as its triangles; both sides share
-  // what is left.
-  const double sunk = 0.75 * 0.9 * 2 * tolerance;
-  for (int pass = 0; pass < 16; ++pass)
-    if (!halve(surface, [&](Vector3d& middle) {
-          const NearestSurface near = convex.nearest(middle);
-          middle -= near.distance * near.normal;
-          return -near.distance > sunk;
-        }))
-      break;
-  push_out(convex, surface);
-  return surface.mesh();
+  return refined(convex, octahedron(convex, 2), tolerance);
+}
+
+TriangleMesh tessellate_octant(const Shape& convex, double tolerance) {
+  return refined(convex, octahedron(convex, 1), tolerance);
 }
 
 }  // namespace thenar
