@@ -9,17 +9,21 @@
 
 namespace thenar {
 
-/// A bound that all distances of a triangle exceed, less the shape's accuracy.
+/// A ball without a point of the solid, so that nothing in it is nearer than its rim is far:
+/// a triangle whose corners lie within r' of its centre is no nearer than  r - r'.
 ///
-/// The ball about  c + h n  through the corners holds the triangle, so that no point of it is
-/// nearer than  d(c + h n) - r.  Where d grows by h along n, as it does up to the ridge of a
-/// hollow, this is below the plane through c across n by  r^2 / 2h  only: enough, at h = r^2 /
-/// (lowest point of that plane - wanted), to tell that nothing is nearer than wanted. The law that
-/// d changes by no more than the way gone holds everywhere, so does the bound.
+/// It stands on the surface as the ball about c + h n does, h chosen so that its rim, which sinks
+/// below the plane through c across n by  r^2 / 2h,  tells that nothing in the triangle is nearer
+/// than wanted, if d grows by h along n, as it does up to the ridge of a hollow. The law that d
+/// changes by no more than the way gone holds everywhere, so does the bound, but for the shape's
+/// accuracy.
 /// @param ball  around the corners [m];  @param seen  b.nearest(ball.c)
 /// @param wanted  what the bound ought to exceed [m]
-/// @return  minus infinity if the plane says at once that it cannot [m]
-[[nodiscard]] double lifted_bound(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
-                                  const NearestSurface& seen, double wanted);
+/// @return  of radius minus infinity if the plane says at once that it cannot [m]
+[[nodiscard]] Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
+                               const NearestSurface& seen, double wanted);
+
+/// No point of the triangle is nearer than this, by what an empty ball tells [m].
+[[nodiscard]] double bound_by(const Ball& empty, const Eigen::Matrix3d& corners);
 
 }  // namespace thenar

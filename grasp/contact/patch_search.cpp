@@ -74,7 +74,7 @@ class PatchSearch {
     ++evaluations_;
     const NearestSurface seen{middle.distance + part.radius, middle.normal};
     const double level = query_.level + part.radius;
-    return lifted_bound(b_, part.corners, ball, seen, level) > level;
+    return bound_by(lifted_ball(b_, part.corners, ball, seen, level), part.corners) > level;
   }
 
   /// Whether the part need not be halved; its points are then among those found.

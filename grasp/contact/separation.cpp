@@ -17,7 +17,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Piece {
   Eigen::Matrix3d corners;  // [m] (3, 3)
   Ball ball;                // around them, without the rounding
-  double d;                 // B's distance of the ball's centre [m]
+  NearestSurface seen;      // of B from the ball's centre
   double radius;            // of the rounding [m]
   int triangle;
 };
@@ -39,11 +39,17 @@ class Search {
       : a_(a), X_BA_(X_BA), b_(b), options_(options) {}
 
   Separation run() {
-    if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size())) {
-      const Piece piece = whole(options_.start);
-      descend(piece, b_.nearest(piece.ball.c));
-    }
-    add_node(0, -kInfinity);
+    if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size()))
+      descend(whole(options_.start));
+    const Ball root = posed(a_.nodes.front());
+    const NearestSurface seen = see(root.c);
+    const double bound = seen.distance - root.r;
+    if (bound <= options_.cutoff && bound < enough() && options_.within.r >= kEverywhere)
+      guess(seen.normal);
+    if (a_.nodes.front().triangle >= 0)
+      add_node(0, bound);
+    else
+      push({bound, 0, -1});
     while (!heap_.empty() && heap_.front().bound < enough() &&
            heap_.front().bound <= options_.cutoff && evaluations_ < options_.most_evaluations)
       expand(pop());
@@ -52,17 +58,23 @@ class Search {
 
  private:
   /// A bound from which on nothing need be searched.
-  [[nodiscard]] double enough() const {
-    return std::min(best_ - options_.tolerance, (1 - options_.relative) * best_);
-  }
+  [[nodiscard]] double enough() const { return best_ - options_.tolerance; }
 
   [[nodiscard]] bool near(const Ball& ball) const {
     return (ball.c - options_.within.c).norm() <= ball.r + options_.within.r;
   }
 
+  [[nodiscard]] Ball posed(const TouchNode& node) const {
+    return {X_BA_ * node.ball.c, node.ball.r};
+  }
+
   double distance(const Eigen::Vector3d& p) {
     ++evaluations_;
     return b_.distance(p);
+  }
+  NearestSurface see(const Eigen::Vector3d& p) {
+    ++evaluations_;
+    return b_.nearest(p);
   }
 
   void push(const Candidate& candidate) {
@@ -81,39 +93,105 @@ class Search {
     return top;
   }
 
+  /// Goes to the triangle farthest down, as B is seen from the best point, until none is better;
+  /// large empty balls that stand there then tell of most others at once that they are no nearer.
+  void guess(Eigen::Vector3d n) {
+    for (int i = 0; i < kGuesses; ++i) {
+      const double before = best_;
+      descend(whole(lowest_triangle(X_BA_.R.transpose() * n)));
+      if (!(best_ < before - options_.tolerance)) break;
+      n = seen_.normal;
+    }
+    for (const double h : {3.0, 30.0}) {
+      const Eigen::Vector3d above = core_ + h * a_.nodes.front().ball.r * seen_.normal;
+      empty_.push_back({above, distance(above)});
+    }
+  }
+
+  /// The triangle with the corner least far along n, which is in A's frame.
+  [[nodiscard]] int lowest_triangle(const Eigen::Vector3d& n) const {
+    double least = kInfinity;
+    int best = 0;
+    std::vector<int> nodes{0};
+    while (!nodes.empty()) {
+      const TouchNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
+      nodes.pop_back();
+      if (n.dot(node.ball.c) - node.ball.r >= least) continue;
+      if (node.triangle < 0) {
+        nodes.push_back(node.left);
+        nodes.push_back(node.right);
+        continue;
+      }
+      const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(node.triangle)];
+      const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
+      if (low < least) least = low, best = node.triangle;
+    }
+    return best;
+  }
+
   /// Remembers a point of A's core if it is the best.
-  void offer(const Eigen::Vector3d& core, double d, const Piece& piece) {
-    if (d - piece.radius >= best_) return;
-    best_ = d - piece.radius;
+  void offer(const Eigen::Vector3d& core, const NearestSurface& seen, const Piece& piece) {
+    if (seen.distance - piece.radius >= best_) return;
+    best_ = seen.distance - piece.radius;
     core_ = core;
+    seen_ = seen;
     radius_ = piece.radius;
     triangle_ = piece.triangle;
   }
 
+  [[nodiscard]] Eigen::Matrix3d corners_of(int triangle) const {
+    return (X_BA_.R * a_.triangles[static_cast<std::size_t>(triangle)].corners).colwise() + X_BA_.p;
+  }
+
   Piece whole(int triangle) {
-    const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
-    return evaluated((X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, triangle);
+    return evaluated(corners_of(triangle), a_.triangles[static_cast<std::size_t>(triangle)].radius,
+                     triangle);
   }
 
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
-    Piece piece{corners, smallest_ball(corners), 0, radius, triangle};
-    piece.d = distance(piece.ball.c);
-    offer(piece.ball.c, piece.d, piece);
+    Piece piece{corners, smallest_ball(corners), {}, radius, triangle};
+    piece.seen = see(piece.ball.c);
+    offer(piece.ball.c, piece.seen, piece);
     return piece;
   }
 
-  void add_piece(const Piece& piece, double parent) {
-    pieces_.push_back(piece);
-    push({std::max(parent, piece.d - piece.ball.r - piece.radius), -1,
+  /// What empty balls tell of a ball, or of a rounded triangle.
+  [[nodiscard]] double known(const Ball& ball) const {
+    double bound = -kInfinity;
+    for (const Ball& empty : empty_)
+      bound = std::max(bound, empty.r - (ball.c - empty.c).norm() - ball.r);
+    return bound;
+  }
+  [[nodiscard]] double known(const Eigen::Matrix3d& corners, double radius) const {
+    double bound = -kInfinity;
+    for (const Ball& empty : empty_) bound = std::max(bound, bound_by(empty, corners) - radius);
+    return bound;
+  }
+
+  /// Queues a triangle or a part of one.
+  void add_piece(const Eigen::Matrix3d& corners, double radius, int triangle, double parent) {
+    const double bound = std::max(parent, known(corners, radius));
+    if (bound >= enough()) {
+      dropped_ = std::min(dropped_, bound);
+      return;
+    }
+    pieces_.push_back(evaluated(corners, radius, triangle));
+    const Piece& piece = pieces_.back();
+    push({std::max(bound, piece.seen.distance - piece.ball.r - radius), -1,
           static_cast<int>(pieces_.size()) - 1});
   }
 
   void add_node(int index, double parent) {
     const TouchNode& node = a_.nodes[static_cast<std::size_t>(index)];
-    if (!near({X_BA_ * node.ball.c, node.ball.r})) return;
-    if (node.triangle >= 0) return add_piece(whole(node.triangle), parent);
-    const double d = distance(X_BA_ * node.ball.c);
-    push({std::max(parent, d - node.ball.r), index, -1});
+    const Ball ball = posed(node);
+    if (!near(ball)) return;
+    if (node.triangle >= 0) {
+      const double radius = a_.triangles[static_cast<std::size_t>(node.triangle)].radius;
+      return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
+    }
+    double bound = std::max(parent, known(ball));
+    if (bound < enough()) bound = std::max(bound, distance(ball.c) - ball.r);
+    push({bound, index, -1});
   }
 
   void expand(const Candidate& candidate) {
@@ -124,33 +202,41 @@ class Search {
       return;
     }
     const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
-    ++evaluations_;
-    const NearestSurface seen = b_.nearest(piece.ball.c);
-    descend(piece, seen);
-    const double wanted = enough() + piece.radius;
-    const double bound = std::max(
-        candidate.bound, lifted_bound(b_, piece.corners, piece.ball, seen, wanted) - piece.radius);
-    ++evaluations_;
+    descend(piece);
+    const double bound =
+        std::max({candidate.bound, known(piece.corners, piece.radius), lifted(piece)});
     if (bound >= enough())
       dropped_ = std::min(dropped_, bound);
     else
       halve(piece, bound);
   }
 
-  /// Looks for better points: the corner farthest down, and the point nearest to B's, alternately.
-  void descend(const Piece& piece, const NearestSurface& seen) {
-    Eigen::Index lowest = 0;
-    (seen.normal.transpose() * piece.corners).minCoeff(&lowest);
-    const Eigen::Vector3d corner = piece.corners.col(lowest);
-    offer(corner, distance(corner), piece);
+  double lifted(const Piece& piece) {
+    ++evaluations_;
+    const Ball empty =
+        lifted_ball(b_, piece.corners, piece.ball, piece.seen, enough() + piece.radius);
+    if (!std::isfinite(empty.r)) return -kInfinity;
+    if (empty_.size() < kMostEmpty) empty_.push_back(empty);
+    return bound_by(empty, piece.corners) - piece.radius;
+  }
 
-    Eigen::Vector3d on_b = piece.ball.c - seen.distance * seen.normal;
+  /// Looks for better points: the corner farthest down, and the point nearest to B's, alternately.
+  void descend(const Piece& piece) {
+    Eigen::Index lowest = 0;
+    const double rise = (piece.seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c))
+                            .minCoeff(&lowest);
+    if (piece.seen.distance + rise - piece.radius >= enough() && best_ < kInfinity &&
+        triangle_ != piece.triangle)
+      return;  // seen as flat, it has no better point
+    const Eigen::Vector3d corner = piece.corners.col(lowest);
+    offer(corner, see(corner), piece);
+
+    Eigen::Vector3d on_b = piece.ball.c - piece.seen.distance * piece.seen.normal;
     for (int i = 0; i < 3; ++i) {
       const double before = best_;
       const Eigen::Vector3d p = nearest_in_triangle(piece.corners, on_b);
-      ++evaluations_;
-      const NearestSurface there = b_.nearest(p);
-      offer(p, there.distance, piece);
+      const NearestSurface there = see(p);
+      offer(p, there, piece);
       if (!(best_ < before - options_.tolerance)) return;
       on_b = p - there.distance * there.normal;
     }
@@ -158,8 +244,7 @@ class Search {
 
   void halve(const Piece& piece, double bound) {
     for (const Eigen::Matrix3d& half : halves(piece.corners))
-      if (near(smallest_ball(half)))
-        add_piece(evaluated(half, piece.radius, piece.triangle), bound);
+      if (near(smallest_ball(half))) add_piece(half, piece.radius, piece.triangle, bound);
   }
 
   /// In B's frame.
@@ -167,7 +252,7 @@ class Search {
     if (triangle_ < 0) whole(0);  // beyond the cutoff before any triangle was seen
     const double below = heap_.empty() ? kInfinity : heap_.front().bound;
     const double lower = std::min({below, dropped_, best_});
-    const NearestSurface seen = b_.nearest(core_);
+    const NearestSurface& seen = seen_;
     Separation s{best_,
                  best_ - lower + b_.accuracy() + kRounding * core_.norm(),
                  core_ - radius_ * seen.normal,
@@ -179,6 +264,9 @@ class Search {
     return s;
   }
 
+  static constexpr double kEverywhere = 1e29;  // radius of a ball that restricts nothing [m]
+  static constexpr int kGuesses = 4;
+  static constexpr std::size_t kMostEmpty = 8;
   static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
 
   const TouchBody& a_;
@@ -191,6 +279,8 @@ class Search {
   double best_ = kInfinity;        // least distance seen [m]
   double dropped_ = kInfinity;     // least bound of what was not searched [m]
   Eigen::Vector3d core_{0, 0, 0};  // where it was seen: a point of A's core [m] (3)
+  NearestSurface seen_{};          // of B from there
+  std::vector<Ball> empty_;        // that hold nothing of B [m]
   double radius_ = 0;              // of the rounding there [m]
   int triangle_ = -1;
   int evaluations_ = 0;
