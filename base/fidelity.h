@@ -18,16 +18,17 @@ enum class Joint { kHinge, kCompliant };
 enum class Path { kNone, kConstant, kViaPoint, kFitted, kWrapped };
 enum class Hood { kSeparate, kFractions, kFloatingNet };
 enum class Muscle { kBounds, kRigidTendon, kElasticTendon };
-enum class Contact { kNone, kHardPoint, kSoftFinger, kElasticFoundation, kFiniteElement };
+enum class ContactModel { kNone, kHardPoint, kSoftFinger, kElasticFoundation, kFiniteElement };
 
 /// One rung of every ladder; the default is the cheapest hand there is.
 struct Fidelity {
-  Motion motion = Motion::kPosed;    // posed < static < dynamic
-  Joint joint = Joint::kHinge;       // hinge axes < compliant
-  Path path = Path::kNone;           // none < constant arms < via points < fitted < wrapped
-  Hood hood = Hood::kSeparate;       // separate tendons < fixed fractions < floating net
-  Muscle muscle = Muscle::kBounds;   // bounds < rigid-tendon Hill < elastic tendon
-  Contact contact = Contact::kNone;  // none < point < soft finger < foundation < finite elements
+  Motion motion = Motion::kPosed;   // posed < static < dynamic
+  Joint joint = Joint::kHinge;      // hinge axes < compliant
+  Path path = Path::kNone;          // none < constant arms < via points < fitted < wrapped
+  Hood hood = Hood::kSeparate;      // separate tendons < fixed fractions < floating net
+  Muscle muscle = Muscle::kBounds;  // bounds < rigid-tendon Hill < elastic tendon
+  ContactModel contact =
+      ContactModel::kNone;  // none < point < soft finger < foundation < finite elements
 
   Fidelity() = default;
 
@@ -42,7 +43,7 @@ struct Fidelity {
   constexpr void set(Path rung) { path = rung; }
   constexpr void set(Hood rung) { hood = rung; }
   constexpr void set(Muscle rung) { muscle = rung; }
-  constexpr void set(Contact rung) { contact = rung; }
+  constexpr void set(ContactModel rung) { contact = rung; }
 };
 
 /// The least fidelity that serves both questions.

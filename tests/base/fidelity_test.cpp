@@ -16,20 +16,21 @@ TEST(Fidelity, IsTheCheapestHandByDefault) {
 
 TEST(Fidelity, JoinsToTheRicherRungOfEveryLadder) {
   const Fidelity joined = Fidelity(Motion::kDynamic, Path::kConstant) |
-                          Fidelity(Motion::kStatic, Path::kWrapped, Contact::kSoftFinger);
+                          Fidelity(Motion::kStatic, Path::kWrapped, ContactModel::kSoftFinger);
   EXPECT_EQ(joined.motion, Motion::kDynamic);
   EXPECT_EQ(joined.path, Path::kWrapped);
-  EXPECT_EQ(joined.contact, Contact::kSoftFinger);
+  EXPECT_EQ(joined.contact, ContactModel::kSoftFinger);
   EXPECT_EQ(joined.joint, Joint::kHinge);
   EXPECT_EQ(joined.hood, Hood::kSeparate);
   EXPECT_EQ(joined.muscle, Muscle::kBounds);
 }
 
 TEST(Fidelity, DescribesTheRichestHand) {
-  EXPECT_EQ(describe(Fidelity(Motion::kDynamic, Joint::kCompliant, Path::kWrapped,
-                              Hood::kFloatingNet, Muscle::kElasticTendon, Contact::kFiniteElement)),
-            "dynamic, compliant joints, wrapped paths, floating net, elastic tendon, "
-            "finite-element pad");
+  EXPECT_EQ(
+      describe(Fidelity(Motion::kDynamic, Joint::kCompliant, Path::kWrapped, Hood::kFloatingNet,
+                        Muscle::kElasticTendon, ContactModel::kFiniteElement)),
+      "dynamic, compliant joints, wrapped paths, floating net, elastic tendon, "
+      "finite-element pad");
 }
 
 TEST(Fidelity, ServesAnyPoorerQuestion) {
