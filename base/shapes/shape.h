@@ -31,7 +31,8 @@ class Shape {
   /// A box that holds the solid [m].
   [[nodiscard]] virtual Eigen::AlignedBox3d bounds() const = 0;
 
-  /// Largest error of distance() anywhere [m]; 0: rounding only.
+  /// Largest error of distance() anywhere [m]; 0: rounding only. Inside unions the depth is a lower
+  /// bound, whatever this says.
   [[nodiscard]] virtual double accuracy() const { return 0; }
 };
 

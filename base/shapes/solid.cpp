@@ -7,6 +7,7 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/shapes/compound.h"
+#include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_distance.h"
 #include "base/shapes/primitives.h"
 #include "base/shapes/superellipsoid.h"
@@ -154,12 +155,33 @@ void append(TriangleMesh& whole, const TriangleMesh& part) {
 
 }  // namespace
 
+namespace {
+
+/// A mesh turned outwards if need be; others as they are.
+ShapeSpec made_sound(ShapeSpec spec) {
+  if (spec.kind != ShapeKind::kMesh) return spec;
+  require(!spec.mesh.empty(), "a mesh has no triangle");
+  const MeshReport found = check_mesh(spec.mesh);
+  require(found.holes.empty(), "a mesh bounds no solid: {}", describe(found));
+  if (found.watertight() && found.volume > 0) return spec;
+  // Closing what is not open is no repair: triangles may only be turned, and doubles dropped.
+  MeshRepair repair = repair_mesh(spec.mesh);
+  const MeshReport left = check_mesh(repair.mesh);
+  require(repair.closed_holes == 0 && left.watertight() && left.volume > 0,
+          "a mesh bounds no solid: {}", found.watertight() ? "no volume" : describe(found));
+  spec.mesh = std::move(repair.mesh);
+  return spec;
+}
+
+}  // namespace
+
 Solid build_solid(const std::vector<ShapeSpec>& shapes) {
   require(!shapes.empty(), "a solid needs at least one shape");
   Solid solid;
   std::vector<std::shared_ptr<const Shape>> parts;
-  for (const ShapeSpec& spec : shapes) {
-    check(spec);
+  for (const ShapeSpec& given : shapes) {
+    check(given);
+    const ShapeSpec spec = made_sound(given);
     const std::shared_ptr<const Shape> shape = shape_of(spec);
     RoundedMesh touch = touch_of(spec, *shape);
     TriangleMesh picture = surface_of(spec, *shape, 4 * touch_tolerance(*shape));

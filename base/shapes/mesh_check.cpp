@@ -1,0 +1,203 @@
+#include "base/shapes/mesh_check.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d, Eigen::Vector3i;
+
+using Edge = std::pair<int, int>;
+using Walks = std::map<Edge, int>;  // how many triangles walk an edge so
+
+void check_entries(const TriangleMesh& mesh) {
+  require(mesh.vertices.allFinite(), "a mesh has a coordinate that is not finite");
+  const auto n = static_cast<int>(mesh.vertices.cols());
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int k = 0; k < 3; ++k)
+      require(mesh.triangles(k, t) >= 0 && mesh.triangles(k, t) < n,
+              "triangle {} of a mesh names vertex {} of {}", t, mesh.triangles(k, t), n);
+}
+
+/// Thinner than a billionth of its longest edge.
+bool is_degenerate(const TriangleMesh& mesh, const Vector3i& t) {
+  const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
+                 c = mesh.vertices.col(t(2));
+  const double longest =
+      std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()});
+  const Vector3d u = b - a, v = c - a, w = c - b;
+  const double area = std::max({u.cross(v).norm(), u.cross(w).norm(), v.cross(w).norm()});
+  return !(area > 1e-10 * longest);
+}
+
+Walks walks_of(const TriangleMesh& mesh) {
+  Walks walks;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int k = 0; k < 3; ++k) ++walks[{mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}];
+  return walks;
+}
+
+int times(const Walks& walks, const Edge& edge) {
+  const auto found = walks.find(edge);
+  return found == walks.end() ? 0 : found->second;
+}
+
+std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const Walks& walks) {
+  std::multimap<int, int> open;  // edges of one triangle, by where they begin
+  for (const auto& [edge, count] : walks)
+    if (count == 1 && times(walks, {edge.second, edge.first}) == 0)
+      open.emplace(edge.first, edge.second);
+  std::vector<MeshHole> holes;
+  while (!open.empty()) {
+    MeshHole hole;
+    for (auto next = open.begin(); next != open.end(); next = open.find(hole.loop.back())) {
+      if (hole.loop.empty()) hole.loop.push_back(next->first);
+      hole.loop.push_back(next->second);
+      open.erase(next);
+      if (hole.loop.front() == hole.loop.back()) break;
+    }
+    for (std::size_t i = 0; i + 1 < hole.loop.size(); ++i)
+      hole.length += (mesh.vertices.col(hole.loop[i + 1]) - mesh.vertices.col(hole.loop[i])).norm();
+    if (hole.loop.front() == hole.loop.back()) hole.loop.pop_back();
+    for (const int v : hole.loop)
+      hole.centre += mesh.vertices.col(v) / static_cast<double>(hole.loop.size());
+    holes.push_back(std::move(hole));
+  }
+  return holes;
+}
+
+double volume_of(const TriangleMesh& mesh) {
+  double volume = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
+    const Vector3d b = mesh.vertices.col(mesh.triangles(1, t));
+    const Vector3d c = mesh.vertices.col(mesh.triangles(2, t));
+    volume += a.dot(b.cross(c)) / 6;
+  }
+  return volume;
+}
+
+TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<Vector3i>& kept) {
+  TriangleMesh out{mesh.vertices, Eigen::Matrix3Xi(3, kept.size())};
+  for (std::size_t i = 0; i < kept.size(); ++i) out.triangles.col(i) = kept[i];
+  return out;
+}
+
+/// Turns triangles until neighbours across each edge of two agree; returns how many.
+int make_agree(TriangleMesh& mesh) {
+  std::map<Edge, std::vector<int>> at;
+  const auto count = static_cast<int>(mesh.triangles.cols());
+  const auto edge_of = [&](int t, int k) {
+    return Edge(mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t));
+  };
+  for (int t = 0; t < count; ++t)
+    for (int k = 0; k < 3; ++k)
+      at[std::minmax(edge_of(t, k).first, edge_of(t, k).second)].push_back(t);
+  std::vector<bool> seen(count, false);
+  int turned = 0;
+  for (int first = 0; first < count; ++first) {
+    std::vector<int> waiting;
+    if (!seen[first]) waiting.push_back(first), seen[first] = true;
+    while (!waiting.empty()) {
+      const int t = waiting.back();
+      waiting.pop_back();
+      for (int k = 0; k < 3; ++k) {
+        const Edge edge = edge_of(t, k);
+        const std::vector<int>& both = at[std::minmax(edge.first, edge.second)];
+        if (both.size() != 2) continue;
+        const int other = both[0] == t ? both[1] : both[0];
+        if (seen[other]) continue;
+        seen[other] = true;
+        waiting.push_back(other);
+        for (int j = 0; j < 3; ++j)
+          if (edge_of(other, j) == edge) {
+            std::swap(mesh.triangles(1, other), mesh.triangles(2, other));
+            ++turned;
+            break;
+          }
+      }
+    }
+  }
+  return turned;
+}
+
+}  // namespace
+
+MeshReport check_mesh(const TriangleMesh& mesh) {
+  check_entries(mesh);
+  MeshReport report;
+  const Walks walks = walks_of(mesh);
+  for (const auto& [edge, count] : walks) {
+    const int back = times(walks, {edge.second, edge.first});
+    if (count + back > 2 && (edge.first < edge.second || back == 0)) ++report.nonmanifold_edges;
+    if (count == 2 && back == 0) ++report.reversed_edges;
+  }
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    report.degenerate += is_degenerate(mesh, mesh.triangles.col(t));
+  report.holes = holes_of(mesh, walks);
+  if (report.holes.empty()) report.volume = volume_of(mesh);
+  return report;
+}
+
+std::string describe(const MeshReport& report) {
+  std::string text;
+  const auto add = [&](int count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
+  };
+  add(static_cast<int>(report.holes.size()), "hole(s)");
+  for (const MeshHole& hole : report.holes)
+    text +=
+        fmt::format("{} {} edges, {:.4g} mm around ({:.4g}, {:.4g}, {:.4g}) mm",
+                    &hole == &report.holes.front() ? ":" : ",", hole.loop.size(), 1e3 * hole.length,
+                    1e3 * hole.centre.x(), 1e3 * hole.centre.y(), 1e3 * hole.centre.z());
+  add(report.nonmanifold_edges, "edge(s) of more than two triangles");
+  add(report.reversed_edges, "edge(s) whose triangles face opposite ways");
+  add(report.degenerate, "triangle(s) of no area");
+  return text;
+}
+
+MeshRepair repair_mesh(const TriangleMesh& mesh) {
+  check_entries(mesh);
+  MeshRepair repair;
+  std::set<std::array<int, 3>> there;
+  std::vector<Vector3i> kept;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3i v = mesh.triangles.col(t);
+    std::array<int, 3> sorted{v(0), v(1), v(2)};
+    std::sort(sorted.begin(), sorted.end());
+    if (!is_degenerate(mesh, v) && there.insert(sorted).second)
+      kept.push_back(v);
+    else
+      ++repair.dropped;
+  }
+  repair.mesh = with_triangles(mesh, kept);
+  repair.turned = make_agree(repair.mesh);
+  for (const MeshHole& hole : holes_of(repair.mesh, walks_of(repair.mesh))) {
+    if (hole.loop.size() < 3) continue;
+    const auto centre = static_cast<int>(repair.mesh.vertices.cols());
+    const auto edges = static_cast<Eigen::Index>(hole.loop.size());
+    repair.mesh.vertices.conservativeResize(3, centre + 1);
+    repair.mesh.vertices.col(centre) = hole.centre;
+    const Eigen::Index old = repair.mesh.triangles.cols();
+    repair.mesh.triangles.conservativeResize(3, old + edges);
+    for (Eigen::Index i = 0; i < edges; ++i)
+      repair.mesh.triangles.col(old + i) << hole.loop[(i + 1) % edges], hole.loop[i], centre;
+    ++repair.closed_holes;
+  }
+  if (volume_of(repair.mesh) < 0) {
+    repair.mesh.triangles.row(1).swap(repair.mesh.triangles.row(2));
+    repair.turned = static_cast<int>(repair.mesh.triangles.cols()) - repair.turned;
+  }
+  return repair;
+}
+
+}  // namespace thenar
