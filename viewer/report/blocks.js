@@ -16,7 +16,8 @@ import { drawVectors } from "./vectors.js";
 
 const drawText = (block) => el("div", { class: "prose" }, ...paragraphs(block.text));
 
-const drawRow = (block) => el("div", { class: "row" }, ...block.blocks.map(drawBlock));
+const drawRow = ({ narrow, blocks }) =>
+  el("div", { class: narrow ? "row narrow" : "row" }, ...blocks.map(drawBlock));
 
 const DRAW = {
   table: drawTable,

@@ -1,6 +1,7 @@
 // Says what is wrong with a report before it is drawn. Knows nothing of the browser.
 
 import { SHAPES } from "../scene/shapes.js";
+import { withMeshes } from "./meshes.js";
 
 const isArray = Array.isArray;
 const isVector = (n) => (v) => isArray(v) && v.length === n;
@@ -9,6 +10,9 @@ const isText = (v) => typeof v === "string";
 const list = (inner) => (v) => isArray(v) && v.every(inner);
 const shape = (keys) => (v) =>
   v !== null && typeof v === "object" && Object.entries(keys).every(([k, ok]) => ok(v[k]));
+
+/// Of a mesh in its place; its name alone if the report has none of that name.
+const isMesh = shape({ vertices: isText, triangles: isText, origin: isVector(3), step: isNumber });
 
 const ITEMS = {
   segment: { a: isVector(3), b: isVector(3) },
@@ -24,6 +28,8 @@ const ITEMS = {
     center: isVector(3),
     axes: (v) => isVector(3)(v) && v.every(isVector(3)),
   },
+  mesh: { mesh: isMesh },
+  cone: { tip: isVector(3), axis: isVector(3), radius: isNumber },
 };
 const isColor = (v) => v === undefined || /^#[0-9a-f]{6}$/i.test(v);
 const isItem = (v) => v && v.kind in ITEMS && shape(ITEMS[v.kind])(v) && isColor(v.color);
@@ -168,7 +174,7 @@ export function reportFaults(report) {
   if (!isArray(report.sections)) return ['report: "sections" must be a list'];
   const deep = (block) =>
     block?.type === "row" && isArray(block.blocks) ? block.blocks.flatMap(deep) : faults(block);
-  return report.sections.flatMap((section) =>
+  return withMeshes(report).sections.flatMap((section) =>
     (section.blocks ?? []).flatMap(deep).map((fault) => `section "${section.id}": ${fault}`),
   );
 }

@@ -3,6 +3,7 @@
 import { drawBlock } from "./blocks.js";
 import { el, paragraphs } from "./dom.js";
 import { errorBox } from "./figure.js";
+import { withMeshes } from "./meshes.js";
 import { tableOfContents } from "./contents.js";
 
 const heading = (report) =>
@@ -48,7 +49,7 @@ function provenance(facts) {
 export function drawPage(root, report) {
   if (!Array.isArray(report.sections)) throw new Error('"sections" is missing');
   document.title = report.title ?? "thenar report";
-  const sections = report.sections.map(section);
+  const sections = withMeshes(report).sections.map(section);
   root.replaceChildren(
     heading(report),
     tableOfContents(report.sections, sections),

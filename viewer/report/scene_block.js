@@ -8,6 +8,7 @@ import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
 import { onThemeChange, themeColor } from "./theme.js";
 
+const NEAR = "1200px"; // of the window, where compact scenes are drawn
 const HINT = "Drag to turn; click, then scroll to zoom; double-click to fit.";
 
 const withColors = (layers) =>
@@ -29,16 +30,36 @@ function fillFrame(frame, block, notes) {
   if (view.lost) notes.append(remark(lost));
 }
 
+/// Does the work when the element comes near the window, or is printed.
+function whenNear(element, work) {
+  const observer = new IntersectionObserver(
+    (seen) => seen.some(({ isIntersecting }) => isIntersecting) && begin(),
+    { rootMargin: NEAR },
+  );
+  const begin = () => {
+    observer.disconnect();
+    removeEventListener("beforeprint", begin);
+    work();
+  };
+  observer.observe(element);
+  addEventListener("beforeprint", begin);
+}
+
 export function drawScene(block) {
-  const frame = el("div", { class: "scene", "data-label": block.caption ?? "3D view" });
+  const { compact } = block;
+  const label = block.caption ?? "3D view";
+  const frame = el("div", { class: compact ? "scene compact" : "scene", "data-label": label });
   const notes = el("div");
-  requestAnimationFrame(() => {
+  const fill = () => {
     try {
       fillFrame(frame, block, notes);
     } catch (error) {
       frame.replaceChildren(errorBox(`The 3D view cannot be drawn: ${error.message}`));
     }
-  });
+  };
+  if (compact) whenNear(frame, fill);
+  else requestAnimationFrame(fill);
   const bar = block.color_scale ? colorBar(block.color_scale) : null;
-  return figure("figure", block.caption, frame, bar, el("p", { class: "hint" }, HINT), notes);
+  const hint = compact ? null : el("p", { class: "hint" }, HINT);
+  return figure("figure", block.caption, frame, bar, hint, notes);
 }

@@ -4,6 +4,7 @@
 import { writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { evidence, forces } from "./fit_sections.js";
+import { MESHES, meshes } from "./mesh_sections.js";
 import { axes, speed } from "./model_sections.js";
 import { posterior } from "./posterior_sections.js";
 
@@ -21,7 +22,8 @@ const report = {
     Eigen: "3.4.0",
     Ceres: "2.1.0",
   },
-  sections: [forces(), evidence(), axes(), speed(), ...posterior()],
+  meshes: MESHES,
+  sections: [forces(), evidence(), axes(), speed(), meshes(), ...posterior()],
 };
 
 // Numbers of one list stand in one line.

@@ -6,7 +6,7 @@ import { Box3, OrthographicCamera, Vector3 } from "three";
 const MARGIN = 1.12;
 
 /// A direction that shows three sides, for a given up.
-function slanted(up) {
+export function slanted(up) {
   const side = Math.abs(up.x) < 0.9 ? new Vector3(1, 0, 0) : new Vector3(0, 1, 0);
   side.addScaledVector(up, -side.dot(up)).normalize();
   return new Vector3()

@@ -3,7 +3,8 @@
 import { Color, Group, MeshLambertMaterial } from "three";
 import { buildArrow, buildAxis } from "./arrows.js";
 import { buildSurface } from "./shapes.js";
-import { buildSegment, buildPoints } from "./solids.js";
+import { buildMesh } from "./meshes.js";
+import { buildCone, buildSegment, buildPoints } from "./solids.js";
 import { buildHull, buildLine, buildLines } from "./surfaces.js";
 
 const BUILD = {
@@ -15,6 +16,8 @@ const BUILD = {
   line: buildLine,
   lines: buildLines,
   surface: buildSurface,
+  mesh: buildMesh,
+  cone: buildCone,
 };
 
 /// Whether every number of an item is one: NaN arrives as null.

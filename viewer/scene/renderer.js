@@ -1,13 +1,16 @@
 // One WebGL context for every scene of a page: browsers allow only a few. A scene is rendered here,
 // then copied onto the 2D canvas that the reader sees.
 
-import { WebGLRenderer } from "three";
+import { PCFShadowMap, WebGLRenderer } from "three";
 
 let renderer = null;
 
 /// The shared context; throws where the browser has no WebGL.
 export function sharedRenderer() {
-  renderer ??= new WebGLRenderer({ antialias: true, alpha: true });
+  if (renderer) return renderer;
+  renderer = new WebGLRenderer({ antialias: true, alpha: true });
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.type = PCFShadowMap;
   return renderer;
 }
 

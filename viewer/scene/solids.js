@@ -1,6 +1,16 @@
-// Segments of a digit as capsules, and points as small spheres.
+// Segments of a digit as capsules, points as small spheres, friction as cones.
 
-import { CapsuleGeometry, InstancedMesh, Matrix4, Mesh, SphereGeometry, Vector3 } from "three";
+import {
+  CapsuleGeometry,
+  ConeGeometry,
+  DoubleSide,
+  InstancedMesh,
+  Matrix4,
+  Mesh,
+  MeshLambertMaterial,
+  SphereGeometry,
+  Vector3,
+} from "three";
 
 const Y = new Vector3(0, 1, 0);
 
@@ -31,5 +41,24 @@ export function buildPoints({ positions, radius }, { material, size }) {
   );
   positions.forEach((p, i) => mesh.setMatrixAt(i, new Matrix4().makeTranslation(...p)));
   mesh.userData.labelAt = new Vector3(...(positions[0] ?? [0, 0, 0]));
+  return mesh;
+}
+
+const CONE_OPACITY = 0.5;
+
+/// A cone from its tip along `axis`, which is as long as it is high.
+export function buildCone({ tip, axis, radius }, { color }) {
+  const point = new Vector3(...tip);
+  const base = point.clone().add(new Vector3(...axis));
+  const material = new MeshLambertMaterial({
+    color,
+    transparent: true,
+    opacity: CONE_OPACITY,
+    side: DoubleSide,
+    depthWrite: false,
+  });
+  const height = point.distanceTo(base);
+  const mesh = lay(new Mesh(new ConeGeometry(radius, height, 28, 1, true), material), base, point);
+  mesh.userData.labelAt = point;
   return mesh;
 }

@@ -1,7 +1,7 @@
 // One 3D view: a canvas in a container, drawn when something changes and not before.
 
 import { Scene, Vector3 } from "three";
-import { fitCamera, makeCamera, setAspect } from "./camera_fit.js";
+import { fitCamera, makeCamera, setAspect, slanted } from "./camera_fit.js";
 import { addControls } from "./controls.js";
 import { diagonal, extentOf } from "./extent.js";
 import { buildGrid } from "./grid.js";
@@ -21,7 +21,15 @@ function makeCanvas(container) {
   return canvas;
 }
 
-/// Builds everything that does not depend on the canvas.
+/// Where a sun must stand; nothing for scenes without meshes.
+function sunFor(layers, box, size, from) {
+  const meshes = layers.some(({ items }) => items.some(({ kind }) => kind === "mesh"));
+  if (!meshes || box.isEmpty()) return null;
+  return { from, center: box.getCenter(new Vector3()), radius: 0.75 * size };
+}
+
+/// Builds everything that does not depend on the canvas. The grid is not shown where something else
+/// stands for the floor.
 function assemble({ layers, up = [0, 0, 1], view }) {
   const box = extentOf(layers);
   const size = diagonal(box);
@@ -30,8 +38,10 @@ function assemble({ layers, up = [0, 0, 1], view }) {
   const camera = makeCamera(upward);
   const built = buildLayers(layers, size);
   const { grid } = buildGrid(box, size, upward);
+  grid.visible = layers.every(({ fit }) => fit !== false);
   scene.add(grid, ...built.map((layer) => layer.group));
-  addLights(scene, camera, upward);
+  const from = view ? new Vector3(...view).normalize() : slanted(upward);
+  addLights(scene, camera, upward, sunFor(layers, box, size, from));
   return {
     scene,
     camera,
@@ -39,11 +49,11 @@ function assemble({ layers, up = [0, 0, 1], view }) {
     grid,
     layers: built,
     show: { labels: true },
-    from: view && new Vector3(...view).normalize(),
+    from,
   };
 }
 
-function paint(view, context, theme, unit) {
+function paint(view, context, theme, { unit = "mm", compact }) {
   const { canvas } = context;
   const ratio = devicePixelRatio;
   const look = { ...theme(), width: canvas.width / ratio, height: canvas.height / ratio };
@@ -54,7 +64,7 @@ function paint(view, context, theme, unit) {
     .filter((layer) => layer.group.visible)
     .flatMap((layer) => layer.labels);
   if (view.show.labels) drawLabels(context, labels, view.camera, look);
-  drawTriad(context, view.camera, look);
+  if (!compact) drawTriad(context, view.camera, look);
   drawScaleBar(context, view.camera, unit, look);
   context.restore();
 }
@@ -79,7 +89,7 @@ function oncePerFrame(work) {
   };
 }
 
-/// Draws `spec` = { layers, unit, up, view } into `container`; `theme()` returns the colours { ink,
+/// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the colours { ink,
 /// page }. Returns the view: draw(), fit(), its layers, and `lost`, the number of items with
 /// missing coordinates.
 /// Throws where the browser has no WebGL.
@@ -88,7 +98,7 @@ export function mountScene(container, spec, theme) {
   const canvas = makeCanvas(container);
   const context = canvas.getContext("2d");
   const view = assemble(spec);
-  const paintNow = () => paint(view, context, theme, spec.unit ?? "mm");
+  const paintNow = () => paint(view, context, theme, spec);
   view.draw = oncePerFrame(paintNow);
   const controls = addControls(view.camera, canvas, view.draw);
   view.fit = () => {
@@ -99,7 +109,7 @@ export function mountScene(container, spec, theme) {
   canvas.addEventListener("dblclick", view.fit);
   resize(canvas, container);
   view.fit();
-  addPanel(container, view);
+  if (!spec.compact) addPanel(container, view);
   if (spec.link) link(spec.link, view, controls);
   new ResizeObserver(() => {
     setAspect(view.camera, resize(canvas, container));

@@ -8,7 +8,8 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
-import { boxOf, chartWithoutSeries, chooseQuantity, hideFirstTendon, isReady } from "./probes.js";
+import { boxOf, chartWithoutSeries, chooseQuantity, compactCanvases } from "./probes.js";
+import { hideFirstTendon, isReady } from "./probes.js";
 import { leaveOutQuantity, look, middleOf, picture, tooltipText } from "./probes.js";
 
 const SHOTS = join(import.meta.dirname, "screenshots");
@@ -58,7 +59,7 @@ async function shootAll(browser, name, sections) {
 
 function judge(name, seen) {
   assert.deepEqual(seen.errors, [], `${name}: error boxes`);
-  assert.equal(seen.scenes.length, 4, `${name}: number of scenes`);
+  assert.equal(seen.scenes.length, 5, `${name}: number of scenes`);
   for (const [i, { covered }] of seen.scenes.entries())
     assert.ok(covered > LEAST_COVERED, `${name}: scene ${i} is blank, ${covered} of it covered`);
   for (const [i, { colors }] of seen.charts.entries())
@@ -66,6 +67,14 @@ function judge(name, seen) {
   assert.equal(seen.tables, 2, `${name}: number of tables`);
   assert.equal(seen.plots, 24, `${name}: number of SVG plots`);
   assert.ok(seen.overflow <= 0, `${name}: the page is ${seen.overflow} px wider than its window`);
+}
+
+/// Compact scenes are drawn when the reader comes to them, and not before.
+async function checkCompact(browser) {
+  const before = await ask(browser, compactCanvases);
+  await ask(browser, middleOf, ".scene.compact");
+  await pause(SETTLE);
+  assert.deepEqual([before, await ask(browser, compactCanvases)], [0, 2], "compact scenes drawn");
 }
 
 async function drag(browser, { x, y }, dx) {
@@ -146,6 +155,7 @@ try {
     console.log(`${name}: scenes covered ${shares.join(", ")}`);
   }
   await open(browser, path, VIEWS.light);
+  await checkCompact(browser);
   await checkTurning(browser);
   await checkTooltip(browser);
   assert.ok(await ask(browser, chartWithoutSeries), "a legend switches its series off");

@@ -137,3 +137,12 @@ test("a banner says whether all is well", () => {
   assert.deepEqual(faults({ type: "banner", ok: true, title: "t" }), []);
   assert.equal(faults({ type: "banner", title: "t" }).length, 1);
 });
+
+test("a mesh that the report does not have is refused", () => {
+  const scene = { type: "scene", layers: [{ name: "l", items: [{ kind: "mesh", mesh: "ball" }] }] };
+  const report = (meshes) => ({ title: "t", meshes, sections: [{ id: "s", blocks: [scene] }] });
+  const ball = { vertices: "", triangles: "", origin: [0, 0, 0], step: 1 };
+  assert.equal(reportFaults(report({ ball })).length, 0);
+  assert.equal(reportFaults(report({ cube: ball })).length, 1);
+  assert.equal(reportFaults(report(undefined)).length, 1);
+});

@@ -6,7 +6,8 @@ export function isReady() {
   return (
     document.readyState === "complete" &&
     count("#report > header") === 1 &&
-    count(".scene") === count(".scene canvas, .scene .error") &&
+    count(".scene:not(.compact)") ===
+      count(".scene:not(.compact) canvas, .scene:not(.compact) .error") &&
     count(".uplot canvas") > 0
   );
 }
@@ -22,7 +23,7 @@ export function look() {
   };
   const all = (selector) => [...document.querySelectorAll(selector)];
   return {
-    scenes: all(".scene canvas").map(paint),
+    scenes: all(".scene:not(.compact) canvas").map(paint),
     charts: all(".uplot canvas").map(paint),
     errors: all(".error").map((box) => box.textContent),
     tables: all("table").length,
@@ -45,6 +46,9 @@ export function picture(index) {
   const { x, y, width, height } = canvas.getBoundingClientRect();
   return { image: canvas.toDataURL(), x: x + width / 2, y: y + height / 2 };
 }
+
+/// How many compact scenes are drawn.
+export const compactCanvases = () => document.querySelectorAll(".scene.compact canvas").length;
 
 /// Clicks the first legend button and tells how many force pairs are hidden.
 export function hideFirstTendon() {

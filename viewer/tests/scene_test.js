@@ -184,3 +184,59 @@ test("a cloud of lines is translucent, and within the extent", () => {
   assert.equal(geometry.getAttribute("position").count, 4);
   assert.deepEqual(extentOf([layer([item])]).max.toArray(), [1, 2, 7]);
 });
+
+const coded = (Kind, values) =>
+  btoa(String.fromCharCode(...new Uint8Array(Kind.from(values).buffer)));
+
+// A tetrahedron with corners at 0 and at 10 along each axis, in steps of 0.1.
+const TETRAHEDRON = {
+  origin: [0, 0, 0],
+  step: 0.1,
+  vertices: coded(Int16Array, [0, 0, 0, 100, 0, 0, 0, 100, 0, 0, 0, 100]),
+  triangles: coded(Uint16Array, [0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]),
+};
+
+test("a mesh is decoded, placed, and shares its geometry with others of its name", () => {
+  // The mesh's x is the scene's y, its y the scene's z, its z the scene's x.
+  const rotation = [
+    [0, 0, 1],
+    [1, 0, 0],
+    [0, 1, 0],
+  ];
+  const placed = { kind: "mesh", mesh: TETRAHEDRON, rotation, position: [5, 6, 7] };
+  const [{ group }] = buildLayers([layer([placed, { kind: "mesh", mesh: TETRAHEDRON }])], 20);
+  const [turned, plain] = group.children;
+  assert.equal(turned.geometry, plain.geometry);
+  assert.equal(turned.material, plain.material);
+  const corner = new Vector3(10, 0, 0).applyMatrix4(turned.matrix);
+  assert.deepEqual(corner.toArray(), [5, 16, 7]);
+  const { min, max } = extentOf([layer([placed])]);
+  assert.ok(min.distanceTo(new Vector3(5, 6, 7)) < 1e-5);
+  assert.ok(max.distanceTo(new Vector3(15, 16, 17)) < 1e-5);
+});
+
+test("a mesh with creases is flat beside them", () => {
+  const [{ group }] = buildLayers([layer([{ kind: "mesh", mesh: { ...TETRAHEDRON, crease: 30 } }])], 20);
+  const { position, normal } = group.children[0].geometry.attributes;
+  assert.equal(position.count, 12); // nothing shared between its four faces
+  for (let i = 0; i < 3; ++i) assert.ok(Math.abs(normal.getZ(i) + 1) < 1e-6); // the face z = 0
+});
+
+test("a cone opens from its tip", () => {
+  const cone = { kind: "cone", tip: [1, 2, 3], axis: [0, 0, 8], radius: 4 };
+  const [{ group }] = buildLayers([layer([cone])], 20);
+  const { position } = group.children[0].geometry.attributes;
+  const mesh = group.children[0];
+  mesh.updateMatrix();
+  const point = new Vector3();
+  for (let i = 0; i < position.count; ++i) {
+    point.fromBufferAttribute(position, i).applyMatrix4(mesh.matrix);
+    const out = Math.hypot(point.x - 1, point.y - 2);
+    assert.ok(Math.abs(out - (point.z - 3) / 2) < 1e-5, `radius ${out} at ${point.z - 3}`);
+  }
+});
+
+test("a layer that is not fitted does not count", () => {
+  const table = { ...layer([{ kind: "mesh", mesh: TETRAHEDRON }]), fit: false };
+  assert.ok(extentOf([table]).isEmpty());
+});
