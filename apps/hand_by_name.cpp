@@ -1,0 +1,91 @@
+#include "apps/hand_by_name.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "data/io/file_kind.h"
+#include "data/io/nearest_name.h"
+#include "data/io/robot/import_robot.h"
+#include "grasp/robot_hand.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHuman = "human";
+
+NamedHand human(const std::string& name, const Subject& subject, const std::string& tier,
+                const HumanHandOptions& options) {
+  HumanHand built = build_human_hand(subject, human_tier(tier), options);
+  NamedHand hand;
+  hand.name = name;
+  hand.hand = std::move(built.hand);
+  hand.contact = built.contact;
+  hand.patches = std::move(built.patches);
+  hand.targets = std::move(built.targets);
+  hand.warnings = std::move(built.warnings);
+  return hand;
+}
+
+NamedHand robot(const std::string& name, const std::string& file) {
+  const RobotSpec spec = import_robot(file);
+  NamedHand hand;
+  hand.name = name;
+  hand.file = file;
+  hand.hand = std::make_shared<RobotHand>(spec);
+  hand.warnings = spec.warnings;
+  return hand;
+}
+
+bool is_subject(const std::string& path) {
+  return fs::path(path).extension() == ".toml" && find_file_kind(path) == FileKind::kSubject;
+}
+
+/// Before and after the last colon; nothing after it if it has no tier.
+std::pair<std::string, std::string> split_tier(const std::string& name) {
+  const std::size_t colon = name.rfind(":tier");
+  if (colon == std::string::npos) return {name, ""};
+  return {name.substr(0, colon), name.substr(colon + 1)};
+}
+
+}  // namespace
+
+std::vector<std::string> robot_names(const std::string& data) {
+  std::vector<std::string> names;
+  const fs::path folder = fs::path(data) / "robots";
+  if (!fs::is_directory(folder)) return names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+NamedHand hand_by_name(const std::string& name, const std::string& data,
+                       const HumanHandOptions& options) {
+  const auto [base, tier] = split_tier(name);
+  if (base == kHuman) return human(name, default_human(), tier.empty() ? "tier4" : tier, options);
+  if (fs::is_regular_file(base) && is_subject(base)) {
+    NamedHand hand = human(name, read_subject(base), tier.empty() ? "tier2" : tier, options);
+    hand.file = base;
+    return hand;
+  }
+  require(tier.empty(), "'{}' has a tier, but '{}' is neither 'human' nor a subject file", name,
+          base);
+  if (fs::is_regular_file(base)) return robot(name, base);
+  const fs::path library = fs::path(data) / "robots" / (base + ".toml");
+  if (base.find('/') == std::string::npos && fs::is_regular_file(library))
+    return robot(name, library.string());
+  std::vector<std::string> known = robot_names(data);
+  for (const char* each : {"human:tier1", "human:tier2", "human:tier3", "human:tier4"})
+    known.push_back(each);
+  throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files", name,
+                               did_you_mean(name, known), fmt::join(known, ", ")));
+}
+
+}  // namespace thenar

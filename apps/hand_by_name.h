@@ -1,0 +1,40 @@
+#pragma once
+
+/// Hands as commands name them.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hand/hand.h"
+#include "tendons/hand/human_hand.h"
+
+namespace thenar {
+
+/// A hand and what is known of it beyond Hand. Of robots there are no patches and no targets.
+struct NamedHand {
+  std::string name;  // as asked for
+  std::string file;  // that it was built from; empty: the built-in human
+  std::shared_ptr<const Hand> hand;
+  PadContact contact = PadContact::kHardPoint;
+  std::vector<SkinPatch> patches;         // pads and nails of a human hand
+  std::vector<OppositionTarget> targets;  // of Kapandji's score, of a human hand
+  std::vector<std::string> warnings;      // what was assumed or left out
+};
+
+/// The hand called
+///   "human:tier1" .. "human:tier4"  a version of default_human(); "human" is tier 4
+///   "FILE.toml:tier1" ..            the same of a subject file; without a tier it is tier 2, which
+///                                   needs no tendons
+///   "barrett"                       DATA/robots/barrett.toml
+///   a path                          a robot of any kind that import_robot() reads
+/// @param data  folder with robots/
+/// @throws InputError naming the hands there are, if there is none of that name; DataError where a
+///         file is wrong.
+[[nodiscard]] NamedHand hand_by_name(const std::string& name, const std::string& data = "data",
+                                     const HumanHandOptions& human = {});
+
+/// Names of the robots in DATA/robots, in alphabetic order.
+[[nodiscard]] std::vector<std::string> robot_names(const std::string& data = "data");
+
+}  // namespace thenar
