@@ -1,0 +1,65 @@
+#include "grasp/compare/comparison.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "grasp/closing_drives.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::array<const char*, 4> kTasks{"force-closure", "hold-weight", "pull", "turn"};
+
+}  // namespace
+
+std::string name_of(GraspTask task) { return kTasks[static_cast<std::size_t>(task)]; }
+
+GraspTask grasp_task(const std::string& name) {
+  const auto found = std::find(kTasks.begin(), kTasks.end(), name);
+  require(found != kTasks.end(),
+          "there is no task '{}'; there are force-closure, hold-weight, pull, turn", name);
+  return static_cast<GraspTask>(found - kTasks.begin());
+}
+
+double HandOnObject::quantile(double p) const {
+  if (epsilon.size() == 0) return std::numeric_limits<double>::quiet_NaN();
+  const double at = p * static_cast<double>(epsilon.size() - 1);
+  const Eigen::Index below = static_cast<Eigen::Index>(std::floor(at));
+  const Eigen::Index above = std::min(below + 1, epsilon.size() - 1);
+  const double share = at - static_cast<double>(below);
+  return (1 - share) * epsilon[below] + share * epsilon[above];
+}
+
+double reach_of_digits(const Hand& hand) {
+  const HandLayout& layout = hand.layout();
+  const std::vector<Pose<double>> links = hand.pose(open_posture(layout));
+  double reach = 0;
+  for (const HandTip& tip : layout.tip_points) {
+    const Eigen::Vector3d at = tip.link < 0 ? tip.p : links[tip.link] * tip.p;
+    reach = std::max(reach, (at - layout.approach.point).norm());
+  }
+  return reach;
+}
+
+BodySpec scaled(BodySpec body, double scale) {
+  require(scale > 0 && std::isfinite(scale), "an object's scale must be positive, got {}", scale);
+  for (ShapeSpec& shape : body.shapes) {
+    shape.size *= scale;
+    shape.mesh.vertices *= scale;
+    shape.mesh_scale *= scale;
+    shape.X_BS.p *= scale;
+  }
+  const double volume = std::pow(scale, 3);
+  body.spread_mass *= volume;
+  if (body.mass) {
+    body.mass->mass *= volume;
+    body.mass->com *= scale;
+    body.mass->inertia *= volume * scale * scale;
+  }
+  return body;
+}
+
+}  // namespace thenar
