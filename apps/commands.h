@@ -6,10 +6,13 @@
 
 namespace thenar {
 
+void add_close(CLI::App& app);
+void add_compare(CLI::App& app);
 void add_demo(CLI::App& app);
 void add_explain(CLI::App& app);
 void add_feasible_force(CLI::App& app);
 void add_fit(CLI::App& app);
+void add_grasp(CLI::App& app);
 void add_import(CLI::App& app);
 void add_pose(CLI::App& app);
 void add_posterior(CLI::App& app);

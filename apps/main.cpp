@@ -23,6 +23,8 @@ int main(int argc, char** argv) {
   thenar::add_predict(app);
   thenar::add_posterior(app);
   thenar::add_quality(app);
+  thenar::add_grasp(app);
+  thenar::add_close(app);
   thenar::add_import(app);
   thenar::add_demo(app);
   try {

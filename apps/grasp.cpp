@@ -1,0 +1,132 @@
+// thenar grasp WORLD.toml [--hand NAME] [--object NAME] [--no-approach] [--random N --seed S]
+//              [--norm l1|linf] [--gap g] [--edges m] [--json] [--out REPORT.html] [--save
+//              WORLD.toml]
+//
+// Puts the hand of a world on its object, finds the contacts, and measures the grasp.
+
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "apps/commands.h"
+#include "apps/grasp_output.h"
+#include "apps/output_ending.h"
+#include "base/error.h"
+#include "base/write_file.h"
+#include "grasp/closing_drives.h"
+#include "viewer/grasp_words.h"
+
+namespace thenar {
+namespace {
+
+struct Options {
+  std::string world, hand, object, norm = "l1", out, save;
+  bool approach = true, json = false;
+  int random = 0, edges = 0;
+  unsigned seed = 1;
+  double gap = 1e-3, way = 1;
+};
+
+void check(const Options& options) {
+  require(options.gap > 0, "wanted --gap above 0, got {}", options.gap);
+  require(options.way > 0, "wanted --way above 0, got {}", options.way);
+  require(options.random >= 0, "wanted --random of 0 or more, got {}", options.random);
+  require(options.edges == 0 || options.edges >= 3, "wanted --edges of 3 or more, got {}",
+          options.edges);
+  require(options.approach || options.random == 0,
+          "starts of --random are clear of the object: they want the approach");
+  require_ending(options.out, {".html"});
+  require_ending(options.save, {".toml"});
+  for (const std::string& path : {options.out, options.save})
+    if (!path.empty()) require_writable(path);
+}
+
+bool is_in(const WorldSpec& world, const std::string& name) {
+  for (const PlacedHand& hand : world.hands)
+    if (hand.name == name) return true;
+  return false;
+}
+
+/// A hand that the world does not have: only its own start is missing, which --random draws.
+GraspQuestion ask_stranger(const Options& options, WorldSpec world) {
+  GraspQuestion question;
+  question.path = options.world;
+  question.hand.named = hand_by_name(options.hand, data_of(world.folder));
+  question.hand.q = open_posture(question.hand.named.hand->layout());
+  question.scene = build_scene(world, options.object);
+  question.world = std::move(world);
+  return question;
+}
+
+GraspQuestion ask(const Options& options) {
+  if (!options.hand.empty() && options.random > 0) {
+    WorldSpec world = read_world(options.world);
+    if (!is_in(world, options.hand)) return ask_stranger(options, std::move(world));
+  }
+  return ask_world(options.world, options.hand, options.object);
+}
+
+void save(const GraspQuestion& question, const GraspAnswer& found, const std::string& path) {
+  require(found.grasp.outcome == GraspOutcome::kGrasped, "--save: {}; nothing is saved",
+          outcome_words(found.grasp));
+  const Pose<double>& X_WH = found.grasp.approached.X_WH;
+  WorldSpec world = question.world;
+  if (question.hand.parts.empty()) {
+    PlacedHand placed{question.hand.named.name, "", X_WH, {}, "", ""};
+    const std::vector<std::string>& names = question.hand.named.hand->layout().coordinates;
+    for (std::size_t c = 0; c < names.size(); ++c)
+      placed.posture[names[c]] = found.grasp.closed.q[static_cast<Eigen::Index>(c)];
+    world.hands = {placed};
+  }
+  save_world(with_hand_at(std::move(world), question.hand, X_WH, found.grasp.closed.q), path);
+}
+
+void run(const Options& options) {
+  check(options);
+  GraspQuestion question = ask(options);
+  question.limit = options.norm == "l1" ? ForceLimit::kL1 : ForceLimit::kLinf;
+  question.gap = options.gap;
+  question.edges = options.edges;
+  question.starts = options.random;
+  question.seed = options.seed;
+  const TouchingHand touching = touching_hand(*question.hand.named.hand);
+  const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
+  require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
+          question.hand.named.name);
+  const GraspAnswer found =
+      answer(question, touching, options.approach && !mounted ? options.way : 0);
+  require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", options.world,
+          outcome_words(found.grasp));
+  fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
+                                : grasp_text(question, touching, found));
+  if (!options.save.empty()) save(question, found, options.save);
+  if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
+}
+
+}  // namespace
+
+void add_grasp(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("grasp", "Put the hand of a world on its object and measure the grasp");
+  command->add_option("world", options->world, "World file (TOML)")->required();
+  command->add_option("--hand", options->hand,
+                      "Hand of the world; with --random any hand by name, as in 'thenar compare'");
+  command->add_option("--object", options->object, "Which object, where there are several");
+  command->add_flag("--approach,!--no-approach", options->approach,
+                    "Go along the palm's direction first (default), or close where the hand is");
+  command->add_option("--way", options->way, "Farthest approach [m]");
+  command->add_option("--random", options->random, "Best of so many starts, drawn at random");
+  command->add_option("--seed", options->seed, "Of --random");
+  command->add_option("--norm", options->norm, "Limit of contact forces")
+      ->check(CLI::IsMember({"l1", "linf"}));
+  command->add_option("--gap", options->gap, "Largest upper - lower of epsilon");
+  command->add_option("--edges", options->edges, "Friction pyramids of so many edges; 0: cones");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("--out", options->out, "Also write a report (.html)");
+  command->add_option("--save", options->save, "Also write the world with the hand as it ended");
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace thenar

@@ -1,0 +1,96 @@
+#include "apps/grasp_report.h"
+
+#include <fmt/format.h>
+
+#include "base/provenance.h"
+#include "data/io/toml_node.h"
+#include "viewer/grasp_page.h"
+#include "viewer/report_page.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kTouches = 2e-4;  // gap up to which a stop is told with what it touches [m]
+constexpr int kFine = 6000;        // triangles of each link of a human hand in pictures
+
+Json provenance(const GraspQuestion& question) {
+  Json json = Json::object();
+  json[question.path] = "sha256 " + sha256(read_text_file(question.path));
+  for (const auto& [name, version] : versions()) json[name] = version;
+  if (question.starts > 0) json["seed"] = std::to_string(question.seed);
+  return json;
+}
+
+/// The hand as it is drawn: skin finer than for contacts.
+NamedHand hand_for_picture(const GraspQuestion& question) {
+  if (question.hand.named.patches.empty()) return question.hand.named;
+  const std::string& name = question.hand.parts.empty()
+                                ? question.hand.named.name
+                                : question.world.hands[question.hand.parts.front()].name;
+  if (question.hand.parts.empty()) {
+    HumanHandOptions options;
+    options.skin.triangles = kFine;
+    return hand_by_name(name, data_of(question.world.folder), options);
+  }
+  return hand_of_world(question.world, name, question.path, kFine).named;
+}
+
+}  // namespace
+
+std::vector<JointRow> joint_rows(const GraspQuestion& question, const TouchingHand& touching,
+                                 const GraspAnswer& answer) {
+  const ClosedHand& closed = answer.grasp.closed;
+  if (closed.stopped.empty()) return {};
+  const Hand& hand = *touching.hand;
+  const PosedHand posed{touching, answer.grasp.approached.X_WH, hand.pose(closed.q)};
+  const std::vector<std::string> why =
+      stop_words(touching, closed, find_touching(posed, question.scene, kTouches));
+  std::vector<JointRow> rows;
+  for (std::size_t c = 0; c < why.size(); ++c) {
+    const auto i = static_cast<int>(c);
+    rows.push_back({hand.layout().coordinates[c], closed.q[i],
+                    value_words(closed.q[i], slides(hand, closed.q, i)), name_of(closed.stopped[c]),
+                    why[c]});
+  }
+  return rows;
+}
+
+Table contact_table(const TouchingHand& touching, const std::vector<HandContact>& contacts) {
+  Table table{{"surface", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction", "torsion_mm"}, {}};
+  for (const HandContact& found : contacts) {
+    const Contact& c = found.contact;
+    const auto surface = static_cast<std::size_t>(found.surface);
+    table.rows.push_back(row({{touching.hand->surfaces()[surface].name},
+                              cells(Eigen::Vector3d(1000 * c.p), 2),
+                              cells(c.n, 3),
+                              {shown(c.friction, 2), shown(1000 * c.torsion, 2)}}));
+  }
+  return table;
+}
+
+void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
+                        const GraspAnswer& answer, const std::string& path) {
+  const NamedHand drawn = hand_for_picture(question);
+  const HandPicture picture{*drawn.hand, answer.grasp.closed.q, answer.grasp.approached.X_WH,
+                            drawn.patches};
+  const Camera& camera = question.world.camera;
+  MeshTable meshes;
+  const GraspStory story{picture,
+                         touching,
+                         question.scene,
+                         answer.grasp,
+                         answer.wrenches,
+                         question.limit,
+                         camera.eye - camera.target,
+                         question.hand.named.warnings};
+  const Json sections = grasp_page(story, meshes);
+  write_report(
+      {{"title", fmt::format("{} and {}", question.hand.named.name, question.scene.object.name)},
+       {"subtitle", question.world.description},
+       {"provenance", provenance(question)},
+       {"meshes", meshes.json()},
+       {"sections", sections}},
+      path);
+}
+
+}  // namespace thenar

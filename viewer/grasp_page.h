@@ -1,0 +1,33 @@
+#pragma once
+
+/// One grasp as sections of a report.
+
+#include <string>
+#include <vector>
+
+#include "grasp/grasp.h"
+#include "viewer/grasp_words.h"
+#include "viewer/hand_picture.h"
+
+namespace thenar {
+
+/// What a page tells of a grasp.
+struct GraspStory {
+  const HandPicture& picture;  // the hand where it ended; may be finer than the one that touched
+  const TouchingHand& hand;
+  const Scene& scene;
+  const Grasp& grasp;
+  WrenchSet wrenches;               // of the contacts, as they were measured
+  ForceLimit limit;                 // of contact forces
+  Eigen::Vector3d eye{1, -1, 0.7};  // direction the picture is taken from, world frame (3)
+  std::vector<std::string> warnings;
+};
+
+/// Sections "Picture", "Quality", "Contacts", "Joints", "Wrenches".
+[[nodiscard]] Json grasp_page(const GraspStory& story, MeshTable& meshes);
+
+/// The picture alone: hand, object, obstacles, contacts.
+[[nodiscard]] Json grasp_layers(const HandPicture& picture, const Scene& scene,
+                                const std::vector<HandContact>& contacts, MeshTable& meshes);
+
+}  // namespace thenar

@@ -1,0 +1,147 @@
+#include "viewer/grasp_words.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/angles.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kShare = 1.0 / 3;   // of the largest part that is still named [1]
+constexpr double kAtLimit = 1e-9;    // as in closing [rad] or [m]
+constexpr double kNoTurn = 1e-12;    // [1]
+constexpr double kSearch = 1.0 / 4;  // of what still touches: how exactly gaps are measured
+
+const std::string& name_of(const Hand& hand, int surface) {
+  return hand.surfaces()[static_cast<std::size_t>(surface)].name;
+}
+
+/// Gaps with the scene, and between all surfaces that may meet.
+std::vector<Gap> all_gaps(const PosedHand& posed, const Scene& scene) {
+  std::vector<Gap> gaps = scene_gaps(posed, scene);
+  for (const SurfacePair& pair : posed.touching.self) {
+    Gap gap{pair.a, pair.b};
+    gap.bound = ball_bound(gap, posed);
+    gaps.push_back(gap);
+  }
+  return gaps;
+}
+
+bool moves(const TouchingHand& hand, int surface, int coordinate) {
+  return surface >= 0 && hand.moved_by(surface, coordinate);
+}
+
+/// What touches beyond a coordinate: of parts of the hand on both sides of it.
+std::string contact_words(const TouchingHand& hand, int coordinate,
+                          const std::vector<Touching>& touching) {
+  std::vector<std::string> found;
+  for (const Touching& each : touching) {
+    if (moves(hand, each.surface, coordinate) == moves(hand, each.other_surface, coordinate))
+      continue;
+    found.push_back(fmt::format("{} on {}", name_of(*hand.hand, each.surface), each.other));
+  }
+  return found.empty() ? "contact" : fmt::format("contact: {}", fmt::join(found, ", "));
+}
+
+}  // namespace
+
+std::vector<Touching> find_touching(const PosedHand& posed, const Scene& scene, double within) {
+  std::vector<Touching> touching;
+  for (Gap& gap : all_gaps(posed, scene)) {
+    if (gap.bound > within) continue;
+    const double distance = measure(gap, posed, kSearch * within, 2 * within).distance;
+    const bool self = gap.body == nullptr;
+    if (distance > within || (self && distance < -within)) continue;  // neighbours overlap
+    touching.push_back({gap.surface,
+                        self ? name_of(*posed.touching.hand, gap.other) : gap.body->name, distance,
+                        self ? gap.other : -1});
+  }
+  return touching;
+}
+
+std::vector<std::string> stop_words(const TouchingHand& hand, const ClosedHand& closed,
+                                    const std::vector<Touching>& touching) {
+  const HandLayout& layout = hand.hand->layout();
+  std::vector<std::string> words;
+  for (int c = 0; c < static_cast<int>(closed.stopped.size()); ++c) {
+    const double above = closed.q[c] - layout.lower[c], below = layout.upper[c] - closed.q[c];
+    switch (closed.stopped[static_cast<std::size_t>(c)]) {
+      case StoppedBy::kNothing:
+        words.emplace_back("free");
+        break;
+      case StoppedBy::kLimit:
+        words.emplace_back(below <= above ? "at its upper limit" : "at its lower limit");
+        break;
+      case StoppedBy::kContact:
+        words.push_back(contact_words(hand, c, touching));
+        break;
+      case StoppedBy::kCoupling:
+        words.emplace_back("coupled with one that is stopped");
+        break;
+      case StoppedBy::kNoDrive:
+        words.emplace_back("nothing drives it");
+        break;
+    }
+  }
+  return words;
+}
+
+bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate) {
+  for (const LinkSurface& surface : hand.surfaces()) {
+    if (surface.link < 0) continue;
+    const Eigen::Vector3d p = surface.solid->shape->bounds().center();
+    const Eigen::Matrix<double, 6, 1> column = hand.jacobian(q, surface.link, p).col(coordinate);
+    if (column.norm() > kNoTurn) return column.head<3>().norm() <= kNoTurn;
+  }
+  return false;
+}
+
+std::string value_words(double value, bool slides) {
+  return slides ? fmt::format("{:.2f} mm", 1000 * value)
+                : fmt::format("{:.1f} deg", value / kDegree);
+}
+
+std::string direction_words(const Wrench& wrench) {
+  const double largest = wrench.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return "none";
+  std::vector<std::string> parts;
+  for (int k = 0; k < 6; ++k)
+    if (std::abs(wrench[k]) >= kShare * largest)
+      parts.push_back(fmt::format("{} {}{}", k < 3 ? "force along" : "torque about",
+                                  wrench[k] > 0 ? "+" : "-", "xyz"[k % 3]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string overlap_words(const std::vector<Overlap>& overlaps) {
+  std::vector<std::string> parts;
+  for (const Overlap& each : overlaps)
+    parts.push_back(
+        fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string outcome_words(const Grasp& grasp) {
+  const Approached& way = grasp.approached;
+  switch (grasp.outcome) {
+    case GraspOutcome::kGrasped:
+      return fmt::format("grasped: {} contacts, {}", grasp.contacts.size(),
+                         grasp.quality.force_closure ? "force closure" : "no force closure");
+    case GraspOutcome::kOverlaps:
+      return "the hand begins in something: " +
+             overlap_words(way.overlaps.empty() ? grasp.closed.overlaps : way.overlaps);
+    case GraspOutcome::kMissed:
+      return "missed: the approach met nothing";
+    case GraspOutcome::kBlocked:
+      return fmt::format("blocked: {} met {} before the object", way.surface, way.body);
+    case GraspOutcome::kTooLong:
+      return fmt::format("closing did not end within {} steps", grasp.closed.steps);
+    case GraspOutcome::kEmpty:
+      break;
+  }
+  return "empty: the hand closed, and the object is not touched";
+}
+
+}  // namespace thenar
