@@ -51,6 +51,18 @@ int times(const Walks& walks, const Edge& edge) {
   return found == walks.end() ? 0 : found->second;
 }
 
+MeshHole hole_around(const TriangleMesh& mesh, std::vector<int> loop) {
+  MeshHole hole;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Vector3d p = mesh.vertices.col(loop[i]);
+    hole.length += (mesh.vertices.col(loop[(i + 1) % loop.size()]) - p).norm();
+    hole.centre += p / static_cast<double>(loop.size());
+  }
+  hole.loop = std::move(loop);
+  return hole;
+}
+
+/// Walks along open edges; where it comes back to a vertex the loop since then is a hole.
 std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const Walks& walks) {
   std::multimap<int, int> open;  // edges of one triangle, by where they begin
   for (const auto& [edge, count] : walks)
@@ -58,19 +70,18 @@ std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const Walks& walks) {
       open.emplace(edge.first, edge.second);
   std::vector<MeshHole> holes;
   while (!open.empty()) {
-    MeshHole hole;
-    for (auto next = open.begin(); next != open.end(); next = open.find(hole.loop.back())) {
-      if (hole.loop.empty()) hole.loop.push_back(next->first);
-      hole.loop.push_back(next->second);
+    std::vector<int> way{open.begin()->first};
+    for (auto next = open.begin(); next != open.end(); next = open.find(way.back())) {
+      const int to = next->second;
       open.erase(next);
-      if (hole.loop.front() == hole.loop.back()) break;
+      const auto before = std::find(way.begin(), way.end(), to);
+      if (before != way.end()) {
+        holes.push_back(hole_around(mesh, {before, way.end()}));
+        way.erase(before, way.end());
+      }
+      way.push_back(to);
     }
-    for (std::size_t i = 0; i + 1 < hole.loop.size(); ++i)
-      hole.length += (mesh.vertices.col(hole.loop[i + 1]) - mesh.vertices.col(hole.loop[i])).norm();
-    if (hole.loop.front() == hole.loop.back()) hole.loop.pop_back();
-    for (const int v : hole.loop)
-      hole.centre += mesh.vertices.col(v) / static_cast<double>(hole.loop.size());
-    holes.push_back(std::move(hole));
+    if (way.size() > 1) holes.push_back(hole_around(mesh, std::move(way)));  // a way with two ends
   }
   return holes;
 }
@@ -130,6 +141,24 @@ int make_agree(TriangleMesh& mesh) {
   return turned;
 }
 
+/// A fan around the centre of each hole; returns how many.
+int close_holes(TriangleMesh& mesh) {
+  int closed = 0;
+  for (const MeshHole& hole : holes_of(mesh, walks_of(mesh))) {
+    if (hole.loop.size() < 3) continue;
+    const auto centre = static_cast<int>(mesh.vertices.cols());
+    const auto edges = static_cast<Eigen::Index>(hole.loop.size());
+    mesh.vertices.conservativeResize(3, centre + 1);
+    mesh.vertices.col(centre) = hole.centre;
+    const Eigen::Index old = mesh.triangles.cols();
+    mesh.triangles.conservativeResize(3, old + edges);
+    for (Eigen::Index i = 0; i < edges; ++i)
+      mesh.triangles.col(old + i) << hole.loop[(i + 1) % edges], hole.loop[i], centre;
+    ++closed;
+  }
+  return closed;
+}
+
 }  // namespace
 
 MeshReport check_mesh(const TriangleMesh& mesh) {
@@ -165,7 +194,7 @@ std::string describe(const MeshReport& report) {
   return text;
 }
 
-MeshRepair repair_mesh(const TriangleMesh& mesh) {
+MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   check_entries(mesh);
   MeshRepair repair;
   std::set<std::array<int, 3>> there;
@@ -181,18 +210,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh) {
   }
   repair.mesh = with_triangles(mesh, kept);
   repair.turned = make_agree(repair.mesh);
-  for (const MeshHole& hole : holes_of(repair.mesh, walks_of(repair.mesh))) {
-    if (hole.loop.size() < 3) continue;
-    const auto centre = static_cast<int>(repair.mesh.vertices.cols());
-    const auto edges = static_cast<Eigen::Index>(hole.loop.size());
-    repair.mesh.vertices.conservativeResize(3, centre + 1);
-    repair.mesh.vertices.col(centre) = hole.centre;
-    const Eigen::Index old = repair.mesh.triangles.cols();
-    repair.mesh.triangles.conservativeResize(3, old + edges);
-    for (Eigen::Index i = 0; i < edges; ++i)
-      repair.mesh.triangles.col(old + i) << hole.loop[(i + 1) % edges], hole.loop[i], centre;
-    ++repair.closed_holes;
-  }
+  if (holes == MeshHoles::kClose) repair.closed_holes = close_holes(repair.mesh);
   if (volume_of(repair.mesh) < 0) {
     repair.mesh.triangles.row(1).swap(repair.mesh.triangles.row(2));
     repair.turned = static_cast<int>(repair.mesh.triangles.cols()) - repair.turned;

@@ -44,9 +44,11 @@ struct MeshRepair {
   int closed_holes = 0;
 };
 
+enum class MeshHoles { kClose, kKeep };
+
 /// Drops triangles of no area and those there twice, turns triangles to agree with their neighbours
-/// and the whole outwards, and closes each hole by a fan around its centre. What is still wrong
-/// then check_mesh() tells.
-[[nodiscard]] MeshRepair repair_mesh(const TriangleMesh& mesh);
+/// and the whole outwards, and closes each hole by a fan around its centre, if asked to. What is
+/// still wrong then check_mesh() tells.
+[[nodiscard]] MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes = MeshHoles::kClose);
 
 }  // namespace thenar

@@ -7,8 +7,8 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/shapes/compound.h"
-#include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_distance.h"
+#include "base/shapes/mesh_parts.h"
 #include "base/shapes/primitives.h"
 #include "base/shapes/superellipsoid.h"
 #include "base/shapes/tessellate.h"
@@ -144,33 +144,18 @@ void move(TriangleMesh& mesh, const Pose<double>& X) {
   mesh.vertices = (X.R * mesh.vertices).colwise() + X.p;
 }
 
-void append(TriangleMesh& whole, const TriangleMesh& part) {
-  const Eigen::Index vertices = whole.vertices.cols(), triangles = whole.triangles.cols();
-  whole.vertices.conservativeResize(3, vertices + part.vertices.cols());
-  whole.vertices.rightCols(part.vertices.cols()) = part.vertices;
-  whole.triangles.conservativeResize(3, triangles + part.triangles.cols());
-  whole.triangles.rightCols(part.triangles.cols()) =
-      part.triangles.array() + static_cast<int>(vertices);
-}
-
-}  // namespace
-
-namespace {
-
-/// A mesh turned outwards if need be; others as they are.
-ShapeSpec made_sound(ShapeSpec spec) {
-  if (spec.kind != ShapeKind::kMesh) return spec;
-  require(!spec.mesh.empty(), "a mesh has no triangle");
-  const MeshReport found = check_mesh(spec.mesh);
-  require(found.holes.empty(), "a mesh bounds no solid: {}", describe(found));
-  if (found.watertight() && found.volume > 0) return spec;
-  // Closing what is not open is no repair: triangles may only be turned, and doubles dropped.
-  MeshRepair repair = repair_mesh(spec.mesh);
-  const MeshReport left = check_mesh(repair.mesh);
-  require(repair.closed_holes == 0 && left.watertight() && left.volume > 0,
-          "a mesh bounds no solid: {}", found.watertight() ? "no volume" : describe(found));
-  spec.mesh = std::move(repair.mesh);
-  return spec;
+/// A mesh as one shape for each solid that it bounds; others as they are.
+std::vector<ShapeSpec> parts_of(const ShapeSpec& spec) {
+  check(spec);
+  if (spec.kind != ShapeKind::kMesh) return {spec};
+  std::vector<ShapeSpec> parts;
+  for (TriangleMesh& mesh : solid_parts(spec.mesh)) {
+    parts.emplace_back();
+    parts.back().kind = ShapeKind::kMesh;
+    parts.back().mesh = std::move(mesh);
+    parts.back().X_BS = spec.X_BS;
+  }
+  return parts;
 }
 
 }  // namespace
@@ -179,18 +164,17 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
   require(!shapes.empty(), "a solid needs at least one shape");
   Solid solid;
   std::vector<std::shared_ptr<const Shape>> parts;
-  for (const ShapeSpec& given : shapes) {
-    check(given);
-    const ShapeSpec spec = made_sound(given);
-    const std::shared_ptr<const Shape> shape = shape_of(spec);
-    RoundedMesh touch = touch_of(spec, *shape);
-    TriangleMesh picture = surface_of(spec, *shape, 4 * touch_tolerance(*shape));
-    move(touch.core, spec.X_BS);
-    move(picture, spec.X_BS);
-    solid.touch.push_back(std::move(touch));
-    append(solid.picture, picture);
-    parts.push_back(place(shape, spec.X_BS));
-  }
+  std::vector<TriangleMesh> pictures;
+  for (const ShapeSpec& given : shapes)
+    for (const ShapeSpec& spec : parts_of(given)) {
+      const std::shared_ptr<const Shape> shape = shape_of(spec);
+      solid.touch.push_back(touch_of(spec, *shape));
+      pictures.push_back(surface_of(spec, *shape, 4 * touch_tolerance(*shape)));
+      move(solid.touch.back().core, spec.X_BS);
+      move(pictures.back(), spec.X_BS);
+      parts.push_back(place(shape, spec.X_BS));
+    }
+  solid.picture = joined(pictures);
   solid.shape = join(std::move(parts));
   return solid;
 }

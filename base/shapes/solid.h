@@ -24,8 +24,9 @@ struct Solid {
   TriangleMesh picture;                // for drawing and inertia; rounded shapes tessellated
 };
 
-/// The union of some shapes in the frame of their body. Of a mesh triangles that face inwards are
-/// turned, those of no area or there twice are dropped, if it is closed then.
+/// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the
+/// union of what solid_parts() finds in it, so that where they overlap is inside; mend_mesh() mends
+/// what that refuses.
 /// @throws InputError if there is none, a size is not positive and finite, or a mesh has holes
 /// (naming them) or no volume.
 [[nodiscard]] Solid build_solid(const std::vector<ShapeSpec>& shapes);
