@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   thenar::add_quality(app);
   thenar::add_grasp(app);
   thenar::add_close(app);
+  thenar::add_compare(app);
   thenar::add_import(app);
   thenar::add_demo(app);
   try {

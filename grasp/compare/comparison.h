@@ -3,6 +3,7 @@
 /// Hands compared on the same objects by the same approaches: what goes in, and what comes out.
 
 #include <array>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -48,6 +49,8 @@ enum class GraspTask {
 [[nodiscard]] std::string name_of(GraspTask task);
 [[nodiscard]] GraspTask grasp_task(const std::string& name);
 
+struct Comparison;
+
 struct CompareOptions {
   int approaches = 20;          // of every hand to every object
   unsigned seed = 1;            //
@@ -55,9 +58,10 @@ struct CompareOptions {
   int best = 3;                 // grasps whose loads are worked out, of each hand and object
   bool normalise_size = false;  // objects scaled by reach_of_digits() over the first hand's
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
-  int workspace_draws = 20000;   // postures
-  double workspace_cell = 5e-3;  // [m]
-  GraspOptions grasp;            // `way` is set for each approach
+  int workspace_draws = 20000;                  // postures
+  double workspace_cell = 5e-3;                 // [m]
+  GraspOptions grasp;                           // `way` is set for each approach
+  std::function<void(const Comparison&)> keep;  // hears of every finished cell
 };
 
 /// One of the best grasps of a cell.
@@ -72,7 +76,7 @@ struct BestGrasp {
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: they cannot
   std::map<std::string, double> margin;  // task -> largest load withstood with the hand's
-                                         // actuators; units as GraspTask; infinite: no limit known
+                                         // actuators; units as GraspTask
 };
 
 /// One hand on one object.

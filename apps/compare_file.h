@@ -1,0 +1,23 @@
+#pragma once
+
+/// Comparisons of hands as JSON, to be read by others and gone on with.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "grasp/compare/comparison.h"
+
+namespace thenar {
+
+/// Everything; infinite and undefined numbers are null.
+[[nodiscard]] nlohmann::ordered_json comparison_json(const Comparison& comparison);
+
+/// Cells that an earlier run left in a file; none if there is no such file.
+/// @param inputs  that it must have come from, by name: another value is refused by that name
+/// @throws DataError, InputError if the file holds something else.
+[[nodiscard]] std::vector<HandOnObject> read_cells(const std::string& path,
+                                                   const nlohmann::ordered_json& inputs);
+
+}  // namespace thenar

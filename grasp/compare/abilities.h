@@ -1,0 +1,48 @@
+#pragma once
+
+/// What hands can do without an object.
+
+#include <random>
+
+#include "grasp/compare/comparison.h"
+
+namespace thenar {
+
+/// All of HandAbilities but `types`. Draws postures uniformly within limits from a generator of
+/// options.seed.
+[[nodiscard]] HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options);
+
+/// Where tips go: postures drawn, tips noted in cells of a grid. A tip that moves in fewer than
+/// three dimensions (principal extent below two cells) is measured in those alone. The estimate is
+/// the cells met less half of those at the rim (with a neighbour not met), +- that half.
+struct Workspaces {
+  std::vector<DigitAbility> digits;  // forces are not filled in
+  double overlap = 0;  // of the thumb's, or of the first digit's, and all others [m^3]
+};
+[[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random);
+
+/// The largest tip forces at a posture within what drives the hand:
+///   max d'f  over  J'J s = B u + tau_0,  f = J s,  lower <= u <= upper,
+/// for the joints that move the tip, J (3, joints) [m/rad]; forces that structure bears without
+/// effort (J'f = 0) are left out. NaN where unbounded: efforts are unknown.
+struct TipForces {
+  double closing = 0;  // d along the tip's way in closing [N]
+  double largest = 0;  // over 64 directions [N]
+};
+[[nodiscard]] TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip);
+
+/// How the thumb opposes, on a scale of 0 to 10.
+struct Opposition {
+  double score = 0;  // NaN: a hand of fewer than two digits
+  std::string scale;
+  std::vector<std::string> reached;
+};
+
+/// With places: Kapandji's score, the highest place that the thumb's pad meets. Without: ten times
+/// the share of other tips that the tip of the thumb meets, the best of all digits if none is
+/// called thumb. Two points meet if some posture within the limits brings them within 10 mm; flesh
+/// may overlap on the way, and which way they face does not count. Postures are searched from 12
+/// drawn starts by damped least squares clamped to the limits. Source: [Kapandji1986].
+[[nodiscard]] Opposition opposition(const ComparedHand& hand, std::mt19937& random);
+
+}  // namespace thenar

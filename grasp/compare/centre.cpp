@@ -1,0 +1,100 @@
+#include "grasp/compare/centre.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace thenar {
+namespace {
+
+constexpr int kMostSteps = 200;  // of conservative advancement across the gap
+
+std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
+  std::set<std::string> digits;
+  for (const HandContact& contact : contacts)
+    if (!hand.surfaces()[contact.surface].digit.empty())
+      digits.insert(hand.surfaces()[contact.surface].digit);
+  return digits;
+}
+
+/// Surfaces of other digits that the coordinate moves.
+std::vector<int> mirrored(const TouchingHand& hand, int coordinate, const std::string& digit) {
+  std::vector<int> others;
+  const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s)
+    if (!surfaces[s].digit.empty() && surfaces[s].digit != digit && hand.moved_by(s, coordinate))
+      others.push_back(s);
+  return others;
+}
+
+/// What pushes the object, where to, and who waits on its other side.
+struct Push {
+  Eigen::Vector3d along_W{0, 0, 0};  // unit; zero: nobody pushes alone (3)
+  std::vector<int> others;           // surfaces
+};
+
+Push find_push(const TouchingHand& hand, const Grasp& grasp) {
+  const std::set<std::string> digits = digits_of(*hand.hand, grasp.contacts);
+  if (digits.size() != 1) return {};
+  const Eigen::VectorXd rates = ClosingDrives(hand.hand->layout()).rates();
+  for (const HandContact& contact : grasp.contacts) {
+    const LinkSurface& surface = hand.hand->surfaces()[contact.surface];
+    if (surface.digit.empty() || surface.link < 0) continue;
+    for (int j = 0; j < static_cast<int>(rates.size()); ++j) {
+      if (rates[j] == 0 || !hand.moved_by(contact.surface, j)) continue;
+      Push push{{0, 0, 0}, mirrored(hand, j, surface.digit)};
+      if (push.others.empty()) continue;
+      const Eigen::Vector3d middle = hand.touch[contact.surface].nodes[0].ball.c;
+      const Eigen::Vector3d v =
+          rates[j] *
+          hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>().col(j);
+      push.along_W = grasp.approached.X_WH.R * v.normalized();
+      return push;
+    }
+  }
+  return {};
+}
+
+/// How far the object goes before another digit touches it; infinite: it never does [m].
+double way_across(const TouchingHand& hand, const Grasp& grasp, const Push& push,
+                  const Scene& scene, double accuracy) {
+  PosedHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
+  const double most = 4 * scene.object.reach;
+  double way = 0;
+  for (int step = 0; step < kMostSteps && way < most; ++step) {
+    double gap = most;
+    for (const int surface : push.others) {
+      Gap between{surface, -1, &scene.object};
+      gap = std::min(gap, measure(between, posed, accuracy / 4, most).distance);
+    }
+    if (gap <= 2 * accuracy) return way;
+    way += gap / 2;  // gaps are measured to a fifth
+    posed.X_WH.p -= gap / 2 * push.along_W;
+  }
+  return most;
+}
+
+}  // namespace
+
+Grasp centred_grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+                    const Scene& scene, const GraspOptions& options) {
+  const Grasp first = grasp(hand, X_WH, q, scene, options);
+  if (first.outcome != GraspOutcome::kGrasped) return first;
+  const Push push = find_push(hand, first);
+  if (push.others.empty() || push.along_W.isZero(0)) return first;
+  const double way = way_across(hand, first, push, scene, options.close.accuracy);
+  if (way >= 4 * scene.object.reach) return first;
+
+  GraspOptions there = options;
+  there.way = 0;
+  Pose<double> X_shifted = first.approached.X_WH;
+  X_shifted.p -= way / 2 * push.along_W;
+  Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
+  if (digits_of(*hand.hand, second.contacts).size() < 2) return first;
+  second.approached = first.approached;
+  second.approached.X_WH = X_shifted;
+  return second;
+}
+
+}  // namespace thenar

@@ -1,0 +1,31 @@
+#pragma once
+
+/// The comparison itself.
+
+#include <random>
+
+#include "grasp/compare/comparison.h"
+
+namespace thenar {
+
+/// Posture in which approach `number` goes at an object: open_posture() for even ones; for odd ones
+/// with every coordinate that nothing drives drawn uniformly within its limits.
+[[nodiscard]] Eigen::VectorXd approach_posture(const HandLayout& layout, int number,
+                                               std::mt19937& random);
+
+/// One hand on one object. Approach n draws from generators seeded with (seed, object's name, n)
+/// alone: the same for every hand, in any order, on any number of threads.
+/// @throws InputError as grasp(), or if the object's mass is unknown.
+[[nodiscard]] HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object,
+                                      double scale, const CompareOptions& options,
+                                      const Progress& progress = {});
+
+/// Every hand on every object. Stops between approaches when asked to; the cell at work is dropped.
+/// @param done  cells of an earlier run of the same options: not worked out again
+/// @throws InputError if there is no hand or object, a name twice, or as compare_on().
+[[nodiscard]] Comparison compare(const std::vector<ComparedHand>& hands,
+                                 const std::vector<BodySpec>& objects,
+                                 const CompareOptions& options, const Progress& progress = {},
+                                 const std::vector<HandOnObject>& done = {});
+
+}  // namespace thenar

@@ -1,0 +1,121 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <Eigen/Cholesky>
+
+#include "grasp/compare/abilities.h"
+#include "grasp/compare/grasp_type.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kMeets = 10e-3;  // two points this near meet [m]
+constexpr int kStarts = 12, kSteps = 60;
+constexpr double kDamping = 1e-6;  // [m^2/rad^2]
+
+HandPlace place_of(const HandTip& tip) { return {tip.digit, tip.link, tip.p, 0}; }
+
+Eigen::Vector3d at(const HandPlace& place, const std::vector<Pose<double>>& links) {
+  return place.link < 0 ? place.p : links[place.link] * place.p;
+}
+
+Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const HandPlace& place) {
+  if (place.link < 0) return Eigen::Matrix3Xd::Zero(3, q.size());
+  return hand.jacobian(q, place.link, place.p).bottomRows<3>();
+}
+
+/// Distance of two places after a search from q [m].
+double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b) {
+  const HandLayout& layout = hand.layout();
+  double best = std::numeric_limits<double>::infinity();
+  for (int step = 0; step < kSteps; ++step) {
+    const std::vector<Pose<double>> links = hand.pose(q);
+    const Eigen::Vector3d gap = at(b, links) - at(a, links);
+    best = std::min(best, gap.norm());
+    if (best < kMeets / 2) break;
+    Eigen::Matrix3Xd J = jacobian(hand, q, a) - jacobian(hand, q, b);
+    // Joints at a limit that would go on beyond it stay.
+    for (Eigen::Index j = 0; j < q.size(); ++j) {
+      const double push = J.col(j).dot(gap);
+      if ((q[j] <= layout.lower[j] && push < 0) || (q[j] >= layout.upper[j] && push > 0))
+        J.col(j).setZero();
+    }
+    const Eigen::Matrix3d normal = J * J.transpose() + kDamping * Eigen::Matrix3d::Identity();
+    Eigen::VectorXd dq = J.transpose() * normal.ldlt().solve(gap);
+    const double largest = dq.cwiseAbs().maxCoeff();
+    if (largest > 0.3) dq *= 0.3 / largest;
+    q = (q + dq).cwiseMax(layout.lower).cwiseMin(layout.upper);
+  }
+  return best;
+}
+
+bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
+          const std::vector<Eigen::VectorXd>& starts) {
+  return std::any_of(starts.begin(), starts.end(), [&](const Eigen::VectorXd& q) {
+    return bring_together(hand, q, a, b) < kMeets;
+  });
+}
+
+std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937& random) {
+  std::vector<Eigen::VectorXd> starts{(layout.lower + layout.upper) / 2};
+  while (static_cast<int>(starts.size()) < kStarts) {
+    Eigen::VectorXd q = layout.lower;
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      q[j] += (random() * 0x1p-32) * (layout.upper[j] - layout.lower[j]);
+    starts.push_back(q);
+  }
+  return starts;
+}
+
+Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>& starts) {
+  Opposition out;
+  out.scale = "Kapandji, highest of ten places";
+  for (const HandPlace& place : hand.places) {
+    if (!meet(*hand.hand, hand.thumb, place, starts)) continue;
+    out.reached.push_back(place.name);
+    out.score = std::max(out.score, static_cast<double>(place.score));
+  }
+  return out;
+}
+
+/// Other tips that the tip of a digit meets.
+std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
+                                const std::vector<Eigen::VectorXd>& starts) {
+  std::vector<std::string> met;
+  for (const HandTip& tip : hand.layout().tip_points)
+    if (tip.digit != thumb.digit && meet(hand, place_of(thumb), place_of(tip), starts))
+      met.push_back(tip.digit);
+  return met;
+}
+
+Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& starts) {
+  const std::vector<HandTip>& tips = hand.layout().tip_points;
+  const std::string thumb = thumb_of(hand);
+  Opposition out;
+  out.scale = "not defined: fewer than two digits";
+  out.score = std::numeric_limits<double>::quiet_NaN();
+  if (tips.size() < 2) return out;
+  out.score = 0;
+  out.scale = fmt::format("share of other tips met by '{}', times 10",
+                          thumb.empty() ? tips.front().digit : thumb);
+  for (const HandTip& tip : tips) {
+    if (!thumb.empty() && tip.digit != thumb) continue;
+    std::vector<std::string> met = met_by(hand, tip, starts);
+    if (met.size() <= out.reached.size()) continue;
+    out.score = 10.0 * static_cast<double>(met.size()) / static_cast<double>(tips.size() - 1);
+    out.scale = fmt::format("share of other tips met by '{}', times 10", tip.digit);
+    out.reached = std::move(met);
+  }
+  return out;
+}
+
+}  // namespace
+
+Opposition opposition(const ComparedHand& hand, std::mt19937& random) {
+  const std::vector<Eigen::VectorXd> starts = draw_starts(hand.hand->layout(), random);
+  return hand.places.empty() ? analogous(*hand.hand, starts) : kapandji(hand, starts);
+}
+
+}  // namespace thenar
