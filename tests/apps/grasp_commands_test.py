@@ -1,4 +1,4 @@
-"""End-to-end tests of the command `thenar quality`; expected numbers are derived here by hand.
+"""End-to-end tests of the commands `thenar quality`, `grasp` and `close`; expected numbers are derived here by hand.
 
 Usage: grasp_commands_test.py [path of the program]; else the environment's THENAR.
 """
@@ -7,6 +7,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -205,6 +206,139 @@ class Quality(unittest.TestCase):
                                 check=False)
         self.assertEqual((result.returncode, result.stderr),
                          (1, f"thenar: {missing}:1: cannot be read\n"))
+
+
+ROBOTS = pathlib.Path(__file__).resolve().parents[2] / "data" / "robots"
+RADIUS = 0.01  # [m] of the ball
+GAP = 1e-4  # [m] within which links touch
+PALM = 0.012883  # [m] from the base of the jaws back to the face between them
+
+WORLD = """name = "ball"
+description = "A ball and a gripper that goes along +y and closes along x"
+source = "Scene"
+[sources]
+Scene = "Arranged for this test"
+[[hand]]
+name = "jaws"
+file = "{robots}/parallel_jaw.toml"
+position_m = {hand}
+ways_mm = {{{ways}}}
+[[body]]
+role = "object"
+name = "ball"
+material = "wood"
+mass_kg = 0.01
+position_m = {ball}
+[[body.shape]]
+kind = "{kind}"
+{size}
+"""
+
+
+class GraspOfJaws(unittest.TestCase):
+    """A ball of 10 mm, or a cube as wide, between two flat jaws."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def world(self, hand=(0, 0, 0), ball=(0, 0.03, 0), kind="sphere", size="size_mm = [10]",
+              ways="opening = 55"):
+        path = self.folder / "world.toml"
+        path.write_text(WORLD.format(robots=ROBOTS, hand=list(hand), ball=list(ball), kind=kind,
+                                     size=size, ways=ways))
+        return str(path)
+
+    def run_it(self, *words):
+        return subprocess.run([PROGRAM, *words], capture_output=True, text=True, check=False,
+                              timeout=60)
+
+    def ask(self, *words):
+        result = self.run_it(*words, "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(result.stdout)
+
+    # Two hard points on a line cannot twist the ball about it, whatever the friction.
+    def test_a_ball_between_jaws_turns_about_the_line_of_contacts(self):
+        answer = self.ask("close", self.world())
+        self.assertEqual(answer["outcome"], "grasped")
+        self.assertEqual(answer["rank"], 5)
+        self.assertFalse(answer["force_closure"])
+        self.assertAlmostEqual(answer["epsilon"]["upper"], 0, delta=EXACT)
+        (a, b), torque = [c["position_m"] for c in answer["contacts"]], answer["missing_direction"][3:]
+        line = [q - p for p, q in zip(a, b)]
+        cosine = sum(t * d for t, d in zip(torque, line)) / math.hypot(*torque) / math.hypot(*line)
+        self.assertAlmostEqual(abs(cosine), 1, delta=1e-9)
+        self.assertEqual(sorted(c["surface"] for c in answer["contacts"]), ["left jaw", "right jaw"])
+        [opening] = answer["coordinates"]
+        self.assertEqual((opening["coordinate"], opening["kind"], opening["stopped_by"]),
+                         ("opening", "slides", "contact"))
+        self.assertIn("jaw on ball", opening["why"])
+        self.assertTrue(RADIUS < opening["value"] <= RADIUS + GAP, opening["value"])
+
+    def test_a_cube_between_jaws_is_held(self):
+        answer = self.ask("close", self.world(kind="box", size="size_mm = [20, 20, 20]"))
+        self.assertTrue(answer["force_closure"])
+        self.assertGreater(answer["epsilon"]["lower"], 0)
+
+    # The palm goes on until it touches the ball, 10 mm before the ball's middle.
+    def test_the_approach_ends_at_the_palm(self):
+        answer = self.ask("grasp", self.world(hand=(0, -0.3, 0), ball=(0, 0, 0)))
+        gone = answer["hand_pose"]["position_m"][1]
+        self.assertTrue(-GAP <= gone - (PALM - RADIUS) < 0, gone)
+        self.assertIn("body", [c["surface"] for c in answer["contacts"]])
+
+    def test_a_start_in_the_object_is_no_grasp(self):
+        for command in (["close"], ["grasp", "--no-approach"], ["grasp"]):
+            result = self.run_it(command[0], self.world(ball=(0.055, 0.03, 0)), *command[1:],
+                                 "--json")
+            self.assertEqual((result.returncode, result.stdout), (1, ""))
+            depth = float(re.search("right jaw is ([0-9.]+) mm in ball", result.stderr)[1])
+            self.assertAlmostEqual(depth, 1e3 * RADIUS, delta=1e3 * GAP)
+
+    def test_what_is_saved_is_where_it_ended(self):
+        saved = str(self.folder / "new" / "saved.toml")
+        world = self.world(hand=(0, -0.3, 0), ball=(0, 0, 0))
+        answer = self.ask("grasp", world, "--save", saved)
+        again = self.ask("close", saved)
+        self.assertEqual(again["outcome"], "grasped")
+        self.assertEqual(again["hand_pose"], answer["hand_pose"])
+        self.assertAlmostEqual(again["coordinates"][0]["value"], answer["coordinates"][0]["value"],
+                               delta=GAP)
+
+    def test_the_same_seed_gives_the_same_grasp(self):
+        world = self.world(kind="box", size="size_mm = [20, 30, 40]")
+        answers = [self.ask("grasp", world, "--random", "20", "--seed", "3") for _ in range(2)]
+        for answer in answers:
+            self.assertEqual(sum(answer["starts"]["outcomes"].values()), 20)
+            answer.pop("cpu_s")
+        self.assertEqual(answers[0], answers[1])
+
+    def test_pyramids_lie_in_the_cones(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        cone = self.ask("grasp", world, "--no-approach")
+        pyramid = self.ask("grasp", world, "--no-approach", "--edges", "4")
+        self.assertLessEqual(pyramid["epsilon"]["lower"], cone["epsilon"]["upper"])
+
+    def test_the_page_holds_its_pictures(self):
+        page = self.folder / "page.html"
+        self.ask("close", self.world(), "--out", str(page))
+        text = page.read_text()
+        report = json.loads(text.split('id="thenar-report">')[1].split("</script>")[0])
+        named = [item["mesh"] for section in report["sections"] for block in section["blocks"]
+                 for layer in block.get("layers", []) for item in layer["items"]
+                 if item["kind"] == "mesh"]
+        self.assertGreaterEqual(len(named), 4)  # body, two jaws, ball
+        self.assertLessEqual(set(named), set(report["meshes"]))
+
+    def test_wrong_names_are_told(self):
+        world = self.world(ways="openin = 55")
+        self.assertIn("has no coordinate 'openin', did you mean 'opening'?",
+                      self.run_it("close", world).stderr)
+        self.assertIn("the world has no hand 'claw'",
+                      self.run_it("close", self.world(), "--hand", "claw").stderr)
+        self.assertIn("outside its limits", self.run_it("close", self.world(ways="opening = 56")).stderr)
 
 
 if __name__ == "__main__":
