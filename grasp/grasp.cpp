@@ -31,6 +31,19 @@ GraspOutcome judge(const ClosedHand& closed) {
   return closed.finished ? GraspOutcome::kGrasped : GraspOutcome::kTooLong;
 }
 
+/// Fills in the torsion of every contact of a surface with the object.
+void soften(ContactPatches& patches, int surface, const PosedHand& posed, const Scene& scene,
+            const PadOptions& pads) {
+  const LinkSurface& link = posed.touching.hand->surfaces()[surface];
+  const PadBody object{scene.object.solid, scene.materials.at(scene.object.material), {}};
+  const PadBody pad{*link.solid, scene.materials.at(link.material),
+                    scene.object.X_WB.inverse() * posed.of_surface(surface)};
+  for (ContactPatch& patch : patches.patches) {
+    const double torsion = torsion_of(patch, pad, object, pads);
+    for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
+  }
+}
+
 }  // namespace
 
 std::string name_of(GraspOutcome outcome) {
@@ -52,7 +65,7 @@ std::string name_of(GraspOutcome outcome) {
 }
 
 std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,
-                                       const ContactPatchOptions& options) {
+                                       const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<HandContact> contacts;
   for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
     Gap gap{s, -1, &scene.object};
@@ -60,9 +73,9 @@ std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scen
     const LinkSurface& surface = posed.touching.hand->surfaces()[s];
     const double mu =
         scene.materials.between(surface.material, scene.object.material).static_coefficient;
-    const ContactPatches patches =
-        contact_patches(posed.touching.touch[s], posed.of_surface(s), scene.object.solid,
-                        scene.object.X_WB, mu, options);
+    ContactPatches patches = contact_patches(posed.touching.touch[s], posed.of_surface(s),
+                                             scene.object.solid, scene.object.X_WB, mu, options);
+    if (pads.contact != ContactModel::kHardPoint) soften(patches, s, posed, scene, pads);
     const std::vector<HandContact> found = contacts_of(patches, s);
     contacts.insert(contacts.end(), found.begin(), found.end());
   }
@@ -81,7 +94,7 @@ Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::Vec
   if (done.outcome != GraspOutcome::kGrasped) return done;
 
   const PosedHand posed{hand, done.approached.X_WH, hand.hand->pose(done.closed.q)};
-  done.contacts = find_contacts(posed, scene, options.patches);
+  done.contacts = find_contacts(posed, scene, options.patches, options.pads);
   if (done.contacts.empty()) done.outcome = GraspOutcome::kEmpty;
   done.quality = epsilon(wrench_set(plain(done.contacts), scene.object.com, scene.object.reach),
                          options.epsilon);

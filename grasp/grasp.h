@@ -10,6 +10,7 @@
 #include "grasp/contact/contact_patch.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/scene.h"
+#include "grasp/soft_pads.h"
 #include "grasp/touching_hand.h"
 
 namespace thenar {
@@ -19,6 +20,7 @@ struct GraspOptions {
   CloseOptions close;
   ContactPatchOptions patches;
   EpsilonOptions epsilon;
+  PadOptions pads;  // hard points unless it says soft fingers
 };
 
 /// How far a grasp came.
@@ -42,10 +44,13 @@ struct [[nodiscard]] Grasp {
   Epsilon quality;                    // about the object's centre of mass, torques over its reach
 };
 
-/// Where a posed hand touches the object, patch by patch; friction from the materials of both.
-/// @throws InputError if the scene has no friction for a pair of materials.
+/// Where a posed hand touches the object, patch by patch; friction from the materials of both, and
+/// torsion from their soft layers, if contacts are soft fingers (torsion_of()).
+/// @throws InputError if the scene has no friction for a pair of materials, or lacks one of them
+/// where contacts are soft.
 [[nodiscard]] std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,
-                                                     const ContactPatchOptions& options = {});
+                                                     const ContactPatchOptions& options = {},
+                                                     const PadOptions& pads = {});
 
 /// Approaches, closes, finds the contacts, and measures.
 /// @param q  posture of the approach, where closing begins (coordinates)

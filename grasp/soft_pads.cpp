@@ -1,0 +1,89 @@
+#include "grasp/soft_pads.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "grasp/contact/curvature.h"
+#include "grasp/contact/soft_finger.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFlat = 10;  // less curved than a ball of 0.1 m [1/m]
+
+bool is_soft(const Material& material) {
+  return material.young > 0 && material.layer_thickness > 0;
+}
+
+/// The layer that gives way; null: neither.
+const Material* soft_layer(const Material& a, const Material& b) {
+  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
+  if (!is_soft(b)) return &a;
+  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
+}
+
+Eigen::Vector3d middle(const ContactPatch& patch) {
+  Eigen::Vector3d sum(0, 0, 0);
+  for (const HandContact& each : patch.contacts) sum += each.contact.p;
+  return sum / static_cast<double>(patch.contacts.size());
+}
+
+/// Mean distance of the points from their middle [m].
+double spread(const ContactPatch& patch) {
+  const Eigen::Vector3d centre = middle(patch);
+  double sum = 0;
+  for (const HandContact& each : patch.contacts) sum += (each.contact.p - centre).norm();
+  return sum / static_cast<double>(patch.contacts.size());
+}
+
+/// Curvatures where the surface is nearest to p, seen from the frame of the contacts.
+PrincipalCurvatures curvatures_at(const PadBody& body, const Eigen::Vector3d& p_O, double step) {
+  const Eigen::Vector3d p = body.X_OB.inverse() * p_O;
+  const NearestSurface near = body.solid.shape->nearest(p);
+  PrincipalCurvatures found = curvatures(*body.solid.shape, p - near.distance * near.normal, step);
+  found.d1 = body.X_OB.R * found.d1;
+  return found;
+}
+
+GapCurvatures gap_at(const ContactPatch& patch, const PadBody& a, const PadBody& b, double step) {
+  const PrincipalCurvatures on_a = curvatures_at(a, middle(patch), step);
+  const PrincipalCurvatures on_b = curvatures_at(b, middle(patch), step);
+  const double angle = std::acos(std::min(1.0, std::abs(on_a.d1.dot(on_b.d1))));
+  return gap_curvatures(on_a, on_b, angle);
+}
+
+double layer_torsion(const Material& layer, const GapCurvatures& gap, double friction,
+                     double force) {
+  const double R1 = 1 / std::max(kFlat, gap.k1), R2 = 1 / std::max(kFlat, gap.k2);
+  const auto pressed = [&](double load) {
+    return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
+  };
+  const SoftPatch patch = pressed(force);
+  const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
+  if (patch.depth <= most) return patch.torsion;
+  return pressed(force * std::pow(most / patch.depth, 2)).torsion;  // depth goes with its root
+}
+
+}  // namespace
+
+double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
+                  const PadOptions& options) {
+  require(
+      options.contact == ContactModel::kHardPoint || options.contact == ContactModel::kSoftFinger,
+      "contacts of grasps are hard points or soft fingers");
+  require(options.force > 0 && options.step > 0 && std::isfinite(options.force + options.step),
+          "force and step of soft contacts must be positive and finite, got {} N and {} m",
+          options.force, options.step);
+  const Material* layer = soft_layer(a.material, b.material);
+  if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
+    return 0;
+
+  const GapCurvatures gap = gap_at(patch, a, b, options.step);
+  if (patch.contacts.size() > 1 && gap.k2 < kFlat) return 0;
+  const double friction = patch.contacts[0].contact.friction;
+  const double torsion = layer_torsion(*layer, gap, friction, options.force);
+  return std::max(0.0, torsion - friction * spread(patch));
+}
+
+}  // namespace thenar

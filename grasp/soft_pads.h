@@ -1,0 +1,42 @@
+#pragma once
+
+/// Torsion of contacts between a soft pad and an object.
+
+#include "base/fidelity.h"
+#include "data/io/world/materials.h"
+#include "grasp/contact/contact_patch.h"
+
+namespace thenar {
+
+/// What a contact is taken for.
+struct PadOptions {
+  ContactModel contact = ContactModel::kHardPoint;  // or kSoftFinger
+  double force = 1;    // normal force of a soft contact, for the size of its patch [N]
+  double step = 3e-3;  // over which curvatures are taken: about a patch [m]
+};
+
+/// One of two bodies at a contact.
+struct PadBody {
+  const Solid& solid;
+  const Material& material;
+  Pose<double> X_OB;  // its solid's frame in that of the contacts
+};
+
+/// Torsion of each point of a patch [m]: of winkler_patch() in the softer layer (least young /
+/// thickness), with the radii of the gap between both surfaces at the middle of the patch; 0 of
+/// hard points, and where neither body has a layer.
+///
+/// Torque per force needs a force, as patches grow with it: torsion goes with force^(1/4), so that
+/// 5 N hold 1.5 times as much per newton as 1 N. The layer is not pressed beyond its thickness or
+/// half the smaller radius, and no radius is beyond 0.1 m, by convention.
+///
+/// Points of one patch resist torsion by themselves, by friction times their mean distance from
+/// their middle: each gets what is left of the torsion after that, as facets of a round pad make a
+/// few points where it makes one. Nothing is left of flat faces and of lines (a radius beyond
+/// 0.1 m), whose extent is what their points show.
+/// @throws InputError if the model is neither kHardPoint nor kSoftFinger, or the force or the step
+/// is not positive and finite.
+[[nodiscard]] double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
+                                const PadOptions& options);
+
+}  // namespace thenar
