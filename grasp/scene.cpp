@@ -1,6 +1,8 @@
 #include "grasp/scene.h"
 
 #include "base/error.h"
+#include "base/shapes/mass_properties.h"
+#include "data/io/world/body_mass.h"
 
 namespace thenar {
 namespace {
@@ -9,18 +11,13 @@ double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
   return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
 }
 
-/// Centre of the volume, from tetrahedra to the origin.
-Eigen::Vector3d volume_centre(const TriangleMesh& mesh) {
-  Eigen::Vector3d moment(0, 0, 0);
-  double volume = 0;
-  for (const auto& t : mesh.triangles.colwise()) {
-    const Eigen::Vector3d a = mesh.vertices.col(t[0]), b = mesh.vertices.col(t[1]),
-                          c = mesh.vertices.col(t[2]);
-    const double part = a.dot(b.cross(c));
-    volume += part;
-    moment += part * (a + b + c) / 4;
-  }
-  return moment / volume;
+/// Centre of the volume: exact for one shape; several may overlap, and are summed up.
+Eigen::Vector3d volume_centre(const BodySpec& body, const TriangleMesh& picture) {
+  if (body.shapes.size() == 1) return mass_properties(picture, 1).centre;
+  BodySpec even = body;
+  even.density = 1;
+  even.spread_mass = 0;
+  return body_mass(even).com;
 }
 
 bool is_object(const PlacedBody& placed, const std::string& name) {
@@ -35,7 +32,8 @@ SceneBody build_body(const PlacedBody& placed) {
   body.material = placed.body.material;
   body.solid = build_solid(placed.body.shapes);
   body.X_WB = placed.X_WB;
-  body.com = placed.body.mass ? placed.body.mass->com : volume_centre(body.solid.picture);
+  body.com =
+      placed.body.mass ? placed.body.mass->com : volume_centre(placed.body, body.solid.picture);
   body.reach = reach_of(body.solid.picture, body.com);
   return body;
 }
