@@ -1,6 +1,7 @@
 #include "grasp/close_hand.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,11 +38,38 @@ class Closing {
 
   ClosedHand run() {
     int steps = 0;
-    for (; drives_.moving() && steps < options_.most_steps; ++steps) advance();
+    follow_rates();
+    for (; drives_.moving() && steps < options_.most_steps; ++steps) {
+      advance();
+      follow_rates();
+    }
     return {q_, drives_.stopped(), {}, !drives_.moving(), steps, queries_};
   }
 
  private:
+  /// Asks for rates at the start, after a stop, and after some way.
+  void follow_rates() {
+    if (!options_.rates) return;
+    const Eigen::Array<bool, Eigen::Dynamic, 1> free = drives_.free();
+    const bool same = followed_.size() == q_.size() && (free == free_).all();
+    if (same && (q_ - followed_).lpNorm<Eigen::Infinity>() < 0.999 * options_.refresh) return;
+    drives_.follow(options_.rates(q_, free));
+    followed_ = q_;
+    free_ = free;
+  }
+
+  /// Until rates are to be asked for again.
+  double time_to_refresh() const {
+    if (!options_.rates) return kInfinite;
+    double time = kInfinite;
+    for (Eigen::Index j = 0; j < q_.size(); ++j) {
+      const double rate = std::abs(drives_.rates()[j]);
+      const double left = options_.refresh - std::abs(q_[j] - followed_[j]);
+      if (rate > 0) time = std::min(time, std::max(0.0, left) / rate);
+    }
+    return time;
+  }
+
   void find_speeds() {
     for (std::size_t s = 0; s < speeds_.size(); ++s)
       speeds_[s] = surface_speed(hand_, q_, drives_.rates(), static_cast<int>(s),
@@ -65,7 +93,7 @@ class Closing {
   /// One step, as long as all gaps allow, or the stop of whatever has met.
   void advance() {
     find_speeds();
-    double time = time_to_limits();
+    double time = std::min(time_to_limits(), time_to_refresh());
     for (Gap& gap : gaps_) {
       const RelativeSpeed relative = relative_speed(gap);
       if (relative.speed == 0 || safe(relative, gap) >= time) continue;
@@ -153,6 +181,8 @@ class Closing {
   Eigen::VectorXd q_;
   std::vector<Gap> gaps_;
   std::vector<SurfaceSpeed> speeds_;
+  Eigen::VectorXd followed_;                    // where rates were asked for last
+  Eigen::Array<bool, Eigen::Dynamic, 1> free_;  // then
   int queries_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 /// Closing a hand round an object until it can close no further.
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,10 +13,17 @@
 
 namespace thenar {
 
+/// Rates of all coordinates at a posture [rad/s] or [m/s], asked for anew while the hand closes.
+/// @param q  (coordinates);  @param free  which a drive may still move (coordinates)
+using ClosingRates = std::function<Eigen::VectorXd(
+    const Eigen::VectorXd& q, const Eigen::Array<bool, Eigen::Dynamic, 1>& free)>;
+
 struct CloseOptions {
   double accuracy = 1e-4;  // a link touches when its gap is at most this [m]
   bool self = true;        // links of the hand stop each other
   int most_steps = 20000;
+  ClosingRates rates;     // in place of the speeds of drives, as tendon_rates(); empty: those
+  double refresh = 0.05;  // way of any coordinate after which rates are asked again [rad] or [m]
 };
 
 struct [[nodiscard]] ClosedHand {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/error.h"
+
 namespace thenar {
 namespace {
 
@@ -43,6 +45,18 @@ ClosingDrives::ClosingDrives(const HandLayout& layout)
       rates_[driven.coordinate] = rate;
       if (rate != 0) stopped_[driven.coordinate] = StoppedBy::kNothing;
     }
+}
+
+Eigen::Array<bool, Eigen::Dynamic, 1> ClosingDrives::free() const {
+  Eigen::Array<bool, Eigen::Dynamic, 1> free(rates_.size());
+  for (Eigen::Index j = 0; j < free.size(); ++j) free[j] = stopped_[j] == StoppedBy::kNothing;
+  return free;
+}
+
+void ClosingDrives::follow(const Eigen::VectorXd& rates) {
+  require(rates.size() == rates_.size() && rates.allFinite(),
+          "closing wants {} finite rates, got {}", rates_.size(), rates.size());
+  rates_ = free().select(rates.array(), 0.0).matrix();
 }
 
 void ClosingDrives::halt(int coordinate, StoppedBy why) {

@@ -28,6 +28,12 @@ class ClosingDrives {
   [[nodiscard]] const std::vector<StoppedBy>& stopped() const { return stopped_; }
   [[nodiscard]] bool moving() const { return !rates_.isZero(0); }
 
+  /// Which coordinates a drive may still move. (coordinates)
+  [[nodiscard]] Eigen::Array<bool, Eigen::Dynamic, 1> free() const;
+
+  /// Takes other rates for the coordinates that are free. (coordinates)
+  void follow(const Eigen::VectorXd& rates);
+
   /// Stops a coordinate, and those that its drive's coupling stops with it.
   void stop(int coordinate, StoppedBy why);
 

@@ -1,0 +1,32 @@
+#pragma once
+
+/// Closing rates of fingers that tendons pull.
+
+#include <Eigen/Core>
+
+#include "grasp/closing_drives.h"
+#include "hand/hand.h"
+
+namespace thenar {
+
+/// How tendons close a hand.
+struct TendonPull {
+  Eigen::VectorXd u;          // share of tension of each actuator, >= 0 [1] (actuators)
+  Eigen::VectorXd stiffness;  // of joints, > 0; only ratios count [N m/rad] (coordinates)
+  double excursion = 0.01;    // of the tendons of a drive, weighted with u [m/s]
+};
+
+/// Rates of coordinates under rising tension at a posture: a free coordinate turns by
+///   dq = K^-1 B(q) u,  scaled for each drive so that its tendons run in at  u' B' dq / |u|_1 =
+///   excursion, |u|_1 over the tendons that pull on the drive.
+/// A blocked joint takes none, so that the others of its drive turn faster, in the same ratio.
+/// Joints that the pull would extend stay: K stands for what holds them. Drives of speed 0 stay,
+/// too.
+/// @param q  (coordinates) [rad];  @param free  which may still move (coordinates)
+/// @return q_dot (coordinates) [rad/s]
+/// @throws InputError if a length is wrong, u is negative, or a stiffness not positive.
+[[nodiscard]] Eigen::VectorXd tendon_rates(const Hand& hand, const TendonPull& pull,
+                                           const Eigen::VectorXd& q,
+                                           const Eigen::Array<bool, Eigen::Dynamic, 1>& free);
+
+}  // namespace thenar
