@@ -40,9 +40,10 @@ struct Opposition {
 
 /// With places: Kapandji's score, the highest place that the thumb's pad meets. Without: ten times
 /// the share of other tips that the tip of the thumb meets, the best of all digits if none is
-/// called thumb. Two points meet if some posture within the limits brings them within 10 mm; flesh
-/// may overlap on the way, and which way they face does not count. Postures are searched from 12
-/// drawn starts by damped least squares clamped to the limits. Source: [Kapandji1986].
+/// called thumb. Two points meet if some posture within the limits brings them within 10 mm,
+/// middles of tips 20 mm; flesh may overlap on the way, and which way they face does not count.
+/// Postures are searched from 12 drawn starts by damped least squares clamped to the limits.
+/// Source: [Kapandji1986].
 [[nodiscard]] Opposition opposition(const ComparedHand& hand, std::mt19937& random);
 
 }  // namespace thenar

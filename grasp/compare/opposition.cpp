@@ -11,7 +11,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kMeets = 10e-3;  // two points this near meet [m]
+constexpr double kSkinMeets = 10e-3;  // two points of skin this near meet [m]
+constexpr double kTipsMeet = 20e-3;   // middles of two tips, about a finger's thickness [m]
 constexpr int kStarts = 12, kSteps = 60;
 constexpr double kDamping = 1e-6;  // [m^2/rad^2]
 
@@ -26,15 +27,16 @@ Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const Hand
   return hand.jacobian(q, place.link, place.p).bottomRows<3>();
 }
 
-/// Distance of two places after a search from q [m].
-double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b) {
+/// Distance of two places after a search from q, which ends when it is near enough [m].
+double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b,
+                      double near) {
   const HandLayout& layout = hand.layout();
   double best = std::numeric_limits<double>::infinity();
   for (int step = 0; step < kSteps; ++step) {
     const std::vector<Pose<double>> links = hand.pose(q);
     const Eigen::Vector3d gap = at(b, links) - at(a, links);
     best = std::min(best, gap.norm());
-    if (best < kMeets / 2) break;
+    if (best < near) break;
     Eigen::Matrix3Xd J = jacobian(hand, q, a) - jacobian(hand, q, b);
     // Joints at a limit that would go on beyond it stay.
     for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -52,9 +54,9 @@ double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, c
 }
 
 bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
-          const std::vector<Eigen::VectorXd>& starts) {
+          const std::vector<Eigen::VectorXd>& starts, double near) {
   return std::any_of(starts.begin(), starts.end(), [&](const Eigen::VectorXd& q) {
-    return bring_together(hand, q, a, b) < kMeets;
+    return bring_together(hand, q, a, b, near) < near;
   });
 }
 
@@ -73,7 +75,7 @@ Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>
   Opposition out;
   out.scale = "Kapandji, highest of ten places";
   for (const HandPlace& place : hand.places) {
-    if (!meet(*hand.hand, hand.thumb, place, starts)) continue;
+    if (!meet(*hand.hand, hand.thumb, place, starts, kSkinMeets)) continue;
     out.reached.push_back(place.name);
     out.score = std::max(out.score, static_cast<double>(place.score));
   }
@@ -85,7 +87,7 @@ std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
                                 const std::vector<Eigen::VectorXd>& starts) {
   std::vector<std::string> met;
   for (const HandTip& tip : hand.layout().tip_points)
-    if (tip.digit != thumb.digit && meet(hand, place_of(thumb), place_of(tip), starts))
+    if (tip.digit != thumb.digit && meet(hand, place_of(thumb), place_of(tip), starts, kTipsMeet))
       met.push_back(tip.digit);
   return met;
 }
