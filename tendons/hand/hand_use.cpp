@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "base/error.h"
+
 namespace thenar {
 namespace {
 
@@ -107,13 +109,19 @@ HandUse motor_use(const HandAnatomy& hand, const Subject& subject, const Skeleto
   return use;
 }
 
-HandUse tendon_use(const HandAnatomy& hand, const Subject& subject, const Skeleton& skeleton,
-                   const std::vector<std::string>& actuators, const Actuation& actuation) {
-  HandUse use = motor_use(hand, subject, skeleton);
+Eigen::VectorXd flexor_pull(const std::vector<std::string>& actuators, const Actuation& actuation) {
+  require(static_cast<Eigen::Index>(actuators.size()) == actuation.upper.size(),
+          "{} names for {} actuators", actuators.size(), actuation.upper.size());
   Eigen::VectorXd t = actuation.upper;
   for (std::size_t i = 0; i < actuators.size(); ++i)
     if (!is_flexor(actuators[i])) t[static_cast<Eigen::Index>(i)] = 0;
-  const Eigen::VectorXd torque = actuation.B * t;
+  return t;
+}
+
+HandUse tendon_use(const HandAnatomy& hand, const Subject& subject, const Skeleton& skeleton,
+                   const std::vector<std::string>& actuators, const Actuation& actuation) {
+  HandUse use = motor_use(hand, subject, skeleton);
+  const Eigen::VectorXd torque = actuation.B * flexor_pull(actuators, actuation);
   for (Drive& drive : use.drives)
     if (drive.speed > 0) follow_tendons(torque, drive);
   return use;

@@ -16,6 +16,13 @@ namespace thenar {
 [[nodiscard]] HandUse motor_use(const HandAnatomy& hand, const Subject& subject,
                                 const Skeleton& skeleton);
 
+/// Tensions of a hand that closes: of the flexors (FDS and FDP, or FPL) their largest, of the
+/// others none. Closing by them posture by posture is tendon_rates() of grasp/tendon_closing.h.
+/// @return (actuators) [N]
+/// @throws InputError unless every actuator has a name.
+[[nodiscard]] Eigen::VectorXd flexor_pull(const std::vector<std::string>& actuators,
+                                          const Actuation& actuation);
+
 /// The same by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio
 /// of their largest ones. Joints of equal stiffness k then turn by dq = B t / k,  in the ratio of
 /// their torques; the fastest joint by 1 rad/s. Equal stiffness is an assumption, as joints of most

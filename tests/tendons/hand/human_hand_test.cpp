@@ -209,6 +209,14 @@ TEST(JointStrength, IsTheBoxAboutTheTorques) {
   EXPECT_TRUE(matrix_near(limits.lower, Eigen::Vector2d(-0.12, -0.08), 1e-12));
 }
 
+TEST(HandUse, PullsFlexorsAlone) {
+  const ThreeTendons hand;
+  const Actuation actuation = hand.actuation(Eigen::Vector2d::Zero());
+  EXPECT_TRUE(
+      matrix_near(flexor_pull(hand.layout().actuators, actuation), Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_THROW((void)flexor_pull({"FDP"}, actuation), InputError);
+}
+
 // Ratios of the flexors' torques at their largest tensions, by the hand's own B.
 TEST(HandUse, ClosesByTheTendonsTorques) {
   const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
