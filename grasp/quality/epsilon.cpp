@@ -8,6 +8,7 @@
 #include "grasp/quality/epsilon_start.h"
 #include "grasp/quality/hull.h"
 #include "grasp/quality/min_norm.h"
+#include "grasp/quality/polish.h"
 
 namespace thenar {
 namespace {
@@ -88,6 +89,7 @@ class Search {
       if (settled() || !hull.insert(reach.p, facet)) break;
     }
     facets_ = hull.facets();
+    if (upper_ > kUndecided * support_.size()) (void)look(internal::polish(support_, worst_));
     return true;
   }
 

@@ -17,20 +17,23 @@ struct Reach {
 ///   Linf:  the sum over contacts of their best caps, where these reach beyond 0.
 class Support {
  public:
+  struct Cap {
+    Wrench c;
+    Eigen::Matrix<double, 6, 3> A;
+    int axes;              // columns of A in use; the others are 0
+    bool last_of_contact;  // of the caps that share one limit
+  };
+
   Support(const WrenchSet& set, ForceLimit limit);
 
   [[nodiscard]] Reach operator()(const Wrench& u) const;
 
   [[nodiscard]] double size() const { return size_; }          // no point is further off than this
   [[nodiscard]] double rounding() const { return rounding_; }  // of a computed h(u), |u| = 1
+  [[nodiscard]] ForceLimit limit() const { return limit_; }
+  [[nodiscard]] const std::vector<Cap>& caps() const { return caps_; }  // of a contact together
 
  private:
-  struct Cap {
-    Wrench c;
-    Eigen::Matrix<double, 6, 3> A;
-    int axes;              // columns of A in use
-    bool last_of_contact;  // of the caps that share one limit
-  };
   [[nodiscard]] static double reach(const Cap& cap, const Wrench& u);
   static void add_point(const Cap& cap, const Wrench& u, Wrench& sum);
 

@@ -37,12 +37,13 @@ void expect_value(const Epsilon& found, double expected) {
   EXPECT_NEAR(found.upper, expected, kExact);
 }
 
-/// Curved sets in six dimensions: both bounds enclose the value.
-void expect_enclosed(const Epsilon& found, double expected, double gap, double upper_within) {
+/// Curved sets in six dimensions: both bounds enclose the value, and the upper one is it.
+void expect_enclosed(const Epsilon& found, double expected, double gap) {
   EXPECT_LE(found.lower, expected + 1e-12);
   EXPECT_GE(found.upper, expected - 1e-12);
-  EXPECT_NEAR(found.upper, expected, upper_within);
+  EXPECT_NEAR(found.upper, expected, kExact);
   EXPECT_LE(found.upper - found.lower, gap);
+  EXPECT_TRUE(found.force_closure);
 }
 
 void expect_missing(const Epsilon& found, const Wrench& direction) {
@@ -67,7 +68,7 @@ double friction_bound(double mu) {
 TEST(ClosedForm, TwoSoftFingersLimitedByFriction) {
   for (const double mu : {0.2, 0.5, 1.0}) {
     const double gap = 1e-3, expected = friction_bound(mu);
-    expect_enclosed(epsilon_of(pinch(mu, 2 * kScale), gap), expected, gap, gap);
+    expect_enclosed(epsilon_of(pinch(mu, 2 * kScale), gap), expected, gap);
     Wrench worst = Wrench::Zero();
     worst(0) = mu;
     worst(1) = 1;
@@ -80,7 +81,7 @@ TEST(ClosedForm, TwoSoftFingersLimitedByFriction) {
 TEST(ClosedForm, TwoSoftFingersLimitedByTorsion) {
   const double torsion = 0.1 * kScale, gap = 1e-3;
   ASSERT_LT(0.1, friction_bound(0.5));
-  expect_enclosed(epsilon_of(pinch(0.5, torsion), gap), 0.1, gap, gap);
+  expect_enclosed(epsilon_of(pinch(0.5, torsion), gap), 0.1, gap);
 }
 
 // With each force at most 1, squeezing is free: 2 m = |A - B| + |A + B| is the support wherever
@@ -93,8 +94,40 @@ TEST(ClosedForm, TwoSoftFingersOfUnitForceEach) {
     for (Contact& contact : contacts) contact.p *= kScale / kRadius;
     return epsilon_of(contacts, gap, ForceLimit::kLinf);
   };
-  expect_enclosed(at_scale(0.5, 2 * kScale), 2 / std::sqrt(4 + 2 / 0.25), gap, gap);
-  expect_enclosed(at_scale(0.5, 0.1 * kScale), 0.2 / std::sqrt(1.01), gap, gap);
+  expect_enclosed(at_scale(0.5, 2 * kScale), 2 / std::sqrt(4 + 2 / 0.25), gap);
+  expect_enclosed(at_scale(0.5, 0.1 * kScale), 0.2 / std::sqrt(1.01), gap);
+}
+
+/// Pairs of opposed fingers on a sphere (or on the faces of what is about it).
+std::vector<Contact> pairs(const std::vector<Vector3d>& directions, double mu, double torsion) {
+  std::vector<Contact> contacts;
+  for (const Vector3d& d : directions)
+    for (const double side : {1.0, -1.0}) contacts.push_back(on_sphere(side * d, mu, torsion));
+  return contacts;
+}
+
+// A pair along d has h = -+f'd + |(mu (a +- b), g t'd)|, a = f - d d'f, b = rho t x d, g = e / s.
+// The larger of both is at least sqrt(mu^2 (|a|^2 + |b|^2) + g^2 (t'd)^2). Where the mean of d d'
+// is I / 3, the mean of these squares is (2 mu^2 |f|^2 + (2 mu^2 rho^2 + g^2) |t|^2) / 3, and the
+// largest is no less. For rho <= 1 and small g the factor of |t|^2 is the smaller one, and the
+// bound is met by f = 0 and a t with all (t'd)^2 = 1 / 3:
+//   epsilon = sqrt((2 mu^2 rho^2 + g^2) / 3).
+void expect_of_pairs(const std::vector<Vector3d>& directions) {
+  const double rho = kRadius / kScale, gap = 3e-2;
+  for (const double mu : {0.4, 0.9})
+    for (const double g : {0.0, 0.2}) {
+      ASSERT_LT(2 * mu * mu * rho * rho + g * g, 2 * mu * mu);
+      expect_enclosed(epsilon_of(pairs(directions, mu, g * kScale), gap),
+                      std::sqrt((2 * mu * mu * rho * rho + g * g) / 3), gap);
+    }
+}
+
+TEST(ClosedForm, SixFingersOnTheFacesOfACube) {  // t = (1, 1, 1) / sqrt 3
+  expect_of_pairs({Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()});
+}
+
+TEST(ClosedForm, EightFingersOnASphereTowardsTheCornersOfACube) {  // t = (1, 0, 0)
+  expect_of_pairs({{1, 1, 1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}});
 }
 
 // Hard points leave the twist about the line between them free.

@@ -14,7 +14,7 @@ namespace {
 
 int grasps() {
   const char* all = std::getenv("THENAR_GRASPS");
-  return all == nullptr ? 500 : std::stoi(all);
+  return all == nullptr ? 200 : std::stoi(all);
 }
 
 /// Two to seven contacts, some of them soft, some without friction.

