@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <assimp/Importer.hpp>
@@ -71,6 +72,7 @@ const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
 
 TriangleSoup read_assimp_mesh(const std::string& path) {
   Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = nullptr;
   try {
     scene = read_scene(importer, path);

@@ -11,15 +11,17 @@ namespace thenar {
 
 MeshFormat mesh_format(const std::string& path) {
   static const std::map<std::string, MeshFormat> formats{
-      {".obj", MeshFormat::kObj},  {".stl", MeshFormat::kStl},   {".ply", MeshFormat::kPly},
-      {".off", MeshFormat::kOff},  {".gltf", MeshFormat::kGltf}, {".glb", MeshFormat::kGltf},
-      {".wrl", MeshFormat::kVrml}, {".vrml", MeshFormat::kVrml}, {".iv", MeshFormat::kInventor}};
+      {".obj", MeshFormat::kObj},     {".stl", MeshFormat::kStl},   {".ply", MeshFormat::kPly},
+      {".off", MeshFormat::kOff},     {".gltf", MeshFormat::kGltf}, {".glb", MeshFormat::kGltf},
+      {".dae", MeshFormat::kCollada}, {".wrl", MeshFormat::kVrml},  {".vrml", MeshFormat::kVrml},
+      {".iv", MeshFormat::kInventor}};
   std::string ending = std::filesystem::path(path).extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto found = formats.find(ending);
   if (found == formats.end())
-    throw DataError(path, 1, "a mesh is .obj, .stl, .ply, .off, .gltf, .glb, .wrl, .vrml or .iv");
+    throw DataError(path, 1,
+                    "a mesh is .obj, .stl, .ply, .off, .gltf, .glb, .dae, .wrl, .vrml or .iv");
   return found->second;
 }
 

@@ -8,13 +8,14 @@
 
 namespace thenar {
 
-enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kVrml, kInventor };
+enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInventor };
 
 /// By the ending of its name, .wrl for VRML and .iv for Inventor.
 /// @throws DataError for any other, listing those there are.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
-/// Reads OBJ, STL, PLY, OFF, glTF/GLB and, where Coin was found, VRML 1.0 and 2.0 and Inventor.
+/// Reads OBJ, STL, PLY, OFF, glTF/GLB, Collada (in its unit; its up axis is not heeded, as in ROS)
+/// and, where Coin was found, VRML 1.0 and 2.0 and Inventor.
 /// Vertices at the same place are merged; polygons are cut into triangles; the transforms of
 /// the file's own scene graph are applied.
 /// @param scale  [m] per unit of the file

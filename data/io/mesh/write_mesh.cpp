@@ -88,6 +88,7 @@ void write_mesh(const std::string& path, const TriangleMesh& mesh) {
     case MeshFormat::kOff:
       return write_file(path, off(mesh));
     case MeshFormat::kGltf:
+    case MeshFormat::kCollada:
     case MeshFormat::kVrml:
     case MeshFormat::kInventor:
       break;

@@ -156,4 +156,23 @@ inline std::string cube_vrml2() {
          "] } } ] }\n";
 }
 
+/// Moved 10 along x; in half metres; "z is up", which is not heeded.
+inline std::string cube_collada() {
+  return "<?xml version='1.0'?>\n<COLLADA xmlns='http://www.collada.org/2005/11/COLLADASchema' "
+         "version='1.4.1'><asset><unit name='half' meter='0.5'/><up_axis>Z_UP</up_axis></asset>"
+         "<library_geometries><geometry id='g'><mesh><source id='p'><float_array id='a' "
+         "count='24'>" +
+         cube_corners("", " ") +
+         "</float_array><technique_common><accessor source='#a' count='8' stride='3'><param "
+         "name='X' type='float'/><param name='Y' type='float'/><param name='Z' type='float'/>"
+         "</accessor></technique_common></source><vertices id='v'><input semantic='POSITION' "
+         "source='#p'/></vertices><polylist count='6'><input semantic='VERTEX' source='#v' "
+         "offset='0'/><vcount>4 4 4 4 4 4</vcount><p>" +
+         cube_faces("", 0, " ", " ") +
+         "</p></polylist></mesh></geometry></library_geometries><library_visual_scenes>"
+         "<visual_scene id='s'><node><matrix>2 0 0 20 0 2 0 0 0 0 2 0 0 0 0 1</matrix>"
+         "<instance_geometry url='#g'/></node></visual_scene></library_visual_scenes><scene>"
+         "<instance_visual_scene url='#s'/></scene></COLLADA>";
+}
+
 }  // namespace thenar

@@ -59,6 +59,9 @@ TEST_F(MeshFile, ReadsACubeInEveryFormat) {
 
 TEST_F(MeshFile, PlacesTheCubeByTheSceneGraph) { expect_cube("cube.gltf", cube_gltf(), 10); }
 
+// Collada's half metres become metres, and its z stays z.
+TEST_F(MeshFile, ReadsColladaAsRosDoes) { expect_cube("cube.DAE", cube_collada(), 10); }
+
 TEST_F(MeshFile, ScalesToMetres) {
   const TriangleMesh mesh = read_mesh(written("cube.obj", cube_obj()), 1e-3);
   EXPECT_NEAR(enclosed_volume(mesh), 8e-9, 1e-22);
