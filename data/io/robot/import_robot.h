@@ -20,7 +20,8 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 
 /// Reads a robot of any kind. What was not understood is in its `warnings`. Inertias that no body
 /// has (a principal moment above the sum of the others, or below 0) are cut to the nearest that one
-/// has, with a warning.
+/// has, meshes that bound no solid are mended (mend_mesh()) or, where they are flat, left out: each
+/// with a warning.
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 

@@ -5,8 +5,10 @@
 #include <gmock/gmock.h>
 
 #include "base/angles.h"
+#include "base/shapes/mass_properties.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/import_robot.h"
 #include "data/io/robot/link_poses.h"
 #include "tests/data/robot/named_parts.h"
 #include "tests/matrix_near.h"
@@ -16,6 +18,7 @@
 namespace thenar {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -176,6 +179,37 @@ TEST_F(Urdf, HoldsFloatingAndPlanarJointsAndSaysSo) {
     EXPECT_EQ(robot.joints[0].kind, RobotJointKind::kFixed);
     EXPECT_THAT(robot.warnings, ElementsAre(HasSubstr(type + " joint 'j' is taken as fixed")));
   }
+}
+
+/// Two links, the tip a mesh.
+std::string with_mesh(const std::string& file) {
+  return two_links(std::string("<joint name='j' type='fixed'>") + kEnds + "</joint>",
+                   "<collision><geometry><mesh filename='" + file +
+                       "' scale='0.001 0.001 0.001'/></geometry></collision>");
+}
+
+// Without the face opposite the corner: closed by a fan that restores it, 1/6 mm^3.
+TEST_F(Urdf, MendsALeakyMeshAndNamesItsLink) {
+  write_file(path("open.OFF"),
+             "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n");
+  write_file(path("r.urdf"), with_mesh("open.OFF"));
+  const RobotSpec robot = import_robot(path("r.urdf"));
+  ASSERT_EQ(robot.links[1].shapes.size(), 1U);
+  EXPECT_THAT(robot.warnings, ElementsAre(AllOf(HasSubstr("MENDED mesh 'open.OFF' of link 'tip'"),
+                                                HasSubstr("1 hole(s) closed"))));
+  EXPECT_NEAR(mass_properties(robot.links[1].shapes[0].mesh, 1).mass, 1e-9 / 6, 1e-15);
+  // What it is then needs no file, and is read back as it is.
+  EXPECT_EQ(robot.links[1].shapes[0].mesh_file, "");
+  const RobotSpec again = parse_robot(robot_toml(robot), path("again.toml"));
+  EXPECT_EQ(again.links[1].shapes[0].mesh.vertices, robot.links[1].shapes[0].mesh.vertices);
+}
+
+TEST_F(Urdf, LeavesOutAFlatMeshAndSaysSo) {
+  write_file(path("flat.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  write_file(path("r.urdf"), with_mesh("flat.off"));
+  const RobotSpec robot = import_robot(path("r.urdf"));
+  EXPECT_THAT(robot.links[1].shapes, IsEmpty());
+  EXPECT_THAT(robot.warnings, ElementsAre(HasSubstr("LEFT OUT mesh 'flat.off' of link 'tip'")));
 }
 
 TEST_F(Urdf, FindsMeshesInPackagesAboveIt) {
