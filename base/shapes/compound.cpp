@@ -46,7 +46,9 @@ class Union final : public Shape {
   }
   double distance(const Vector3d& p) const override { return find(p).distance; }
   NearestSurface nearest(const Vector3d& p) const override {
-    return parts_[find(p).part]->nearest(p);
+    NearestSurface found = parts_[find(p).part]->nearest(p);
+    found.supports = false;  // but one of the parts
+    return found;
   }
   Eigen::AlignedBox3d bounds() const override { return whole_; }
   double accuracy() const override { return accuracy_; }

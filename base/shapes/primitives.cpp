@@ -16,7 +16,7 @@ class Sphere final : public Shape {
   double distance(const Vector3d& p) const override { return p.norm() - radius_; }
   NearestSurface nearest(const Vector3d& p) const override {
     const double norm = p.norm();
-    return {norm - radius_, norm > 0 ? Vector3d(p / norm) : Vector3d::UnitZ()};
+    return {norm - radius_, norm > 0 ? Vector3d(p / norm) : Vector3d::UnitZ(), true};
   }
   Eigen::AlignedBox3d bounds() const override { return box_of(Vector3d::Constant(radius_)); }
 
@@ -50,7 +50,7 @@ class Box final : public Shape {
     const Vector3d excess = p.cwiseAbs() - half_;
     Vector3d normal = box_gradient(excess);
     for (int i = 0; i < 3; ++i) normal(i) = std::copysign(normal(i), p(i));
-    return {box_distance(excess), normal};
+    return {box_distance(excess), normal, true};
   }
   Eigen::AlignedBox3d bounds() const override { return box_of(half_); }
 
@@ -72,7 +72,7 @@ class Cylinder final : public Shape {
     const Vector2d e = excess(p);
     Vector2d normal = box_gradient(e);
     normal.y() = std::copysign(normal.y(), p.z());
-    return {box_distance(e), turned_to(p, p.head<2>().norm(), normal)};
+    return {box_distance(e), turned_to(p, p.head<2>().norm(), normal), true};
   }
   Eigen::AlignedBox3d bounds() const override { return box_of({half_.x(), half_.x(), half_.y()}); }
 
@@ -104,7 +104,7 @@ class TaperedCapsule final : public Shape {
     const double foot = cos_ * z - sin_ * rho;
     if (is_lower(foot)) return ball(p, -half_, lower_);
     if (is_upper(foot)) return ball(p, half_, upper_);
-    return {cos_ * rho + sin_ * z - lower_, turned_to(p, rho, {cos_, sin_})};
+    return {cos_ * rho + sin_ * z - lower_, turned_to(p, rho, {cos_, sin_}), true};
   }
   Eigen::AlignedBox3d bounds() const override {
     const double r = std::max(lower_, upper_);
@@ -118,7 +118,7 @@ class TaperedCapsule final : public Shape {
   static NearestSurface ball(const Vector3d& p, double z, double radius) {
     const Vector3d arm(p.x(), p.y(), p.z() - z);
     const double norm = arm.norm();
-    return {norm - radius, norm > 0 ? Vector3d(arm / norm) : Vector3d::UnitX()};
+    return {norm - radius, norm > 0 ? Vector3d(arm / norm) : Vector3d::UnitX(), true};
   }
 
   double lower_, upper_, half_;
@@ -139,7 +139,7 @@ class Ellipsoid final : public Shape {
     const double norm = foot.slope.norm();
     Vector3d normal = foot.slope / norm;
     for (int i = 0; i < 3; ++i) normal(i) = std::copysign(normal(i), p(i));
-    return {foot.t * norm, normal};
+    return {foot.t * norm, normal, true};
   }
   Eigen::AlignedBox3d bounds() const override { return box_of(e_); }
 

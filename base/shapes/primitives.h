@@ -2,7 +2,8 @@
 
 /// Solids whose signed distance is known in closed form, or to rounding,
 /// centred at the origin of their own frames (see ShapeSpec). Sizes are
-/// positive and finite: build_solid() sees to it.
+/// positive and finite: build_solid() sees to it. All are convex, and what they
+/// tell of the nearest surface supports them.
 
 #include <memory>
 

@@ -11,6 +11,8 @@ namespace thenar {
 struct NearestSurface {
   double distance;         // of the point to the surface, negative inside [m]
   Eigen::Vector3d normal;  // unit, outward: gradient of the distance (3)
+  bool supports = false;   // no part of the solid lies beyond the plane  n . (q - p) = -distance:
+                           // its distance from any q is at least  distance + n . (q - p)
 };
 
 /// A closed solid in a frame of its own.

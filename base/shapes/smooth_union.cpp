@@ -51,6 +51,7 @@ class SmoothUnion final : public Shape {
   NearestSurface nearest(const Vector3d& p) const override {
     const Near near = find_near(p);
     NearestSurface blended = parts_[near.parts[0].index]->nearest(p);
+    blended.supports = false;  // but one of the parts
     for (std::size_t i = 1; i < near.count; ++i) {
       const double overlap = blend_ - (near.parts[i].distance - blended.distance);
       if (overlap <= 0) break;

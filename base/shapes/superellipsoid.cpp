@@ -188,7 +188,7 @@ class Superellipsoid final : public Shape {
 
  private:
   static constexpr double kTessellation = 1.4e-4;  // its error, by the largest semi-axis
-  static constexpr double kEnough = 1e-12;       // gap that counts as none, by the same
+  static constexpr double kEnough = 1e-12;         // gap that counts as none, by the same
 
   static TriangleMesh octant(const Norm& norm, const Vector3d& semi_axes, double tolerance) {
     return tessellate_octant(Rough(norm, semi_axes), tolerance);
@@ -199,7 +199,7 @@ class Superellipsoid final : public Shape {
     const double enough = kEnough * size_;
     if (norm > 1) {
       const Bound bound = outside(p, p / norm);
-      if (bound.gap <= enough) return {bound.distance, bound.normal};
+      if (bound.gap <= enough) return {bound.distance, bound.normal, true};
     }
     const internal::NearestTriangle near = grid_.nearest(p, tree_);
     const double rough = std::copysign(std::sqrt(near.foot.squared), norm - 1);
@@ -207,7 +207,7 @@ class Superellipsoid final : public Shape {
     const Bound bound = norm > 1 ? outside(p, x) : improve(norm_, p, x, 4, enough);
     // A bound far below what the tessellation says is no good; its own error decides.
     if (std::abs(bound.distance - rough) <= 1.05 * kTessellation * size_)
-      return {bound.distance, bound.normal};
+      return {bound.distance, bound.normal, true};
     const Vector3d way = (p - near.foot.at).cwiseMax(0.0);
     return {rough, rough > 0 && way.norm() > 0 ? Vector3d(way.normalized()) : bound.normal};
   }

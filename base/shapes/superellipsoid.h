@@ -17,7 +17,8 @@ namespace thenar {
 /// Elsewhere (deep inside, where several sides compete; at edges so sharp that Newton's method does
 /// not settle, with exponents close to 2) the search starts from the nearest point of a fine
 /// tessellation of one octant. That is right within accuracy(), 3e-4 of the largest semi-axis;
-/// mostly Newton's method improves it to rounding.
+/// mostly Newton's method improves it to rounding. What it tells of the nearest surface supports
+/// it, except where the tessellation has the last word.
 ///
 /// @param semi_axes  a, b, c [m] (3)
 /// @param exponents  e1, e2 in [0.1, 2] [1] (2). Of 0.1 edges are round by about a fourteenth of

@@ -1,10 +1,12 @@
 #include "grasp/contact/separation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
+#include "grasp/contact/convex_bracket.h"
 #include "grasp/contact/lifted_bound.h"
 #include "grasp/contact/triangle_point.h"
 
@@ -27,6 +29,12 @@ struct Candidate {
   double bound;  // nothing in it is nearer [m]
   int node;      // -1: it is a piece
   int piece;
+};
+
+/// No part of B lies beyond it: nothing at q is nearer than  n . q - offset.
+struct Plane {
+  Eigen::Vector3d n;  // unit, outward of B (3)
+  double offset;      // [m]
 };
 
 bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
@@ -58,7 +66,10 @@ class Search {
 
  private:
   /// A bound from which on nothing need be searched.
-  [[nodiscard]] double enough() const { return best_ - options_.tolerance; }
+  [[nodiscard]] double enough() const {
+    if (best_ == kInfinity) return kInfinity;
+    return best_ - std::max(options_.tolerance, options_.relative * best_);
+  }
 
   [[nodiscard]] bool near(const Ball& ball) const {
     return (ball.c - options_.within.c).norm() <= ball.r + options_.within.r;
@@ -74,8 +85,16 @@ class Search {
   }
   NearestSurface see(const Eigen::Vector3d& p) {
     ++evaluations_;
-    return b_.nearest(p);
+    const NearestSurface seen = b_.nearest(p);
+    if (seen.supports) {
+      planes_[planes_seen_ % kMostPlanes] = {seen.normal, seen.normal.dot(p) - seen.distance};
+      ++planes_seen_;
+    }
+    return seen;
   }
+
+  /// Planes that are remembered: the last ones.
+  [[nodiscard]] std::size_t planes() const { return std::min(planes_seen_, kMostPlanes); }
 
   void push(const Candidate& candidate) {
     if (candidate.bound >= enough()) {
@@ -102,6 +121,7 @@ class Search {
       if (!(best_ < before - options_.tolerance)) break;
       n = seen_.normal;
     }
+    if (seen_.supports) return;
     for (const double h : {3.0, 30.0}) {
       const Eigen::Vector3d above = core_ + h * a_.nodes.front().ball.r * seen_.normal;
       empty_.push_back({above, distance(above)});
@@ -155,16 +175,21 @@ class Search {
     return piece;
   }
 
-  /// What empty balls tell of a ball, or of a rounded triangle.
+  /// What planes and empty balls tell of a ball, or of a rounded triangle.
   [[nodiscard]] double known(const Ball& ball) const {
     double bound = -kInfinity;
     for (const Ball& empty : empty_)
       bound = std::max(bound, empty.r - (ball.c - empty.c).norm() - ball.r);
+    for (std::size_t i = 0; i < planes(); ++i)
+      bound = std::max(bound, planes_[i].n.dot(ball.c) - planes_[i].offset - ball.r);
     return bound;
   }
   [[nodiscard]] double known(const Eigen::Matrix3d& corners, double radius) const {
     double bound = -kInfinity;
     for (const Ball& empty : empty_) bound = std::max(bound, bound_by(empty, corners) - radius);
+    for (std::size_t i = 0; i < planes(); ++i)
+      bound = std::max(
+          bound, (planes_[i].n.transpose() * corners).minCoeff() - planes_[i].offset - radius);
     return bound;
   }
 
@@ -175,10 +200,64 @@ class Search {
       dropped_ = std::min(dropped_, bound);
       return;
     }
-    pieces_.push_back(evaluated(corners, radius, triangle));
-    const Piece& piece = pieces_.back();
-    push({std::max(bound, piece.seen.distance - piece.ball.r - radius), -1,
-          static_cast<int>(pieces_.size()) - 1});
+    const Piece piece = evaluated(corners, radius, triangle);
+    const double seen = std::max(bound, bound_of(piece));
+    if (piece.seen.supports && is_segment(triangle)) {
+      const double lower = close_in(piece);
+      if (lower > kNothing) {
+        dropped_ = std::min(dropped_, std::max(seen, lower));
+        return;
+      }
+    }
+    pieces_.push_back(piece);
+    push({seen, -1, static_cast<int>(pieces_.size()) - 1});
+  }
+
+  /// What a piece's own middle tells of it.
+  static double bound_of(const Piece& piece) {
+    const NearestSurface& seen = piece.seen;
+    const double by_ball = seen.distance - piece.ball.r - piece.radius;
+    if (!seen.supports) return by_ball;
+    const double lowest =
+        (seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c)).minCoeff();
+    return std::max(by_ball, seen.distance + lowest - piece.radius);
+  }
+
+  [[nodiscard]] bool is_segment(int triangle) const {
+    return a_.triangles[static_cast<std::size_t>(triangle)].n.isZero(0);
+  }
+
+  /// Along a segment planes of B close in from both sides. Returns a bound of the segment,
+  /// kNothing if a plane does not support B.
+  double close_in(const Piece& piece) {
+    const Eigen::Matrix3d& c = piece.corners;
+    const Eigen::Vector3d u = longest_side(c).stableNormalized();
+    const auto tangent = [&](double t, const NearestSurface& seen) {
+      return Tangent{t, seen.distance - piece.radius, seen.normal.dot(u)};
+    };
+    NearestSurface seen = piece.seen;
+    ConvexBracket bracket(-piece.ball.r, piece.ball.r, tangent(0, seen));
+    for (int i = 0; i < kMostAlong && bracket.lower() < enough() &&
+                    bracket.lower() <= options_.cutoff && evaluations_ < options_.most_evaluations;
+         ++i) {
+      const double step = std::abs(seen.distance * seen.normal.dot(u));
+      const double t = bracket.next(std::max(step, 1e-2 * piece.ball.r));
+      const Eigen::Vector3d p = piece.ball.c + t * u;
+      seen = see(p);
+      if (!seen.supports) return kNothing;
+      offer(p, seen, piece);
+      bracket.add(tangent(t, seen));
+    }
+    return bracket.lower();
+  }
+
+  static Eigen::Vector3d longest_side(const Eigen::Matrix3d& corners) {
+    Eigen::Vector3d longest = corners.col(1) - corners.col(0);
+    for (const int k : {0, 1}) {
+      const Eigen::Vector3d side = corners.col(2) - corners.col(k);
+      if (side.squaredNorm() > longest.squaredNorm()) longest = side;
+    }
+    return longest;
   }
 
   void add_node(int index, double parent) {
@@ -190,7 +269,9 @@ class Search {
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
     double bound = std::max(parent, known(ball));
-    if (bound < enough()) bound = std::max(bound, distance(ball.c) - ball.r);
+    if (bound < enough())
+      bound =
+          std::max(bound, (planes_seen_ > 0 ? see(ball.c).distance : distance(ball.c)) - ball.r);
     push({bound, index, -1});
   }
 
@@ -203,8 +284,8 @@ class Search {
     }
     const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
     descend(piece);
-    const double bound =
-        std::max({candidate.bound, known(piece.corners, piece.radius), lifted(piece)});
+    const double bound = std::max({candidate.bound, known(piece.corners, piece.radius),
+                                   piece.seen.supports ? kNothing : lifted(piece)});
     if (bound >= enough())
       dropped_ = std::min(dropped_, bound);
     else
@@ -264,7 +345,10 @@ class Search {
     return s;
   }
 
-  static constexpr double kEverywhere = 1e29;  // radius of a ball that restricts nothing [m]
+  static constexpr double kNothing = -kInfinity;  // a bound that says nothing [m]
+  static constexpr double kEverywhere = 1e29;     // radius of a ball that restricts nothing [m]
+  static constexpr std::size_t kMostPlanes = 8;
+  static constexpr int kMostAlong = 40;
   static constexpr int kGuesses = 4;
   static constexpr std::size_t kMostEmpty = 8;
   static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
@@ -276,12 +360,14 @@ class Search {
 
   std::vector<Candidate> heap_;
   std::vector<Piece> pieces_;
-  double best_ = kInfinity;        // least distance seen [m]
-  double dropped_ = kInfinity;     // least bound of what was not searched [m]
-  Eigen::Vector3d core_{0, 0, 0};  // where it was seen: a point of A's core [m] (3)
-  NearestSurface seen_{};          // of B from there
-  std::vector<Ball> empty_;        // that hold nothing of B [m]
-  double radius_ = 0;              // of the rounding there [m]
+  double best_ = kInfinity;                // least distance seen [m]
+  double dropped_ = kInfinity;             // least bound of what was not searched [m]
+  Eigen::Vector3d core_{0, 0, 0};          // where it was seen: a point of A's core [m] (3)
+  NearestSurface seen_{};                  // of B from there
+  std::vector<Ball> empty_;                // that hold nothing of B [m]
+  std::array<Plane, kMostPlanes> planes_;  // that hold all of B, if it is convex
+  std::size_t planes_seen_ = 0;
+  double radius_ = 0;  // of the rounding there [m]
   int triangle_ = -1;
   int evaluations_ = 0;
 };

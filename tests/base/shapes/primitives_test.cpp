@@ -138,6 +138,16 @@ TEST_P(Primitive, ChangesNoMoreThanTheWayGone) {
   }
 }
 
+TEST_P(Primitive, IsSupportedByItsNearestPlanes) {
+  std::mt19937 rng(6);
+  for (int i = 0; i < queries(10000); ++i) {
+    const Vector3d p = near_it(GetParam(), rng), q = near_it(GetParam(), rng);
+    const NearestSurface near = GetParam().shape->nearest(p);
+    EXPECT_TRUE(near.supports);
+    EXPECT_GE(GetParam().shape->distance(q), near.distance + near.normal.dot(q - p) - 1e-14);
+  }
+}
+
 TEST_P(Primitive, HasAnAnswerOnItsPlanesAndAxes) {
   for (int i = 0; i < 125; ++i) {
     const Vector3d grid(i % 5 - 2, i / 5 % 5 - 2, i / 25 - 2);

@@ -114,6 +114,27 @@ TEST(Superellipsoid, ChangesNoMoreThanTheWayGone) {
   }
 }
 
+TEST(Superellipsoid, IsSupportedByItsNearestPlanes) {
+  std::mt19937 rng(4);
+  std::vector<Vector2d> all = kSharp;
+  all.insert(all.end(), kSmooth.begin(), kSmooth.end());
+  int supporting = 0;
+  constexpr int kPairs = 500;
+  for (const Vector2d& e : all) {
+    const auto shape = build_superellipsoid(kAxes, e);
+    for (int i = 0; i < kPairs; ++i) {
+      const Vector3d p = 0.06 * random_in_cube(rng), q = 0.06 * random_in_cube(rng);
+      const NearestSurface near = shape->nearest(p);
+      if (!near.supports) continue;
+      ++supporting;
+      EXPECT_GE(shape->distance(q),
+                near.distance + near.normal.dot(q - p) - shape->accuracy() - 1e-12)
+          << e.transpose();
+    }
+  }
+  EXPECT_GT(supporting, 0.9 * kPairs * static_cast<double>(all.size()));
+}
+
 TEST(Superellipsoid, HasAnAnswerOnItsPlanesAndAxes) {
   for (const Vector2d& e : kSharp) {
     const auto shape = build_superellipsoid(kAxes, e);
