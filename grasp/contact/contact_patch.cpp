@@ -74,6 +74,7 @@ class PatchFinder {
       : a_(a), X_BA_(X_BA), b_(b), friction_(friction), options_(options) {}
 
   ContactPatches run() {
+    if (is_far()) return std::move(result_);
     PatchQuery coarse;
     coarse.level = options_.tolerance;
     coarse.resolution = kCoarse * options_.resolution;
@@ -92,6 +93,17 @@ class PatchFinder {
   }
 
  private:
+  /// Nothing touches: cheaper to tell than to look for pieces.
+  bool is_far() {
+    SeparationOptions roughly;
+    roughly.tolerance = options_.tolerance;
+    roughly.cutoff = options_.tolerance;
+    roughly.most_evaluations = options_.most_evaluations;
+    const Separation s = separation(a_, X_BA_, b_, roughly);
+    return s.distance > options_.tolerance &&
+           (std::isinf(s.error) || s.distance - s.error > options_.tolerance);
+  }
+
   std::vector<PatchPiece> search(const PatchQuery& query) {
     PatchPieces found = near_pieces(a_, X_BA_, b_, query);
     result_.complete = result_.complete && found.complete;

@@ -38,12 +38,25 @@ class PatchSearch {
  private:
   /// Nothing in the ball counts.
   bool far(const Ball& ball) {
+    return far_by_place(ball) || b_.distance(ball.c) - ball.r > query_.level;
+  }
+
+  /// It is not asked for, or too much has been asked already.
+  bool far_by_place(const Ball& ball) {
     if ((ball.c - query_.within.c).norm() > ball.r + query_.within.r) return true;
     if (++evaluations_ > query_.most_evaluations) {
       found_.complete = false;
       return true;
     }
-    return b_.distance(ball.c) - ball.r > query_.level;
+    return false;
+  }
+
+  /// No point of the part is nearer, by what is seen from its middle.
+  static double bound_of(const Part& part, const Ball& ball, const NearestSurface& near) {
+    const double by_ball = near.distance - ball.r - part.radius;
+    if (!near.supports) return by_ball;
+    const double lowest = (near.normal.transpose() * (part.corners.colwise() - ball.c)).minCoeff();
+    return std::max(by_ball, near.distance + lowest - part.radius);
   }
 
   void search(int triangle) {
@@ -53,15 +66,21 @@ class PatchSearch {
       const Part part = parts.back();
       parts.pop_back();
       const Ball ball = smallest_ball(part.corners);
-      if (far({ball.c, ball.r + part.radius})) continue;
-      if (keep(part, ball)) continue;
+      if (far_by_place({ball.c, ball.r + part.radius})) continue;
+      const NearestSurface near = b_.nearest(ball.c);
+      if (bound_of(part, ball, near) > query_.level) continue;
+      if (keep(part, ball, point_at(ball.c, near, part.radius))) continue;
       for (const Eigen::Matrix3d& half : halves(part.corners)) parts.push_back({half, part.radius});
     }
   }
 
   PatchPoint seen(const Eigen::Vector3d& core, double radius) {
     ++evaluations_;
-    const NearestSurface near = b_.nearest(core);
+    return point_at(core, b_.nearest(core), radius);
+  }
+
+  static PatchPoint point_at(const Eigen::Vector3d& core, const NearestSurface& near,
+                             double radius) {
     return {core, near.distance - radius, core - near.distance * near.normal, near.normal, radius};
   }
 
@@ -78,7 +97,7 @@ class PatchSearch {
   }
 
   /// Whether the part need not be halved; its points are then among those found.
-  bool keep(const Part& part, const Ball& ball) {
+  bool keep(const Part& part, const Ball& ball, const PatchPoint& middle) {
     PatchPiece piece{ball, {}};
     std::vector<PatchPoint> outside;
     const auto sort_in = [&](const PatchPoint& point) {
@@ -86,7 +105,6 @@ class PatchSearch {
     };
     for (int k = 0; k < 3; ++k) sort_in(seen(part.corners.col(k), part.radius));
     const std::vector<PatchPoint> inside = piece.points;
-    const PatchPoint middle = seen(ball.c, part.radius);
     if (inside.empty() && !counts(middle) && clear(part, ball, middle)) return true;
     if (ball.r > query_.resolution && !(outside.empty() && counts(middle))) return false;
     sort_in(middle);
