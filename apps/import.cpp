@@ -12,9 +12,10 @@
 
 #include "apps/commands.h"
 #include "apps/import_report.h"
-#include "apps/mesh_holes.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
+#include "base/shapes/mesh_check.h"
+#include "base/shapes/mesh_mend.h"
 #include "base/write_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
@@ -99,10 +100,16 @@ Imported import_world(const WorldSpec& world, const std::string& kind, const std
 
 Imported import_mesh(const Options& options) {
   TriangleMesh mesh = read_mesh(options.file, options.scale);
-  const std::size_t holes = options.repair ? check_edges(mesh).holes.size() : 0;
-  if (holes > 0) mesh = close_holes(mesh);
+  std::string repaired;
+  const std::size_t holes = check_mesh(mesh).holes.size();
+  if (options.repair) {
+    MendedMesh mended = mend_mesh(mesh);
+    mesh = std::move(mended.mesh);
+    repaired = mended.done;
+  }
   Json told = report(mesh, fs::path(options.file).stem());
-  told["holes_closed"] = holes;
+  told["holes_closed"] = holes - told["holes"].size();
+  told["repaired"] = repaired;
   return {told, {".obj", ".stl", ".ply", ".off"}, [=](const std::string& out) {
             write_mesh(out, mesh);
           }};
@@ -170,8 +177,9 @@ void add_import(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "import", "Read a robot, world, object or mesh of any format; say what it holds; convert it");
   command
-      ->add_option("file", options->file,
-                   "URDF, MJCF, GraspIt! XML, TOML, or OBJ, STL, PLY, OFF, glTF, VRML, Inventor")
+      ->add_option(
+          "file", options->file,
+          "URDF, MJCF, GraspIt! XML, TOML, or OBJ, STL, PLY, OFF, glTF, Collada, VRML, Inventor")
       ->required();
   command->add_option(
       "--out", options->out,
@@ -179,7 +187,7 @@ void add_import(CLI::App& app) {
       ".ply or .off");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--scale", options->scale, "Metres per unit of a mesh file");
-  command->add_flag("--repair", options->repair, "Close the holes of a mesh");
+  command->add_flag("--repair", options->repair, "Mend a mesh: close holes, turn triangles");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
   command->callback([options] { run(*options); });
 }

@@ -4,10 +4,11 @@
 
 #include <fmt/format.h>
 
-#include "apps/mesh_holes.h"
 #include "apps/to_json.h"
+#include "base/shapes/mesh_check.h"
+#include "base/shapes/mesh_parts.h"
+#include "base/shapes/shape_mass.h"
 #include "data/io/robot/link_poses.h"
-#include "data/io/robot/shape_mass.h"
 
 namespace thenar {
 namespace {
@@ -190,36 +191,38 @@ Json report(const WorldSpec& world, const std::string& kind,
 }
 
 Json report(const TriangleMesh& mesh, const std::string& name) {
-  const MeshEdges edges = check_edges(mesh);
+  const MeshReport found = check_mesh(mesh);
   Json holes = Json::array();
-  for (const MeshHole& hole : edges.holes)
-    holes.push_back({{"edges", hole.edges}, {"centre_m", vector_json(hole.centre)}});
+  for (const MeshHole& hole : found.holes)
+    holes.push_back({{"edges", hole.loop.size()}, {"centre_m", vector_json(hole.centre)}});
   Json warnings = Json::array();
-  if (!edges.holes.empty())
+  if (!found.holes.empty())
     warnings.push_back(
         fmt::format("the surface is open in {} place{}: volume and mass are not "
                     "those of a solid",
-                    edges.holes.size(), edges.holes.size() == 1 ? "" : "s"));
-  if (edges.flipped > 0)
+                    found.holes.size(), found.holes.size() == 1 ? "" : "s"));
+  if (found.reversed_edges > 0)
+    warnings.push_back(fmt::format("{} edges lie between triangles that face opposite ways",
+                                   found.reversed_edges));
+  if (found.nonmanifold_edges > 0)
     warnings.push_back(
-        fmt::format("{} edges lie between triangles that face opposite ways", edges.flipped));
-  if (edges.shared > 0)
-    warnings.push_back(fmt::format("{} edges have more than two triangles", edges.shared));
+        fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh = mesh;
-  const ShapeMass mass = mass_at_unit_density(shape);
+  const MassProperties mass = mass_at_unit_density(shape);
   if (mass.mass == 0) warnings.push_back("no volume: the surface is flat, or faces inwards");
   return {{"name", name},
           {"kind", "mesh"},
           {"vertices", mesh.vertices.cols()},
           {"triangles", mesh.triangles.cols()},
-          {"watertight", edges.watertight()},
+          {"parts", connected_parts(mesh).size()},
+          {"watertight", found.watertight()},
           {"holes", holes},
           {"lowest_corner_m", vector_json(mesh.vertices.rowwise().minCoeff())},
           {"highest_corner_m", vector_json(mesh.vertices.rowwise().maxCoeff())},
           {"volume_m3", mass.mass},
-          {"centre_of_mass_m", vector_json(mass.com)},
+          {"centre_of_mass_m", vector_json(mass.centre)},
           {"inertia", to_json(mass.inertia)},
           {"warnings", warnings}};
 }

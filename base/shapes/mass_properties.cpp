@@ -11,13 +11,7 @@ namespace thenar {
 
 using Eigen::Matrix3d, Eigen::Vector3d;
 
-MassProperties mass_properties(const TriangleMesh& mesh, double density) {
-  require(density > 0 && std::isfinite(density), "a density must be positive and finite, got {}",
-          density);
-  const MeshReport report = check_mesh(mesh);
-  require(report.holes.empty(), "a mesh bounds no solid: {}", describe(report));
-  require(report.volume > 0, "a mesh encloses {} m^3", report.volume);
-
+MassProperties signed_moments(const TriangleMesh& mesh) {
   // From a point amid the mesh, so that little cancels out.
   const Vector3d origin = mesh.vertices.rowwise().mean();
   const Matrix3d unit = (Matrix3d::Ones() + Matrix3d::Identity()) / 120;
@@ -32,10 +26,22 @@ MassProperties mass_properties(const TriangleMesh& mesh, double density) {
     first += det / 24 * A.rowwise().sum();
     second += det * A * unit * A.transpose();
   }
+  if (volume == 0) return {};
   const Vector3d centre = first / volume;
   second -= volume * centre * centre.transpose();
-  return {density * volume, origin + centre,
-          density * (second.trace() * Matrix3d::Identity() - second)};
+  return {volume, origin + centre, second.trace() * Matrix3d::Identity() - second};
+}
+
+MassProperties mass_properties(const TriangleMesh& mesh, double density) {
+  require(density > 0 && std::isfinite(density), "a density must be positive and finite, got {}",
+          density);
+  const MeshReport report = check_mesh(mesh);
+  require(report.holes.empty(), "a mesh bounds no solid: {}", describe(report));
+  require(report.volume > 0, "a mesh encloses {} m^3", report.volume);
+  MassProperties result = signed_moments(mesh);
+  result.mass *= density;
+  result.inertia *= density;
+  return result;
 }
 
 }  // namespace thenar

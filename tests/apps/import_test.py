@@ -84,6 +84,19 @@ class Import(unittest.TestCase):
             self.assertEqual(told["warnings"], [])
             self.assertEqual(told["links"][1]["shapes"], 1)
 
+    def test_mends_leaky_meshes_so_that_the_robot_is_of_use(self):
+        self.path("open.OFF", CORNER.format(3, ""))
+        arm = self.path("arm.urdf", ARM.replace(
+            '<box size="0.1 0.1 0.3"/>', '<mesh filename="open.OFF" scale="0.1 0.1 0.1"/>'))
+        told = self.thenar(arm, "--out", self.path("arm.toml"))
+        self.assertIn("MENDED mesh 'open.OFF' of link 'upper': 1 hole(s) closed", told.stdout)
+        subprocess.run([PROGRAM, "validate", self.path("arm.toml")], check=True, timeout=60,
+                       stdout=subprocess.DEVNULL)
+        again = self.report(self.path("arm.toml"))
+        self.assertEqual(again["links"][1]["shapes"], 1)
+        self.assertEqual(len(again["warnings"]), 1)  # the file keeps it; the mesh needs no more
+        self.thenar(arm, "--strict", code=1)
+
     def test_fails_when_strict_and_something_is_lost(self):
         arm = self.path("arm.urdf", ARM.replace('<box size="0.1 0.1 0.3"/>',
                                                 '<mesh filename="lost.stl"/>'))
@@ -131,6 +144,7 @@ class Import(unittest.TestCase):
                            "--out", self.path("closed.stl"))
         self.assertTrue(told["watertight"])
         self.assertEqual(told["holes_closed"], 1)
+        self.assertIn("1 hole(s) closed", told["repaired"])
         self.assertAlmostEqual(told["volume_m3"], 1e-3 / 6, 12)
         again = self.report(self.path("closed.stl"))
         self.assertTrue(again["watertight"])

@@ -108,7 +108,7 @@ class BodyTree {
   // ---- shapes and mass
 
   void fill(RobotLink& link, const std::vector<Part>& parts) {
-    std::vector<ShapeMass> masses;
+    std::vector<MassProperties> masses;
     std::vector<ShapeSpec> shown;
     const MjcfSource& source = source_;
     for (const Part& part : parts) {
@@ -127,11 +127,11 @@ class BodyTree {
   }
 
   void set_mass(RobotLink& link, const std::vector<Part>& parts,
-                const std::vector<ShapeMass>& masses) {
+                const std::vector<MassProperties>& masses) {
     const auto inertial = std::find_if(parts.begin(), parts.end(),
                                        [](const Part& part) { return is(part, "inertial"); });
     const std::string& from_geom = source_.compiler.inertia_from_geom;
-    ShapeMass mass;
+    MassProperties mass;
     if (from_geom == "true" || (from_geom == "auto" && inertial == parts.end())) {
       mass = together(masses);
     } else if (inertial != parts.end()) {
@@ -139,11 +139,11 @@ class BodyTree {
     }
     if (mass.mass < source_.compiler.bound_mass) mass.mass = source_.compiler.bound_mass;
     link.mass = mass.mass;
-    link.com = mass.com;
+    link.com = mass.centre;
     link.inertia = mass.inertia;
   }
 
-  [[nodiscard]] ShapeMass read_inertial(const Part& part) const {
+  [[nodiscard]] MassProperties read_inertial(const Part& part) const {
     const MjcfElement inertial(source_, part.node, part.childclass);
     if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
     Eigen::Matrix3d I = Eigen::Matrix3d::Zero();

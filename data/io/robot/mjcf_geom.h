@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "base/shapes/shape_mass.h"
 #include "base/shapes/shape_spec.h"
 #include "data/io/robot/mjcf_source.h"
-#include "data/io/robot/shape_mass.h"
 
 namespace thenar::internal {
 
 struct MjcfGeom {
   std::optional<ShapeSpec> shape;  // none: a plane, or a mesh that is missing
   bool collides = true;
-  ShapeMass mass;
+  MassProperties mass;
 };
 
 /// The meshes of <asset>, by name.

@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/shapes/mesh_parts.h"
+#include "base/shapes/shape_mass.h"
 #include "base/shapes/solid.h"
-#include "data/io/robot/shape_mass.h"
 
 namespace thenar {
 namespace {
@@ -12,8 +13,10 @@ namespace {
 constexpr int kCells = 96;  // along the longest side
 
 bool has_closed_form(const BodySpec& body) {
-  return body.shapes.size() == 1 && body.shapes[0].kind != ShapeKind::kTaperedCapsule &&
-         body.shapes[0].kind != ShapeKind::kSuperellipsoid;
+  if (body.shapes.size() != 1) return false;
+  const ShapeSpec& shape = body.shapes[0];
+  if (shape.kind == ShapeKind::kMesh) return connected_parts(shape.mesh).size() == 1;
+  return shape.kind != ShapeKind::kTaperedCapsule && shape.kind != ShapeKind::kSuperellipsoid;
 }
 
 /// Moments of a solid, cell by cell.
@@ -60,9 +63,9 @@ BodyMass summed(const BodySpec& body) {
 
 BodyMass at_unit_density(const BodySpec& body) {
   if (!has_closed_form(body)) return summed(body);
-  const ShapeMass exact = mass_at_unit_density(body.shapes[0]);
+  const MassProperties exact = mass_at_unit_density(body.shapes[0]);
   require(exact.mass > 0, "the shape of body '{}' encloses nothing", body.name);
-  return {exact.mass, exact.com, exact.inertia};
+  return {exact.mass, exact.centre, exact.inertia};
 }
 
 /// What its mass at unit density is multiplied by. @param volume  [m^3]
