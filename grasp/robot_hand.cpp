@@ -46,6 +46,16 @@ Coupled coupled(RobotDofKind kind) {
   return kind == RobotDofKind::kBreakaway ? Coupled::kBreakaway : Coupled::kCompliant;
 }
 
+std::shared_ptr<const Solid> surface_of(const std::string& link,
+                                        const std::vector<ShapeSpec>& shapes) {
+  try {
+    return std::make_shared<Solid>(build_solid(shapes));
+  } catch (const InputError& error) {
+    throw InputError(
+        fmt::format("link '{}': {}; `thenar import` mends meshes", link, error.what()));
+  }
+}
+
 }  // namespace
 
 RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs.size())) {
@@ -154,8 +164,8 @@ void RobotHand::add_surfaces(const RobotSpec& robot) {
     if (link.shapes.empty()) continue;
     std::vector<ShapeSpec> shapes = link.shapes;
     for (ShapeSpec& shape : shapes) shape.X_BS = reference_[i] * shape.X_BS;
-    surfaces_.push_back({mover_of_[i], link.name, link.digit, link.material,
-                         std::make_shared<Solid>(build_solid(shapes))});
+    surfaces_.push_back(
+        {mover_of_[i], link.name, link.digit, link.material, surface_of(link.name, shapes)});
   }
 }
 

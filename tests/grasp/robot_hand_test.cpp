@@ -265,6 +265,17 @@ TEST(RobotHand, RefusesLimitsThatLeaveNothing) {
   EXPECT_THAT(message_of([&] { (void)RobotHand(spec); }), testing::HasSubstr("leave nothing"));
 }
 
+TEST(RobotHand, NamesTheLinkWhoseMeshIsNoSolid) {
+  RobotSpec spec = sample::small_robot();
+  ShapeSpec leaky;
+  leaky.kind = ShapeKind::kMesh;
+  leaky.mesh = {Eigen::Matrix3d::Identity(), Eigen::Vector3i(0, 1, 2)};
+  spec.links.back().shapes = {leaky};
+  EXPECT_THAT(message_of([&] { (void)RobotHand(spec); }),
+              testing::AllOf(testing::HasSubstr("link '" + spec.links.back().name + "'"),
+                             testing::HasSubstr("1 hole(s): 3 edges")));
+}
+
 TEST(RobotHand, FindsThePostureOfItsMotors) {
   const RobotHand hand(robot("barrett"));
   const VectorXd q = hand.posture(Eigen::Vector4d(0.1, 0.9, 0.3, 0.6));
