@@ -21,5 +21,5 @@ install(FILES ${PROJECT_BINARY_DIR}/thenarConfig.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/thenar)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/subjects ${PROJECT_SOURCE_DIR}/data/experiments
                   ${PROJECT_SOURCE_DIR}/data/robots ${PROJECT_SOURCE_DIR}/data/objects
-                  ${PROJECT_SOURCE_DIR}/data/worlds
+                  ${PROJECT_SOURCE_DIR}/data/worlds ${PROJECT_SOURCE_DIR}/data/contacts
   DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar)
