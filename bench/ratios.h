@@ -32,6 +32,7 @@ struct Row {
   double required = 0;  // [1]
   double error = 0;
   double tolerance = 0;
+  std::string note = {};  // lines to print below it
 
   [[nodiscard]] bool pass() const { return ratio >= required && error <= tolerance; }
 };
@@ -56,6 +57,7 @@ struct Patience {
 [[nodiscard]] Row ratio_sampler_in_all();
 [[nodiscard]] Row ratio_epsilon();  // ratio_epsilon.cpp
 [[nodiscard]] Row ratio_epsilon_fine();
+[[nodiscard]] Row ratio_grasp();           // ratio_grasp.cpp; the rival is a limit
 [[nodiscard]] Row ratio_net_relaxation();  // ratio_net.cpp
 [[nodiscard]] Row ratio_net_kinsol();
 [[nodiscard]] Row ratio_net_masses();

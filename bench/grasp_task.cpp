@@ -1,0 +1,100 @@
+#include "bench/grasp_task.h"
+
+#include <ctime>
+#include <random>
+
+#include "base/angles.h"
+#include "grasp/approach.h"
+#include "grasp/close_hand.h"
+#include "grasp/closing_drives.h"
+#include "grasp/draw_start.h"
+#include "grasp/grasp.h"
+
+namespace thenar::bench {
+namespace {
+
+SceneBody superellipsoid(double e1, double e2) {
+  PlacedBody placed;
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kSuperellipsoid;
+  shape.size = {0.03, 0.04, 0.05};
+  shape.exponents = {e1, e2};
+  placed.body.name = "object";
+  placed.body.material = "glass";
+  placed.body.shapes = {shape};
+  return build_body(placed);
+}
+
+/// Processor time of this thread [s].
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
+/// Adds the time since `start`, which becomes now.
+void add_lap(double& sum, double& start) {
+  const double end = now();
+  sum += end - start;
+  start = end;
+}
+
+void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, GraspTimes& times) {
+  std::mt19937 random(number);
+  Eigen::VectorXd q = open_posture(task.hand.layout());
+  const double spread = random() * 0x1p-32 * kPi;
+  q = task.hand.posture((Eigen::Vector4d() << spread, 0, 0, 0).finished());
+  const Pose<double> X_WH = draw_start(task.touching, q, scene.object, random);
+  const double way = way_past(task.touching, q, scene.object);
+
+  ++times.starts;
+  double lap = now();
+  const Approached approached = approach(task.touching, X_WH, q, scene, way);
+  add_lap(times.approach, lap);
+  if (!approached.touches) return;
+  const ClosedHand closed = close_hand(task.touching, approached.X_WH, q, scene);
+  add_lap(times.close, lap);
+  const std::vector<HandContact> contacts =
+      find_contacts({task.touching, approached.X_WH, task.hand.pose(closed.q)}, scene);
+  add_lap(times.contacts, lap);
+  std::vector<Contact> plain;
+  for (const HandContact& contact : contacts) plain.push_back(contact.contact);
+  const Epsilon quality = epsilon(wrench_set(plain, scene.object.com, scene.object.reach));
+  add_lap(times.quality, lap);
+  if (!contacts.empty()) ++times.grasped;
+  if (quality.force_closure) ++times.closures;
+}
+
+}  // namespace
+
+std::unique_ptr<const GraspTask> build_grasp_task() {
+  auto task = std::make_unique<GraspTask>(
+      GraspTask{RobotHand(read_robot(THENAR_DATA_DIR "/robots/barrett.toml")), {}, {}});
+  task->touching = touching_hand(task->hand);
+  for (const double e1 : {0.3, 1.0, 1.7})
+    for (const double e2 : {0.3, 1.0, 1.7})
+      task->scenes.push_back({superellipsoid(e1, e2), {}, built_in_materials()});
+  return task;
+}
+
+GraspTimes& GraspTimes::operator+=(const GraspTimes& other) {
+  approach += other.approach;
+  close += other.close;
+  contacts += other.contacts;
+  quality += other.quality;
+  starts += other.starts;
+  grasped += other.grasped;
+  closures += other.closures;
+  return *this;
+}
+
+GraspTimes time_grasps(const GraspTask& task, int first, int step, int count) {
+  GraspTimes times;
+  for (std::size_t i = 0; i < task.scenes.size(); ++i)
+    for (int g = first; g < count; g += step)
+      time_grasp(task, task.scenes[i],
+                 static_cast<unsigned>(i) * 100'000U + static_cast<unsigned>(g), times);
+  return times;
+}
+
+}  // namespace thenar::bench
