@@ -12,14 +12,10 @@ namespace {
 
 constexpr double kTouches = 2e-4;  // gap up to which a stop is told with what it touches [m]
 
-Json banner(bool ok, const std::string& title, const std::vector<std::string>& reasons) {
-  return {{"type", "banner"}, {"ok", ok}, {"title", title}, {"reasons", reasons}};
-}
-
 Json outcome_banner(const GraspStory& story) {
   const Grasp& grasp = story.grasp;
   const bool ok = grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
-  return banner(ok, outcome_words(grasp), story.warnings);
+  return {{"type", "banner"}, {"ok", ok}, {"title", outcome_words(grasp)}};
 }
 
 Json picture_section(const GraspStory& story, MeshTable& meshes) {
@@ -31,6 +27,13 @@ Json picture_section(const GraspStory& story, MeshTable& meshes) {
                                             story.eye,
                                             grasp_layers(story.picture, story.scene,
                                                          story.grasp.contacts, meshes))}));
+}
+
+Json warning_section(const GraspStory& story) {
+  Json rows = Json::array();
+  for (const std::string& warning : story.warnings) rows.push_back(Json::array({warning}));
+  return section("warnings", "What was assumed of the hand", "",
+                 Json::array({table_block("Assumptions and omissions.", {{"", "", -1}}, rows)}));
 }
 
 Json contact_section(const GraspStory& story) {
@@ -46,19 +49,21 @@ Json contact_section(const GraspStory& story) {
       "contacts", "Contacts",
       "Positions and normals (into the object) in the object's frame; a region of contact is the "
       "few points that span it. Torsion is the torque about the normal per normal force.",
-      Json::array(
-          {table_block(fmt::format("{} contacts with {}.", rows.size(), story.scene.object.name),
-                       {{"surface", "", -1},
-                        {"digit", "", -1},
-                        {"x", "mm", 2},
-                        {"y", "mm", 2},
-                        {"z", "mm", 2},
-                        {"n x", "", 3},
-                        {"n y", "", 3},
-                        {"n z", "", 3},
-                        {"friction", "", 2},
-                        {"torsion", "mm", 2}},
-                       rows)}));
+      Json::array({table_block(
+          fmt::format("{} with {}.",
+                      rows.size() == 1 ? "One contact" : fmt::format("{} contacts", rows.size()),
+                      story.scene.object.name),
+          {{"surface", "", -1},
+           {"digit", "", -1},
+           {"x", "mm", 2},
+           {"y", "mm", 2},
+           {"z", "mm", 2},
+           {"n x", "", 3},
+           {"n y", "", 3},
+           {"n z", "", 3},
+           {"friction", "", 2},
+           {"torsion", "mm", 2}},
+          rows)}));
 }
 
 Json joint_section(const GraspStory& story) {
@@ -94,6 +99,7 @@ Json grasp_page(const GraspStory& story, MeshTable& meshes) {
   if (grasped) sections.push_back(wrench_section(story, meshes));
   if (grasped) sections.push_back(contact_section(story));
   if (!story.grasp.closed.stopped.empty()) sections.push_back(joint_section(story));
+  if (!story.warnings.empty()) sections.push_back(warning_section(story));
   return sections;
 }
 

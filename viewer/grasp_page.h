@@ -23,7 +23,7 @@ struct GraspStory {
   std::vector<std::string> warnings;
 };
 
-/// Sections "Picture", "Quality", "Contacts", "Joints", "Wrenches".
+/// Sections: picture, quality, wrenches, contacts, joints, warnings; those there is something for.
 [[nodiscard]] Json grasp_page(const GraspStory& story, MeshTable& meshes);
 
 /// The picture alone: hand, object, obstacles, contacts.

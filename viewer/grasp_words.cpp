@@ -127,7 +127,8 @@ std::string outcome_words(const Grasp& grasp) {
   const Approached& way = grasp.approached;
   switch (grasp.outcome) {
     case GraspOutcome::kGrasped:
-      return fmt::format("grasped: {} contacts, {}", grasp.contacts.size(),
+      return fmt::format("grasped: {} contact{}, {}", grasp.contacts.size(),
+                         grasp.contacts.size() == 1 ? "" : "s",
                          grasp.quality.force_closure ? "force closure" : "no force closure");
     case GraspOutcome::kOverlaps:
       return "the hand begins in something: " +

@@ -1,0 +1,117 @@
+#include "viewer/compare_page.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grasp/closing_drives.h"
+#include "viewer/compare_tables.h"
+#include "viewer/grasp_page.h"
+
+namespace thenar {
+namespace {
+
+const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
+                                 const std::string& hand) {
+  for (const ComparePicture& each : pictures)
+    if (each.hand == hand) return &each;
+  return nullptr;
+}
+
+/// From the side of the hand, a little towards the palm's back: what the object hides least.
+Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
+  const Eigen::Vector3d back = -(best.X_WH.R * hand.layout().approach.direction);
+  const Tangents side = tangents(back);
+  return side.e1 + 0.6 * back + 0.4 * side.e2;
+}
+
+Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePicture& picture,
+                  MeshTable& meshes) {
+  const BestGrasp& best = cell.best.front();
+  const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
+  const std::string caption =
+      fmt::format("{}: epsilon {:.3f}, {} contacts, {}", cell.hand, best.epsilon,
+                  best.contacts.size(), best.type.empty() ? "no type" : best.type);
+  Json block = thumbnail_block(caption, eye_for(*picture.drawn, best),
+                               grasp_layers(hand, scene, best.contacts, meshes));
+  const Eigen::Vector3d up = -(best.X_WH.R * picture.drawn->layout().approach.direction);
+  block["up"] = list(up);
+  return block;
+}
+
+/// The object at the origin, as the comparison had it.
+Scene scene_of(const BodySpec& object, double scale) {
+  Scene scene;
+  scene.object = build_body({scaled(object, scale), "", {}, true});
+  return scene;
+}
+
+/// A row of thumbnails: the best grasp of every hand.
+Json best_row(const Comparison& comparison, const BodySpec& object,
+              const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+  Json blocks = Json::array();
+  for (const HandOnObject& cell : comparison.cells) {
+    const ComparePicture* picture = picture_of(pictures, cell.hand);
+    if (cell.object != object.name || cell.best.empty() || picture == nullptr) continue;
+    blocks.push_back(best_picture(cell, scene_of(object, cell.scale), *picture, meshes));
+  }
+  Json row = row_block(std::move(blocks));
+  row["narrow"] = true;
+  return row;
+}
+
+/// Hands without a grasp of an object, said in words.
+std::string without(const Comparison& comparison, const std::string& object) {
+  std::vector<std::string> hands;
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.object == object && cell.best.empty()) hands.push_back(cell.hand);
+  return hands.empty() ? "" : fmt::format(" None by {}.", fmt::join(hands, ", "));
+}
+
+Json best_section(const Comparison& comparison, const std::vector<BodySpec>& objects,
+                  const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+  Json blocks = Json::array();
+  for (const BodySpec& object : objects) {
+    blocks.push_back(
+        text_block(fmt::format("On {}.{}", object.name, without(comparison, object.name))));
+    blocks.push_back(best_row(comparison, object, pictures, meshes));
+  }
+  return section("best", "The best grasps",
+                 "Of every hand the grasp with the largest epsilon. Red points are contacts, cones "
+                 "the forces that do not slip. Drag a picture to turn it.",
+                 blocks);
+}
+
+}  // namespace
+
+Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+  Json blocks = Json::array();
+  for (const ComparePicture& picture : pictures) {
+    const Hand& hand = *picture.drawn;
+    const HandPicture shown{hand, open_posture(hand.layout()), {}, picture.patches};
+    const Eigen::Vector3d palm = hand.layout().approach.direction;
+    const Tangents side = tangents(palm);
+    blocks.push_back(thumbnail_block(
+        fmt::format("{}: {} coordinates, {} actuators", picture.hand,
+                    hand.layout().coordinates.size(), hand.layout().actuators.size()),
+        palm + 0.35 * side.e1 + 0.25 * side.e2, hand_layers(shown, meshes)));
+  }
+  Json row = row_block(std::move(blocks));
+  row["narrow"] = true;
+  return section("hands", "The hands", "Seen at the palm, open as they begin to close.",
+                 Json::array({row}));
+}
+
+Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
+                  const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+  Json sections = Json::array();
+  sections.push_back(glance_section(comparison));
+  if (!pictures.empty()) sections.push_back(hands_section(pictures, meshes));
+  sections.push_back(cells_section(comparison));
+  sections.push_back(distribution_section(comparison));
+  if (!pictures.empty()) sections.push_back(best_section(comparison, objects, pictures, meshes));
+  sections.push_back(abilities_section(comparison));
+  sections.push_back(reading_section(comparison));
+  return sections;
+}
+
+}  // namespace thenar
