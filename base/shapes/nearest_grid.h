@@ -10,11 +10,16 @@
 
 namespace thenar::internal {
 
-/// A cubic grid around a mesh. A cell of centre c and half diagonal r lists the triangles with
-///   d(c, triangle) <= d(c, mesh) + 2 r,
-/// the nearest to c first: no other can be nearest to one of its points. A search of the list ends
-/// where d(c, triangle) - |p - c| reaches the best distance so far. Cells far from the surface,
-/// whose lists would be long, hold the nearest to c only, as a first guess for the tree.
+/// A tree of cubes around a mesh, small near the surface and large far off. A cube of centre c and
+/// half diagonal r lists the triangles that may be nearest to one of its points, the nearest to c
+/// first; left out are those with
+///   d(c, triangle) > d(c, mesh) + 2 r,
+/// and those that a point s of the mesh beats at all eight corners, hence in the whole cube:
+///   d(p, triangle)^2 - |p - s|^2
+/// is concave, since d^2 is the least of |p - x|^2 = |p|^2 - 2 p.x + |x|^2 over the triangle's
+/// points x. A search of the list ends where d(c, triangle) - |p - c| reaches the best distance so
+/// far. Cubes whose lists would be long hold the nearest to c only, as a first guess for the tree;
+/// so do those nearest to points beyond all cubes.
 class NearestGrid {
  public:
   explicit NearestGrid(const TriangleTree& tree);
@@ -24,29 +29,36 @@ class NearestGrid {
 
  private:
   struct Candidate {
-    double distance;  // from the cell's centre [m]
+    double distance;  // from the cube's centre [m]
     int triangle;
   };
   struct Cell {
-    int first;
-    int count;  // of candidates; -1: a guess only
+    int first;  // candidate; of a divided cube, the first of its eight
+    int count;  // of candidates; kGuess, kDivided
   };
   struct Ball {  // around a triangle
     Eigen::Vector3d centre;
     double radius;
   };
   struct Block {
-    Eigen::Vector3i low;
-    int edge;  // in cells, a power of two
+    Eigen::Vector3i low;  // in smallest cubes
+    int level;            // its edge is 2^level of them
   };
+  static constexpr int kGuess = -1, kDivided = -2;
+
+  static bool nearer(const Candidate& a, const Candidate& b);
   static Ball ball_of(const TriangleForm& form);
-  void refine(const Block& block, const std::vector<Candidate>& above, const TriangleTree& tree);
-  void fill(const Block& block, const Cell& cell);
+  void refine(int at, const Block& block, const std::vector<Candidate>& above,
+              const TriangleTree& tree);
+  [[nodiscard]] std::vector<Candidate> near(const Block& block, const std::vector<Candidate>& above,
+                                            const TriangleTree& tree) const;
+  void drop_beaten(const Block& block, std::vector<Candidate>& here,
+                   const TriangleTree& tree) const;
   [[nodiscard]] Eigen::Vector3d centre(const Block& block) const;
 
   Eigen::Vector3d origin_;
-  Eigen::Vector3i size_;
-  double cell_ = 0, inverse_ = 0;  // edge [m], 1 / edge [1/m]
+  int levels_ = 0;
+  double cell_ = 0, inverse_ = 0;  // edge of the smallest cubes [m], 1 / edge [1/m]
   std::vector<Cell> cells_;
   std::vector<Candidate> candidates_;
   std::vector<Ball> balls_;  // of each triangle, while the grid is built

@@ -75,7 +75,7 @@ void expect_brute_force(const TriangleMesh& mesh, int count) {
 }
 
 TEST(MeshDistance, IsBruteForceOnAMug) { expect_brute_force(mug(), queries(2000)); }
-TEST(MeshDistance, IsBruteForceOnAHandledMug) { expect_brute_force(handled_mug(), queries(200)); }
+TEST(MeshDistance, IsBruteForceOnAHandledMug) { expect_brute_force(handled_mug(0.006), queries(200)); }
 TEST(MeshDistance, IsBruteForceOnAThinPlate) { expect_brute_force(thin_plate(), queries(20000)); }
 TEST(MeshDistance, IsBruteForceOnARing) { expect_brute_force(ring(), queries(2000)); }
 TEST(MeshDistance, IsBruteForceOnAFewBigAndManySmallTriangles) {
@@ -88,12 +88,12 @@ TEST(MeshDistance, IsBruteForceOnAFewBigAndManySmallTriangles) {
   both.triangles.conservativeResize(3, triangles + little.triangles.cols());
   both.triangles.rightCols(little.triangles.cols()) =
       little.triangles.array() + static_cast<int>(vertices);
-  expect_brute_force(both, queries(2000));
+  expect_brute_force(both, queries(1000));
 }
 
 // By hand: 10 mm from the wall's inside in the middle of the mug, and in the wall itself.
 TEST(MeshDistance, IsPositiveInAnOpenCavity) {
-  const auto shape = build_mesh_distance(mug(360));
+  const auto shape = build_mesh_distance(mug(180));
   EXPECT_NEAR(shape->distance({0.026, 0, 0}), 0.010, 1e-5);
   EXPECT_NEAR(shape->distance({0.038, 0, 0}), -0.002, 1e-5);
   EXPECT_NEAR(shape->distance({0, 0, 0}), 0.036, 1e-5);
@@ -139,10 +139,10 @@ TEST(MeshDistance, KeepsItsDigitsOnSlivers) {
 
 TEST(MeshDistance, ChangesNoMoreThanTheWayGone) {
   std::mt19937 rng(4);
-  const TriangleMesh mesh = handled_mug();
+  const TriangleMesh mesh = handled_mug(0.006);
   const auto shape = build_mesh_distance(mesh);
   const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < queries(50000); ++i) {
+  for (int i = 0; i < queries(10000); ++i) {
     const Vector3d p = somewhere(mesh, shape->bounds(), i, rng);
     const Vector3d q = p + 0.01 * uniform(rng) * random_in_cube(rng);
     EXPECT_LE(std::abs(shape->distance(p) - shape->distance(q)), (p - q).norm() + 1e-14);
