@@ -13,7 +13,8 @@ int main() {
   for (const auto& row_function :
        {ratio_kinematics, ratio_chain, ratio_force_map, ratio_fit, ratio_posterior_lanes,
         ratio_posterior_gradient, ratio_posterior_jets, ratio_sampler, ratio_sampler_in_all,
-        ratio_epsilon, ratio_epsilon_fine, ratio_grasp, ratio_net_relaxation, ratio_net_kinsol,
+        ratio_epsilon, ratio_epsilon_fine, ratio_distance_of_point, ratio_separation,
+        ratio_separation_mesh, ratio_grasp, ratio_net_relaxation, ratio_net_kinsol,
         ratio_net_masses, ratio_net_tuned_masses}) {
     const Row row = row_function();
     fmt::print(
@@ -48,6 +49,11 @@ int main() {
       "Epsilon: means over grasps of three to six contacts; ours certifies a gap of 1e-3 on the "
       "true\n"
       "cones, the rival takes the whole hull of pyramids, whose own error quality_chart prints.\n"
+      "Signed distances, to a mesh of 5,100 triangles at 0.05 mm: of a point, where FCL is given "
+      "a\n"
+      "triangle of a micrometre; and of a body 1 to 20 mm off, a capsule or a mesh of it, where "
+      "FCL\n"
+      "takes 1,600 or 224 triangles. FCL's have no sign, and of meshes it heeds no tolerance.\n"
       "Grasps: processor time of approach, closing, contacts and quality, on nine "
       "superellipsoids;\n"
       "the rival is the time that one may take. THENAR_BENCH_ALL_GRASPS=1 does all 14,400.\n");

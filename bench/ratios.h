@@ -57,6 +57,9 @@ struct Patience {
 [[nodiscard]] Row ratio_sampler_in_all();
 [[nodiscard]] Row ratio_epsilon();  // ratio_epsilon.cpp
 [[nodiscard]] Row ratio_epsilon_fine();
+[[nodiscard]] Row ratio_distance_of_point();  // ratio_separation.cpp
+[[nodiscard]] Row ratio_separation();
+[[nodiscard]] Row ratio_separation_mesh();
 [[nodiscard]] Row ratio_grasp();           // ratio_grasp.cpp; the rival is a limit
 [[nodiscard]] Row ratio_net_relaxation();  // ratio_net.cpp
 [[nodiscard]] Row ratio_net_kinsol();

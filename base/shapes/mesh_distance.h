@@ -13,8 +13,8 @@ namespace thenar {
 /// sum of those of an edge's two faces, or the sum of those around a corner, each weighted with its
 /// angle there: right everywhere, inside cavities as well [Baerentzen2005].
 ///
-/// Up to one length of the mesh around it, cubes list the triangles that may be nearest; farther off,
-/// and where those would be many, a tree of boxes is searched from a first guess.
+/// Up to one length of the mesh around it, cubes list the triangles that may be nearest; farther
+/// off, and where those would be many, a tree of boxes is searched from a first guess.
 ///
 /// @param mesh  watertight, outward, no triangle of no area, its sheets nowhere through each other:
 ///              what build_solid() makes of meshes

@@ -51,9 +51,9 @@ FclMesh::FclMesh(FclMesh&&) noexcept = default;
 FclMesh& FclMesh::operator=(FclMesh&&) noexcept = default;
 
 double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
-                    const Pose<double>& X_WB) {
+                    const Pose<double>& X_WB, double tolerance) {
   // Signed distance is left off: of meshes FCL aborts, or answers -1, in an overlap.
-  const fcl::DistanceRequest<double> request(false, false);
+  const fcl::DistanceRequest<double> request(false, false, 0, tolerance);
   fcl::DistanceResult<double> result;
   const auto posed_A = posed(a, X_WA), posed_B = posed(b, X_WB);
   return std::max(0.0, fcl::distance(&posed_A, &posed_B, request, result));

@@ -29,8 +29,9 @@ class FclMesh {
 
 /// The distance of the surfaces in world, 0 where they cross [m]. FCL's meshes are surfaces: a body
 /// wholly inside another is as far from it as its surface.
+/// @param tolerance  error that FCL may make [m]; version 0.7 heeds none for trees of OBBRSS
 [[nodiscard]] double fcl_distance(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,
-                                  const Pose<double>& X_WB);
+                                  const Pose<double>& X_WB, double tolerance = 0);
 
 /// Whether the surfaces cross.
 [[nodiscard]] bool fcl_collide(const FclMesh& a, const Pose<double>& X_WA, const FclMesh& b,

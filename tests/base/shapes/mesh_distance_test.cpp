@@ -75,7 +75,9 @@ void expect_brute_force(const TriangleMesh& mesh, int count) {
 }
 
 TEST(MeshDistance, IsBruteForceOnAMug) { expect_brute_force(mug(), queries(2000)); }
-TEST(MeshDistance, IsBruteForceOnAHandledMug) { expect_brute_force(handled_mug(0.006), queries(200)); }
+TEST(MeshDistance, IsBruteForceOnAHandledMug) {
+  expect_brute_force(handled_mug(0.006), queries(200));
+}
 TEST(MeshDistance, IsBruteForceOnAThinPlate) { expect_brute_force(thin_plate(), queries(20000)); }
 TEST(MeshDistance, IsBruteForceOnARing) { expect_brute_force(ring(), queries(2000)); }
 TEST(MeshDistance, IsBruteForceOnAFewBigAndManySmallTriangles) {
