@@ -11,6 +11,7 @@
 
 #include "apps/commands.h"
 #include "apps/compare_file.h"
+#include "apps/compare_report.h"
 #include "apps/hand_by_name.h"
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
@@ -33,7 +34,7 @@ struct Options {
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
   std::vector<std::string> tasks{"force-closure", "hold-weight"};
-  std::string data = "data", output;
+  std::string data = "data", output, report;
   int approaches = 20, best = 3, threads = 1;
   unsigned seed = 1;
   bool normalise = false, json = false;
@@ -153,8 +154,23 @@ Comparison run_comparison(const Options& options, const Json& inputs) {
   return comparison;
 }
 
+/// The page; every input is in its provenance.
+void write_page(const Comparison& comparison, const Options& options, const Json& inputs) {
+  std::vector<BodySpec> objects;
+  for (const std::string& name : options.objects)
+    objects.push_back(read_object(object_file(name, options.data)));
+  nlohmann::json provenance = nlohmann::json::object();
+  for (const auto& [file, hash] : inputs.at("files").items())
+    provenance[file] = "sha256 " + hash.get<std::string>();
+  for (const auto& [name, version] : versions()) provenance[name] = version;
+  provenance["seed"] = std::to_string(options.seed);
+  write_compare_report(comparison, objects, options.data, provenance, options.report);
+}
+
 void run(const Options& options) {
   require_ending(options.output, {".json"});
+  require_ending(options.report, {".html"});
+  if (!options.report.empty()) require_writable(options.report);
   const Json inputs = inputs_json(options);
   if (!options.output.empty()) require_writable(options.output);
   const Comparison comparison = run_comparison(options, inputs);
@@ -162,6 +178,7 @@ void run(const Options& options) {
     fmt::print("{}\n", comparison_json(comparison).dump(1));
   else
     print_comparison(comparison);
+  if (!options.report.empty()) write_page(comparison, options, inputs);
   if (!comparison.complete)
     throw Interrupted("stopped; what was finished by then is kept, the same command goes on");
 }
@@ -188,6 +205,7 @@ void add_compare(CLI::App& app) {
   command->add_option("--data", options->data, "Folder with robots/ and objects/");
   command->add_option("-o,--output,--out", options->output,
                       "Result (JSON); one that is there is gone on with");
+  command->add_option("--report", options->report, "Also write a page with pictures (.html)");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });
 }
