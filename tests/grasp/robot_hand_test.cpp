@@ -266,7 +266,7 @@ TEST(RobotHand, RefusesLimitsThatLeaveNothing) {
 }
 
 TEST(RobotHand, NamesTheLinkWhoseMeshIsNoSolid) {
-  RobotSpec spec = sample::small_robot();
+  RobotSpec spec = robot("parallel_jaw");
   ShapeSpec leaky;
   leaky.kind = ShapeKind::kMesh;
   leaky.mesh = {Eigen::Matrix3d::Identity(), Eigen::Vector3i(0, 1, 2)};
