@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kMostCells = 1e5;
 constexpr double kAround = 1;      // cubes reach so far beyond the mesh, in its longest sides
-constexpr double kShare = 0.3;     // of its distance, an edge that need not be divided
 constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
 constexpr std::size_t kFew = 32;   // candidates that need not be divided
 constexpr std::size_t kMost = 64;  // candidates that are not searched for by the tree
@@ -43,7 +42,7 @@ NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
   return {centre, radius};
 }
 
-NearestGrid::NearestGrid(const TriangleTree& tree) {
+NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share) {
   const double longest = tree.bounds().sizes().maxCoeff();
   const double whole = (1 + 2 * kAround) * longest;
   levels_ = std::max(0, static_cast<int>(std::floor(std::log2(whole / cell_of(tree)))));
@@ -142,7 +141,7 @@ void NearestGrid::refine(int at, const Block& block, const std::vector<Candidate
   const double edge = std::ldexp(cell_, block.level);
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
-  if (block.level > 0 && here.size() > kFew && edge > kShare * far && !in_vain) {
+  if (block.level > 0 && here.size() > kFew && edge > share_ * far && !in_vain) {
     const int first = static_cast<int>(cells_.size());
     cells_[at] = {first, kDivided};
     cells_.resize(cells_.size() + 8);

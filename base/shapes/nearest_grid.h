@@ -22,7 +22,9 @@ namespace thenar::internal {
 /// so do those nearest to points beyond all cubes.
 class NearestGrid {
  public:
-  explicit NearestGrid(const TriangleTree& tree);
+  /// @param share  of its distance from the mesh, an edge that need not be divided: less makes far
+  ///               points quick and building slow [1]
+  explicit NearestGrid(const TriangleTree& tree, double share = 0.3);
 
   /// The nearest triangle of all.
   [[nodiscard]] NearestTriangle nearest(const Eigen::Vector3d& p, const TriangleTree& tree) const;
@@ -58,6 +60,7 @@ class NearestGrid {
 
   Eigen::Vector3d origin_;
   int levels_ = 0;
+  double share_;
   double cell_ = 0, inverse_ = 0;  // edge of the smallest cubes [m], 1 / edge [1/m]
   std::vector<Cell> cells_;
   std::vector<Candidate> candidates_;

@@ -175,7 +175,7 @@ class Superellipsoid final : public Shape {
         size_(semi_axes.maxCoeff()),
         norm_(semi_axes, exponents),
         tree_(octant(norm_, semi_axes, kTessellation * size_)),
-        grid_(tree_) {}
+        grid_(tree_, 1) {}
 
   double distance(const Vector3d& p) const override { return find(p.cwiseAbs()).distance; }
   NearestSurface nearest(const Vector3d& p) const override {
