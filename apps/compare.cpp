@@ -48,24 +48,12 @@ std::string object_file(const std::string& name, const std::string& data) {
   return path.string();
 }
 
-/// How round the pads are, as balls: half of their breadth, on average [m].
-double pad_radius(const NamedHand& hand) {
-  double sum = 0;
-  int pads = 0;
-  for (const SkinPatch& patch : hand.patches)
-    if (patch.kind == PatchKind::kPad) {
-      sum += patch.half_breadth;
-      ++pads;
-    }
-  return hand.contact == PadContact::kSoftFinger && pads > 0 ? sum / pads : 0;
-}
-
 ComparedHand to_compare(const std::string& name, const std::string& data) {
   const NamedHand named = hand_by_name(name, data);
   ComparedHand hand;
   hand.name = name;
   hand.hand = named.hand;
-  hand.pad_radius = pad_radius(named);
+  hand.contact = named.contact;
   hand.warnings = named.warnings;
   if (named.targets.empty()) return hand;
   const SkinMark& thumb = pad_of(named.patches, "thumb");

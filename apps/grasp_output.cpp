@@ -30,6 +30,7 @@ bool is_better(const Grasp& a, const Grasp& b) {
 GraspOptions options_of(const GraspQuestion& question, double way) {
   GraspOptions options;
   options.way = way;
+  options.pads.contact = question.hand.named.contact;
   options.epsilon.limit = question.limit;
   options.epsilon.gap = question.gap;
   return options;

@@ -16,7 +16,7 @@ struct NamedHand {
   std::string name;  // as asked for
   std::string file;  // that it was built from; empty: the built-in human
   std::shared_ptr<const Hand> hand;
-  PadContact contact = PadContact::kHardPoint;
+  ContactModel contact = ContactModel::kHardPoint;
   std::vector<SkinPatch> patches;         // pads and nails of a human hand
   std::vector<OppositionTarget> targets;  // of Kapandji's score, of a human hand
   std::vector<std::string> warnings;      // what was assumed or left out

@@ -17,7 +17,6 @@
 #include "grasp/compare/centre.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
-#include "grasp/contact/soft_finger.h"
 #include "grasp/draw_start.h"
 
 namespace thenar {
@@ -52,24 +51,6 @@ Setting set_up(const ComparedHand& hand, const BodySpec& object, double scale) {
   return setting;
 }
 
-/// Torque of soft pads: the patch of a ball of the pad's radius pressed on a plane with 1 N.
-void soften(Grasp& grasp, const Setting& setting, const GraspOptions& options) {
-  if (setting.hand.pad_radius == 0 || grasp.contacts.empty()) return;
-  std::vector<Contact> plain;
-  for (HandContact& contact : grasp.contacts) {
-    const LinkSurface& surface = setting.hand.hand->surfaces()[contact.surface];
-    const Material& layer = setting.scene.materials.at(surface.material);
-    const double R = setting.hand.pad_radius;
-    if (layer.young > 0)
-      contact.contact.torsion =
-          winkler_patch(1, layer.young, layer.layer_thickness, R, R, contact.contact.friction)
-              .torsion;
-    plain.push_back(contact.contact);
-  }
-  const SceneBody& object = setting.scene.object;
-  grasp.quality = epsilon(wrench_set(plain, object.com, object.reach), options.epsilon);
-}
-
 Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
   const SceneBody& object = setting.scene.object;
   std::mt19937 posture = generator(options.seed, object.name, number, Stream::kPosture);
@@ -78,9 +59,8 @@ Grasp make_grasp(const Setting& setting, int number, const CompareOptions& optio
   GraspOptions grasping = options.grasp;
   grasping.way = way_past(setting.touching, q, object);
   const Pose<double> X_WH = draw_start(setting.touching, q, object, start);
-  Grasp done = centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
-  soften(done, setting, grasping);
-  return done;
+  grasping.pads.contact = setting.hand.contact;
+  return centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
 }
 
 /// Every approach of a cell, in whatever order threads come to them. Fewer if stopped.

@@ -11,6 +11,7 @@
 
 #include <Eigen/Core>
 
+#include "base/fidelity.h"
 #include "base/progress.h"
 #include "data/io/world/world.h"
 #include "grasp/grasp.h"
@@ -31,9 +32,9 @@ struct HandPlace {
 struct ComparedHand {
   std::string name;
   std::shared_ptr<const Hand> hand;
-  double pad_radius = 0;          // of soft finger pads [m]; 0: hard points
-  HandPlace thumb;                // its pad, where there are `opposition` places
-  std::vector<HandPlace> places;  // Kapandji's; empty: an analogous scale serves
+  ContactModel contact = ContactModel::kHardPoint;  // or soft fingers
+  HandPlace thumb;                                  // its pad, where there are `opposition` places
+  std::vector<HandPlace> places;                    // Kapandji's; empty: an analogous scale serves
   std::vector<std::string> warnings;
 };
 

@@ -173,7 +173,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   const auto frozen = frozen_joints(subject, options.frozen);
   const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
   HumanHand human;
-  human.contact = tier < HumanTier::kSoftPads ? PadContact::kHardPoint : PadContact::kSoftFinger;
+  human.contact = tier < HumanTier::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/fidelity.h"
 #include "data/io/subject.h"
 #include "hand/hand.h"
 #include "hand/skin/hand_marks.h"
@@ -21,12 +22,6 @@ enum class HumanTier {
   kSkewedThumb,      // rigid, thumb axes as measured, hard points
   kSoftPads,         // and pads that resist twisting
   kTendonNet         // and tendons in place of motors, the extensors through a floating net
-};
-
-/// What a contact of this hand is to be taken for.
-enum class PadContact {
-  kHardPoint,  // friction alone
-  kSoftFinger  // and torsion about the normal, from the soft layer of the surface's material
 };
 
 /// What it touches with.
@@ -46,7 +41,7 @@ struct HumanHandOptions {
 /// A hand with all that comparing it needs.
 struct HumanHand {
   std::unique_ptr<Hand> hand;
-  PadContact contact;
+  ContactModel contact;                   // hard points, or soft fingers from tier 3 on
   std::vector<SkinPatch> patches;         // pads and nails
   std::vector<OppositionTarget> targets;  // of Kapandji's score
   std::vector<std::string> warnings;      // what was assumed, left out or put on a lower rung

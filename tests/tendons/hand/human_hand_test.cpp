@@ -82,8 +82,8 @@ TEST(HumanHand, GrowsRicherByOneThingAtATime) {
   };
   EXPECT_GT((tip(a, 0) - tip(b, 0)).norm(), 1e-3);
   for (int digit = 1; digit < 5; ++digit) EXPECT_EQ(tip(a, digit), tip(b, digit));
-  EXPECT_EQ(b.contact, PadContact::kHardPoint);
-  EXPECT_EQ(c.contact, PadContact::kSoftFinger);
+  EXPECT_EQ(b.contact, ContactModel::kHardPoint);
+  EXPECT_EQ(c.contact, ContactModel::kSoftFinger);
   EXPECT_EQ(tip(b, 0), tip(c, 0));
   EXPECT_EQ(c.hand->actuation(q).upper, b.hand->actuation(q).upper);
   EXPECT_EQ(tip(c, 0), tip(d, 0));
