@@ -90,16 +90,17 @@ void print_comparison(const Comparison& comparison) {
                "hold_N", "times_weight", "s"},
               {}};
   for (const HandOnObject& cell : comparison.cells) {
-    double hold = INFINITY, weight = 0;
-    for (const BestGrasp& best : cell.best) {
-      hold = std::min(hold, best.hold);
+    std::string hold = "-", weight = "-";  // of the one grasp that is best by epsilon
+    if (!cell.best.empty()) {
+      const BestGrasp& best = cell.best.front();
+      hold = shown(best.hold);
       const auto found = best.margin.find("hold-weight");
-      if (found != best.margin.end()) weight = std::max(weight, found->second);
+      if (found != best.margin.end()) weight = shown(found->second);
     }
     cells.rows.push_back({cell.hand, cell.object, shown(100 * cell.success, 0),
                           shown(100 * cell.interval.lower, 0), shown(100 * cell.interval.upper, 0),
-                          shown(cell.quantile(0.5), 3), shown(cell.quantile(1), 3), shown(hold),
-                          shown(weight), shown(cell.seconds, 1)});
+                          shown(cell.quantile(0.5), 3), shown(cell.quantile(1), 3), hold, weight,
+                          shown(cell.seconds, 1)});
   }
   print_table("Grasps: share with force closure and its 95 % interval; loads of the best", cells);
   Table hands{{"hand", "opposition", "met", "overlap_cm3", "grasp_types", "strongest_tip_N"}, {}};

@@ -235,6 +235,20 @@ kind = "{kind}"
 """
 
 
+class WorldsOfData(unittest.TestCase):
+    """Every robot's world that comes with thenar shows a grasp that holds."""
+
+    def test_robots_close_on_their_objects(self):
+        worlds = pathlib.Path(__file__).parents[2] / "data" / "worlds"
+        for name in ("barrett_bobbin", "jaw_box"):
+            result = subprocess.run([PROGRAM, "grasp", str(worlds / f"{name}.toml"), "--json"],
+                                    capture_output=True, text=True, check=False, timeout=60)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            answer = json.loads(result.stdout)
+            self.assertTrue(answer["force_closure"], name)
+            self.assertGreater(answer["epsilon"]["lower"], 0, name)
+
+
 class GraspOfJaws(unittest.TestCase):
     """A ball of 10 mm, or a cube as wide, between two flat jaws."""
 
