@@ -8,6 +8,7 @@
 #include "grasp/close_hand.h"
 #include "grasp/closing_drives.h"
 #include "grasp/draw_start.h"
+#include "grasp/draw_uniform.h"
 #include "grasp/grasp.h"
 
 namespace thenar::bench {
@@ -42,7 +43,7 @@ void add_lap(double& sum, double& start) {
 void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, GraspTimes& times) {
   std::mt19937 random(number);
   Eigen::VectorXd q = open_posture(task.hand.layout());
-  const double spread = random() * 0x1p-32 * kPi;
+  const double spread = draw_between(0, kPi, random);
   q = task.hand.posture((Eigen::Vector4d() << spread, 0, 0, 0).finished());
   const Pose<double> X_WH = draw_start(task.touching, q, scene.object, random);
   const double way = way_past(task.touching, q, scene.object);

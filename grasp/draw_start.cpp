@@ -5,17 +5,15 @@
 
 #include "base/angles.h"
 #include "base/spatial.h"
+#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
 
 constexpr double kClear = 1e-3;  // left between the hand and the object at the start [m]
 
-/// Uniform in [0, 1), the same on every machine.
-double uniform(std::mt19937& random) { return random() * 0x1p-32; }
-
 Eigen::Vector3d draw_direction(std::mt19937& random) {
-  const double z = 2 * uniform(random) - 1, turn = 2 * kPi * uniform(random);
+  const double z = 2 * draw_uniform(random) - 1, turn = 2 * kPi * draw_uniform(random);
   const double r = std::sqrt(1 - z * z);
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
@@ -48,8 +46,8 @@ double hand_reach(const TouchingHand& hand, const Eigen::VectorXd& q) {
 Pose<double> draw_start(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBody& object,
                         std::mt19937& random) {
   const Eigen::Vector3d from = draw_direction(random);
-  const double roll = 2 * kPi * uniform(random);
-  const Eigen::Vector3d off = draw_direction(random) * std::cbrt(uniform(random));
+  const double roll = 2 * kPi * draw_uniform(random);
+  const Eigen::Vector3d off = draw_direction(random) * std::cbrt(draw_uniform(random));
   const Eigen::Vector3d aim = object.X_WB * object.com + object.reach / 2 * off;
   const PalmApproach& approach = hand.hand->layout().approach;
 

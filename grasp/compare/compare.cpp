@@ -18,6 +18,7 @@
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
 #include "grasp/draw_start.h"
+#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
@@ -167,8 +168,7 @@ Eigen::VectorXd approach_posture(const HandLayout& layout, int number, std::mt19
   if (number % 2 == 0) return q;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   for (Eigen::Index j = 0; j < q.size(); ++j)
-    if (rates[j] == 0)
-      q[j] = layout.lower[j] + (random() * 0x1p-32) * (layout.upper[j] - layout.lower[j]);
+    if (rates[j] == 0) q[j] = draw_between(layout.lower[j], layout.upper[j], random);
   return q;
 }
 

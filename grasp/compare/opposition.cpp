@@ -7,6 +7,7 @@
 
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
+#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
@@ -62,12 +63,7 @@ bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
 
 std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937& random) {
   std::vector<Eigen::VectorXd> starts{(layout.lower + layout.upper) / 2};
-  while (static_cast<int>(starts.size()) < kStarts) {
-    Eigen::VectorXd q = layout.lower;
-    for (Eigen::Index j = 0; j < q.size(); ++j)
-      q[j] += (random() * 0x1p-32) * (layout.upper[j] - layout.lower[j]);
-    starts.push_back(q);
-  }
+  while (static_cast<int>(starts.size()) < kStarts) starts.push_back(draw_posture(layout, random));
   return starts;
 }
 

@@ -8,19 +8,13 @@
 #include "base/error.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
+#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
 
 using Cell = std::array<int, 3>;
 using Cells = std::set<Cell>;
-
-Eigen::VectorXd draw_posture(const HandLayout& layout, std::mt19937& random) {
-  Eigen::VectorXd q(layout.lower.size());
-  for (Eigen::Index j = 0; j < q.size(); ++j)
-    q[j] = layout.lower[j] + (random() * 0x1p-32) * (layout.upper[j] - layout.lower[j]);
-  return q;
-}
 
 /// Cells of the points' first `dimension` rows.
 Cells cells_of(const Eigen::Matrix3Xd& points, int dimension, double cell) {

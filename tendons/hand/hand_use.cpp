@@ -4,14 +4,10 @@
 #include <optional>
 
 #include "base/error.h"
+#include "tendons/hand/name_ending.h"
 
 namespace thenar {
 namespace {
-
-bool ends_with(const std::string& name, const std::string& ending) {
-  return name.size() >= ending.size() &&
-         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 bool flexes(const std::string& joint) {
   return !ends_with(joint, "_AA") && !ends_with(joint, "_PS");

@@ -4,14 +4,10 @@
 
 #include "base/error.h"
 #include "hand/skin/hand_anatomy.h"
+#include "tendons/hand/name_ending.h"
 
 namespace thenar {
 namespace {
-
-bool ends_with(const std::string& name, const std::string& ending) {
-  return name.size() >= ending.size() &&
-         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
-}
 
 /// The bone that a joint moves, straight or through links of a universal joint; nullptr if it is
 /// none of the thumb's.

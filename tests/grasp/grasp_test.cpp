@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "grasp/robot_hand.h"
-#include "tests/grasp/closing_samples.h"
+#include "tests/grasp/jaws.h"
 #include "tests/message_of.h"
 
 namespace thenar {
@@ -13,33 +13,10 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Two plates of 20 x 40 mm that stand on the x axis and slide towards each other.
-RobotSpec jaws() {
-  RobotSpec robot;
-  robot.name = "jaws";
-  robot.links.resize(3);
-  robot.links[0].name = "base";
-  for (const int side : {-1, 1}) {
-    RobotLink& jaw = robot.links[side < 0 ? 1 : 2];
-    jaw.name = side < 0 ? "left" : "right";
-    jaw.material = "rubber";
-    jaw.shapes = {sample::shape(ShapeKind::kBox, {0.01, 0.04, 0.02}, {side * 0.005, 0, 0})};
-    RobotJoint joint = sample::hinge(jaw.name, "base", jaw.name, {side * 0.05, 0, 0}, "motor", 1);
-    joint.kind = RobotJointKind::kPrismatic;
-    joint.axis = {-1.0 * side, 0, 0};
-    joint.upper = 0.05;
-    robot.joints.push_back(joint);
-  }
-  robot.dofs = {sample::motor("motor", RobotDofKind::kRigid, 0.01)};
-  robot.dofs[0].upper = 0.05;
-  robot.approach.direction = {0, 1, 0};
-  return robot;
-}
-
-const ShapeSpec kCube = sample::shape(ShapeKind::kBox, {0.03, 0.03, 0.03});
+const ShapeSpec kCube = sample::jaw_cube();
 
 Grasp squeeze(const std::vector<PlacedBody>& bodies, double way) {
-  const RobotHand hand(jaws());
+  const RobotHand hand(sample::plates());
   GraspOptions options;
   options.way = way;
   return grasp(touching_hand(hand), {}, open_posture(hand.layout()), sample::scene(bodies),

@@ -11,36 +11,14 @@
 #include "grasp/contact/soft_finger.h"
 #include "grasp/grasp.h"
 #include "grasp/robot_hand.h"
-#include "tests/grasp/closing_samples.h"
+#include "tests/grasp/jaws.h"
 
 namespace thenar {
 namespace {
 
-/// Two pads, on the x axis at -50 and 50 mm, that slide towards each other.
-RobotSpec pads(const ShapeSpec& shape, const std::string& material) {
-  RobotSpec robot;
-  robot.name = "pads";
-  robot.links.resize(3);
-  robot.links[0].name = "base";
-  for (const int side : {-1, 1}) {
-    RobotLink& pad = robot.links[side < 0 ? 1 : 2];
-    pad.name = side < 0 ? "left" : "right";
-    pad.material = material;
-    pad.shapes = {shape};
-    RobotJoint joint = sample::hinge(pad.name, "base", pad.name, {side * 0.05, 0, 0}, "motor", 1);
-    joint.kind = RobotJointKind::kPrismatic;
-    joint.axis = {-1.0 * side, 0, 0};
-    joint.upper = 0.05;
-    robot.joints.push_back(joint);
-  }
-  robot.dofs = {sample::motor("motor", RobotDofKind::kRigid, 0.01)};
-  robot.dofs[0].upper = 0.05;
-  return robot;
-}
-
 Grasp squeeze(const ShapeSpec& pad, const std::string& material, const ShapeSpec& object,
               const PadOptions& options) {
-  const RobotHand hand(pads(pad, material));
+  const RobotHand hand(sample::sliding_jaws(pad, pad, material));
   GraspOptions asked;
   asked.way = 0;
   asked.pads = options;

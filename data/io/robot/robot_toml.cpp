@@ -39,20 +39,11 @@ void add_pose(std::string& text, const std::string& key, const Pose<double>& X) 
   if (!lines.empty()) add(text, fmt::format("{} = {{{}}}", key, fmt::join(lines, ", ")));
 }
 
-std::vector<std::string> split(const std::string& keys) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t at; (at = keys.find(", ", begin)) != std::string::npos; begin = at + 2)
-    parts.push_back(keys.substr(begin, at - begin));
-  parts.push_back(keys.substr(begin));
-  return parts;
-}
-
 /// Citation keys; those that data/sources.bib does not have stand for themselves.
 std::string source_lines(const std::string& source) {
   if (source.empty())
     return "source = \"unstated\"\n\n[sources]\nunstated = \"where it came from says none\"\n";
-  const std::vector<std::string> keys = split(source);
+  const std::vector<std::string> keys = keys_in(source);
   std::string text = "source = " + toml_list(keys) + "\n", own;
   const std::vector<std::string>& known = known_sources();
   for (auto key = keys.begin(); key != keys.end(); ++key)
