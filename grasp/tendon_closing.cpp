@@ -1,6 +1,7 @@
 #include "grasp/tendon_closing.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 
@@ -9,7 +10,7 @@ namespace {
 
 using Free = Eigen::Array<bool, Eigen::Dynamic, 1>;
 
-void require_pull(const HandLayout& layout, const TendonPull& pull, const Free& free) {
+void require_pull(const HandLayout& layout, const ClosingPull& pull, const Free& free) {
   const auto n = static_cast<Eigen::Index>(layout.coordinates.size());
   require(pull.u.size() == static_cast<Eigen::Index>(layout.actuators.size()) &&
               pull.stiffness.size() == n && free.size() == n,
@@ -34,7 +35,7 @@ double pulled(const Drive& drive, const Eigen::MatrixXd& B, const Eigen::VectorX
 
 }  // namespace
 
-Eigen::VectorXd tendon_rates(const Hand& hand, const TendonPull& pull, const Eigen::VectorXd& q,
+Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingPull& pull, const Eigen::VectorXd& q,
                              const Free& free) {
   const HandLayout& layout = hand.layout();
   require_pull(layout, pull, free);
@@ -56,6 +57,16 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const TendonPull& pull, const Eig
     }
   }
   return rates;
+}
+
+ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull) {
+  const auto n = static_cast<Eigen::Index>(hand.layout().coordinates.size());
+  ClosingPull all{std::move(pull), Eigen::VectorXd::Ones(n)};
+  require_pull(hand.layout(), all, Free::Constant(n, true));
+  require((all.u.array() > 0).any(), "no tendon of the hand pulls");
+  return [&hand, all](const Eigen::VectorXd& q, const Free& free) {
+    return tendon_rates(hand, all, q, free);
+  };
 }
 
 }  // namespace thenar

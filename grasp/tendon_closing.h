@@ -4,13 +4,13 @@
 
 #include <Eigen/Core>
 
-#include "grasp/closing_drives.h"
+#include "grasp/close_hand.h"
 #include "hand/hand.h"
 
 namespace thenar {
 
 /// How tendons close a hand.
-struct TendonPull {
+struct ClosingPull {
   Eigen::VectorXd u;          // share of tension of each actuator, >= 0 [1] (actuators)
   Eigen::VectorXd stiffness;  // of joints, > 0; only ratios count [N m/rad] (coordinates)
   double excursion = 0.01;    // of the tendons of a drive, weighted with u [m/s]
@@ -25,8 +25,15 @@ struct TendonPull {
 /// @param q  (coordinates) [rad];  @param free  which may still move (coordinates)
 /// @return q_dot (coordinates) [rad/s]
 /// @throws InputError if a length is wrong, u is negative, or a stiffness not positive.
-[[nodiscard]] Eigen::VectorXd tendon_rates(const Hand& hand, const TendonPull& pull,
+[[nodiscard]] Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingPull& pull,
                                            const Eigen::VectorXd& q,
                                            const Eigen::Array<bool, Eigen::Dynamic, 1>& free);
+
+/// tendon_rates() for CloseOptions::rates, joints equally stiff (an assumption: most subjects state
+/// no stiffness of joints), tendons running in at 10 mm/s. The hand must outlive what is returned.
+/// @param pull  tension of each actuator, of which only ratios count [N] (actuators); of a human
+///   hand flexor_pull() of tendons/hand/hand_use.h
+/// @throws InputError if the length is wrong, a tension negative, or all are zero.
+[[nodiscard]] ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull);
 
 }  // namespace thenar

@@ -114,6 +114,12 @@ Eigen::VectorXd flexor_pull(const std::vector<std::string>& actuators, const Act
   return t;
 }
 
+Eigen::VectorXd flexor_pull(const Hand& hand) {
+  const HandLayout& layout = hand.layout();
+  return flexor_pull(layout.actuators,
+                     hand.actuation(layout.lower.cwiseMax(0).cwiseMin(layout.upper)));
+}
+
 HandUse tendon_use(const HandAnatomy& hand, const Subject& subject, const Skeleton& skeleton,
                    const std::vector<std::string>& actuators, const Actuation& actuation) {
   HandUse use = motor_use(hand, subject, skeleton);

@@ -23,6 +23,9 @@ namespace thenar {
 [[nodiscard]] Eigen::VectorXd flexor_pull(const std::vector<std::string>& actuators,
                                           const Actuation& actuation);
 
+/// The same of a hand at its zero posture, or where its limits come next to that.
+[[nodiscard]] Eigen::VectorXd flexor_pull(const Hand& hand);
+
 /// The same by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio
 /// of their largest ones. Joints of equal stiffness k then turn by dq = B t / k,  in the ratio of
 /// their torques; the fastest joint by 1 rad/s. Equal stiffness is an assumption, as joints of most

@@ -43,7 +43,7 @@ class TendonFinger final : public Hand {
   RobotHand bones_{sample::finger(RobotDofKind::kCompliant)};
 };
 
-const TendonPull kPull{Eigen::VectorXd::Ones(1), Eigen::Vector2d(kStiff0, kStiff1), 0.02};
+const ClosingPull kPull{Eigen::VectorXd::Ones(1), Eigen::Vector2d(kStiff0, kStiff1), 0.02};
 
 Eigen::Array<bool, Eigen::Dynamic, 1> marks(bool first, bool second) {
   Eigen::Array<bool, Eigen::Dynamic, 1> free(2);
@@ -109,15 +109,28 @@ TEST(TendonClosing, BendsTheDistalPhalanxRoundAnObject) {
   EXPECT_GT(closed.q[1], 2 * closed.q[0]);
 }
 
+// Only ratios of tensions count.
+TEST(TendonClosing, MakesRatesForClosing) {
+  const TendonFinger finger;
+  const Eigen::Vector2d q(0.8, 0.3);
+  const ClosingPull equal{Eigen::VectorXd::Ones(1), Eigen::Vector2d::Ones(), 0.01};
+  const ClosingRates rates = tendon_closing_rates(finger, Eigen::VectorXd::Constant(1, 7));
+  EXPECT_TRUE(rates(q, marks(true, true))
+                  .isApprox(tendon_rates(finger, equal, q, marks(true, true)), 1e-12));
+  EXPECT_EQ(rates(q, marks(true, false))[1], 0);
+}
+
 TEST(TendonClosing, RejectsImpossiblePulls) {
   const TendonFinger finger;
   const Eigen::Vector2d q(0, 0);
-  TendonPull pull = kPull;
+  ClosingPull pull = kPull;
   pull.u[0] = -1;
   EXPECT_THROW((void)tendon_rates(finger, pull, q, marks(true, true)), InputError);
   pull = kPull;
   pull.stiffness[1] = 0;
   EXPECT_THROW((void)tendon_rates(finger, pull, q, marks(true, true)), InputError);
+  EXPECT_THROW((void)tendon_closing_rates(finger, Eigen::VectorXd::Zero(1)), InputError);
+  EXPECT_THROW((void)tendon_closing_rates(finger, Eigen::VectorXd::Ones(2)), InputError);
 }
 
 }  // namespace

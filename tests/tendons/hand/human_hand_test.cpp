@@ -214,6 +214,7 @@ TEST(HandUse, PullsFlexorsAlone) {
   const Actuation actuation = hand.actuation(Eigen::Vector2d::Zero());
   EXPECT_TRUE(
       matrix_near(flexor_pull(hand.layout().actuators, actuation), Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_TRUE(matrix_near(flexor_pull(hand), Eigen::Vector3d(100, 50, 0), 0));
   EXPECT_THROW((void)flexor_pull({"FDP"}, actuation), InputError);
 }
 
