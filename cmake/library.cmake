@@ -13,5 +13,6 @@ function(thenar_library name)
   target_link_libraries(thenar_${name} PUBLIC ${ARG_PUBLIC}
     PRIVATE $<BUILD_INTERFACE:thenar_warnings> ${ARG_PRIVATE})
   set_target_properties(thenar_${name} PROPERTIES EXPORT_NAME ${name})
+  thenar_prelude(thenar_${name} library ${THENAR_PRELUDE_HEADERS})
   thenar_install_library(${name})
 endfunction()
