@@ -142,6 +142,7 @@ class Translation {
         dof.upper = std::min(dof.upper, range.upper);
       }
       dof.max_effort *= turns ? kGraspitMoment : kGraspitForce;
+      dof.nominal_effort = dof.max_effort > 0;  // the format's efforts are round placeholders
       if (!drives) {
         dof.lower = dof.upper = 0;
         robot_.warnings.push_back(fmt::format("'{}' drives no joint", dof.name));

@@ -61,12 +61,14 @@ enum class RobotDofKind {
 struct RobotDof {
   std::string name;
   RobotDofKind kind = RobotDofKind::kRigid;
-  double lower = 0;       // [rad] or [m]
-  double upper = 0;       // [rad] or [m]
-  double speed = 0;       // in closing, relative to the others; negative closes downwards [1]
-  double max_effort = 0;  // [N m] or [N]; 0 if unknown
-  double breakaway = 0;   // torque at which the clutch opens [N m]
-  double stiffness = 0;   // of a compliant coupling [N m/rad]
+  double lower = 0;             // [rad] or [m]
+  double upper = 0;             // [rad] or [m]
+  double speed = 0;             // in closing, relative to the others; negative closes downwards [1]
+  double max_effort = 0;        // [N m] or [N]; 0 if unknown
+  double breakaway = 0;         // torque at which the clutch opens [N m]
+  double stiffness = 0;         // of a compliant coupling [N m/rad]
+  bool backdrivable = true;     // false: a worm or brake, which holds whatever pushes it back
+  bool nominal_effort = false;  // max_effort is a placeholder of a model, not a published figure
 };
 
 /// Which way a hand goes at an object.

@@ -169,6 +169,10 @@ RobotDof read_robot_dof(TomlTable& table) {
   dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
   dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);
   dof.stiffness = table.number_or(in.stiffness, "stiffness", 0, Range::kNotNegative);
+  dof.backdrivable =
+      !table.has("backdrive") || table.choice("backdrive", {"free", "held"}) == "free";
+  dof.nominal_effort =
+      table.has("effort_is") && table.choice("effort_is", {"published", "nominal"}) == "nominal";
   table.done();
   check_here(table, [&] { check_dof(dof); });
   return dof;

@@ -117,6 +117,8 @@ std::string dof_lines(const RobotDof& dof, const Units& in) {
   add_number(text, std::string("max_effort") + in.effort, dof.max_effort);
   add_number(text, std::string("breakaway") + in.effort, dof.breakaway);
   add_number(text, std::string("stiffness") + in.stiffness, dof.stiffness);
+  if (!dof.backdrivable) add(text, "backdrive = \"held\"");
+  if (dof.nominal_effort) add(text, "effort_is = \"nominal\"");
   return text;
 }
 

@@ -117,6 +117,8 @@ TEST_F(GraspitRobot, ReadsMotors) {
                                "<direction>0 3 4</direction></approachDirection>");
   EXPECT_EQ(robot.dofs[0].kind, RobotDofKind::kRigid);
   EXPECT_NEAR(robot.dofs[0].max_effort, 5, kRounding);
+  EXPECT_TRUE(robot.dofs[0].nominal_effort);
+  EXPECT_TRUE(robot.dofs[0].backdrivable);  // the format does not say
   EXPECT_EQ(robot.dofs[1].kind, RobotDofKind::kBreakaway);
   EXPECT_EQ(robot.dofs[1].breakaway, 0.5);
   EXPECT_EQ(robot.dofs[1].speed, 1.5);

@@ -64,13 +64,17 @@ void expect_same(const RobotSpec& a, const RobotSpec& b) {
         std::tie(x.name, x.kind, x.lower, x.upper, x.speed, x.max_effort, x.breakaway, x.stiffness),
         std::tie(y.name, y.kind, y.lower, y.upper, y.speed, y.max_effort, y.breakaway,
                  y.stiffness));
+    EXPECT_EQ(std::tie(x.backdrivable, x.nominal_effort),
+              std::tie(y.backdrivable, y.nominal_effort));
     EXPECT_EQ(std::signbit(x.lower), std::signbit(y.lower));
   }
 }
 
 TEST(RobotToml, KeepsEveryBit) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const RobotSpec robot = sample::small_robot(seed);
+    RobotSpec robot = sample::small_robot(seed);
+    robot.dofs[seed % 2].backdrivable = false;
+    robot.dofs[seed % 2].nominal_effort = seed % 3 == 0;
     expect_same(parse_robot(robot_toml(robot), "robot.toml"), robot);
   }
 }
@@ -104,6 +108,16 @@ TEST(RobotToml, KeepsThatARobotHasNoSource) {
 
 const std::string kHead = "name = \"r\"\nsource = \"GraspIt\"\n";
 
+TEST(RobotToml, ReadsWormsAndPlaceholders) {
+  const RobotSpec robot = parse_robot(kHead + R"(
+link = [{name = "base"}]
+dof = [{name = "d1", range_deg = [0, 90], max_effort_Nm = 50, backdrive = "held", effort_is = "nominal"}]
+)",
+                                      "robot.toml");
+  EXPECT_FALSE(robot.dofs[0].backdrivable);
+  EXPECT_TRUE(robot.dofs[0].nominal_effort);
+}
+
 // One row of each kind: Rz(theta) Tz(d) Tx(a) Rx(alpha) with theta = 90 deg, alpha = 90 deg.
 TEST(RobotToml, ReadsDenavitHartenbergRows) {
   const RobotSpec robot = parse_robot(kHead + R"(
@@ -129,6 +143,8 @@ rows = [
   EXPECT_EQ(robot.joints[1].parent, "a");
   EXPECT_EQ(robot.joints[1].kind, RobotJointKind::kPrismatic);
   EXPECT_EQ(robot.dofs[1].max_effort, 3);
+  EXPECT_TRUE(robot.dofs[1].backdrivable);
+  EXPECT_FALSE(robot.dofs[1].nominal_effort);
 }
 
 // Roll 90 deg about x first, then yaw 90 deg about the fixed z: y goes to z, x to y.
