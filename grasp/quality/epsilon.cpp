@@ -21,6 +21,7 @@ using internal::Support;
 
 constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
 constexpr double kUndecided = 1e-9;    // an epsilon below this part of the size has no sign [1]
+constexpr int kPolishAt = 400;         // facets, and twice as many, ..: a lower bar leaves out more
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
 void require_sound(const WrenchSet& set, const EpsilonOptions& options) {
@@ -75,6 +76,7 @@ class Search {
     if (!simplex.found) return false;
     Hull hull(simplex.points);
     lower_ = -support_.size();
+    int next_polish = kPolishAt;
     while (upper_ > 0 && hull.facets() <= options_.most_facets) {
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
@@ -87,9 +89,12 @@ class Search {
       if (settled()) break;
       const Reach reach = look(plane.n);
       if (settled() || !hull.insert(reach.p, facet)) break;
+      if (hull.facets() < next_polish) continue;
+      polish();
+      next_polish *= 2;
     }
     facets_ = hull.facets();
-    if (upper_ > kUndecided * support_.size()) (void)look(internal::polish(support_, worst_));
+    polish();
     return true;
   }
 
@@ -112,6 +117,11 @@ class Search {
   [[nodiscard]] const Wrench& worst() const { return worst_; }
 
  private:
+  /// Takes the upper bound down to the local minimum.
+  void polish() {
+    if (upper_ > kUndecided * support_.size()) (void)look(internal::polish(support_, worst_));
+  }
+
   Reach look(const Wrench& u) {
     const Reach reach = support_(u);
     ++supports_;

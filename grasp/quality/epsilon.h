@@ -9,7 +9,7 @@ namespace thenar {
 struct EpsilonOptions {
   ForceLimit limit = ForceLimit::kL1;
   double gap = 1e-3;         // certified upper - lower is at most this, in units of unit forces [1]
-  int most_facets = 200000;  // of the hull before giving up
+  int most_facets = 500000;  // of the hull before giving up (some 70 MB)
 };
 
 /// Signed epsilon quality: the signed distance of the origin from the boundary of the wrench set,
