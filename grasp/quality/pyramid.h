@@ -18,9 +18,12 @@ namespace thenar {
 /// @throws InputError if edges < 3. Source: [Ferrari1992].
 [[nodiscard]] WrenchSet pyramids(const WrenchSet& set, int edges);
 
-/// The same about the discs: pyramids whose faces touch the cones, so that the set holds all of the
-/// true one. Ellipsoids are put into prisms of height +-a3.
-/// @throws InputError if edges < 3
-[[nodiscard]] WrenchSet pyramids_about(const WrenchSet& set, int edges);
+/// The same with ellipsoids cut by m meridians and m / 2 bands of latitude, so that more edges come
+/// as near to them as to discs. @throws InputError if edges < 3
+[[nodiscard]] WrenchSet polytopes_in(const WrenchSet& set, int edges);
+
+/// These grown until they hold the caps: discs by 1 / cos(pi / m), ellipsoids also by
+/// 1 / cos(pi / (2 bands)). @throws InputError if edges < 3
+[[nodiscard]] WrenchSet polytopes_about(const WrenchSet& set, int edges);
 
 }  // namespace thenar

@@ -17,6 +17,8 @@ constexpr double kBeyond =
     1e-13;  // a point this far beyond a facet, in parts of the size, is on it
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr int kLeastEdges = 6;    // with fewer than asked for an estimate to mean much
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 struct PolytopeVolume {
@@ -41,22 +43,31 @@ PolytopeVolume polytope_volume(const WrenchSet& set, const VolumeOptions& option
   }
 }
 
-/// With pyramids of so many edges in and about the cones.
+/// With polytopes of so many edges in and about the caps.
 Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
-  const PolytopeVolume in = polytope_volume(pyramids(set, options.edges), options);
+  const PolytopeVolume in = polytope_volume(polytopes_in(set, options.edges), options);
   const PolytopeVolume about = in.complete
-                                   ? polytope_volume(pyramids_about(set, options.edges), options)
+                                   ? polytope_volume(polytopes_about(set, options.edges), options)
                                    : PolytopeVolume{0, false, in.facets};
-  if (!about.complete) return {in.volume, kInfinity, in.volume, false, about.facets, options.edges};
+  if (!about.complete) return {in.volume, kInfinity, kNone, false, about.facets, options.edges};
   const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
   return {in.volume, about.volume, guess, true, about.facets, options.edges};
 }
 
-/// Of the two the tighter bounds.
+/// The estimate of the coarser, within the bounds of both.
 Volume tighter(const Volume& fine, Volume coarse) {
   coarse.lower = std::max(coarse.lower, fine.lower);
-  coarse.estimate = std::max(coarse.estimate, coarse.lower);
+  if (coarse.edges < kLeastEdges) coarse.complete = false;
+  coarse.estimate = coarse.complete ? std::max(coarse.estimate, coarse.lower) : kNone;
   return coarse;
+}
+
+Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
+  VolumeOptions patient = options;
+  patient.most_facets = 4 * std::min(options.most_facets, 100000000);
+  const PolytopeVolume v = polytope_volume(pyramids(set, options.edges), patient);
+  if (!v.complete) return {v.volume, kInfinity, kNone, false, v.facets, 0};
+  return {v.volume, v.volume, v.volume, true, v.facets, 0};
 }
 
 }  // namespace
@@ -71,15 +82,10 @@ Volume volume(const WrenchSet& set, const VolumeOptions& options) {
     curved = curved || cap.A.cols() > 1;
   }
   if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0, 0};
-  if (!curved) {
-    VolumeOptions patient = options;
-    patient.most_facets = 10 * std::min(options.most_facets, 100000000);
-    const PolytopeVolume v = polytope_volume(pyramids(set, options.edges), patient);
-    return {v.volume, v.complete ? v.volume : kInfinity, v.volume, v.complete, v.facets, 0};
-  }
+  if (!curved) return volume_of_points(set, options);
   VolumeOptions now = options;
   Volume out = enclosed_volume(set, now);
-  while (!out.complete && now.edges > 3) {
+  while (!std::isfinite(out.upper) && now.edges > 3) {
     now.edges = std::max(3, now.edges / 2);
     out = tighter(out, enclosed_volume(set, now));
   }

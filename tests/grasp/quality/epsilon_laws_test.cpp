@@ -77,7 +77,7 @@ TEST(EpsilonLaws, PyramidsInConesAreNoBetterThanTheCones) {
     const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
     const Epsilon cone = epsilon(set);
     EXPECT_LE(epsilon(pyramids(set, 8)).lower, cone.upper);
-    EXPECT_GE(epsilon(pyramids_about(set, 8)).upper, cone.lower);
+    EXPECT_GE(epsilon(polytopes_about(set, 8)).upper, cone.lower);
   }
 }
 

@@ -44,12 +44,15 @@ TEST(Pyramids, LieInTheConesAndThoseAboutContainThem) {
   contacts[0].torsion = 0.2;
   contacts[1].friction = 0;
   const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
-  const WrenchSet in = pyramids(set, 6), about = pyramids_about(set, 6);
+  const WrenchSet in = pyramids(set, 6), even = polytopes_in(set, 6),
+                  about = polytopes_about(set, 6);
   for (int i = 0; i < 1000; ++i) {
     Wrench u;
     for (double& x : u) x = uniform(rng, -1, 1);
     for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
       EXPECT_LE(support(in, u, limit), support(set, u, limit) + 1e-12);
+      EXPECT_LE(support(in, u, limit), support(even, u, limit) + 1e-12);
+      EXPECT_LE(support(even, u, limit), support(set, u, limit) + 1e-12);
       EXPECT_GE(support(about, u, limit), support(set, u, limit) - 1e-12);
     }
   }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "grasp/quality/pyramid.h"
 #include "tests/grasp/quality/known_sets.h"
 #include "tests/grasp/quality/random_grasps.h"
 
@@ -85,11 +86,50 @@ TEST(Volume, EstimatesWithinOnePercentOfManyEdges) {
   }
 }
 
+// The join of balls: (3!)^2 / 6! of the product of their volumes 4 pi / 3.
+TEST(Volume, OfOrthogonalBallsComesAsNearAsThatOfDiscs) {
+  const double known = 36.0 / 720 * std::pow(4 * M_PI / 3, 2);
+  const Volume few = volume_of(orthogonal_balls(), ForceLimit::kL1, 8);
+  const Volume many = volume_of(orthogonal_balls(), ForceLimit::kL1, 16);
+  for (const Volume& v : {few, many}) {
+    EXPECT_TRUE(v.complete);
+    EXPECT_LE(v.lower, known);
+    EXPECT_GE(v.upper, known);
+  }
+  EXPECT_LT(many.upper / many.lower - 1, (few.upper / few.lower - 1) / 4);  // d^2 is a quarter
+  EXPECT_NEAR(many.estimate, known, 0.03 * known);
+}
+
+// Neither with the edges asked for nor with half as many: bounds, but no number to quote.
 TEST(Volume, GivesUpAndSaysSo) {
   VolumeOptions options;
   options.most_facets = 20;
   const Volume v = volume(orthogonal_discs(), options);
   EXPECT_FALSE(v.complete);
+  EXPECT_TRUE(std::isinf(v.upper));
+  EXPECT_TRUE(std::isnan(v.estimate));
+  EXPECT_LE(v.lower, std::pow(M_PI, 3) * 8 / 720);
+}
+
+TEST(Volume, OfThreeEdgesNobodyAskedForIsNoEstimate) {
+  VolumeOptions options;
+  options.most_facets = 120;  // 3^3 facets of triangles, 12^3 of those asked for
+  const Volume v = volume(orthogonal_discs(), options);
+  EXPECT_EQ(v.edges, 3);
+  EXPECT_FALSE(v.complete);
+  EXPECT_TRUE(std::isnan(v.estimate));
+  EXPECT_GE(v.upper, std::pow(M_PI, 3) * 8 / 720);
+}
+
+TEST(Volume, OfTooManyPointsIsNone) {
+  std::mt19937 rng(5);
+  VolumeOptions options;
+  options.limit = ForceLimit::kLinf;
+  options.most_facets = 1000;
+  const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
+  const Volume v = volume(pyramids(set, 8), options);
+  EXPECT_FALSE(v.complete);
+  EXPECT_TRUE(std::isnan(v.estimate));
   EXPECT_TRUE(std::isinf(v.upper));
 }
 
