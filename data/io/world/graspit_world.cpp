@@ -2,28 +2,28 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include <pugixml.hpp>
 
 #include "base/error.h"
 #include "data/io/graspit/graspit_transform.h"
+#include "data/io/robot/import_robot.h"
 #include "data/io/world/graspit_body.h"
+#include "data/io/world/graspit_posture.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The last link of a robot's chain n, as thenar calls it when it imports that robot.
-std::string end_of_chain(const std::string& robot, int n) {
-  const std::string unknown = fmt::format("chain {}", n);
-  if (!fs::is_regular_file(robot)) return unknown;
-  const XmlFile file(robot);
-  pugi::xml_node chain = file.root().child("chain");
-  for (int i = 0; i < n; ++i) chain = chain.next_sibling("chain");
+/// The last link of a robot's chain n, from 0. @return empty if it has no such chain
+std::string end_of_chain(const RobotSpec& robot, int n) {
+  const std::string beginning = fmt::format("chain{} ", n + 1);
   std::string last;
-  for (const pugi::xml_node& link : chain.children("link")) last = file.text(link);
-  return last.empty() ? unknown : fmt::format("chain{} {}", n + 1, fs::path(last).stem().string());
+  for (const RobotLink& link : robot.links)
+    if (link.name.rfind(beginning, 0) == 0) last = link.name;
+  return last;
 }
 
 /// A world while it is read.
@@ -72,17 +72,22 @@ class Reader {
         not_understood(child);
   }
 
-  /// The <filename> of an element, from where thenar runs; as written if there is no such file.
-  std::string named_file(const pugi::xml_node& node) const {
+  /// The <filename> of an element, absolute; looked for beside the world and in the folders
+  /// above. @return none if there is no such file, which is in the warnings then
+  std::optional<std::string> named_file(const pugi::xml_node& node, const char* what) {
     const pugi::xml_node name = node.child("filename");
     if (!name) file_.fail(node, fmt::format("<{}> needs a <filename>", node.name()));
-    const std::string written = file_.text(name);
+    std::string written = file_.text(name);
+    std::replace(written.begin(), written.end(), '\\', '/');
     fs::path folder = fs::absolute(file_.path()).parent_path();
     for (;; folder = folder.parent_path()) {
       if (fs::is_regular_file(folder / written))
         return (folder / written).lexically_normal().string();
-      if (folder == folder.parent_path()) return written;
+      if (folder == folder.parent_path()) break;
     }
+    warn(name, fmt::format("MISSING {} '{}': there is no such file; it is left out", what,
+                           file_.text(name)));
+    return {};
   }
 
   /// "mug", then "mug_2"..
@@ -93,12 +98,16 @@ class Reader {
     return candidate;
   }
 
+  void append(const std::string& path, const std::vector<std::string>& warnings) {
+    for (const std::string& warning : warnings)
+      read_.warnings.push_back(fs::path(path).filename().string() + ": " + warning);
+  }
+
   void add_body(const pugi::xml_node& node, bool dynamic) {
     check(node, {"filename", "transform"});
-    const std::string path = named_file(node);
-    if (!fs::is_regular_file(path))
-      file_.fail(node.child("filename"), fmt::format("there is no file '{}'", path));
-    GraspitBody found = read_graspit_body(path);
+    const std::optional<std::string> path = named_file(node, "BODY");
+    if (!path) return;
+    GraspitBody found = read_graspit_body(*path);
     auto& bodies = read_.world.bodies;
     found.body.name = new_name(found.body.name, [&](const std::string& name) {
       return std::any_of(bodies.begin(), bodies.end(),
@@ -110,12 +119,27 @@ class Reader {
         {std::move(found.body), "", graspit_transform(file_, node, warnings), dynamic});
   }
 
+  /// The robot of a file. @return none if it cannot be read, which is in the warnings then
+  std::optional<RobotSpec> read_robot_file(const pugi::xml_node& node, const std::string& path) {
+    try {
+      RobotSpec robot = import_robot(path);
+      append(path, robot.warnings);
+      return robot;
+    } catch (const Error& error) {
+      warn(node.child("filename"), fmt::format("UNREADABLE ROBOT, left out: {}", error.what()));
+      return {};
+    }
+  }
+
   void add_robot(const pugi::xml_node& node) {
     check(node, {"filename", "transform", "dofValues"});
+    robots_.emplace_back();  // connections count those that are left out, too
+    const std::optional<std::string> path = named_file(node, "ROBOT");
+    if (!path) return;
+    std::optional<RobotSpec> robot = read_robot_file(node, *path);
+    if (!robot) return;
     PlacedHand hand;
-    hand.file = named_file(node);
-    if (!fs::is_regular_file(hand.file))
-      warn(node, fmt::format("there is no robot file '{}'", hand.file));
+    hand.file = *path;
     auto& hands = read_.world.hands;
     hand.name = new_name(fs::path(hand.file).stem().string(), [&](const std::string& name) {
       return std::any_of(hands.begin(), hands.end(),
@@ -123,9 +147,12 @@ class Reader {
     });
     hand.X_WH = graspit_transform(file_, node, read_.warnings);
     if (const pugi::xml_node values = node.child("dofValues")) {
-      const std::vector<double> q = file_.numbers(values);
-      for (std::size_t i = 0; i < q.size(); ++i) hand.posture[fmt::format("d{}", i)] = q[i];
+      GraspitPosture posture = graspit_posture(*robot, file_.numbers(values));
+      hand.posture = std::move(posture.values);
+      for (const std::string& warning : posture.warnings)
+        warn(values, fmt::format("robot '{}': {}", hand.name, warning));
     }
+    robots_.back() = {std::move(*robot), hands.size()};
     hands.push_back(std::move(hand));
   }
 
@@ -140,16 +167,37 @@ class Reader {
 
   void add_connection(const pugi::xml_node& node) {
     check(node, {"parentRobot", "parentChain", "childRobot", "transform"});
-    auto& hands = read_.world.hands;
-    const int count = static_cast<int>(hands.size());
+    const int count = static_cast<int>(robots_.size());
     const int parent = whole_number(node, "parentRobot", count);
     const int child = whole_number(node, "childRobot", count);
+    const int chain = whole_number(node, "parentChain", kChains);
     if (parent == child) file_.fail(node, "a robot cannot carry itself");
-    PlacedHand& carried = hands[static_cast<std::size_t>(child)];
-    const PlacedHand& carrier = hands[static_cast<std::size_t>(parent)];
-    carried.carrier = carrier.name;
-    carried.carrier_link = end_of_chain(carrier.file, whole_number(node, "parentChain", kChains));
-    carried.X_WH = graspit_transform(file_, node, read_.warnings);
+    const std::optional<Placed>& carrier = robots_[static_cast<std::size_t>(parent)];
+    const std::optional<Placed>& carried = robots_[static_cast<std::size_t>(child)];
+    if (!carrier || !carried)
+      return warn(node, fmt::format("robot {} carries robot {}, one of which is left out: so is "
+                                    "the <connection>",
+                                    parent, child));
+    const std::string link = end_of_chain(carrier->robot, chain);
+    if (link.empty())
+      file_.fail(node.child("parentChain"), fmt::format("robot {} has no chain {}", parent, chain));
+    auto& hands = read_.world.hands;
+    for (std::size_t up = carrier->hand; !hands[up].carrier.empty();
+         up = index_of(hands[up].carrier))
+      if (index_of(hands[up].carrier) == carried->hand)
+        file_.fail(node, fmt::format("robot {} carries robot {} already", child, parent));
+    PlacedHand& hand = hands[carried->hand];
+    hand.carrier = hands[carrier->hand].name;
+    hand.carrier_link = link;
+    hand.X_WH = graspit_transform(file_, node, read_.warnings);
+  }
+
+  /// @param name  of a hand that is there
+  [[nodiscard]] std::size_t index_of(const std::string& name) const {
+    const auto& hands = read_.world.hands;
+    const auto found = std::find_if(hands.begin(), hands.end(),
+                                    [&](const PlacedHand& hand) { return hand.name == name; });
+    return static_cast<std::size_t>(found - hands.begin());
   }
 
   void read_camera(const pugi::xml_node& node) {
@@ -171,8 +219,15 @@ class Reader {
   static constexpr double kFocus = 1000;  // where the file gives none [mm]
   static constexpr int kChains = 1000;    // more than any robot has
 
+  /// A robot, and which of the world's hands it is.
+  struct Placed {
+    RobotSpec robot;
+    std::size_t hand;
+  };
+
   XmlFile file_;
   GraspitWorld read_;
+  std::vector<std::optional<Placed>> robots_;  // in the file's order; none: left out
 };
 
 }  // namespace

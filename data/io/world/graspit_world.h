@@ -16,12 +16,13 @@ struct GraspitWorld {
 };
 
 /// Reads a world in GraspIt! XML. Files that it names are looked for beside it, then beside every
-/// folder around it, as worlds and models lie in different folders there.
+/// folder around it, as worlds and models lie in different folders there; those that are missing,
+/// and robots that cannot be read, are left out with a warning.
 ///   <graspableBody>, <obstacle>  bodies that move and that do not, written out
-///   <robot>       a hand or arm: its file, absolute; <dofValues> as written [rad or mm] for its
-///                 degrees of freedom in order, called "d0", "d1"..
-///   <connection>  a robot on the end of another's chain: carrier_link "chain1 LINK" as the robot's
-///                 importer calls it ("chain 0" if its file is not found), X_WH on that link
+///   <robot>       a hand or arm: its file, absolute; its warnings; <dofValues> as
+///                 graspit_posture() reads them
+///   <connection>  a robot on the end of another's chain: carrier_link as the robot's importer
+///                 calls it, X_WH on that link
 ///   <camera>      as SoCamera: looks along -z, towards the focal point
 /// @throws DataError if it is no world, or a body cannot be read.
 /// Source: [GraspItWorld] for the format.

@@ -2,6 +2,10 @@
 
 #include "data/io/world/graspit_world.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +19,7 @@
 namespace thenar {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -46,17 +51,20 @@ const std::string kWorld = R"(<?xml version="1.0" ?>
   </graspableBody>
   <robot>
     <filename>models/arm.xml</filename>
-    <dofValues>+0.5 -0.25</dofValues>
+    <dofValues>+30 -0.25</dofValues>
   </robot>
   <robot>
-    <filename>models/hand.xml</filename>
-    <dofValues>+1</dofValues>
+    <filename>models/lost.xml</filename>
+  </robot>
+  <robot>
+    <filename>models\hand.xml</filename>
+    <dofValues>+0.5 +0.6 +0 +0.3 +1 +0.25 +0.1 +0.2</dofValues>
     <transform><translation>0 0 1</translation></transform>
   </robot>
   <connection>
     <parentRobot>0</parentRobot>
     <parentChain>0</parentChain>
-    <childRobot>1</childRobot>
+    <childRobot>2</childRobot>
     <mountFilename>mount.xml</mountFilename>
     <transform><translation>0 0 50</translation></transform>
   </connection>
@@ -69,13 +77,36 @@ const std::string kWorld = R"(<?xml version="1.0" ?>
 </world>
 )";
 
+std::string joint(const std::string& type, const std::string& theta, const std::string& d,
+                  const std::string& lower, const std::string& upper) {
+  return "<joint type='" + type + "'><theta>" + theta + "</theta><d>" + d +
+         "</d><a>10</a><alpha>0</alpha><minValue>" + lower + "</minValue><maxValue>" + upper +
+         "</maxValue></joint>";
+}
+
+/// A gear, a clutch of one joint and one of two, a spring.
+std::string hand() {
+  std::string xml = "<robot type='Hand'><palm>p</palm>";
+  for (const std::string type : {"r", "b", "b", "c"}) xml += "<dof type='" + type + "'/>";
+  xml += "<chain>";
+  for (const std::string theta : {"d0", "d1", "d2", "d2*0.5", "d3"})
+    xml += joint("Revolute", theta, "0", "0", "90");
+  for (int i = 0; i < 5; ++i) xml += "<link>seg.xml</link>";
+  return xml + "</chain></robot>";
+}
+
 class Graspit : public TemporaryFolder {
  protected:
   Graspit() {
     write_file(path("models/cube.off"), cube_off());
     write_file(path("models/body.xml"), kBody);
     write_file(path("models/arm.xml"),
-               "<robot><chain><link>a/upper.xml</link><link>a/wrist.xml</link></chain></robot>");
+               "<robot type='Arm'><palm>p</palm><dof type='r'/><dof type='r'/><chain>" +
+                   joint("Prismatic", "0", "d0", "-100", "100") +
+                   joint("Revolute", "d1", "0", "-90", "90") +
+                   "<link dynamicJointType='Prismatic'>a/part.xml</link><link>a/part.xml</link>"
+                   "</chain></robot>");
+    write_file(path("models/hand.xml"), hand());
   }
   [[nodiscard]] GraspitBody body(const std::string& xml) const {
     write_file(path("models/other.xml"), xml);
@@ -154,10 +185,45 @@ TEST_F(Graspit, WorldMountsHandsOnArms) {
   const WorldSpec read = world(kWorld).world;
   ASSERT_EQ(read.hands.size(), 2U);
   EXPECT_EQ(read.hands[0].file, path("models/arm.xml"));
-  EXPECT_EQ(read.hands[0].posture.at("d1"), -0.25);
+  EXPECT_EQ(read.hands[1].file, path("models/hand.xml"));
   EXPECT_EQ(read.hands[1].carrier, "arm");
-  EXPECT_EQ(read.hands[1].carrier_link, "chain1 wrist");
+  EXPECT_EQ(read.hands[1].carrier_link, "chain1 part 2");  // the second of that body
   EXPECT_EQ(read.hands[1].X_WH.p.z(), 0.05);
+}
+
+TEST_F(Graspit, WorldSetsSlidesInMetresAndBrokenAwayJointsAlone) {
+  using Posture = std::map<std::string, double>;
+  const WorldSpec read = world(kWorld).world;
+  EXPECT_EQ(read.hands[0].posture, (Posture{{"d0", 0.03}, {"d1", -0.25}}));
+  // d0, d1 unbroken; d2 stopped with its joints at 0.25 and 0.1; d3.
+  EXPECT_EQ(
+      read.hands[1].posture,
+      (Posture{
+          {"d0", 0.5}, {"d1", 0.6}, {"chain1 joint3", 0.25}, {"chain1 joint4", 0.1}, {"d3", 0.2}}));
+}
+
+TEST_F(Graspit, WorldReadsPosturesWithoutFlagsAndNamesWhatFitsNeither) {
+  const std::string values = "+0.5 +0.6 +0 +0.3 +1 +0.25 +0.1 +0.2";
+  const auto hand_with = [&](const std::string& to) {
+    const GraspitWorld read = world(replaced(kWorld, values, to));
+    const bool warned =
+        std::any_of(read.warnings.begin(), read.warnings.end(), [](const std::string& warning) {
+          return warning.find("robot 'hand': ") != std::string::npos;
+        });
+    return std::pair(read.world.hands[1].posture, warned);
+  };
+  using Posture = std::map<std::string, double>;
+  const Posture plain{{"d0", 0.1}, {"d1", 0.2}, {"d2", 0.3}, {"d3", 0.4}};
+  EXPECT_EQ(hand_with("0.1 0.2 0.3 0.4"), std::pair(plain, false));
+  EXPECT_EQ(hand_with("0.1 0.2 0 0.3 0 0.4"), std::pair(plain, false));
+  EXPECT_EQ(hand_with(""), std::pair(Posture{}, false));
+  for (const std::string wrong : {"0.1 0.2 0.3", "0 0.2 2 0.3 0 0.4", "0 0.2 0 0.3 1 0.4"})
+    EXPECT_EQ(hand_with(wrong), std::pair(Posture{}, true)) << wrong;
+  // A quarter turn in five digits is rounding, two radians are not.
+  EXPECT_EQ(hand_with("1.5708 0 0 0").first.at("d0"), std::acos(0));
+  EXPECT_FALSE(hand_with("1.5708 0 0 0").second);
+  EXPECT_EQ(hand_with("2 0 0 0"),
+            std::pair(Posture{{"d0", std::acos(0)}, {"d1", 0}, {"d2", 0}, {"d3", 0}}, true));
 }
 
 TEST_F(Graspit, WorldLooksThroughItsCamera) {
@@ -168,16 +234,30 @@ TEST_F(Graspit, WorldLooksThroughItsCamera) {
 
 TEST_F(Graspit, WorldNamesWhatItDoesNotKnow) {
   const std::string file = path("worlds/world.xml");
-  EXPECT_THAT(world(kWorld).warnings,
-              ElementsAre(file + ":18: there is no robot file 'models/hand.xml'",
-                          file + ":27: <mountFilename> is not understood and was left out",
-                          file + ":35: <light> is not understood and was left out"));
+  const std::vector<std::string> warnings = world(kWorld).warnings;
+  for (const std::string warning :
+       {":19: MISSING ROBOT 'models/lost.xml': there is no such file; it is left out",
+        ":30: <mountFilename> is not understood and was left out",
+        ":38: <light> is not understood and was left out"})
+    EXPECT_THAT(warnings, Contains(file + warning));
+  EXPECT_THAT(warnings, Contains(HasSubstr("hand.xml: MISSING BODY 'seg.xml'")));
+}
+
+TEST_F(Graspit, WorldGoesOnWithoutWhatIsMissing) {
+  const GraspitWorld without_object = world(replaced(kWorld, "models/cube.off", "no.off"));
+  EXPECT_THAT(without_object.warnings, Contains(HasSubstr(":4: MISSING BODY 'no.off'")));
+  EXPECT_EQ(without_object.world.bodies.size(), 2U);
+  const GraspitWorld without_arm = world(replaced(kWorld, "models/arm.xml", "models/body.xml"));
+  EXPECT_THAT(without_arm.warnings, Contains(HasSubstr("UNREADABLE ROBOT")));
+  EXPECT_THAT(without_arm.warnings, Contains(HasSubstr("robot 0 carries robot 2, one of which")));
+  ASSERT_EQ(without_arm.world.hands.size(), 1U);
+  EXPECT_EQ(without_arm.world.hands[0].carrier, "");
+  EXPECT_EQ(without_arm.world.hands[0].X_WH.p.z(), 0.001);  // as it stands itself
 }
 
 TEST_F(Graspit, WorldSurvivesAsToml) {
   const WorldSpec read = world(kWorld).world;
-  write_file(path("elsewhere/world.toml"),
-             replaced(world_toml(read), "models/hand.xml", path("models/arm.xml")));
+  write_file(path("elsewhere/world.toml"), world_toml(read));
   const WorldSpec again = read_world(path("elsewhere/world.toml"));
   EXPECT_EQ(again.bodies[1].X_WB.R, read.bodies[1].X_WB.R);
   EXPECT_EQ(again.bodies[1].body.mass->inertia, read.bodies[1].body.mass->inertia);
@@ -191,9 +271,9 @@ TEST_F(Graspit, WorldIsRefusedWithItsLine) {
         message_of<DataError>([&] { (void)world(replaced(kWorld, from, to)); });
     return message.substr(message.find(".xml") + 4);
   };
-  EXPECT_THAT(refusal("models/cube.off", "no.off"), ":4: there is no file 'no.off'");
-  EXPECT_EQ(refusal("<childRobot>1", "<childRobot>2"), ":26: wanted <childRobot> in 0..1, got 2");
-  EXPECT_EQ(refusal("<childRobot>1", "<childRobot>0"), ":23: a robot cannot carry itself");
+  EXPECT_EQ(refusal("<childRobot>2", "<childRobot>3"), ":29: wanted <childRobot> in 0..2, got 3");
+  EXPECT_EQ(refusal("<childRobot>2", "<childRobot>0"), ":26: a robot cannot carry itself");
+  EXPECT_EQ(refusal("<parentChain>0", "<parentChain>1"), ":28: robot 0 has no chain 1");
   EXPECT_THAT(refusal("(+1 +0 +0 +0)", "(+1 +0 +0)"), HasSubstr(":5: wanted 7 numbers"));
 }
 

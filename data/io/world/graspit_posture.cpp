@@ -1,0 +1,88 @@
+#include "data/io/world/graspit_posture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "data/io/graspit/graspit_transform.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFileRounding = 1e-4;  // what six digits in a file explain [rad] or [m]
+
+std::vector<const RobotJoint*> joints_of(const RobotSpec& robot, const RobotDof& dof) {
+  std::vector<const RobotJoint*> joints;
+  for (const RobotJoint& joint : robot.joints)
+    if (joint.dof == dof.name) joints.push_back(&joint);
+  return joints;
+}
+
+double unit_of(const RobotJoint& joint) {
+  return joint.kind == RobotJointKind::kPrismatic ? kGraspitLength : 1;
+}
+
+/// Takes the numbers one after the other.
+class Reader {
+ public:
+  Reader(const RobotSpec& robot, const std::vector<double>& numbers)
+      : robot_(robot), numbers_(numbers) {}
+
+  /// @return none if there are too many numbers, too few, or a flag that is none.
+  std::optional<GraspitPosture> read(bool with_flags) {
+    for (const RobotDof& dof : robot_.dofs) {
+      const std::vector<const RobotJoint*> joints = joints_of(robot_, dof);
+      if (at_ == numbers_.size()) return {};
+      const double q = numbers_[at_++];
+      double broken = 0;
+      if (with_flags && dof.kind == RobotDofKind::kBreakaway) {
+        if (at_ == numbers_.size()) return {};
+        broken = numbers_[at_++];
+      }
+      if (broken != 0 && (broken != 1 || numbers_.size() - at_ < joints.size())) return {};
+      if (broken == 1) {
+        for (const RobotJoint* joint : joints)
+          set(joint->name, unit_of(*joint) * numbers_[at_++], joint->lower, joint->upper);
+      } else {
+        set(dof.name, (joints.empty() ? 1 : unit_of(*joints.front())) * q, dof.lower, dof.upper);
+      }
+    }
+    if (at_ != numbers_.size()) return {};
+    return posture_;
+  }
+
+ private:
+  void set(const std::string& name, double value, double lower, double upper) {
+    const double kept = std::clamp(value, lower, upper);
+    if (std::abs(kept - value) > kFileRounding)
+      posture_.warnings.push_back(
+          fmt::format("'{}' stands at {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m): put "
+                      "on them",
+                      name, value, lower, upper));
+    posture_.values[name] = kept;
+  }
+
+  const RobotSpec& robot_;
+  const std::vector<double>& numbers_;
+  std::size_t at_ = 0;
+  GraspitPosture posture_;
+};
+
+}  // namespace
+
+GraspitPosture graspit_posture(const RobotSpec& robot, const std::vector<double>& numbers) {
+  if (numbers.empty()) return {};
+  for (const bool with_flags : {true, false})
+    if (std::optional<GraspitPosture> posture = Reader(robot, numbers).read(with_flags))
+      return std::move(*posture);
+  GraspitPosture none;
+  none.warnings.push_back(
+      fmt::format("wanted <dofValues> of the {} degrees of freedom of '{}', got {} numbers that do "
+                  "not fit them: the posture is left out",
+                  robot.dofs.size(), robot.name, numbers.size()));
+  return none;
+}
+
+}  // namespace thenar
