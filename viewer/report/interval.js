@@ -10,7 +10,7 @@ import { describe } from "./tooltip.js";
 import { axisBelow, references, textWidth } from "./svg_axis.js";
 
 const ROW = 24;
-const TALL_ROW = 42; // with its words above the marks
+const TALL_ROW = 44; // with its words above the marks
 const NARROW = 620; // where there is no room for words beside the marks
 const LEAST = 200; // that the marks need otherwise
 const TOP = 26;
@@ -94,8 +94,8 @@ const words = (row) => [
 
 /// One row; in a narrow chart its words stand above the marks.
 function line(row, top, { x, left, right, width, narrow, row: height }) {
-  const y = narrow ? top + height - 11 : top + height / 2;
-  const text = narrow ? top + 15 : y + 4;
+  const y = narrow ? top + 24 : top + height / 2;
+  const text = narrow ? top + 14 : y + 4;
   const name = narrow ? { x: 0 } : { x: left - 10, "text-anchor": "end" };
   const side = narrow ? { x: width, "text-anchor": "end" } : { x: right + 12 };
   const group = svg(
@@ -145,9 +145,9 @@ function chart(block, width) {
   );
 }
 
-function keyOf({ rows }) {
+function keyOf({ rows, key: words }) {
   const two = rows.some((r) => isNumber(r.inner_low));
-  const interval = two ? "estimate, inner and outer interval" : "estimate and interval";
+  const interval = words ?? (two ? "estimate, inner and outer interval" : "estimate and interval");
   const entries = [{ name: interval, color: INK, mark: "dot" }];
   if (rows.some((r) => isNumber(r.prior_low)))
     entries.push({ name: "prior", color: "var(--prior)", mark: "box" });
