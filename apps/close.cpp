@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/data_folder.h"
 #include "apps/grasp_output.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
@@ -18,17 +19,18 @@ namespace thenar {
 namespace {
 
 struct Options {
-  std::string world, hand, object, out;
+  WorldChoice choice;
+  std::string out;
   bool json = false;
 };
 
 void run(const Options& options) {
   require_ending(options.out, {".html"});
   if (!options.out.empty()) require_writable(options.out);
-  const GraspQuestion question = ask_world(options.world, options.hand, options.object);
+  const GraspQuestion question = ask_world(options.choice);
   const TouchingHand touching = touching_hand(*question.hand.named.hand);
   const GraspAnswer found = answer(question, touching, 0);
-  require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", options.world,
+  require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
   fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
                                 : grasp_text(question, touching, found));
@@ -41,9 +43,13 @@ void add_close(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("close", "Close the hand of a world where it stands; say what stopped it");
-  command->add_option("world", options->world, "World file (TOML)")->required();
-  command->add_option("--hand", options->hand, "Which hand, where there are several");
-  command->add_option("--object", options->object, "Which object, where there are several");
+  command
+      ->add_option("world", options->choice.world,
+                   "World file (TOML), or the name of one of DATA/worlds")
+      ->required();
+  command->add_option("--hand", options->choice.hand, "Which hand, where there are several");
+  command->add_option("--object", options->choice.object, "Which object, where there are several");
+  command->add_option("--data", options->choice.data, kDataHelp);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--out", options->out, "Also write a report (.html)");
   command->callback([options] { run(*options); });

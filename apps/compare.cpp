@@ -12,6 +12,7 @@
 #include "apps/commands.h"
 #include "apps/compare_file.h"
 #include "apps/compare_report.h"
+#include "apps/data_folder.h"
 #include "apps/hand_by_name.h"
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
@@ -34,22 +35,18 @@ struct Options {
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
   std::vector<std::string> tasks{"force-closure", "hold-weight"};
-  std::string data = "data", output, report;
+  std::string data, output, report;
   int approaches = 20, best = 3, threads = 1;
   unsigned seed = 1;
   bool normalise = false, json = false;
 };
 
 std::string object_file(const std::string& name, const std::string& data) {
-  if (fs::is_regular_file(name)) return name;
-  const fs::path path = fs::path(data) / "objects" / (name + ".toml");
-  require(fs::is_regular_file(path), "there is no object '{}', neither a file nor {}", name,
-          path.string());
-  return path.string();
+  return named_file("object", name, "objects", ".toml", data_folders(data));
 }
 
 ComparedHand to_compare(const std::string& name, const std::string& data) {
-  const NamedHand named = hand_by_name(name, data);
+  const NamedHand named = hand_by_name(name, data_folders(data));
   ComparedHand hand;
   hand.name = name;
   hand.hand = named.hand;
@@ -71,7 +68,7 @@ Json inputs_json(const Options& options) {
     files[file] = sha256(read_source(file).text);
   }
   for (const std::string& hand : options.hands) {
-    const std::string robot = options.data + "/robots/" + hand + ".toml";
+    const std::string robot = robot_file(hand, data_folders(options.data));
     for (const std::string& file : {robot, hand})
       if (fs::is_regular_file(file)) files[file] = sha256(read_source(file).text);
   }
@@ -191,7 +188,7 @@ void add_compare(CLI::App& app) {
       ->check(CLI::PositiveNumber);
   command->add_flag("--normalise-size", options->normalise,
                     "Scale objects by the reach of the digits over the first hand's");
-  command->add_option("--data", options->data, "Folder with robots/ and objects/");
+  command->add_option("--data", options->data, kDataHelp);
   command->add_option("-o,--output,--out", options->output,
                       "Result (JSON); one that is there is gone on with");
   command->add_option("--report", options->report, "Also write a page with pictures (.html)");

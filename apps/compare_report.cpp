@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/data_folder.h"
 #include "apps/hand_by_name.h"
 #include "viewer/compare_page.h"
 #include "viewer/report_page.h"
@@ -21,7 +22,7 @@ void write_compare_report(const Comparison& comparison, const std::vector<BodySp
   human.skin.triangles = kFine;
   std::vector<ComparePicture> pictures;
   for (const std::string& name : comparison.hands) {
-    const NamedHand hand = hand_by_name(name, data, human);
+    const NamedHand hand = hand_by_name(name, data_folders(data), human);
     pictures.push_back({name, hand.hand, hand.patches});
   }
   MeshTable meshes;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/data_folder.h"
 #include "apps/demo_posteriors.h"
 #include "apps/net_file.h"
 #include "apps/progress_bar.h"
@@ -30,7 +31,7 @@ namespace thenar {
 namespace {
 
 struct Options {
-  std::string data = "data";
+  std::string data;
   std::string output = "out";
 };
 
@@ -148,9 +149,12 @@ void run(const Options& options) {
 void add_demo(CLI::App& app) {
   auto options = std::make_shared<Options>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("demo", "Fit real data and write a report");
-  command->add_option("--data", options->data, "Folder with subjects/, experiments/ and fits/");
+  command->add_option("--data", options->data, kDataHelp);
   command->add_option("-o,--output", options->output, "Folder for the report");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    options->data = data_with("fits", options->data);
+    run(*options);
+  });
 }
 
 }  // namespace thenar

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/data_folder.h"
 #include "apps/grasp_output.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
@@ -21,7 +22,8 @@ namespace thenar {
 namespace {
 
 struct Options {
-  std::string world, hand, object, norm = "l1", out, save;
+  WorldChoice choice;
+  std::string norm = "l1", out, save;
   bool approach = true, json = false;
   int random = 0, edges = 0;
   unsigned seed = 1;
@@ -42,29 +44,11 @@ void check(const Options& options) {
     if (!path.empty()) require_writable(path);
 }
 
-bool is_in(const WorldSpec& world, const std::string& name) {
-  for (const PlacedHand& hand : world.hands)
-    if (hand.name == name) return true;
-  return false;
-}
-
-/// A hand that the world does not have: only its own start is missing, which --random draws.
-GraspQuestion ask_stranger(const Options& options, WorldSpec world) {
-  GraspQuestion question;
-  question.path = options.world;
-  question.hand.named = hand_by_name(options.hand, data_of(world.folder));
-  question.hand.q = open_posture(question.hand.named.hand->layout());
-  question.scene = build_scene(world, options.object);
-  question.world = std::move(world);
-  return question;
-}
-
+/// A hand that the world does not have may start at random.
 GraspQuestion ask(const Options& options) {
-  if (!options.hand.empty() && options.random > 0) {
-    WorldSpec world = read_world(options.world);
-    if (!is_in(world, options.hand)) return ask_stranger(options, std::move(world));
-  }
-  return ask_world(options.world, options.hand, options.object);
+  const bool stranger =
+      !options.choice.hand.empty() && options.random > 0 && !has_hand(options.choice);
+  return stranger ? ask_stranger(options.choice) : ask_world(options.choice);
 }
 
 void save(const GraspQuestion& question, const GraspAnswer& found, const std::string& path) {
@@ -96,7 +80,7 @@ void run(const Options& options) {
           question.hand.named.name);
   const GraspAnswer found =
       answer(question, touching, options.approach && !mounted ? options.way : 0);
-  require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", options.world,
+  require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
   fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
                                 : grasp_text(question, touching, found));
@@ -110,12 +94,16 @@ void add_grasp(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("grasp", "Put the hand of a world on its object and measure the grasp");
-  command->add_option("world", options->world, "World file (TOML)")->required();
-  command->add_option("--hand", options->hand,
+  command
+      ->add_option("world", options->choice.world,
+                   "World file (TOML), or the name of one of DATA/worlds")
+      ->required();
+  command->add_option("--hand", options->choice.hand,
                       "Hand of the world; with --random any hand by name, as in 'thenar compare'");
-  command->add_option("--object", options->object, "Which object, where there are several");
+  command->add_option("--object", options->choice.object, "Which object, where there are several");
   command->add_flag("--approach,!--no-approach", options->approach,
                     "Go along the palm's direction first (default), or close where the hand is");
+  command->add_option("--data", options->choice.data, kDataHelp);
   command->add_option("--way", options->way, "Farthest approach [m]");
   command->add_option("--random", options->random, "Best of so many starts, drawn at random");
   command->add_option("--seed", options->seed, "Of --random");

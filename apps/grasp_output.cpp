@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/data_folder.h"
 #include "apps/grasp_report.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
+#include "grasp/closing_drives.h"
 #include "grasp/draw_start.h"
 #include "grasp/quality/pyramid.h"
 #include "viewer/grasp_words.h"
@@ -117,6 +119,19 @@ std::string starts_text(const GraspQuestion& question, const GraspAnswer& answer
                      question.starts, question.seed, fmt::join(parts, ", "), answer.closures);
 }
 
+std::string world_file(const WorldChoice& choice) {
+  return named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
+}
+
+GraspQuestion question_of(const WorldChoice& choice) {
+  GraspQuestion question;
+  question.path = world_file(choice);
+  question.world = read_world(question.path);
+  question.data = data_for(question.world.folder, choice.data);
+  question.scene = build_scene(question.world, choice.object);
+  return question;
+}
+
 }  // namespace
 
 WrenchSet wrenches_of(const GraspQuestion& question, const std::vector<HandContact>& contacts) {
@@ -190,14 +205,23 @@ std::string grasp_text(const GraspQuestion& question, const TouchingHand& touchi
   return text;
 }
 
-GraspQuestion ask_world(const std::string& path, const std::string& hand,
-                        const std::string& object) {
-  GraspQuestion question;
-  question.path = path;
-  question.world = read_world(path);
-  question.hand = hand_of_world(question.world, hand, path);
-  question.scene = build_scene(question.world, object);
+GraspQuestion ask_world(const WorldChoice& choice) {
+  GraspQuestion question = question_of(choice);
+  question.hand = hand_of_world(question.world, choice.hand, question.path, question.data);
   return question;
+}
+
+GraspQuestion ask_stranger(const WorldChoice& choice) {
+  GraspQuestion question = question_of(choice);
+  question.hand.named = hand_by_name(choice.hand, question.data);
+  question.hand.q = open_posture(question.hand.named.hand->layout());
+  return question;
+}
+
+bool has_hand(const WorldChoice& choice) {
+  for (const PlacedHand& hand : read_world(world_file(choice)).hands)
+    if (hand.name == choice.hand) return true;
+  return false;
 }
 
 }  // namespace thenar

@@ -15,7 +15,8 @@ namespace thenar {
 
 /// What was asked.
 struct GraspQuestion {
-  std::string path;  // of the world
+  std::string path;               // of the world
+  std::vector<std::string> data;  // folders where hands are found by name
   WorldSpec world;
   WorldHand hand;
   Scene scene;
@@ -54,8 +55,20 @@ struct GraspAnswer {
 void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
                         const GraspAnswer& answer, const std::string& path);
 
-/// The question about a world file. @param hand, object  names, or "" for the only ones
-[[nodiscard]] GraspQuestion ask_world(const std::string& path, const std::string& hand,
-                                      const std::string& object);
+/// Which world, and which of its things.
+struct WorldChoice {
+  std::string world;         // a file, or the name of one of worlds/
+  std::string hand, object;  // names, or "" for the only ones
+  std::string data;          // --data
+};
+
+/// The question about a world file. @throws InputError where something is not to be found.
+[[nodiscard]] GraspQuestion ask_world(const WorldChoice& choice);
+
+/// The same about a hand that the world does not have: only its own start is missing.
+[[nodiscard]] GraspQuestion ask_stranger(const WorldChoice& choice);
+
+/// Whether the world has the hand that is named.
+[[nodiscard]] bool has_hand(const WorldChoice& choice);
 
 }  // namespace thenar

@@ -30,9 +30,9 @@ NamedHand hand_for_picture(const GraspQuestion& question) {
   if (question.hand.parts.empty()) {
     HumanHandOptions options;
     options.skin.triangles = kFine;
-    return hand_by_name(name, data_of(question.world.folder), options);
+    return hand_by_name(name, question.data, options);
   }
-  return hand_of_world(question.world, name, question.path, kFine).named;
+  return hand_of_world(question.world, name, question.path, question.data, kFine).named;
 }
 
 }  // namespace

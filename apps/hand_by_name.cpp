@@ -1,12 +1,12 @@
 #include "apps/hand_by_name.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/data_folder.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/nearest_name.h"
@@ -56,17 +56,12 @@ std::pair<std::string, std::string> split_tier(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> robot_names(const std::string& data) {
-  std::vector<std::string> names;
-  const fs::path folder = fs::path(data) / "robots";
-  if (!fs::is_directory(folder)) return names;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
+std::string robot_file(const std::string& name, const std::vector<std::string>& places) {
+  if (name.empty() || name.find('/') != std::string::npos) return "";
+  return find_in(places, (fs::path("robots") / (name + ".toml")).string());
 }
 
-NamedHand hand_by_name(const std::string& name, const std::string& data,
+NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& places,
                        const HumanHandOptions& options) {
   const auto [base, tier] = split_tier(name);
   if (base == kHuman) return human(name, default_human(), tier.empty() ? "tier4" : tier, options);
@@ -78,14 +73,14 @@ NamedHand hand_by_name(const std::string& name, const std::string& data,
   require(tier.empty(), "'{}' has a tier, but '{}' is neither 'human' nor a subject file", name,
           base);
   if (fs::is_regular_file(base)) return robot(name, base);
-  const fs::path library = fs::path(data) / "robots" / (base + ".toml");
-  if (base.find('/') == std::string::npos && fs::is_regular_file(library))
-    return robot(name, library.string());
-  std::vector<std::string> known = robot_names(data);
+  const std::string library = robot_file(base, places);
+  if (!library.empty()) return robot(name, library);
+  std::vector<std::string> known = names_in(places, "robots");
   for (const char* each : {"human:tier1", "human:tier2", "human:tier3", "human:tier4"})
     known.push_back(each);
-  throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files", name,
-                               did_you_mean(name, known), fmt::join(known, ", ")));
+  throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files; {}", name,
+                               did_you_mean(name, known), fmt::join(known, ", "),
+                               places_words(places)));
 }
 
 }  // namespace thenar

@@ -26,15 +26,17 @@ struct NamedHand {
 ///   "human:tier1" .. "human:tier4"  a version of default_human(); "human" is tier 4
 ///   "FILE.toml:tier1" ..            the same of a subject file; without a tier it is tier 2, which
 ///                                   needs no tendons
-///   "barrett"                       DATA/robots/barrett.toml
+///   "barrett"                       robots/barrett.toml of the first place that has it
 ///   a path                          a robot of any kind that import_robot() reads
-/// @param data  folder with robots/
+/// @param places  folders with robots/, as data_folders()
 /// @throws InputError naming the hands there are, if there is none of that name; DataError where a
 ///         file is wrong.
-[[nodiscard]] NamedHand hand_by_name(const std::string& name, const std::string& data = "data",
+[[nodiscard]] NamedHand hand_by_name(const std::string& name,
+                                     const std::vector<std::string>& places,
                                      const HumanHandOptions& human = {});
 
-/// Names of the robots in DATA/robots, in alphabetic order.
-[[nodiscard]] std::vector<std::string> robot_names(const std::string& data = "data");
+/// The file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
+[[nodiscard]] std::string robot_file(const std::string& name,
+                                     const std::vector<std::string>& places);
 
 }  // namespace thenar

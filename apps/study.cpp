@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/data_folder.h"
 #include "apps/output_ending.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
@@ -21,7 +22,7 @@ namespace thenar {
 namespace {
 
 struct Options {
-  std::string data = "data", output;
+  std::string data, output;
   long draws = 0;
   int simulations = 0;
   unsigned seed = 1;
@@ -119,7 +120,7 @@ std::optional<ThumbCalibration> calibrate(const Options& options, const ThumbStu
 void run_thumb(const Options& options) {
   require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
-  const ThumbStudyInputs inputs = thumb_study_inputs(options.data);
+  const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", options.data));
   ThumbStudySettings settings = options.quick ? quick_thumb_study() : full_thumb_study();
   if (options.draws > 0) settings.draws = settings.warm_up = options.draws;
   settings.seed = options.seed;
@@ -156,7 +157,7 @@ void add_study(CLI::App& app) {
   CLI::App* thumb = study->add_subcommand(
       "thumb", "Do forces tell skewed thumb axes from orthogonal ones, and which of them?");
   thumb->add_option("-o,--output", options->output, "Report (HTML)");
-  thumb->add_option("--data", options->data, "Folder with subjects/ and fits/");
+  thumb->add_option("--data", options->data, kDataHelp);
   thumb->add_option("--draws", options->draws, "Of each of 4 chains, and warm-up (0: as set)")
       ->check(CLI::NonNegativeNumber);
   thumb

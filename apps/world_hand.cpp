@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/data_folder.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "data/io/nearest_name.h"
@@ -17,6 +18,8 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
+
+using Places = std::vector<std::string>;  // where data is looked for
 
 constexpr double kOutside = 1e-9;  // of limits that is still inside, as closing has it
 
@@ -32,12 +35,12 @@ std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
 }
 
 /// The robot's file, for mounting. @throws InputError if it is no robot.
-std::string robot_file(const WorldSpec& world, const PlacedHand& placed) {
+std::string file_of(const WorldSpec& world, const PlacedHand& placed, const Places& data) {
   if (!placed.file.empty()) return beside(world, placed.file);
-  const fs::path library = fs::path(data_of(world.folder)) / "robots" / (placed.name + ".toml");
-  require(fs::is_regular_file(library),
-          "hand '{}' is mounted, or carries another: it must be a robot", placed.name);
-  return library.string();
+  std::string library = robot_file(placed.name, data);
+  require(!library.empty(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
+          placed.name, places_words(data));
+  return library;
 }
 
 std::size_t index_of(const WorldSpec& world, const std::string& name) {
@@ -85,15 +88,16 @@ std::vector<std::size_t> parts_of(const WorldSpec& world, std::size_t index) {
 }
 
 /// One robot of a hand and its carriers, from the last of them to the hand.
-NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts) {
+NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts,
+                  const Places& data) {
   const PlacedHand& last = world.hands[parts.back()];
-  RobotSpec robot = import_robot(robot_file(world, last));
+  RobotSpec robot = import_robot(file_of(world, last, data));
   NamedHand hand;
   hand.name = world.hands[parts.front()].name + " on " + last.name;
-  hand.file = robot_file(world, world.hands[parts.front()]);
+  hand.file = file_of(world, world.hands[parts.front()], data);
   for (std::size_t i = parts.size() - 1; i-- > 0;) {
     const PlacedHand& placed = world.hands[parts[i]];
-    RobotSpec tool = import_robot(robot_file(world, placed));
+    RobotSpec tool = import_robot(file_of(world, placed, data));
     robot = attach(robot, placed.carrier_link, tool, placed.X_WH);
   }
   hand.hand = std::make_shared<RobotHand>(robot);
@@ -118,14 +122,14 @@ std::vector<int> places_of(const std::vector<std::string>& part, const std::stri
   return places;
 }
 
-void add_names(const WorldSpec& world, WorldHand& hand) {
+void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
   const std::vector<std::string>& whole = hand.named.hand->layout().coordinates;
   std::vector<bool> taken(whole.size(), false);
   for (const std::size_t part : hand.parts) {
     std::vector<std::string> names = whole;
     std::string robot;
     if (hand.parts.size() > 1) {
-      const RobotSpec spec = import_robot(robot_file(world, world.hands[part]));
+      const RobotSpec spec = import_robot(file_of(world, world.hands[part], data));
       names = RobotHand(spec).layout().coordinates;
       robot = spec.name;
     }
@@ -136,9 +140,9 @@ void add_names(const WorldSpec& world, WorldHand& hand) {
 
 /// Sets what a degree of freedom of a robot drives; false: there is none of that name.
 bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector<int>& places,
-             const std::string& name, double value, Eigen::VectorXd& q) {
+             const std::string& name, double value, const Places& data, Eigen::VectorXd& q) {
   if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return false;
-  const std::string file = robot_file(world, placed);
+  const std::string file = file_of(world, placed, data);
   const RobotSpec robot = import_robot(file);
   Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
   bool found = false;
@@ -164,7 +168,8 @@ void require_within(const WorldHand& hand, const std::string& path) {
             layout.lower[c], layout.upper[c]);
 }
 
-void set_posture(const WorldSpec& world, const std::string& path, WorldHand& hand) {
+void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
+                 WorldHand& hand) {
   hand.q = open_posture(hand.named.hand->layout());
   for (std::size_t i = 0; i < hand.parts.size(); ++i) {
     const PlacedHand& placed = world.hands[hand.parts[i]];
@@ -175,7 +180,7 @@ void set_posture(const WorldSpec& world, const std::string& path, WorldHand& han
         hand.q[hand.places[i][at]] = value;
         continue;
       }
-      require(set_dof(world, placed, hand.places[i], name, value, hand.q),
+      require(set_dof(world, placed, hand.places[i], name, value, data, hand.q),
               "{}: hand '{}' has no coordinate '{}'{}; it has {}", path, placed.name, name,
               did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
     }
@@ -191,26 +196,23 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 
 }  // namespace
 
-std::string data_of(const std::string& folder) {
-  const fs::path above = fs::path(folder).lexically_normal().parent_path();
-  if (!fs::is_directory("data/robots") && fs::is_directory(above / "robots")) return above.string();
-  return "data";
+std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
+  return data_folders(given, fs::path(folder).lexically_normal().parent_path().string());
 }
 
 WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const std::string& path,
-                        int fine) {
+                        const std::vector<std::string>& data, int fine) {
   WorldHand hand;
   hand.parts = parts_of(world, chosen(world, name, path));
   const PlacedHand& placed = world.hands[hand.parts.front()];
   HumanHandOptions options;
   if (fine > 0) options.skin.triangles = fine;
-  hand.named = hand.parts.size() > 1
-                   ? mounted(world, hand.parts)
-                   : hand_by_name(name_to_build(world, placed), data_of(world.folder), options);
+  hand.named = hand.parts.size() > 1 ? mounted(world, hand.parts, data)
+                                     : hand_by_name(name_to_build(world, placed), data, options);
   if (hand.parts.size() == 1) hand.named.name = placed.name;
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
-  add_names(world, hand);
-  set_posture(world, path, hand);
+  add_names(world, hand, data);
+  set_posture(world, path, data, hand);
   return hand;
 }
 

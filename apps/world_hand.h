@@ -27,14 +27,17 @@ struct WorldHand {
 /// nothing closes them. Coordinates that the world does not name are where closing begins. Besides
 /// coordinates a posture may name degrees of freedom, each of which sets the joints it drives.
 /// @param path   of the world, for messages
+/// @param data   folders with robots/, as data_for()
 /// @param fine   triangles of each link of a human hand; 0: as many as contacts need
 /// @throws InputError if there is no such hand or more than one to choose from, if a posture names
 ///         what the hand has not or leaves its limits, or if a human hand is mounted.
 [[nodiscard]] WorldHand hand_of_world(const WorldSpec& world, const std::string& name,
-                                      const std::string& path, int fine = 0);
+                                      const std::string& path, const std::vector<std::string>& data,
+                                      int fine = 0);
 
-/// The folder with robots/ for worlds read from `folder`: "data", or the one above.
-[[nodiscard]] std::string data_of(const std::string& folder);
+/// data_folders() for a world read from `folder`: beside worlds/ there may be robots/.
+[[nodiscard]] std::vector<std::string> data_for(const std::string& folder,
+                                                const std::string& given);
 
 /// The world with the hand where it is found, in its posture.
 [[nodiscard]] WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand,

@@ -22,4 +22,5 @@ install(FILES ${PROJECT_BINARY_DIR}/thenarConfig.cmake
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/data/subjects ${PROJECT_SOURCE_DIR}/data/experiments
                   ${PROJECT_SOURCE_DIR}/data/robots ${PROJECT_SOURCE_DIR}/data/objects
                   ${PROJECT_SOURCE_DIR}/data/worlds ${PROJECT_SOURCE_DIR}/data/contacts
+                  ${PROJECT_SOURCE_DIR}/data/fits ${PROJECT_SOURCE_DIR}/data/nets
   DESTINATION ${CMAKE_INSTALL_DATADIR}/thenar)

@@ -1,0 +1,43 @@
+#pragma once
+
+/// Where the data that comes with thenar is found: one answer for every command.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+inline constexpr const char* kDataHelp =
+    "Folder with robots/, objects/.., before THENAR_DATA, ./data and what came with the program";
+
+/// Folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
+///   `given` (--data), the environment's THENAR_DATA, ./data, `near`, what was installed with the
+///   program (../share/thenar beside it), the sources that it was built from.
+/// Those that are not set are left out; those that are not there are not.
+/// @param near  above the folder of a world, whose hands may stand beside it; "": nothing
+[[nodiscard]] std::vector<std::string> data_folders(const std::string& given,
+                                                    const std::string& near = "");
+
+/// The first of `places` that has `what`, with it: "data/robots/barrett.toml"; "" if none has it.
+[[nodiscard]] std::string find_in(const std::vector<std::string>& places, const std::string& what);
+
+/// The first data folder that has the folder `what`.
+/// @throws InputError that names all places, if none has it.
+[[nodiscard]] std::string data_with(const std::string& what, const std::string& given);
+
+/// Names of the files of a folder like "robots" without ending, of all places, in alphabetic order.
+[[nodiscard]] std::vector<std::string> names_in(const std::vector<std::string>& places,
+                                                const std::string& folder,
+                                                const std::string& ending = ".toml");
+
+/// A file, or by its name one that comes with thenar: "barrett_bobbin" of "worlds".
+/// @param what  for messages: "world";  @param folder  "worlds";  @param ending  ".toml"
+/// @throws InputError if there is neither, with the places looked in and the nearest name.
+[[nodiscard]] std::string named_file(const std::string& what, const std::string& name,
+                                     const std::string& folder, const std::string& ending,
+                                     const std::vector<std::string>& places);
+
+/// "looked in a, b, c".
+[[nodiscard]] std::string places_words(const std::vector<std::string>& places);
+
+}  // namespace thenar
