@@ -11,6 +11,7 @@
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
 #include "data/io/fit_settings.h"
+#include "data/io/mesh/mend_shape.h"
 #include "data/io/net.h"
 #include "data/io/robot/robot.h"
 #include "data/io/world/world.h"
@@ -106,6 +107,9 @@ std::string summary(const Materials& materials) {
 }
 
 std::string summary(const RobotSpec& robot) {
+  for (const RobotLink& link : robot.links)
+    for (const ShapeSpec& shape : link.shapes)
+      require_solid(shape, fmt::format("link '{}'", link.name));
   return fmt::format("robot '{}': {}, {}, {}", robot.name, counted(robot.links.size(), "link"),
                      counted(robot.joints.size(), "joint"), counted(robot.dofs.size(), "motor"));
 }

@@ -1,11 +1,12 @@
 // thenar import FILE [--out robot.toml|robot.urdf|world.toml|object.toml|mesh.stl..] [--json]
-// [--strict]
+// [--strict] [--repair] [--units m|cm|mm|in]
 //
 // Reads a robot, world, object or mesh of any format, says what it holds and what was not
 // understood, and writes it in another.
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@
 #include "base/write_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
+#include "data/io/mesh/mend_shape.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/urdf_export.h"
 #include "data/io/toml_node.h"
@@ -36,7 +38,8 @@ struct Options {
   bool json = false;
   bool strict = false;
   bool repair = false;
-  double scale = 1;  // of a mesh [m] per unit of its file
+  double scale = 1;   // of a mesh [m] per unit of its file
+  std::string units;  // of a mesh file, in place of `scale`
 };
 
 /// What was read, told, and ready to be written.
@@ -74,8 +77,28 @@ Imported import_robot_file(const std::string& path) {
           }};
 }
 
-Imported import_body(const BodySpec& body, const std::string& kind, const std::string& path,
-                     const std::vector<std::string>& warnings) {
+/// A body whose meshes bound solids: mended where it stands still anyway, or if asked to.
+/// @throws DataError naming the holes
+void settle_meshes(BodySpec& body, const Options& options, bool dynamic,
+                   std::vector<std::string>& warnings) {
+  const std::string owner = fmt::format("{} '{}'", dynamic ? "body" : "obstacle", body.name);
+  if (dynamic && !options.repair) {
+    try {
+      for (const ShapeSpec& shape : body.shapes) require_solid(shape, owner);
+    } catch (const InputError& error) {
+      throw DataError(options.file, 1, fmt::format("{}; --repair mends it", error.what()));
+    }
+    return;
+  }
+  mend_shapes(body.shapes, owner, warnings);
+  if (body.shapes.empty())
+    throw DataError(options.file, 1, fmt::format("{} is left without a shape", owner));
+}
+
+Imported import_body(BodySpec body, const std::string& kind, const Options& options,
+                     std::vector<std::string> warnings) {
+  settle_meshes(body, options, true, warnings);
+  const std::string path = options.file;
   return {report(body, kind, warnings), {".toml"}, [=](const std::string& out) {
             BodySpec moved = body;
             point_to(moved.shapes, fs::path(path).parent_path(), out);
@@ -83,8 +106,14 @@ Imported import_body(const BodySpec& body, const std::string& kind, const std::s
           }};
 }
 
-Imported import_world(const WorldSpec& world, const std::string& kind, const std::string& path,
-                      const std::vector<std::string>& warnings) {
+Imported import_world(WorldSpec world, const std::string& kind, const Options& options,
+                      std::vector<std::string> warnings) {
+  for (PlacedBody& placed : world.bodies) {
+    const std::size_t before = warnings.size();
+    settle_meshes(placed.body, options, placed.dynamic, warnings);
+    if (warnings.size() > before) placed.file.clear();  // it holds another surface now
+  }
+  const std::string path = options.file;
   return {report(world, kind, warnings), {".toml"}, [=](const std::string& out) {
             WorldSpec moved = world;
             const fs::path folder = fs::path(path).parent_path();
@@ -98,20 +127,56 @@ Imported import_world(const WorldSpec& world, const std::string& kind, const std
           }};
 }
 
+/// [m] in one unit of a mesh file.
+double scale_of(const Options& options) {
+  static const std::map<std::string, double> units{
+      {"", 1}, {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}};
+  const auto found = units.find(options.units);
+  require(found != units.end(), "wanted --units m, cm, mm or in, got '{}'", options.units);
+  require(options.units.empty() || options.scale == 1, "wanted one of --units and --scale");
+  return found->second * options.scale;
+}
+
+/// A mesh as an object. @param as_in_file  it is named, not written out
+BodySpec object_of(const TriangleMesh& mesh, const Options& options, bool as_in_file,
+                   const std::string& out) {
+  BodySpec body;
+  body.name = fs::path(options.file).stem().string();
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = mesh;
+  if (as_in_file) {
+    shape.mesh_file = options.file;
+    shape.mesh_scale = scale_of(options);
+  }
+  body.shapes = {shape};
+  std::vector<std::string> ignored;
+  Options as_given = options;
+  as_given.repair = false;  // that has been done
+  settle_meshes(body, as_given, true, ignored);
+  point_to(body.shapes, "", out);
+  return body;
+}
+
 Imported import_mesh(const Options& options) {
-  TriangleMesh mesh = read_mesh(options.file, options.scale);
+  const double scale = scale_of(options);
+  TriangleMesh mesh = read_mesh(options.file, scale);
   std::string repaired;
   const std::size_t holes = check_mesh(mesh).holes.size();
   if (options.repair) {
-    MendedMesh mended = mend_mesh(mesh);
+    MendedMesh mended = watertight_mesh(mesh);
     mesh = std::move(mended.mesh);
     repaired = mended.done;
   }
   Json told = report(mesh, fs::path(options.file).stem());
   told["holes_closed"] = holes - told["holes"].size();
   told["repaired"] = repaired;
-  return {told, {".obj", ".stl", ".ply", ".off"}, [=](const std::string& out) {
-            write_mesh(out, mesh);
+  return {told, {".obj", ".stl", ".ply", ".off", ".toml"}, [=](const std::string& out) {
+            if (fs::path(out).extension() == ".toml") {
+              write_file(out, object_toml(object_of(mesh, options, repaired.empty(), out)));
+            } else {
+              write_mesh(out, mesh);
+            }
           }};
 }
 
@@ -124,23 +189,25 @@ bool is_mesh(const std::string& path) {
   }
 }
 
-Imported import_xml(const std::string& path) {
+Imported import_xml(const Options& options) {
+  const std::string& path = options.file;
   const std::string root = XmlFile(path).root_name();
   if (root == "world") {
     const GraspitWorld read = read_graspit_world(path);
-    return import_world(read.world, "GraspIt! world", path, read.warnings);
+    return import_world(read.world, "GraspIt! world", options, read.warnings);
   }
   if (root == "robot" || root == "mujoco" || root == "mujocoinclude")
     return import_robot_file(path);
   const GraspitBody read = read_graspit_body(path);
-  return import_body(read.body, "GraspIt! body", path, read.warnings);
+  return import_body(read.body, "GraspIt! body", options, read.warnings);
 }
 
-Imported import_toml(const std::string& path) {
+Imported import_toml(const Options& options) {
+  const std::string& path = options.file;
   const FileKind kind = find_file_kind(path);
   if (kind == FileKind::kRobot) return import_robot_file(path);
-  if (kind == FileKind::kObject) return import_body(read_object(path), "object", path, {});
-  if (kind == FileKind::kWorld) return import_world(read_world(path), "world", path, {});
+  if (kind == FileKind::kObject) return import_body(read_object(path), "object", options, {});
+  if (kind == FileKind::kWorld) return import_world(read_world(path), "world", options, {});
   throw DataError(path, 1,
                   fmt::format("wanted a robot, an object, a world or a mesh, got a file "
                               "of kind '{}'",
@@ -150,13 +217,13 @@ Imported import_toml(const std::string& path) {
 Imported import_file(const Options& options) {
   const std::string& path = options.file;
   if (is_mesh(path)) return import_mesh(options);
-  require(!options.repair && options.scale == 1,
-          "--repair and --scale are for meshes, '{}' is none", path);
+  require(options.scale == 1 && options.units.empty(),
+          "--scale and --units are for meshes, '{}' is none", path);
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first != std::string::npos && text[first] == '<') return import_xml(path);
+  if (first != std::string::npos && text[first] == '<') return import_xml(options);
   if (fs::path(path).extension() == ".cfg") return import_robot_file(path);  // refused by name
-  return import_toml(path);
+  return import_toml(options);
 }
 
 void run(const Options& options) {
@@ -184,10 +251,12 @@ void add_import(CLI::App& app) {
   command->add_option(
       "--out", options->out,
       "Robots to .toml or .urdf, objects and worlds to .toml, meshes to .obj, .stl, "
-      ".ply or .off");
+      ".ply, .off or, as objects, .toml");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("--scale", options->scale, "Metres per unit of a mesh file");
-  command->add_flag("--repair", options->repair, "Mend a mesh: close holes, turn triangles");
+  command->add_option("--units", options->units, "Of a mesh file: m, cm, mm or in");
+  command->add_flag("--repair", options->repair,
+                    "Mend meshes, also of bodies: close holes, turn triangles");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
   command->callback([options] { run(*options); });
 }

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "apps/to_json.h"
+#include "base/shapes/mass_properties.h"
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
-#include "base/shapes/shape_mass.h"
 #include "data/io/robot/link_poses.h"
 
 namespace thenar {
@@ -126,6 +126,15 @@ Json mass_json(const BodySpec& body) {
   return body.spread_mass > 0 ? Json(body.spread_mass) : Json(nullptr);
 }
 
+/// Whether its triangles, part for part, agree on what is inside.
+bool has_volume(const TriangleMesh& mesh) {
+  const std::vector<TriangleMesh> parts = connected_parts(mesh);
+  return std::all_of(parts.begin(), parts.end(), [](const TriangleMesh& part) {
+    const MeshReport found = check_mesh(part);
+    return found.holes.empty() && found.nonmanifold_edges == 0 && found.reversed_edges == 0;
+  });
+}
+
 std::string line_of_text(const std::string& key, const Json& value) {
   return fmt::format("{}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
 }
@@ -198,8 +207,8 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
   Json warnings = Json::array();
   if (!found.holes.empty())
     warnings.push_back(
-        fmt::format("the surface is open in {} place{}: volume and mass are not "
-                    "those of a solid",
+        fmt::format("the surface is open in {} place{}: it has no volume; --repair "
+                    "closes it",
                     found.holes.size(), found.holes.size() == 1 ? "" : "s"));
   if (found.reversed_edges > 0)
     warnings.push_back(fmt::format("{} edges lie between triangles that face opposite ways",
@@ -207,11 +216,14 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
   if (found.nonmanifold_edges > 0)
     warnings.push_back(
         fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
-  ShapeSpec shape;
-  shape.kind = ShapeKind::kMesh;
-  shape.mesh = mesh;
-  const MassProperties mass = mass_at_unit_density(shape);
-  if (mass.mass == 0) warnings.push_back("no volume: the surface is flat, or faces inwards");
+  if (found.degenerate > 0)
+    warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
+  const bool closed = has_volume(mesh);
+  const MassProperties mass = closed ? signed_moments(mesh) : MassProperties{};
+  const bool solid = mass.mass > 0;
+  if (closed && !solid)
+    warnings.push_back(mass.mass < 0 ? "inside out: the surface faces inwards, --repair turns it"
+                                     : "no volume: the surface is flat");
   return {{"name", name},
           {"kind", "mesh"},
           {"vertices", mesh.vertices.cols()},
@@ -219,11 +231,14 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
           {"parts", connected_parts(mesh).size()},
           {"watertight", found.watertight()},
           {"holes", holes},
+          {"reversed_edges", found.reversed_edges},
+          {"nonmanifold_edges", found.nonmanifold_edges},
+          {"degenerate_triangles", found.degenerate},
           {"lowest_corner_m", vector_json(mesh.vertices.rowwise().minCoeff())},
           {"highest_corner_m", vector_json(mesh.vertices.rowwise().maxCoeff())},
-          {"volume_m3", mass.mass},
-          {"centre_of_mass_m", vector_json(mass.centre)},
-          {"inertia", to_json(mass.inertia)},
+          {"volume_m3", solid ? Json(mass.mass) : Json(nullptr)},
+          {"centre_of_mass_m", solid ? vector_json(mass.centre) : Json(nullptr)},
+          {"inertia", solid ? Json(to_json(mass.inertia)) : Json(nullptr)},
           {"warnings", warnings}};
 }
 

@@ -16,6 +16,8 @@ namespace {
 
 using Eigen::Vector3d, Eigen::Vector3i;
 
+constexpr std::size_t kHolesTold = 8;  // in words; more are counted
+
 using Edge = std::pair<int, int>;
 using Walks = std::map<Edge, int>;  // how many triangles walk an edge so
 
@@ -183,11 +185,14 @@ std::string describe(const MeshReport& report) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
   };
   add(static_cast<int>(report.holes.size()), "hole(s)");
-  for (const MeshHole& hole : report.holes)
-    text +=
-        fmt::format("{} {} edges, {:.4g} mm around ({:.4g}, {:.4g}, {:.4g}) mm",
-                    &hole == &report.holes.front() ? ":" : ",", hole.loop.size(), 1e3 * hole.length,
-                    1e3 * hole.centre.x(), 1e3 * hole.centre.y(), 1e3 * hole.centre.z());
+  for (std::size_t i = 0; i < std::min(report.holes.size(), kHolesTold); ++i) {
+    const MeshHole& hole = report.holes[i];
+    text += fmt::format("{} {} edges, {:.4g} mm around ({:.4g}, {:.4g}, {:.4g}) mm",
+                        i == 0 ? ":" : ",", hole.loop.size(), 1e3 * hole.length,
+                        1e3 * hole.centre.x(), 1e3 * hole.centre.y(), 1e3 * hole.centre.z());
+  }
+  if (report.holes.size() > kHolesTold)
+    text += fmt::format(" and {} more", report.holes.size() - kHolesTold);
   add(report.nonmanifold_edges, "edge(s) of more than two triangles");
   add(report.reversed_edges, "edge(s) whose triangles face opposite ways");
   add(report.degenerate, "triangle(s) of no area");

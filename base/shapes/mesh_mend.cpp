@@ -274,4 +274,16 @@ MendedMesh mend_mesh(const TriangleMesh& mesh) {
   return hull_of(mesh);
 }
 
+MendedMesh watertight_mesh(const TriangleMesh& mesh) {
+  MendedMesh mended = mend_mesh(mesh);
+  const MeshReport before = check_mesh(mended.mesh);
+  TriangleMesh sound = joined(solid_parts(mended.mesh));
+  const double volume = check_mesh(sound).volume;
+  if (before.watertight() && std::abs(volume - before.volume) <= 1e-12 * volume) return mended;
+  Done done;
+  if (!mended.done.empty()) done.add(mended.done);
+  done.add(before.watertight() ? "turned right side out" : "put right: " + describe(before));
+  return {std::move(sound), done.text()};
+}
+
 }  // namespace thenar

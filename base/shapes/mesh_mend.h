@@ -24,4 +24,10 @@ struct MendedMesh {
 /// finite.
 [[nodiscard]] MendedMesh mend_mesh(const TriangleMesh& mesh);
 
+/// mend_mesh(), and what build_solid() forgives put right as well: triangles that face inwards are
+/// turned, those of no area or there twice dropped, so that check_mesh() finds nothing and a volume
+/// above 0.
+/// @throws InputError as mend_mesh().
+[[nodiscard]] MendedMesh watertight_mesh(const TriangleMesh& mesh);
+
 }  // namespace thenar

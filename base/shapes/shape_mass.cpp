@@ -4,6 +4,8 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "base/shapes/mesh_check.h"
+#include "base/shapes/mesh_parts.h"
 
 namespace thenar {
 namespace {
@@ -39,9 +41,18 @@ MassProperties capsule(double r, double height) {
   return body;
 }
 
+/// Triangles that face inwards are turned first: each takes away twice what it holds.
 MassProperties enclosed(const TriangleMesh& mesh) {
-  const MassProperties moments = signed_moments(mesh);
-  return moments.mass > 0 ? moments : MassProperties{};
+  if (mesh.empty()) return {};
+  const MeshReport found = check_mesh(mesh);
+  if (found.watertight() && found.volume > 0) return signed_moments(mesh);
+  std::vector<MassProperties> parts;
+  try {
+    for (const TriangleMesh& part : solid_parts(mesh)) parts.push_back(signed_moments(part));
+  } catch (const InputError&) {
+    return {};  // it bounds no solid
+  }
+  return together(parts);
 }
 
 MassProperties in_own_frame(const ShapeSpec& shape) {

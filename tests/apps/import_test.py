@@ -138,6 +138,56 @@ class Import(unittest.TestCase):
         for value in told["holes"][0]["centre_m"]:
             self.assertAlmostEqual(value, 1 / 3, 12)
         self.assertIn("open in 1 place", told["warnings"][0])
+        for nothing in ["volume_m3", "centre_of_mass_m", "inertia"]:
+            self.assertIsNone(told[nothing])
+
+    def test_counts_triangles_that_face_the_wrong_way_and_turns_them(self):
+        # The corner with its slanted face turned: three edges; all turned: inside out.
+        turned = self.path("turned.off", CORNER.format(4, "3 3 2 1\n"))
+        told = self.report(turned)
+        self.assertEqual((told["reversed_edges"], told["volume_m3"]), (3, None))
+        told = self.report(turned, "--repair")
+        self.assertEqual((told["reversed_edges"], told["watertight"]), (0, True))
+        self.assertAlmostEqual(told["volume_m3"], 1 / 6, 12)
+        told = self.report(self.path("inside.off", "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n"
+                                     "3 0 1 2\n3 0 3 1\n3 0 2 3\n3 1 3 2\n"))
+        self.assertIsNone(told["volume_m3"])
+        self.assertIn("inside out", told["warnings"][0])
+        self.assertAlmostEqual(self.report(self.path("inside.off"), "--repair")["volume_m3"], 1 / 6, 12)
+
+    def test_refuses_leaky_objects_unless_it_may_mend_them(self):
+        self.path("open.off", CORNER.format(3, ""))
+        body = self.path("body.xml", "<root><material>wood</material><mass>100</mass>"
+                                     "<geometryFile type='off'>open.off</geometryFile></root>")
+        done = self.thenar(body, "--out", self.path("body.toml"), code=1)
+        for words in ["body.xml:1: mesh 'open.off' of body 'body'", "1 hole(s): 3 edges", "--repair"]:
+            self.assertIn(words, done.stderr)
+        told = self.report(body, "--repair", "--out", self.path("body.toml"))
+        self.assertIn("1 hole(s) closed", told["warnings"][0])
+        self.assertEqual(self.report(self.path("body.toml"))["warnings"], [])
+        world = ("<world><{0}><filename>body.xml</filename></{0}></world>")
+        self.thenar(self.path("object.xml", world.format("graspableBody")), code=1)
+        told = self.report(self.path("still.xml", world.format("obstacle")))
+        self.assertIn("MENDED mesh 'open.off' of obstacle 'body'", told["warnings"][0])
+
+    def test_makes_objects_of_meshes(self):
+        corner = self.path("corner.off", CORNER.format(4, "3 1 2 3\n"))
+        self.thenar(corner, "--units", "cm", "--out", self.path("sub/corner.toml"))
+        told = self.report(self.path("sub/corner.toml"))
+        self.assertEqual((told["name"], told["kind"]), ("corner", "object"))
+        self.assertEqual(told["shapes"][0]["triangles"], 4)
+        self.assertIn("one of --units", self.thenar(corner, "--units", "cm", "--scale", "2",
+                                                    code=1).stderr)
+        self.assertIn("--repair", self.thenar(self.path("open.off", CORNER.format(3, "")), "--out",
+                                              self.path("open.toml"), code=1).stderr)
+
+    def test_validate_names_a_leaky_link(self):
+        self.path("open.off", CORNER.format(3, ""))
+        robot = self.path("robot.toml", 'name = "r"\nsource = "x"\n[sources]\nx = "y"\n[[link]]\n'
+                          'name = "palm"\n[[link.shape]]\nkind = "mesh"\nfile = "open.off"\n')
+        done = subprocess.run([PROGRAM, "validate", robot], capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("mesh 'open.off' of link 'palm': a mesh bounds no solid: 1 hole(s)", done.stdout)
 
     def test_closes_holes_and_scales(self):
         told = self.report(self.path("open.off", CORNER.format(3, "")), "--repair", "--scale", "0.1",

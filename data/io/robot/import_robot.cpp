@@ -7,8 +7,8 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "base/shapes/mesh_mend.h"
 #include "data/io/graspit/xml_file.h"
+#include "data/io/mesh/mend_shape.h"
 #include "data/io/robot/graspit_robot.h"
 #include "data/io/robot/mjcf.h"
 #include "data/io/robot/urdf.h"
@@ -68,39 +68,6 @@ void mend_inertias(RobotSpec& robot) {
     }
 }
 
-/// "mesh 'palm.stl' of link 'palm'".
-std::string described(const ShapeSpec& shape, const RobotLink& link) {
-  if (shape.mesh_file.empty()) return fmt::format("a mesh of link '{}'", link.name);
-  return fmt::format("mesh '{}' of link '{}'",
-                     std::filesystem::path(shape.mesh_file).filename().string(), link.name);
-}
-
-/// @return false if the mesh can be no solid.
-bool mend(ShapeSpec& shape, const RobotLink& link, std::vector<std::string>& warnings) {
-  try {
-    MendedMesh mended = mend_mesh(shape.mesh);
-    if (mended.done.empty()) return true;
-    warnings.push_back(fmt::format("MENDED {}: {}", described(shape, link), mended.done));
-    shape.mesh = std::move(mended.mesh);
-    shape.mesh_file.clear();
-    shape.mesh_scale = 1;
-  } catch (const InputError& error) {
-    warnings.push_back(fmt::format("LEFT OUT {}: {}", described(shape, link), error.what()));
-    return false;
-  }
-  return true;
-}
-
-void mend_meshes(RobotSpec& robot) {
-  for (RobotLink& link : robot.links) {
-    std::vector<ShapeSpec> kept;
-    for (ShapeSpec& shape : link.shapes)
-      if (shape.kind != ShapeKind::kMesh || mend(shape, link, robot.warnings))
-        kept.push_back(std::move(shape));
-    link.shapes = std::move(kept);
-  }
-}
-
 }  // namespace
 
 std::string name_of(RobotFileKind kind) {
@@ -131,7 +98,8 @@ RobotSpec import_robot(const std::string& path) {
   RobotSpec robot = read_kind(path, find_robot_kind(path));
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
-  mend_meshes(robot);
+  for (RobotLink& link : robot.links)
+    mend_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
   try {
     check_robot(robot);
   } catch (const InputError& error) {

@@ -13,8 +13,12 @@ namespace {
 
 constexpr std::size_t kLinesNamed = 8;  // of a warning; more are counted
 
-std::string listed_lines(const std::vector<int>& lines) {
-  std::string list = lines.size() == 1 ? "line " : "lines ";
+/// "line 12"; "2 times: lines 12, 30".
+std::string listed_lines(std::vector<int> lines) {
+  const std::size_t times = lines.size();
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  std::string list = times == 1 ? "" : fmt::format("{} times: ", times);
+  list += lines.size() == 1 ? "line " : "lines ";
   for (std::size_t i = 0; i < std::min(lines.size(), kLinesNamed); ++i)
     list += (i == 0 ? "" : ", ") + std::to_string(lines[i]);
   if (lines.size() > kLinesNamed) list += fmt::format(" and {} more", lines.size() - kLinesNamed);

@@ -38,7 +38,7 @@ namespace thenar::internal {
                                         const char* attribute);
 
 /// What was met and not understood, each once, with the lines it stands on:
-/// "<transmission> is not read (lines 12, 30)".
+/// "<transmission> is not read (2 times: lines 12, 30)".
 class Unread {
  public:
   explicit Unread(const XmlFile& file) : file_(file) {}

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "base/shapes/hull_mesh.h"
+#include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
 #include "base/shapes/solid.h"
 #include "tests/base/shapes/enclosed_volume.h"
@@ -155,6 +156,46 @@ TEST(HullMesh, HoldsEveryPoint) {
                                 .normalized();
     EXPECT_LT((normal.transpose() * (mug.vertices.colwise() - a)).maxCoeff(), 2e-7);
   }
+}
+
+// A face of a box turned takes away twice the pyramid under it: 1/3 of the volume.
+TEST(WatertightMesh, TurnsAFaceThatBuildSolidForgives) {
+  TriangleMesh box = box_at({0, 0, 0});
+  for (Eigen::Index t = 0; t < box.triangles.cols(); ++t) {
+    const Eigen::Vector3i corners = box.triangles.col(t);
+    const auto z = [&](int k) { return box.vertices(2, corners(k)); };
+    if (z(0) > 0 && z(1) > 0 && z(2) > 0) std::swap(box.triangles(0, t), box.triangles(1, t));
+  }
+  EXPECT_EQ(check_mesh(box).reversed_edges, 4);
+  EXPECT_NEAR(check_mesh(box).volume, 8e-6 * 2 / 3, 1e-18);
+  const MendedMesh mended = watertight_mesh(box);
+  EXPECT_TRUE(check_mesh(mended.mesh).watertight());
+  EXPECT_NEAR(check_mesh(mended.mesh).volume, 8e-6, 1e-18);
+  EXPECT_EQ(mended.done, "put right: 4 edge(s) whose triangles face opposite ways");
+}
+
+TEST(WatertightMesh, TurnsABoxRightSideOutAndLeavesASoundOne) {
+  const MendedMesh turned = watertight_mesh(inside_out(box_at({0, 0, 0})));
+  EXPECT_NEAR(check_mesh(turned.mesh).volume, 8e-6, 1e-18);
+  EXPECT_EQ(turned.done, "turned right side out");
+  EXPECT_EQ(watertight_mesh(box_at({0, 0, 0})).done, "");
+}
+
+TEST(WatertightMesh, ClosesWhatIsOpen) {
+  const MendedMesh mended = watertight_mesh(loose(box_at({0, 0, 0}), 1e-9, 1));
+  EXPECT_TRUE(check_mesh(mended.mesh).watertight());
+  EXPECT_NEAR(check_mesh(mended.mesh).volume, 8e-6, 1e-12);
+}
+
+TEST(MeshReport, TellsOfEightHolesAndCountsTheRest) {
+  std::vector<TriangleMesh> open;
+  for (int i = 0; i < 10; ++i) {
+    open.push_back(box_at({0.1 * i, 0, 0}));
+    open.back().triangles = open.back().triangles.leftCols(11).eval();
+  }
+  const std::string told = describe(check_mesh(joined(open)));
+  EXPECT_EQ(told.find("10 hole(s): 3 edges"), 0U);
+  EXPECT_EQ(told.substr(told.size() - 11), " and 2 more");
 }
 
 }  // namespace

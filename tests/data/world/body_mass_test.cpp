@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "base/angles.h"
 #include "tests/matrix_near.h"
@@ -89,6 +89,24 @@ TEST(BodyMass, IsRefusedWhereNothingIsKnown) {
   const BodySpec body = body_of(ShapeKind::kSphere, {1, 0, 0});
   EXPECT_EQ(message_of([&] { (void)body_mass(body); }),
             "body 'body' has neither a mass nor a density, and its material '' has none");
+}
+
+// As a box, whichever way its triangles face; with a hole it is no solid.
+TEST(BodyMass, OfAMeshDoesNotDependOnWhichWayATriangleFaces) {
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = read_object(kData + "/objects/mug.toml").shapes.front().mesh;
+  BodySpec body;
+  body.name = "mug";
+  body.density = 2000;
+  body.shapes = {shape};
+  const double mass = body_mass(body).mass;
+  TriangleMesh& mesh = body.shapes[0].mesh;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); t += 7)
+    std::swap(mesh.triangles(0, t), mesh.triangles(1, t));
+  EXPECT_NEAR(body_mass(body).mass, mass, 1e-12 * mass);
+  mesh.triangles = mesh.triangles.leftCols(mesh.triangles.cols() - 1).eval();
+  EXPECT_THAT(message_of<InputError>([&] { (void)body_mass(body); }), testing::HasSubstr("1 hole"));
 }
 
 }  // namespace

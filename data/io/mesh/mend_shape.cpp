@@ -1,0 +1,57 @@
+#include "data/io/mesh/mend_shape.h"
+
+#include <filesystem>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/shapes/mesh_mend.h"
+#include "base/shapes/mesh_parts.h"
+
+namespace thenar {
+namespace {
+
+/// "mesh 'palm.stl' of link 'palm'".
+std::string described(const ShapeSpec& shape, const std::string& owner) {
+  if (shape.mesh_file.empty()) return "a mesh of " + owner;
+  return fmt::format("mesh '{}' of {}", std::filesystem::path(shape.mesh_file).filename().string(),
+                     owner);
+}
+
+}  // namespace
+
+bool mend_shape(ShapeSpec& shape, const std::string& owner, std::vector<std::string>& warnings) {
+  if (shape.kind != ShapeKind::kMesh) return true;
+  try {
+    MendedMesh mended = mend_mesh(shape.mesh);
+    if (mended.done.empty()) return true;
+    warnings.push_back(fmt::format("MENDED {}: {}", described(shape, owner), mended.done));
+    shape.mesh = std::move(mended.mesh);
+    shape.mesh_file.clear();
+    shape.mesh_scale = 1;
+  } catch (const InputError& error) {
+    warnings.push_back(fmt::format("LEFT OUT {}: {}", described(shape, owner), error.what()));
+    return false;
+  }
+  return true;
+}
+
+void mend_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
+                 std::vector<std::string>& warnings) {
+  std::vector<ShapeSpec> kept;
+  for (ShapeSpec& shape : shapes)
+    if (mend_shape(shape, owner, warnings)) kept.push_back(std::move(shape));
+  shapes = std::move(kept);
+}
+
+void require_solid(const ShapeSpec& shape, const std::string& owner) {
+  if (shape.kind != ShapeKind::kMesh) return;
+  try {
+    (void)solid_parts(shape.mesh);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", described(shape, owner), error.what()));
+  }
+}
+
+}  // namespace thenar
