@@ -1,8 +1,10 @@
 #include "apps/progress_bar.h"
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <memory>
+#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -31,16 +33,34 @@ class Bar {
     if (now - begin_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(100))
       return;
     last_ = now;
+    if (!drawn_) first_ = {now, fraction};
     drawn_ = true;
     constexpr int kWidth = 30;
     const int full = static_cast<int>(kWidth * std::min(1.0, std::max(0.0, fraction)));
-    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} % {}", "", full, "", kWidth - full,
-               100 * fraction, what);
+    fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {:3.0f} %{} {}", "", full, "", kWidth - full,
+               100 * fraction, time_left(now, fraction), what);
     std::fflush(stderr);
   }
 
  private:
+  /// At the pace since the bar was first drawn: what was there before took no time.
+  [[nodiscard]] std::string time_left(Clock::time_point now, double fraction) const {
+    constexpr double kTells = 0.02;  // share of the work that says something of the pace
+    const double gone = fraction - first_.fraction;
+    if (gone < kTells) return "";
+    const double taken = std::chrono::duration<double>(now - first_.at).count();
+    const int left = static_cast<int>(taken * std::max(0.0, 1 - fraction) / gone + 0.5);  // [s]
+    return left < 120 ? fmt::format(", {} s left,", left)
+                      : fmt::format(", {} min left,", (left + 30) / 60);
+  }
+
+  struct Mark {
+    Clock::time_point at;
+    double fraction = 0;
+  };
+
   Clock::time_point begin_ = Clock::now(), last_;
+  Mark first_;
   bool drawn_ = false;
 };
 
