@@ -14,7 +14,12 @@ import { drawScene } from "./scene_block.js";
 import { drawTable } from "./table.js";
 import { drawVectors } from "./vectors.js";
 
-const drawText = (block) => el("div", { class: "prose" }, ...paragraphs(block.text));
+/// A link goes to a page beside this one, nowhere else.
+const linkTo = ({ file, text }) =>
+  /^[\w-]+\.html$/.test(file) ? el("p", {}, el("a", { href: file }, text ?? file)) : null;
+
+const drawText = (block) =>
+  el("div", { class: "prose" }, ...paragraphs(block.text), block.link ? linkTo(block.link) : null);
 
 const drawRow = ({ narrow, blocks }) =>
   el("div", { class: narrow ? "row narrow" : "row" }, ...blocks.map(drawBlock));
