@@ -172,9 +172,17 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   Epsilon out = search.result();
   if (out.force_closure) return out;
   if (options.limit == ForceLimit::kLinf) return of_l1(set, options, out);
-  out.has_missing_direction = true;
-  out.missing_direction = search.worst();
-  return out;
+  // Facets bound nothing from below where the origin is not inside: a needle beside it may have
+  // all its planes near it.
+  Epsilon beside = outside(set, span, options);
+  if (out.upper >= beside.upper) return beside;
+  beside.upper = out.upper;
+  beside.missing_direction = search.worst();
+  beside.worst_wrench = -beside.missing_direction;
+  beside.supports += out.supports;
+  beside.facets = out.facets;
+  beside.converged = beside.upper - beside.lower <= options.gap;
+  return beside;
 }
 
 }  // namespace thenar

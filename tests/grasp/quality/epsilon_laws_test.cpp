@@ -207,6 +207,26 @@ TEST(EpsilonStability, RandomTroubleIsSound) {
   }
 }
 
+// Points within 0.25 <= x <= 1 that leave three dimensions by 1e-9 only: their hull is a needle
+// whose planes all pass close to the origin, which is 0.25 away.
+TEST(EpsilonStability, NeedlesBesideTheOriginAreAsFarAsTheyAre) {
+  std::mt19937 rng(12);
+  for (int i = 0; i < 100; ++i) {
+    WrenchSet set;
+    for (int k = 0; k < 12; ++k) {
+      Wrench w;
+      for (double& x : w) x = uniform(rng, -1, 1) * 1e-9;
+      w.head<3>() += Eigen::Vector3d(k < 4 ? 0.25 : 1, k & 1 ? 1 : -1, k & 2 ? 1 : -1);
+      set.caps.push_back({w, decltype(WrenchCap::A)(6, 0), -1});
+    }
+    const Epsilon e = epsilon(set);
+    EXPECT_EQ(e.rank, 6);
+    EXPECT_NEAR(e.lower, -0.25, 1e-8);
+    EXPECT_NEAR(e.upper, -0.25, 1e-8);
+    EXPECT_FALSE(e.force_closure);
+  }
+}
+
 TEST(EpsilonStability, NoNumberPasses) {
   std::mt19937 rng(10);
   std::vector<Contact> contacts = random_contacts(rng, 3);
