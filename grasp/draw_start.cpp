@@ -1,30 +1,72 @@
 #include "grasp/draw_start.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/angles.h"
 #include "base/spatial.h"
+#include "grasp/body_box.h"
+#include "grasp/closing_drives.h"
 #include "grasp/draw_uniform.h"
+#include "grasp/tip_ways.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kClear = 1e-3;  // left between the hand and the object at the start [m]
+constexpr double kClear = 1e-3;  // left between hand and object at the start [m]
+constexpr double kOff = 0.1;     // farthest from the centre, by reach [1]
+constexpr double kOffAny = 0.5;  // the same of approaches from anywhere [1]
 
-Eigen::Vector3d draw_direction(std::mt19937& random) {
-  const double z = 2 * draw_uniform(random) - 1, turn = 2 * kPi * draw_uniform(random);
+constexpr int kPreshapes = 4;  // of so many approaches one begins open
+
+/// What every approach draws, in [0, 1).
+struct Draws {
+  double kind, side, half_turn;
+  std::array<double, 3> turn, aim;
+};
+
+Draws draw(std::mt19937& random) {
+  std::array<double, 9> u{};
+  for (double& each : u) each = draw_uniform(random);
+  return {u[0], u[1], u[2], {u[3], u[4], u[5]}, {u[6], u[7], u[8]}};
+}
+
+/// Uniform on the sphere, by the first two.
+Eigen::Vector3d on_sphere(const std::array<double, 3>& u) {
+  const double z = 2 * u[0] - 1, turn = 2 * kPi * u[1];
   const double r = std::sqrt(1 - z * z);
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// Turns `from` to `to`, then about `to`.
-Eigen::Matrix3d turn_to(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double roll) {
-  const Tangents a = tangents(from), b = tangents(to);
-  Eigen::Matrix3d A, B;
-  A << a.e1, a.e2, from;
-  B << b.e1, b.e2, to;
-  return rotation_about<double>(to, roll) * B * A.transpose();
+Eigen::Vector3d in_ball(const std::array<double, 3>& u) { return on_sphere(u) * std::cbrt(u[2]); }
+
+/// Turns a to A and the direction b across it to B, likewise across A.
+Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                        const Eigen::Vector3d& A, const Eigen::Vector3d& B) {
+  Eigen::Matrix3d from, to;
+  from << b, a.cross(b), a;
+  to << B, A.cross(B), A;
+  return to * from.transpose();
+}
+
+/// R_WH of an approach along the object's axes.
+Eigen::Matrix3d along_axes(const TouchingHand& hand, const Eigen::VectorXd& q,
+                           const SceneBody& object, const Draws& u) {
+  const Eigen::Matrix3d axes = object.X_WB.R * body_box(object).axes;
+  const int side = std::min(5, static_cast<int>(6 * u.side));
+  const int from = side / 2, shorter = from == 2 ? 1 : 2;
+  const Eigen::Vector3d towards = (side % 2 == 0 ? 1.0 : -1.0) * axes.col(from);
+  const Eigen::Vector3d across = (u.half_turn < 0.5 ? 1.0 : -1.0) * axes.col(shorter);
+  const Eigen::Vector3d closing = tip_ways(*hand.hand, q).axis;
+  return turn_to(hand.hand->layout().approach.direction, closing, towards, across);
+}
+
+/// R_WH of an approach from anywhere.
+Eigen::Matrix3d any(const TouchingHand& hand, const Draws& u) {
+  const Eigen::Vector3d towards = on_sphere(u.turn), &d = hand.hand->layout().approach.direction;
+  return rotation_about<double>(towards, 2 * kPi * u.turn[2]) *
+         turn_to(d, tangents(d).e1, towards, tangents(towards).e1);
 }
 
 /// How far any surface is from the point of approach [m].
@@ -41,25 +83,45 @@ double hand_reach(const TouchingHand& hand, const Eigen::VectorXd& q) {
   return reach;
 }
 
+/// From the point of approach at the start to its aim [m].
+double far_off(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBody& object) {
+  return (1 + kOffAny) * object.reach + hand_reach(hand, q) + kClear;
+}
+
 }  // namespace
 
 Pose<double> draw_start(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBody& object,
                         std::mt19937& random) {
-  const Eigen::Vector3d from = draw_direction(random);
-  const double roll = 2 * kPi * draw_uniform(random);
-  const Eigen::Vector3d off = draw_direction(random) * std::cbrt(draw_uniform(random));
-  const Eigen::Vector3d aim = object.X_WB * object.com + object.reach / 2 * off;
+  const Draws u = draw(random);
+  const bool axes = u.kind < 0.5;
   const PalmApproach& approach = hand.hand->layout().approach;
-
   Pose<double> X_WH;
-  X_WH.R = turn_to(approach.direction, -from, roll);
-  const double away = 1.5 * object.reach + hand_reach(hand, q) + kClear;
-  X_WH.p = aim + away * from - X_WH.R * approach.point;
+  X_WH.R = axes ? along_axes(hand, q, object, u) : any(hand, u);
+  const Eigen::Vector3d aim =
+      object.X_WB * object.com + (axes ? kOff : kOffAny) * object.reach * in_ball(u.aim);
+  X_WH.p = aim - X_WH.R * (approach.point + far_off(hand, q, object) * approach.direction);
   return X_WH;
 }
 
 double way_past(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBody& object) {
-  return 2 * (1.5 * object.reach + hand_reach(hand, q) + kClear);
+  return 2 * far_off(hand, q, object);
+}
+
+double draw_stand_off(std::mt19937& random) { return std::max(0.0, 2 * draw_uniform(random) - 1); }
+
+Eigen::VectorXd draw_preshape(const TouchingHand& hand, int number, std::mt19937& random) {
+  const HandLayout& layout = hand.hand->layout();
+  Eigen::VectorXd q = open_posture(layout);
+  if (number % kPreshapes == 0) return q;
+  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    bool all = true;
+    for (std::size_t s = 0; s < surfaces.size(); ++s)
+      all = all && (surfaces[s].digit.empty() || hand.moved_by(static_cast<Eigen::Index>(s), j));
+    if (rates[j] == 0 && !all) q[j] = draw_between(layout.lower[j], layout.upper[j], random);
+  }
+  return q;
 }
 
 }  // namespace thenar

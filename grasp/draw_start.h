@@ -9,10 +9,16 @@
 
 namespace thenar {
 
-/// A pose clear of the object from which the palm looks at it: the direction of approach is uniform
-/// on the sphere, the roll about it uniform, and it aims at a point uniform in a ball of half the
-/// object's reach about its centre of mass. The same generator gives every hand the same four
-/// draws, whatever its build.
+/// A pose clear of the object from which the palm looks at it. Two kinds, equally likely:
+///
+/// along axes: the hand comes along one of the six half-axes of body_box(), each as likely, aims at
+///   a point uniform in a ball of a tenth of the object's reach about its centre of mass, and
+///   closes (closing_axis()) across the shorter of the other two axes, one way round or the other.
+///   Jaws then lie flat on flat sides, as they would turn the object to.
+/// any: the direction of approach is uniform on the sphere, the roll about it uniform, and it aims
+///   at a point uniform in a ball of half the object's reach about its centre of mass.
+///
+/// The same generator gives every hand the same nine draws, whatever its build.
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] Pose<double> draw_start(const TouchingHand& hand, const Eigen::VectorXd& q,
                                       const SceneBody& object, std::mt19937& random);
@@ -20,5 +26,15 @@ namespace thenar {
 /// The way from such a start past the object [m].
 [[nodiscard]] double way_past(const TouchingHand& hand, const Eigen::VectorXd& q,
                               const SceneBody& object);
+
+/// GraspOptions::stand_off: 0 for half of all grasps, uniform in [0, 1) for the others. One draw.
+[[nodiscard]] double draw_stand_off(std::mt19937& random);
+
+/// The posture in which approach `number` goes at an object: open_posture() for every fourth. For
+/// the others coordinates that nothing drives are drawn uniformly within their limits, but for
+/// those that move all digits alike, as wrists and arms do: they would turn the palm away from its
+/// approach.
+[[nodiscard]] Eigen::VectorXd draw_preshape(const TouchingHand& hand, int number,
+                                            std::mt19937& random);
 
 }  // namespace thenar

@@ -1,5 +1,10 @@
 #include "grasp/grasp.h"
 
+#include <algorithm>
+
+#include "base/error.h"
+#include "grasp/tip_ways.h"
+
 namespace thenar {
 namespace {
 
@@ -9,26 +14,43 @@ std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
   return plain;
 }
 
+/// Back from the object by the share of its room that it has come.
+void stand_off(Approached& approached, const TouchingHand& hand, const Pose<double>& X_WH,
+               const Eigen::VectorXd& q, const SceneBody& object, double share) {
+  const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
+  const double gone = direction.dot(approached.X_WH.p - X_WH.p);
+  const double back = share * fingertip_room(hand, approached.X_WH, q, object);
+  approached.X_WH.p -= std::min(back, gone) * direction;
+}
+
 Approached approach_or_stay(const TouchingHand& hand, const Pose<double>& X_WH,
                             const Eigen::VectorXd& q, const Scene& scene,
                             const GraspOptions& options) {
-  if (options.way > 0) return approach(hand, X_WH, q, scene, options.way, options.close);
-  Approached stayed;
-  stayed.X_WH = X_WH;
-  return stayed;
+  Approached approached;
+  approached.X_WH = X_WH;
+  if (options.way <= 0) return approached;
+  approached = yielding_approach(hand, X_WH, q, scene, options.way,
+                                 options.yield * scene.object.reach, options.close);
+  if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
+    stand_off(approached, hand, X_WH, q, scene.object, options.stand_off);
+  return approached;
 }
 
 /// Why there is nothing to close on; kGrasped: there is.
-GraspOutcome judge(const Approached& approached, const Scene& scene, double way) {
+GraspOutcome judge(const Approached& approached, double way) {
   if (!approached.overlaps.empty()) return GraspOutcome::kOverlaps;
-  if (way <= 0) return GraspOutcome::kGrasped;
-  if (!approached.touches) return GraspOutcome::kMissed;
-  return approached.body == scene.object.name ? GraspOutcome::kGrasped : GraspOutcome::kBlocked;
+  return way <= 0 || approached.touches ? GraspOutcome::kGrasped : GraspOutcome::kMissed;
 }
 
 GraspOutcome judge(const ClosedHand& closed) {
   if (!closed.overlaps.empty()) return GraspOutcome::kOverlaps;
   return closed.finished ? GraspOutcome::kGrasped : GraspOutcome::kTooLong;
+}
+
+/// What it means that a closed hand touches nothing.
+GraspOutcome judge_empty(const Approached& approached, const Scene& scene) {
+  const bool blocked = approached.touches && approached.body != scene.object.name;
+  return blocked ? GraspOutcome::kBlocked : GraspOutcome::kEmpty;
 }
 
 /// Fills in the torsion of every contact of a surface with the object.
@@ -64,6 +86,17 @@ std::string name_of(GraspOutcome outcome) {
   return "empty";
 }
 
+double fingertip_room(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+                      const SceneBody& object) {
+  const PalmApproach& approach = hand.hand->layout().approach;
+  const TipWays ways = tip_ways(*hand.hand, q);
+  const Eigen::RowVectorXd along =
+      (object.X_WB.R.transpose() * X_WH.R * ways.axis).transpose() * object.solid.picture.vertices;
+  const Eigen::Vector3d centre = X_WH.inverse() * (object.X_WB * object.com) - approach.point;
+  const double ahead = tips_ahead(ways, approach, along.maxCoeff() - along.minCoeff());
+  return std::max(0.0, ahead - approach.direction.dot(centre));
+}
+
 std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,
                                        const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<HandContact> contacts;
@@ -84,10 +117,12 @@ std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scen
 
 Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
             const Scene& scene, const GraspOptions& options) {
+  require(options.stand_off >= 0 && options.stand_off <= 1,
+          "the stand-off of a grasp is a share of 0 .. 1, got {}", options.stand_off);
   Grasp done{};
   done.approached = approach_or_stay(hand, X_WH, q, scene, options);
   done.closed.q = q;
-  done.outcome = judge(done.approached, scene, options.way);
+  done.outcome = judge(done.approached, options.way);
   if (done.outcome != GraspOutcome::kGrasped) return done;
   done.closed = close_hand(hand, done.approached.X_WH, q, scene, options.close);
   done.outcome = judge(done.closed);
@@ -95,7 +130,7 @@ Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::Vec
 
   const PosedHand posed{hand, done.approached.X_WH, hand.hand->pose(done.closed.q)};
   done.contacts = find_contacts(posed, scene, options.patches, options.pads);
-  if (done.contacts.empty()) done.outcome = GraspOutcome::kEmpty;
+  if (done.contacts.empty()) done.outcome = judge_empty(done.approached, scene);
   done.quality = epsilon(wrench_set(plain(done.contacts), scene.object.com, scene.object.reach),
                          options.epsilon);
   return done;

@@ -5,18 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "grasp/approach.h"
 #include "grasp/close_hand.h"
 #include "grasp/contact/contact_patch.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/scene.h"
 #include "grasp/soft_pads.h"
 #include "grasp/touching_hand.h"
+#include "grasp/yielding_approach.h"
 
 namespace thenar {
 
 struct GraspOptions {
-  double way = 1;  // farthest approach [m]; 0: it begins where it is
+  double way = 1;        // farthest approach [m]; 0: it begins where it is
+  double yield = 1;      // farthest it gives way to the side, by the object's reach [1]
+  double stand_off = 0;  // share of fingertip_room() that the hand goes back before it closes [1]
   CloseOptions close;
   ContactPatchOptions patches;
   EpsilonOptions epsilon;
@@ -28,7 +30,7 @@ enum class GraspOutcome {
   kGrasped,   // there are contacts: `quality` holds
   kOverlaps,  // the hand began in something: approached.overlaps or closed.overlaps say in what
   kMissed,    // the approach met nothing
-  kBlocked,   // the approach met an obstacle first
+  kBlocked,   // the approach met an obstacle first, and closing there touched nothing
   kTooLong,   // closing did not end
   kEmpty      // closed, and the object is not touched
 };
@@ -52,9 +54,19 @@ struct [[nodiscard]] Grasp {
                                                      const ContactPatchOptions& options = {},
                                                      const PadOptions& pads = {});
 
-/// Approaches, closes, finds the contacts, and measures.
+/// How far a hand may go back so that its tips, where they are as far apart along the closing axis
+/// as the object is wide there, are still beyond the object's centre of mass:
+///   max(0, tips_ahead() - d'(com - point of approach)),  d the direction of approach [m].
+/// @param q  posture of the approach (coordinates)
+[[nodiscard]] double fingertip_room(const TouchingHand& hand, const Pose<double>& X_WH,
+                                    const Eigen::VectorXd& q, const SceneBody& object);
+
+/// Approaches (yielding_approach()), closes, finds the contacts, and measures. A hand that meets
+/// the object goes back by its stand-off, so that fingertips may hold it off the palm; one that
+/// meets an obstacle closes there, too.
 /// @param q  posture of the approach, where closing begins (coordinates)
-/// @throws InputError as approach(), close_hand() and find_contacts().
+/// @throws InputError as approach(), close_hand() and find_contacts(), or if stand_off is not in
+/// [0, 1].
 Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
             const Scene& scene, const GraspOptions& options = {});
 

@@ -8,6 +8,7 @@
 namespace thenar {
 namespace {
 
+constexpr double kAcross = 0.2;  // sine of the least angle between push and approach [1]
 constexpr int kMostSteps = 200;  // of conservative advancement across the gap
 
 std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
@@ -49,7 +50,10 @@ Push find_push(const TouchingHand& hand, const Grasp& grasp) {
       const Eigen::Vector3d v =
           rates[j] *
           hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>().col(j);
-      push.along_W = grasp.approached.X_WH.R * v.normalized();
+      const Eigen::Vector3d& d = hand.hand->layout().approach.direction;
+      const Eigen::Vector3d across = v - v.dot(d) * d;
+      if (across.norm() > kAcross * v.norm())
+        push.along_W = grasp.approached.X_WH.R * across.normalized();
       return push;
     }
   }
@@ -88,13 +92,23 @@ Grasp centred_grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Ei
 
   GraspOptions there = options;
   there.way = 0;
-  Pose<double> X_shifted = first.approached.X_WH;
-  X_shifted.p -= way / 2 * push.along_W;
-  Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
-  if (digits_of(*hand.hand, second.contacts).size() < 2) return first;
-  second.approached = first.approached;
-  second.approached.X_WH = X_shifted;
-  return second;
+  const std::set<std::string> pushing = digits_of(*hand.hand, first.contacts);
+  // Jaws that go equally fast meet at half the way; others anywhere between.
+  double least = 0, most = way;
+  while (most - least > options.close.accuracy / 2) {
+    Pose<double> X_shifted = first.approached.X_WH;
+    X_shifted.p -= (least + most) / 2 * push.along_W;
+    Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
+    const std::set<std::string> digits = digits_of(*hand.hand, second.contacts);
+    if (digits.size() < 2) {
+      (digits == pushing ? least : most) = (least + most) / 2;
+      continue;
+    }
+    second.approached = first.approached;
+    second.approached.X_WH = X_shifted;
+    return second;
+  }
+  return first;
 }
 
 }  // namespace thenar

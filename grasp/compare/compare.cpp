@@ -12,13 +12,11 @@
 
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
-#include "grasp/closing_drives.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/centre.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
 #include "grasp/draw_start.h"
-#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
@@ -56,10 +54,11 @@ Grasp make_grasp(const Setting& setting, int number, const CompareOptions& optio
   const SceneBody& object = setting.scene.object;
   std::mt19937 posture = generator(options.seed, object.name, number, Stream::kPosture);
   std::mt19937 start = generator(options.seed, object.name, number, Stream::kStart);
-  const Eigen::VectorXd q = approach_posture(setting.touching.hand->layout(), number, posture);
+  const Eigen::VectorXd q = draw_preshape(setting.touching, number, posture);
   GraspOptions grasping = options.grasp;
   grasping.way = way_past(setting.touching, q, object);
   const Pose<double> X_WH = draw_start(setting.touching, q, object, start);
+  grasping.stand_off = draw_stand_off(start);
   grasping.pads.contact = setting.hand.contact;
   return centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
 }
@@ -162,15 +161,6 @@ Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<Bod
 }
 
 }  // namespace
-
-Eigen::VectorXd approach_posture(const HandLayout& layout, int number, std::mt19937& random) {
-  Eigen::VectorXd q = open_posture(layout);
-  if (number % 2 == 0) return q;
-  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
-  for (Eigen::Index j = 0; j < q.size(); ++j)
-    if (rates[j] == 0) q[j] = draw_between(layout.lower[j], layout.upper[j], random);
-  return q;
-}
 
 HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
                         const CompareOptions& options, const Progress& progress) {

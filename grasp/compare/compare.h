@@ -2,16 +2,9 @@
 
 /// The comparison itself.
 
-#include <random>
-
 #include "grasp/compare/comparison.h"
 
 namespace thenar {
-
-/// Posture in which approach `number` goes at an object: open_posture() for even ones; for odd ones
-/// with every coordinate that nothing drives drawn uniformly within its limits.
-[[nodiscard]] Eigen::VectorXd approach_posture(const HandLayout& layout, int number,
-                                               std::mt19937& random);
 
 /// One hand on one object. Approach n draws from generators seeded with (seed, object's name, n)
 /// alone: the same for every hand, in any order, on any number of threads.

@@ -51,6 +51,36 @@ TEST(Grasp, SaysHowFarItCame) {
             GraspOutcome::kBlocked);
 }
 
+// The right plate stops at the wall, whose face is at y = 115 mm, with the cube between both.
+TEST(Grasp, ClosesWhereAnObstacleBlocksTheWay) {
+  const Grasp done = squeeze({sample::placed("cube", kCube, {0, 0.1, 0}),
+                              sample::placed("wall", kCube, {0.05, 0.13, 0}, false)},
+                             0.5);
+  EXPECT_EQ(done.outcome, GraspOutcome::kGrasped);
+  EXPECT_EQ(done.approached.body, "wall");
+  EXPECT_NEAR(done.approached.X_WH.p.y(), 0.095, 2e-4);  // plates reach 20 mm ahead
+  EXPECT_TRUE(done.quality.force_closure);
+}
+
+/// Where jaws come to whose palm, 25 mm behind their middle, meets a cube of 30 mm.
+double stands(double stand_off) {
+  const RobotHand hand(sample::jaws());
+  GraspOptions options;
+  options.way = 0.5;
+  options.stand_off = stand_off;
+  return grasp(touching_hand(hand), {}, open_posture(hand.layout()),
+               sample::scene({sample::placed("cube", kCube, {0, 0.2, 0})}), options)
+      .approached.X_WH.p.y();
+}
+
+// Against the palm the cube's centre is 10 mm behind the tips, the middles of the jaws.
+TEST(Grasp, GoesBackUntilTipsCloseRoundTheCentre) {
+  EXPECT_NEAR(stands(0), 0.2 - 0.015 + 0.025, 2e-4);
+  EXPECT_NEAR(stands(1), 0.2, 1e-9);
+  EXPECT_NEAR(stands(0.5), (stands(0) + stands(1)) / 2, 1e-9);
+  EXPECT_THAT(message_of([] { (void)stands(2); }), HasSubstr("got 2"));
+}
+
 TEST(Grasp, RefusesMaterialsWithoutFriction) {
   PlacedBody cube = sample::placed("cube", kCube, {0, 0, 0});
   cube.body.material = "cheese";

@@ -1,0 +1,77 @@
+#include "grasp/tip_ways.h"
+
+#include <algorithm>
+#include <limits>
+
+#include <Eigen/Eigenvalues>
+
+#include "grasp/closing_drives.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kTimes = 20;
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Until the last coordinate is at its limit [s].
+double whole_time(const HandLayout& layout, const Eigen::VectorXd& q,
+                  const Eigen::VectorXd& rates) {
+  double time = 0;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double limit = rates[j] > 0 ? layout.upper[j] : layout.lower[j];
+    if (rates[j] != 0) time = std::max(time, (limit - q[j]) / rates[j]);
+  }
+  return time;
+}
+
+Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q) {
+  const std::vector<HandTip>& tips = hand.layout().tip_points;
+  const std::vector<Pose<double>> links = hand.pose(q);
+  Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(tips.size()));
+  for (Eigen::Index t = 0; t < at.cols(); ++t) {
+    const HandTip& tip = tips[static_cast<std::size_t>(t)];
+    at.col(t) = tip.link < 0 ? tip.p : links[static_cast<std::size_t>(tip.link)] * tip.p;
+  }
+  return at;
+}
+
+}  // namespace
+
+TipWays tip_ways(const Hand& hand, const Eigen::VectorXd& q) {
+  const HandLayout& layout = hand.layout();
+  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  const double whole = whole_time(layout, q, rates);
+  TipWays ways;
+  for (int i = 0; i <= kTimes; ++i)
+    ways.tips.push_back(tips_at(
+        hand, (q + i * whole / kTimes * rates).cwiseMax(layout.lower).cwiseMin(layout.upper)));
+  ways.axis = closing_axis(ways.tips, layout.approach.direction);
+  return ways;
+}
+
+Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
+                             const Eigen::Vector3d& approach) {
+  const Tangents across = tangents(approach);
+  Eigen::Matrix<double, 2, 3> plane;
+  plane << across.e1.transpose(), across.e2.transpose();
+  const Eigen::Matrix2Xd way = plane * (tips[tips.size() / 2] - tips.front());
+  const Eigen::Matrix2d spread = way * way.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
+  return (plane.transpose() * axes.eigenvectors().col(1)).normalized();
+}
+
+double tips_ahead(const TipWays& ways, const PalmApproach& approach, double width) {
+  double least = kInfinite, ahead = -kInfinite;
+  for (const Eigen::Matrix3Xd& tips : ways.tips) {
+    if (tips.cols() == 0) continue;
+    const Eigen::RowVectorXd along = ways.axis.transpose() * tips;
+    const double apart = along.maxCoeff() - along.minCoeff();
+    if (apart >= least) continue;
+    least = apart;
+    ahead = approach.direction.dot(tips.rowwise().mean() - approach.point);
+    if (apart <= width) break;  // tips that pass each other part again
+  }
+  return ahead;
+}
+
+}  // namespace thenar
