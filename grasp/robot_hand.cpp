@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "grasp/drive_torques.h"
 #include "grasp/robot_tips.h"
 
 namespace thenar {
@@ -138,24 +139,18 @@ void RobotHand::add_drives(const RobotSpec& robot) {
   for (int d = 0; d < dofs_; ++d) {
     const RobotDof& dof = robot.dofs[static_cast<std::size_t>(d)];
     const bool rigid = dof.kind == RobotDofKind::kRigid;
-    Drive drive{dof.name, coupled(dof.kind), {}, dof.speed, dof.breakaway};
+    Drive drive{dof.name, coupled(dof.kind), {}, dof.speed, dof.breakaway, dof.backdrivable};
     for (const Mover& mover : movers_)
       if (mover.dof == d && (!rigid || drive.moves.empty()))
         drive.moves.push_back({mover.coordinate, rigid ? 1 : mover.dof_ratio});
     if (drive.moves.empty()) continue;  // a motor without a joint
     layout_.actuators.push_back(dof.name);
-    max_effort.push_back(dof.max_effort > 0 ? dof.max_effort : kInfinity);
+    const bool known = dof.max_effort > 0 && !dof.nominal_effort;
+    max_effort.push_back(known ? dof.max_effort : kInfinity);
     layout_.drives.push_back(std::move(drive));
   }
-  const auto n = static_cast<Eigen::Index>(layout_.coordinates.size());
-  const auto m = static_cast<Eigen::Index>(max_effort.size());
-  max_effort_ = Eigen::Map<const Eigen::VectorXd>(max_effort.data(), m);
-  B_ = Eigen::MatrixXd::Zero(n, m);
-  for (Eigen::Index k = 0; k < m; ++k) {
-    for (const Driven& move : layout_.drives[static_cast<std::size_t>(k)].moves)
-      B_(move.coordinate, k) = move.ratio;
-    B_.col(k) /= B_.col(k).squaredNorm();
-  }
+  max_effort_ = Eigen::Map<const Eigen::VectorXd>(max_effort.data(),
+                                                  static_cast<Eigen::Index>(max_effort.size()));
 }
 
 void RobotHand::add_surfaces(const RobotSpec& robot) {
@@ -213,7 +208,8 @@ Actuation RobotHand::actuation(const Eigen::VectorXd& q) const {
   for (const Mover& mover : movers_)
     tau_0[mover.coordinate] +=
         mover.ratio * mover.stiffness * (mover.stretch - mover.ratio * q[mover.coordinate]);
-  return {B_, tau_0, -max_effort_, max_effort_};
+  DriveTorques drives = drive_torques(layout_, q);
+  return {drives.B, tau_0, -max_effort_, max_effort_, std::move(drives.reactions)};
 }
 
 Eigen::VectorXd RobotHand::posture(const Eigen::VectorXd& dofs) const {

@@ -19,9 +19,8 @@ namespace thenar {
 /// the Hand are what moving joints move, in the order of the robot's joints; links behind fixed
 /// joints belong to the one that carries them. The hand's frame is the base link's.
 ///
-/// Motors: u is the effort on a degree of freedom. On independent joints with ratios r it acts as
-/// tau = u r / (r'r), which has the motor's power whenever the joints move by their ratios; no
-/// other split of that power has smaller joint torques (least norm).
+/// Motors: u is the effort on a degree of freedom; how it comes to independent joints, and what
+/// clutches and worms bear, is in drive_torques().
 class RobotHand final : public Hand {
  public:
   /// @throws InputError as check_robot() and build_solid(), or if no value of a degree of freedom
@@ -32,7 +31,7 @@ class RobotHand final : public Hand {
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const override;
-  /// Limits are infinite where the effort of a motor is unknown.
+  /// Limits are infinite where the effort of a motor is unknown, or nominal.
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
   [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override { return surfaces_; }
 
@@ -69,7 +68,6 @@ class RobotHand final : public Hand {
   std::vector<std::string> links_;       // of the robot
   std::vector<int> mover_of_;            // of each link of the robot; -1: the base
   std::vector<Pose<double>> reference_;  // of each link of the robot, reference posture
-  Eigen::MatrixXd B_;                    // (coordinates, actuators)
   Eigen::VectorXd max_effort_;           // (actuators)
   int dofs_ = 0;                         // of the robot
   HandLayout layout_;

@@ -13,14 +13,24 @@
 
 namespace thenar {
 
-/// The joint torques a hand can make at a posture: { B u + tau_0 : lower <= u <= upper }.
+/// Torques that come by themselves, without effort: of stops, locks and clutches.
+struct Reactions {
+  Eigen::MatrixXd R;      // (coordinates, reactions)
+  Eigen::VectorXd least;  // of each: 0 is one-sided, -infinity both ways (reactions)
+  Eigen::VectorXd most;   // of each (reactions)
+  std::vector<int> held;  // coordinates whose drive cannot be driven back: worms
+};
+
+/// The joint torques a hand can make at a posture:
+///   { B u + R r + tau_0 : lower <= u <= upper, least <= r <= most }.
 /// For tendons B is the transposed moment-arm matrix and u are tensions; for motors B is the
-/// transmission and u are motor torques.
+/// transmission and u are motor torques. A coordinate that has a row of zeros is free.
 struct Actuation {
   Eigen::MatrixXd B;      // (coordinates, actuators)
   Eigen::VectorXd tau_0;  // torque at u = 0: passive joints [N m] (coordinates)
   Eigen::VectorXd lower;  // of u (actuators)
-  Eigen::VectorXd upper;  // of u (actuators)
+  Eigen::VectorXd upper;  // of u, infinite if unknown (actuators)
+  Reactions reactions{};  // none if empty
 };
 
 /// What happens to the other coordinates of a drive when one is blocked by a contact.
@@ -42,8 +52,9 @@ struct Drive {
   std::string name;
   Coupled coupled = Coupled::kRigid;
   std::vector<Driven> moves;
-  double speed = 0;      // in closing; 0: it stays where it is [1/s]
-  double breakaway = 0;  // effort at which a clutch opens [N m]
+  double speed = 0;          // in closing; 0: it stays where it is [1/s]
+  double breakaway = 0;      // effort at which a clutch opens [N m]
+  bool backdrivable = true;  // false: a worm or brake, which holds whatever pushes it back
 };
 
 /// A link's surface, or the base's.

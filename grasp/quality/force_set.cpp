@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "grasp/quality/stops.h"
 
 namespace thenar {
 namespace {
@@ -52,6 +53,84 @@ void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
   for (Index i = 0; i < actuators; ++i)
     require(a.lower(i) <= a.upper(i), "actuator {} has limits {} and {}", i, a.lower(i),
             a.upper(i));
+  const Reactions& reactions = a.reactions;
+  const Index count = reactions.least.size();
+  require(reactions.most.size() == count && (count == 0 || reactions.R.rows() == joints) &&
+              reactions.R.cols() == count && reactions.R.allFinite(),
+          "wanted R of {} x {} finite numbers and as many limits, got {} x {} and {}", joints,
+          count, reactions.R.rows(), reactions.R.cols(), reactions.most.size());
+  for (Index i = 0; i < count; ++i)
+    require(reactions.least(i) <= reactions.most(i), "reaction {} has limits {} and {}", i,
+            reactions.least(i), reactions.most(i));
+  for (const int coordinate : reactions.held)
+    require(coordinate >= 0 && coordinate < joints, "held coordinate {} of {}", coordinate, joints);
+}
+
+/// Whether a number is no more than rounding beside the torques of unit forces.
+constexpr double kNoTorque = 1e-12;
+
+/// The torques of x and p where held coordinates bear what they do not press.
+struct Felt {
+  MatrixXd x;                      // (coordinates, length of x)
+  MatrixXd p;                      // (coordinates, length of p)
+  std::vector<int> borne;          // as ForceSet
+  std::vector<int> rows;           // coordinates that feel anything
+  Eigen::RowVectorXd pushed_back;  // normal forces of structure less those of all others: <= 0
+};
+
+/// Who makes the forces of a contact.
+struct Carrier {
+  int held = -1;          // the outermost held coordinate that feels it; -1: none
+  bool structure = true;  // no coordinate feels it but locked ones
+};
+
+Carrier carrier_of(const MatrixXd& torques, const Reactions& reactions, double zero) {
+  Carrier carrier;
+  for (Index j = 0; j < torques.rows(); ++j)
+    if (torques.row(j).cwiseAbs().maxCoeff() > zero && !is_locked(reactions, j))
+      carrier.structure = false;
+  for (const int j : reactions.held)
+    if (torques.row(j).cwiseAbs().maxCoeff() > zero) carrier.held = std::max(carrier.held, j);
+  return carrier;
+}
+
+/// Splits the forces of one contact, at `column` of x, between what is pressed and what is borne.
+void split(Felt& felt, const std::vector<int>& held, const Carrier& carrier, Index column,
+           Index size) {
+  VectorXd borne = felt.x.col(column);
+  for (const int j : held) {
+    borne(j) = 0;
+    if (j != carrier.held) felt.x.row(j).segment(column, size).setZero();
+  }
+  felt.p.conservativeResize(felt.x.rows(), felt.p.cols() + 1);
+  felt.p.rightCols(1) = borne;
+}
+
+Felt felt_by(const WrenchSet& set, const MatrixXd& T, const Reactions& reactions) {
+  const double zero = T.size() > 0 ? kNoTorque * T.cwiseAbs().maxCoeff() : 0;
+  Felt felt{T, MatrixXd(T.rows(), 0), {}, {}, Eigen::RowVectorXd::Zero(T.cols())};
+  std::vector<Carrier> carriers;
+  std::vector<Index> columns;
+  bool any_held = false;
+  for (Index column = 0; carriers.size() < set.caps.size();) {
+    const Index size = 1 + set.caps[carriers.size()].A.cols();
+    columns.push_back(column);
+    carriers.push_back(carrier_of(T.middleCols(column, size), reactions, zero));
+    any_held = any_held || carriers.back().held >= 0;
+    column += size;
+  }
+  for (std::size_t i = 0; i < carriers.size() && any_held; ++i) {
+    felt.pushed_back(columns[i]) = carriers[i].structure ? 1 : -1;
+    if (carriers[i].held < 0 && !carriers[i].structure) continue;
+    split(felt, reactions.held, carriers[i], columns[i], 1 + set.caps[i].A.cols());
+    felt.borne.push_back(static_cast<int>(i));
+  }
+  for (int j = 0; j < T.rows(); ++j) {
+    const double x = felt.x.cols() > 0 ? felt.x.row(j).cwiseAbs().maxCoeff() : 0;
+    const double p = felt.p.cols() > 0 ? felt.p.row(j).cwiseAbs().maxCoeff() : 0;
+    if (std::max(x, p) > zero) felt.rows.push_back(j);
+  }
+  return felt;
 }
 
 /// The largest finite limit, so that efforts are of order one; 1 without.
@@ -62,28 +141,40 @@ double unit_of(double lower, double upper) {
   return unit > 0 ? unit : 1;
 }
 
-/// T x - B u = tau_0, each row divided by its largest coefficient.
-void balance_torques(ForceSet& forces, const MatrixXd& T, const Actuation& a) {
-  forces.A.resize(T.rows(), T.cols() + a.B.cols());
-  forces.A << T, -a.B * forces.effort_unit.asDiagonal();
-  forces.b = a.tau_0;
+/// Adds the variables p: normal forces of contacts that are there already.
+void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& borne) {
+  const Index first = forces.wrench.cols(), count = static_cast<Index>(borne.size());
+  widen(forces, count);
+  for (Index i = 0; i < count; ++i) {
+    const Index column = first + i;
+    forces.wrench.col(column) =
+        set.caps[static_cast<std::size_t>(borne[static_cast<std::size_t>(i)])].c;
+    forces.normals(column) = 1;
+    add_rows(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column), VectorXd::Zero(1));
+  }
+  forces.borne = borne;
+}
+
+/// T x - B u - R r = tau_0, each row divided by its largest coefficient.
+void balance_torques(ForceSet& forces, const Felt& felt, const Actuation& a) {
+  const auto rows = static_cast<Index>(felt.rows.size());
+  forces.A.resize(rows, forces.wrench.cols());
+  forces.A << felt.x(felt.rows, Eigen::all), felt.p(felt.rows, Eigen::all),
+      -a.B(felt.rows, Eigen::all) * forces.effort_unit.asDiagonal(),
+      -reactions_on(a.reactions, felt.rows);
+  forces.b = a.tau_0(felt.rows);
   for (Index i = 0; i < forces.A.rows(); ++i) {
-    const double largest = forces.A.cols() > 0 ? forces.A.row(i).cwiseAbs().maxCoeff() : 0;
-    if (largest == 0) continue;
+    const double largest = forces.A.row(i).cwiseAbs().maxCoeff();
     forces.A.row(i) /= largest;
     forces.b(i) /= largest;
   }
 }
 
-void limit_efforts(ForceSet& forces, const Actuation& a) {
-  const Index first = forces.wrench.cols() - a.B.cols();
-  for (Index i = 0; i < a.B.cols(); ++i) {
-    const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), first + i);
-    const double unit = forces.effort_unit(i);
-    if (std::isfinite(a.upper(i))) add_rows(forces, one, VectorXd::Constant(1, a.upper(i) / unit));
-    if (std::isfinite(a.lower(i)))
-      add_rows(forces, -one, VectorXd::Constant(1, -a.lower(i) / unit));
-  }
+/// lower <= unit y_i <= upper, where finite.
+void limit(ForceSet& forces, Index i, double lower, double upper, double unit) {
+  const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), i);
+  if (std::isfinite(upper)) add_rows(forces, one, VectorXd::Constant(1, upper / unit));
+  if (std::isfinite(lower)) add_rows(forces, -one, VectorXd::Constant(1, -lower / unit));
 }
 
 /// Forces, and torques about the contact, that the variables of a contact stand for: columns
@@ -144,13 +235,25 @@ ForceSet unit_forces(const WrenchSet& set, ForceLimit limit) {
 
 ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation) {
   check(set, T, actuation);
+  const Reactions& reactions = actuation.reactions;
+  const Felt felt = felt_by(set, T, reactions);
   ForceSet forces = free_forces(set);
-  widen(forces, actuation.B.cols());
-  forces.effort_unit.resize(actuation.B.cols());
-  for (Index i = 0; i < actuation.B.cols(); ++i)
+  bear(forces, set, felt.borne);
+  const Index efforts = forces.wrench.cols(), actuators = actuation.B.cols();
+  widen(forces, actuators + reactions.R.cols());
+  forces.effort_unit.resize(actuators);
+  for (Index i = 0; i < actuators; ++i)
     forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
-  balance_torques(forces, T, actuation);
-  limit_efforts(forces, actuation);
+  balance_torques(forces, felt, actuation);
+  if (!felt.borne.empty()) {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(forces.wrench.cols());
+    row.head(T.cols()) = felt.pushed_back;
+    add_rows(forces, row, VectorXd::Zero(1));
+  }
+  for (Index i = 0; i < actuators; ++i)
+    limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
+  for (Index i = 0; i < reactions.R.cols(); ++i)
+    limit(forces, efforts + actuators + i, reactions.least(i), reactions.most(i), 1);
   return forces;
 }
 
@@ -188,7 +291,11 @@ ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
     result.normal(i) = y(column);
     column += size;
   }
-  result.efforts = set.effort_unit.cwiseProduct(y.tail(set.effort_unit.size()));
+  for (const int contact : set.borne) {
+    result.wrenches[static_cast<std::size_t>(contact)] += set.wrench.col(column) * y(column);
+    result.normal(contact) += y(column++);
+  }
+  result.efforts = set.effort_unit.cwiseProduct(y.segment(column, set.effort_unit.size()));
   return result;
 }
 

@@ -14,12 +14,13 @@
 
 namespace thenar {
 
-/// A convex set of contact forces y = (x, v), described as a cone programme does, with the wrenches
-/// it makes on the object.
+/// A convex set of contact forces y = (x, p, v, r), described as a cone programme does, with the
+/// wrenches it makes on the object.
 ///
 /// x holds of each contact its normal force [N], then its shares along the semi-axes of its cap:
 /// the wrench of a contact is c x_0 + A x_1.., in its friction cone while |x_1..| <= x_0.
-/// v holds the efforts of actuators, each as a part of `effort_unit`.
+/// p holds normal forces that held drives bear: see hand_forces() [N].
+/// v holds the efforts of actuators, each as a part of `effort_unit`; r holds reactions.
 struct ForceSet {
   Eigen::Matrix<double, 6, Eigen::Dynamic> wrench;  // of y on the object (6, n)
   Eigen::MatrixXd A;                                // A y = b: torques balance (r, n)
@@ -28,6 +29,7 @@ struct ForceSet {
   Eigen::VectorXd h;                                // (m)
   std::vector<int> cones;                           // rows of each: those of contacts first
   Eigen::RowVectorXd normals;                       // sums the normal forces of y (n)
+  std::vector<int> borne;                           // contact of each entry of p
   Eigen::VectorXd effort_unit;                      // of each actuator (actuators)
   int contacts = 0;
 };
@@ -40,11 +42,24 @@ struct ForceSet {
 [[nodiscard]] ForceSet unit_forces(const WrenchSet& set, ForceLimit limit);
 
 /// Forces in the friction cones that a hand can really balance, whatever moves on its part:
-///   T x = B u + tau_0,  lower <= u <= upper.
-/// Contacts with a part that cannot move, like a palm, need no effort: T has zeros for them.
-/// @param T  joint torques of contact forces, torque_map()  (coordinates, length of x)
+///   T x = B u + R r + tau_0,  lower <= u <= upper,  least <= r <= most.
+/// Contacts with a part that cannot move, like a palm, need no effort: T has zeros for them. A
+/// coordinate that no contact feels (a digit that does not touch) is asked nothing.
+///
+/// Held coordinates (worms) bear any torque, but do not press by themselves. So
+/// * what a contact presses must come from the drive of the outermost held coordinate that feels
+///   it; held ones further in bear it: x has zeros in their rows of T;
+/// * what the load presses against such a contact counts by a normal force p >= 0 of its own, in
+///   no row of a held coordinate. How much friction it brings depends on elasticity, and is left
+///   out: the set is on the safe side;
+/// * for the same reason contacts with structure (a palm, a locked link) push back by x no more in
+///   all than the others press, and have a p as well. Without contacts on held parts they do not.
+///
+/// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
+///           (coordinates, length of x)
 /// @throws InputError if shapes disagree, a limit is NaN, or a lower limit exceeds its upper.
-/// Source: [Murray1994] section 5.5 for the balance of fingers.
+/// Source: [Murray1994] section 5.5 for the balance of fingers, [HaasHeger2018] for drives that
+/// bear more than they press.
 [[nodiscard]] ForceSet hand_forces(const WrenchSet& set, const Eigen::MatrixXd& T,
                                    const Actuation& actuation);
 

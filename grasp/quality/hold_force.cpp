@@ -20,13 +20,14 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
   program.G.bottomRows(forces.contacts).setZero();
   program.h.conservativeResize(rows + forces.contacts);
   program.h.tail(forces.contacts).setZero();
-  Index row = rows;
-  for (Index i = 0; i < n; ++i) {
-    if (forces.normals(i) == 0) continue;
-    program.G(row, i) = 1;
-    program.G(row++, n) = -1;
+  Index column = 0;
+  for (Index i = 0; i < forces.contacts; ++i) {
+    program.G(rows + i, column) = 1;
+    program.G(rows + i, n) = -1;
     program.cones.push_back(1);
+    column += forces.cones[static_cast<std::size_t>(i)];
   }
+  for (const int contact : forces.borne) program.G(rows + contact, column++) = 1;
 }
 
 }  // namespace

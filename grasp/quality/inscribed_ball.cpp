@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "grasp/quality/epsilon.h"
+#include "grasp/quality/hold_force.h"
 
 namespace thenar {
 namespace {
@@ -28,6 +29,10 @@ class Search {
       : forces_(with_strength(forces, options.strength)), options_(options) {}
 
   InscribedBall run() {
+    // Most sets hold the zero wrench, whose neighbourhood is what counts.
+    if (smallest_hold(forces_, Wrench::Zero(), Squeeze::kSum).status == ConeStatus::kSolved)
+      points_.caps.push_back({Wrench::Zero(), {}});
+    ++result_.programs;
     for (int i = 0; i < 6 && ok(); ++i)
       for (const double sign : {1.0, -1.0}) (void)look(sign * Wrench::Unit(i));
     while (ok() && result_.programs < options_.most_programs && !refine()) {

@@ -149,16 +149,42 @@ TEST(RobotHand, LetsBreakawayJointsPart) {
             "finger 1 J3");
 }
 
-// tau = u r / (r'r) with r = (1, 1/3): the motor's power u whenever joints move by r.
-TEST(RobotHand, SharesTheMotorAsItsGearing) {
+// Coupled by a clutch: the outer joint, of ratio 1/3, gets 3 u less what the clutch gives the inner
+// one, of ratio 1; 3 u whole once the clutch has opened. Worms hold both, and lock the spread.
+TEST(RobotHand, DrivesTheOuterJointThroughTheClutch) {
   const RobotHand hand(robot("barrett"));
-  const Actuation actuation = hand.actuation(zero(hand));
   const Drive& finger = hand.layout().drives[1];
   const int inner = finger.moves[0].coordinate, outer = finger.moves[1].coordinate;
-  EXPECT_NEAR(actuation.B(inner, 1), 0.9, 1e-9);
-  EXPECT_NEAR(actuation.B(outer, 1), 0.3, 1e-9);
-  EXPECT_EQ(actuation.upper[1], 2.5);
-  EXPECT_EQ(actuation.lower[1], -2.5);
+  EXPECT_FALSE(finger.backdrivable);
+  const Actuation coupled = hand.actuation(zero(hand));
+  EXPECT_EQ(coupled.B(inner, 1), 0);
+  EXPECT_NEAR(coupled.B(outer, 1), 3, 1e-8);
+  EXPECT_EQ(coupled.reactions.held.size(), 6U);
+  ASSERT_EQ(coupled.reactions.R.cols(), 4);  // the spread, three clutches
+  EXPECT_EQ(coupled.reactions.R(inner, 1), 1);
+  EXPECT_NEAR(coupled.reactions.R(outer, 1), -3, 1e-8);
+  EXPECT_EQ(coupled.reactions.least[1], 0);
+  EXPECT_EQ(coupled.reactions.most[1], finger.breakaway);
+  VectorXd parted = zero(hand);
+  parted[outer] = 0.2;
+  EXPECT_EQ(hand.actuation(parted).reactions.R(outer, 1), 0);
+  EXPECT_NEAR(hand.actuation(parted).B(outer, 1), 3, 1e-8);
+}
+
+// tau = u r / (r'r) with r = (1/2, 1/2): the motor's power u whenever both joints move by r.
+TEST(RobotHand, SharesTheMotorOfACompliantDrive) {
+  const RobotHand hand(robot("shadow"));
+  const auto& drives = hand.layout().drives;
+  const auto shared = std::find_if(drives.begin(), drives.end(), [](const Drive& drive) {
+    return drive.coupled == Coupled::kCompliant;
+  });
+  ASSERT_NE(shared, drives.end());
+  const VectorXd column = hand.actuation(zero(hand)).B.col(shared - drives.begin());
+  for (const Driven& move : shared->moves) EXPECT_NEAR(column[move.coordinate], 1, 1e-12);
+}
+
+TEST(RobotHand, KnowsEffortsThatArePublished) {
+  EXPECT_EQ(RobotHand(robot("franka_hand")).actuation(VectorXd::Zero(1)).upper[0], 200);
   EXPECT_EQ(RobotHand(robot("puma560")).actuation(VectorXd::Zero(6)).upper[0],
             std::numeric_limits<double>::infinity());
 }

@@ -1,0 +1,59 @@
+#include "grasp/quality/stops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most) {
+  const Index old = reactions.least.size();
+  reactions.R.conservativeResize(torque.size(), old + 1);
+  reactions.R.col(old) = torque;
+  reactions.least.conservativeResize(old + 1);
+  reactions.least(old) = least;
+  reactions.most.conservativeResize(old + 1);
+  reactions.most(old) = most;
+}
+
+Actuation actuation_with_stops(const Hand& hand, const Eigen::VectorXd& q) {
+  const HandLayout& layout = hand.layout();
+  Actuation actuation = hand.actuation(q);
+  for (Index j = 0; j < q.size(); ++j) {
+    const Eigen::VectorXd torque = Eigen::VectorXd::Unit(q.size(), j);
+    if (q[j] <= layout.lower[j] + kAtStop) add_reaction(actuation.reactions, torque, 0, kInfinity);
+    if (q[j] >= layout.upper[j] - kAtStop) add_reaction(actuation.reactions, -torque, 0, kInfinity);
+  }
+  return actuation;
+}
+
+Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>& coordinates) {
+  const Index count = reactions.least.size();
+  if (count == 0) return Eigen::MatrixXd(coordinates.size(), 0);
+  Eigen::MatrixXd rows = reactions.R(coordinates, Eigen::all);
+  for (Index i = 0; i < count; ++i) {
+    int innermost = 0;
+    while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
+    if (!std::binary_search(coordinates.begin(), coordinates.end(), innermost))
+      rows.col(i).setZero();
+  }
+  return rows;
+}
+
+bool is_locked(const Reactions& reactions, Index coordinate) {
+  for (Index i = 0; i < reactions.least.size(); ++i) {
+    const bool both = reactions.least(i) == -kInfinity && reactions.most(i) == kInfinity;
+    const double own = std::abs(reactions.R(coordinate, i));
+    if (both && own > 0 && own == reactions.R.col(i).cwiseAbs().sum()) return true;
+  }
+  return false;
+}
+
+}  // namespace thenar
