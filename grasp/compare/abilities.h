@@ -21,13 +21,14 @@ struct Workspaces {
 };
 [[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random);
 
-/// The largest tip forces at a posture within what drives the hand:
-///   max d'f  over  J'J s = B u + tau_0,  f = J s,  lower <= u <= upper,
+/// The largest tip forces at a posture within what drives the hand, its stops included:
+///   max d'f  over  J'J s = B u + R r + tau_0,  f = J s,  lower <= u <= upper,
 /// for the joints that move the tip, J (3, joints) [m/rad]; forces that structure bears without
-/// effort (J'f = 0) are left out. NaN where unbounded: efforts are unknown.
+/// effort (J'f = 0) are left out, and so are joints that are locked or, further in than the
+/// outermost held one, bear what it presses: hand_forces(). NaN: an effort that matters is unknown.
 struct TipForces {
-  double closing = 0;  // d along the tip's way in closing [N]
-  double largest = 0;  // over 64 directions [N]
+  double closing = 0;  // d along the tip's way in closing: how hard the digit presses [N]
+  double largest = 0;  // over 64 directions; infinite: stops bear one of them [N]
 };
 [[nodiscard]] TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip);
 

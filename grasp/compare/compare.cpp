@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -29,74 +31,14 @@ struct Setting {
   double mass;  // [kg]
 };
 
-enum class Stream { kStart, kPosture };
+/// An approach and what the hand's own efforts make of it.
+struct Tried {
+  Grasp grasp;
+  Limited epsilon{std::numeric_limits<double>::quiet_NaN(), ""};  // of closures
 
-/// A generator of one approach: std::seed_seq gives every machine the same.
-std::mt19937 generator(unsigned seed, const std::string& object, int number, Stream stream) {
-  std::vector<unsigned> words{seed, static_cast<unsigned>(number), static_cast<unsigned>(stream)};
-  for (const char letter : object) words.push_back(static_cast<unsigned char>(letter));
-  std::seed_seq sequence(words.begin(), words.end());
-  return std::mt19937(sequence);
-}
-
-Setting set_up(const ComparedHand& hand, const BodySpec& object, double scale) {
-  PlacedBody placed;
-  placed.body = scaled(object, scale);
-  const BodyMass mass = body_mass(placed.body);
-  placed.body.mass = mass;
-  Setting setting{hand, touching_hand(*hand.hand), {}, mass.mass};
-  setting.scene.object = build_body(placed);
-  setting.scene.materials = built_in_materials();
-  return setting;
-}
-
-Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
-  const SceneBody& object = setting.scene.object;
-  std::mt19937 posture = generator(options.seed, object.name, number, Stream::kPosture);
-  std::mt19937 start = generator(options.seed, object.name, number, Stream::kStart);
-  const Eigen::VectorXd q = draw_preshape(setting.touching, number, posture);
-  GraspOptions grasping = options.grasp;
-  grasping.way = way_past(setting.touching, q, object);
-  const Pose<double> X_WH = draw_start(setting.touching, q, object, start);
-  grasping.stand_off = draw_stand_off(start);
-  grasping.pads.contact = setting.hand.contact;
-  return centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
-}
-
-/// Every approach of a cell, in whatever order threads come to them. Fewer if stopped.
-std::vector<Grasp> all_grasps(const Setting& setting, const CompareOptions& options,
-                              const Progress& progress) {
-  std::vector<Grasp> grasps(static_cast<std::size_t>(options.approaches));
-  std::atomic<int> next{0}, finished{0};
-  std::exception_ptr failure;
-  std::mutex mutex;
-  const auto work = [&] {
-    try {
-      for (int n = next++; n < options.approaches && !progress.stop(); n = next++) {
-        grasps[static_cast<std::size_t>(n)] = make_grasp(setting, n, options);
-        ++finished;
-      }
-    } catch (...) {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (!failure) failure = std::current_exception();
-      next = options.approaches;
-    }
-  };
-  std::vector<std::thread> others;
-  for (int t = 1; t < options.threads; ++t) others.emplace_back(work);
-  work();
-  for (std::thread& thread : others) thread.join();
-  if (failure) std::rethrow_exception(failure);
-  if (finished < options.approaches) grasps.clear();
-  return grasps;
-}
-
-bool closes(const Grasp& grasp) {
-  return grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
-}
-
-BestGrasp describe(const Setting& setting, const Grasp& grasp, int number,
+  [[nodiscard]] BestGrasp describe(const Setting& setting, const Tried& tried, int number,
                    const CompareOptions& options) {
+  const Grasp& grasp = tried.grasp;
   BestGrasp best;
   best.approach = number;
   best.X_WH = grasp.approached.X_WH;
@@ -105,29 +47,40 @@ BestGrasp describe(const Setting& setting, const Grasp& grasp, int number,
   best.epsilon = grasp.quality.lower;
   best.type = grasp_type(*setting.hand.hand, grasp.contacts);
   const GraspLoads loads =
-      grasp_loads(*setting.hand.hand, best, setting.scene.object, setting.mass, options.tasks);
+      grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
   best.hold = loads.hold;
   best.margin = loads.margin;
+  best.reasons = loads.reasons;
+  best.hand_epsilon = tried.epsilon.value;
+  if (!tried.epsilon.reason.empty()) best.reasons["epsilon"] = tried.epsilon.reason;
   return best;
 }
 
-void count(HandOnObject& cell, const Setting& setting, const std::vector<Grasp>& grasps,
+Eigen::VectorXd ascending(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>& grasps,
            const CompareOptions& options) {
   std::vector<std::pair<double, int>> closed;
+  std::vector<double> epsilon, hand_epsilon;
   for (std::size_t n = 0; n < grasps.size(); ++n) {
-    ++cell.outcomes[static_cast<std::size_t>(grasps[n].outcome)];
-    if (!closes(grasps[n])) continue;
-    closed.emplace_back(grasps[n].quality.lower, static_cast<int>(n));
-    ++cell.types[grasp_type(*setting.hand.hand, grasps[n].contacts)];
+    const Tried& tried = grasps[n];
+    ++cell.outcomes[static_cast<std::size_t>(tried.grasp.outcome)];
+    if (!tried.closes()) continue;
+    closed.emplace_back(tried.grasp.quality.lower, static_cast<int>(n));
+    epsilon.push_back(tried.grasp.quality.lower);
+    if (!std::isnan(tried.epsilon.value)) hand_epsilon.push_back(tried.epsilon.value);
+    ++cell.types[grasp_type(*setting.hand.hand, tried.grasp.contacts)];
   }
   std::sort(closed.begin(), closed.end());
   cell.approaches = options.approaches;
   cell.closures = static_cast<int>(closed.size());
   cell.success = static_cast<double>(cell.closures) / options.approaches;
   cell.interval = wilson_interval(cell.closures, options.approaches);
-  cell.epsilon.resize(cell.closures);
-  for (int i = 0; i < cell.closures; ++i)
-    cell.epsilon[i] = closed[static_cast<std::size_t>(i)].first;
+  cell.epsilon = ascending(std::move(epsilon));
+  cell.hand_epsilon = ascending(std::move(hand_epsilon));
   for (int i = 1; i <= std::min(options.best, cell.closures); ++i) {
     const int number = closed[static_cast<std::size_t>(cell.closures - i)].second;
     cell.best.push_back(
@@ -173,7 +126,7 @@ HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double
   cell.hand = hand.name;
   cell.object = object.name;
   cell.scale = scale;
-  const std::vector<Grasp> grasps = all_grasps(setting, options, progress);
+  const std::vector<Tried> grasps = all_grasps(setting, options, progress);
   if (grasps.empty()) return cell;
   count(cell, setting, grasps, options);
   cell.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

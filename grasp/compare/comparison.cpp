@@ -33,6 +33,18 @@ double HandOnObject::quantile(double p) const {
   return (1 - share) * epsilon[below] + share * epsilon[above];
 }
 
+double HandOnObject::achieved(GraspTask task) const {
+  if (task == GraspTask::kForceClosure) return success;
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (const BestGrasp& grasp : best) {
+    const auto found = grasp.margin.find(name_of(task));
+    if (found != grasp.margin.end() && !(found->second <= most)) {
+      if (!std::isnan(found->second)) most = found->second;
+    }
+  }
+  return most;
+}
+
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
   const std::vector<Pose<double>> links = hand.pose(open_posture(layout));

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -40,7 +41,7 @@ struct ComparedHand {
 
 /// What a grasp is asked to do, measured with what drives the hand.
 enum class GraspTask {
-  kForceClosure,  // [share] no load: how often it is reached
+  kForceClosure,  // [1] no load: the share of approaches that reach it
   kHoldWeight,    // [1] times the object's weight, along each of its axes both ways
   kPull,          // [N] along its z axis, either way
   kTurn           // [N m] about its z axis, either way
@@ -77,7 +78,10 @@ struct BestGrasp {
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: they cannot
   std::map<std::string, double> margin;  // task -> largest load withstood with the hand's
-                                         // actuators; units as GraspTask
+                                         // actuators; units as GraspTask; NaN: not known
+  std::map<std::string, std::string> reasons;  // task or "epsilon" -> why it is zero or not known
+  /// Least of all wrenches that the hand's actuators withstand [N]; NaN: not known.
+  double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// One hand on one object.
@@ -90,9 +94,14 @@ struct HandOnObject {
   double success = 0;                // closures by approaches [1]
   Interval interval{0, 1};           // of its probability, Wilson, 95 %
   Eigen::VectorXd epsilon;           // of all closures, ascending [unit forces]
+  Eigen::VectorXd hand_epsilon;      // of those where it is known, ascending [N]
   std::map<std::string, int> types;  // of grasp_type() -> closures
   std::vector<BestGrasp> best;       // best first
   double seconds = 0;                // wall time
+
+  /// What a task came to: of force closure the share of approaches that reach it, of others the
+  /// largest margin of the best grasps; NaN: not asked, or not known.
+  [[nodiscard]] double achieved(GraspTask task) const;
 
   /// Of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;

@@ -1,14 +1,20 @@
 #include "grasp/compare/grasp_loads.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
+#include "grasp/compare/load_reason.h"
 #include "grasp/quality/hold_force.h"
+#include "grasp/quality/stops.h"
 #include "grasp/quality/task_wrenches.h"
 
 namespace thenar {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
+constexpr double kGap = 0.05;      // of hand_epsilon(), as a part of it [1]
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Both ways along axes `first` .. `last` of a wrench: forces 0..2, torques 3..5.
 std::vector<Wrench> both_ways(int first, int last, double size) {
@@ -32,28 +38,58 @@ std::vector<Wrench> loads_of(GraspTask task, double weight, double scale) {
   return {};
 }
 
+HeldForces forces_of(const Held& held, const SceneBody& object) {
+  std::vector<Contact> contacts;
+  for (const HandContact& contact : held.contacts) contacts.push_back(contact.contact);
+  return {held.hand.layout(), wrench_set(contacts, object.com, object.reach),
+          torque_map(held.hand, held.q, held.contacts, held.X_HO),
+          actuation_with_stops(held.hand, held.q)};
+}
+
+/// The value, or zero or NaN with the reason. @param size  of a load at value 1 [N]
+Limited limited(const HeldForces& forces, ConeStatus status, double value,
+                const std::vector<Wrench>& loads, double size) {
+  if (status == ConeStatus::kStalled) return {kUnknown, "the programme did not converge"};
+  const std::string effort = unknown_effort(forces);
+  if (!effort.empty()) return {kUnknown, "the effort of '" + effort + "' is unknown"};
+  if (status == ConeStatus::kInfeasible || value * size < kNoLoad)
+    return {0, why_nothing_holds(forces, loads)};
+  return {value, ""};
+}
+
 }  // namespace
 
-GraspLoads grasp_loads(const Hand& hand, const BestGrasp& grasp, const SceneBody& object,
-                       double mass, const std::vector<GraspTask>& tasks) {
-  std::vector<Contact> contacts;
-  for (const HandContact& contact : grasp.contacts) contacts.push_back(contact.contact);
-  const WrenchSet set = wrench_set(contacts, object.com, object.reach);
+GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
+                       const std::vector<GraspTask>& tasks) {
+  const HeldForces held_by = forces_of(held, object);
   GraspLoads loads;
-  const ForceSet friction = free_forces(set);
+  const ForceSet friction = free_forces(held_by.set);
   for (const Wrench& load : both_ways(0, 2, kGravity * mass))
     loads.hold = std::max(loads.hold, smallest_hold(friction, load, Squeeze::kSum).squeeze);
 
-  const Eigen::MatrixXd T =
-      torque_map(hand, grasp.q, grasp.contacts, grasp.X_WH.inverse() * object.X_WB);
-  const ForceSet forces = hand_forces(set, T, hand.actuation(grasp.q));
+  const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
     const std::vector<Wrench> list = loads_of(task, kGravity * mass, object.reach);
     if (list.empty()) continue;
     const TaskMargin margin = margin_of_loads(forces, list);
-    loads.margin[name_of(task)] = margin.status == ConeStatus::kInfeasible ? 0 : margin.lower;
+    const Limited result = limited(held_by, margin.status, margin.lower, list, list.front().norm());
+    loads.margin[name_of(task)] = result.value;
+    if (!result.reason.empty()) loads.reasons[name_of(task)] = result.reason;
   }
   return loads;
+}
+
+Limited hand_epsilon(const Held& held, const SceneBody& object) {
+  const HeldForces held_by = forces_of(held, object);
+  const std::string effort = unknown_effort(held_by);
+  if (!effort.empty()) return {kUnknown, "the effort of '" + effort + "' is unknown"};
+  BallOptions options;
+  options.gap = kGap;
+  const InscribedBall ball =
+      inscribed_ball(hand_forces(held_by.set, held_by.T, held_by.actuation), options);
+  const bool known = ball.status == ConeStatus::kStalled && ball.lower > kNoLoad;  // less sharply
+  return limited(held_by, known ? ConeStatus::kSolved : ball.status, ball.lower, {ball.worst_load},
+                 1);
 }
 
 }  // namespace thenar

@@ -10,18 +10,37 @@
 
 namespace thenar {
 
+/// A load that may be none, or not known.
+struct Limited {
+  double value = 0;    // NaN: not known; infinite: nothing limits it
+  std::string reason;  // why it is zero or not known; else empty
+};
+
 struct GraspLoads {
-  double hold = 0;                       // as BestGrasp
-  std::map<std::string, double> margin;  // as BestGrasp
+  double hold = 0;                             // as BestGrasp
+  std::map<std::string, double> margin;        // as BestGrasp
+  std::map<std::string, std::string> reasons;  // as BestGrasp
+};
+
+/// What holds an object: a hand in a posture, and where it touches.
+struct Held {
+  const Hand& hand;
+  const Eigen::VectorXd& q;                  // (coordinates)
+  const std::vector<HandContact>& contacts;  // object frame
+  Pose<double> X_HO;                         // the object seen from the hand
 };
 
 /// Loads of tasks about the object's centre of mass, along its own axes: weight both ways along
-/// each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z. Efforts may be those
-/// that hold the joints at the posture, as hand_forces() has them; a load that needs no effort, a
-/// palm's, has no limit.
+/// each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within
+/// hand_forces() of actuation_with_stops(). Efforts may be those that hold the joints at the
+/// posture; a load that needs no effort, a palm's, has no limit. Loads below 1e-6 N are zero.
+/// Force closure is no load and has no margin: HandOnObject::achieved().
 /// @param mass  of the object [kg], under 9.81 m/s^2
-[[nodiscard]] GraspLoads grasp_loads(const Hand& hand, const BestGrasp& grasp,
-                                     const SceneBody& object, double mass,
+[[nodiscard]] GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
                                      const std::vector<GraspTask>& tasks);
+
+/// Radius of inscribed_ball() of the same forces, torques divided by the object's reach, to 5 %
+/// from below where the search ends, else its certified lower bound [N].
+[[nodiscard]] Limited hand_epsilon(const Held& held, const SceneBody& object);
 
 }  // namespace thenar

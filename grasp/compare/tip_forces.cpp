@@ -1,15 +1,19 @@
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "base/angles.h"
 #include "grasp/closing_drives.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/quality/cone_program.h"
+#include "grasp/quality/stops.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kDirections = 64;
+constexpr double kStill = 1e-12;  // motion of a tip that is none [m/rad]
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Evenly spread on the sphere: a Fibonacci spiral.
@@ -19,30 +23,53 @@ Eigen::Vector3d direction(int i) {
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// Rows and columns of the joints that move the tip; the programme over (s, u).
-ConeProgram balance(const Eigen::MatrixXd& J, const Actuation& a, const std::vector<int>& joints) {
-  const Eigen::Index n = J.cols(), m = a.B.cols();
-  ConeProgram program;
-  program.A = Eigen::MatrixXd::Zero(n, n + m);
-  program.A.leftCols(n) = J.transpose() * J;
-  program.b.resize(n);
-  for (Eigen::Index r = 0; r < n; ++r) {
-    program.A.row(r).tail(m) = -a.B.row(joints[static_cast<std::size_t>(r)]);
-    program.b[r] = a.tau_0[joints[static_cast<std::size_t>(r)]];
+/// The joints that bear a tip force by effort, and not by structure.
+std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reactions) {
+  std::vector<int> joints;
+  int carrier = -1;
+  for (const int j : reactions.held)
+    if (!J.col(j).isZero(kStill)) carrier = std::max(carrier, j);
+  for (int j = 0; j < J.cols(); ++j) {
+    const bool held =
+        std::find(reactions.held.begin(), reactions.held.end(), j) != reactions.held.end();
+    if (!J.col(j).isZero(kStill) && !is_locked(reactions, j) && (!held || j == carrier))
+      joints.push_back(j);
   }
+  return joints;
+}
+
+/// Whether an effort that moves one of the joints has no limit.
+bool is_unknown(const Actuation& a, const std::vector<int>& joints) {
+  for (Eigen::Index k = 0; k < a.B.cols(); ++k)
+    for (const int j : joints)
+      if (a.B(j, k) != 0 && !(std::isfinite(a.lower[k]) && std::isfinite(a.upper[k]))) return true;
+  return false;
+}
+
+/// Rows and columns of the joints that press; the programme over (s, u, r).
+ConeProgram balance(const Eigen::MatrixXd& J, const Actuation& a, const std::vector<int>& joints) {
+  const Eigen::Index n = J.cols(), m = a.B.cols(), count = a.reactions.least.size();
+  ConeProgram program;
+  program.A = Eigen::MatrixXd::Zero(n, n + m + count);
+  program.A.leftCols(n) = J.transpose() * J;
+  program.A.middleCols(n, m) = -a.B(joints, Eigen::all);
+  program.A.rightCols(count) = -reactions_on(a.reactions, joints);
+  program.b = a.tau_0(joints);
+  Eigen::VectorXd lower(m + count), upper(m + count);
+  lower << a.lower, a.reactions.least;
+  upper << a.upper, a.reactions.most;
   std::vector<Eigen::VectorXd> rows;
   std::vector<double> limits;
   const auto add = [&](Eigen::Index i, double sign, double limit) {
     if (!std::isfinite(limit)) return;
-    rows.emplace_back(Eigen::VectorXd::Zero(n + m));
-    rows.back()[n + i] = sign;
+    rows.emplace_back(sign * Eigen::VectorXd::Unit(n + m + count, n + i));
     limits.push_back(sign * limit);
   };
-  for (Eigen::Index i = 0; i < m; ++i) {
-    add(i, 1, a.upper[i]);
-    add(i, -1, a.lower[i]);
+  for (Eigen::Index i = 0; i < m + count; ++i) {
+    add(i, 1, upper[i]);
+    add(i, -1, lower[i]);
   }
-  program.G.resize(static_cast<Eigen::Index>(rows.size()), n + m);
+  program.G.resize(static_cast<Eigen::Index>(rows.size()), n + m + count);
   program.h.resize(program.G.rows());
   for (std::size_t r = 0; r < rows.size(); ++r) {
     program.G.row(static_cast<Eigen::Index>(r)) = rows[r];
@@ -52,11 +79,13 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Actuation& a, const std::vec
   return program;
 }
 
-/// max d'f [N]; NaN: no answer.
+/// max d'f [N]; infinite: stops bear it; NaN: no answer.
 double farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
   program.c = Eigen::VectorXd::Zero(program.A.cols());
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
+  if (result.status == ConeStatus::kUnbounded) return std::numeric_limits<double>::infinity();
+  if (result.status == ConeStatus::kInfeasible) return 0;  // nothing balances the digit
   return result.status == ConeStatus::kSolved ? -result.objective : kNone;
 }
 
@@ -67,17 +96,14 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
   if (place.link < 0) return {kNone, kNone};
   const Eigen::MatrixXd all = hand.jacobian(q, place.link, place.p).bottomRows<3>();
-  std::vector<int> joints;
-  for (int j = 0; j < all.cols(); ++j)
-    if (!all.col(j).isZero(1e-12)) joints.push_back(j);
+  const Actuation actuation = actuation_with_stops(hand, q);
+  const std::vector<int> joints = pressing_joints(all, actuation.reactions);
   if (joints.empty()) return {0, 0};
-  Eigen::MatrixXd J(3, static_cast<Eigen::Index>(joints.size()));
-  for (std::size_t i = 0; i < joints.size(); ++i)
-    J.col(static_cast<Eigen::Index>(i)) = all.col(joints[i]);
-
-  const ConeProgram program = balance(J, hand.actuation(q), joints);
+  if (is_unknown(actuation, joints)) return {kNone, kNone};
+  const Eigen::MatrixXd J = all(Eigen::all, joints);
+  const ConeProgram program = balance(J, actuation, joints);
   const Eigen::Vector3d closing = all * ClosingDrives(layout).rates();
-  TipForces forces{closing.isZero(1e-12) ? 0 : farthest(program, J, closing.normalized()), 0};
+  TipForces forces{closing.isZero(kStill) ? 0 : farthest(program, J, closing.normalized()), 0};
   for (int i = 0; i < kDirections; ++i) {
     const double reach = farthest(program, J, direction(i));
     if (std::isnan(reach)) return {forces.closing, kNone};

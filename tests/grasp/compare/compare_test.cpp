@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/centre.h"
-#include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
 #include "grasp/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
@@ -95,23 +94,6 @@ TEST(Compare, CountsEveryApproachOnce) {
   EXPECT_EQ(cell.best.front().epsilon, cell.quantile(1));
 }
 
-// Friction is 1, and the motor's 2 N are the sum of what both jaws press with: along every axis the
-// weight w = 0.05 kg 9.81 m/s^2 takes w, the motor holds 2 N.
-TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
-  const RobotHand hand(sample::jaws());
-  const Grasp done = squeeze({0, 0, 0});
-  BestGrasp best;
-  best.X_WH = done.approached.X_WH;
-  best.q = done.closed.q;
-  best.contacts = done.contacts;
-  const GraspLoads loads = grasp_loads(hand, best, cube_scene({0, 0, 0}).object, 0.05,
-                                       {GraspTask::kHoldWeight, GraspTask::kPull});
-  const double weight = 0.05 * 9.81;
-  EXPECT_NEAR(loads.hold, weight, 1e-6);
-  EXPECT_NEAR(loads.margin.at("hold-weight"), 2 / weight, 1e-6);
-  EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
-}
-
 TEST(Compare, GoesOnFromWhatIsDone) {
   const ComparedHand hand = compared("jaws", sample::jaws());
   const Comparison whole = compare({hand}, {cube()}, few());
@@ -183,17 +165,6 @@ TEST(Workspace, OfAPlanarFingerHasItsArea) {
   const double l1 = sample::kLength, l2 = sample::kLength + sample::kRadius;
   EXPECT_NEAR(finger.workspace, l1 * l2 * kPi / 2, finger.workspace_error);
   EXPECT_LT(finger.workspace_error, 0.1 * finger.workspace);
-}
-
-// One hinge: effort 2 N m at 58 mm.
-TEST(TipForces, OfOneHingeIsEffortByArm) {
-  RobotSpec robot = sample::pincer(0.1);
-  for (RobotDof& dof : robot.dofs) dof.max_effort = 2;
-  const RobotHand hand(robot);
-  const TipForces forces = tip_forces(hand, Eigen::Vector2d(0.3, 0.3), 0);
-  EXPECT_NEAR(forces.closing, 2 / (sample::kLength + sample::kRadius), 1e-6);
-  EXPECT_LE(forces.largest, forces.closing + 1e-6);
-  EXPECT_GT(forces.largest, 0.9 * forces.closing);  // the nearest of 64 directions
 }
 
 // Fingers of 58 mm, 80 mm apart, meet; 150 mm apart they do not.

@@ -1,0 +1,78 @@
+#include "grasp/compare/load_reason.h"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "grasp/quality/stops.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool feels(const HeldForces& forces, Index coordinate) {
+  return forces.T.cols() > 0 && forces.T.row(coordinate).cwiseAbs().maxCoeff() > 1e-12;
+}
+
+Actuation with_locks(Actuation actuation, const std::vector<int>& joints) {
+  for (const int joint : joints)
+    add_reaction(actuation.reactions, Eigen::VectorXd::Unit(actuation.tau_0.size(), joint),
+                 -kInfinity, kInfinity);
+  return actuation;
+}
+
+bool holds(const ForceSet& forces, const std::vector<Wrench>& loads) {
+  const TaskMargin margin = margin_of_loads(forces, loads);
+  double size = kInfinity;
+  for (const Wrench& load : loads) size = std::min(size, load.norm());
+  return margin.status == ConeStatus::kSolved && margin.lower * size >= kNoLoad;
+}
+
+bool holds_locked(const HeldForces& forces, const std::vector<Wrench>& loads,
+                  const std::vector<int>& joints) {
+  return holds(hand_forces(forces.set, forces.T, with_locks(forces.actuation, joints)), loads);
+}
+
+/// Joints that must be locked all together: none of them can be left out.
+std::vector<int> least_locks(const HeldForces& forces, const std::vector<Wrench>& loads,
+                             std::vector<int> joints) {
+  for (std::size_t i = joints.size(); i-- > 0;) {
+    std::vector<int> fewer = joints;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (holds_locked(forces, loads, fewer)) joints.swap(fewer);
+  }
+  return joints;
+}
+
+}  // namespace
+
+std::string unknown_effort(const HeldForces& forces) {
+  const Actuation& a = forces.actuation;
+  for (Index k = 0; k < a.B.cols(); ++k) {
+    if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
+    for (Index j = 0; j < a.B.rows(); ++j)
+      if (a.B(j, k) != 0 && feels(forces, j) && !is_locked(a.reactions, j))
+        return forces.layout.actuators[static_cast<std::size_t>(k)];
+  }
+  return "";
+}
+
+std::string why_nothing_holds(const HeldForces& forces, const std::vector<Wrench>& loads) {
+  if (!holds(free_forces(forces.set), loads)) return "friction at the contacts cannot bear it";
+  std::vector<int> joints;
+  for (Index j = 0; j < forces.T.rows(); ++j)
+    if (feels(forces, j)) joints.push_back(static_cast<int>(j));
+  if (!holds_locked(forces, loads, joints)) return "nothing presses on what its joints bear";
+  std::vector<std::string> names;
+  for (const int joint : least_locks(forces, loads, joints))
+    names.push_back(
+        fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
+  return fmt::format("no effort balances {}", fmt::join(names, ", "));
+}
+
+}  // namespace thenar

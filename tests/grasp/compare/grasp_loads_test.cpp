@@ -1,0 +1,113 @@
+// Tests for grasp/compare/grasp_loads.cpp: what jaws hold, and why they do not.
+
+#include "grasp/compare/grasp_loads.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "grasp/compare/centre.h"
+#include "grasp/robot_hand.h"
+#include "tests/grasp/closing_samples.h"
+#include "tests/grasp/jaws.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kWeight = 0.05 * 9.81;  // [N]
+const std::vector<GraspTask> kTasks{GraspTask::kForceClosure, GraspTask::kHoldWeight,
+                                    GraspTask::kPull};
+
+/// Jaws on a cube of 30 mm: what they hold in the grasp they come to.
+struct Squeeze {
+  explicit Squeeze(const RobotSpec& robot)
+      : hand(robot), scene(sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
+    GraspOptions options;
+    options.way = 0;
+    grasp = centred_grasp(touching_hand(hand), {}, open_posture(hand.layout()), scene, options);
+  }
+  [[nodiscard]] Held held() const {
+    return {hand, grasp.closed.q, grasp.contacts,
+            grasp.approached.X_WH.inverse() * scene.object.X_WB};
+  }
+  [[nodiscard]] GraspLoads loads() const { return grasp_loads(held(), scene.object, 0.05, kTasks); }
+  RobotHand hand;
+  Scene scene;
+  Grasp grasp;
+};
+
+// Friction is 1, and the motor's 2 N are the sum of what both jaws press with: along every axis the
+// weight takes w, the motor holds 2 N.
+TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
+  const GraspLoads loads = Squeeze(sample::jaws()).loads();
+  EXPECT_NEAR(loads.hold, kWeight, 1e-6);
+  EXPECT_NEAR(loads.margin.at("hold-weight"), 2 / kWeight, 1e-6);
+  EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
+  EXPECT_TRUE(loads.reasons.empty());
+  EXPECT_EQ(loads.margin.count("force-closure"), 0U);  // no load
+}
+
+TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
+  RobotSpec robot = sample::jaws();
+  robot.dofs[0].nominal_effort = true;
+  const Squeeze squeeze(robot);
+  const GraspLoads loads = squeeze.loads();
+  EXPECT_TRUE(std::isnan(loads.margin.at("pull")));
+  EXPECT_EQ(loads.reasons.at("pull"), "the effort of 'motor' is unknown");
+  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  EXPECT_TRUE(std::isnan(epsilon.value));
+  EXPECT_EQ(epsilon.reason, "the effort of 'motor' is unknown");
+}
+
+// A jaw that nothing drives gives way: the other one presses on nothing.
+TEST(GraspLoads, NameTheJointThatGivesWay) {
+  Squeeze squeeze(sample::jaws());
+  RobotSpec loose = sample::jaws();
+  loose.joints[1].dof.clear();
+  const RobotHand hand(loose);
+  const Eigen::Vector2d q = squeeze.grasp.closed.q(0) * Eigen::Vector2d::Ones();
+  const Held held{hand, q, squeeze.grasp.contacts, squeeze.held().X_HO};
+  const GraspLoads loads = grasp_loads(held, squeeze.scene.object, 0.05, kTasks);
+  EXPECT_EQ(loads.margin.at("pull"), 0);
+  EXPECT_EQ(loads.reasons.at("pull"), "no effort balances 'right'");
+  const Limited epsilon = hand_epsilon(held, squeeze.scene.object);
+  EXPECT_EQ(epsilon.value, 0);
+  EXPECT_EQ(epsilon.reason, "no effort balances 'right'");
+}
+
+TEST(GraspLoads, NameFrictionWhereThereIsNone) {
+  Squeeze squeeze(sample::jaws());
+  for (HandContact& contact : squeeze.grasp.contacts) contact.contact.friction = 0;
+  EXPECT_THAT(squeeze.loads().reasons.at("pull"), HasSubstr("friction"));
+  EXPECT_EQ(squeeze.loads().margin.at("pull"), 0);
+}
+
+// Loads that a worm bears along the jaws do not count for more than friction across them: 2 N.
+TEST(GraspLoads, OfWormsAreThoseOfFrictionAcross) {
+  RobotSpec robot = sample::jaws();
+  robot.dofs[0].backdrivable = false;
+  EXPECT_NEAR(Squeeze(robot).loads().margin.at("pull"), 2, 1e-6);
+}
+
+// Along x a jaw at most lets go of 2 N, across it friction bears no more; turned about an axis the
+// corners do so: no wrench of 2 N or less needs more than the motor has, some of 2 N do.
+TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {
+  const Squeeze squeeze(sample::jaws());
+  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  EXPECT_GT(epsilon.value, 0);
+  EXPECT_LE(epsilon.value, 2 + 1e-6);
+}
+
+// Forces grow with the motor, and so does the ball.
+TEST(HandEpsilon, GrowsWithTheMotor) {
+  RobotSpec strong = sample::jaws();
+  strong.dofs[0].max_effort *= 10;
+  const Squeeze weak(sample::jaws()), ten(strong);
+  const double one = hand_epsilon(weak.held(), weak.scene.object).value;
+  EXPECT_NEAR(hand_epsilon(ten.held(), ten.scene.object).value / one, 10, 0.5);  // 5 % each
+}
+
+}  // namespace
+}  // namespace thenar
