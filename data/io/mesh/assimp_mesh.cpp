@@ -14,6 +14,7 @@
 #include <assimp/Importer.hpp>
 
 #include "base/error.h"
+#include "data/io/mesh/collada_text.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/mesh/off_text.h"
 #include "data/io/mesh/ply_header.h"
@@ -58,6 +59,7 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
 const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
   constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
   if (mesh_format(path) == MeshFormat::kPly) check_ply_header(read_text_file(path), path);
+  if (mesh_format(path) == MeshFormat::kCollada) check_collada(read_text_file(path), path);
   if (mesh_format(path) != MeshFormat::kOff) return importer.ReadFile(path, kSteps);
   const std::string obj = off_as_obj(read_text_file(path), path);
   return importer.ReadFileFromMemory(obj.data(), obj.size(), kSteps, "obj");

@@ -62,6 +62,16 @@ TEST_F(MeshFile, PlacesTheCubeByTheSceneGraph) { expect_cube("cube.gltf", cube_g
 // Collada's half metres become metres, and its z stays z.
 TEST_F(MeshFile, ReadsColladaAsRosDoes) { expect_cube("cube.DAE", cube_collada(), 10); }
 
+// assimp would read on for ever at what is no digit, and anywhere beyond an array.
+TEST_F(MeshFile, NamesTheLineOfABrokenCollada) {
+  std::string text = cube_collada();
+  text.replace(text.find("<p>0"), 4, "<p>\nx");
+  EXPECT_EQ(refusal("cube.dae", text), "2: wanted whole numbers in <p>, got 'x'");
+  text = cube_collada();
+  text.replace(text.find("count='24'"), 10, "count='23'");
+  EXPECT_EQ(refusal("cube.dae", text), "2: <accessor> reaches to 24 of 23 numbers in '#a'");
+}
+
 TEST_F(MeshFile, ScalesToMetres) {
   const TriangleMesh mesh = read_mesh(written("cube.obj", cube_obj()), 1e-3);
   EXPECT_NEAR(enclosed_volume(mesh), 8e-9, 1e-22);

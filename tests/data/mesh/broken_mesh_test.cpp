@@ -1,0 +1,44 @@
+// No broken mesh file does harm, whatever its kind.
+
+#include <gtest/gtest.h>
+
+#include "data/io/mesh/mesh_file.h"
+#include "tests/data/broken_files.h"
+#include "tests/data/mesh/cube_files.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+class BrokenMesh : public TemporaryFolder {
+ protected:
+  void expect_harmless(const std::string& name, const std::string& text) {
+    SCOPED_TRACE(name);
+    expect_no_harm(text, path(name), [](const std::string& file) { (void)read_mesh(file); });
+  }
+};
+
+TEST_F(BrokenMesh, InTextDoesNoHarm) {
+  expect_harmless("cube.obj", cube_obj());
+  expect_harmless("cube.off", cube_off());
+  expect_harmless("cube.ply", cube_ply());
+  expect_harmless("cube.stl", cube_stl());
+  expect_harmless("cube.gltf", cube_gltf());
+  expect_harmless("cube.dae", cube_collada());
+}
+
+TEST_F(BrokenMesh, InBytesDoesNoHarm) {
+  expect_harmless("cube.stl", cube_binary_stl());
+  expect_harmless("cube.ply", cube_binary_ply());
+}
+
+#ifdef THENAR_HAS_COIN
+TEST_F(BrokenMesh, OfInventorDoesNoHarm) {
+  expect_harmless("cube.wrl", cube_vrml1());
+  expect_harmless("cube.wrl", cube_vrml2());
+  expect_harmless("cube.iv", cube_vrml1("#Inventor V2.1 ascii"));
+}
+#endif
+
+}  // namespace
+}  // namespace thenar
