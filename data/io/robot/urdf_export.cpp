@@ -213,16 +213,22 @@ class Export {
     if (!joint.dof.empty()) append_mimic(node, joint);
   }
 
+  /// The joint that leads stops where its motor does.
   void append_limit(pugi::xml_node& node, const RobotJoint& joint) const {
-    double effort = 0, velocity = 0;
+    double effort = 0, velocity = 0, lower = joint.lower, upper = joint.upper;
     for (const RobotDof& dof : robot_.dofs)
       if (dof.name == joint.dof) {
         velocity = std::abs(dof.speed * joint.ratio);
-        if (&leader(dof.name) == &joint) effort = dof.max_effort / std::abs(joint.ratio);
+        if (&leader(dof.name) != &joint) continue;
+        effort = dof.max_effort / std::abs(joint.ratio);
+        const double a = joint.ratio * dof.lower + joint.offset,
+                     b = joint.ratio * dof.upper + joint.offset;
+        lower = std::min(a, b);
+        upper = std::max(a, b);
       }
     pugi::xml_node limit = node.append_child("limit");
-    set(limit, "lower", joint.lower);
-    set(limit, "upper", joint.upper);
+    set(limit, "lower", lower);
+    set(limit, "upper", upper);
     set(limit, "effort", effort);
     set(limit, "velocity", velocity);
   }
