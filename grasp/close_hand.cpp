@@ -12,6 +12,7 @@ namespace thenar {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kSoftWay = 1e-3;  // between two looks at soft links that slide [m]
 
 /// Speed and turn of one thing as seen from another.
 struct RelativeSpeed {
@@ -32,8 +33,9 @@ class Closing {
         gaps_(scene_gaps(posed_, scene)),
         speeds_(touching.touch.size()) {
     if (!options.self) return;
-    const std::vector<Gap> self = self_gaps(posed_, options.accuracy);
-    gaps_.insert(gaps_.end(), self.begin(), self.end());
+    SelfGaps self = self_gaps(posed_, options.accuracy);
+    gaps_.insert(gaps_.end(), self.gaps.begin(), self.gaps.end());
+    own_ = std::move(self.overlaps);
   }
 
   ClosedHand run() {
@@ -43,7 +45,7 @@ class Closing {
       advance();
       follow_rates();
     }
-    return {q_, drives_.stopped(), {}, !drives_.moving(), steps, queries_};
+    return {q_, drives_.stopped(), {}, own_, !drives_.moving(), steps, queries_};
   }
 
  private:
@@ -101,9 +103,9 @@ class Closing {
       const Separation found =
           measure(gap, posed_, options_.accuracy / 4, way + 2 * options_.accuracy);
       ++queries_;
-      if (found.distance <= options_.accuracy) {
-        if (goes_into(gap, found)) return stop_both(gap);
-        time = std::min(time, options_.accuracy / 4 / relative.speed);  // slides along
+      if (found.distance + gap.yield <= options_.accuracy) {
+        if (stop(gap, found)) return;
+        time = std::min(time, slide(gap) / relative.speed);
       } else {
         time = std::min(time, safe(relative, gap));
       }
@@ -113,8 +115,11 @@ class Closing {
 
   double safe(const RelativeSpeed& relative, const Gap& gap) const {
     return safe_time(relative.speed, relative.turn,
-                     std::max(0.0, gap.bound - options_.accuracy / 2));
+                     std::max(0.0, gap.room() - options_.accuracy / 2));
   }
+
+  /// Way until two things that slide along each other are looked at again [m].
+  double slide(const Gap& gap) const { return gap.stick > 0 ? kSoftWay : options_.accuracy / 4; }
 
   /// A time by which no gap is asked for more than the hand can cross.
   static double finite(double time, const RelativeSpeed& relative) {
@@ -151,26 +156,47 @@ class Closing {
     for (const int j : at_limit) drives_.stop(j, StoppedBy::kLimit);
   }
 
-  Eigen::Vector3d velocity(int surface, const Eigen::Vector3d& at_W) const {
+  /// Of a point of a surface by each coordinate, of those that do not move the other surface as
+  /// well. (3, coordinates)
+  Eigen::Matrix3Xd velocities(int surface, int other, const Eigen::Vector3d& at_W) const {
     const int link = hand_.surfaces()[surface].link;
-    if (link < 0) return Eigen::Vector3d::Zero();
+    if (link < 0) return Eigen::Matrix3Xd::Zero(3, q_.size());
     const Eigen::Vector3d p = posed_.of_surface(surface).inverse() * at_W;
-    return posed_.X_WH.R * (hand_.jacobian(q_, link, p).bottomRows<3>() * drives_.rates());
+    Eigen::Matrix3Xd v =
+        posed_.X_WH.R * hand_.jacobian(q_, link, p).bottomRows<3>() * drives_.rates().asDiagonal();
+    for (Eigen::Index j = 0; j < q_.size(); ++j)
+      if (other >= 0 && touching_.moved_by(other, j)) v.col(j).setZero();
+    return v;
   }
 
-  bool goes_into(const Gap& gap, const Separation& found) const {
-    Eigen::Vector3d v = velocity(gap.surface, found.on_a);
-    if (gap.body == nullptr) v -= velocity(gap.other, found.on_b);
-    return found.normal.dot(v) < 0;
-  }
-
-  void stop_both(const Gap& gap) {
+  /// Stops what goes into the other, if anything does: of soft links each that sticks to the other,
+  /// of others all that moves them on each other.
+  bool stop(const Gap& gap, const Separation& found) {
+    const Eigen::Matrix3Xd a = velocities(gap.surface, gap.other, found.on_a);
+    Eigen::Matrix3Xd b = Eigen::Matrix3Xd::Zero(3, q_.size());
+    if (gap.body == nullptr) b = velocities(gap.other, gap.surface, found.on_b);
+    const Eigen::VectorXd into = (b - a).transpose() * found.normal;  // [m/s] (coordinates)
+    if (into.sum() <= 0) return false;
+    const bool sticks[] = {sticks_to(-a, found.normal, into.sum(), gap.stick),
+                           sticks_to(b, found.normal, into.sum(), gap.stick)};
+    bool stopped = false;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const bool first = touching_.moved_by(gap.surface, j);
       const bool second = gap.body == nullptr && touching_.moved_by(gap.other, j);
-      if (first != second && drives_.rates()[j] != 0)
-        drives_.stop(static_cast<int>(j), StoppedBy::kContact);
+      if (first == second || drives_.rates()[j] == 0) continue;
+      if (gap.stick > 0 && !(sticks[second ? 1 : 0] && into[j] > 0)) continue;
+      drives_.stop(static_cast<int>(j), StoppedBy::kContact);
+      stopped = true;
     }
+    return stopped;
+  }
+
+  /// Whether a link goes into another within the cone of friction, and no slower than it follows
+  /// where that one gives way. @param closing  how fast the two come together [m/s]
+  static bool sticks_to(const Eigen::Matrix3Xd& velocities, const Eigen::Vector3d& inwards,
+                        double closing, double stick) {
+    const Eigen::Vector3d v = velocities.rowwise().sum();
+    return std::min(inwards.dot(v), closing) > stick * v.norm();
   }
 
   const TouchingHand& touching_;
@@ -180,6 +206,7 @@ class Closing {
   PosedHand posed_;
   Eigen::VectorXd q_;
   std::vector<Gap> gaps_;
+  std::vector<Overlap> own_;  // at the start
   std::vector<SurfaceSpeed> speeds_;
   Eigen::VectorXd followed_;                    // where rates were asked for last
   Eigen::Array<bool, Eigen::Dynamic, 1> free_;  // then

@@ -29,7 +29,9 @@ struct CloseOptions {
 struct [[nodiscard]] ClosedHand {
   Eigen::VectorXd q;               // (coordinates) [rad] or [m]
   std::vector<StoppedBy> stopped;  // of each coordinate
-  std::vector<Overlap> overlaps;   // at the start; not empty: nothing was moved
+  std::vector<Overlap> overlaps;   // with the scene at the start; not empty: nothing was moved
+  std::vector<Overlap> own;        // links deeper in each other at the start than they yield: they
+                                   // do not stop each other
   bool finished = false;           // nothing moves any more; false: overlaps or too many steps
   int steps = 0;
   int queries = 0;  // distances searched for
@@ -42,10 +44,18 @@ struct [[nodiscard]] ClosedHand {
 /// a step than the gaps allow, and only gaps that are used up are measured again. So no link passes
 /// through anything, however thin, and a gap at contact is within (0, accuracy].
 ///
-/// Neighbouring links, and links in each other at the start, do not stop each other.
+/// Closing is kinematic: forces are not asked for. A breakaway coupling opens at the first contact,
+/// whatever Drive::breakaway says.
+///
+/// Links of the hand stop each other as touching_hand() pairs them; those in each other at the
+/// start are listed and do not. Soft ones stop when their layers are pressed flat (6 mm for skin on
+/// skin), and only what pushes and sticks: what goes along the other slides on, and is looked at
+/// every millimetre. So a thumb that runs onto a finger stops, and a finger that brushes the thumb
+/// goes on.
 /// @param q  where it starts (coordinates)
 /// @throws InputError if q has the wrong length, is not finite or out of limits.
 /// Source: [MirtichCanny1995] for conservative advancement, [Miller2004] for auto-grasp.
+///   [GraspItWorld] for the thickness of skin.
 ClosedHand close_hand(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                       const Scene& scene, const CloseOptions& options = {});
 

@@ -86,4 +86,13 @@ Eigen::VectorXd open_posture(const HandLayout& layout) {
   return q;
 }
 
+Eigen::VectorXd open_posture(const Hand& hand) {
+  const HandLayout& layout = hand.layout();
+  const bool grown =
+      std::any_of(hand.surfaces().begin(), hand.surfaces().end(), [](const LinkSurface& surface) {
+        return surface.material == "skin" || surface.material == "bone";
+      });
+  return grown ? layout.lower.cwiseMax(0).cwiseMin(layout.upper) : open_posture(layout);
+}
+
 }  // namespace thenar

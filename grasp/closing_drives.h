@@ -49,4 +49,8 @@ class ClosingDrives {
 /// zero or the limit next to it. (coordinates)
 [[nodiscard]] Eigen::VectorXd open_posture(const HandLayout& layout);
 
+/// The same, but of a hand of skin or bone every coordinate is at zero or the limit next to it: its
+/// fingers start straight or as its subject was measured, not bent backwards. (coordinates)
+[[nodiscard]] Eigen::VectorXd open_posture(const Hand& hand);
+
 }  // namespace thenar

@@ -58,15 +58,23 @@ std::vector<Gap> scene_gaps(const PosedHand& posed, const Scene& scene) {
   return gaps;
 }
 
-std::vector<Gap> self_gaps(const PosedHand& posed, double accuracy) {
-  std::vector<Gap> gaps;
+SelfGaps self_gaps(const PosedHand& posed, double accuracy) {
+  SelfGaps self;
   for (const SurfacePair& pair : posed.touching.self) {
     Gap gap{pair.a, pair.b};
+    gap.yield = pair.yield;
+    gap.stick = pair.stick;
     gap.bound = ball_bound(gap, posed);
-    if (gap.bound <= accuracy) measure(gap, posed, accuracy / 4, 100 * accuracy);
-    if (gap.bound > accuracy) gaps.push_back(gap);
+    double distance = gap.bound;
+    if (gap.room() <= accuracy)
+      distance = measure(gap, posed, accuracy / 4, 100 * accuracy).distance;
+    if (gap.room() > accuracy)
+      self.gaps.push_back(gap);
+    else if (distance + gap.yield < 0)
+      self.overlaps.push_back(
+          {surface_of(posed, pair.a).name, surface_of(posed, pair.b).name, -distance});
   }
-  return gaps;
+  return self;
 }
 
 std::vector<Overlap> find_overlaps(const PosedHand& posed, const Scene& scene, double accuracy) {

@@ -20,6 +20,11 @@ struct Gap {
   const SceneBody* body = nullptr;  // null: `other`
   double bound = 0;                 // the gap is at least this [m]
   int nearest = -1;                 // triangle of the surface that was nearest; -1: unknown
+  double yield = 0;                 // they touch when they are this deep in each other [m]
+  double stick = 0;                 // SurfacePair::stick
+
+  /// What is left until they touch, at least [m].
+  [[nodiscard]] double room() const { return bound + yield; }
 };
 
 /// A posed hand.
@@ -42,15 +47,19 @@ Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cu
 /// Every surface with every body of the scene, bounded by balls.
 [[nodiscard]] std::vector<Gap> scene_gaps(const PosedHand& posed, const Scene& scene);
 
-/// Surfaces of the hand that may meet and do not overlap now, bounded from below.
-[[nodiscard]] std::vector<Gap> self_gaps(const PosedHand& posed, double accuracy);
-
 /// Two things that are in each other.
 struct Overlap {
   std::string surface;
   std::string other;
   double depth;  // [m]
 };
+
+/// Surfaces of a hand that may meet.
+struct SelfGaps {
+  std::vector<Gap> gaps;          // bounded from below, with room left
+  std::vector<Overlap> overlaps;  // of the others, those deeper in each other than they yield
+};
+[[nodiscard]] SelfGaps self_gaps(const PosedHand& posed, double accuracy);
 
 /// Which surfaces are in bodies of the scene.
 [[nodiscard]] std::vector<Overlap> find_overlaps(const PosedHand& posed, const Scene& scene,

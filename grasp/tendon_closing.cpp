@@ -50,7 +50,7 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingPull& pull, const Ei
       if (free[j] && torque[j] > 0) power += torque[j] * torque[j] / pull.stiffness[j];
     }
     if (power == 0) continue;
-    const double pace = pull.excursion * pulled(drive, B, pull.u) / power;
+    const double pace = pull.excursion * drive.speed * pulled(drive, B, pull.u) / power;
     for (const Driven& driven : drive.moves) {
       const Eigen::Index j = driven.coordinate;
       if (free[j] && torque[j] > 0) rates[j] = pace * torque[j] / pull.stiffness[j];

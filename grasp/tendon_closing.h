@@ -13,12 +13,12 @@ namespace thenar {
 struct ClosingPull {
   Eigen::VectorXd u;          // share of tension of each actuator, >= 0 [1] (actuators)
   Eigen::VectorXd stiffness;  // of joints, > 0; only ratios count [N m/rad] (coordinates)
-  double excursion = 0.01;    // of the tendons of a drive, weighted with u [m/s]
+  double excursion = 0.01;    // of the tendons of a drive of speed 1, weighted with u [m/s]
 };
 
 /// Rates of coordinates under rising tension at a posture: a free coordinate turns by
 ///   dq = K^-1 B(q) u,  scaled for each drive so that its tendons run in at  u' B' dq / |u|_1 =
-///   excursion, |u|_1 over the tendons that pull on the drive.
+///   excursion Drive::speed,  |u|_1 over the tendons that pull on the drive.
 /// A blocked joint takes none, so that the others of its drive turn faster, in the same ratio.
 /// Joints that the pull would extend stay: K stands for what holds them. Drives of speed 0 stay,
 /// too.
@@ -30,7 +30,8 @@ struct ClosingPull {
                                            const Eigen::Array<bool, Eigen::Dynamic, 1>& free);
 
 /// tendon_rates() for CloseOptions::rates, joints equally stiff (an assumption: most subjects state
-/// no stiffness of joints), tendons running in at 10 mm/s. The hand must outlive what is returned.
+/// no stiffness of joints), tendons of a drive of speed 1 running in at 10 mm/s. The hand must
+/// outlive what is returned.
 /// @param pull  tension of each actuator, of which only ratios count [N] (actuators); of a human
 ///   hand flexor_pull() of tendons/hand/hand_use.h
 /// @throws InputError if the length is wrong, a tension negative, or all are zero.

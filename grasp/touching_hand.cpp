@@ -1,11 +1,17 @@
 #include "grasp/touching_hand.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "base/error.h"
+#include "data/io/world/materials.h"
+#include "grasp/closing_drives.h"
 
 namespace thenar {
 namespace {
+
+constexpr double kAlongside = 0.7;  // cosine of the angle between axes of links side by side [1]
 
 MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();
@@ -30,11 +36,57 @@ int carrier(const Hand& hand, int link) {
   return link;
 }
 
-bool are_neighbours(const Hand& hand, int a, int b) {
-  const auto below = [&](int link) {
-    return link < 0 ? -2 : carrier(hand, hand.layout().parents[link]);
-  };
-  return a == b || below(a) == b || below(b) == a;
+/// Whether b is a, or carries it at most `steps` surfaces further out.
+bool carries(const Hand& hand, int a, int b, int steps) {
+  for (; a != b && a >= 0 && steps > 0; --steps) a = carrier(hand, hand.layout().parents[a]);
+  return a == b;
+}
+
+}  // namespace
+
+double soft_layer(const LinkSurface& surface) {
+  for (const Material& material : built_in_materials().materials)
+    if (material.name == surface.material) return material.layer_thickness;
+  return 0;
+}
+
+namespace {
+
+/// Angular velocity of a link in closing, by the coordinates that move it and not the other, with
+/// drives at their speeds in the middle of their ranges [rad/s] (3).
+Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, int other) {
+  const HandLayout& layout = hand.layout();
+  const int link = hand.surfaces()[surface].link;
+  if (link < 0) return Eigen::Vector3d::Zero();
+  Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  for (Eigen::Index j = 0; j < rates.size(); ++j)
+    if (moves(other, j)) rates[j] = 0;
+  const Eigen::VectorXd q = (layout.lower + layout.upper) / 2;
+  return hand.jacobian(q, link, Eigen::Vector3d::Zero()).topRows<3>() * rates;
+}
+
+/// Whether two links curl the same way.
+bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
+  const Eigen::Vector3d one = own_turn(hand, moves, a, b), other = own_turn(hand, moves, b, a);
+  return one.dot(other) > kAlongside * one.norm() * other.norm();
+}
+
+/// Absent: these never meet.
+std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves, int a, int b) {
+  const LinkSurface &first = hand.surfaces()[a], &second = hand.surfaces()[b];
+  const double layers[] = {soft_layer(first), soft_layer(second)};
+  const int steps = layers[0] > 0 && layers[1] > 0 ? 2 : 1;
+  if (carries(hand, first.link, second.link, steps) ||
+      carries(hand, second.link, first.link, steps))
+    return std::nullopt;
+  SurfacePair pair{a, b, layers[0] + layers[1]};
+  if (steps > 1) {
+    if (curl_alongside(hand, moves, a, b)) return std::nullopt;
+    const double mu =
+        built_in_materials().between(first.material, second.material).static_coefficient;
+    pair.stick = 1 / std::sqrt(1 + mu * mu);
+  }
+  return pair;
 }
 
 }  // namespace
@@ -46,7 +98,7 @@ TouchingHand touching_hand(const Hand& hand) {
   for (const LinkSurface& surface : surfaces) built.touch.push_back(touch_body(*surface.solid));
   for (int a = 0; a < static_cast<int>(surfaces.size()); ++a)
     for (int b = 0; b < a; ++b)
-      if (!are_neighbours(hand, surfaces[a].link, surfaces[b].link)) built.self.push_back({a, b});
+      if (const auto pair = pair_of(hand, built.moved_by, a, b)) built.self.push_back(*pair);
   return built;
 }
 

@@ -38,8 +38,9 @@ Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Ske
   Drive drive;
   drive.name = digit.name;
   drive.coupled = Coupled::kBreakaway;
-  drive.speed = 1;
-  const double distal = digit.name == "thumb" ? 1 : 2.0 / 3;
+  const bool thumb = digit.name == "thumb";
+  drive.speed = thumb ? 0.25 : 1;
+  const double distal = thumb ? 1 : 2.0 / 3;
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const std::string& joint = skeleton.coordinate_names[i];
     const auto bone = bone_after(subject, digit, joint);

@@ -11,7 +11,8 @@ namespace thenar {
 /// One drive a digit, of all its flexion joints, and one of speed 0 for every other joint.
 ///
 /// Speeds are a convention: MCP : PIP : DIP as 1 : 1 : 2/3, so that the fingertip curls into the
-/// palm, CMC : MCP : IP of the thumb as 1 : 1 : 1; 1 rad/s. A blocked phalanx lets those further
+/// palm, at 1 rad/s; CMC : MCP : IP of the thumb as 1 : 1 : 1, at 1/4 rad/s, so that it closes over
+/// the fingers of a fist, not under them. A blocked phalanx lets those further
 /// out go on, as independent muscles would. The hand goes palm first.
 [[nodiscard]] HandUse motor_use(const HandAnatomy& hand, const Subject& subject,
                                 const Skeleton& skeleton);
@@ -28,9 +29,9 @@ namespace thenar {
 
 /// The same by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio
 /// of their largest ones. Joints of equal stiffness k then turn by dq = B t / k,  in the ratio of
-/// their torques; the fastest joint by 1 rad/s. Equal stiffness is an assumption, as joints of most
-/// subjects state none. When a joint is blocked the tendon goes on to move all others.
-/// Digits without these muscles close as with motors.
+/// their torques; the fastest joint of a finger by 1 rad/s, of the thumb by 1/4. Equal stiffness is
+/// an assumption, as joints of most subjects state none. When a joint is blocked the tendon goes on
+/// to move all others. Digits without these muscles close as with motors.
 /// @param tendons  the hand's actuation at the reference posture, with its names
 [[nodiscard]] HandUse tendon_use(const HandAnatomy& hand, const Subject& subject,
                                  const Skeleton& skeleton,

@@ -85,6 +85,50 @@ TEST(CloseHand, StopsFingersOnEachOther) {
   EXPECT_NEAR(closed.q[1], closed.q[0], 1e-12);
 }
 
+/// The pincer in skin; `speed` of its right finger, whose left one has 1.
+RobotSpec skin_pincer(double gap, double speed) {
+  RobotSpec robot = sample::pincer(gap);
+  for (RobotLink& link : robot.links) link.material = "skin";
+  robot.dofs[1].speed = speed;
+  return robot;
+}
+
+// Their layers of 3 mm are pressed flat:  gap / 2 - L sin a = r - 3 mm;  they go into each other
+// with cos a = 0.87 of their speed, which the friction of skin (0.74) does not let slide.
+TEST(CloseHand, PressesSoftLayersFlat) {
+  const ClosedHand closed = close(skin_pincer(0.06, 1), kFar);
+  ASSERT_TRUE(closed.finished);
+  const double lean = std::asin((0.03 - kRadius + 0.003) / kLength);
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
+  EXPECT_NEAR(closed.q[0], lean, 2 * kAccuracy / kLength);
+  EXPECT_LT(closed.q[0], lean);
+}
+
+// Against a finger that stands, the tip meets its side at  gap - L sin a = 2 r - 6 mm.  At 28 mm
+// cos a is 0.93, at 46 mm 0.69: there the finger slides on to its limit of 0.9 rad, as hard ones do
+// not.
+TEST(CloseHand, LetsSoftLinksSlideOutsideTheConeOfFriction) {
+  const ClosedHand sticks = close(skin_pincer(0.028, 0), kFar);
+  EXPECT_EQ(sticks.stopped[0], StoppedBy::kContact);
+  EXPECT_NEAR(sticks.q[0], std::asin((0.028 - 2 * kRadius + 0.006) / kLength), 2e-3 / kLength);
+  RobotSpec oblique = skin_pincer(0.046, 0);
+  oblique.joints[0].upper = oblique.dofs[0].upper = 0.9;
+  EXPECT_EQ(close(oblique, kFar).stopped[0], StoppedBy::kLimit);
+  for (RobotLink& link : oblique.links) link.material = "rubber";
+  EXPECT_EQ(close(oblique, kFar).stopped[0], StoppedBy::kContact);
+}
+
+// Crossed from the start, by 2 r - gap.
+TEST(CloseHand, ListsLinksInEachOtherAtTheStart) {
+  const ClosedHand closed = close(sample::pincer(0.01), kFar);
+  ASSERT_EQ(closed.own.size(), 1u);
+  EXPECT_EQ(closed.own[0].surface, "right");
+  EXPECT_EQ(closed.own[0].other, "left");
+  EXPECT_NEAR(closed.own[0].depth, 2 * kRadius - 0.01, kAccuracy);
+  EXPECT_EQ(closed.stopped[0], StoppedBy::kLimit);
+  EXPECT_TRUE(close(sample::pincer(0.06), kFar).own.empty());
+}
+
 TEST(CloseHand, PassesThroughItselfIfToldSo) {
   CloseOptions options;
   options.self = false;
