@@ -49,6 +49,7 @@ class Drive {
       if (!actuator.tendon.empty()) drive_through_tendon(actuator);
     for (const Actuator& actuator : actuators_)
       if (!actuator.joint.empty()) drive_joint(actuator);
+    name_shared();
     name_undriven();
   }
 
@@ -202,7 +203,8 @@ class Drive {
       }
   }
 
-  /// The largest force: of its range, or for a motor gear times the largest control.
+  /// The largest force: of its range, or gear times gain times the largest control of a motor, or
+  /// of a general actuator that is one.
   static double effort_of(const MjcfElement& actuator, const std::string& kind) {
     const auto largest = [&](const char* range) {
       const std::vector<double> ends = actuator.numbers(range);
@@ -212,16 +214,37 @@ class Drive {
     const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
     if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
       return largest("forcerange") * ratio;
-    return kind == "motor" && actuator.text("ctrllimited") != "false" ? largest("ctrlrange") * ratio
-                                                                      : 0;
+    if (actuator.text("ctrllimited") == "false") return 0;
+    if (kind == "motor") return largest("ctrlrange") * ratio;
+    const std::string gain = actuator.text("gaintype", "fixed"),
+                      bias = actuator.text("biastype", "none");
+    if (kind != "general" || gain != "fixed" || bias != "none") return 0;
+    const std::vector<double> gains = actuator.numbers("gainprm");
+    return largest("ctrlrange") * ratio * std::abs(gains.empty() ? 1 : gains[0]);
   }
 
   void drive_joint(const Actuator& actuator) {
     const RobotJoint& driven = *find_joint(robot_, actuator.joint);
     RobotDof* dof = find_dof(robot_, driven.dof);
-    if (dof == nullptr) return;
+    if (dof == nullptr) {
+      robot_.warnings.push_back(
+          fmt::format("actuator '{}' drives joint '{}', which nothing can move: it is left out",
+                      actuator.name, actuator.joint));
+      return;
+    }
     dof->max_effort += actuator.effort * std::abs(driven.ratio);
     moved_.insert(dof->name);
+    by_dof_[dof->name].push_back(actuator.name);
+  }
+
+  /// A degree of freedom is one motor here, whatever drives it.
+  void name_shared() {
+    for (const auto& [dof, actuators] : by_dof_)
+      if (actuators.size() > 1)
+        robot_.warnings.push_back(fmt::format(
+            "'{}' is driven by the actuators '{}': they are taken as one motor with the sum of "
+            "their efforts",
+            dof, fmt::join(actuators, "', '")));
   }
 
   /// The length of the tendon by each degree of freedom it spans.
@@ -244,28 +267,29 @@ class Drive {
       RobotDof& dof = *find_dof(robot_, by_dof.begin()->first);
       dof.max_effort += actuator.effort * std::sqrt(squares);
       moved_.insert(dof.name);
+      by_dof_[dof.name].push_back(actuator.name);
       return;
     }
     for (const auto& [name, coefficient] : by_dof)
       if (moved_.count(name) > 0) {
         robot_.warnings.push_back(
             fmt::format("tendon '{}' spans '{}', which another tendon drives: "
-                        "it is not read",
-                        tendon.name, name));
+                        "it is not read, and actuator '{}' drives nothing",
+                        tendon.name, name, actuator.name));
         return;
       }
-    join(tendon.name, by_dof, squares, actuator.effort);
+    join(tendon.name, by_dof, squares, actuator);
   }
 
   /// One compliant degree of freedom in place of several.
   void join(const std::string& tendon, const std::map<std::string, double>& by_dof, double squares,
-            double effort) {
+            const Actuator& actuator) {
     RobotDof shared;
     shared.name = tendon;
     while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
     shared.kind = RobotDofKind::kCompliant;
     shared.speed = 1;
-    shared.max_effort = effort;
+    shared.max_effort = actuator.effort;
     shared.lower = -std::numeric_limits<double>::infinity();
     shared.upper = std::numeric_limits<double>::infinity();
     for (RobotJoint& moved : robot_.joints) {
@@ -292,6 +316,7 @@ class Drive {
                                      }),
                       robot_.dofs.end());
     moved_.insert(shared.name);
+    by_dof_[shared.name].push_back(actuator.name);
   }
 
   void name_undriven() {
@@ -310,7 +335,8 @@ class Drive {
   std::vector<FixedTendon> tendons_;
   std::vector<Coupling> couplings_, held_;
   std::vector<Actuator> actuators_;
-  std::set<std::string> moved_;  // degrees of freedom with an actuator
+  std::set<std::string> moved_;                             // degrees of freedom with an actuator
+  std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "data/io/mesh/mend_shape.h"
 #include "data/io/robot/import_mesh.h"
 
 namespace thenar::internal {
@@ -128,6 +129,14 @@ bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mes
   return true;
 }
 
+/// A mesh that bounds no solid is weighed as it will be mended.
+ShapeSpec solid(ShapeSpec shape) {
+  if (shape.kind != ShapeKind::kMesh || mass_at_unit_density(shape).mass > 0) return shape;
+  std::vector<std::string> told_later;
+  if (!mend_shape(shape, "", told_later)) shape.mesh = {};
+  return shape;
+}
+
 }  // namespace
 
 MjcfMeshes find_meshes(const MjcfSource& source) {
@@ -157,7 +166,7 @@ MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const Mjc
   shape.X_BS = X_BF * shape.X_BS;
   const double group = geom.number("group", 0);
   if (group >= source.compiler.least_group && group <= source.compiler.largest_group) {
-    result.mass = mass_at_unit_density(shape);
+    result.mass = mass_at_unit_density(solid(shape));
     const double volume = result.mass.mass;
     const double density = geom.has("mass")
                                ? (volume > 0 ? geom.number("mass", 0) / volume : 0)

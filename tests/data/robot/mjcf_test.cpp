@@ -20,6 +20,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 constexpr double kRounding = 1e-14;  // of a few products of numbers near one
 
@@ -262,6 +263,41 @@ TEST_F(Mjcf, TakesEffortsFromForceRangesOrMotorsGears) {
   EXPECT_EQ(robot.dofs[1].max_effort, 3);
   EXPECT_EQ(robot.dofs[2].max_effort, 0);
   EXPECT_THAT(robot.warnings, Contains(HasSubstr("no actuator drives 3")));
+}
+
+// Gain 3, control up to 2, gear 5; a servo's gain says nothing of its strength.
+TEST_F(Mjcf, TakesEffortsOfGeneralActuatorsThatAreMotors) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<actuator><general name='A' joint='1' gainprm='3' gear='5' ctrlrange='-1 2'/>"
+           "<general name='B' joint='2' gainprm='3' biastype='affine' ctrlrange='0 1'/>"
+           "</actuator>");
+  EXPECT_EQ(robot.dofs[0].max_effort, 30);
+  EXPECT_EQ(robot.dofs[1].max_effort, 0);
+}
+
+TEST_F(Mjcf, NamesTheActuatorsThatShareAJoint) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<actuator><motor name='A' joint='1' ctrlrange='0 2'/><position name='B' "
+           "joint='1' forcerange='-3 3'/><motor name='C' joint='2' ctrlrange='0 1'/>"
+           "</actuator>");
+  EXPECT_EQ(robot.dofs[0].max_effort, 5);
+  EXPECT_THAT(robot.warnings,
+              Contains("'1' is driven by the actuators 'A', 'B': they are taken as one motor with "
+                       "the sum of their efforts"));
+  EXPECT_THAT(robot.warnings, Not(Contains(HasSubstr("'2' is driven by"))));
+}
+
+// A box of 2 x 2 x 2 m without its lid weighs as with it.
+TEST_F(Mjcf, WeighsALeakyMeshAsMended) {
+  const std::string corners = "-1 -1 -1 1 -1 -1 -1 1 -1 1 1 -1 -1 -1 1 1 -1 1 -1 1 1 1 1 1";
+  const std::string faces = "0 2 1 1 2 3 0 1 4 1 5 4 2 6 3 3 6 7 0 4 2 2 4 6 1 3 5 3 7 5";
+  const RobotSpec robot =
+      read("<mujoco><asset><mesh name='m' vertex='" + corners + "' face='" + faces +
+           "'/></asset><worldbody><body><geom type='mesh' mesh='m' density='2'/></body>"
+           "</worldbody></mujoco>");
+  EXPECT_DOUBLE_EQ(robot.links[0].mass, 16);
 }
 
 TEST_F(Mjcf, CarriesFramesOut) {
