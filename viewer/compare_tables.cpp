@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "sampling/diagnostics/order_statistics.h"
+#include "viewer/compare_words.h"
+
 namespace thenar {
 namespace {
 
@@ -28,15 +31,6 @@ const HandOnObject* cell_of(const Comparison& comparison, const std::string& han
 /// A number as the page has it; none of what is not finite.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
-double best_margin(const HandOnObject& cell, const std::string& task) {
-  double best = NAN;
-  for (const BestGrasp& grasp : cell.best) {
-    const auto found = grasp.margin.find(task);
-    if (found != grasp.margin.end() && !(best >= found->second)) best = found->second;
-  }
-  return best;
-}
-
 /// Of the finite numbers among some; NaN of none.
 double median(std::vector<double> values) {
   values.erase(std::remove_if(values.begin(), values.end(),
@@ -54,21 +48,26 @@ const HandAbilities* abilities_of(const Comparison& comparison, const std::strin
   return nullptr;
 }
 
+bool is_kapandji(const HandAbilities& abilities) {
+  return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
+}
+
 Json glance_row(const Comparison& comparison, const std::string& hand) {
-  std::vector<double> best;
+  std::vector<double> best, limited;
   int closures = 0, approaches = 0, held = 0;
   for (const HandOnObject* cell : cells_of(comparison, hand)) {
     closures += cell->closures;
     approaches += cell->approaches;
     held += cell->closures > 0 ? 1 : 0;
-    best.push_back(cell->best.empty() ? NAN : cell->best.front().epsilon);
+    best.push_back(cell->quantile(1));
+    limited.push_back(quantile_of(cell->hand_epsilon, 1));
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
   return {hand,
           approaches > 0 ? Json(100.0 * closures / approaches) : Json(),
           held,
           finite(median(best)),
-          abilities == nullptr ? Json() : finite(abilities->opposition),
+          finite(median(limited)),
           abilities == nullptr ? Json() : Json(abilities->types.size())};
 }
 
@@ -99,52 +98,65 @@ Json matrix(const Comparison& comparison, const std::string& caption, int digits
   return table_block(caption, columns, rows);
 }
 
-Json success_row(const HandOnObject& cell, const std::vector<std::string>& tasks) {
-  Json row = Json::array({cell.hand, cell.object, 100 * cell.success, 100 * cell.interval.lower,
-                          100 * cell.interval.upper, finite(cell.quantile(0.5)),
-                          cell.best.empty() ? Json() : finite(cell.best.front().epsilon),
-                          cell.best.empty() ? Json() : finite(cell.best.front().hold)});
-  for (const std::string& task : tasks)
-    if (task != "force-closure") row.push_back(finite(best_margin(cell, task)));
+/// Tasks with a load, and how it counts.
+std::vector<Column> load_columns(const Comparison& comparison) {
+  std::vector<Column> columns;
+  for (const std::string& name : comparison.tasks) {
+    const GraspTask task = grasp_task(name);
+    if (task == GraspTask::kHoldWeight) columns.push_back({name, "weights", 1});
+    if (task == GraspTask::kPull) columns.push_back({name, "N", 2});
+    if (task == GraspTask::kTurn) columns.push_back({name, "N m", 3});
+  }
+  return columns;
+}
+
+Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
+  Json row = Json::array(
+      {cell.hand, cell.object, 100 * cell.success,
+       fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
+       finite(cell.quantile(0.5)), finite(cell.quantile(1)),
+       finite(quantile_of(cell.hand_epsilon, 1)),
+       cell.best.empty() ? Json() : finite(cell.best.front().hold)});
+  for (const Column& load : loads) row.push_back(finite(cell.achieved(grasp_task(load.name))));
   return row;
 }
 
 Json all_cells(const Comparison& comparison) {
-  std::vector<Column> columns{{"hand", "", -1},        {"object", "", -1},
-                              {"closed", "%", 0},      {"from", "%", 0},
-                              {"to", "%", 0},          {"median epsilon", "", 3},
-                              {"best epsilon", "", 3}, {"squeeze to hold", "N", 2}};
-  for (const std::string& task : comparison.tasks)
-    if (task != "force-closure")
-      columns.push_back({task,
-                         task == "hold-weight" ? "weights"
-                         : task == "pull"      ? "N"
-                                               : "N m",
-                         -1});
+  std::vector<Column> columns{{"hand", "", -1},
+                              {"object", "", -1},
+                              {"closed", "%", 0},
+                              {"95 % interval", "%", -1},
+                              {"epsilon, median", "", 3},
+                              {"epsilon, best", "", 3},
+                              {"of the hand, best", "N", 2},
+                              {"squeeze to hold", "N", 2}};
+  const std::vector<Column> loads = load_columns(comparison);
+  columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
-  for (const HandOnObject& cell : comparison.cells)
-    rows.push_back(success_row(cell, comparison.tasks));
+  for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
   Json table = table_block(
-      "Every hand on every object. From, to: 95 % interval of the share. Squeeze: least sum of "
-      "normal forces by which friction alone holds the weight, of the best grasp. Other loads: "
-      "the largest that the hand's own actuators withstand.",
+      "Every hand on every object. Closed: share of approaches that end in force closure. Of the "
+      "hand: epsilon with its own efforts. Squeeze: least sum of normal forces by which friction "
+      "alone holds the weight, of the grasp with the best epsilon. Loads after it: the largest "
+      "that the hand's own efforts withstand, of the best grasps.",
       columns, rows);
   table["search"] = true;
   return table;
 }
 
-Json quantile_row(const HandOnObject& cell) {
-  const double middle = cell.quantile(0.5);
-  if (!std::isfinite(middle))
-    return {{"name", cell.hand}, {"estimate", Json()}, {"low", Json()},
-            {"high", Json()},    {"null", true},       {"display", "no force closure"}};
-  return {{"name", cell.hand},
-          {"estimate", middle},
-          {"low", cell.quantile(0)},
-          {"high", cell.quantile(1)},
-          {"inner_low", cell.quantile(0.25)},
-          {"inner_high", cell.quantile(0.75)},
-          {"display", fmt::format("{:.3f} of {}", middle, cell.closures)}};
+/// Why loads of the best grasps are zero or unknown, and how often.
+Json reason_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const std::string& hand : comparison.hands) {
+    std::map<std::pair<std::string, std::string>, int> counts;
+    for (const HandOnObject* cell : cells_of(comparison, hand))
+      for (const BestGrasp& best : cell->best)
+        for (const auto& [load, reason] : best.reasons) ++counts[{load, reason}];
+    for (const auto& [why, count] : counts)
+      rows.push_back(
+          {hand, why.first == "epsilon" ? "epsilon of the hand" : why.first, why.second, count});
+  }
+  return rows;
 }
 
 Json digit_rows(const Comparison& comparison) {
@@ -163,9 +175,14 @@ Json ability_rows(const Comparison& comparison) {
   for (const HandAbilities& hand : comparison.abilities) {
     double strongest = NAN;
     for (const DigitAbility& digit : hand.digits)
-      strongest = std::fmax(strongest, digit.largest_force);
-    rows.push_back({hand.hand, 1000 * hand.reach, finite(hand.opposition), hand.opposition_scale,
-                    hand.reached.size(), 1e6 * hand.overlap, finite(strongest), hand.types.size()});
+      strongest = std::fmax(strongest, digit.closing_force);
+    const bool kapandji = is_kapandji(hand);
+    const std::string met = kapandji
+                                ? fmt::format("{} of 10 places", hand.reached.size())
+                                : fmt::format("{} of {} tips", hand.reached.size(),
+                                              std::max<std::size_t>(hand.digits.size(), 1) - 1);
+    rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
+                    1e6 * hand.overlap, finite(strongest), hand.types.size()});
   }
   return rows;
 }
@@ -183,73 +200,70 @@ Json type_rows(const Comparison& comparison) {
 
 }  // namespace
 
+double quantile_of(const Eigen::VectorXd& ascending, double p) {
+  return ascending.size() == 0 ? NAN : quantile(ascending, p);
+}
+
 Json glance_section(const Comparison& comparison) {
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) rows.push_back(glance_row(comparison, hand));
-  Json table = table_block("Over all objects.",
-                           {{"hand", "", -1},
-                            {"force closure", "%", 1},
-                            {"objects held", "", 0},
-                            {"median of best epsilon", "", 3},
-                            {"opposition", "of 10", 1},
-                            {"types of grasp", "", 0}},
-                           rows);
+  Json table = table_block(
+      "Over all objects. Best epsilon: of each object, and the median of these; "
+      "of the hand: with its own efforts.",
+      {{"hand", "", -1},
+       {"force closure", "%", 1},
+       {"objects held", "", 0},
+       {"best epsilon, median", "", 3},
+       {"of the hand, best, median", "N", 2},
+       {"types of grasp", "", 0}},
+      rows);
   table["highlight_best"] = 1;
   table["best"] = "highest";
+  Json blocks = Json::array({banner(comparison), table});
+  for (const std::string& line : version_lines(comparison)) blocks.push_back(text_block(line));
   return section("glance", "At a glance",
                  "Every hand went at every object in the same drawn directions, closed until it "
                  "could close no farther, and its contacts were measured.",
-                 Json::array({banner(comparison), table}));
+                 std::move(blocks));
 }
 
 Json cells_section(const Comparison& comparison) {
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
-  const auto best = [](const HandOnObject& cell) {
-    return cell.best.empty() ? Json() : finite(cell.best.front().epsilon);
+  const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
+  const auto limited = [](const HandOnObject& cell) {
+    return finite(quantile_of(cell.hand_epsilon, 1));
   };
-  return section(
-      "grasps", "Hands by objects", "",
+  Json blocks =
       Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),
                    matrix(comparison, "Largest epsilon reached; n/a: no force closure.", 3, best),
-                   all_cells(comparison)}));
-}
-
-Json distribution_section(const Comparison& comparison) {
-  Json blocks = Json::array();
-  for (const std::string& object : comparison.objects) {
-    Json rows = Json::array();
-    for (const std::string& hand : comparison.hands)
-      if (const HandOnObject* cell = cell_of(comparison, hand, object); cell != nullptr)
-        rows.push_back(quantile_row(*cell));
-    blocks.push_back({{"type", "interval"},
-                      {"caption", "On " + object + "."},
-                      {"x_label", "epsilon [1]"},
-                      {"rows", rows}});
-  }
-  Json pairs = Json::array();
-  for (std::size_t i = 0; i < blocks.size(); i += 2) {
-    Json pair = Json::array({blocks[i]});
-    if (i + 1 < blocks.size()) pair.push_back(blocks[i + 1]);
-    pairs.push_back(row_block(std::move(pair)));
-  }
-  return section("quality", "How good the grasps are",
-                 "Of the grasps with force closure: median, middle half (thick) and the whole "
-                 "range of epsilon. At the right the median and how many there are.",
-                 pairs);
+                   matrix(comparison,
+                          "Largest epsilon with the hand's own efforts [N]; n/a: no force closure, "
+                          "or efforts unknown.",
+                          2, limited),
+                   all_cells(comparison)});
+  const Json reasons = reason_rows(comparison);
+  if (!reasons.empty())
+    blocks.push_back(table_block(
+        "Why loads of the best grasps are zero or unknown.",
+        {{"hand", "", -1}, {"load", "", -1}, {"why", "", -1}, {"grasps", "", 0}}, reasons));
+  return section("grasps", "Hands by objects", "", std::move(blocks));
 }
 
 Json abilities_section(const Comparison& comparison) {
   Json blocks = Json::array();
-  blocks.push_back(table_block("What each hand can do without an object.",
-                               {{"hand", "", -1},
-                                {"reach", "mm", 0},
-                                {"opposition", "of 10", 1},
-                                {"scale", "", -1},
-                                {"places met", "", 0},
-                                {"shared workspace", "cm\u00b3", 1},
-                                {"strongest tip", "N", 1},
-                                {"types of grasp", "", 0}},
-                               ability_rows(comparison)));
+  blocks.push_back(table_block(
+      "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
+      "that the thumb's pad meets; robots have no such places, so of them only the tips count that "
+      "the thumb's (or that of the best digit) meets. Workspace shared: of the opposing tip and "
+      "all others. Strongest tip: in its way of closing, digits half bent.",
+      {{"hand", "", -1},
+       {"reach", "mm", 0},
+       {"Kapandji", "of 10", 0},
+       {"thumb meets", "", -1},
+       {"workspace shared", "cm\u00b3", 0},
+       {"strongest tip", "N", 1},
+       {"types of grasp", "", 0}},
+      ability_rows(comparison)));
   blocks.push_back(
       table_block("Digits. Workspaces of tips that move in a plane or on a curve have "
                   "no volume.",
@@ -269,25 +283,13 @@ Json abilities_section(const Comparison& comparison) {
 }
 
 Json reading_section(const Comparison& comparison) {
-  std::string text =
-      "Force closure: whatever the disturbance, some contact forces within friction balance it. "
-      "Epsilon: the largest disturbance that is balanced from whatever direction, in units of the "
-      "contacts' own forces (their normal forces sum up to 1), torques divided by the object's "
-      "reach; 0 is the edge of slipping. A larger object, softer pads or more contacts raise it; "
-      "the strength of the hand does not. That is in the loads: there the actuators' limits "
-      "count.\n\nWhere n/a stands nothing was measured, or an effort is unknown. Approaches are "
-      "random: shares have the interval that is given with them, and the best of few approaches "
-      "is not the best there is.";
-  text += fmt::format(
-      "\n\nSeed {}, {} approaches, objects {}.", comparison.seed, comparison.approaches,
-      comparison.normalise_size ? "scaled with the reach of the hand" : "in their own size");
   Json blocks = Json::array();
   if (!comparison.warnings.empty()) {
     Json rows = Json::array();
     for (const std::string& warning : comparison.warnings) rows.push_back(Json::array({warning}));
     blocks.push_back(table_block("Warnings.", {{"warning", "", -1}}, rows));
   }
-  return section("reading", "How to read this", text, blocks);
+  return section("reading", "How to read this", reading_words(comparison), blocks);
 }
 
 }  // namespace thenar

@@ -54,16 +54,59 @@ TEST(ComparePage, CountsOverAllObjects) {
   EXPECT_EQ(row[0], "jaws");
   EXPECT_EQ(row[1], 37.5);  // 3 of 8 approaches
   EXPECT_EQ(row[2], 1);     // of two objects
+  EXPECT_EQ(row[3], 0.4);   // the best on the only object held
   EXPECT_TRUE(row[4].is_null());
 }
 
 TEST(ComparePage, ShowsQuantilesWhereThereAreGrasps) {
+  Comparison comparison = sample();
+  comparison.cells[0].hand_epsilon = Eigen::Vector2d(1, 3);  // efforts are known for two of three
+  MeshTable meshes;
+  const Json page = compare_page(comparison, {}, {}, meshes);
+  const Json& pairs = section_of(page, "quality")["blocks"];
+  const Json& geometric = pairs[0]["blocks"][0]["rows"][0];
+  EXPECT_EQ(geometric["estimate"], 0.2);
+  EXPECT_EQ(geometric["high"], 0.4);
+  const Json& limited = pairs[0]["blocks"][1]["rows"][0];
+  EXPECT_EQ(limited["estimate"], 2.0);
+  EXPECT_EQ(limited["display"], "2, n = 2 of 3");
+  for (const Json& chart : pairs[1]["blocks"])
+    EXPECT_EQ(chart["rows"][0]["display"], "no closure in 4");
+}
+
+TEST(ComparePage, SaysThatEffortsAreUnknown) {
   MeshTable meshes;
   const Json page = compare_page(sample(), {}, {}, meshes);
-  const Json& pair = section_of(page, "quality")["blocks"][0]["blocks"];
-  EXPECT_EQ(pair[0]["rows"][0]["estimate"], 0.2);
-  EXPECT_EQ(pair[0]["rows"][0]["high"], 0.4);
-  EXPECT_EQ(pair[1]["rows"][0]["display"], "no force closure");
+  const Json& limited = section_of(page, "quality")["blocks"][0]["blocks"][1];
+  EXPECT_EQ(limited["rows"][0]["display"], "efforts unknown");
+  EXPECT_TRUE(limited["rows"][0]["estimate"].is_null());
+}
+
+// A grasp that nobody knows the load of does not hide one of which it is known.
+TEST(ComparePage, TakesTheBestOfTheLoadsThatAreKnown) {
+  Comparison comparison = sample();
+  comparison.tasks.emplace_back("hold-weight");
+  BestGrasp known, unknown;
+  known.margin["hold-weight"] = 7;
+  unknown.margin["hold-weight"] = NAN;
+  unknown.reasons["hold-weight"] = "the effort of 'motor' is unknown";
+  comparison.cells[0].best = {known, unknown};
+  MeshTable meshes;
+  const Json page = compare_page(comparison, {}, {}, meshes);
+  const Json& blocks = section_of(page, "grasps")["blocks"];
+  EXPECT_EQ(blocks[3]["rows"][0].back(), 7.0);
+  EXPECT_EQ(blocks[4]["rows"][0],
+            Json::array({"jaws", "hold-weight", "the effort of 'motor' is unknown", 1}));
+}
+
+TEST(ComparePage, TellsVersionsOfTheHumanHandApart) {
+  Comparison comparison = sample();
+  comparison.hands = {"human:tier2", "jaws", "human:tier4"};
+  MeshTable meshes;
+  const Json blocks = section_of(compare_page(comparison, {}, {}, meshes), "glance")["blocks"];
+  ASSERT_EQ(blocks.size(), 4U);
+  EXPECT_NE(blocks[2]["text"].get<std::string>().find("strength of its own"), std::string::npos);
+  EXPECT_NE(blocks[3]["text"].get<std::string>().find("human:tier4: "), std::string::npos);
 }
 
 TEST(ComparePage, SaysWhatIsMissingOfOneThatWasStopped) {
