@@ -6,6 +6,7 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -23,11 +24,19 @@
 namespace thenar {
 namespace {
 
+/// An object where hands go at it.
+struct Standing {
+  Scene scene;
+  double scale;
+  double mass;  // [kg]
+};
+
 /// What is worked out once for a hand and an object.
 struct Setting {
   const ComparedHand& hand;
-  TouchingHand touching;
-  Scene scene;
+  const TouchingHand& touching;
+  const Scene& scene;
+  double scale;
   double mass;  // [kg]
 };
 
@@ -36,7 +45,86 @@ struct Tried {
   Grasp grasp;
   Limited epsilon{std::numeric_limits<double>::quiet_NaN(), ""};  // of closures
 
-  [[nodiscard]] BestGrasp describe(const Setting& setting, const Tried& tried, int number,
+  [[nodiscard]] bool closes() const {
+    return grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
+  }
+};
+
+enum class Stream { kStart, kPosture };
+
+/// A generator of one approach: std::seed_seq gives every machine the same.
+std::mt19937 generator(unsigned seed, const std::string& object, int number, Stream stream) {
+  std::vector<unsigned> words{seed, static_cast<unsigned>(number), static_cast<unsigned>(stream)};
+  for (const char letter : object) words.push_back(static_cast<unsigned char>(letter));
+  std::seed_seq sequence(words.begin(), words.end());
+  return std::mt19937(sequence);
+}
+
+Standing stand(const BodySpec& object, double scale) {
+  PlacedBody placed;
+  placed.body = scaled(object, scale);
+  const BodyMass mass = body_mass(placed.body);
+  placed.body.mass = mass;
+  return {{build_body(placed), {}, built_in_materials()}, scale, mass.mass};
+}
+
+Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
+  const SceneBody& object = setting.scene.object;
+  std::mt19937 posture = generator(options.seed, object.name, number, Stream::kPosture);
+  std::mt19937 start = generator(options.seed, object.name, number, Stream::kStart);
+  const Eigen::VectorXd q = draw_preshape(setting.touching, number, posture);
+  GraspOptions grasping = options.grasp;
+  grasping.way = way_past(setting.touching, q, object);
+  const Pose<double> X_WH = draw_start(setting.touching, q, object, start);
+  grasping.stand_off = draw_stand_off(start);
+  grasping.pads.contact = setting.hand.contact;
+  grasping.close.rates = setting.hand.rates;
+  return centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
+}
+
+Held held_by(const Setting& setting, const Grasp& grasp) {
+  return {*setting.hand.hand, grasp.closed.q, grasp.contacts,
+          grasp.approached.X_WH.inverse() * setting.scene.object.X_WB};
+}
+
+Tried try_grasp(const Setting& setting, int number, const CompareOptions& options) {
+  Tried tried;
+  tried.grasp = make_grasp(setting, number, options);
+  if (tried.closes())
+    tried.epsilon = hand_epsilon(held_by(setting, tried.grasp), setting.scene.object);
+  return tried;
+}
+
+/// Every approach of a cell, in whatever order threads come to them. Fewer if stopped.
+std::vector<Tried> all_grasps(const Setting& setting, const CompareOptions& options,
+                              const Progress& progress) {
+  std::vector<Tried> grasps(static_cast<std::size_t>(options.approaches));
+  std::atomic<int> next{0}, finished{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&](bool reports) {
+    try {
+      for (int n = next++; n < options.approaches && !progress.stop(); n = next++) {
+        grasps[static_cast<std::size_t>(n)] = try_grasp(setting, n, options);
+        ++finished;
+        if (reports) progress(static_cast<double>(finished) / options.approaches, "");
+      }
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = options.approaches;
+    }
+  };
+  std::vector<std::thread> others;
+  for (int t = 1; t < options.threads; ++t) others.emplace_back(work, false);
+  work(true);
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  if (finished < options.approaches) grasps.clear();
+  return grasps;
+}
+
+BestGrasp describe(const Setting& setting, const Tried& tried, int number,
                    const CompareOptions& options) {
   const Grasp& grasp = tried.grasp;
   BestGrasp best;
@@ -95,17 +183,54 @@ void require_names(const std::vector<std::string>& names, const std::string& wha
     require(seen.insert(name).second, "{} '{}' is named twice", what, name);
 }
 
+void require_numbers(const CompareOptions& options) {
+  require(options.approaches > 0 && options.threads > 0 && options.best >= 0,
+          "a comparison wants approaches and threads, got {} and {}", options.approaches,
+          options.threads);
+}
+
+/// "human:tier1, human:tier2: what was assumed": each warning once, with the hands it concerns.
+std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands) {
+  std::vector<std::pair<std::string, std::string>> whose;  // warning, hands
+  for (const ComparedHand& hand : hands)
+    for (const std::string& warning : hand.warnings) {
+      const auto found = std::find_if(whose.begin(), whose.end(),
+                                      [&](const auto& each) { return each.first == warning; });
+      if (found == whose.end())
+        whose.emplace_back(warning, hand.name);
+      else if (found->second != hand.name)
+        found->second += ", " + hand.name;
+    }
+  std::vector<std::string> folded;
+  for (const auto& [warning, names] : whose) folded.push_back(names + ": " + warning);
+  return folded;
+}
+
+/// Refuses at once what would fail hours later, by the hand's name.
+void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects) {
+  const Materials& materials = built_in_materials();
+  for (const ComparedHand& hand : hands) {
+    require(hand.hand != nullptr, "hand '{}' is not there", hand.name);
+    require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
+    require(!hand.hand->layout().tip_points.empty(), "hand '{}' has no digits", hand.name);
+    try {
+      for (const LinkSurface& surface : hand.hand->surfaces())
+        for (const BodySpec& object : objects)
+          (void)materials.between(surface.material, object.material);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("hand '{}': {}", hand.name, error.what()));
+    }
+  }
+}
+
 Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
                    const CompareOptions& options) {
   Comparison out;
   out.seed = options.seed;
   out.approaches = options.approaches;
   out.normalise_size = options.normalise_size;
-  for (const ComparedHand& hand : hands) {
-    out.hands.push_back(hand.name);
-    for (const std::string& warning : hand.warnings)
-      out.warnings.push_back(hand.name + ": " + warning);
-  }
+  for (const ComparedHand& hand : hands) out.hands.push_back(hand.name);
+  out.warnings = folded_warnings(hands);
   for (const BodySpec& object : objects) out.objects.push_back(object.name);
   for (const GraspTask task : options.tasks) out.tasks.push_back(name_of(task));
   require_names(out.hands, "hand");
@@ -113,19 +238,13 @@ Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<Bod
   return out;
 }
 
-}  // namespace
-
-HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
-                        const CompareOptions& options, const Progress& progress) {
-  require(options.approaches > 0 && options.threads > 0 && options.best >= 0,
-          "a comparison wants approaches and threads, got {} and {}", options.approaches,
-          options.threads);
+HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
+                          const Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  const Setting setting = set_up(hand, object, scale);
   HandOnObject cell;
-  cell.hand = hand.name;
-  cell.object = object.name;
-  cell.scale = scale;
+  cell.hand = setting.hand.name;
+  cell.object = setting.scene.object.name;
+  cell.scale = setting.scale;
   const std::vector<Tried> grasps = all_grasps(setting, options, progress);
   if (grasps.empty()) return cell;
   count(cell, setting, grasps, options);
@@ -133,22 +252,72 @@ HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double
   return cell;
 }
 
+/// Builds objects when they are first asked for; each scale once.
+class Standings {
+ public:
+  const Standing& of(const BodySpec& object, double scale) {
+    const auto key = std::make_pair(object.name, scale);
+    const auto known = built_.find(key);
+    return known != built_.end() ? known->second
+                                 : built_.emplace(key, stand(object, scale)).first->second;
+  }
+
+ private:
+  std::map<std::pair<std::string, double>, Standing> built_;
+};
+
+/// Progress of the cell that comes after `finished` of `all`.
+Progress of_cell(const Progress& whole, std::size_t finished, std::size_t all,
+                 const std::string& what) {
+  Progress cell = whole;
+  cell.report = [&whole, finished, all, what](double share, const std::string&) {
+    whole((static_cast<double>(finished) + share) / static_cast<double>(all), what);
+  };
+  return cell;
+}
+
+const HandOnObject* find_cell(const std::vector<HandOnObject>& cells, const std::string& hand,
+                              const std::string& object) {
+  for (const HandOnObject& cell : cells)
+    if (cell.hand == hand && cell.object == object) return &cell;
+  return nullptr;
+}
+
+}  // namespace
+
+HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
+                        const CompareOptions& options, const Progress& progress) {
+  require_numbers(options);
+  require_hands({hand}, {object});
+  const Standing standing = stand(object, scale);
+  const TouchingHand touching = touching_hand(*hand.hand);
+  return compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, progress);
+}
+
 Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
                    const CompareOptions& options, const Progress& progress,
                    const std::vector<HandOnObject>& done) {
+  require_numbers(options);
   Comparison out = heading(hands, objects, options);
+  require_hands(hands, objects);
   const double first_reach = reach_of_digits(*hands.front().hand);
-  const double all = static_cast<double>(hands.size() * objects.size());
+  const std::size_t all = hands.size() * objects.size();
+  Standings standings;
   for (const ComparedHand& hand : hands) {
     const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
+    const TouchingHand touching = touching_hand(*hand.hand);
     std::set<std::string> types;
     for (const BodySpec& object : objects) {
-      progress(static_cast<double>(out.cells.size()) / all, hand.name + " on " + object.name);
-      const auto known = std::find_if(done.begin(), done.end(), [&](const HandOnObject& cell) {
-        return cell.hand == hand.name && cell.object == object.name;
-      });
-      HandOnObject cell =
-          known != done.end() ? *known : compare_on(hand, object, scale, options, progress);
+      const Progress here =
+          of_cell(progress, out.cells.size(), all, hand.name + " on " + object.name);
+      here(0, "");
+      HandOnObject cell;
+      if (const HandOnObject* known = find_cell(done, hand.name, object.name)) {
+        cell = *known;
+      } else {
+        const Standing& standing = standings.of(object, scale);
+        cell = compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, here);
+      }
       if (cell.approaches == 0) return out;
       for (const auto& [type, times] : cell.types) types.insert(type);
       out.cells.push_back(std::move(cell));

@@ -34,6 +34,7 @@ struct ComparedHand {
   std::string name;
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;  // or soft fingers
+  ClosingRates rates;                               // as CloseOptions::rates
   HandPlace thumb;                                  // its pad, where there are `opposition` places
   std::vector<HandPlace> places;                    // Kapandji's; empty: an analogous scale serves
   std::vector<std::string> warnings;

@@ -112,6 +112,35 @@ TEST(Compare, StopsWithWholeCells) {
   EXPECT_TRUE(none.cells.empty());
 }
 
+// The hand that cannot touch comes last: nothing is worked out for the one before.
+TEST(Compare, ChecksAllHandsBeforeAnyWork) {
+  RobotSpec bare = sample::jaws();
+  for (RobotLink& link : bare.links) link.shapes.clear();
+  RobotSpec strange = sample::jaws();
+  for (RobotLink& link : strange.links) link.material = "cheese";
+  const ComparedHand jaws = compared("jaws", sample::jaws());
+  CompareOptions options = few();
+  options.keep = [](const Comparison&) { FAIL() << "a cell was worked out"; };
+  EXPECT_THAT(message_of([&] {
+                (void)compare({jaws, compared("bare", bare)}, {cube()}, options);
+              }),
+              HasSubstr("hand 'bare' has no surface"));
+  EXPECT_THAT(message_of([&] {
+                (void)compare({jaws, compared("strange", strange)}, {cube()}, options);
+              }),
+              HasSubstr("hand 'strange': "));
+}
+
+TEST(Compare, SaysAWarningOfManyHandsOnce) {
+  ComparedHand one = compared("one", sample::jaws()), two = compared("two", sample::jaws());
+  one.warnings = {"assumed"};
+  two.warnings = {"assumed", "left out"};
+  CompareOptions options = few();
+  options.approaches = 1;
+  EXPECT_THAT(compare({one, two}, {cube()}, options).warnings,
+              testing::ElementsAre("one, two: assumed", "two: left out"));
+}
+
 TEST(Compare, RefusesNamesTwiceAndUnknownTasks) {
   const ComparedHand hand = compared("jaws", sample::jaws());
   EXPECT_THAT(message_of([&] {
