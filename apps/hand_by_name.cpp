@@ -12,6 +12,8 @@
 #include "data/io/nearest_name.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/robot_hand.h"
+#include "grasp/tendon_closing.h"
+#include "tendons/hand/hand_use.h"
 
 namespace thenar {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHuman = "human";
+constexpr const char* kTendons = "tier4";  // whose hands close by their tendons
 
 NamedHand human(const std::string& name, const Subject& subject, const std::string& tier,
                 const HumanHandOptions& options) {
@@ -30,6 +33,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.patches = std::move(built.patches);
   hand.targets = std::move(built.targets);
   hand.warnings = std::move(built.warnings);
+  if (tier == kTendons) hand.rates = tendon_closing_rates(*hand.hand, flexor_pull(*hand.hand));
   return hand;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "grasp/close_hand.h"
 #include "hand/hand.h"
 #include "tendons/hand/human_hand.h"
 
@@ -19,6 +20,7 @@ struct NamedHand {
   ContactModel contact = ContactModel::kHardPoint;
   std::vector<SkinPatch> patches;         // pads and nails of a human hand
   std::vector<OppositionTarget> targets;  // of Kapandji's score, of a human hand
+  ClosingRates rates;                     // of a hand that tendons close; empty: its drives do
   std::vector<std::string> warnings;      // what was assumed or left out
 };
 
