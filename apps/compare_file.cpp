@@ -1,7 +1,10 @@
 #include "apps/compare_file.h"
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
+
+#include <fmt/format.h>
 
 #include "apps/json_line.h"
 #include "apps/read_source.h"
@@ -15,9 +18,18 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A number, or what null stands for.
-double number(const nlohmann::json& value, double otherwise = kInfinity) {
-  return value.is_null() ? otherwise : value.get<double>();
+constexpr const char* kInfinite = "infinite";
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// JSON has no infinity; what is not known is null.
+Json number_json(double value) {
+  if (std::isinf(value)) return kInfinite;
+  return std::isnan(value) ? Json() : Json(value);
+}
+
+double number(const nlohmann::json& value) {
+  if (value.is_null()) return kUnknown;
+  return value == kInfinite ? kInfinity : value.get<double>();
 }
 
 Eigen::VectorXd vector(const nlohmann::json& list) {
@@ -26,23 +38,60 @@ Eigen::VectorXd vector(const nlohmann::json& list) {
   return out;
 }
 
+/// A task with the unit of its margin: "hold-weight" is in weights.
+std::string margin_key(const std::string& task) {
+  switch (grasp_task(task)) {
+    case GraspTask::kHoldWeight:
+      return "hold_weights";
+    case GraspTask::kPull:
+      return "pull_N";
+    case GraspTask::kTurn:
+      return "turn_Nm";
+    case GraspTask::kForceClosure:
+      break;
+  }
+  return "force_closure";
+}
+
+Json margin_json(const std::map<std::string, double>& margins) {
+  Json out = Json::object();
+  for (const auto& [task, margin] : margins) out[margin_key(task)] = number_json(margin);
+  return out;
+}
+
+std::map<std::string, double> margins_of(const nlohmann::json& json) {
+  std::map<std::string, double> margins;
+  for (const GraspTask task :
+       {GraspTask::kForceClosure, GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn}) {
+    const auto found = json.find(margin_key(name_of(task)));
+    if (found != json.end()) margins[name_of(task)] = number(*found);
+  }
+  return margins;
+}
+
+Json list_json(const Eigen::VectorXd& values) {
+  Json list = Json::array();
+  for (const double value : values) list.push_back(number_json(value));
+  return list;
+}
+
 Json contact_json(const HandContact& contact) {
-  return {{"position", to_json(contact.contact.p)},
+  return {{"position_m", to_json(contact.contact.p)},
           {"normal", to_json(contact.contact.n)},
           {"friction", contact.contact.friction},
-          {"torsion", contact.contact.torsion},
+          {"torsion_m", contact.contact.torsion},
           {"surface", contact.surface},
-          {"depth", contact.depth}};
+          {"depth_m", contact.depth}};
 }
 
 HandContact contact_of(const nlohmann::json& json) {
   HandContact contact;
-  contact.contact.p = vector(json.at("position"));
+  contact.contact.p = vector(json.at("position_m"));
   contact.contact.n = vector(json.at("normal"));
   contact.contact.friction = json.at("friction");
-  contact.contact.torsion = json.at("torsion");
+  contact.contact.torsion = json.at("torsion_m");
   contact.surface = json.at("surface");
-  contact.depth = json.at("depth");
+  contact.depth = json.at("depth_m");
   return contact;
 }
 
@@ -50,10 +99,12 @@ Json best_json(const BestGrasp& best) {
   Json out{{"approach", best.approach},
            {"epsilon", best.epsilon},
            {"type", best.type},
-           {"hold_N", best.hold},
-           {"margin", best.margin},
+           {"hold_N", number_json(best.hold)},
+           {"hand_epsilon_N", number_json(best.hand_epsilon)},
+           {"margin", margin_json(best.margin)},
+           {"reasons", best.reasons},
            {"rotation", to_json(best.X_WH.R)},
-           {"position", to_json(best.X_WH.p)},
+           {"position_m", to_json(best.X_WH.p)},
            {"q", to_json(best.q)}};
   for (const HandContact& contact : best.contacts) out["contacts"].push_back(contact_json(contact));
   return out;
@@ -65,9 +116,11 @@ BestGrasp best_of(const nlohmann::json& json) {
   best.epsilon = json.at("epsilon");
   best.type = json.at("type");
   best.hold = number(json.at("hold_N"));
-  for (const auto& [task, margin] : json.at("margin").items()) best.margin[task] = number(margin);
+  best.hand_epsilon = number(json.at("hand_epsilon_N"));
+  best.margin = margins_of(json.at("margin"));
+  best.reasons = json.at("reasons").get<std::map<std::string, std::string>>();
   for (int i = 0; i < 3; ++i) best.X_WH.R.row(i) = vector(json.at("rotation").at(i)).transpose();
-  best.X_WH.p = vector(json.at("position"));
+  best.X_WH.p = vector(json.at("position_m"));
   best.q = vector(json.at("q"));
   for (const auto& contact : json.at("contacts")) best.contacts.push_back(contact_of(contact));
   return best;
@@ -87,9 +140,9 @@ Json cell_json(const HandOnObject& cell) {
            {"success_lower", cell.interval.lower},
            {"success_upper", cell.interval.upper},
            {"epsilon", to_json(cell.epsilon)},
+           {"hand_epsilon_N", list_json(cell.hand_epsilon)},
            {"types", cell.types},
-           {"best", Json::array()},
-           {"seconds", cell.seconds}};
+           {"best", Json::array()}};
   for (const BestGrasp& best : cell.best) out["best"].push_back(best_json(best));
   return out;
 }
@@ -106,28 +159,34 @@ HandOnObject cell_of(const nlohmann::json& json) {
   cell.success = json.at("success");
   cell.interval = {json.at("success_lower"), json.at("success_upper")};
   cell.epsilon = vector(json.at("epsilon"));
+  cell.hand_epsilon = vector(json.at("hand_epsilon_N"));
   cell.types = json.at("types").get<std::map<std::string, int>>();
   for (const auto& best : json.at("best")) cell.best.push_back(best_of(best));
-  cell.seconds = json.at("seconds");
   return cell;
+}
+
+Json digit_json(const DigitAbility& digit) {
+  Json out{{"digit", digit.digit}, {"dimension", digit.dimension}};
+  if (digit.dimension > 0) {
+    const std::string unit = digit.dimension == 1 ? "m" : fmt::format("m{}", digit.dimension);
+    out["workspace_" + unit] = digit.workspace;
+    out["workspace_error_" + unit] = digit.workspace_error;
+  }
+  out["closing_force_N"] = number_json(digit.closing_force);
+  out["largest_force_N"] = number_json(digit.largest_force);
+  return out;
 }
 
 Json abilities_json(const HandAbilities& hand) {
   Json out{{"hand", hand.hand},
-           {"reach_mm", hand.reach * 1e3},
-           {"opposition", hand.opposition},
+           {"reach_m", hand.reach},
+           {"opposition", number_json(hand.opposition)},
            {"opposition_scale", hand.opposition_scale},
            {"reached", hand.reached},
-           {"overlap_cm3", hand.overlap * 1e6},
+           {"overlap_m3", hand.overlap},
            {"types", hand.types},
            {"digits", Json::array()}};
-  for (const DigitAbility& digit : hand.digits)
-    out["digits"].push_back({{"digit", digit.digit},
-                             {"dimension", digit.dimension},
-                             {"workspace_m", digit.workspace},
-                             {"workspace_error_m", digit.workspace_error},
-                             {"closing_force_N", digit.closing_force},
-                             {"largest_force_N", digit.largest_force}});
+  for (const DigitAbility& digit : hand.digits) out["digits"].push_back(digit_json(digit));
   return out;
 }
 
@@ -150,7 +209,8 @@ std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs
   require(file.is_object() && file.contains("inputs") && file.contains("cells"),
           "'{}' is no comparison of hands: name another file", path);
   for (const auto& [name, value] : inputs.items()) {
-    const bool same = file["inputs"].contains(name) && file["inputs"][name] == nlohmann::json(value);
+    const bool same =
+        file["inputs"].contains(name) && file["inputs"][name] == nlohmann::json(value);
     require(same, "'{}' holds a comparison with another '{}': name another file, or remove it",
             path, name);
   }

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Everything; infinite and undefined numbers are null.
+/// Everything but how long it took; units are in the names. null: not known; "infinite".
 [[nodiscard]] nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
 /// Cells that an earlier run left in a file; none if there is no such file.

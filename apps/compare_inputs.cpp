@@ -1,0 +1,142 @@
+#include "apps/compare_inputs.h"
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <utility>
+
+#include "apps/data_folder.h"
+#include "apps/hand_by_name.h"
+#include "apps/read_source.h"
+#include "base/error.h"
+#include "base/provenance.h"
+#include "data/io/file_kind.h"
+#include "data/io/robot/import_robot.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
+
+std::string object_file(const std::string& name, const std::string& data) {
+  return named_file("object", name, "objects", ".toml", data_folders(data));
+}
+
+ComparedHand to_compare(const std::string& name, const std::string& data) {
+  const NamedHand named = hand_by_name(name, data_folders(data));
+  ComparedHand hand;
+  hand.name = name;
+  hand.hand = named.hand;
+  hand.contact = named.contact;
+  hand.rates = named.rates;
+  hand.warnings = named.warnings;
+  if (named.targets.empty()) return hand;
+  const SkinMark& thumb = pad_of(named.patches, "thumb");
+  hand.thumb = {"thumb", thumb.link, thumb.p, 0};
+  for (const OppositionTarget& target : named.targets)
+    hand.places.push_back({target.name, target.mark.link, target.mark.p, target.score});
+  return hand;
+}
+
+template <typename Matrix>
+std::string bytes_of(const Matrix& matrix) {
+  return {reinterpret_cast<const char*>(matrix.data()),
+          static_cast<std::size_t>(matrix.size()) * sizeof(typename Matrix::Scalar)};
+}
+
+/// Corners and triangles of all meshes.
+std::string mesh_bytes(const std::vector<ShapeSpec>& shapes) {
+  std::string bytes;
+  for (const ShapeSpec& shape : shapes)
+    bytes += bytes_of(shape.mesh.vertices) + bytes_of(shape.mesh.triangles);
+  return bytes;
+}
+
+std::string object_hash(const BodySpec& object) {
+  return sha256(object_toml(object) + mesh_bytes(object.shapes));
+}
+
+bool is_subject(const std::string& file) {
+  return fs::path(file).extension() == ".toml" && fs::is_regular_file(file) &&
+         find_file_kind(file) == FileKind::kSubject;
+}
+
+/// Of what was read, whatever files it came from; of a subject its file; "" if it is built in.
+std::string hand_hash(const std::string& hand, const std::string& data) {
+  const std::string subject = hand.substr(0, hand.rfind(":tier"));
+  if (subject == "human") return "";
+  if (subject != hand) return sha256(read_source(subject).text);
+  std::string file = robot_file(hand, data_folders(data));
+  if (file.empty()) file = hand;
+  if (is_subject(file)) return sha256(read_source(file).text);
+  const RobotSpec robot = import_robot(file);
+  std::string bytes = robot_toml(robot);
+  for (const RobotLink& link : robot.links) bytes += mesh_bytes(link.shapes);
+  return sha256(bytes);
+}
+
+std::string program_hash() {
+  std::ostringstream bytes;
+  bytes << std::ifstream(kProgram, std::ios::binary).rdbuf();
+  return sha256(bytes.str());
+}
+
+}  // namespace
+
+std::vector<ComparedHand> hands_of(const CompareQuestion& question) {
+  std::vector<ComparedHand> hands;
+  for (const std::string& name : question.hands) hands.push_back(to_compare(name, question.data));
+  return hands;
+}
+
+std::vector<BodySpec> objects_of(const CompareQuestion& question) {
+  std::vector<BodySpec> objects;
+  for (const std::string& name : question.objects)
+    objects.push_back(read_object(object_file(name, question.data)));
+  return objects;
+}
+
+CompareOptions options_of(const CompareQuestion& question) {
+  CompareOptions options;
+  options.approaches = question.approaches;
+  options.best = question.best;
+  options.threads = question.threads;
+  options.seed = question.seed;
+  options.normalise_size = question.normalise;
+  options.tasks.clear();
+  for (const std::string& task : question.tasks) options.tasks.push_back(grasp_task(task));
+  return options;
+}
+
+Json compare_inputs(const CompareQuestion& question) {
+  Json contents = Json::object();
+  for (const std::string& hand : question.hands)
+    if (const std::string hash = hand_hash(hand, question.data); !hash.empty())
+      contents["hand " + hand] = hash;
+  for (const BodySpec& object : objects_of(question))
+    contents["object " + object.name] = object_hash(object);
+  return {{"hands", question.hands},
+          {"objects", question.objects},
+          {"tasks", question.tasks},
+          {"approaches", question.approaches},
+          {"best", question.best},
+          {"seed", question.seed},
+          {"normalise_size", question.normalise},
+          {"contents", contents},
+          {"program", program_hash()},
+          {"versions", versions()}};
+}
+
+nlohmann::json compare_provenance(const Json& inputs) {
+  nlohmann::json provenance = inputs.at("versions");
+  for (const auto& [what, hash] : inputs.at("contents").items())
+    provenance[what] = "sha256 " + hash.get<std::string>();
+  provenance["program"] = "sha256 " + inputs.at("program").get<std::string>();
+  provenance["seed"] = std::to_string(inputs.at("seed").get<unsigned>());
+  return provenance;
+}
+
+}  // namespace thenar

@@ -1,0 +1,45 @@
+#pragma once
+
+/// What a comparison is asked to do, and what its result depends on.
+
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "grasp/compare/comparison.h"
+
+namespace thenar {
+
+/// As given on the command line.
+struct CompareQuestion {
+  std::vector<std::string> hands{"human:tier1", "human:tier2", "human:tier3",  "human:tier4",
+                                 "barrett",     "dlr",         "shadow",       "allegro",
+                                 "leap",        "robonaut",    "parallel_jaw", "robotiq_2f85"};
+  std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
+                                   "pen",       "mug",     "egg", "jar_lid"};
+  std::vector<std::string> tasks{"force-closure", "hold-weight"};
+  std::string data;  // folder; empty: where data_folders() looks
+  int approaches = 20, best = 3, threads = 1;
+  unsigned seed = 1;
+  bool normalise = false;
+};
+
+/// The hands by their names. Those of tendons close by the excursion of their flexors.
+[[nodiscard]] std::vector<ComparedHand> hands_of(const CompareQuestion& question);
+
+/// The objects, of files or by their names.
+[[nodiscard]] std::vector<BodySpec> objects_of(const CompareQuestion& question);
+
+/// Everything but the names.
+[[nodiscard]] CompareOptions options_of(const CompareQuestion& question);
+
+/// What the result depends on, by name: the question but for threads, SHA-256 of each robot,
+/// subject and object as it was read, meshes included, and of the program itself, which holds the
+/// built-in hand and materials; versions of shared libraries.
+[[nodiscard]] nlohmann::ordered_json compare_inputs(const CompareQuestion& question);
+
+/// The same as name -> text, for a page.
+[[nodiscard]] nlohmann::json compare_provenance(const nlohmann::ordered_json& inputs);
+
+}  // namespace thenar

@@ -1,0 +1,134 @@
+"""End-to-end tests of `thenar compare`: what it keeps, when it goes on, and when it refuses to.
+
+Usage: compare_command_test.py [path of the program]; else the environment's THENAR.
+"""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM = os.environ.get("THENAR", "thenar")
+DATA = pathlib.Path(__file__).resolve().parents[2] / "data"
+
+# A tetrahedron of 60 mm edges on the axes, and one with a corner farther out.
+MESH = "v 0 0 0\nv {x} 0 0\nv 0 60 0\nv 0 0 60\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+OBJECT = """name = "wedge"
+description = "A corner of a box"
+source = "Own"
+material = "wood"
+mass_g = 100
+[sources]
+Own = "Made up for this test"
+[[shape]]
+kind = "mesh"
+file = "wedge.obj"
+scale = 0.001
+"""
+
+
+class Compare(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for part in ("robots", "objects"):
+            shutil.copytree(DATA / part, self.folder / part)
+        self.out = self.folder / "out.json"
+
+    def words(self, *more, hands="parallel_jaw", objects="sphere_70"):
+        return [PROGRAM, "compare", "--hands", hands, "--objects", objects, "--approaches", "3",
+                "--data", str(self.folder), "-o", str(self.out), *more]
+
+    def run_it(self, *more, **choice):
+        return subprocess.run(self.words(*more, **choice), capture_output=True, text=True,
+                              check=False, timeout=120)
+
+    def keep(self, *more, **choice):
+        result = self.run_it(*more, **choice)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return json.loads(self.out.read_text())
+
+    def refusal(self, *more, **choice):
+        result = self.run_it(*more, **choice)
+        self.assertEqual(result.returncode, 1, result.stdout)
+        return result.stderr
+
+    def test_keys_have_units_and_nothing_is_not_a_number(self):
+        kept = self.keep()
+        [cell] = kept["cells"]
+        self.assertEqual(cell["approaches"], 3)
+        self.assertEqual(len(cell["epsilon"]), cell["closures"])
+        for digit in kept["abilities"][0]["digits"]:
+            self.assertIn("closing_force_N", digit)
+            self.assertEqual(digit["dimension"], 1)
+            self.assertIn("workspace_m", digit)
+        self.assertNotIn("NaN", self.out.read_text())
+
+    def test_threads_change_no_byte(self):
+        self.keep("--threads", "1")
+        first = self.out.read_bytes()
+        self.out.unlink()
+        self.keep("--threads", "2")
+        self.assertEqual(self.out.read_bytes(), first)
+
+    def test_goes_on_where_it_was_stopped_to_the_same_bytes(self):
+        choice = {"hands": "parallel_jaw,barrett,allegro", "objects": "sphere_70,mug,jar_lid"}
+        self.keep(**choice)
+        whole = self.out.read_bytes()
+        self.out.unlink()
+        with subprocess.Popen(self.words(**choice), stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as work:
+            while not self.out.exists() and work.poll() is None:
+                time.sleep(0.002)
+            work.send_signal(signal.SIGINT)
+            words = work.communicate(timeout=60)[1]
+        self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
+        kept = json.loads(self.out.read_text())
+        self.assertFalse(kept["complete"])
+        self.assertTrue(1 <= len(kept["cells"]) < 9, len(kept["cells"]))
+        self.keep(**choice)
+        self.assertEqual(self.out.read_bytes(), whole)
+
+    def test_does_not_go_on_with_another_question(self):
+        self.keep()
+        self.assertIn("another 'seed'", self.refusal("--seed", "2"))
+        self.assertIn("another 'best'", self.refusal("--best", "1"))
+        self.assertIn("another 'tasks'", self.refusal("--tasks", "pull"))
+
+    def test_does_not_go_on_with_another_robot(self):
+        self.keep()
+        robot = self.folder / "robots" / "parallel_jaw.toml"
+        robot.write_text(robot.read_text().replace("max_effort_N = 160", "max_effort_N = 161"))
+        self.assertIn("another 'contents'", self.refusal())
+
+    def test_goes_on_where_only_a_comment_changed(self):
+        self.keep()
+        robot = self.folder / "robots" / "parallel_jaw.toml"
+        robot.write_text(robot.read_text() + "# a comment changes nothing\n")
+        self.keep()
+
+    def test_does_not_go_on_with_another_mesh(self):
+        (self.folder / "objects" / "wedge.toml").write_text(OBJECT)
+        mesh = self.folder / "objects" / "wedge.obj"
+        mesh.write_text(MESH.format(x=60))
+        self.keep(objects="wedge")
+        mesh.write_text(MESH.format(x=61))
+        self.assertIn("another 'contents'", self.refusal(objects="wedge"))
+
+    def test_refuses_a_hand_without_surfaces_before_any_work(self):
+        words = self.refusal(hands="parallel_jaw,graspit_human_20dof")
+        self.assertIn("hand 'graspit_human_20dof'", words)
+        self.assertIn("no surface", words)
+        self.assertFalse(self.out.exists())
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1:
+        PROGRAM = sys.argv.pop(1)
+    unittest.main()
