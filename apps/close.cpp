@@ -28,6 +28,8 @@ void run(const Options& options) {
   require_ending(options.out, {".html"});
   if (!options.out.empty()) require_writable(options.out);
   const GraspQuestion question = ask_world(options.choice);
+  require(!question.hand.named.hand->surfaces().empty(),
+          "hand '{}' has no surface that could touch", question.hand.named.name);
   const TouchingHand touching = touching_hand(*question.hand.named.hand);
   const GraspAnswer found = answer(question, touching, 0);
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,

@@ -74,6 +74,8 @@ void run(const Options& options) {
   question.edges = options.edges;
   question.starts = options.random;
   question.seed = options.seed;
+  require(!question.hand.named.hand->surfaces().empty(),
+          "hand '{}' has no surface that could touch", question.hand.named.name);
   const TouchingHand touching = touching_hand(*question.hand.named.hand);
   const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
   require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
