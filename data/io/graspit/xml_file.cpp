@@ -1,9 +1,12 @@
 #include "data/io/graspit/xml_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <map>
+#include <sstream>
 #include <utility>
 
 #include <pugixml.hpp>
@@ -18,6 +21,19 @@ int line_at(const std::string& text, std::ptrdiff_t offset) {
   const auto end = text.begin() +
                    std::clamp<std::ptrdiff_t>(offset, 0, static_cast<std::ptrdiff_t>(text.size()));
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
+void rename(pugi::xml_node node, const std::map<std::string, std::string>& names) {
+  const auto found = names.find(lower_case(node.name()));
+  if (found != names.end() && found->second != node.name()) node.set_name(found->second.c_str());
+  for (const pugi::xml_node child : node.children()) rename(child, names);
 }
 
 }  // namespace
@@ -37,6 +53,13 @@ XmlFile::XmlFile(std::string text, std::string path)
 XmlFile::~XmlFile() = default;
 
 pugi::xml_node XmlFile::root() const { return document_->xml.document_element(); }
+
+void XmlFile::settle_case(const std::string& names) {
+  std::map<std::string, std::string> by_lower_case;
+  std::istringstream words(names);
+  for (std::string name; words >> name;) by_lower_case[lower_case(name)] = name;
+  rename(root(), by_lower_case);
+}
 
 std::string XmlFile::root_name() const { return root().name(); }
 

@@ -32,6 +32,10 @@ class XmlFile {
   /// Where an element stands, from 1.
   [[nodiscard]] int line(const pugi::xml_node& node) const;
 
+  /// Gives every element whose name is one of these but for its case that name.
+  /// @param names  apart by spaces
+  void settle_case(const std::string& names);
+
   /// Throws a DataError at an element.
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& what) const;
 

@@ -28,6 +28,13 @@ using internal::Unread;
 const std::map<std::string, int> kJointsOfLink{
     {"Fixed", 0}, {"Revolute", 1}, {"Prismatic", 1}, {"Universal", 2}, {"Ball", 3}};
 
+/// Files differ in the case of their elements: <DOF>, <coulombFriction>.
+const std::string kElements =
+    "robot palm dof chain joint link theta d a alpha minValue maxValue transform translation "
+    "rotation rotationMatrix fullTransform maxEffort defaultVelocity breakAwayTorque "
+    "viscousFriction CoulombFriction springStiffness restValue approachDirection "
+    "referenceLocation direction";
+
 class Translation {
  public:
   Translation(const XmlFile& file, RobotSpec& robot) : file_(file), unread_(file), robot_(robot) {}
@@ -333,7 +340,8 @@ GraspitDrive parse_graspit_drive(const std::string& text) {
 }
 
 RobotSpec read_graspit_robot(const std::string& path) {
-  const XmlFile file(path);
+  XmlFile file(path);
+  file.settle_case(kElements);
   if (std::string(file.root().name()) != "robot")
     file.fail(file.root(), "wanted <robot type=\"..\">");
   RobotSpec robot;

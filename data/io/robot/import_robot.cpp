@@ -27,7 +27,7 @@ RobotFileKind kind_of_xml(const XmlFile& file) {
   const std::string name = root.name();
   if (name == "mujoco" || name == "mujocoinclude") return RobotFileKind::kMjcf;
   if (name == "robot") {
-    for (const char* part : {"palm", "chain", "dof"})
+    for (const char* part : {"palm", "chain", "dof", "DOF"})
       if (root.child(part)) return RobotFileKind::kGraspit;
     return RobotFileKind::kUrdf;
   }

@@ -30,6 +30,10 @@ std::string end_of_chain(const RobotSpec& robot, int n) {
 class Reader {
  public:
   explicit Reader(const std::string& path) : file_(path) {
+    file_.settle_case(
+        "world graspableBody obstacle robot connection camera filename transform translation "
+        "rotation rotationMatrix fullTransform dofValues parentRobot parentChain childRobot "
+        "position orientation focalDistance");
     if (std::string(file_.root().name()) != "world")
       file_.fail(file_.root(), fmt::format("wanted <world>, got <{}>", file_.root().name()));
     read_.world.name = fs::path(path).stem().string();

@@ -127,6 +127,17 @@ TEST_F(GraspitRobot, ReadsMotors) {
 }
 
 // 5e7 units of force are 50 N; lengths in mm; the turn stands before the slide.
+TEST_F(GraspitRobot, DoesNotHeedTheCaseOfElements) {
+  std::string chain = kDofs + "<chain>" + hinge("d1", "30", "0") + "<link>link.xml</link></chain>";
+  const RobotSpec plain = read(chain);
+  for (const auto& [from, to] :
+       {std::pair("<dof", "<DOF"), std::pair("</dof", "</DOF"), std::pair("<minValue", "<MinValue"),
+        std::pair("</minValue", "</MinValue")})
+    for (std::size_t at; (at = chain.find(from)) != std::string::npos;)
+      chain.replace(at, std::string(from).size(), to);
+  EXPECT_EQ(robot_toml(read(chain)), robot_toml(plain));
+}
+
 TEST_F(GraspitRobot, SlidesAlongTheTurnedAxis) {
   const RobotSpec robot = read(
       "<dof type='r'><maxEffort>5e7</maxEffort></dof><chain><joint type='Prismatic'>"
