@@ -72,7 +72,7 @@ std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contact
   if (touching.push.empty()) return "palm alone";
   if (touching.palm) return "power, palm, " + counted(others);
   if (touching.push.size() == 1) return "one digit";
-  if (thumb.empty()) return "side, " + counted(others);
+  if (thumb.empty()) return "intermediate, side, " + counted(others);
   return (touching.inner ? "power, pad, " : "precision, pad, ") + counted(others);
 }
 

@@ -10,8 +10,8 @@
 
 namespace thenar {
 
-/// A cell of the table of grasps by opposition, power and number of opposing digits, like
-/// "power, palm, 4 digits", "precision, pad, 2 digits", "side, 2 digits":
+/// A column of the table of grasps by power, opposition and number of opposing digits, like
+/// "power, palm, 4 digits", "precision, pad, 2 digits", "intermediate, side, 2 digits":
 ///   palm       the palm and a digit touch; what follows counts digits besides the opposing one
 ///   pad        the opposing digit and others touch, not the palm: power if a link before the last
 ///              of a digit touches, else precision
