@@ -17,6 +17,7 @@ using nlohmann::json;
 using Names = std::initializer_list<const char*>;
 
 constexpr double kNearlyUnit = 1e-3;       // a normal is rounded, not wrong, if off by less [1]
+constexpr double kLargest = 1e12;          // of any number: beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;  // of a value in a message [characters]
 
 /// A value with the way to it, so that complaints can name its line.
@@ -35,6 +36,10 @@ class JsonValue {
   }
 
   [[nodiscard]] bool has(const char* member) const { return value_.contains(member); }
+  /// Of members that may be left out: null leaves them out, too.
+  [[nodiscard]] bool gives(const char* member) const {
+    return has(member) && !value_[member].is_null();
+  }
   [[nodiscard]] JsonValue operator[](const char* member) const {
     if (!has(member)) fail(fmt::format("{} has no '{}'", name(), member));
     return step(value_[member], member);
@@ -57,7 +62,7 @@ class JsonValue {
 
   [[nodiscard]] double number(const char* what) const {
     if (!value_.is_number()) fail_wanted(what);
-    return value_.get<double>();
+    return bounded(value_.get<double>());
   }
 
   template <int n>
@@ -67,12 +72,16 @@ class JsonValue {
     Eigen::Matrix<double, n, 1> result;
     for (int i = 0; i < n; ++i) {
       if (!value_[static_cast<std::size_t>(i)].is_number()) fail_wanted(what);
-      result(i) = value_[static_cast<std::size_t>(i)].get<double>();
+      result(i) = bounded(value_[static_cast<std::size_t>(i)].get<double>());
     }
     return result;
   }
 
  private:
+  [[nodiscard]] double bounded(double number) const {
+    if (!(std::abs(number) <= kLargest)) fail_wanted(fmt::format("no more than {:g}", kLargest));
+    return number;
+  }
   [[nodiscard]] JsonValue step(const json& value, const std::string& to) const {
     JsonPath steps = steps_;
     steps.push_back(to);
@@ -97,6 +106,7 @@ double not_negative(const JsonValue& value) {
 double positive(const JsonValue& value) {
   const double number = value.number("a number > 0");
   if (number <= 0) value.fail_wanted("a number > 0");
+  if (number < 1 / kLargest) value.fail_wanted(fmt::format("at least {:g}", 1 / kLargest));
   return number;
 }
 
@@ -110,9 +120,9 @@ Eigen::Vector3d unit(const JsonValue& value) {
 
 FileContact contact_with_wrenches(const JsonValue& value) {
   FileContact result;
-  if (value.has("position")) result.contact.p = value["position"].vector<3>();
-  if (value.has("normal")) (void)value["normal"].vector<3>();
-  if (value.has("friction")) result.contact.friction = not_negative(value["friction"]);
+  if (value.gives("position")) result.contact.p = value["position"].vector<3>();
+  if (value.gives("normal")) (void)value["normal"].vector<3>();
+  if (value.gives("friction")) result.contact.friction = not_negative(value["friction"]);
   const JsonValue wrenches = value["wrenches"];
   for (const JsonValue& wrench : wrenches.entries("a list of wrenches"))
     result.wrenches.push_back(wrench.vector<6>());
@@ -131,8 +141,8 @@ FileContact contact_with_cone(const JsonValue& value) {
 FileContact file_contact(const JsonValue& value) {
   value.require_members({"position", "normal", "friction", "torsion", "wrenches", "name"});
   FileContact result =
-      value.has("wrenches") ? contact_with_wrenches(value) : contact_with_cone(value);
-  if (value.has("torsion")) result.contact.torsion = not_negative(value["torsion"]);
+      value.gives("wrenches") ? contact_with_wrenches(value) : contact_with_cone(value);
+  if (value.gives("torsion")) result.contact.torsion = not_negative(value["torsion"]);
   return result;
 }
 

@@ -23,7 +23,8 @@ struct ContactFile {
 /// Reads {"centre_of_mass": [x, y, z], "torque_scale": m, "contacts": [{"position": [x, y, z],
 /// "normal": [x, y, z], "friction": mu, "torsion": m?, "wrenches": [[fx, fy, fz, tx, ty, tz],
 /// ...]?}]}; see docs/data_format.md. Normals off unit length by less than 1e-3 are made unit.
-/// A contact with wrenches needs no position, normal and friction.
+/// A contact with wrenches needs no position, normal and friction. What may be left out may be
+/// null; no number may be beyond 1e12, no scale below 1e-12.
 /// @throws DataError `path:line: ...`: what was wanted, and what came.
 [[nodiscard]] ContactFile read_contact_file(const std::string& path);
 

@@ -25,6 +25,8 @@
 namespace thenar {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
   std::vector<std::string> files;
   std::string norm = "l1", out;
@@ -75,18 +77,19 @@ Answer answer(const ContactFile& file, const Options& options) {
   return result;
 }
 
-nlohmann::ordered_json json_of(const Answer& answer) {
+Json json_of(const Answer& answer) {
   const Epsilon& e = answer.epsilon;
-  nlohmann::ordered_json missing;
+  Json missing;
   if (e.has_missing_direction) missing = to_json(e.missing_direction);
   return {{"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
-          {"volume", answer.volume.estimate},
+          {"volume", answer.volume.complete ? Json(answer.volume.estimate) : Json(nullptr)},
           {"force_closure", e.force_closure},
           {"rank", e.rank},
           {"missing_direction", missing},
           {"worst_wrench", to_json(e.worst_wrench)},
           {"cpu_s", answer.cpu},
           {"volume_bounds", {{"lower", answer.volume.lower}, {"upper", answer.volume.upper}}},
+          {"volume_complete", answer.volume.complete},
           {"converged", e.converged}};
 }
 
@@ -99,9 +102,14 @@ std::string enclosed(double lower, double upper) {
   return fmt::format("between {:.6g} and {:.6g}", lower, upper);
 }
 
+std::string volume_words(const Volume& v) {
+  if (!v.complete) return fmt::format("at least {:.6g}: a hull had too many facets", v.lower);
+  if (v.lower == v.upper) return fmt::format("{:.6g}", v.estimate);
+  return fmt::format("about {:.6g}, {}", v.estimate, enclosed(v.lower, v.upper));
+}
+
 std::string text_of(const std::string& path, const ContactFile& file, const Answer& answer) {
   const Epsilon& e = answer.epsilon;
-  const Volume& v = answer.volume;
   std::string text = fmt::format("{}: {} contacts, torques divided by {} m\n", path,
                                  file.contacts.size(), shown(file.torque_scale));
   const auto line = [&](const char* name, const std::string& value) {
@@ -109,9 +117,7 @@ std::string text_of(const std::string& path, const ContactFile& file, const Answ
   };
   line("force closure", e.force_closure ? "yes" : "no");
   line("epsilon", enclosed(e.lower, e.upper) + (e.converged ? "" : " (gave up early)"));
-  line("volume", v.lower == v.upper
-                     ? fmt::format("{:.6g}", v.estimate)
-                     : fmt::format("about {:.6g}, {}", v.estimate, enclosed(v.lower, v.upper)));
+  line("volume", volume_words(answer.volume));
   line("rank", fmt::format("{} of 6", e.rank));
   if (e.has_missing_direction) line("cannot make", words(e.missing_direction));
   line(e.has_missing_direction ? "not withstood" : "withstood least", words(e.worst_wrench));
@@ -150,7 +156,7 @@ void add_quality(CLI::App& app) {
                    "l1: normal forces sum up to 1; linf: each of them is at most 1")
       ->check(CLI::IsMember({"l1", "linf"}));
   command->add_option("--gap", options->gap, "Largest upper - lower of epsilon");
-  command->add_option("--out", options->out, "Also write the JSON lines to this file");
+  command->add_option("-o,--out", options->out, "Also write the JSON lines to this file");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });
 }
