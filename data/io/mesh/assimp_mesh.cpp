@@ -58,7 +58,10 @@ void append_node(const aiScene& scene, const aiNode& node, const aiMatrix4x4& pa
 
 const aiScene* read_scene(Assimp::Importer& importer, const std::string& path) {
   constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_ValidateDataStructure;
-  if (mesh_format(path) == MeshFormat::kPly) check_ply_header(read_text_file(path), path);
+  if (mesh_format(path) == MeshFormat::kPly) {
+    const std::string ply = format_first(read_text_file(path), path);
+    return importer.ReadFileFromMemory(ply.data(), ply.size(), kSteps, "ply");
+  }
   if (mesh_format(path) == MeshFormat::kCollada) check_collada(read_text_file(path), path);
   if (mesh_format(path) != MeshFormat::kOff) return importer.ReadFile(path, kSteps);
   const std::string obj = off_as_obj(read_text_file(path), path);

@@ -6,7 +6,7 @@
 
 namespace thenar {
 
-/// The triangles of an OBJ, STL, PLY, OFF, glTF or GLB, in single precision, placed by the file's
+/// The triangles of an OBJ, PLY, OFF, glTF or GLB, in single precision, placed by the file's
 /// own scene graph. @throws DataError if the file is none of these, or broken.
 [[nodiscard]] TriangleSoup read_assimp_mesh(const std::string& path);
 

@@ -2,6 +2,8 @@
 
 #include "data/io/mesh/mesh_file.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -70,6 +72,30 @@ TEST_F(MeshFile, NamesTheLineOfABrokenCollada) {
   text = cube_collada();
   text.replace(text.find("count='24'"), 10, "count='23'");
   EXPECT_EQ(refusal("cube.dae", text), "2: <accessor> reaches to 24 of 23 numbers in '#a'");
+}
+
+// Capitals, tabs, all on a line, two solids, bytes after the last triangle, "solid" before bytes.
+TEST_F(MeshFile, ReadsStlAsItIsFound) {
+  std::string capitals = cube_stl(), lines = cube_stl(), bytes = cube_binary_stl();
+  for (char& c : capitals) c = static_cast<char>(std::toupper(c));
+  std::replace(capitals.begin(), capitals.end(), ' ', '\t');
+  std::replace(lines.begin(), lines.end(), '\n', ' ');
+  lines += "solid none\nendsolid none\n";
+  for (const std::string& text : {capitals, lines, bytes + "more", "solid" + bytes.substr(5)}) {
+    const TriangleMesh mesh = read_mesh(written("cube.stl", text));
+    EXPECT_EQ(mesh.triangles.cols(), 12);
+    EXPECT_DOUBLE_EQ(enclosed_volume(mesh), 8);
+  }
+  EXPECT_THAT(refusal("cube.stl", bytes.substr(0, 400)),
+              HasSubstr("wanted 12 triangles of 50 bytes after the heading, got 316 bytes"));
+  EXPECT_THAT(refusal("cube.stl", "solid\nfacet\nvertex 1 2 x\n"),
+              StartsWith("3: wanted three numbers after 'vertex', got 'x'"));
+}
+
+TEST_F(MeshFile, ReadsPlyWhoseCommentComesFirst) {
+  std::string text = cube_ply();
+  text.insert(text.find("format"), "comment first\n");
+  EXPECT_DOUBLE_EQ(enclosed_volume(read_mesh(written("cube.ply", text))), 8);
 }
 
 TEST_F(MeshFile, ScalesToMetres) {
@@ -153,8 +179,9 @@ TEST_F(MeshFile, RefusesFilesWithoutASurface) {
 }
 
 TEST_F(MeshFile, RefusesFilesThatAreCutOff) {
-  for (const std::string& whole : {cube_binary_stl(), cube_stl()})
-    EXPECT_THAT(refusal("cut.stl", whole.substr(0, 100)), StartsWith("1: "));
+  EXPECT_THAT(refusal("cut.stl", cube_binary_stl().substr(0, 100)), StartsWith("1: "));
+  EXPECT_THAT(refusal("cut.stl", cube_stl().substr(0, 100)), StartsWith("5: wanted three numbers"));
+  EXPECT_THAT(refusal("cut.stl", cube_stl().substr(0, 1000)), HasSubstr("cut off"));
   EXPECT_THAT(refusal("cut.ply", cube_binary_ply().substr(0, 300)), StartsWith("1: "));
 }
 
