@@ -170,7 +170,7 @@ void require_within(const WorldHand& hand, const std::string& path) {
 
 void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
                  WorldHand& hand) {
-  hand.q = open_posture(hand.named.hand->layout());
+  hand.q = open_posture(*hand.named.hand);
   for (std::size_t i = 0; i < hand.parts.size(); ++i) {
     const PlacedHand& placed = world.hands[hand.parts[i]];
     for (const auto& [name, value] : placed.posture) {

@@ -1,6 +1,7 @@
 #include "grasp/closing_drives.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/error.h"
@@ -92,7 +93,14 @@ Eigen::VectorXd open_posture(const Hand& hand) {
       std::any_of(hand.surfaces().begin(), hand.surfaces().end(), [](const LinkSurface& surface) {
         return surface.material == "skin" || surface.material == "bone";
       });
-  return grown ? layout.lower.cwiseMax(0).cwiseMin(layout.upper) : open_posture(layout);
+  if (!grown) return open_posture(layout);
+  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  Eigen::VectorXd q = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double middle = (layout.lower[j] + layout.upper[j]) / 2;
+    if (rates[j] == 0 && std::isfinite(middle)) q[j] = middle;
+  }
+  return q;
 }
 
 }  // namespace thenar

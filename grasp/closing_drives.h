@@ -49,8 +49,9 @@ class ClosingDrives {
 /// zero or the limit next to it. (coordinates)
 [[nodiscard]] Eigen::VectorXd open_posture(const HandLayout& layout);
 
-/// The same, but of a hand of skin or bone every coordinate is at zero or the limit next to it: its
-/// fingers start straight or as its subject was measured, not bent backwards. (coordinates)
+/// The same, but in a hand of skin or bone coordinates that drives move are at zero or the limit
+/// next to it: fingers are not bent backwards. The others are in the middle of their ranges:
+/// fingers not spread, the thumb half abducted, over against them. (coordinates)
 [[nodiscard]] Eigen::VectorXd open_posture(const Hand& hand);
 
 }  // namespace thenar

@@ -2,6 +2,7 @@
 // grasp/tendon_closing.cpp: an empty hand makes a fist, and a ball stops it.
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -20,11 +21,14 @@ const ShapeSpec kBall = sample::shape(ShapeKind::kSphere, {0.035, 0, 0});
 /// The ball far off.
 Scene nothing() { return sample::scene({sample::placed("ball", kBall, {0, 0, 1})}); }
 
-/// Coarse skin is built faster.
-HumanHand human_of(HumanTier tier) {
+/// Built once, with coarse skin.
+const HumanHand& human_of(HumanTier tier) {
+  static std::map<HumanTier, HumanHand> built;
+  const auto found = built.find(tier);
+  if (found != built.end()) return found->second;
   HumanHandOptions options;
   options.skin.triangles = 200;
-  return build_human_hand(default_human(), tier, options);
+  return built.emplace(tier, build_human_hand(default_human(), tier, options)).first->second;
 }
 
 CloseOptions options_of(const Hand& hand, HumanTier tier) {
@@ -55,9 +59,10 @@ double deepest(const TouchingHand& hand, const Eigen::VectorXd& q, const std::st
 
 class HumanClosing : public testing::TestWithParam<HumanTier> {};
 
-// The thumb's joints are left out: it ends on the fingers.
+// Thumbs are left out, which end on the fingers. What stops the others is their own limit, or the
+// palm with the thumb's eminence.
 TEST_P(HumanClosing, MakesAFist) {
-  const HumanHand human = human_of(GetParam());
+  const HumanHand& human = human_of(GetParam());
   const Hand& hand = *human.hand;
   const Eigen::VectorXd start = open_posture(hand);
   const ClosedHand fist =
@@ -66,8 +71,9 @@ TEST_P(HumanClosing, MakesAFist) {
   for (Eigen::Index j = 0; j < start.size(); ++j) {
     const std::string& joint = hand.layout().coordinates[j];
     if (!flexes(joint) || of_thumb(joint)) continue;
-    const double way = hand.layout().upper[j] - start[j];
-    EXPECT_GT(fist.q[j] - start[j], 0.8 * way) << joint << " " << name_of(fist.stopped[j]);
+    const double range = hand.layout().upper[j] - hand.layout().lower[j];
+    EXPECT_GT(fist.q[j] - hand.layout().lower[j], 0.8 * range)
+        << joint << " " << name_of(fist.stopped[j]);
   }
 }
 
@@ -75,26 +81,67 @@ INSTANTIATE_TEST_SUITE_P(All, HumanClosing,
                          testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
                                          HumanTier::kSoftPads, HumanTier::kTendonNet));
 
-// Both layers of skin pressed flat, 6 mm, and a millimetre between looks while it slides.
+// Not abducted, it runs onto its side: both layers of skin are pressed flat, 6 mm, and there is a
+// millimetre between looks while it slides.
 TEST(HumanClosing, StopsTheThumbOnTheIndexFinger) {
-  const HumanHand human = human_of(HumanTier::kSkewedThumb);
+  const HumanHand& human = human_of(HumanTier::kSkewedThumb);
   const Hand& hand = *human.hand;
   const TouchingHand touching = touching_hand(hand);
   const int root = coordinate(hand, "CMC1_FE");
+  Eigen::VectorXd start = open_posture(hand);
+  start[coordinate(hand, "CMC1_AA")] = 0;
   CloseOptions options;
-  const ClosedHand fist = close_hand(touching, {}, open_posture(hand), nothing(), options);
+  const ClosedHand fist = close_hand(touching, {}, start, nothing(), options);
   EXPECT_EQ(fist.stopped[root], StoppedBy::kContact);
   EXPECT_LT(deepest(touching, fist.q, "thumb"), 7.2e-3);
   options.self = false;
-  const ClosedHand through = close_hand(touching, {}, open_posture(hand), nothing(), options);
+  const ClosedHand through = close_hand(touching, {}, start, nothing(), options);
   EXPECT_EQ(through.stopped[root], StoppedBy::kLimit);
   EXPECT_GT(deepest(touching, through.q, "thumb"), 7.2e-3);
 }
 
-TEST(OpenPosture, DoesNotBendAHumanHandBackwards) {
-  const HumanHand human = human_of(HumanTier::kSkewedThumb);
-  EXPECT_TRUE(open_posture(*human.hand).isZero(0));
-  EXPECT_LT(open_posture(human.hand->layout()).minCoeff(), -0.3);
+/// Against the palm.
+Scene ball_in(const Hand& hand) {
+  const PalmApproach& palm = hand.layout().approach;
+  return sample::scene({sample::placed("ball", kBall, palm.point + 0.038 * palm.direction)});
+}
+
+// A joint that still moved a link against the ball would go on: each of them is stopped by contact.
+// The thumb meets it from the other side.
+TEST(HumanClosing, CurlsRoundABallByTendons) {
+  const HumanHand& human = human_of(HumanTier::kTendonNet);
+  const Hand& hand = *human.hand;
+  const TouchingHand touching = touching_hand(hand);
+  const Scene scene = ball_in(hand);
+  const ClosedHand closed =
+      close_hand(touching, {}, open_posture(hand), scene, options_of(hand, HumanTier::kTendonNet));
+  ASSERT_TRUE(closed.overlaps.empty());
+  ASSERT_TRUE(closed.finished);
+  for (std::size_t j = 0; j < closed.stopped.size(); ++j)
+    if (flexes(hand.layout().coordinates[j])) {
+      EXPECT_EQ(closed.stopped[j], StoppedBy::kContact) << hand.layout().coordinates[j];
+    }
+  const PosedHand posed{touching, {}, hand.pose(closed.q)};
+  for (std::size_t s = 0; s < touching.touch.size(); ++s) {
+    if (hand.surfaces()[s].name.rfind("DP", 0) != 0) continue;
+    Gap gap{static_cast<int>(s), -1, &scene.object};
+    const double distance = measure(gap, posed, 2.5e-5, 1e-3).distance;
+    EXPECT_GT(distance, 0) << hand.surfaces()[s].name;
+    EXPECT_LT(distance, 1.3e-4) << hand.surfaces()[s].name;
+  }
+}
+
+TEST(OpenPosture, OfAHumanIsStraightWithTheThumbAbducted) {
+  const HumanHand& human = human_of(HumanTier::kSkewedThumb);
+  const Eigen::VectorXd q = open_posture(*human.hand);
+  const int abduction = coordinate(*human.hand, "CMC1_AA");
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    if (j != abduction) {
+      EXPECT_NEAR(q[j], 0, 1e-12) << human.hand->layout().coordinates[j];
+    }
+  const HandLayout& layout = human.hand->layout();
+  EXPECT_DOUBLE_EQ(q[abduction], (layout.lower[abduction] + layout.upper[abduction]) / 2);
+  EXPECT_LT(open_posture(layout).minCoeff(), -0.3);  // of a robot: bent backwards
 }
 
 }  // namespace
