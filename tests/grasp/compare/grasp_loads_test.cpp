@@ -3,6 +3,7 @@
 #include "grasp/compare/grasp_loads.h"
 
 #include <cmath>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -107,6 +108,20 @@ TEST(HandEpsilon, GrowsWithTheMotor) {
   const Squeeze weak(sample::jaws()), ten(strong);
   const double one = hand_epsilon(weak.held(), weak.scene.object).value;
   EXPECT_NEAR(hand_epsilon(ten.held(), ten.scene.object).value / one, 10, 0.5);  // 5 % each
+}
+
+// Of a task the best margin that is known; of force closure, which is no load, the share.
+TEST(HandOnObject, AchievesTheBestMarginThatIsKnown) {
+  HandOnObject cell;
+  cell.success = 0.25;
+  EXPECT_EQ(cell.achieved(GraspTask::kForceClosure), 0.25);
+  EXPECT_TRUE(std::isnan(cell.achieved(GraspTask::kPull)));
+  cell.best.resize(3);
+  cell.best[0].margin["pull"] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(cell.achieved(GraspTask::kPull)));
+  cell.best[1].margin["pull"] = 3;
+  cell.best[2].margin["pull"] = 2;
+  EXPECT_EQ(cell.achieved(GraspTask::kPull), 3);
 }
 
 }  // namespace
