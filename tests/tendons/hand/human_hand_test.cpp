@@ -3,10 +3,13 @@
 #include "tendons/hand/human_hand.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gmock/gmock.h>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "base/spatial.h"
 #include "tendons/hand/hand_use.h"
 #include "tendons/hand/joint_strength.h"
 #include "tendons/hand/muscle_forces.h"
@@ -68,6 +71,35 @@ TEST_P(HumanTiers, DrivesEveryDigit) {
 INSTANTIATE_TEST_SUITE_P(All, HumanTiers,
                          testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
                                          HumanTier::kSoftPads, HumanTier::kTendonNet));
+
+const JointAxis& joint_of(const Subject& subject, const std::string& name) {
+  for (const JointAxis& joint : subject.joints)
+    if (joint.name == name) return joint;
+  throw InputError("no joint " + name);
+}
+
+Eigen::Vector3d first_metacarpal(const Subject& subject) {
+  for (const Segment& segment : subject.segments)
+    if (segment.name == "MC1") return (segment.distal - segment.proximal).normalized();
+  throw InputError("no MC1");
+}
+
+// 0.3 deg about CMC1_FE and 35.7 deg about CMC1_AA bring the digitised metacarpal to where that of
+// the ARMS model is neutral (both frames: x radial, y proximal, z dorsal); so ranges counted from
+// there, -44.7 .. 28.6 and -44.7 .. 40.1 deg of the MyoHand, are shifted by as much.
+TEST(DefaultHuman, CountsTheThumbsRangesFromItsNeutralPosture) {
+  const Subject& human = default_human();
+  const Subject arms = read_subject(std::string(THENAR_DATA_DIR) + "/subjects/arms_thumb.toml");
+  const JointAxis &flexion = joint_of(human, "CMC1_FE"), &abduction = joint_of(human, "CMC1_AA");
+  const Eigen::Vector3d turned = rotation_about<double>(flexion.direction, 0.3 * kDegree) *
+                                 rotation_about<double>(abduction.direction, 35.7 * kDegree) *
+                                 first_metacarpal(human);
+  EXPECT_LT(std::acos(turned.dot(first_metacarpal(arms))), 0.15 * kDegree);
+  EXPECT_NEAR(flexion.lower, (-44.7 + 0.3) * kDegree, 1e-12);
+  EXPECT_NEAR(flexion.upper, (28.6 + 0.3) * kDegree, 1e-12);
+  EXPECT_NEAR(abduction.lower, (-44.7 + 35.7) * kDegree, 1e-12);
+  EXPECT_NEAR(abduction.upper, (40.1 + 35.7) * kDegree, 1e-12);
+}
 
 // Each step changes one thing.
 TEST(HumanHand, GrowsRicherByOneThingAtATime) {
