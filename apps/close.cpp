@@ -1,4 +1,5 @@
-// thenar close WORLD.toml [--hand NAME] [--object NAME] [--json] [--out REPORT.html]
+// thenar close WORLD.toml [--hand NAME] [--object NAME] [--json] [--report REPORT.html] [--data
+// DIR]
 //
 // Closes the hand of a world where it stands, and says of every coordinate why it stopped.
 
@@ -9,7 +10,7 @@
 
 #include "apps/commands.h"
 #include "apps/data_folder.h"
-#include "apps/grasp_output.h"
+#include "apps/grasp_measures.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
 #include "base/write_file.h"
@@ -31,9 +32,11 @@ void run(const Options& options) {
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
   const TouchingHand touching = touching_hand(*question.hand.named.hand);
-  const GraspAnswer found = answer(question, touching, 0);
+  GraspAnswer found = answer(question, touching, 0);
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
+  if (found.grasp.outcome == GraspOutcome::kGrasped)
+    found.measures = std::make_shared<const GraspMeasures>(measure(question, touching, found));
   fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
                                 : grasp_text(question, touching, found));
   if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
@@ -53,7 +56,7 @@ void add_close(CLI::App& app) {
   command->add_option("--object", options->choice.object, "Which object, where there are several");
   command->add_option("--data", options->choice.data, kDataHelp);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("--out", options->out, "Also write a report (.html)");
+  command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
   command->callback([options] { run(*options); });
 }
 

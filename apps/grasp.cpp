@@ -1,6 +1,6 @@
 // thenar grasp WORLD.toml [--hand NAME] [--object NAME] [--no-approach] [--random N --seed S]
-//              [--norm l1|linf] [--gap g] [--edges m] [--json] [--out REPORT.html] [--save
-//              WORLD.toml]
+//              [--norm l1|linf] [--gap g] [--edges m] [--robustness N] [--json [--wrenches]]
+//              [--report REPORT.html] [--save WORLD.toml] [--data DIR]
 //
 // Puts the hand of a world on its object, finds the contacts, and measures the grasp.
 
@@ -11,8 +11,10 @@
 
 #include "apps/commands.h"
 #include "apps/data_folder.h"
-#include "apps/grasp_output.h"
+#include "apps/grasp_measures.h"
+#include "apps/grasp_robustness.h"
 #include "apps/output_ending.h"
+#include "apps/progress_bar.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "grasp/closing_drives.h"
@@ -24,8 +26,8 @@ namespace {
 struct Options {
   WorldChoice choice;
   std::string norm = "l1", out, save;
-  bool approach = true, json = false;
-  int random = 0, edges = 0;
+  bool approach = true, json = false, wrenches = false;
+  int random = 0, edges = 0, robustness = 0;
   unsigned seed = 1;
   double gap = 1e-3, way = 1;
 };
@@ -34,6 +36,7 @@ void check(const Options& options) {
   require(options.gap > 0, "wanted --gap above 0, got {}", options.gap);
   require(options.way > 0, "wanted --way above 0, got {}", options.way);
   require(options.random >= 0, "wanted --random of 0 or more, got {}", options.random);
+  require(options.robustness >= 0, "wanted --robustness of 0 or more, got {}", options.robustness);
   require(options.edges == 0 || options.edges >= 3, "wanted --edges of 3 or more, got {}",
           options.edges);
   require(options.approach || options.random == 0,
@@ -66,6 +69,18 @@ void save(const GraspQuestion& question, const GraspAnswer& found, const std::st
   save_world(with_hand_at(std::move(world), question.hand, X_WH, found.grasp.closed.q), path);
 }
 
+void add_measures(const Options& options, const GraspQuestion& question,
+                  const TouchingHand& touching, const Progress& progress, GraspAnswer& found) {
+  if (found.grasp.outcome != GraspOutcome::kGrasped) return;
+  found.measures = std::make_shared<const GraspMeasures>(measure(question, touching, found));
+  if (options.robustness == 0) return;
+  RobustnessQuestion asked;
+  asked.draws = options.robustness;
+  asked.seed = options.seed;
+  found.robustness = std::make_shared<const GraspRobustness>(
+      robustness_of(question, touching, found, asked, progress));
+}
+
 void run(const Options& options) {
   check(options);
   GraspQuestion question = ask(options);
@@ -80,12 +95,15 @@ void run(const Options& options) {
   const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
   require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
           question.hand.named.name);
-  const GraspAnswer found =
-      answer(question, touching, options.approach && !mounted ? options.way : 0);
+  const Progress progress = terminal_progress();
+  GraspAnswer found =
+      answer(question, touching, options.approach && !mounted ? options.way : 0, progress);
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
-  fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
-                                : grasp_text(question, touching, found));
+  add_measures(options, question, touching, progress, found);
+  fmt::print("{}", options.json
+                       ? grasp_json(question, touching, found, options.wrenches).dump(2) + "\n"
+                       : grasp_text(question, touching, found));
   if (!options.save.empty()) save(question, found, options.save);
   if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
 }
@@ -108,13 +126,17 @@ void add_grasp(CLI::App& app) {
   command->add_option("--data", options->choice.data, kDataHelp);
   command->add_option("--way", options->way, "Farthest approach [m]");
   command->add_option("--random", options->random, "Best of so many starts, drawn at random");
-  command->add_option("--seed", options->seed, "Of --random");
+  command->add_option("--seed", options->seed, "Of --random and --robustness");
+  command->add_option("--robustness", options->robustness,
+                      "Draw friction, contacts and the object's place so many times");
   command->add_option("--norm", options->norm, "Limit of contact forces")
       ->check(CLI::IsMember({"l1", "linf"}));
   command->add_option("--gap", options->gap, "Largest upper - lower of epsilon");
   command->add_option("--edges", options->edges, "Friction pyramids of so many edges; 0: cones");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("--out", options->out, "Also write a report (.html)");
+  command->add_flag("--wrenches", options->wrenches,
+                    "With --json, also the wrench set as meshes: projected and cut");
+  command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
   command->add_option("--save", options->save, "Also write the world with the hand as it ended");
   command->callback([options] { run(*options); });
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/grasp_measures.h"
+#include "apps/grasp_robustness.h"
 #include "base/provenance.h"
 #include "data/io/toml_node.h"
 #include "viewer/grasp_page.h"
@@ -75,14 +77,18 @@ void write_grasp_report(const GraspQuestion& question, const TouchingHand& touch
                             drawn.patches};
   const Camera& camera = question.world.camera;
   MeshTable meshes;
-  const GraspStory story{picture,
-                         touching,
-                         question.scene,
-                         answer.grasp,
-                         answer.wrenches,
-                         question.limit,
-                         camera.eye - camera.target,
-                         question.hand.named.warnings};
+  GraspStory story{picture,
+                   touching,
+                   question.scene,
+                   answer.grasp,
+                   answer.wrenches,
+                   question.limit,
+                   camera.eye - camera.target,
+                   question.hand.named.warnings,
+                   {},
+                   {}};
+  if (answer.measures) story.measures = measure_rows(*answer.measures);
+  if (answer.robustness) story.robustness = robustness_rows(*answer.robustness);
   const Json sections = grasp_page(story, meshes);
   write_report(
       {{"title", fmt::format("{} and {}", question.hand.named.name, question.scene.object.name)},

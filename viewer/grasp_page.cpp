@@ -1,6 +1,7 @@
 #include "viewer/grasp_page.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -10,7 +11,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kTouches = 2e-4;  // gap up to which a stop is told with what it touches [m]
+constexpr double kRounding = 5e-4;  // of a coordinate [mm], or of a unit vector [1]
+constexpr double kTouches = 2e-4;   // gap up to which a stop is told with what it touches [m]
 
 Json outcome_banner(const GraspStory& story) {
   const Grasp& grasp = story.grasp;
@@ -32,9 +34,36 @@ Json picture_section(const GraspStory& story, MeshTable& meshes) {
 Json warning_section(const GraspStory& story) {
   Json rows = Json::array();
   for (const std::string& warning : story.warnings) rows.push_back(Json::array({warning}));
-  return section("warnings", "What was assumed of the hand", "",
-                 Json::array({table_block("Assumptions and omissions.", {{"", "", -1}}, rows)}));
+  return section(
+      "warnings", "What was assumed of the hand", "",
+      Json::array({table_block("Assumptions and omissions.", {{"what", "", -1}}, rows)}));
 }
+
+/// A table, and what is to be said of its rows below it: notes are too long for columns.
+Json measure_blocks(const std::string& caption, const std::vector<MeasureRow>& measures) {
+  Json rows = Json::array(), notes = Json::array();
+  for (const MeasureRow& each : measures) {
+    rows.push_back({each.name, each.value});
+    if (!each.note.empty()) notes.push_back(text_block(each.name + ": " + each.note + "."));
+  }
+  return joined(Json::array({table_block(caption, {{"measure", "", -1}, {"value", "", -1}}, rows)}),
+                notes);
+}
+
+Json measure_section(const GraspStory& story) {
+  Json blocks =
+      measure_blocks("Loads and motions of the object, in its frame and about its centre of mass.",
+                     story.measures);
+  if (!story.robustness.empty())
+    blocks = joined(blocks, measure_blocks("Monte Carlo: how sure it is.", story.robustness));
+  return section("measures", "What the hand can do with it",
+                 "Squeeze is the sum of normal forces. As driven: within what motors or tendons "
+                 "can make at this posture.",
+                 blocks);
+}
+
+/// Rounding is no number to read.
+double tidy(double x) { return std::abs(x) < kRounding ? 0 : x; }
 
 Json contact_section(const GraspStory& story) {
   Json rows = Json::array();
@@ -42,8 +71,9 @@ Json contact_section(const GraspStory& story) {
     const Contact& c = found.contact;
     const LinkSurface& surface =
         story.hand.hand->surfaces()[static_cast<std::size_t>(found.surface)];
-    rows.push_back({surface.name, surface.digit, 1000 * c.p.x(), 1000 * c.p.y(), 1000 * c.p.z(),
-                    c.n.x(), c.n.y(), c.n.z(), c.friction, 1000 * c.torsion});
+    rows.push_back({surface.name, surface.digit, tidy(1000 * c.p.x()), tidy(1000 * c.p.y()),
+                    tidy(1000 * c.p.z()), tidy(c.n.x()), tidy(c.n.y()), tidy(c.n.z()), c.friction,
+                    1000 * c.torsion});
   }
   return section(
       "contacts", "Contacts",
@@ -96,6 +126,7 @@ Json grasp_page(const GraspStory& story, MeshTable& meshes) {
   Json sections = Json::array({picture_section(story, meshes)});
   const bool grasped = story.grasp.outcome == GraspOutcome::kGrasped;
   if (grasped) sections.push_back(quality_section(story));
+  if (!story.measures.empty()) sections.push_back(measure_section(story));
   if (grasped) sections.push_back(wrench_section(story, meshes));
   if (grasped) sections.push_back(contact_section(story));
   if (!story.grasp.closed.stopped.empty()) sections.push_back(joint_section(story));

@@ -11,6 +11,12 @@
 
 namespace thenar {
 
+/// A measure in words.
+struct MeasureRow {
+  std::string name, value;
+  std::string note;  // why there is none, or how it was found; may be empty
+};
+
 /// What a page tells of a grasp.
 struct GraspStory {
   const HandPicture& picture;  // the hand where it ended; may be finer than the one that touched
@@ -21,9 +27,12 @@ struct GraspStory {
   ForceLimit limit;                 // of contact forces
   Eigen::Vector3d eye{1, -1, 0.7};  // direction the picture is taken from, world frame (3)
   std::vector<std::string> warnings;
+  std::vector<MeasureRow> measures;    // what the hand can do, beside epsilon
+  std::vector<MeasureRow> robustness;  // how sure that is
 };
 
-/// Sections: picture, quality, wrenches, contacts, joints, warnings; those there is something for.
+/// Sections: picture, quality, measures, wrenches, contacts, joints, warnings; those there is
+/// something for.
 [[nodiscard]] Json grasp_page(const GraspStory& story, MeshTable& meshes);
 
 /// The picture alone: hand, object, obstacles, contacts.

@@ -46,6 +46,18 @@ std::string contact_words(const TouchingHand& hand, int coordinate,
   return found.empty() ? "contact" : fmt::format("contact: {}", fmt::join(found, ", "));
 }
 
+/// The large parts, those of the first three named `along`, the others `about`.
+std::string large_parts(const Wrench& vector, const char* along, const char* about) {
+  const double largest = vector.cwiseAbs().maxCoeff();
+  if (!(largest > 0)) return "none";
+  std::vector<std::string> parts;
+  for (int k = 0; k < 6; ++k)
+    if (std::abs(vector[k]) >= kShare * largest)
+      parts.push_back(
+          fmt::format("{} {}{}", k < 3 ? along : about, vector[k] > 0 ? "+" : "-", "xyz"[k % 3]));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 }  // namespace
 
 std::vector<Touching> find_touching(const PosedHand& posed, const Scene& scene, double within) {
@@ -105,14 +117,11 @@ std::string value_words(double value, bool slides) {
 }
 
 std::string direction_words(const Wrench& wrench) {
-  const double largest = wrench.cwiseAbs().maxCoeff();
-  if (!(largest > 0)) return "none";
-  std::vector<std::string> parts;
-  for (int k = 0; k < 6; ++k)
-    if (std::abs(wrench[k]) >= kShare * largest)
-      parts.push_back(fmt::format("{} {}{}", k < 3 ? "force along" : "torque about",
-                                  wrench[k] > 0 ? "+" : "-", "xyz"[k % 3]));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return large_parts(wrench, "force along", "torque about");
+}
+
+std::string motion_words(const Wrench& motion) {
+  return large_parts(motion, "along", "turning about");
 }
 
 std::string overlap_words(const std::vector<Overlap>& overlaps) {

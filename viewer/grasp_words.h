@@ -38,6 +38,9 @@ struct Touching {
 /// largest are left out.
 [[nodiscard]] std::string direction_words(const Wrench& wrench);
 
+/// The same of a motion: "along -z, turning about +x".
+[[nodiscard]] std::string motion_words(const Wrench& motion);
+
 /// "grasped: 12 contacts, force closure", "overlaps: DP2 is 3.2 mm in table"...
 [[nodiscard]] std::string outcome_words(const Grasp& grasp);
 

@@ -36,7 +36,7 @@ Json number_table(const GraspStory& story) {
   rows.push_back({e.has_missing_direction ? "not withstood" : "withstood least",
                   direction_words(e.worst_wrench)});
   return table_block("Directions in the object's frame, torques about its centre of mass.",
-                     {{"", "", -1}, {"", "", -1}}, rows);
+                     {{"measure", "", -1}, {"value", "", -1}}, rows);
 }
 
 /// The caps with all friction, torsion too, times a factor.

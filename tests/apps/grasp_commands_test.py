@@ -187,6 +187,22 @@ class Quality(unittest.TestCase):
              "15: wanted 3 numbers as contacts.0.normal, got [1,null,0]"),
             (pretty(first(wrenches=[])),
              "21: wanted at least one wrench as contacts.0.wrenches, got []"),
+            (pretty(first(position=[1e300, 0, 0])),
+             "10: wanted no more than 1e+12 as contacts.0.position, got [1e+300,0,0]"),
+            (pretty(first(position=["0", 0, 0])),
+             "10: wanted 3 numbers as contacts.0.position, got [\"0\",0,0]"),
+            (pretty(first(position=None)),
+             "10: wanted 3 numbers as contacts.0.position, got null"),
+            (pretty(first(friction=True)),
+             "20: wanted a number >= 0 as contacts.0.friction, got true"),
+            (pretty(first(friction=1e300)),
+             "20: wanted no more than 1e+12 as contacts.0.friction, got 1e+300"),
+            (pretty(lambda c: c.update(torque_scale=1e-300)),
+             "7: wanted at least 1e-12 as torque_scale, got 1e-300"),
+            (pretty(lambda c: c.update(contacts=None)),
+             "8: wanted a list of contacts as contacts, got null"),
+            (pretty(first(wrenches=[[1e300, 0, 0, 0, 0, 0]])),
+             "22: wanted no more than 1e+12 as contacts.0.wrenches.0, got [1e+300,0,0,0,0,0]"),
             (pretty(first(wrenches=[[1, 2]])),
              "22: wanted 6 numbers as contacts.0.wrenches.0, got [1,2]"),
         ]
@@ -194,6 +210,22 @@ class Quality(unittest.TestCase):
             with self.subTest(wanted=wanted):
                 self.assertTrue(self.complaint(content).startswith(wanted),
                                 (self.complaint(content), wanted))
+
+    def test_null_leaves_out_what_is_optional(self):
+        plain = self.ask(PINCH)
+        nulls = grasp([{**c, "wrenches": None, "torsion": None} for c in PINCH["contacts"]])
+        answer = self.ask(nulls)
+        for key in ("epsilon", "volume", "rank"):
+            self.assertEqual(answer[key], plain[key])
+
+    # Five soft fingers each with a limit of its own: either the hull is done, or nothing is quoted.
+    def test_a_volume_is_whole_or_null(self):
+        ring = [2 * math.pi * k / 5 for k in range(5)]
+        soft = [contact([math.cos(a), math.sin(a), 0.1 * k], [-math.cos(a), -math.sin(a), 0], 0.8,
+                        torsion=0.3) for k, a in enumerate(ring)]
+        answer = self.ask(grasp(soft), "--norm", "linf")
+        self.assertEqual(answer["volume"] is None, not answer["volume_complete"])
+        self.assertGreater(answer["volume_bounds"]["lower"], 0)
 
     def test_nearly_unit_normals_are_made_unit(self):
         self.assertEqual(
@@ -249,6 +281,47 @@ class WorldsOfData(unittest.TestCase):
             self.assertGreater(answer["epsilon"]["lower"], 0, name)
 
 
+class DataFromAnywhere(unittest.TestCase):
+    """What comes with thenar is found by name, in the order of the search."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def run_in(self, *words, **more):
+        return subprocess.run([pathlib.Path(PROGRAM).resolve(), *words], capture_output=True,
+                              text=True, check=False, timeout=60, cwd=self.folder,
+                              env={**os.environ, **more})
+
+    def test_a_world_is_found_from_any_folder(self):
+        result = self.run_in("grasp", "jaw_box", "--json")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertEqual(json.loads(result.stdout)["outcome"], "grasped")
+
+    def test_given_data_goes_first_then_the_environment_then_here(self):
+        world = (pathlib.Path(__file__).parents[2] / "data" / "worlds" / "jaw_box.toml").read_text()
+        world = world.replace("../", str(pathlib.Path(__file__).parents[2] / "data") + "/")
+        for place in ("given", "named", "data"):
+            (self.folder / place / "worlds").mkdir(parents=True)
+            (self.folder / place / "worlds" / "jaw_box.toml").write_text(world)
+        here = json.loads(self.run_in("close", "jaw_box", "--json").stdout)
+        named = json.loads(self.run_in("close", "jaw_box", "--json", THENAR_DATA="named").stdout)
+        given = json.loads(self.run_in("close", "jaw_box", "--json", "--data", "given",
+                                       THENAR_DATA="named").stdout)
+        self.assertEqual([a["world"] for a in (given, named, here)],
+                         [f"{place}/worlds/jaw_box.toml" for place in ("given", "named", "data")])
+
+    def test_a_complaint_names_all_places(self):
+        result = self.run_in("grasp", "jaw_boy", THENAR_DATA="/tmp/nowhere")
+        self.assertEqual(result.returncode, 1)
+        for words in ("there is no world 'jaw_boy', did you mean 'jaw_box'?", "looked in",
+                      "/tmp/nowhere, data, ", "/share/thenar, ", "/data"):
+            self.assertIn(words, result.stderr)
+        self.assertIn("--data: there is no folder elsewhere",
+                      self.run_in("grasp", "jaw_box", "--data", "elsewhere").stderr)
+
+
 class GraspOfJaws(unittest.TestCase):
     """A ball of 10 mm, or a cube as wide, between two flat jaws."""
 
@@ -284,6 +357,7 @@ class GraspOfJaws(unittest.TestCase):
         line = [q - p for p, q in zip(a, b)]
         cosine = sum(t * d for t, d in zip(torque, line)) / math.hypot(*torque) / math.hypot(*line)
         self.assertAlmostEqual(abs(cosine), 1, delta=1e-9)
+        self.assertRegex(answer["missing_direction_words"], "^torque about [+-]x$")
         self.assertEqual(sorted(c["surface"] for c in answer["contacts"]), ["left jaw", "right jaw"])
         [opening] = answer["coordinates"]
         self.assertEqual((opening["coordinate"], opening["kind"], opening["stopped_by"]),
@@ -328,6 +402,46 @@ class GraspOfJaws(unittest.TestCase):
             self.assertEqual(sum(answer["starts"]["outcomes"].values()), 20)
             answer.pop("cpu_s")
         self.assertEqual(answers[0], answers[1])
+
+    # Two faces of the cube are pressed, nothing below it: each of the two sides bears half the
+    # weight m g by friction, so the squeeze is m g / mu; wood on the jaws' rubber has mu = 1.
+    def test_a_cube_is_held_by_its_weight_over_friction(self):
+        answer = self.ask("close", self.world(kind="box", size="size_mm = [20, 20, 20]"))
+        weight = 0.01 * 9.81
+        self.assertAlmostEqual(answer["weight_N"], weight, delta=1e-12)
+        sides = {c["friction"] for c in answer["contacts"]}
+        self.assertEqual(len(sides), 1)
+        self.assertAlmostEqual(answer["hold_N"], weight / sides.pop(), delta=1e-6)
+        self.assertGreaterEqual(answer["hold_actuated_N"], answer["hold_N"] - 1e-6)
+
+    def test_every_measure_has_a_value_or_a_reason(self):
+        for kind, size in (("sphere", "size_mm = [10]"), ("box", "size_mm = [20, 20, 20]")):
+            answer = self.ask("close", self.world(kind=kind, size=size))
+            for key in ("actuated_epsilon_N", "weight_N", "hold_N", "hold_actuated_N",
+                        "times_weight", "pull_N", "turn_Nm", "stiffness_N_per_m",
+                        "manipulability_m_per_rad"):
+                self.assertTrue(answer[key] is not None or answer["reasons"][key], (kind, key))
+
+    def test_robustness_is_of_its_seed(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        ask = lambda seed: self.ask("grasp", world, "--no-approach", "--robustness", "10",
+                                    "--seed", seed)["robustness"]
+        found = ask("3")
+        self.assertEqual(found, ask("3"))
+        self.assertNotEqual(found["contacts"], ask("4")["contacts"])
+        for kind in ("contacts", "pose"):
+            self.assertTrue(0 <= found[kind]["closure_lower"] <= found[kind]["closure"]
+                            <= found[kind]["closure_upper"] <= 1)
+
+    # Unit forces: no wrench of the set has a force longer than a contact's own, sqrt(1 + mu^2).
+    def test_wrench_sets_are_printed_as_meshes(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        answer = self.ask("grasp", world, "--no-approach", "--wrenches")
+        forces = answer["wrench_set"]["forces"]
+        longest = max(math.hypot(*v) for v in forces["vertices_N"])
+        friction = max(c["friction"] for c in answer["contacts"])
+        self.assertTrue(0 < longest <= math.hypot(1, friction) + 1e-6, longest)
+        self.assertLess(max(max(t) for t in forces["triangles"]), len(forces["vertices_N"]))
 
     def test_pyramids_lie_in_the_cones(self):
         world = self.world(kind="box", size="size_mm = [20, 20, 20]")

@@ -1,0 +1,330 @@
+#include "apps/grasp_measures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "apps/print_table.h"
+#include "apps/to_json.h"
+#include "base/angles.h"
+#include "base/error.h"
+#include "data/io/world/body_mass.h"
+#include "grasp/compare/load_reason.h"
+#include "grasp/contact/curvature.h"
+#include "grasp/contact/soft_finger.h"
+#include "grasp/quality/stops.h"
+#include "viewer/grasp_words.h"
+
+namespace thenar {
+namespace {
+
+using Ordered = nlohmann::ordered_json;
+
+constexpr double kGravity = 9.81;   // [m/s^2]
+constexpr double kFlat = 10;        // less curved than a ball of 0.1 m, as soft_pads has it [1/m]
+constexpr double kStep = 3e-3;      // over which curvatures are taken [m]
+constexpr double kShear = 1.0 / 3;  // shear by Young's modulus of what keeps its volume [1]
+constexpr double kTiny = 1e-9;      // singular values below it of the largest are none [1]
+
+template <typename Value>
+Measured<Value> none(const std::string& reason) {
+  return {{}, reason};
+}
+
+/// Everything that loads are asked of.
+struct Asked {
+  const GraspQuestion& question;
+  const TouchingHand& touching;
+  const Grasp& grasp;
+  HeldForces held;
+  ForceSet forces;  // within what drives the hand
+};
+
+std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
+  std::vector<Contact> plain;
+  for (const HandContact& each : contacts) plain.push_back(each.contact);
+  return plain;
+}
+
+Pose<double> object_in_hand(const GraspQuestion& question, const Grasp& grasp) {
+  return grasp.approached.X_WH.inverse() * question.scene.object.X_WB;
+}
+
+Measured<double> weight_of(const GraspQuestion& question) {
+  for (const PlacedBody& placed : question.world.bodies) {
+    if (placed.body.name != question.scene.object.name) continue;
+    try {
+      return {kGravity * body_mass(placed.body, question.world.materials).mass, ""};
+    } catch (const InputError& unknown) {
+      return none<double>(unknown.what());
+    }
+  }
+  return none<double>("the object's mass is unknown");
+}
+
+Measured<InscribedBall> ball_of(const Asked& asked) {
+  const std::string effort = unknown_effort(asked.held);
+  if (!effort.empty()) return none<InscribedBall>("the effort of '" + effort + "' is unknown");
+  const InscribedBall ball = inscribed_ball(asked.forces);
+  if (ball.status == ConeStatus::kInfeasible)
+    return none<InscribedBall>("no effort keeps the hand's own torques in balance");
+  if (!std::isfinite(ball.lower))
+    return none<InscribedBall>(
+        fmt::format("the search gave up early; at most {} N", shown(ball.upper)));
+  Measured<InscribedBall> found{ball, ""};
+  if (ball.lower < kNoLoad) found.reason = why_nothing_holds(asked.held, {ball.worst_load});
+  return found;
+}
+
+Measured<double> hold_of(const ForceSet& forces, const Wrench& load, const std::string& failure) {
+  const HoldForce hold = smallest_hold(forces, load, Squeeze::kSum);
+  if (hold.status == ConeStatus::kInfeasible) return none<double>(failure);
+  if (hold.status != ConeStatus::kSolved) return none<double>("the programme did not converge");
+  return {hold.squeeze, ""};
+}
+
+/// The weight as the object stands: along -z of the world.
+Wrench weight_load(const SceneBody& object, double weight) {
+  Wrench load = Wrench::Zero();
+  load.head<3>() = -weight * object.X_WB.R.transpose().col(2);
+  return load;
+}
+
+void add_holds(const Asked& asked, GraspMeasures& measures) {
+  if (!measures.weight.value) {
+    measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
+    return;
+  }
+  const Wrench load = weight_load(asked.question.scene.object, *measures.weight.value);
+  measures.hold = hold_of(free_forces(asked.held.set), load,
+                          "no forces within friction hold the weight as the object stands");
+  if (!measures.hold.value) {
+    measures.hold_actuated = none<double>(measures.hold.reason);
+    return;
+  }
+  const std::string effort = unknown_effort(asked.held);
+  if (!effort.empty()) {
+    measures.hold_actuated = none<double>("the effort of '" + effort + "' is unknown");
+    return;
+  }
+  measures.hold_actuated =
+      hold_of(asked.forces, load, "what drives the hand cannot make forces that hold the weight");
+  if (!measures.hold_actuated.value)
+    measures.hold_actuated.reason += ": " + why_nothing_holds(asked.held, {load});
+}
+
+Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
+  const auto found = loads.margin.find(name_of(task));
+  if (found == loads.margin.end()) return none<double>("not asked");
+  const auto why = loads.reasons.find(name_of(task));
+  const std::string reason = why == loads.reasons.end() ? "" : why->second;
+  if (std::isnan(found->second)) return none<double>(reason);
+  if (std::isinf(found->second))
+    return none<double>("nothing limits it: the load is borne without effort");
+  return {found->second, reason};
+}
+
+void add_margins(const Asked& asked, GraspMeasures& measures) {
+  const double mass = measures.weight.value.value_or(kGravity) / kGravity;
+  const Held held{*asked.touching.hand, asked.grasp.closed.q, asked.grasp.contacts,
+                  object_in_hand(asked.question, asked.grasp)};
+  const GraspLoads loads =
+      grasp_loads(held, asked.question.scene.object, mass,
+                  {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
+  measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
+                                                : none<double>(measures.weight.reason);
+  measures.pull = margin_of(loads, GraspTask::kPull);
+  measures.turn = margin_of(loads, GraspTask::kTurn);
+}
+
+bool is_soft(const Material& material) {
+  return material.young > 0 && material.layer_thickness > 0;
+}
+
+/// The layer that gives way; null: neither.
+const Material* soft_layer(const Material& a, const Material& b) {
+  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
+  if (!is_soft(b)) return &a;
+  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
+}
+
+PrincipalCurvatures curvatures_at(const Solid& solid, const Pose<double>& X_OB,
+                                  const Eigen::Vector3d& p_O) {
+  PrincipalCurvatures found = curvatures(*solid.shape, X_OB.inverse() * p_O, kStep);
+  found.d1 = X_OB.R * found.d1;
+  return found;
+}
+
+/// Springs of one contact. @param X_OS  the surface's frame in the object's
+PadStiffness pad_of(const Material& layer, const Contact& contact, const Solid& surface,
+                    const Pose<double>& X_OS, const Solid& object) {
+  const PrincipalCurvatures a = curvatures_at(surface, X_OS, contact.p);
+  const PrincipalCurvatures b = curvatures_at(object, {}, contact.p);
+  const GapCurvatures gap =
+      gap_curvatures(a, b, std::acos(std::min(1.0, std::abs(a.d1.dot(b.d1)))));
+  const SoftPatch patch =
+      winkler_patch(kPadForce, layer.young, layer.layer_thickness, 1 / std::max(kFlat, gap.k1),
+                    1 / std::max(kFlat, gap.k2), contact.friction);
+  const double area = kPi * patch.a * patch.b, per_area = layer.young / layer.layer_thickness;
+  return {per_area * area, kShear * per_area * area,
+          kShear * per_area * area * (patch.a * patch.a + patch.b * patch.b) / 4};
+}
+
+Measured<GraspStiffness> stiffness_of(const Asked& asked) {
+  const SceneBody& object = asked.question.scene.object;
+  const Materials& materials = asked.question.scene.materials;
+  const PosedHand posed{asked.touching, asked.grasp.approached.X_WH,
+                        asked.touching.hand->pose(asked.grasp.closed.q)};
+  std::vector<PadStiffness> pads;
+  for (const HandContact& found : asked.grasp.contacts) {
+    const LinkSurface& link =
+        asked.touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
+    const Material* layer = soft_layer(materials.at(link.material), materials.at(object.material));
+    if (layer == nullptr)
+      return none<GraspStiffness>(
+          fmt::format("neither {} nor {} has a soft layer: contacts of {} are rigid", link.material,
+                      object.material, link.name));
+    pads.push_back(pad_of(*layer, found.contact, *link.solid,
+                          object.X_WB.inverse() * posed.of_surface(found.surface), object.solid));
+  }
+  return {grasp_stiffness(plain(asked.grasp.contacts), object.com, object.reach, pads), ""};
+}
+
+/// The object's velocity per coordinate, from unit force components and the hand's along them.
+Measured<Manipulability> manipulability_of(const Asked& asked) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, asked.held.T.cols());
+  Eigen::MatrixXd J = asked.held.T.transpose();
+  Eigen::Index column = 0;
+  const auto add = [&](const Wrench& wrench, double size) {
+    G.col(column) = wrench / size;
+    J.row(column) /= size;
+    ++column;
+  };
+  for (const WrenchCap& cap :
+       wrench_set(plain(asked.grasp.contacts), asked.question.scene.object.com,
+                  asked.question.scene.object.reach)
+           .caps) {
+    add(cap.c, 1);
+    for (Eigen::Index k = 0; k < cap.A.cols(); ++k) add(cap.A.col(k), cap.A.col(k).norm());
+  }
+  const Eigen::VectorXd sigma = G.jacobiSvd().singularValues();
+  if (sigma.size() < 6 || sigma(5) <= kTiny * sigma(0))
+    return none<Manipulability>("the contacts leave the object free to move by itself");
+  return {manipulability(hand_object_jacobian(G, J)), ""};
+}
+
+template <typename Value, typename ToJson>
+void put(Ordered& json, Ordered& reasons, const char* key, const Measured<Value>& measured,
+         const ToJson& to) {
+  json[key] = measured.value ? Ordered(to(*measured.value)) : Ordered(nullptr);
+  if (!measured.reason.empty()) reasons[key] = measured.reason;
+}
+
+Ordered ball_json(const InscribedBall& ball) {
+  return {{"lower", ball.lower},
+          {"upper", ball.upper},
+          {"worst_load", to_json(ball.worst_load)},
+          {"worst_load_words", direction_words(ball.worst_load)}};
+}
+
+Ordered stiffness_json(const GraspStiffness& stiffness) {
+  return {{"least", stiffness.least},
+          {"softest", to_json(stiffness.softest)},
+          {"softest_words", direction_words(stiffness.softest)},
+          {"pad_force_N", kPadForce},
+          {"matrix", to_json(stiffness.K)}};
+}
+
+Ordered manipulability_json(const Manipulability& m) {
+  return {{"volume", m.volume}, {"least", m.least}, {"isotropy", m.isotropy}, {"rank", m.rank}};
+}
+
+template <typename Value, typename Words>
+void add_row(std::vector<MeasureRow>& rows, const std::string& name,
+             const Measured<Value>& measured, const Words& words) {
+  rows.push_back({name, measured.value ? words(*measured.value) : "-", measured.reason});
+}
+
+std::string volume_words(const Volume& v) {
+  if (!v.complete) return fmt::format("at least {:.4g}", v.lower);
+  return v.lower == v.upper
+             ? fmt::format("{:.4g}", v.lower)
+             : fmt::format("about {:.4g}, {:.4g} to {:.4g}", v.estimate, v.lower, v.upper);
+}
+
+}  // namespace
+
+GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
+                      const GraspAnswer& answer) {
+  const Grasp& grasp = answer.grasp;
+  const Hand& hand = *touching.hand;
+  const SceneBody& object = question.scene.object;
+  HeldForces held{hand.layout(), wrench_set(plain(grasp.contacts), object.com, object.reach),
+                  torque_map(hand, grasp.closed.q, grasp.contacts, object_in_hand(question, grasp)),
+                  actuation_with_stops(hand, grasp.closed.q)};
+  ForceSet forces = hand_forces(held.set, held.T, held.actuation);
+  const Asked asked{question, touching, grasp, std::move(held), std::move(forces)};
+  VolumeOptions of_volume;
+  of_volume.limit = question.limit;
+  GraspMeasures measures;
+  measures.volume = volume(answer.wrenches, of_volume);
+  measures.actuated = ball_of(asked);
+  measures.weight = weight_of(question);
+  add_holds(asked, measures);
+  add_margins(asked, measures);
+  measures.stiffness = stiffness_of(asked);
+  measures.manipulability = manipulability_of(asked);
+  return measures;
+}
+
+Ordered measures_json(const GraspMeasures& m) {
+  const auto same = [](double value) { return value; };
+  Ordered json, reasons = Ordered::object();
+  json["volume"] = m.volume.complete ? Ordered(m.volume.estimate) : Ordered(nullptr);
+  json["volume_bounds"] = {
+      {"lower", m.volume.lower},
+      {"upper", std::isfinite(m.volume.upper) ? Ordered(m.volume.upper) : Ordered(nullptr)}};
+  json["volume_complete"] = m.volume.complete;
+  put(json, reasons, "actuated_epsilon_N", m.actuated, ball_json);
+  put(json, reasons, "weight_N", m.weight, same);
+  put(json, reasons, "hold_N", m.hold, same);
+  put(json, reasons, "hold_actuated_N", m.hold_actuated, same);
+  put(json, reasons, "times_weight", m.times_weight, same);
+  put(json, reasons, "pull_N", m.pull, same);
+  put(json, reasons, "turn_Nm", m.turn, same);
+  put(json, reasons, "stiffness_N_per_m", m.stiffness, stiffness_json);
+  put(json, reasons, "manipulability_m_per_rad", m.manipulability, manipulability_json);
+  if (!m.volume.complete) reasons["volume"] = "the hull has too many facets";
+  json["reasons"] = reasons;
+  return json;
+}
+
+std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
+  const auto in = [](const char* unit) {
+    return [unit](double value) { return fmt::format("{} {}", shown(value), unit); };
+  };
+  std::vector<MeasureRow> rows;
+  rows.push_back({"volume of wrenches", volume_words(m.volume), ""});
+  add_row(rows, "epsilon of the driven hand", m.actuated, [](const InscribedBall& ball) {
+    return fmt::format("{:.4g} to {:.4g} N, least against {}", ball.lower, ball.upper,
+                       direction_words(ball.worst_load));
+  });
+  add_row(rows, "weight of the object", m.weight, in("N"));
+  add_row(rows, "least squeeze that holds it", m.hold, in("N"));
+  add_row(rows, "the same, as driven", m.hold_actuated, in("N"));
+  add_row(rows, "holds its weight", m.times_weight, in("times, along each axis both ways"));
+  add_row(rows, "withstands a pull along z", m.pull, in("N"));
+  add_row(rows, "withstands a turn about z", m.turn, in("N m"));
+  add_row(rows, "least stiffness of pads", m.stiffness, [](const GraspStiffness& stiffness) {
+    return fmt::format("{:.4g} N/m, {}", stiffness.least, motion_words(stiffness.softest));
+  });
+  add_row(rows, "moves the object", m.manipulability, [](const Manipulability& moves) {
+    if (moves.rank < 6) return fmt::format("in {} of 6 directions only", moves.rank);
+    return fmt::format("at least {:.3g} m/rad in each direction, isotropy {:.3g}", moves.least,
+                       moves.isotropy);
+  });
+  return rows;
+}
+
+}  // namespace thenar

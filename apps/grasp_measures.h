@@ -1,0 +1,57 @@
+#pragma once
+
+/// What is measured of a grasp beside its epsilon.
+
+#include <optional>
+#include <string>
+
+#include "apps/grasp_output.h"
+#include "grasp/compare/grasp_loads.h"
+#include "grasp/quality/grasp_stiffness.h"
+#include "grasp/quality/hold_force.h"
+#include "grasp/quality/inscribed_ball.h"
+#include "grasp/quality/manipulability.h"
+#include "grasp/quality/volume.h"
+#include "viewer/grasp_page.h"
+
+namespace thenar {
+
+/// A measure, or why there is none.
+template <typename Value>
+struct Measured {
+  std::optional<Value> value;
+  std::string reason;  // where there is no value, or where it is zero and that can be told why
+};
+
+/// Torques in wrenches are about the object's centre of mass and over its reach; its own frame.
+struct GraspMeasures {
+  Volume volume{};                          // of the wrench set [unit forces^6]
+  Measured<InscribedBall> actuated;         // epsilon within what drives the hand [N]
+  Measured<double> weight;                  // of the object [N]
+  Measured<double> hold;                    // least sum of normal forces that holds it as it
+                                            // stands, by friction alone [N]
+  Measured<double> hold_actuated;           // the same within what drives the hand [N]
+  Measured<double> times_weight;            // held along each of its axes both ways [1]
+  Measured<double> pull;                    // along its z axis, the weaker way [N]
+  Measured<double> turn;                    // about its z axis, the weaker way [N m]
+  Measured<GraspStiffness> stiffness;       // of soft pads at kPadForce, joints locked [N/m]
+  Measured<Manipulability> manipulability;  // object per coordinate, turns times reach [m/rad]
+};
+
+inline constexpr double kPadForce = 1;  // on every contact, for the stiffness of pads [N]
+
+/// Measures a grasp that is one. Pads are springs of the softer layer (Young's modulus E over
+/// thickness h) as large as winkler_patch() of kPadForce: E / h times the area along the normal, a
+/// third of that along the tangents and about the normal, as the shear modulus of what keeps its
+/// volume is E / 3.
+/// Source: [Cutkosky1989] for the stiffness, [Johnson1985] section 4.3 for the layer.
+[[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
+                                    const GraspAnswer& answer);
+
+/// With units in the names of keys; null where there is no value, `reasons` says why.
+[[nodiscard]] nlohmann::ordered_json measures_json(const GraspMeasures& measures);
+
+/// The same in words.
+[[nodiscard]] std::vector<MeasureRow> measure_rows(const GraspMeasures& measures);
+
+}  // namespace thenar

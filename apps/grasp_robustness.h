@@ -1,0 +1,39 @@
+#pragma once
+
+/// How sure a grasp is: thenar grasp --robustness N.
+
+#include "apps/grasp_output.h"
+#include "base/progress.h"
+#include "grasp/quality/robustness.h"
+#include "viewer/grasp_page.h"
+
+namespace thenar {
+
+/// What is not known, and how often it is drawn.
+struct RobustnessQuestion {
+  int draws = 0;
+  unsigned seed = 1;
+  ContactUncertainty contacts{0.2, 2e-3, 0.1};  // friction by a fifth, 2 mm, 0.1 rad
+  double place = 5e-3;                          // of the object, standard deviation an axis [m]
+  double turn = 0.05;                           // of the object, standard deviation an axis [rad]
+};
+
+struct GraspRobustness {
+  RobustnessQuestion question;
+  Robustness contacts;  // the same contacts with other friction, places and normals
+  Robustness pose;      // the object moved and turned: approached, closed and touched anew
+};
+
+/// Both, each from a generator of the seed. Moves of the object are normal along and about each of
+/// its axes, about its centre of mass; one after which the hand does not grasp counts as no force
+/// closure, with the epsilon of no contacts, 0.
+/// @throws Interrupted where progress says stop
+[[nodiscard]] GraspRobustness robustness_of(const GraspQuestion& question,
+                                            const TouchingHand& touching, const GraspAnswer& answer,
+                                            const RobustnessQuestion& asked,
+                                            const Progress& progress);
+
+[[nodiscard]] nlohmann::ordered_json robustness_json(const GraspRobustness& robustness);
+[[nodiscard]] std::vector<MeasureRow> robustness_rows(const GraspRobustness& robustness);
+
+}  // namespace thenar
