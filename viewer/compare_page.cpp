@@ -1,5 +1,8 @@
 #include "viewer/compare_page.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -17,22 +20,46 @@ const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
   return nullptr;
 }
 
-/// From the side of the hand, a little towards the palm's back: what the object hides least.
+/// Where the tips are from the palm's point, across the way of approach; zero where they stand
+/// round it. [m] (3)
+Eigen::Vector3d tips_ahead(const Hand& hand, const Eigen::VectorXd& q) {
+  constexpr double kRound = 0.02;  // [m]
+  const HandLayout& layout = hand.layout();
+  const std::vector<Pose<double>> links = hand.pose(q);
+  Eigen::Vector3d ahead = Eigen::Vector3d::Zero();
+  for (const HandTip& tip : layout.tip_points)
+    ahead += (tip.link < 0 ? tip.p : links[tip.link] * tip.p) - layout.approach.point;
+  ahead /= static_cast<double>(std::max<std::size_t>(layout.tip_points.size(), 1));
+  ahead -= layout.approach.direction.dot(ahead) * layout.approach.direction;
+  return ahead.norm() < kRound ? Eigen::Vector3d::Zero() : ahead;
+}
+
+/// From the side, a little from the back of the palm and from where fingers point, so that no
+/// forearm stands in the way.
 Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
-  const Eigen::Vector3d back = -(best.X_WH.R * hand.layout().approach.direction);
-  const Tangents side = tangents(back);
-  return side.e1 + 0.6 * back + 0.4 * side.e2;
+  const Eigen::Vector3d back = -hand.layout().approach.direction;
+  const Eigen::Vector3d ahead = tips_ahead(hand, best.q);
+  if (ahead.isZero(0)) {
+    const Tangents side = tangents(back);
+    return best.X_WH.R * (side.e1 + 0.6 * back + 0.4 * side.e2);
+  }
+  const Eigen::Vector3d along = ahead.normalized();
+  return best.X_WH.R * (back.cross(along) + 0.5 * back + 0.5 * along);
 }
 
 Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePicture& picture,
                   MeshTable& meshes) {
   const BestGrasp& best = cell.best.front();
   const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
-  const std::string caption =
-      fmt::format("{}: epsilon {:.3f}, {} contacts, {}", cell.hand, best.epsilon,
-                  best.contacts.size(), best.type.empty() ? "no type" : best.type);
-  Json block = thumbnail_block(caption, eye_for(*picture.drawn, best),
-                               grasp_layers(hand, scene, best.contacts, meshes));
+  const std::string caption = fmt::format(
+      "{}: epsilon {:.3f}{}, {} contacts, {}", cell.hand, best.epsilon,
+      std::isfinite(best.hand_epsilon) ? fmt::format(", of the hand {:.1f} N", best.hand_epsilon)
+                                       : "",
+      best.contacts.size(), best.type.empty() ? "no type" : best.type);
+  Json layers = grasp_layers(hand, scene, best.contacts, meshes);
+  for (Json& layer : layers)
+    if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
+  Json block = thumbnail_block(caption, eye_for(*picture.drawn, best), std::move(layers));
   const Eigen::Vector3d up = -(best.X_WH.R * picture.drawn->layout().approach.direction);
   block["up"] = list(up);
   return block;
@@ -87,7 +114,7 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
   Json blocks = Json::array();
   for (const ComparePicture& picture : pictures) {
     const Hand& hand = *picture.drawn;
-    const HandPicture shown{hand, open_posture(hand.layout()), {}, picture.patches};
+    const HandPicture shown{hand, open_posture(hand), {}, picture.patches};
     const Eigen::Vector3d palm = hand.layout().approach.direction;
     const Tangents side = tangents(palm);
     blocks.push_back(thumbnail_block(

@@ -31,6 +31,9 @@ const HandOnObject* cell_of(const Comparison& comparison, const std::string& han
 /// A number as the page has it; none of what is not finite.
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
+/// A load, which may be borne without limit.
+Json load(double value) { return std::isinf(value) ? Json("no limit") : finite(value); }
+
 /// Of the finite numbers among some; NaN of none.
 double median(std::vector<double> values) {
   values.erase(std::remove_if(values.begin(), values.end(),
@@ -117,7 +120,7 @@ Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
        finite(cell.quantile(0.5)), finite(cell.quantile(1)),
        finite(quantile_of(cell.hand_epsilon, 1)),
        cell.best.empty() ? Json() : finite(cell.best.front().hold)});
-  for (const Column& load : loads) row.push_back(finite(cell.achieved(grasp_task(load.name))));
+  for (const Column& column : loads) row.push_back(load(cell.achieved(grasp_task(column.name))));
   return row;
 }
 
