@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "grasp/quality/carried.h"
 #include "grasp/quality/stops.h"
 
 namespace thenar {
@@ -66,73 +67,6 @@ void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
     require(coordinate >= 0 && coordinate < joints, "held coordinate {} of {}", coordinate, joints);
 }
 
-/// Whether a number is no more than rounding beside the torques of unit forces.
-constexpr double kNoTorque = 1e-12;
-
-/// The torques of x and p where held coordinates bear what they do not press.
-struct Felt {
-  MatrixXd x;                      // (coordinates, length of x)
-  MatrixXd p;                      // (coordinates, length of p)
-  std::vector<int> borne;          // as ForceSet
-  std::vector<int> rows;           // coordinates that feel anything
-  Eigen::RowVectorXd pushed_back;  // normal forces of structure less those of all others: <= 0
-};
-
-/// Who makes the forces of a contact.
-struct Carrier {
-  int held = -1;          // the outermost held coordinate that feels it; -1: none
-  bool structure = true;  // no coordinate feels it but locked ones
-};
-
-Carrier carrier_of(const MatrixXd& torques, const Reactions& reactions, double zero) {
-  Carrier carrier;
-  for (Index j = 0; j < torques.rows(); ++j)
-    if (torques.row(j).cwiseAbs().maxCoeff() > zero && !is_locked(reactions, j))
-      carrier.structure = false;
-  for (const int j : reactions.held)
-    if (torques.row(j).cwiseAbs().maxCoeff() > zero) carrier.held = std::max(carrier.held, j);
-  return carrier;
-}
-
-/// Splits the forces of one contact, at `column` of x, between what is pressed and what is borne.
-void split(Felt& felt, const std::vector<int>& held, const Carrier& carrier, Index column,
-           Index size) {
-  VectorXd borne = felt.x.col(column);
-  for (const int j : held) {
-    borne(j) = 0;
-    if (j != carrier.held) felt.x.row(j).segment(column, size).setZero();
-  }
-  felt.p.conservativeResize(felt.x.rows(), felt.p.cols() + 1);
-  felt.p.rightCols(1) = borne;
-}
-
-Felt felt_by(const WrenchSet& set, const MatrixXd& T, const Reactions& reactions) {
-  const double zero = T.size() > 0 ? kNoTorque * T.cwiseAbs().maxCoeff() : 0;
-  Felt felt{T, MatrixXd(T.rows(), 0), {}, {}, Eigen::RowVectorXd::Zero(T.cols())};
-  std::vector<Carrier> carriers;
-  std::vector<Index> columns;
-  bool any_held = false;
-  for (Index column = 0; carriers.size() < set.caps.size();) {
-    const Index size = 1 + set.caps[carriers.size()].A.cols();
-    columns.push_back(column);
-    carriers.push_back(carrier_of(T.middleCols(column, size), reactions, zero));
-    any_held = any_held || carriers.back().held >= 0;
-    column += size;
-  }
-  for (std::size_t i = 0; i < carriers.size() && any_held; ++i) {
-    felt.pushed_back(columns[i]) = carriers[i].structure ? 1 : -1;
-    if (carriers[i].held < 0 && !carriers[i].structure) continue;
-    split(felt, reactions.held, carriers[i], columns[i], 1 + set.caps[i].A.cols());
-    felt.borne.push_back(static_cast<int>(i));
-  }
-  for (int j = 0; j < T.rows(); ++j) {
-    const double x = felt.x.cols() > 0 ? felt.x.row(j).cwiseAbs().maxCoeff() : 0;
-    const double p = felt.p.cols() > 0 ? felt.p.row(j).cwiseAbs().maxCoeff() : 0;
-    if (std::max(x, p) > zero) felt.rows.push_back(j);
-  }
-  return felt;
-}
-
 /// The largest finite limit, so that efforts are of order one; 1 without.
 double unit_of(double lower, double upper) {
   double unit = 0;
@@ -156,7 +90,7 @@ void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& borne)
 }
 
 /// T x - B u - R r = tau_0, each row divided by its largest coefficient.
-void balance_torques(ForceSet& forces, const Felt& felt, const Actuation& a) {
+void balance_torques(ForceSet& forces, const internal::Felt& felt, const Actuation& a) {
   const auto rows = static_cast<Index>(felt.rows.size());
   forces.A.resize(rows, forces.wrench.cols());
   forces.A << felt.x(felt.rows, Eigen::all), felt.p(felt.rows, Eigen::all),
@@ -236,7 +170,7 @@ ForceSet unit_forces(const WrenchSet& set, ForceLimit limit) {
 ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation) {
   check(set, T, actuation);
   const Reactions& reactions = actuation.reactions;
-  const Felt felt = felt_by(set, T, reactions);
+  const internal::Felt felt = internal::felt_by(set, T, reactions);
   ForceSet forces = free_forces(set);
   bear(forces, set, felt.borne);
   const Index efforts = forces.wrench.cols(), actuators = actuation.B.cols();
