@@ -112,7 +112,9 @@ std::vector<int> places_of(const std::vector<std::string>& part, const std::stri
   std::vector<int> places;
   for (const std::string& name : part) {
     auto found = std::find(whole.begin(), whole.end(), robot + "/" + name);
-    if (found == whole.end()) found = std::find(whole.begin(), whole.end(), name);
+    // A robot may carry another of its own kind, whose coordinates these are then.
+    const auto index = static_cast<std::size_t>(found - whole.begin());
+    if (index == whole.size() || taken[index]) found = std::find(whole.begin(), whole.end(), name);
     const auto at = static_cast<std::size_t>(found - whole.begin());
     require(at < whole.size() && !taken[at], "coordinate '{}' of '{}' is not to be found", name,
             robot);
