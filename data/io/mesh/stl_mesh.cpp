@@ -91,7 +91,9 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
   return soup;
 }
 
-bool begins_as_text(const std::string& text) {
+/// Headings before bytes may begin with "solid", too.
+bool is_text(const std::string& text) {
+  if (text.find('\0') != std::string::npos) return false;
   std::string head = text.substr(0, 200);
   std::transform(head.begin(), head.end(), head.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -103,8 +105,8 @@ bool begins_as_text(const std::string& text) {
 
 TriangleSoup parse_stl(const std::string& text, const std::string& path) {
   if (holds_bytes(text, true)) return from_bytes(text);
-  if (!begins_as_text(text) && holds_bytes(text, false)) return from_bytes(text);
-  if (!begins_as_text(text) && text.size() >= kHead)
+  if (!is_text(text) && holds_bytes(text, false)) return from_bytes(text);
+  if (!is_text(text) && text.size() >= kHead)
     throw DataError(path, 1,
                     fmt::format("wanted {} triangles of {} bytes after the heading, got {} bytes",
                                 number_at<std::uint32_t>(text, 80), kFacet, text.size() - kHead));

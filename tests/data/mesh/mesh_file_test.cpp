@@ -81,7 +81,8 @@ TEST_F(MeshFile, ReadsStlAsItIsFound) {
   std::replace(capitals.begin(), capitals.end(), ' ', '\t');
   std::replace(lines.begin(), lines.end(), '\n', ' ');
   lines += "solid none\nendsolid none\n";
-  for (const std::string& text : {capitals, lines, bytes + "more", "solid" + bytes.substr(5)}) {
+  for (const std::string& text :
+       {capitals, lines, bytes + "more", "solid" + bytes.substr(5) + "more"}) {
     const TriangleMesh mesh = read_mesh(written("cube.stl", text));
     EXPECT_EQ(mesh.triangles.cols(), 12);
     EXPECT_DOUBLE_EQ(enclosed_volume(mesh), 8);
