@@ -2,7 +2,8 @@
 //
 // The main job on real data: fits the middle fingers of two hands to measured forces by every
 // solver, cross-validates, predicts what was not seen, samples their posteriors, asks
-// what forces tell of a thumb's axes, compares two thumbs, and writes it all as one page.
+// what forces tell of a thumb's axes, compares two thumbs, lets robot hands grasp, and writes it
+// all as one page, the grasps as another.
 
 #include <algorithm>
 #include <chrono>
@@ -13,6 +14,7 @@
 
 #include "apps/commands.h"
 #include "apps/data_folder.h"
+#include "apps/demo_hands.h"
 #include "apps/demo_posteriors.h"
 #include "apps/net_file.h"
 #include "apps/progress_bar.h"
@@ -118,6 +120,7 @@ void run(const Options& options) {
   ThumbStudySettings thumbs = quick_thumb_study();
   thumbs.progress = progress;
   const ThumbStudy thumb_study = study_thumb(thumb_study_inputs(options.data), thumbs);
+  const Json hands = compare_hands(options.data, options.output, progress);
   if (interrupted()) throw Interrupted("stopped before the report was complete");
   for (const SpecimenStudy& study : studies)
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
@@ -129,6 +132,7 @@ void run(const Options& options) {
                                thumb_page(thumb_cases(options))});
   sections.insert(sections.end(), posteriors.begin(), posteriors.end());
   sections.push_back(thumb_study_section(thumb_study));
+  sections.push_back(hands);
   const double seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   write_report(
