@@ -350,12 +350,13 @@ class Interruption(WithFolder):
                     self.assertEqual(process.wait(moments.uniform(0.1, 1) * span / 4), 0)
                     self.assertTrue((draws(self.output) == wanted).all())
                     self.output.unlink()
+                    span /= 1.2  # faster than expected: kill it sooner
                 except subprocess.TimeoutExpired:
                     process.kill()
                     kills += 1
+                    if kept and self.kept() == kept[-1]:
+                        span *= 1.2  # slower than expected: let it come further
             kept.append(self.kept())
-            if kept[-2:-1] == kept[-1:]:
-                span *= 1.2  # slower than expected: let it come further
         self.assertGreater(len(set(kept)), 5, kept)
         print(f"20 kills of {whole:.2f} s, bytes kept: {kept}")
         self.done(*self.fit(*self.DRAWS))
