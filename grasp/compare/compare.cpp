@@ -16,10 +16,9 @@
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
 #include "grasp/compare/abilities.h"
-#include "grasp/compare/centre.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/grasp_type.h"
-#include "grasp/draw_start.h"
+#include "grasp/compare/trial.h"
 
 namespace thenar {
 namespace {
@@ -50,16 +49,6 @@ struct Tried {
   }
 };
 
-enum class Stream { kStart, kPosture };
-
-/// A generator of one approach: std::seed_seq gives every machine the same.
-std::mt19937 generator(unsigned seed, const std::string& object, int number, Stream stream) {
-  std::vector<unsigned> words{seed, static_cast<unsigned>(number), static_cast<unsigned>(stream)};
-  for (const char letter : object) words.push_back(static_cast<unsigned char>(letter));
-  std::seed_seq sequence(words.begin(), words.end());
-  return std::mt19937(sequence);
-}
-
 Standing stand(const BodySpec& object, double scale) {
   PlacedBody placed;
   placed.body = scaled(object, scale);
@@ -69,17 +58,11 @@ Standing stand(const BodySpec& object, double scale) {
 }
 
 Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
-  const SceneBody& object = setting.scene.object;
-  std::mt19937 posture = generator(options.seed, object.name, number, Stream::kPosture);
-  std::mt19937 start = generator(options.seed, object.name, number, Stream::kStart);
-  const Eigen::VectorXd q = draw_preshape(setting.touching, number, posture);
   GraspOptions grasping = options.grasp;
-  grasping.way = way_past(setting.touching, q, object);
-  const Pose<double> X_WH = draw_start(setting.touching, q, object, start);
-  grasping.stand_off = draw_stand_off(start);
   grasping.pads.contact = setting.hand.contact;
   grasping.close.rates = setting.hand.rates;
-  return centred_grasp(setting.touching, X_WH, q, setting.scene, grasping);
+  const Trial trial = draw_trial(setting.touching, setting.scene.object, options.seed, number);
+  return try_grasp(setting.touching, trial, setting.scene, grasping);
 }
 
 Held held_by(const Setting& setting, const Grasp& grasp) {
