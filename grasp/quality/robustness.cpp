@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/spatial.h"
 #include "grasp/quality/epsilon.h"
+#include "grasp/quality/pyramid.h"
 
 namespace thenar {
 namespace {
@@ -61,6 +63,7 @@ double Robustness::quantile(double p) const {
   const double at = p * static_cast<double>(epsilon.size() - 1);
   const auto below = static_cast<Eigen::Index>(at);
   const Eigen::Index above = std::min(below + 1, epsilon.size() - 1);
+  if (std::isinf(epsilon(below))) return epsilon(below);
   return epsilon(below) + (at - static_cast<double>(below)) * (epsilon(above) - epsilon(below));
 }
 
@@ -73,8 +76,14 @@ Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& 
   Robustness result{0, 0, 0, Eigen::VectorXd(options.draws)};
   int closed = 0;
   for (int i = 0; i < options.draws; ++i) {
-    const WrenchSet set = wrench_set(draw(rng), options.centre, options.torque_scale);
-    const Epsilon found = epsilon(set, each);
+    const std::vector<Contact> contacts = draw(rng);
+    if (contacts.empty()) {
+      ++result.misses;
+      result.epsilon(i) = -std::numeric_limits<double>::infinity();
+      continue;
+    }
+    const WrenchSet set = wrench_set(contacts, options.centre, options.torque_scale);
+    const Epsilon found = epsilon(options.edges > 0 ? pyramids(set, options.edges) : set, each);
     closed += found.force_closure ? 1 : 0;
     result.epsilon(i) = found.lower;
   }

@@ -29,23 +29,27 @@ struct RobustnessOptions {
   Eigen::Vector3d centre{0, 0, 0};  // torques are about it [m] (3)
   double torque_scale = 1;          // they are divided by it [m]
   ForceLimit limit = ForceLimit::kL1;
+  int edges = 0;  // of friction pyramids, as pyramids(); 0: cones
 };
 
 struct Robustness {
   double closure;           // share of draws with force closure [1]
   double closure_lower;     // Wilson's 95 % interval of its probability [1]
   double closure_upper;     // [1]
-  Eigen::VectorXd epsilon;  // certified lower bounds, ascending (draws)
+  Eigen::VectorXd epsilon;  // certified lower bounds, ascending; -infinity of misses (draws)
+  int misses = 0;           // draws without any contact
 
-  /// Quantile of epsilon by linear interpolation. @param p  in [0, 1]
+  /// Quantile of epsilon by linear interpolation; -infinity where a miss has part in it.
+  /// @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
 
 /// Seeded Monte Carlo over what a grasp might be.
 ///
 /// @param draw  contacts of one possible grasp; finds them anew where the pose of the object is
-///              what is not known, or calls disturbed() on those there are. It may find none.
-/// @throws InputError if draws or gap is not positive.
+///              what is not known, or calls disturbed() on those there are. It may find none: a
+///              miss, worse than any grasp.
+/// @throws InputError if draws or gap is not positive, or edges is neither 0 nor 3 and more.
 /// Source: [Weisz2012] for the measure, [Wilson1927] for the interval.
 [[nodiscard]] Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& draw,
                                     std::mt19937& rng, const RobustnessOptions& options = {});

@@ -78,6 +78,35 @@ TEST(Robustness, SameSeedSameNumbers) {
   EXPECT_NE(of(three(0.4), unsure, 5).epsilon, of(three(0.4), unsure, 6).epsilon);
 }
 
+// Every other draw misses: they come first, and no quantile below the half is a number.
+TEST(Robustness, MissesAreWorseThanAnyGrasp) {
+  std::mt19937 rng(1);
+  RobustnessOptions options;
+  options.draws = 10;
+  options.torque_scale = kScale;
+  const std::vector<Contact> one_side{pinch_contacts(0.5, 0)[0]};  // epsilon -1
+  int drawn = 0;
+  const Robustness found = robustness(
+      [&](std::mt19937&) { return ++drawn % 2 == 0 ? one_side : std::vector<Contact>{}; }, rng,
+      options);
+  EXPECT_EQ(found.misses, 5);
+  for (const double p : {0.0, 0.25, 0.5}) EXPECT_EQ(found.quantile(p), -HUGE_VAL);
+  EXPECT_NEAR(found.quantile(1), -1, 1e-9);
+  EXPECT_EQ(found.closure, 0);
+}
+
+// A square in a friction circle: the weakest side of three cones at 0.5 falls.
+TEST(Robustness, OfPyramidsIsLessThanOfCones) {
+  std::mt19937 rng(1);
+  RobustnessOptions options;
+  options.draws = 1;
+  options.torque_scale = kScale;
+  const auto draw = [](std::mt19937&) { return three(0.5); };
+  const double cones = robustness(draw, rng, options).quantile(0);
+  options.edges = 3;
+  EXPECT_LT(robustness(draw, rng, options).quantile(0), cones - options.gap);
+}
+
 TEST(Robustness, RefusesNegativeDeviations) {
   std::mt19937 rng(1);
   EXPECT_EQ(message_of([&] {
