@@ -1,0 +1,40 @@
+#include "grasp/quality/driven_motion.h"
+
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "grasp/quality/manipulability.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kRank = 1e-9;  // singular values of G below it of the largest are none [1]
+
+using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
+
+double largest_singular_value(const Eigen::MatrixXd& M) { return Svd(M).singularValues()(0); }
+
+}  // namespace
+
+DrivenMotion driven_motion(const Eigen::Matrix<double, 6, Eigen::Dynamic>& G,
+                           const Eigen::MatrixXd& J, double tolerance) {
+  require(G.cols() == J.rows(), "G has {} force components, J {}", G.cols(), J.rows());
+  require(G.allFinite() && J.allFinite(), "G and J must be finite");
+  const Svd of_contacts(G.transpose(), Eigen::ComputeThinU);
+  const Eigen::VectorXd& sigma = of_contacts.singularValues();
+  require(sigma.size() == 6 && sigma(5) > kRank * sigma(0),
+          "the contacts leave the object free to move by itself");
+  if (J.cols() == 0) return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(6, 0)};
+
+  // Speeds whose part beside what an object's motion can follow is zero.
+  const Eigen::MatrixXd& U = of_contacts.matrixU();
+  const Svd beside(J - U * (U.transpose() * J), Eigen::ComputeFullV);
+  const double zero = tolerance * largest_singular_value(J);
+  const Eigen::Index stuck = (beside.singularValues().array() > zero).count();
+  DrivenMotion found;
+  found.drives = beside.matrixV().rightCols(J.cols() - stuck);
+  found.object = hand_object_jacobian(G, J * found.drives);
+  return found;
+}
+
+}  // namespace thenar

@@ -1,0 +1,81 @@
+// Tests for grasp/quality/driven_motion.cpp.
+
+#include "grasp/quality/driven_motion.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "grasp/quality/manipulability.h"
+#include "tests/grasp/quality/pinch.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kExact = 1e-12;
+
+/// Unit components of two soft fingers on one line: n, t1, t2 of each, then its turn about n.
+Eigen::Matrix<double, 6, Eigen::Dynamic> pinch_components() {
+  const WrenchSet set = wrench_set(pinch_contacts(1, kScale), {0, 0, 0}, kScale);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 8);
+  for (Eigen::Index i = 0; i < 2; ++i) {
+    const WrenchCap& cap = set.caps[static_cast<std::size_t>(i)];
+    G.middleCols(4 * i, 4) << cap.c, cap.A;
+  }
+  return G;
+}
+
+/// Both fingers moving as one body; a column for each of its velocities.
+Eigen::MatrixXd as_one(const Eigen::MatrixXd& velocities) {
+  return pinch_components().transpose() * velocities;
+}
+
+/// Fingers coming together: each along its inward normal.
+Eigen::VectorXd together() { return (Eigen::VectorXd(8) << 1, 0, 0, 0, 1, 0, 0, 0).finished(); }
+
+// Jaws of one motor come together: no rigid object follows both.
+TEST(DrivenMotion, JawsOfOneMotorMoveNothing) {
+  const DrivenMotion found = driven_motion(pinch_components(), together());
+  EXPECT_EQ(found.drives.cols(), 0);
+  EXPECT_EQ(manipulability(found.object).rank, 0);
+}
+
+// A slide under both fingers carries the object along y: 2 m of it per m of the drive.
+TEST(DrivenMotion, OfASlideIsItsRatio) {
+  Eigen::VectorXd along_y = Eigen::VectorXd::Zero(6);
+  along_y(1) = 2;
+  const DrivenMotion found = driven_motion(pinch_components(), as_one(along_y));
+  ASSERT_EQ(found.object.cols(), 1);
+  EXPECT_TRUE(matrix_near((found.object * found.drives(0, 0)).eval(), along_y, kExact));
+  EXPECT_EQ(manipulability(found.object).rank, 1);
+}
+
+// A slide and jaws: the slide is kept, the jaws' closing is not, whatever the order.
+TEST(DrivenMotion, KeepsWhatContactsAllow) {
+  Eigen::VectorXd along_z = Eigen::VectorXd::Zero(6);
+  along_z(2) = 3;
+  Eigen::MatrixXd J(8, 2);
+  J << together(), as_one(along_z);
+  const DrivenMotion found = driven_motion(pinch_components(), J);
+  ASSERT_EQ(found.drives.cols(), 1);
+  EXPECT_NEAR(found.drives(0, 0), 0, kExact);
+  EXPECT_NEAR(found.object.norm(), 3, kExact);
+}
+
+// Two motors, one a finger: only their difference moves the object, by s / sqrt 2 a unit of both.
+TEST(DrivenMotion, OfTwoMotorsIsTheirDifference) {
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(8, 2);
+  J(0, 0) = J(4, 1) = 1;
+  const DrivenMotion found = driven_motion(pinch_components(), J);
+  ASSERT_EQ(found.drives.cols(), 1);
+  EXPECT_NEAR(found.drives.col(0).sum(), 0, kExact);
+  EXPECT_NEAR(found.object.norm(), 1 / std::sqrt(2.0), kExact);
+}
+
+TEST(DrivenMotion, RefusesAnObjectThatIsFree) {
+  const Eigen::Matrix<double, 6, Eigen::Dynamic> G = pinch_components().leftCols(4);
+  EXPECT_THROW((void)driven_motion(G, Eigen::MatrixXd::Zero(4, 1)), InputError);
+}
+
+}  // namespace
+}  // namespace thenar
