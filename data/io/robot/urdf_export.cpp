@@ -213,7 +213,7 @@ class Export {
     if (!joint.dof.empty()) append_mimic(node, joint);
   }
 
-  /// The joint that leads stops where its motor does.
+  /// The joint that leads stops where its motor does, and no further than it can go itself.
   void append_limit(pugi::xml_node& node, const RobotJoint& joint) const {
     double effort = 0, velocity = 0, lower = joint.lower, upper = joint.upper;
     for (const RobotDof& dof : robot_.dofs)
@@ -223,8 +223,8 @@ class Export {
         effort = dof.max_effort / std::abs(joint.ratio);
         const double a = joint.ratio * dof.lower + joint.offset,
                      b = joint.ratio * dof.upper + joint.offset;
-        lower = std::min(a, b);
-        upper = std::max(a, b);
+        lower = std::max(lower, std::min(a, b));
+        upper = std::min(upper, std::max(a, b));
       }
     pugi::xml_node limit = node.append_child("limit");
     set(limit, "lower", lower);

@@ -131,6 +131,21 @@ TEST_F(UrdfExport, KeepsTheEffortOfTheLeadingJoint) {
   EXPECT_DOUBLE_EQ(back.dofs[0].speed, 1.25);
 }
 
+// A motor that could go further than its joint does not let the joint go further.
+TEST_F(UrdfExport, LeavesTheLeadingJointItsOwnLimits) {
+  std::mt19937 rng(2);
+  RobotSpec robot = geared_robot(rng);
+  robot.links.resize(2);
+  robot.joints.resize(1);
+  robot.dofs = {robot.dofs[1]};
+  RobotJoint& joint = robot.joints[0];  // 1.25 q + 0.1 for q in -1 .. 1
+  joint.lower = -0.5;
+  joint.upper = 2;
+  const RobotSpec back = there_and_back(robot);
+  EXPECT_DOUBLE_EQ(back.joints[0].lower, -0.5);
+  EXPECT_DOUBLE_EQ(back.joints[0].upper, 1.35);
+}
+
 TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
   RobotSpec robot;
   robot.name = "one";
