@@ -55,13 +55,15 @@ class Check {
     return number;
   }
 
-  /// Numbers offset, offset + stride .. of an array, one or more of each.
+  /// From each of the numbers offset, offset + stride .. of an array on, one for each parameter.
   void check_accessor(const pugi::xml_node& node) const {
     const auto array = lengths_.find(node.attribute("source").value());
     if (array == lengths_.end()) return;  // of names, or none: assimp refuses it
     const auto params = std::distance(node.children("param").begin(), node.children("param").end());
-    const double width = std::max({whole(node, "stride", 1), static_cast<double>(params), 1.0});
-    const double reach = whole(node, "offset", 0) + width * whole(node, "count", 0);
+    const double count = whole(node, "count", 0), stride = std::max(whole(node, "stride", 1), 1.0);
+    const double last = stride * std::max(count - 1, 0.0);
+    const double width = count > 0 ? std::max(static_cast<double>(params), 1.0) : 0.0;
+    const double reach = whole(node, "offset", 0) + last + width;
     if (reach > array->second)
       fail_at(node.offset_debug(), fmt::format("<accessor> reaches to {} of {} numbers in '{}'",
                                                reach, array->second, array->first));

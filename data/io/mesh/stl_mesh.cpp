@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <regex>
 
 #include "base/error.h"
 
@@ -55,6 +56,17 @@ class Words {
     return word;
   }
 
+  /// The name of a solid, of any words: the rest of the line, or, where all is on one, what stands
+  /// before the first facet.
+  void skip_name() {
+    static const std::regex facet(R"(\sfacet\s+normal\s)", std::regex::icase);
+    const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(at_);
+    const auto end = std::find(begin, text_.end(), '\n');
+    std::smatch found;
+    at_ += static_cast<std::size_t>(std::regex_search(begin, end, found, facet) ? found.position(0)
+                                                                                : end - begin);
+  }
+
   double number() {
     const std::string word = next();
     char* end = nullptr;
@@ -76,10 +88,13 @@ class Words {
 TriangleSoup from_text(const std::string& text, const std::string& path) {
   Words words(text, path);
   if (words.next() != "solid") words.fail("this is no STL, neither in bytes nor as text");
+  words.skip_name();
   TriangleSoup soup;
   bool open = true;
   for (std::string word; !(word = words.next()).empty();) {
-    if (word == "solid" || word == "endsolid") open = word == "solid";
+    const bool heading = word == "solid" || word == "endsolid";
+    if (heading) open = word == "solid";
+    if (heading) words.skip_name();
     if ((word == "endfacet" || word == "endsolid") && soup.corners.size() % 3 != 0)
       words.fail("a facet has other than three corners");
     if (word != "vertex") continue;

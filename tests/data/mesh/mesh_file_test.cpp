@@ -7,7 +7,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -74,6 +76,21 @@ TEST_F(MeshFile, NamesTheLineOfABrokenCollada) {
   EXPECT_EQ(refusal("cube.dae", text), "2: <accessor> reaches to 24 of 23 numbers in '#a'");
 }
 
+// Corners of three numbers between others: the last of them ends before the next would begin.
+TEST_F(MeshFile, ReadsColladaWhoseArraysAreShared) {
+  std::string text = cube_collada();
+  std::string shared;  // three numbers of another kind before each corner
+  std::istringstream corners(cube_corners("", " "));
+  for (double x, y, z; corners >> x >> y >> z;) shared += fmt::format("7 7 7 {} {} {} ", x, y, z);
+  const std::size_t begin = text.find("count='24'>") + 11;
+  text.replace(begin, text.find("</float_array>") - begin, shared);
+  text.replace(text.find("count='24'"), 10, "count='48'");
+  text.replace(text.find("stride='3'"), 10, "stride='6' offset='3'");
+  expect_cube("shared.dae", text, 10);
+  text.replace(text.find("offset='3'"), 10, "offset='4'");
+  EXPECT_EQ(refusal("shared.dae", text), "2: <accessor> reaches to 49 of 48 numbers in '#a'");
+}
+
 // Capitals, tabs, all on a line, two solids, bytes after the last triangle, "solid" before bytes.
 TEST_F(MeshFile, ReadsStlAsItIsFound) {
   std::string capitals = cube_stl(), lines = cube_stl(), bytes = cube_binary_stl();
@@ -91,6 +108,18 @@ TEST_F(MeshFile, ReadsStlAsItIsFound) {
               HasSubstr("wanted 12 triangles of 50 bytes after the heading, got 316 bytes"));
   EXPECT_THAT(refusal("cube.stl", "solid\nfacet\nvertex 1 2 x\n"),
               StartsWith("3: wanted three numbers after 'vertex', got 'x'"));
+}
+
+// A name ends with its line, whatever words it has.
+TEST_F(MeshFile, ReadsStlWhoseNameHasItsKeywords) {
+  const std::string cube = cube_stl();
+  const std::string facets = cube.substr(cube.find('\n'), cube.rfind("endsolid") - cube.find('\n'));
+  for (const std::string name : {"solid", "a vertex b", "endsolid facet 2", ""}) {
+    SCOPED_TRACE(name);
+    const std::string file = written("cube.stl", "solid " + name + facets + "endsolid " + name);
+    EXPECT_DOUBLE_EQ(enclosed_volume(read_mesh(file)), 8);
+  }
+  EXPECT_THAT(refusal("cube.stl", "solid endsolid" + facets), HasSubstr("'endsolid' is missing"));
 }
 
 TEST_F(MeshFile, ReadsPlyWhoseCommentComesFirst) {
