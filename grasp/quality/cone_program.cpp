@@ -23,6 +23,8 @@ using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRank = 1e-11;          // pivots below this part of the largest count as zero
 constexpr double kConsistent = 1e-9;     // misfit of dependent equalities that rounding explains
+constexpr int kRefinements = 2;          // of a Newton step
+constexpr int kPatience = 12;            // iterations without a better iterate or certificate
 constexpr double kShyOfBoundary = 0.99;  // part of the step to the boundary that is gone
 
 void check(const ConeProgram& p) {
@@ -87,11 +89,30 @@ Presolve presolve(const ConeProgram& p) {
 /// Solves  [0 G'; G -W W] [x; z] = [a; b]  through the QR factors of W^-1 G.
 class KktSolver {
  public:
-  KktSolver(const MatrixXd& G, const ConeScaling& W) : W_(W), scaled_G_(W.divide(G)) {
+  KktSolver(const MatrixXd& G, const ConeScaling& W) : G_(G), W_(W), scaled_G_(W.divide(G)) {
     if (G.cols() > 0) qr_.compute(scaled_G_);
   }
 
+  /// With refinement: near the optimum W is so far from a multiple of 1 that QR alone loses half of
+  /// the digits.
   void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+    factored(a, b, x, z);
+    VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
+    for (int again = 0; again < kRefinements; ++again) {
+      factored(left_a, left_b, dx, dz);
+      const VectorXd next_x = x + dx, next_z = z + dz;
+      const VectorXd next_a = a - G_.transpose() * next_z,
+                     next_b = b - G_ * next_x + W_.times(W_.times(next_z));
+      if (!(next_a.norm() + next_b.norm() < left_a.norm() + left_b.norm())) return;
+      x = next_x;
+      z = next_z;
+      left_a = next_a;
+      left_b = next_b;
+    }
+  }
+
+ private:
+  void factored(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
     const VectorXd scaled_b = W_.divide(b);
     x = VectorXd::Zero(a.size());
     if (a.size() > 0) {
@@ -103,7 +124,7 @@ class KktSolver {
     z = W_.divide(scaled_G_ * x - scaled_b);
   }
 
- private:
+  const MatrixXd& G_;
   const ConeScaling& W_;
   MatrixXd scaled_G_;
   Eigen::HouseholderQR<MatrixXd> qr_;
@@ -218,14 +239,28 @@ struct Core {
   ConeStatus status = ConeStatus::kStalled;
   VectorXd v, z;
   double residual = kInfinity;
-  int iterations = 0;
+  double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
+  int iterations = 0, last_better = 0;
 };
 
 void keep_if_better(Core& best, const Embedding& e, const Progress& progress) {
+  if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
+    best.last_better = best.iterations;
+  best.infeasible = std::min(best.infeasible, progress.infeasible);
+  best.unbounded = std::min(best.unbounded, progress.unbounded);
   if (!(progress.solved < best.residual)) return;
+  best.last_better = best.iterations;
   best.residual = progress.solved;
   best.v = e.x / e.tau;
   best.z = e.z / e.tau;
+}
+
+/// What the best iterate and the best certificates show to a tolerance.
+ConeStatus status_of(const Core& best, double tolerance) {
+  if (best.residual <= tolerance) return ConeStatus::kSolved;
+  if (best.infeasible <= tolerance) return ConeStatus::kInfeasible;
+  if (best.unbounded <= tolerance) return ConeStatus::kUnbounded;
+  return ConeStatus::kStalled;
 }
 
 Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
@@ -234,18 +269,13 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
   best.v = VectorXd::Zero(p.c.size());
   best.z = VectorXd::Zero(p.h.size());
   for (;; ++best.iterations) {
-    const Progress progress = progress_of(p, embedding);
-    keep_if_better(best, embedding, progress);
-    if (best.residual <= options.tolerance)
-      best.status = ConeStatus::kSolved;
-    else if (progress.infeasible <= options.tolerance)
-      best.status = ConeStatus::kInfeasible;
-    else if (progress.unbounded <= options.tolerance)
-      best.status = ConeStatus::kUnbounded;
-    const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
+    keep_if_better(best, embedding, progress_of(p, embedding));
+    best.status = status_of(best, options.tolerance);
     if (best.status != ConeStatus::kStalled) return best;
-    if (lost || best.iterations == options.most_iterations) {
-      if (best.residual <= options.acceptable) best.status = ConeStatus::kSolved;
+    const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
+    if (lost || best.iterations == options.most_iterations ||
+        best.iterations - best.last_better > kPatience) {
+      best.status = status_of(best, options.acceptable);
       return best;
     }
     embedding.step();

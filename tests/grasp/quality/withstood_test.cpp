@@ -123,5 +123,37 @@ TEST(Withstood, RefusesLimitsTheWrongWayRound) {
             "actuator 0 has limits 1 and -1");
 }
 
+/// Two jaws that touch two faces of a box at random places, many at once, as found contacts do.
+std::vector<Contact> jaws_on_box(std::mt19937& rng, int a_side) {
+  const auto number = [&] { return 2.0 * rng() / std::mt19937::max() - 1; };
+  const double half = 0.02 * (1.5 + number()), friction = 0.6 + 0.5 * number();
+  std::vector<Contact> contacts;
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < a_side; ++i)
+      contacts.push_back(
+          {{side * half, 0.03 * number(), 0.01 * number()}, {-side, 0, 0}, friction});
+  return contacts;
+}
+
+// One motor of 40 N that both jaws share in halves. Coplanar contacts leave forces undetermined:
+// Newton steps lose digits there.
+TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
+  std::mt19937 rng(1);
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::vector<Contact> contacts = jaws_on_box(rng, 4 + trial % 5);
+    const WrenchSet set = wrench_set(contacts, {0, 0, 0}, 0.05);
+    Eigen::MatrixXd T = Eigen::MatrixXd::Zero(2, 3 * static_cast<Eigen::Index>(contacts.size()));
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+      T(contacts[i].p.x() > 0, 3 * static_cast<Eigen::Index>(i)) = 1;
+    const Actuation motor{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
+                          Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 40)};
+    for (const int axis : {2, 5}) {
+      const Reach reach = largest_load(hand_forces(set, T, motor), Wrench::Unit(axis));
+      ASSERT_EQ(reach.status, ConeStatus::kSolved) << trial;
+      ASSERT_LE(reach.residual, 1e-9) << trial;  // ten times what is asked for
+    }
+  }
+}
+
 }  // namespace
 }  // namespace thenar
