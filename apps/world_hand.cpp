@@ -12,6 +12,7 @@
 #include "data/io/nearest_name.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing_drives.h"
+#include "grasp/guess_hand.h"
 #include "grasp/robot_hand.h"
 
 namespace thenar {
@@ -98,8 +99,10 @@ NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts,
   for (std::size_t i = parts.size() - 1; i-- > 0;) {
     const PlacedHand& placed = world.hands[parts[i]];
     RobotSpec tool = import_robot(file_of(world, placed, data));
+    if (i == 0) tool = graspable(std::move(tool));
     robot = attach(robot, placed.carrier_link, tool, placed.X_WH);
   }
+  robot = with_materials(std::move(robot));
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
   return hand;
@@ -161,6 +164,14 @@ bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector
   return true;
 }
 
+/// Bodies of which no material is known are taken for kGuessedMaterial, and named.
+void name_bare_bodies(const WorldSpec& world, std::vector<std::string>& warnings) {
+  for (const PlacedBody& placed : world.bodies)
+    if (placed.body.material.empty())
+      warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
+                                     placed.body.name, kGuessedMaterial));
+}
+
 void require_within(const WorldHand& hand, const std::string& path) {
   const HandLayout& layout = hand.named.hand->layout();
   for (int c = 0; c < hand.q.size(); ++c)
@@ -172,7 +183,7 @@ void require_within(const WorldHand& hand, const std::string& path) {
 
 void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
                  WorldHand& hand) {
-  hand.q = open_posture(*hand.named.hand);
+  hand.q = open_posture(hand.named.hand->layout());
   for (std::size_t i = 0; i < hand.parts.size(); ++i) {
     const PlacedHand& placed = world.hands[hand.parts[i]];
     for (const auto& [name, value] : placed.posture) {
@@ -215,6 +226,7 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);
+  name_bare_bodies(world, hand.named.warnings);
   return hand;
 }
 

@@ -1,7 +1,6 @@
 #include "grasp/closing_drives.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "base/error.h"
@@ -80,26 +79,11 @@ void ClosingDrives::stop(int coordinate, StoppedBy why) {
 }
 
 Eigen::VectorXd open_posture(const HandLayout& layout) {
+  if (layout.open.size() > 0) return layout.open;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   Eigen::VectorXd q = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
   for (Eigen::Index j = 0; j < q.size(); ++j)
     if (rates[j] != 0) q[j] = rates[j] > 0 ? layout.lower[j] : layout.upper[j];
-  return q;
-}
-
-Eigen::VectorXd open_posture(const Hand& hand) {
-  const HandLayout& layout = hand.layout();
-  const bool grown =
-      std::any_of(hand.surfaces().begin(), hand.surfaces().end(), [](const LinkSurface& surface) {
-        return surface.material == "skin" || surface.material == "bone";
-      });
-  if (!grown) return open_posture(layout);
-  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
-  Eigen::VectorXd q = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const double middle = (layout.lower[j] + layout.upper[j]) / 2;
-    if (rates[j] == 0 && std::isfinite(middle)) q[j] = middle;
-  }
   return q;
 }
 

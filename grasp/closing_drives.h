@@ -45,13 +45,9 @@ class ClosingDrives {
   std::vector<StoppedBy> stopped_;
 };
 
-/// Where closing begins: coordinates that drives move at the limit they come from, the others at
-/// zero or the limit next to it. (coordinates)
+/// Where closing begins: the hand's own HandLayout::open; where it states none, coordinates that
+/// drives move at the limit they come from, the others at zero or the limit next to it.
+/// (coordinates)
 [[nodiscard]] Eigen::VectorXd open_posture(const HandLayout& layout);
-
-/// The same, but in a hand of skin or bone coordinates that drives move are at zero or the limit
-/// next to it: fingers are not bent backwards. The others are in the middle of their ranges:
-/// fingers not spread, the thumb half abducted, over against them. (coordinates)
-[[nodiscard]] Eigen::VectorXd open_posture(const Hand& hand);
 
 }  // namespace thenar

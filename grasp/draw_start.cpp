@@ -111,7 +111,7 @@ double draw_stand_off(std::mt19937& random) { return std::max(0.0, 2 * draw_unif
 
 Eigen::VectorXd draw_preshape(const TouchingHand& hand, int number, std::mt19937& random) {
   const HandLayout& layout = hand.hand->layout();
-  Eigen::VectorXd q = open_posture(*hand.hand);
+  Eigen::VectorXd q = open_posture(hand.hand->layout());
   if (number % kPreshapes == 0) return q;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();

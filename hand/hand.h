@@ -90,6 +90,8 @@ struct HandLayout {
   std::vector<Drive> drives;             // what closes it; empty: every coordinate by itself
   std::vector<int> parents;              // of each link, -1: the base; parents before children
   PalmApproach approach;
+  Eigen::VectorXd open{};  // posture in which closing begins [rad] or [m] (coordinates); empty:
+                           // what `drives` move at the limit it comes from, the rest next to 0
 };
 
 /// A hand of any kind; every implementation obeys the laws in tests/hand/hand_laws_test.cpp.

@@ -44,7 +44,10 @@ SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
     for (const Driven& driven : drive.moves)
       require(driven.coordinate >= 0 && driven.coordinate < n,
               "drive '{}' moves coordinate {}; there are {}", drive.name, driven.coordinate, n);
+  require(use.open.size() == 0 || use.open.size() == n,
+          "the open posture has {} entries for {} coordinates", use.open.size(), n);
   layout_.drives = std::move(use.drives);
+  layout_.open = std::move(use.open);
   layout_.approach = use.approach;
 }
 

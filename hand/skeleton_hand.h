@@ -15,17 +15,18 @@ struct TorqueLimits {
   Eigen::VectorXd upper;  // [N m] (coordinates)
 };
 
-/// How a hand is used: what closes it, and which way it goes at things.
+/// How a hand is used: what closes it, from where, and which way it goes at things.
 struct HandUse {
   std::vector<Drive> drives;
   PalmApproach approach;
+  Eigen::VectorXd open{};  // as HandLayout::open
 };
 
 /// A skeleton as a Hand: B = I, u = motor torques, tau_0 = passive joint torque.
 class SkeletonHand final : public Hand {
  public:
   /// @throws InputError if the limits have the wrong length or cross, or a drive moves a coordinate
-  /// that is not there.
+  /// that is not there, or the open posture has the wrong length.
   SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {},
                HandUse use = {});
 

@@ -114,7 +114,7 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
   Json blocks = Json::array();
   for (const ComparePicture& picture : pictures) {
     const Hand& hand = *picture.drawn;
-    const HandPicture shown{hand, open_posture(hand), {}, picture.patches};
+    const HandPicture shown{hand, open_posture(hand.layout()), {}, picture.patches};
     const Eigen::Vector3d palm = hand.layout().approach.direction;
     const Tangents side = tangents(palm);
     blocks.push_back(thumbnail_block(

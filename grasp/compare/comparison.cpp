@@ -47,7 +47,7 @@ double HandOnObject::achieved(GraspTask task) const {
 
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
-  const std::vector<Pose<double>> links = hand.pose(open_posture(hand));
+  const std::vector<Pose<double>> links = hand.pose(open_posture(hand.layout()));
   double reach = 0;
   for (const HandTip& tip : layout.tip_points) {
     const Eigen::Vector3d at = tip.link < 0 ? tip.p : links[tip.link] * tip.p;

@@ -1,6 +1,7 @@
 #include "tendons/hand/hand_use.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "base/error.h"
@@ -48,6 +49,18 @@ Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Ske
       drive.moves.push_back({i, *bone + 1 == digit.bones.size() ? distal : 1});
   }
   return drive;
+}
+
+/// Fingers straight, what does not close halfway.
+Eigen::VectorXd neutral_posture(const Skeleton& skeleton, const std::vector<bool>& closes) {
+  Eigen::VectorXd q(skeleton.coordinates());
+  for (int i = 0; i < skeleton.coordinates(); ++i) {
+    const auto& limits = skeleton.limits[i];
+    const double middle = (limits.lower + limits.upper) / 2;
+    const bool halfway = !closes[i] && std::isfinite(middle);
+    q[i] = halfway ? middle : std::min(std::max(limits.lower, 0.0), limits.upper);
+  }
+  return q;
 }
 
 PalmApproach palm_approach(const HandAnatomy& hand) {
@@ -103,6 +116,7 @@ HandUse motor_use(const HandAnatomy& hand, const Subject& subject, const Skeleto
       use.drives.push_back(still);
     }
   use.approach = palm_approach(hand);
+  use.open = neutral_posture(skeleton, moved);
   return use;
 }
 

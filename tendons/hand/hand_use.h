@@ -13,7 +13,9 @@ namespace thenar {
 /// Speeds are a convention: MCP : PIP : DIP as 1 : 1 : 2/3, so that the fingertip curls into the
 /// palm, at 1 rad/s; CMC : MCP : IP of the thumb as 1 : 1 : 1, at 1/4 rad/s, so that it closes over
 /// the fingers of a fist, not under them. A blocked phalanx lets those further
-/// out go on, as independent muscles would. The hand goes palm first.
+/// out go on, as independent muscles would. The hand goes palm first. It opens to joints that close
+/// at zero, or the limit next to it, not bent backwards, and the others in the middle of their
+/// ranges: fingers not spread, the thumb half abducted, over against them.
 [[nodiscard]] HandUse motor_use(const HandAnatomy& hand, const Subject& subject,
                                 const Skeleton& skeleton);
 

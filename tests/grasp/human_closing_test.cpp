@@ -45,14 +45,22 @@ int coordinate(const Hand& hand, const std::string& name) {
   return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
+constexpr double kMeasured = 1e-5;  // of a depth [m]
+
+/// How deep a digit is in other links of the hand, to kMeasured [m].
 double deepest(const TouchingHand& hand, const Eigen::VectorXd& q, const std::string& digit) {
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
   const PosedHand posed{hand, {}, hand.hand->pose(q)};
+  SeparationOptions exact;
+  exact.relative = 0;
+  exact.tolerance = kMeasured;
+  exact.cutoff = 1e-3;
   double depth = 0;
   for (const SurfacePair& pair : hand.self) {
     if (surfaces[pair.a].digit != digit && surfaces[pair.b].digit != digit) continue;
-    Gap gap{pair.a, pair.b};
-    depth = std::max(depth, -measure(gap, posed, 1e-4, 1e-3).distance);
+    const Separation found = separation(hand.touch[pair.a], posed.of_surface(pair.a),
+                                        *surfaces[pair.b].solid, posed.of_surface(pair.b), exact);
+    depth = std::max(depth, -found.distance);
   }
   return depth;
 }
@@ -64,7 +72,7 @@ class HumanClosing : public testing::TestWithParam<HumanTier> {};
 TEST_P(HumanClosing, MakesAFist) {
   const HumanHand& human = human_of(GetParam());
   const Hand& hand = *human.hand;
-  const Eigen::VectorXd start = open_posture(hand);
+  const Eigen::VectorXd start = open_posture(hand.layout());
   const ClosedHand fist =
       close_hand(touching_hand(hand), {}, start, nothing(), options_of(hand, GetParam()));
   ASSERT_TRUE(fist.finished);
@@ -81,23 +89,24 @@ INSTANTIATE_TEST_SUITE_P(All, HumanClosing,
                          testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
                                          HumanTier::kSoftPads, HumanTier::kTendonNet));
 
-// Not abducted, it runs onto its side: both layers of skin are pressed flat, 6 mm, and there is a
-// millimetre between looks while it slides.
+// Not abducted, it runs onto its side: both layers of skin are pressed flat, 3 mm each, and it is
+// stopped at the first look after that, at most a millimetre of sliding later.
 TEST(HumanClosing, StopsTheThumbOnTheIndexFinger) {
   const HumanHand& human = human_of(HumanTier::kSkewedThumb);
   const Hand& hand = *human.hand;
   const TouchingHand touching = touching_hand(hand);
   const int root = coordinate(hand, "CMC1_FE");
-  Eigen::VectorXd start = open_posture(hand);
+  const double flat = 2 * 3e-3 + 1e-3 + kMeasured;
+  Eigen::VectorXd start = open_posture(hand.layout());
   start[coordinate(hand, "CMC1_AA")] = 0;
   CloseOptions options;
   const ClosedHand fist = close_hand(touching, {}, start, nothing(), options);
   EXPECT_EQ(fist.stopped[root], StoppedBy::kContact);
-  EXPECT_LT(deepest(touching, fist.q, "thumb"), 7.2e-3);
+  EXPECT_LT(deepest(touching, fist.q, "thumb"), flat);
   options.self = false;
   const ClosedHand through = close_hand(touching, {}, start, nothing(), options);
   EXPECT_EQ(through.stopped[root], StoppedBy::kLimit);
-  EXPECT_GT(deepest(touching, through.q, "thumb"), 7.2e-3);
+  EXPECT_GT(deepest(touching, through.q, "thumb"), flat);
 }
 
 /// Against the palm.
@@ -113,8 +122,8 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
   const Hand& hand = *human.hand;
   const TouchingHand touching = touching_hand(hand);
   const Scene scene = ball_in(hand);
-  const ClosedHand closed =
-      close_hand(touching, {}, open_posture(hand), scene, options_of(hand, HumanTier::kTendonNet));
+  const ClosedHand closed = close_hand(touching, {}, open_posture(hand.layout()), scene,
+                                       options_of(hand, HumanTier::kTendonNet));
   ASSERT_TRUE(closed.overlaps.empty());
   ASSERT_TRUE(closed.finished);
   for (std::size_t j = 0; j < closed.stopped.size(); ++j)
@@ -133,7 +142,7 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
 
 TEST(OpenPosture, OfAHumanIsStraightWithTheThumbAbducted) {
   const HumanHand& human = human_of(HumanTier::kSkewedThumb);
-  const Eigen::VectorXd q = open_posture(*human.hand);
+  const Eigen::VectorXd q = open_posture(human.hand->layout());
   const int abduction = coordinate(*human.hand, "CMC1_AA");
   for (Eigen::Index j = 0; j < q.size(); ++j)
     if (j != abduction) {
@@ -141,7 +150,16 @@ TEST(OpenPosture, OfAHumanIsStraightWithTheThumbAbducted) {
     }
   const HandLayout& layout = human.hand->layout();
   EXPECT_DOUBLE_EQ(q[abduction], (layout.lower[abduction] + layout.upper[abduction]) / 2);
-  EXPECT_LT(open_posture(layout).minCoeff(), -0.3);  // of a robot: bent backwards
+}
+
+// A layout that states none opens what it drives to the limit it comes from.
+TEST(OpenPosture, IsTheLimitsThatDrivesComeFromWhereAHandStatesNone) {
+  HandLayout layout = human_of(HumanTier::kSkewedThumb).hand->layout();
+  layout.open.resize(0);
+  const Eigen::VectorXd q = open_posture(layout), rates = ClosingDrives(layout).rates();
+  for (Eigen::Index j = 0; j < q.size(); ++j)
+    EXPECT_EQ(q[j], rates[j] > 0 ? layout.lower[j] : 0) << layout.coordinates[j];
+  EXPECT_LT(q.minCoeff(), -0.3);  // bent backwards
 }
 
 }  // namespace
