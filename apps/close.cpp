@@ -3,6 +3,7 @@
 //
 // Closes the hand of a world where it stands, and says of every coordinate why it stopped.
 
+#include <ctime>
 #include <memory>
 #include <string>
 
@@ -11,6 +12,7 @@
 #include "apps/commands.h"
 #include "apps/data_folder.h"
 #include "apps/grasp_measures.h"
+#include "apps/grasp_output.h"
 #include "apps/output_ending.h"
 #include "base/error.h"
 #include "base/write_file.h"
@@ -31,12 +33,14 @@ void run(const Options& options) {
   const GraspQuestion question = ask_world(options.choice);
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
-  const TouchingHand touching = touching_hand(*question.hand.named.hand);
+  const TouchingHand touching = touching_hand(*question.hand.named.hand, question.scene.materials);
+  const std::clock_t start = std::clock();
   GraspAnswer found = answer(question, touching, 0);
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
   if (found.grasp.outcome == GraspOutcome::kGrasped)
     found.measures = std::make_shared<const GraspMeasures>(measure(question, touching, found));
+  found.cpu = cpu_since(start);
   fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
                                 : grasp_text(question, touching, found));
   if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);

@@ -4,6 +4,7 @@
 //
 // Puts the hand of a world on its object, finds the contacts, and measures the grasp.
 
+#include <ctime>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,7 @@
 #include "apps/commands.h"
 #include "apps/data_folder.h"
 #include "apps/grasp_measures.h"
+#include "apps/grasp_output.h"
 #include "apps/grasp_robustness.h"
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
@@ -91,16 +93,18 @@ void run(const Options& options) {
   question.seed = options.seed;
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
-  const TouchingHand touching = touching_hand(*question.hand.named.hand);
+  const TouchingHand touching = touching_hand(*question.hand.named.hand, question.scene.materials);
   const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
   require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
           question.hand.named.name);
   const Progress progress = terminal_progress();
+  const std::clock_t start = std::clock();
   GraspAnswer found =
       answer(question, touching, options.approach && !mounted ? options.way : 0, progress);
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
   add_measures(options, question, touching, progress, found);
+  found.cpu = cpu_since(start);
   fmt::print("{}", options.json
                        ? grasp_json(question, touching, found, options.wrenches).dump(2) + "\n"
                        : grasp_text(question, touching, found));
@@ -125,14 +129,18 @@ void add_grasp(CLI::App& app) {
                     "Go along the palm's direction first (default), or close where the hand is");
   command->add_option("--data", options->choice.data, kDataHelp);
   command->add_option("--way", options->way, "Farthest approach [m]");
-  command->add_option("--random", options->random, "Best of so many starts, drawn at random");
+  command->add_option("--random", options->random,
+                      "Best of so many starts, drawn as in 'thenar compare'");
   command->add_option("--seed", options->seed, "Of --random and --robustness");
   command->add_option("--robustness", options->robustness,
                       "Draw friction, contacts and the object's place so many times");
   command->add_option("--norm", options->norm, "Limit of contact forces")
       ->check(CLI::IsMember({"l1", "linf"}));
-  command->add_option("--gap", options->gap, "Largest upper - lower of epsilon");
-  command->add_option("--edges", options->edges, "Friction pyramids of so many edges; 0: cones");
+  command->add_option("--gap", options->gap,
+                      "Largest upper - lower of epsilon, also in --robustness");
+  command->add_option("--edges", options->edges,
+                      "Friction pyramids of so many edges in epsilon, volume, robustness and "
+                      "wrench sets; 0: cones, as all other measures have");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--wrenches", options->wrenches,
                     "With --json, also the wrench set as meshes: projected and cut");

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/error.h"
-#include "data/io/world/materials.h"
 #include "grasp/closing_drives.h"
 
 namespace thenar {
@@ -42,16 +41,6 @@ bool carries(const Hand& hand, int a, int b, int steps) {
   return a == b;
 }
 
-}  // namespace
-
-double soft_layer(const LinkSurface& surface) {
-  for (const Material& material : built_in_materials().materials)
-    if (material.name == surface.material) return material.layer_thickness;
-  return 0;
-}
-
-namespace {
-
 /// Angular velocity of a link in closing, by the coordinates that move it and not the other, with
 /// drives at their speeds in the middle of their ranges [rad/s] (3).
 Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, int other) {
@@ -72,9 +61,10 @@ bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
 }
 
 /// Absent: these never meet.
-std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves, int a, int b) {
+std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
+                                   const Materials& materials, int a, int b) {
   const LinkSurface &first = hand.surfaces()[a], &second = hand.surfaces()[b];
-  const double layers[] = {soft_layer(first), soft_layer(second)};
+  const double layers[] = {soft_layer(first, materials), soft_layer(second, materials)};
   const int steps = layers[0] > 0 && layers[1] > 0 ? 2 : 1;
   if (carries(hand, first.link, second.link, steps) ||
       carries(hand, second.link, first.link, steps))
@@ -82,8 +72,7 @@ std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves, int a
   SurfacePair pair{a, b, layers[0] + layers[1]};
   if (steps > 1) {
     if (curl_alongside(hand, moves, a, b)) return std::nullopt;
-    const double mu =
-        built_in_materials().between(first.material, second.material).static_coefficient;
+    const double mu = materials.between(first.material, second.material).static_coefficient;
     pair.stick = 1 / std::sqrt(1 + mu * mu);
   }
   return pair;
@@ -91,14 +80,21 @@ std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves, int a
 
 }  // namespace
 
-TouchingHand touching_hand(const Hand& hand) {
+double soft_layer(const LinkSurface& surface, const Materials& materials) {
+  for (const Material& material : materials.materials)
+    if (material.name == surface.material) return material.layer_thickness;
+  return 0;
+}
+
+TouchingHand touching_hand(const Hand& hand, const Materials& materials) {
   const std::vector<LinkSurface>& surfaces = hand.surfaces();
   require(!surfaces.empty(), "the hand has no surface that could touch");
   TouchingHand built{&hand, {}, moved_by(hand), {}};
   for (const LinkSurface& surface : surfaces) built.touch.push_back(touch_body(*surface.solid));
   for (int a = 0; a < static_cast<int>(surfaces.size()); ++a)
     for (int b = 0; b < a; ++b)
-      if (const auto pair = pair_of(hand, built.moved_by, a, b)) built.self.push_back(*pair);
+      if (const auto pair = pair_of(hand, built.moved_by, materials, a, b))
+        built.self.push_back(*pair);
   return built;
 }
 

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "data/io/world/materials.h"
 #include "grasp/contact/touch_body.h"
 #include "hand/hand.h"
 
@@ -29,21 +30,24 @@ struct TouchingHand {
 };
 
 /// How deep the soft layer of a surface can be pressed: to its thickness, Material::layer_thickness
-/// of the built-in materials [m]; 0 of other materials. Of skin 3 mm.
-[[nodiscard]] double soft_layer(const LinkSurface& surface);
+/// [m]; 0 of materials that are not in the table. Of skin 3 mm in the built-in one.
+[[nodiscard]] double soft_layer(const LinkSurface& surface,
+                                const Materials& materials = built_in_materials());
 
 /// Which coordinates move a surface is read off the Jacobians, so that no tree need be known.
 ///
 /// Surfaces of one link never meet, nor those of a link and of the next one towards the base that
 /// has a surface. Two soft ones yield by both their layers, and stick where one goes into the other
 /// within the cone of their friction: with a share of  1 / sqrt(1 + mu^2)  or more of its speed,
-/// 0.74 of skin on skin. Moreover soft ones do not meet
+/// 0.74 of skin on skin by the built-in table. Moreover soft ones do not meet
 /// - on a link and the next but one: flesh folds between them as the joints flex (what lies under
 ///   the thumb's phalanx is its own eminence, though the palm carries it); limits of joints stand
 ///   for contact there;
 /// - where both turn the same way in closing, about axes within 45 deg of each other: fingers that
 ///   curl side by side part sideways, for which no drive is needed; here they overlap instead.
-/// @throws InputError if the hand has no surface.
-[[nodiscard]] TouchingHand touching_hand(const Hand& hand);
+/// @param materials  of the world that the hand is in, Scene::materials
+/// @throws InputError if the hand has no surface, or two soft materials of it no friction.
+[[nodiscard]] TouchingHand touching_hand(const Hand& hand,
+                                         const Materials& materials = built_in_materials());
 
 }  // namespace thenar
