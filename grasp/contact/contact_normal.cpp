@@ -70,17 +70,20 @@ Vector3d common(const std::vector<Vector3d>& normals) {
   return sum.stableNormalized();
 }
 
-/// The normal of B that is most nearly against, or along, one of A; or the middle one.
+/// The way from the face of A that lies on one of B most nearly; else into the face of B that looks
+/// most nearly as one of A does, as the sides of flush blocks do; else the middle way into B.
 Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
                  const std::vector<Vector3d>& normals_A) {
-  Vector3d best = near.middle;
-  double flattest = kCosFlat;
+  Vector3d on = -near.middle, beside = -near.middle;
+  double most_on = kCosFlat, most_beside = kCosFlat;
   for (const Vector3d& n : near.normals)
-    for (const Vector3d& n_A : normals_A) {
-      const double flat = std::abs(n.dot(R_BA * n_A));
-      if (flat > flattest) best = n, flattest = flat;
+    for (const Vector3d& of_a : normals_A) {
+      const Vector3d n_A = R_BA * of_a;
+      const double same = n.dot(n_A);
+      if (-same > most_on) on = n_A, most_on = -same;
+      if (same > most_beside) beside = -n, most_beside = same;
     }
-  return best;
+  return most_on > kCosFlat ? on : beside;
 }
 
 }  // namespace
@@ -92,7 +95,7 @@ Vector3d into_b(const PatchPoint& point, const TouchBody& a, const Pose<double>&
   if (!near.sharp) return -point.normal;
   const std::vector<Vector3d> normals_A = normals_of(a, X_BA.inverse() * point.core);
   const Vector3d n = X_BA.R * common(normals_A);
-  if (n.isZero()) return -of_face(near, X_BA.R, normals_A);
+  if (n.isZero()) return of_face(near, X_BA.R, normals_A);
   return n.dot(near.middle) > 0 ? (-n).eval() : n;
 }
 

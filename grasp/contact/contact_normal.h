@@ -15,8 +15,9 @@ namespace thenar {
 ///   A rounded there:         the inward normal of B as A's core sees it; it is A's as well
 ///   B smooth there:          B's inward normal
 ///   B sharp, A smooth:       A's normal, whichever of both signs points into B
-///   B sharp, A sharp too:    B's inward normal on a face of B that lies on one of A, within 10
-///                            degrees; without such a pair the inward middle of B's normals there
+///   B sharp, A sharp too:    A's normal on a face that lies on one of B, within 10 degrees; else
+///                            B's inward normal on one that looks the same way; without such a
+///                            pair the inward middle of B's normals there
 ///
 /// B is sharp where normals at points 0.1 mm around turn away from each other by more than 30
 /// degrees; A is where its triangles within 0.1 mm do.

@@ -120,6 +120,18 @@ TEST(ContactPatch, TakesTheNormalOfTheFaceOnAnEdge) {
   }
 }
 
+// Two blocks side by side, all edges flush: their sides look the same way, too, but only the faces
+// between them press on each other.
+TEST(ContactPatch, OfFlushBlocksPressesNowhereAlongTheirSides) {
+  for (const double gap : {-5e-5, 0.0, 5e-5}) {
+    const ContactPatch patch = the_patch(touching({{block_mesh({0.01, 0.02, 0.06}), 0}}),
+                                         at(-0.025 - gap, 0, 0), box_shape({0.04, 0.02, 0.06}));
+    ASSERT_EQ(patch.contacts.size(), 4U) << gap;
+    for (const HandContact& c : patch.contacts)
+      EXPECT_TRUE(matrix_near(c.contact.n, Eigen::Vector3d(1, 0, 0), 1e-6)) << gap;
+  }
+}
+
 // Edge across edge: both sharp. The middle of B's normals points straight in.
 TEST(ContactPatch, TakesTheMiddleOfNormalsWhereEdgesCross) {
   const double up = 0.01 * std::sqrt(2.0);
