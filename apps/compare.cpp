@@ -95,11 +95,15 @@ void run(const Options& options) {
     fmt::print("{}\n", comparison_json(comparison).dump(1));
   else
     print_comparison(comparison);
-  if (!options.report.empty())
+  if (!options.report.empty() && comparison.complete)
     write_compare_report(comparison, objects_of(options.question), options.question.data,
                          compare_provenance(inputs), options.report);
   if (!comparison.complete)
-    throw Interrupted("stopped; what was finished by then is kept, the same command goes on");
+    throw Interrupted(fmt::format(
+        "stopped; {}{}",
+        options.output.empty() ? "no --out was given that could go on"
+                               : "what was finished by then is kept, the same command goes on",
+        options.report.empty() ? "" : "; the page is drawn when all is compared"));
 }
 
 }  // namespace

@@ -25,7 +25,6 @@ constexpr double kGravity = 9.81;   // [m/s^2]
 constexpr double kFlat = 10;        // less curved than a ball of 0.1 m, as soft_pads has it [1/m]
 constexpr double kStep = 3e-3;      // over which curvatures are taken [m]
 constexpr double kShear = 1.0 / 3;  // shear by Young's modulus of what keeps its volume [1]
-constexpr double kTiny = 1e-9;      // singular values below it of the largest are none [1]
 
 template <typename Value>
 Measured<Value> none(const std::string& reason) {
@@ -191,27 +190,14 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   return {grasp_stiffness(plain(asked.grasp.contacts), object.com, object.reach, pads), ""};
 }
 
-/// The object's velocity per coordinate, from unit force components and the hand's along them.
-Measured<Manipulability> manipulability_of(const Asked& asked) {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, asked.held.T.cols());
-  Eigen::MatrixXd J = asked.held.T.transpose();
-  Eigen::Index column = 0;
-  const auto add = [&](const Wrench& wrench, double size) {
-    G.col(column) = wrench / size;
-    J.row(column) /= size;
-    ++column;
-  };
-  for (const WrenchCap& cap :
-       wrench_set(plain(asked.grasp.contacts), asked.question.scene.object.com,
-                  asked.question.scene.object.reach)
-           .caps) {
-    add(cap.c, 1);
-    for (Eigen::Index k = 0; k < cap.A.cols(); ++k) add(cap.A.col(k), cap.A.col(k).norm());
+Measured<ObjectMotion> manipulability_of(const Asked& asked) {
+  try {
+    return {object_motion(*asked.touching.hand, asked.grasp.closed.q, plain(asked.grasp.contacts),
+                          asked.question.scene.object, asked.held.T),
+            ""};
+  } catch (const InputError& free) {
+    return none<ObjectMotion>(free.what());
   }
-  const Eigen::VectorXd sigma = G.jacobiSvd().singularValues();
-  if (sigma.size() < 6 || sigma(5) <= kTiny * sigma(0))
-    return none<Manipulability>("the contacts leave the object free to move by itself");
-  return {manipulability(hand_object_jacobian(G, J)), ""};
 }
 
 template <typename Value, typename ToJson>
@@ -234,10 +220,6 @@ Ordered stiffness_json(const GraspStiffness& stiffness) {
           {"softest_words", direction_words(stiffness.softest)},
           {"pad_force_N", kPadForce},
           {"matrix", to_json(stiffness.K)}};
-}
-
-Ordered manipulability_json(const Manipulability& m) {
-  return {{"volume", m.volume}, {"least", m.least}, {"isotropy", m.isotropy}, {"rank", m.rank}};
 }
 
 template <typename Value, typename Words>
@@ -268,6 +250,7 @@ GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touchin
   VolumeOptions of_volume;
   of_volume.limit = question.limit;
   GraspMeasures measures;
+  measures.edges = question.edges;
   measures.volume = volume(answer.wrenches, of_volume);
   measures.actuated = ball_of(asked);
   measures.weight = weight_of(question);
@@ -294,8 +277,10 @@ Ordered measures_json(const GraspMeasures& m) {
   put(json, reasons, "pull_N", m.pull, same);
   put(json, reasons, "turn_Nm", m.turn, same);
   put(json, reasons, "stiffness_N_per_m", m.stiffness, stiffness_json);
-  put(json, reasons, "manipulability_m_per_rad", m.manipulability, manipulability_json);
+  put(json, reasons, "manipulability", m.manipulability, object_motion_json);
   if (!m.volume.complete) reasons["volume"] = "the hull has too many facets";
+  json["friction_edges"] = m.edges;
+  json["true_cones"] = m.edges > 0 ? "all but epsilon, volume, robustness, wrench_set" : "all";
   json["reasons"] = reasons;
   return json;
 }
@@ -319,11 +304,10 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   add_row(rows, "least stiffness of pads", m.stiffness, [](const GraspStiffness& stiffness) {
     return fmt::format("{:.4g} N/m, {}", stiffness.least, motion_words(stiffness.softest));
   });
-  add_row(rows, "moves the object", m.manipulability, [](const Manipulability& moves) {
-    if (moves.rank < 6) return fmt::format("in {} of 6 directions only", moves.rank);
-    return fmt::format("at least {:.3g} m/rad in each direction, isotropy {:.3g}", moves.least,
-                       moves.isotropy);
-  });
+  add_row(rows, "moves the object", m.manipulability, object_motion_words);
+  if (m.edges > 0)
+    rows.push_back({"friction", fmt::format("pyramids of {} edges", m.edges),
+                    "in epsilon, volume and robustness; all other measures have true cones"});
   return rows;
 }
 

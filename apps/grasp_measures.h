@@ -4,13 +4,13 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "apps/grasp_output.h"
+#include "apps/grasp_motion.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/quality/grasp_stiffness.h"
 #include "grasp/quality/hold_force.h"
 #include "grasp/quality/inscribed_ball.h"
-#include "grasp/quality/manipulability.h"
 #include "grasp/quality/volume.h"
 #include "viewer/grasp_page.h"
 
@@ -25,22 +25,24 @@ struct Measured {
 
 /// Torques in wrenches are about the object's centre of mass and over its reach; its own frame.
 struct GraspMeasures {
-  Volume volume{};                          // of the wrench set [unit forces^6]
-  Measured<InscribedBall> actuated;         // epsilon within what drives the hand [N]
-  Measured<double> weight;                  // of the object [N]
-  Measured<double> hold;                    // least sum of normal forces that holds it as it
-                                            // stands, by friction alone [N]
-  Measured<double> hold_actuated;           // the same within what drives the hand [N]
-  Measured<double> times_weight;            // held along each of its axes both ways [1]
-  Measured<double> pull;                    // along its z axis, the weaker way [N]
-  Measured<double> turn;                    // about its z axis, the weaker way [N m]
-  Measured<GraspStiffness> stiffness;       // of soft pads at kPadForce, joints locked [N/m]
-  Measured<Manipulability> manipulability;  // object per coordinate, turns times reach [m/rad]
+  Volume volume{};                        // of the wrench set [unit forces^6]
+  Measured<InscribedBall> actuated;       // epsilon within what drives the hand [N]
+  Measured<double> weight;                // of the object [N]
+  Measured<double> hold;                  // least sum of normal forces that holds it as it
+                                          // stands, by friction alone [N]
+  Measured<double> hold_actuated;         // the same within what drives the hand [N]
+  Measured<double> times_weight;          // held along each of its axes both ways [1]
+  Measured<double> pull;                  // along its z axis, the weaker way [N]
+  Measured<double> turn;                  // about its z axis, the weaker way [N m]
+  Measured<GraspStiffness> stiffness;     // of soft pads at kPadForce, joints locked [N/m]
+  Measured<ObjectMotion> manipulability;  // object per drive, without slip
+  int edges = 0;  // of the pyramids of `volume`; 0: cones, as all others have
 };
 
 inline constexpr double kPadForce = 1;  // on every contact, for the stiffness of pads [N]
 
-/// Measures a grasp that is one. Pads are springs of the softer layer (Young's modulus E over
+/// Measures a grasp that is one. Friction is of true cones, but for the volume, which is of the
+/// answer's wrenches. Pads are springs of the softer layer (Young's modulus E over
 /// thickness h) as large as winkler_patch() of kPadForce: E / h times the area along the normal, a
 /// third of that along the tangents and about the normal, as the shear modulus of what keeps its
 /// volume is E / 3.

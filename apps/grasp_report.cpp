@@ -84,7 +84,7 @@ void write_grasp_report(const GraspQuestion& question, const TouchingHand& touch
                    answer.wrenches,
                    question.limit,
                    camera.eye - camera.target,
-                   question.hand.named.warnings,
+                   warnings_of(question, answer),
                    {},
                    {}};
   if (answer.measures) story.measures = measure_rows(*answer.measures);

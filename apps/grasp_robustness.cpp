@@ -54,19 +54,30 @@ class Watch {
   double all_, done_ = 0;
 };
 
+/// Null where a miss has part in a quantile.
 Ordered share_json(const Robustness& found) {
+  const auto quantile = [&](double p) {
+    const double value = found.quantile(p);
+    return std::isfinite(value) ? Ordered(value) : Ordered(nullptr);
+  };
   return {{"closure", found.closure},
           {"closure_lower", found.closure_lower},
           {"closure_upper", found.closure_upper},
-          {"epsilon_5_percent", found.quantile(0.05)},
-          {"epsilon_median", found.quantile(0.5)},
-          {"epsilon_95_percent", found.quantile(0.95)}};
+          {"misses", found.misses},
+          {"epsilon_5_percent", quantile(0.05)},
+          {"epsilon_median", quantile(0.5)},
+          {"epsilon_95_percent", quantile(0.95)}};
 }
 
 std::string share_words(const Robustness& found) {
-  return fmt::format("force closure in {:.0f} % ({:.0f} to {:.0f} %), epsilon {:.3g} (median)",
-                     100 * found.closure, 100 * found.closure_lower, 100 * found.closure_upper,
-                     found.quantile(0.5));
+  const double median = found.quantile(0.5);
+  std::string words =
+      fmt::format("force closure in {:.0f} % ({:.0f} to {:.0f} %), median epsilon {}",
+                  100 * found.closure, 100 * found.closure_lower, 100 * found.closure_upper,
+                  std::isfinite(median) ? fmt::format("{:.3g}", median) : "none: the hand misses");
+  if (found.misses > 0)
+    words += fmt::format(", {} of {} draws miss", found.misses, found.epsilon.size());
+  return words;
 }
 
 }  // namespace
@@ -80,6 +91,8 @@ GraspRobustness robustness_of(const GraspQuestion& question, const TouchingHand&
   options.centre = object.com;
   options.torque_scale = object.reach;
   options.limit = question.limit;
+  options.gap = question.gap;
+  options.edges = question.edges;
   Watch watch(progress, asked.draws);
 
   const std::vector<Contact> contacts = plain(answer.grasp.contacts);
@@ -127,7 +140,7 @@ std::vector<MeasureRow> robustness_rows(const GraspRobustness& robustness) {
                    1000 * asked.contacts.place, asked.contacts.tilt / kDegree)},
       {"with the object elsewhere", share_words(robustness.pose),
        fmt::format("{} draws of seed {}: moved by {:.1f} mm and turned by {:.1f} deg an axis, "
-                   "grasped anew",
+                   "grasped anew, and it yields to jaws",
                    asked.draws, asked.seed, 1000 * asked.place, asked.turn / kDegree)}};
 }
 

@@ -2,7 +2,9 @@
 
 /// How sure a grasp is: thenar grasp --robustness N.
 
-#include "apps/grasp_output.h"
+#include <nlohmann/json.hpp>
+
+#include "apps/grasp_answer.h"
 #include "base/progress.h"
 #include "grasp/quality/robustness.h"
 #include "viewer/grasp_page.h"
@@ -25,8 +27,8 @@ struct GraspRobustness {
 };
 
 /// Both, each from a generator of the seed. Moves of the object are normal along and about each of
-/// its axes, about its centre of mass; one after which the hand does not grasp counts as no force
-/// closure, with the epsilon of no contacts, 0.
+/// its axes, about its centre of mass; one after which the hand does not grasp is a miss, which is
+/// no force closure and below every epsilon. Pyramids and the gap are the question's.
 /// @throws Interrupted where progress says stop
 [[nodiscard]] GraspRobustness robustness_of(const GraspQuestion& question,
                                             const TouchingHand& touching, const GraspAnswer& answer,

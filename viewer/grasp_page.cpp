@@ -35,7 +35,7 @@ Json warning_section(const GraspStory& story) {
   Json rows = Json::array();
   for (const std::string& warning : story.warnings) rows.push_back(Json::array({warning}));
   return section(
-      "warnings", "What was assumed of the hand", "",
+      "warnings", "What to know of the hand", "",
       Json::array({table_block("Assumptions and omissions.", {{"what", "", -1}}, rows)}));
 }
 

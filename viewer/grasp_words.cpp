@@ -112,8 +112,9 @@ bool slides(const Hand& hand, const Eigen::VectorXd& q, int coordinate) {
 }
 
 std::string value_words(double value, bool slides) {
-  return slides ? fmt::format("{:.2f} mm", 1000 * value)
-                : fmt::format("{:.1f} deg", value / kDegree);
+  const double rounded = std::round(value / (slides ? 1e-5 : 0.1 * kDegree));
+  return slides ? fmt::format("{:.2f} mm", rounded / 100 + 0.0)  // no -0
+                : fmt::format("{:.1f} deg", rounded / 10 + 0.0);
 }
 
 std::string direction_words(const Wrench& wrench) {
@@ -130,6 +131,12 @@ std::string overlap_words(const std::vector<Overlap>& overlaps) {
     parts.push_back(
         fmt::format("{} is {:.2f} mm in {}", each.surface, 1000 * each.depth, each.other));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string own_overlap_words(const ClosedHand& closed) {
+  if (closed.own.empty()) return "";
+  return "links of the hand begin in each other, and do not stop each other: " +
+         overlap_words(closed.own);
 }
 
 std::string outcome_words(const Grasp& grasp) {

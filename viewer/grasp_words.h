@@ -47,4 +47,8 @@ struct Touching {
 /// "DP2 is 3.2 mm in table, ..."
 [[nodiscard]] std::string overlap_words(const std::vector<Overlap>& overlaps);
 
+/// A warning about links of the hand that begin in each other, so that they do not stop each other;
+/// empty where none do.
+[[nodiscard]] std::string own_overlap_words(const ClosedHand& closed);
+
 }  // namespace thenar

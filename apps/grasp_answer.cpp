@@ -1,0 +1,93 @@
+#include "apps/grasp_answer.h"
+
+#include <fmt/format.h>
+
+#include "apps/progress_bar.h"
+#include "grasp/quality/pyramid.h"
+#include "viewer/grasp_words.h"
+
+namespace thenar {
+namespace {
+
+/// Grasps before those that are none, and the better ones of them first.
+bool is_better(const Grasp& a, const Grasp& b) {
+  const bool has = a.outcome == GraspOutcome::kGrasped, had = b.outcome == GraspOutcome::kGrasped;
+  return has != had ? has : has && a.quality.lower > b.quality.lower;
+}
+
+GraspOptions options_of(const GraspQuestion& question) {
+  GraspOptions options;
+  options.pads.contact = question.hand.named.contact;
+  options.epsilon.limit = question.limit;
+  options.epsilon.gap = question.gap;
+  options.close.rates = question.hand.named.rates;
+  return options;
+}
+
+/// One start, measured as was asked.
+Grasp grasp_from(const GraspQuestion& question, const TouchingHand& touching, const Trial& start) {
+  const GraspOptions options = options_of(question);
+  GraspOptions here = options;
+  here.way = 0;
+  Grasp found = start.way > 0 ? try_grasp(touching, start, question.scene, options)
+                              : grasp(touching, start.X_WH, start.q, question.scene, here);
+  if (question.edges > 0 && found.outcome == GraspOutcome::kGrasped)
+    found.quality = epsilon(wrenches_of(question, found.contacts), options.epsilon);
+  return found;
+}
+
+/// Counts a start, and keeps it if it is the best so far.
+void note(GraspAnswer& found, Grasp grasp, int number, const Trial& start) {
+  ++found.outcomes[static_cast<std::size_t>(grasp.outcome)];
+  found.closures += grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure ? 1 : 0;
+  if (number > 0 && !is_better(grasp, found.grasp)) return;
+  found.grasp = std::move(grasp);
+  found.best = number;
+  found.start = start;
+}
+
+}  // namespace
+
+WrenchSet wrenches_of(const GraspQuestion& question, const std::vector<HandContact>& contacts) {
+  std::vector<Contact> plain;
+  for (const HandContact& found : contacts) plain.push_back(found.contact);
+  const SceneBody& object = question.scene.object;
+  const WrenchSet set = wrench_set(plain, object.com, object.reach);
+  return question.edges > 0 ? pyramids(set, question.edges) : set;
+}
+
+GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching, double way,
+                   const Progress& progress) {
+  GraspAnswer found;
+  if (question.starts == 0) {
+    const Trial own{question.hand.X_WH, question.hand.q, way};
+    note(found, grasp_from(question, touching, own), -1, own);
+  }
+  for (int i = 0; i < question.starts; ++i) {
+    if (progress.stop())
+      throw Interrupted(fmt::format("stopped after {} of {} starts", i, question.starts));
+    progress(static_cast<double>(i) / question.starts, "starts");
+    const Trial drawn = draw_trial(touching, question.scene.object, question.seed, i);
+    note(found, grasp_from(question, touching, drawn), i, drawn);
+  }
+  found.wrenches = wrenches_of(question, found.grasp.contacts);
+  return found;
+}
+
+Grasp regrasp(const GraspQuestion& question, const TouchingHand& touching,
+              const GraspAnswer& answer, const Scene& scene) {
+  return try_grasp(touching, answer.start, scene, options_of(question));
+}
+
+double cpu_since(std::clock_t start) {
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+std::vector<std::string> warnings_of(const GraspQuestion& question, const GraspAnswer& answer) {
+  std::vector<std::string> warnings = question.hand.named.warnings;
+  const std::string own = own_overlap_words(answer.grasp.closed);
+  if (!own.empty()) warnings.insert(warnings.begin(), own);
+  return warnings;
+}
+
+}  // namespace thenar

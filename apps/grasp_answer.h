@@ -1,0 +1,62 @@
+#pragma once
+
+/// What came of a grasp, from one start or the best of many.
+
+#include <array>
+#include <ctime>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/grasp_question.h"
+#include "base/progress.h"
+#include "grasp/compare/trial.h"
+
+namespace thenar {
+
+/// In the order of GraspAnswer::outcomes.
+inline constexpr std::array<GraspOutcome, 6> kOutcomes{
+    GraspOutcome::kGrasped, GraspOutcome::kOverlaps, GraspOutcome::kMissed,
+    GraspOutcome::kBlocked, GraspOutcome::kTooLong,  GraspOutcome::kEmpty};
+
+struct GraspMeasures;
+struct GraspRobustness;
+
+/// What came of it.
+struct GraspAnswer {
+  Grasp grasp;                                        // the best of all starts
+  WrenchSet wrenches;                                 // of its contacts, as measured
+  std::array<int, 6> outcomes{};                      // of all starts, by GraspOutcome
+  int closures = 0;                                   // starts that ended in force closure
+  int best = -1;                                      // its start; -1: none was drawn
+  Trial start;                                        // where the best began
+  double cpu = 0;                                     // of all, measures included [s]
+  std::shared_ptr<const GraspMeasures> measures;      // const, so shared by copies; null: no grasp
+  std::shared_ptr<const GraspRobustness> robustness;  // the same; null: not asked
+};
+
+/// Starts, and keeps the best. Start n of several is draw_trial() n, as in `thenar compare`, and
+/// the object yields to jaws as in centred_grasp(); so it does where the world's own hand goes at
+/// it.
+/// @param way  farthest approach from the world's own start [m]; 0: the hand stays there
+/// @throws Interrupted where progress says stop
+[[nodiscard]] GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching,
+                                 double way, const Progress& progress = {});
+
+/// The grasp of an answer once more, in a scene that is a little different; the object yields to
+/// jaws as in centred_grasp(), also where the hand stays.
+[[nodiscard]] Grasp regrasp(const GraspQuestion& question, const TouchingHand& touching,
+                            const GraspAnswer& answer, const Scene& scene);
+
+/// Processor time from then on [s].
+[[nodiscard]] double cpu_since(std::clock_t start);
+
+/// What was assumed of the hand, and links of it that begin in each other.
+[[nodiscard]] std::vector<std::string> warnings_of(const GraspQuestion& question,
+                                                   const GraspAnswer& answer);
+
+/// The contacts' wrenches, with cones or pyramids.
+[[nodiscard]] WrenchSet wrenches_of(const GraspQuestion& question,
+                                    const std::vector<HandContact>& contacts);
+
+}  // namespace thenar

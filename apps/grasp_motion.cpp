@@ -1,0 +1,107 @@
+#include "apps/grasp_motion.h"
+
+#include <fmt/format.h>
+#include <Eigen/SVD>
+
+#include "apps/to_json.h"
+#include "grasp/quality/driven_motion.h"
+#include "viewer/grasp_words.h"
+
+namespace thenar {
+namespace {
+
+/// What a contact's axes are made of, by which its wrenches are divided to unit components.
+struct UnitComponents {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G;  // wrenches (6, k)
+  Eigen::MatrixXd J;                           // velocities of the hand (k, coordinates)
+};
+
+UnitComponents unit_components(const std::vector<Contact>& contacts, const SceneBody& object,
+                               const Eigen::MatrixXd& T) {
+  UnitComponents unit{Eigen::MatrixXd(6, T.cols()), T.transpose()};
+  const WrenchSet set = wrench_set(contacts, object.com, object.reach);
+  Eigen::Index column = 0;
+  const auto add = [&](const Wrench& wrench, double size) {
+    unit.G.col(column) = wrench / size;
+    unit.J.row(column) /= size;
+    ++column;
+  };
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const WrenchCap& cap = set.caps[i];
+    add(cap.c, 1);
+    const Eigen::Index tangents = contacts[i].friction > 0 ? 2 : 0;
+    for (Eigen::Index k = 0; k < cap.A.cols(); ++k)
+      add(cap.A.col(k), k < tangents ? contacts[i].friction : contacts[i].torsion / object.reach);
+  }
+  return unit;
+}
+
+/// Of a drive by the first coordinate that it moves.
+std::string unit_of(const Hand& hand, const Eigen::VectorXd& q, const Eigen::MatrixXd& ratios) {
+  bool turning = false, sliding = false;
+  for (Eigen::Index d = 0; d < ratios.cols(); ++d) {
+    Eigen::Index first = 0;
+    (void)(ratios.col(d).array() != 0).maxCoeff(&first);
+    (slides(hand, q, static_cast<int>(first)) ? sliding : turning) = true;
+  }
+  return turning && sliding ? "m/rad or m/m" : sliding ? "m/m" : "m/rad";
+}
+
+}  // namespace
+
+Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
+  const HandLayout& layout = hand.layout();
+  const Eigen::Index n = static_cast<Eigen::Index>(layout.coordinates.size());
+  std::vector<Eigen::VectorXd> columns;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);
+  for (const Drive& drive : layout.drives) {
+    Eigen::VectorXd column = Eigen::VectorXd::Zero(n);
+    for (const Driven& driven : drive.moves) column[driven.coordinate] = driven.ratio;
+    if (column.isZero(0)) continue;
+    moved += column.cwiseAbs();
+    columns.push_back(column);
+  }
+  const Actuation actuation = hand.actuation(q);
+  for (Eigen::Index c = 0; c < n; ++c)
+    if (moved[c] == 0 && !actuation.B.row(c).isZero(0))
+      columns.emplace_back(Eigen::VectorXd::Unit(n, c));
+  Eigen::MatrixXd ratios(n, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t d = 0; d < columns.size(); ++d)
+    ratios.col(static_cast<Eigen::Index>(d)) = columns[d];
+  return ratios;
+}
+
+ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
+                           const std::vector<Contact>& contacts, const SceneBody& object,
+                           const Eigen::MatrixXd& T) {
+  const UnitComponents unit = unit_components(contacts, object, T);
+  const Eigen::MatrixXd ratios = drive_ratios(hand, q);
+  const DrivenMotion motion = driven_motion(unit.G, unit.J * ratios);
+  Eigen::VectorXd speeds;
+  if (motion.object.cols() > 0)
+    speeds = Eigen::JacobiSVD<Eigen::MatrixXd>(motion.object).singularValues();
+  return {manipulability(motion.object), speeds, static_cast<int>(ratios.cols()),
+          unit_of(hand, q, ratios)};
+}
+
+nlohmann::ordered_json object_motion_json(const ObjectMotion& motion) {
+  const Manipulability& m = motion.manipulability;
+  return {{"unit", motion.unit},   {"drives", motion.drives},
+          {"rank", m.rank},        {"singular_values", to_json(motion.speeds)},
+          {"volume", m.volume},    {"least", m.least},
+          {"isotropy", m.isotropy}};
+}
+
+std::string object_motion_words(const ObjectMotion& motion) {
+  const Manipulability& m = motion.manipulability;
+  const std::string drives =
+      fmt::format("by {} drive{}", motion.drives, motion.drives == 1 ? "" : "s");
+  if (m.rank == 0) return fmt::format("not at all {} without slip", drives);
+  if (m.rank < 6)
+    return fmt::format("in {} of 6 directions {} without slip, at most {:.3g} {}", m.rank, drives,
+                       motion.speeds[0], motion.unit);
+  return fmt::format("at least {:.3g} {} in each direction, isotropy {:.3g}", m.least, motion.unit,
+                     m.isotropy);
+}
+
+}  // namespace thenar

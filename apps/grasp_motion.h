@@ -1,0 +1,38 @@
+#pragma once
+
+/// How the drives of a hand move what it holds.
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "apps/grasp_answer.h"
+#include "grasp/quality/manipulability.h"
+
+namespace thenar {
+
+/// The object's velocity, turns times its reach, per drive speed of driven_motion().
+struct ObjectMotion {
+  Manipulability manipulability;
+  Eigen::VectorXd speeds;  // singular values, descending: of what drives can do without slip
+  int drives;              // motors, or joints that are actuated by themselves
+  std::string unit;        // "m/rad", "m/m", or "m/rad or m/m" where drives are of both kinds
+};
+
+/// Velocities of coordinates per drive speed: a column of ratios for each of HandLayout::drives,
+/// and one for each coordinate that no drive moves and an actuator does. Clutches and springs are
+/// taken for rigid.  (coordinates, drives)
+[[nodiscard]] Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q);
+
+/// Unit components of all contacts: normal, both tangents where there is friction, and the turn
+/// about the normal, times the reach, where there is torsion.
+/// @param T  torque_map() of the same contacts
+/// @throws InputError as driven_motion(): the contacts leave the object free.
+[[nodiscard]] ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
+                                         const std::vector<Contact>& contacts,
+                                         const SceneBody& object, const Eigen::MatrixXd& T);
+
+[[nodiscard]] nlohmann::ordered_json object_motion_json(const ObjectMotion& motion);
+[[nodiscard]] std::string object_motion_words(const ObjectMotion& motion);
+
+}  // namespace thenar

@@ -1,0 +1,43 @@
+#include "apps/grasp_question.h"
+
+#include "apps/data_folder.h"
+#include "grasp/closing_drives.h"
+
+namespace thenar {
+namespace {
+
+std::string world_file(const WorldChoice& choice) {
+  return named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
+}
+
+GraspQuestion question_of(const WorldChoice& choice) {
+  GraspQuestion question;
+  question.path = world_file(choice);
+  question.world = read_world(question.path);
+  question.data = data_for(question.world.folder, choice.data);
+  question.scene = build_scene(question.world, choice.object);
+  return question;
+}
+
+}  // namespace
+
+GraspQuestion ask_world(const WorldChoice& choice) {
+  GraspQuestion question = question_of(choice);
+  question.hand = hand_of_world(question.world, choice.hand, question.path, question.data);
+  return question;
+}
+
+GraspQuestion ask_stranger(const WorldChoice& choice) {
+  GraspQuestion question = question_of(choice);
+  question.hand.named = hand_by_name(choice.hand, question.data);
+  question.hand.q = open_posture(question.hand.named.hand->layout());
+  return question;
+}
+
+bool has_hand(const WorldChoice& choice) {
+  for (const PlacedHand& hand : read_world(world_file(choice)).hands)
+    if (hand.name == choice.hand) return true;
+  return false;
+}
+
+}  // namespace thenar
