@@ -1,5 +1,6 @@
 #include "grasp/compare/grasp_type.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 
@@ -32,27 +33,23 @@ Touching find_touching(const Hand& hand, const std::vector<HandContact>& contact
   return touching;
 }
 
-/// The digit that pushes most against the rest; empty with fewer than two.
-std::string opposing(const Hand& hand, const Touching& touching) {
-  const std::string thumb = thumb_of(hand);
-  if (!thumb.empty()) return touching.push.count(thumb) > 0 ? thumb : "";
-  std::string found;
-  double least = 0;
-  for (const auto& [digit, push] : touching.push) {
+/// Whether a digit pushes against the rest: the thumb, in a hand without one any.
+bool opposed(bool has_thumb, const Touching& touching) {
+  if (has_thumb) return touching.push.count("thumb") > 0;
+  return std::any_of(touching.push.begin(), touching.push.end(), [&](const auto& digit) {
     Eigen::Vector3d rest(0, 0, 0);
-    for (const auto& [other, its] : touching.push)
-      if (other != digit) rest += its.normalized();
-    const double along = push.normalized().dot(rest);
-    if (along < least - 1e-9) {
-      least = along;
-      found = digit;
-    }
-  }
-  return found;
+    for (const auto& [other, push] : touching.push)
+      if (other != digit.first) rest += push.normalized();
+    return digit.second.normalized().dot(rest) < -1e-9;
+  });
 }
 
-std::string counted(std::size_t digits) {
-  return fmt::format("{} digit{}", digits, digits == 1 ? "" : "s");
+/// "thumb and 2 digits", "2 digits", "thumb".
+std::string counted(const Touching& touching) {
+  const std::size_t thumbs = touching.push.count("thumb"), digits = touching.push.size() - thumbs;
+  if (digits == 0) return "thumb";
+  return fmt::format("{}{} digit{}", thumbs > 0 ? "thumb and " : "", digits,
+                     digits == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -67,13 +64,12 @@ std::string thumb_of(const Hand& hand) {
 
 std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts) {
   const Touching touching = find_touching(hand, contacts);
-  const std::string thumb = opposing(hand, touching);
-  const std::size_t others = touching.push.size() - (thumb.empty() ? 0 : 1);
   if (touching.push.empty()) return "palm alone";
-  if (touching.palm) return "power, palm, " + counted(others);
+  if (touching.palm) return "power, palm, " + counted(touching);
   if (touching.push.size() == 1) return "one digit";
-  if (thumb.empty()) return "intermediate, side, " + counted(others);
-  return (touching.inner ? "power, pad, " : "precision, pad, ") + counted(others);
+  if (!opposed(!thumb_of(hand).empty(), touching))
+    return "intermediate, side, " + counted(touching);
+  return (touching.inner ? "power, pad, " : "precision, pad, ") + counted(touching);
 }
 
 }  // namespace thenar

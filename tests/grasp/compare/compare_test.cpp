@@ -175,7 +175,7 @@ TEST(CentredGrasp, LeavesCentredObjectsAlone) {
 
 TEST(GraspType, NamesWhatTouches) {
   const RobotHand hand(sample::jaws());
-  EXPECT_EQ(grasp_type(hand, squeeze({0, 0, 0}).contacts), "precision, pad, 1 digit");
+  EXPECT_EQ(grasp_type(hand, squeeze({0, 0, 0}).contacts), "precision, pad, 2 digits");
   EXPECT_EQ(grasp_type(hand, {}), "palm alone");
 }
 

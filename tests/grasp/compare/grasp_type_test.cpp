@@ -60,7 +60,7 @@ TEST(GraspType, OfTheLargeWrapIsPowerOfThePalmWithAllDigits) {
                    {"middle proximal", kRight},
                    {"ring distal", kRight},
                    {"little distal", kRight}}),
-            "power, palm, 4 digits");
+            "power, palm, thumb and 4 digits");
 }
 
 // The hook of a bag: fingers and palm, no thumb.
@@ -72,16 +72,17 @@ TEST(GraspType, OfTheFixedHookCountsFingersWithoutTheThumb) {
 // The ring round a bottle: thumb and index by their inner links, clear of the palm.
 TEST(GraspType, OfTheRingIsPowerOfPads) {
   EXPECT_EQ(human({{"thumb distal", kLeft}, {"index proximal", kRight}, {"index distal", kRight}}),
-            "power, pad, 1 digit");
+            "power, pad, thumb and 1 digit");
 }
 
 TEST(GraspType, OfTheTipPinchIsPrecisionOfOneDigit) {
-  EXPECT_EQ(human({{"thumb distal", kLeft}, {"index distal", kRight}}), "precision, pad, 1 digit");
+  EXPECT_EQ(human({{"thumb distal", kLeft}, {"index distal", kRight}}),
+            "precision, pad, thumb and 1 digit");
 }
 
 TEST(GraspType, OfTheTripodIsPrecisionOfTwoDigits) {
   EXPECT_EQ(human({{"thumb distal", kLeft}, {"index distal", kRight}, {"middle distal", kRight}}),
-            "precision, pad, 2 digits");
+            "precision, pad, thumb and 2 digits");
 }
 
 // A cigarette between index and middle finger.
@@ -92,12 +93,22 @@ TEST(GraspType, OfAdductionIsOfTheSide) {
 
 // The key between thumb and the side of the index finger: contacts do not tell it from a pad.
 TEST(GraspType, OfTheLateralPinchCountsAsPad) {
-  EXPECT_EQ(human({{"thumb distal", kLeft}, {"index distal", kUp}}), "precision, pad, 1 digit");
+  EXPECT_EQ(human({{"thumb distal", kLeft}, {"index distal", kUp}}),
+            "precision, pad, thumb and 1 digit");
 }
 
 TEST(GraspType, OfNothingOpposedSaysSo) {
   EXPECT_EQ(human({{"palm", kUp}}), "palm alone");
   EXPECT_EQ(human({{"index distal", kLeft}}), "one digit");
+  EXPECT_EQ(human({{"palm", kUp}, {"thumb distal", kLeft}}), "power, palm, thumb");
+}
+
+// Both jaws count, and nothing but a palm that touches makes it power.
+TEST(GraspType, OfTwoJawsIsPrecisionOfTwoDigits) {
+  const std::vector<std::string> jaws{"finger 1", "finger 2"};
+  const std::vector<Touch> pads{{"finger 1 distal", kLeft}, {"finger 2 distal", kRight}};
+  EXPECT_EQ(type_of(jaws, pads), "precision, pad, 2 digits");
+  EXPECT_EQ(type_of(jaws, {pads[0], pads[1], {"palm", kUp}}), "power, palm, 2 digits");
 }
 
 // Two fingers push one way, the third the other: that one opposes.
@@ -106,7 +117,7 @@ TEST(GraspType, WithoutAThumbTakesTheDigitThatPushesAgainstTheRest) {
   EXPECT_EQ(type_of(digits, {{"finger 1 distal", kLeft},
                              {"finger 2 distal", kLeft},
                              {"finger 3 distal", kRight}}),
-            "precision, pad, 2 digits");
+            "precision, pad, 3 digits");
   EXPECT_EQ(type_of(digits, {{"finger 1 distal", kLeft}, {"finger 2 distal", kLeft}}),
             "intermediate, side, 2 digits");
 }
