@@ -14,18 +14,26 @@ namespace thenar {
 
 /// Where tips go: postures drawn, tips noted in cells of a grid. A tip that moves in fewer than
 /// three dimensions (principal extent below two cells) is measured in those alone. The estimate is
-/// the cells met less half of those at the rim (with a neighbour not met), +- that half.
+/// the cells met less half of those at the rim (with a neighbour not met), +- that half; of cells
+/// of 1/4, 1/2, 1, 2 and 4 times `cell`, those serve each tip that leave the least share. Too large
+/// ones have a thick rim, too small ones holes that no draw met.
 struct Workspaces {
   std::vector<DigitAbility> digits;  // forces are not filled in
-  double overlap = 0;  // of the thumb's, or of the first digit's, and all others [m^3]
+  double overlap = 0;  // thumb's, or first digit's, with all others', cells of 2 `cell` [m^3]
 };
 [[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random);
 
 /// The largest tip forces at a posture within what drives the hand, its stops included:
-///   max d'f  over  J'J s = B u + R r + tau_0,  f = J s,  lower <= u <= upper,
-/// for the joints that move the tip, J (3, joints) [m/rad]; forces that structure bears without
-/// effort (J'f = 0) are left out, and so are joints that are locked or, further in than the
-/// outermost held one, bear what it presses: hand_forces(). NaN: an effort that matters is unknown.
+///   max d'f  over  L f = B u + R r + tau_0,  f = J s,  lower <= u <= upper,
+///   L = J' + sum J_o' c_o c'
+/// for the joints that move the tip, J (3, joints) [m/rad]; c its unit way in closing, and o other
+/// tips that a coordinate which closes moves with it: these meet as much, c'f, along their own ways
+/// c_o. So jaws of one motor pinch with half of its effort each, 2 r f = u. A tendon over several
+/// joints of one digit, Coupled::kCompliant, balances f at all of them at once.
+///
+/// Forces that structure bears without effort (J'f = 0) are left out, and so are joints that are
+/// locked or, further in than the outermost held one, bear what it presses: hand_forces(). NaN: an
+/// effort that matters is unknown.
 struct TipForces {
   double closing = 0;  // d along the tip's way in closing: how hard the digit presses [N]
   double largest = 0;  // over 64 directions; infinite: stops bear one of them [N]

@@ -61,7 +61,7 @@ struct CompareOptions {
   int best = 3;                 // grasps whose loads are worked out, of each hand and object
   bool normalise_size = false;  // objects scaled by reach_of_digits() over the first hand's
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
-  int workspace_draws = 20000;                  // postures
+  int workspace_draws = 150000;                 // postures
   double workspace_cell = 5e-3;                 // [m]
   GraspOptions grasp;                           // `way` is set for each approach
   std::function<void(const Comparison&)> keep;  // hears of every finished cell
@@ -114,7 +114,8 @@ struct DigitAbility {
   int dimension = 0;           // in which its tip moves: 0 .. 3
   double workspace = 0;        // [m^dimension]
   double workspace_error = 0;  // half of the cells at its rim [m^dimension]
-  double closing_force = 0;    // largest along the tip's way in closing [N]; NaN: efforts unknown
+  double closing_force = 0;    // largest along the tip's way in closing, tip_forces() [N]; NaN:
+                               // efforts unknown
   double largest_force = 0;    // over 64 directions [N]; NaN: efforts unknown
 };
 

@@ -46,12 +46,40 @@ bool is_unknown(const Actuation& a, const std::vector<int>& joints) {
   return false;
 }
 
+Eigen::Matrix3Xd tip_jacobian(const Hand& hand, const Eigen::VectorXd& q, const HandTip& tip) {
+  return hand.jacobian(q, tip.link, tip.p).bottomRows<3>();
+}
+
+/// Torques of a force on the tip with as much on every other tip that a closing coordinate moves
+/// with it, each along its own way: tau = L f.  (coordinates, 3)
+Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
+                          const Eigen::Matrix3Xd& J, const Eigen::VectorXd& rates) {
+  Eigen::MatrixX3d L = J.transpose();
+  const Eigen::Vector3d way = J * rates;
+  if (way.isZero(kStill)) return L;
+  const std::vector<HandTip>& tips = hand.layout().tip_points;
+  for (int t = 0; t < static_cast<int>(tips.size()); ++t) {
+    if (t == tip || tips[t].link < 0) continue;
+    const Eigen::Matrix3Xd other = tip_jacobian(hand, q, tips[t]);
+    bool shared = false;
+    for (Eigen::Index j = 0; j < rates.size(); ++j)
+      shared =
+          shared || (rates[j] != 0 && !J.col(j).isZero(kStill) && !other.col(j).isZero(kStill));
+    const Eigen::Vector3d its = other * rates;
+    if (shared && !its.isZero(kStill))
+      L += other.transpose() * its.normalized() * way.normalized().transpose();
+  }
+  return L;
+}
+
 /// Rows and columns of the joints that press; the programme over (s, u, r).
-ConeProgram balance(const Eigen::MatrixXd& J, const Actuation& a, const std::vector<int>& joints) {
+/// @param L  load_map() of these joints (joints, 3)
+ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Actuation& a,
+                    const std::vector<int>& joints) {
   const Eigen::Index n = J.cols(), m = a.B.cols(), count = a.reactions.least.size();
   ConeProgram program;
   program.A = Eigen::MatrixXd::Zero(n, n + m + count);
-  program.A.leftCols(n) = J.transpose() * J;
+  program.A.leftCols(n) = L * J;
   program.A.middleCols(n, m) = -a.B(joints, Eigen::all);
   program.A.rightCols(count) = -reactions_on(a.reactions, joints);
   program.b = a.tau_0(joints);
@@ -95,14 +123,16 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandLayout& layout = hand.layout();
   const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
   if (place.link < 0) return {kNone, kNone};
-  const Eigen::MatrixXd all = hand.jacobian(q, place.link, place.p).bottomRows<3>();
+  const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
   const Actuation actuation = actuation_with_stops(hand, q);
   const std::vector<int> joints = pressing_joints(all, actuation.reactions);
   if (joints.empty()) return {0, 0};
   if (is_unknown(actuation, joints)) return {kNone, kNone};
   const Eigen::MatrixXd J = all(Eigen::all, joints);
-  const ConeProgram program = balance(J, actuation, joints);
-  const Eigen::Vector3d closing = all * ClosingDrives(layout).rates();
+  const Eigen::VectorXd rates = ClosingDrives(layout).rates();
+  const Eigen::MatrixXd L = load_map(hand, q, tip, all, rates)(joints, Eigen::all);
+  const ConeProgram program = balance(J, L, actuation, joints);
+  const Eigen::Vector3d closing = all * rates;
   TipForces forces{closing.isZero(kStill) ? 0 : farthest(program, J, closing.normalized()), 0};
   for (int i = 0; i < kDirections; ++i) {
     const double reach = farthest(program, J, direction(i));

@@ -1,7 +1,9 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <set>
+#include <vector>
 
 #include <Eigen/Eigenvalues>
 
@@ -13,18 +15,24 @@
 namespace thenar {
 namespace {
 
+constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, of the cell asked for [1]
+constexpr double kShared = 2;                      // of cells that two tips share [1]
+
 using Cell = std::array<int, 3>;
-using Cells = std::set<Cell>;
+using Cells = std::vector<Cell>;  // ascending
 
 /// Cells of the points' first `dimension` rows.
 Cells cells_of(const Eigen::Matrix3Xd& points, int dimension, double cell) {
   Cells cells;
+  cells.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& p : points.colwise()) {
     Cell at{0, 0, 0};
     for (int i = 0; i < dimension; ++i)
       at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / cell));
-    cells.insert(at);
+    cells.push_back(at);
   }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return cells;
 }
 
@@ -36,7 +44,7 @@ int rim_of(const Cells& cells, int dimension) {
       for (const int step : {-1, 1}) {
         Cell next = cell;
         next[i] += step;
-        inside = inside && cells.count(next) > 0;
+        inside = inside && std::binary_search(cells.begin(), cells.end(), next);
       }
     if (!inside) ++rim;
   }
@@ -58,10 +66,18 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
   for (int i = 0; i < 3; ++i)
     if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * cell) ++ability.dimension;
   if (ability.dimension == 0) return ability;
-  const Cells cells = cells_of(along, ability.dimension, cell);
-  const double rim = rim_of(cells, ability.dimension), unit = std::pow(cell, ability.dimension);
-  ability.workspace = unit * (static_cast<double>(cells.size()) - rim / 2);
-  ability.workspace_error = unit * rim / 2;
+  // Large cells have a thick rim, small ones holes between draws: the least share is between.
+  double least = std::numeric_limits<double>::infinity();
+  for (const double share : kCells) {
+    const Cells cells = cells_of(along, ability.dimension, share * cell);
+    const double rim = rim_of(cells, ability.dimension);
+    const double unit = std::pow(share * cell, ability.dimension), error = unit * rim / 2;
+    const double size = unit * (static_cast<double>(cells.size()) - rim / 2);
+    if (error >= least * size) continue;
+    least = error / size;
+    ability.workspace = size;
+    ability.workspace_error = error;
+  }
   return ability;
 }
 
@@ -80,16 +96,18 @@ Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& ra
     }
   }
   Workspaces out;
-  Cells thumb, others;
+  std::set<Cell> thumb, others;
   const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
                                    : thumb_of(hand);
   for (std::size_t t = 0; t < points.size(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
     out.digits.push_back(measure_space(digit, points[t], cell));
-    (digit == opposing ? thumb : others).merge(cells_of(points[t], 3, cell));
+    const Cells cells = cells_of(points[t], 3, kShared * cell);
+    (digit == opposing ? thumb : others).insert(cells.begin(), cells.end());
   }
-  for (const Cell& each : thumb) out.overlap += others.count(each) > 0 ? std::pow(cell, 3) : 0;
+  for (const Cell& each : thumb)
+    if (others.count(each) > 0) out.overlap += std::pow(kShared * cell, 3);
   return out;
 }
 

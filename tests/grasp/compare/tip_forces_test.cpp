@@ -9,6 +9,7 @@
 #include "grasp/robot_hand.h"
 #include "tendons/hand/human_hand.h"
 #include "tests/grasp/closing_samples.h"
+#include "tests/grasp/jaws.h"
 
 namespace thenar {
 namespace {
@@ -59,20 +60,72 @@ TEST(TipForces, OfABreakawayFingerAreThoseOfItsOuterJoint) {
   EXPECT_NEAR(tip_forces(RobotHand(robot), Eigen::Vector2d(0, 0), 0).closing, 0.6 / kArm, 1e-6);
 }
 
+// Virtual work of a pinch: 2 N of one motor move both jaws by its way, so 2 f = 2 N.
+TEST(TipForces, OfJawsOfOneMotorShareItsEffort) {
+  const RobotHand hand(sample::jaws());
+  for (int tip = 0; tip < 2; ++tip)
+    EXPECT_NEAR(tip_forces(hand, Eigen::VectorXd::Constant(1, 0.02), tip).closing, 1, 1e-6);
+}
+
+/// Two links of one tendon on a third of its own motor, which is strong: 1 : 0.5 : 0.5.
+RobotSpec tendon_finger(double effort) {
+  RobotSpec robot = sample::finger(RobotDofKind::kCompliant);
+  robot.links.push_back(sample::phalanx("tip", "finger"));
+  robot.joints[0].dof = "root";
+  robot.joints[1].dof = "tendon";
+  robot.joints.push_back(
+      sample::hinge("outer", "distal", "tip", {sample::kLength, 0, 0}, "tendon", 0.5));
+  robot.dofs = {sample::motor("root", RobotDofKind::kRigid),
+                sample::motor("tendon", RobotDofKind::kCompliant)};
+  robot.dofs[0].max_effort = 1000;
+  robot.dofs[1].max_effort = effort;
+  robot.dofs[1].upper = kPi;
+  return robot;
+}
+
+// Both outer joints bend by 45 degrees and have the same torque u, so f has the same lever about
+// both: it is parallel to the link between them, u / a with a = l3 sin 45 deg. Its share in the way
+// of closing follows from that link's frame (x along it), where the tip moves by v.
+TEST(TipForces, OfTwoJointsOfOneTendonAreParallelToTheLinkBetween) {
+  const double u = 0.5, c = std::sqrt(0.5), l = sample::kLength, a = kArm * c;
+  const Eigen::Vector2d v(-a + (l * c - a), a + l / 2 + (l * c + l + a));
+  const RobotHand hand(tendon_finger(u));
+  const Eigen::Vector3d q(0.4, kPi / 4, kPi / 4);
+  EXPECT_NEAR(tip_forces(hand, q, 0).closing, u / a * -v.x() / v.norm(), 1e-5);
+}
+
 TipForces in_the_middle(const Hand& hand, int tip) {
   return tip_forces(hand, (hand.layout().lower + hand.layout().upper) / 2, tip);
+}
+
+RobotHand robot(const std::string& name) {
+  return RobotHand(read_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml"));
 }
 
 // The file's effort is worked out by hand from 15 N at the tip [Townsend2000]; the nearest of 64
 // directions is at most 12 degrees off.
 TEST(TipForces, OfABarrettHandArePublished) {
   for (const char* name : {"barrett", "barrett_bh8_280"}) {
-    const RobotHand hand(read_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml"));
+    const RobotHand hand = robot(name);
     for (int tip = 0; tip < 3; ++tip) {
       EXPECT_LE(in_the_middle(hand, tip).largest, 15.05);  // effort of three figures
       EXPECT_GT(in_the_middle(hand, tip).largest, 15 * std::cos(0.21));
     }
   }
+}
+
+// Each jaw presses with 80 N [DrakeModels].
+TEST(TipForces, OfTheParallelJawAreThoseOfItsMaker) {
+  for (int tip = 0; tip < 2; ++tip)
+    EXPECT_NEAR(in_the_middle(robot("parallel_jaw"), tip).closing, 80, 1e-4);
+}
+
+// 5 N m on both knuckles; pads stay parallel, so that they move as the ends of the knuckles,
+// 37.6 and 43 mm from their axes: 2 f |arm| = 5 N m.
+TEST(TipForces, OfARobotiqAreHalfOfItsEffortByArm) {
+  for (int tip = 0; tip < 2; ++tip)
+    EXPECT_NEAR(in_the_middle(robot("robotiq_2f85"), tip).closing,
+                5 / (2 * std::hypot(37.6e-3, 43e-3)), 1e-3);
 }
 
 // Men pinch between the tips of thumb and index with some 76 N, women with some 50 N

@@ -1,0 +1,85 @@
+// Tests for grasp/compare/workspace.cpp: areas and volumes that tips sweep, in closed form.
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "grasp/compare/abilities.h"
+#include "grasp/robot_hand.h"
+#include "tests/grasp/closing_samples.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kArm = sample::kLength + sample::kRadius;  // of the tip [m]
+
+/// Two hinges that turn each by itself, by up to 90 degrees.
+RobotSpec planar_arm() {
+  RobotSpec robot = sample::finger(RobotDofKind::kRigid);
+  robot.joints[1].dof = "second";
+  robot.joints[1].ratio = 1;
+  robot.dofs.push_back(sample::motor("second", RobotDofKind::kRigid));
+  return robot;
+}
+
+/// A tip that turns by 90 degrees about z, by up to 45 degrees off the plane, and slides outwards
+/// by 60 mm.
+RobotSpec telescope() {
+  RobotSpec robot;
+  robot.name = "telescope";
+  robot.links = {{}, {}, {}, sample::phalanx("tip", "finger")};
+  const std::vector<std::string> names{"base", "turret", "barrel"};
+  for (std::size_t i = 0; i < names.size(); ++i) robot.links[i].name = names[i];
+  robot.joints = {sample::hinge("turn", "base", "turret", {0, 0, 0}, "turn", 1),
+                  sample::hinge("lift", "turret", "barrel", {0, 0, 0}, "lift", 1),
+                  sample::hinge("slide", "barrel", "tip", {0, 0, 0}, "slide", 1)};
+  robot.joints[1].axis = {0, -1, 0};
+  robot.joints[1].upper = kPi / 4;
+  robot.joints[2].kind = RobotJointKind::kPrismatic;
+  robot.joints[2].axis = {1, 0, 0};
+  robot.joints[2].upper = 0.06;
+  for (const RobotJoint& joint : robot.joints) {
+    robot.dofs.push_back(sample::motor(joint.name, RobotDofKind::kRigid));
+    robot.dofs.back().upper = joint.upper;
+  }
+  return robot;
+}
+
+DigitAbility space_of(const RobotSpec& robot, int draws, double cell) {
+  std::mt19937 random(1);
+  return workspaces(RobotHand(robot), draws, cell, random).digits.front();
+}
+
+// Angles a and b of [0, pi/2]: area  integral l1 l2 sin b da db = l1 l2 pi/2.
+TEST(Workspace, OfAPlanarArmHasItsAreaWithinItsError) {
+  for (const int draws : {3000, 30000})
+    for (const double cell : {2e-3, 5e-3}) {
+      const DigitAbility finger = space_of(planar_arm(), draws, cell);
+      EXPECT_EQ(finger.dimension, 2);
+      EXPECT_NEAR(finger.workspace, sample::kLength * kArm * kPi / 2, finger.workspace_error)
+          << draws << " draws, cells of " << cell << " m";
+    }
+}
+
+// Between radii r and R: volume  (R^3 - r^3) / 3  pi/2  sin 45 deg.
+TEST(Workspace, OfATelescopeHasThatOfItsShellWithinItsError) {
+  const double exact =
+      (std::pow(kArm + 0.06, 3) - std::pow(kArm, 3)) / 3 * kPi / 2 * std::sqrt(0.5);
+  for (const int draws : {5000, 50000})
+    for (const double cell : {3e-3, 5e-3}) {
+      const DigitAbility tip = space_of(telescope(), draws, cell);
+      EXPECT_EQ(tip.dimension, 3);
+      EXPECT_NEAR(tip.workspace, exact, tip.workspace_error)
+          << draws << " draws, cells of " << cell << " m";
+    }
+}
+
+TEST(Workspace, IsKnownBetterByMoreDraws) {
+  const DigitAbility few = space_of(telescope(), 5000, 5e-3);
+  const DigitAbility many = space_of(telescope(), 50000, 5e-3);
+  EXPECT_LT(many.workspace_error, 0.7 * few.workspace_error);
+  EXPECT_LT(many.workspace_error, 0.25 * many.workspace);
+}
+
+}  // namespace
+}  // namespace thenar
