@@ -1,4 +1,5 @@
-// Every hand that is compared by default holds a ball of 70 mm in one of its first 20 approaches.
+// Every robot that is compared by default, and tier 1 of the human hand, holds a ball of 70 mm in
+// one of its first 20 approaches; so do the other tiers where THENAR_ALL_HANDS is set: long_hands.
 
 #include <cstdlib>
 
