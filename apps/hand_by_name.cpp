@@ -11,6 +11,7 @@
 #include "data/io/file_kind.h"
 #include "data/io/nearest_name.h"
 #include "data/io/robot/import_robot.h"
+#include "grasp/guess_hand.h"
 #include "grasp/robot_hand.h"
 #include "grasp/tendon_closing.h"
 #include "tendons/hand/hand_use.h"
@@ -38,7 +39,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
 }
 
 NamedHand robot(const std::string& name, const std::string& file) {
-  const RobotSpec spec = import_robot(file);
+  const RobotSpec spec = graspable(import_robot(file));
   NamedHand hand;
   hand.name = name;
   hand.file = file;

@@ -29,7 +29,7 @@ bool is_object(const PlacedBody& placed, const std::string& name) {
 SceneBody build_body(const PlacedBody& placed) {
   SceneBody body;
   body.name = placed.body.name;
-  body.material = placed.body.material;
+  body.material = placed.body.material.empty() ? kGuessedMaterial : placed.body.material;
   body.solid = build_solid(placed.body.shapes);
   body.X_WB = placed.X_WB;
   body.com =

@@ -16,6 +16,9 @@ const Material& Materials::at(const std::string& name) const {
 }
 
 Friction Materials::between(const std::string& a, const std::string& b) const {
+  require(!a.empty() && !b.empty(),
+          "no friction between '{}' and '{}': one of these links or bodies has no 'material'", a,
+          b);
   const auto found = friction.find(std::minmax(a, b));
   require(found != friction.end(), "no friction between '{}' and '{}'", a, b);
   return found->second;

@@ -23,6 +23,9 @@ struct Material {
   double layer_thickness = 0;  // of its soft layer [m]; 0: rigid
 };
 
+/// What a surface is taken to be made of where nothing says it: hard and rather smooth.
+inline constexpr const char* kGuessedMaterial = "plastic";
+
 struct Materials {
   std::vector<Material> materials;
   std::map<std::pair<std::string, std::string>, Friction> friction;  // names in alphabetic order

@@ -56,6 +56,8 @@ TEST(Materials, NameWhatIsMissing) {
               HasSubstr("no material 'cheese'; there are frictionless, glass, metal"));
   EXPECT_EQ(message_of([] { (void)built_in_materials().between("sandpaper", "glass"); }),
             "no friction between 'sandpaper' and 'glass'");
+  EXPECT_EQ(message_of([] { (void)built_in_materials().between("", "glass"); }),
+            "no friction between '' and 'glass': one of these links or bodies has no 'material'");
 }
 
 TEST(Materials, StandOverOthers) {
