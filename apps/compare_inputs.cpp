@@ -5,6 +5,8 @@
 #include <sstream>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "apps/data_folder.h"
 #include "apps/hand_by_name.h"
 #include "apps/read_source.h"
@@ -89,6 +91,11 @@ std::string program_hash() {
 std::vector<ComparedHand> hands_of(const CompareQuestion& question) {
   std::vector<ComparedHand> hands;
   for (const std::string& name : question.hands) hands.push_back(to_compare(name, question.data));
+  for (const std::string& name : question.objects)
+    if (read_object(object_file(name, question.data)).material.empty())
+      for (ComparedHand& hand : hands)
+        hand.warnings.push_back(fmt::format("no material is stated of object '{}': {} is taken",
+                                            name, kGuessedMaterial));
   return hands;
 }
 
@@ -96,6 +103,8 @@ std::vector<BodySpec> objects_of(const CompareQuestion& question) {
   std::vector<BodySpec> objects;
   for (const std::string& name : question.objects)
     objects.push_back(read_object(object_file(name, question.data)));
+  for (BodySpec& object : objects)
+    if (object.material.empty()) object.material = kGuessedMaterial;
   return objects;
 }
 
