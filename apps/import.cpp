@@ -47,6 +47,8 @@ struct Imported {
   Json report;
   std::vector<std::string> endings;               // of outputs that it can be written to
   std::function<void(const std::string&)> write;  // to a path
+  /// What a file of that ending could not say; empty: nothing is ever lost.
+  std::function<std::vector<std::string>(const std::string&)> lost = {};
 };
 
 /// A file as seen from the folder of `out`. @param from  folder that it is relative to
@@ -64,16 +66,20 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
 
 Imported import_robot_file(const std::string& path) {
   const RobotSpec robot = import_robot(path);
-  return {report(robot, find_robot_kind(path)), {".toml", ".urdf"}, [=](const std::string& out) {
+  return {report(robot, find_robot_kind(path)),
+          {".toml", ".urdf"},
+          [=](const std::string& out) {
             RobotSpec moved = robot;
             for (RobotLink& link : moved.links)
               point_to(link.shapes, fs::path(path).parent_path(), out);
-            if (fs::path(out).extension() == ".toml") {
+            if (fs::path(out).extension() == ".toml")
               write_file(out, robot_toml(moved));
-            } else {
-              for (const std::string& warning : write_urdf(out, moved))
-                fmt::print(stderr, "{}: {}\n", out, warning);
-            }
+            else
+              (void)write_urdf(out, moved);  // its warnings were told before
+          },
+          [=](const std::string& out) {
+            return fs::path(out).extension() == ".urdf" ? robot_urdf(robot, "").warnings
+                                                        : std::vector<std::string>{};
           }};
 }
 
@@ -231,7 +237,10 @@ void run(const Options& options) {
   require_ending(options.out, imported.endings);
   fmt::print("{}{}", options.json ? imported.report.dump(2) : report_text(imported.report),
              options.json ? "\n" : "");
-  const std::size_t warnings = imported.report.at("warnings").size();
+  const std::vector<std::string> lost =
+      imported.lost ? imported.lost(options.out) : std::vector<std::string>{};
+  for (const std::string& warning : lost) fmt::print(stderr, "{}: {}\n", options.out, warning);
+  const std::size_t warnings = imported.report.at("warnings").size() + lost.size();
   require(!options.strict || warnings == 0, "--strict: {} warning{} about '{}'; nothing is written",
           warnings, warnings == 1 ? "" : "s", options.file);
   if (!options.out.empty()) imported.write(options.out);
