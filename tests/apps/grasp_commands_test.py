@@ -419,7 +419,7 @@ class GraspOfJaws(unittest.TestCase):
             answer = self.ask("close", self.world(kind=kind, size=size))
             for key in ("actuated_epsilon_N", "weight_N", "hold_N", "hold_actuated_N",
                         "times_weight", "pull_N", "turn_Nm", "stiffness_N_per_m",
-                        "manipulability_m_per_rad"):
+                        "manipulability"):
                 self.assertTrue(answer[key] is not None or answer["reasons"][key], (kind, key))
 
     def test_robustness_is_of_its_seed(self):
