@@ -39,6 +39,7 @@ class Search {
     }
     const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
     if (ok() && !met && !exhausted_) result_.status = ConeStatus::kStalled;
+    result_.lower = std::min(result_.lower, result_.upper);
     return result_;
   }
 

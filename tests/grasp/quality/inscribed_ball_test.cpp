@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +62,19 @@ TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
 TEST(InscribedBall, SaysWhereNoForceIsPossible) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
   EXPECT_EQ(inscribed_ball(hand).status, ConeStatus::kInfeasible);
+}
+
+// One contact withstands nothing: upper is zero to rounding, of either sign, and lower below it.
+TEST(InscribedBall, KeepsItsBoundsInOrderWhereNothingIsWithstood) {
+  std::mt19937 rng(2);
+  const auto number = [&] { return 2.0 * rng() / std::mt19937::max() - 1; };
+  for (int trial = 0; trial < 30; ++trial) {
+    const Eigen::Vector3d p = Eigen::Vector3d::NullaryExpr(number);
+    const WrenchSet set = wrench_set({{p, -p.normalized(), 0.5, 0}}, {0, 0, 0}, 1);
+    const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
+    ASSERT_LE(ball.lower, ball.upper);
+    ASSERT_LE(ball.upper, kSolved);
+  }
 }
 
 TEST(TaskWrenches, WorstOfAListCounts) {
