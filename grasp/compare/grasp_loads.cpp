@@ -57,6 +57,16 @@ Limited limited(const HeldForces& forces, ConeStatus status, double value,
   return {value, ""};
 }
 
+/// A load along an axis that is proven not to be borne, however small; zero: none is.
+Wrench unborne_load(const ForceSet& forces) {
+  for (const Wrench& load : both_ways(0, 5, 1)) {
+    const Reach reach = largest_load(forces, load);
+    if (reach.status == ConeStatus::kSolved && reach.value < kNoLoad) return load;
+    if (reach.status == ConeStatus::kInfeasible) return load;
+  }
+  return Wrench::Zero();
+}
+
 }  // namespace
 
 GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
@@ -85,8 +95,10 @@ Limited hand_epsilon(const Held& held, const SceneBody& object) {
   if (!effort.empty()) return {kUnknown, "the effort of '" + effort + "' is unknown"};
   BallOptions options;
   options.gap = kGap;
-  const InscribedBall ball =
-      inscribed_ball(hand_forces(held_by.set, held_by.T, held_by.actuation), options);
+  const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
+  const Wrench unborne = unborne_load(forces);
+  if (!unborne.isZero(0)) return {0, why_nothing_holds(held_by, {unborne})};
+  const InscribedBall ball = inscribed_ball(forces, options);
   const bool known = ball.status == ConeStatus::kStalled && ball.lower > kNoLoad;  // less sharply
   return limited(held_by, known ? ConeStatus::kSolved : ball.status, ball.lower, {ball.worst_load},
                  1);

@@ -40,7 +40,8 @@ struct Held {
                                      const std::vector<GraspTask>& tasks);
 
 /// Radius of inscribed_ball() of the same forces, torques divided by the object's reach, to 5 %
-/// from below where the search ends, else its certified lower bound [N].
+/// from below where the search ends, else its certified lower bound [N]. Zero as soon as one load
+/// along an axis is proven not to be borne.
 [[nodiscard]] Limited hand_epsilon(const Held& held, const SceneBody& object);
 
 }  // namespace thenar
