@@ -267,6 +267,17 @@ kind = "{kind}"
 """
 
 
+PARCEL = """name = "parcel"
+description = "A parcel of tea in the air, for any hand"
+source = "Scene"
+[sources]
+Scene = "Arranged for this test"
+[[body]]
+role = "object"
+file = "{data}/objects/box.toml"
+"""
+
+
 class WorldsOfData(unittest.TestCase):
     """Every world that comes with thenar shows a grasp that holds."""
 
@@ -432,6 +443,7 @@ class GraspOfJaws(unittest.TestCase):
         for kind in ("contacts", "pose"):
             self.assertTrue(0 <= found[kind]["closure_lower"] <= found[kind]["closure"]
                             <= found[kind]["closure_upper"] <= 1)
+            self.assertEqual(found[kind]["epsilon_5_percent"] is None, found[kind]["misses"] > 0)
 
     # Unit forces: no wrench of the set has a force longer than a contact's own, sqrt(1 + mu^2).
     def test_wrench_sets_are_printed_as_meshes(self):
@@ -443,11 +455,42 @@ class GraspOfJaws(unittest.TestCase):
         self.assertTrue(0 < longest <= math.hypot(1, friction) + 1e-6, longest)
         self.assertLess(max(max(t) for t in forces["triangles"]), len(forces["vertices_N"]))
 
-    def test_pyramids_lie_in_the_cones(self):
+    # A square has less area than its circle, and cones are discs here: their hull is smaller.
+    def test_pyramids_are_weaker_than_cones_by_what_they_lack(self):
         world = self.world(kind="box", size="size_mm = [20, 20, 20]")
         cone = self.ask("grasp", world, "--no-approach")
         pyramid = self.ask("grasp", world, "--no-approach", "--edges", "4")
-        self.assertLessEqual(pyramid["epsilon"]["lower"], cone["epsilon"]["upper"])
+        self.assertLess(pyramid["volume"], cone["volume_bounds"]["lower"])
+        self.assertEqual((cone["friction_edges"], pyramid["friction_edges"]), (0, 4))
+        self.assertEqual(pyramid["actuated_epsilon_N"], cone["actuated_epsilon_N"])
+
+    # Both jaws go with one motor, against each other: nothing between them can follow.
+    def test_jaws_of_one_motor_move_nothing_they_hold(self):
+        answer = self.ask("close", self.world(kind="box", size="size_mm = [20, 20, 20]"))
+        moved = answer["manipulability"]
+        self.assertEqual((moved["rank"], moved["drives"], moved["unit"]), (0, 1, "m/m"))
+        self.assertEqual(moved["singular_values"], [])
+
+    # The same draws, hand and object: the same grasps.
+    def test_random_starts_are_those_of_compare(self):
+        data = ROBOTS.parent
+        world = self.folder / "parcel.toml"
+        world.write_text(PARCEL.format(data=data))
+        for hand in ("parallel_jaw", "barrett"):
+            drawn = self.ask("grasp", str(world), "--hand", hand, "--random", "12", "--seed", "2")
+            cell = self.ask("compare", "--hands", hand, "--objects", "box", "--approaches", "12",
+                            "--seed", "2", "--best", "0")["cells"][0]
+            self.assertGreater(cell["closures"], 0)
+            self.assertEqual(drawn["starts"]["force_closures"], cell["closures"])
+            self.assertAlmostEqual(drawn["epsilon"]["lower"], max(cell["epsilon"]), delta=1e-12)
+
+    def test_zeros_have_no_sign_and_time_counts_all(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        words = ("grasp", world, "--no-approach", "--robustness", "30", "--json")
+        text = self.run_it(*words).stdout
+        self.assertIsNone(re.search(r"-0\.0\b(?!\d)", text))
+        few = json.loads(self.run_it("grasp", world, "--no-approach", "--json").stdout)
+        self.assertGreater(json.loads(text)["cpu_s"], few["cpu_s"])
 
     def test_the_page_holds_its_pictures(self):
         page = self.folder / "page.html"
