@@ -41,11 +41,18 @@ struct Answer {
   double cpu;  // [s]
 };
 
-constexpr double kPolytopeGap = 1e-10;  // epsilon of points is exact at little cost [1]
+constexpr double kPolytopeGap = 1e-10;  // of the largest wrench: exact at little cost [1]
+constexpr int kMostEdges = 1000;        // of a pyramid: finer ones take minutes and change nothing
 
 bool is_polytope(const WrenchSet& set) {
   return std::all_of(set.caps.begin(), set.caps.end(),
                      [](const WrenchCap& cap) { return cap.A.cols() == 0; });
+}
+
+double largest_wrench(const WrenchSet& set) {
+  double largest = 0;
+  for (const WrenchCap& cap : set.caps) largest = std::max(largest, cap.c.norm());
+  return largest;
 }
 
 /// Wrenches of a file: its cones or their pyramids, and generators where they are given.
@@ -69,10 +76,13 @@ Answer answer(const ContactFile& file, const Options& options) {
   const WrenchSet set = wrenches_of(file, options.edges);
   EpsilonOptions wanted;
   wanted.limit = limit;
-  wanted.gap = is_polytope(set) ? std::min(options.gap, kPolytopeGap) : options.gap;
+  wanted.gap = options.gap;
+  const double sharp = kPolytopeGap * largest_wrench(set);
+  if (is_polytope(set) && sharp > 0) wanted.gap = std::min(options.gap, sharp);
   VolumeOptions of_volume;
   of_volume.limit = limit;
   Answer result{epsilon(set, wanted), volume(set, of_volume), 0};
+  result.epsilon.converged = result.epsilon.upper - result.epsilon.lower <= options.gap;
   result.cpu = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return result;
 }
@@ -126,8 +136,8 @@ std::string text_of(const std::string& path, const ContactFile& file, const Answ
 
 void run(const Options& options) {
   require(options.gap > 0, "wanted --gap above 0, got {}", options.gap);
-  require(options.edges == 0 || options.edges >= 3, "wanted --edges of 3 or more, got {}",
-          options.edges);
+  require(options.edges == 0 || (options.edges >= 3 && options.edges <= kMostEdges),
+          "wanted --edges of 3 to {}, got {}", kMostEdges, options.edges);
   std::vector<ContactFile> files;
   for (const std::string& path : options.files) files.push_back(read_contact_file(path));
   std::string lines;
@@ -150,7 +160,7 @@ void add_quality(CLI::App& app) {
   command->add_option("contacts", options->files, "Contacts as JSON; several give a line each")
       ->required();
   command->add_option("--edges", options->edges,
-                      "Friction pyramids of so many edges in place of cones; 0: cones");
+                      "Friction pyramids of so many edges, 3 to 1000, in place of cones; 0: cones");
   command
       ->add_option("--norm", options->norm,
                    "l1: normal forces sum up to 1; linf: each of them is at most 1")
