@@ -64,7 +64,7 @@ Volume tighter(const Volume& fine, Volume coarse) {
 
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   VolumeOptions patient = options;
-  patient.most_facets = 4 * std::min(options.most_facets, 100000000);
+  patient.most_facets = 8 * std::min(options.most_facets, 100000000);
   const PolytopeVolume v = polytope_volume(pyramids(set, options.edges), patient);
   if (!v.complete) return {v.volume, kInfinity, kNone, false, v.facets, 0};
   return {v.volume, v.volume, v.volume, true, v.facets, 0};

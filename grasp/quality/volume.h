@@ -10,7 +10,7 @@ struct VolumeOptions {
   ForceLimit limit = ForceLimit::kL1;
   int edges = 12;            // of the pyramids in and about each cone
   int most_facets = 250000;  // of a hull before giving up; cones are then cut to half the edges.
-                             // Four times as many without cones
+                             // Eight times as many without cones
 };
 
 /// Six-dimensional volume [unit forces^6].
