@@ -376,10 +376,18 @@ class GraspOfJaws(unittest.TestCase):
         self.assertIn("jaw on ball", opening["why"])
         self.assertTrue(RADIUS < opening["value"] <= RADIUS + GAP, opening["value"])
 
+    # All eight corners touch, with friction 1. A twist about the line of closing is borne worst: unit
+    # forces across it at a sqrt(2) from it, over the reach a sqrt(3). The motor's 160 N are 160 times
+    # that.
     def test_a_cube_between_jaws_is_held(self):
         answer = self.ask("close", self.world(kind="box", size="size_mm = [20, 20, 20]"))
+        self.assertEqual(len(answer["contacts"]), 8)
         self.assertTrue(answer["force_closure"])
-        self.assertGreater(answer["epsilon"]["lower"], 0)
+        for bounds, wanted in ((answer["epsilon"], math.sqrt(2 / 3)),
+                               (answer["actuated_epsilon_N"], 160 * math.sqrt(2 / 3))):
+            self.assertLessEqual(bounds["lower"], wanted * (1 + 1e-6))
+            self.assertGreaterEqual(bounds["upper"], wanted * (1 - 1e-6))
+            self.assertLess(bounds["upper"] - bounds["lower"], 0.01 * wanted)
 
     # The palm goes on until it touches the ball, 10 mm before the ball's middle.
     def test_the_approach_ends_at_the_palm(self):
