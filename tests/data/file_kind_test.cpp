@@ -2,25 +2,28 @@
 
 #include "data/io/file_kind.h"
 
-#include <cstdio>
 #include <fstream>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
 
 const std::string kData = THENAR_DATA_DIR;
 
-std::string written(const std::string& text) {
-  const std::string path = testing::TempDir() + "file_kind_test.toml";
-  std::ofstream(path) << text;
-  return path;
-}
+class FileKinds : public TemporaryFolder {
+ protected:
+  [[nodiscard]] std::string written(const std::string& text) const {
+    const std::string file = path("some.toml");
+    std::ofstream(file) << text;
+    return file;
+  }
+};
 
-TEST(FileKind, TellsDataFilesByWhatTheyHold) {
+TEST_F(FileKinds, AreToldByWhatDataFilesHold) {
   EXPECT_EQ(find_file_kind(kData + "/subjects/an_chao_middle.toml"), FileKind::kSubject);
   EXPECT_EQ(find_file_kind(kData + "/subjects/valero_cuevas_index.toml"), FileKind::kSubject);
   EXPECT_EQ(find_file_kind(kData + "/experiments/synek2019_H01.toml"), FileKind::kExperiment);
@@ -33,11 +36,11 @@ TEST(FileKind, TellsDataFilesByWhatTheyHold) {
   EXPECT_EQ(find_file_kind(kData + "/robots/barrett.toml"), FileKind::kRobot);
 }
 
-TEST(FileKind, TellsResultsByTheirFirstBytes) {
+TEST_F(FileKinds, OfResultsAreToldByTheirFirstBytes) {
   EXPECT_EQ(find_file_kind(written("\x89HDF\r\n\x1a\n and more")), FileKind::kResult);
 }
 
-TEST(FileKind, RefusesWhatIsNone) {
+TEST_F(FileKinds, AreRefusedWhereThereIsNone) {
   EXPECT_THROW((void)find_file_kind(written("name = \"x\"\n")), DataError);
   EXPECT_THROW((void)find_file_kind(kData + "/nowhere.toml"), DataError);
 }
