@@ -11,6 +11,7 @@
 #include <fmt/ranges.h>
 
 #include "grasp/robot_hand.h"
+#include "grasp/tip_ways.h"
 
 namespace thenar {
 namespace {
@@ -27,17 +28,6 @@ constexpr double kNowhere = 1e-6;  // way that gives no direction [m]
 /// Zero, or the limit next to it.
 VectorXd rest_of(const HandLayout& layout) {
   return layout.lower.cwiseMax(0).cwiseMin(layout.upper);
-}
-
-Eigen::Matrix3Xd tips_at(const Hand& hand, const VectorXd& q) {
-  const std::vector<HandTip>& tips = hand.layout().tip_points;
-  const std::vector<Pose<double>> links = hand.pose(q);
-  Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(tips.size()));
-  for (Eigen::Index t = 0; t < at.cols(); ++t) {
-    const HandTip& tip = tips[static_cast<std::size_t>(t)];
-    at.col(t) = tip.link < 0 ? tip.p : links[static_cast<std::size_t>(tip.link)] * tip.p;
-  }
-  return at;
 }
 
 /// Sum of squared distances between tips [m^2].

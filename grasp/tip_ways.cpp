@@ -24,6 +24,8 @@ double whole_time(const HandLayout& layout, const Eigen::VectorXd& q,
   return time;
 }
 
+}  // namespace
+
 Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q) {
   const std::vector<HandTip>& tips = hand.layout().tip_points;
   const std::vector<Pose<double>> links = hand.pose(q);
@@ -34,8 +36,6 @@ Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q) {
   }
   return at;
 }
-
-}  // namespace
 
 TipWays tip_ways(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();

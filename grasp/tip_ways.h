@@ -8,6 +8,9 @@
 
 namespace thenar {
 
+/// The tips at a posture, hand frame [m] (3, tips)
+[[nodiscard]] Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q);
+
 /// The tips at equal times from a posture until every coordinate that a drive moves has come to its
 /// limit, each at its own speed and nothing in the way; hand frame.
 struct TipWays {

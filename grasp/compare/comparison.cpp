@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "grasp/closing_drives.h"
+#include "grasp/tip_ways.h"
 
 namespace thenar {
 namespace {
@@ -47,12 +48,10 @@ double HandOnObject::achieved(GraspTask task) const {
 
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
-  const std::vector<Pose<double>> links = hand.pose(open_posture(hand.layout()));
+  const Eigen::Matrix3Xd tips = tips_at(hand, open_posture(layout));
   double reach = 0;
-  for (const HandTip& tip : layout.tip_points) {
-    const Eigen::Vector3d at = tip.link < 0 ? tip.p : links[tip.link] * tip.p;
-    reach = std::max(reach, (at - layout.approach.point).norm());
-  }
+  for (Eigen::Index t = 0; t < tips.cols(); ++t)
+    reach = std::max(reach, (tips.col(t) - layout.approach.point).norm());
   return reach;
 }
 

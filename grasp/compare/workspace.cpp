@@ -11,6 +11,7 @@
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
 #include "grasp/draw_uniform.h"
+#include "grasp/tip_ways.h"
 
 namespace thenar {
 namespace {
@@ -89,11 +90,9 @@ Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& ra
   const HandLayout& layout = hand.layout();
   std::vector<Eigen::Matrix3Xd> points(layout.tip_points.size(), Eigen::Matrix3Xd(3, draws));
   for (int n = 0; n < draws; ++n) {
-    const std::vector<Pose<double>> links = hand.pose(draw_posture(layout, random));
-    for (std::size_t t = 0; t < points.size(); ++t) {
-      const HandTip& tip = layout.tip_points[t];
-      points[t].col(n) = tip.link < 0 ? tip.p : links[tip.link] * tip.p;
-    }
+    const Eigen::Matrix3Xd tips = tips_at(hand, draw_posture(layout, random));
+    for (std::size_t t = 0; t < points.size(); ++t)
+      points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
   }
   Workspaces out;
   std::set<Cell> thumb, others;
