@@ -49,10 +49,8 @@ void note(GraspAnswer& found, Grasp grasp, int number, const Trial& start) {
 }  // namespace
 
 WrenchSet wrenches_of(const GraspQuestion& question, const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& found : contacts) plain.push_back(found.contact);
   const SceneBody& object = question.scene.object;
-  const WrenchSet set = wrench_set(plain, object.com, object.reach);
+  const WrenchSet set = wrench_set(plain(contacts), object.com, object.reach);
   return question.edges > 0 ? pyramids(set, question.edges) : set;
 }
 

@@ -10,10 +10,8 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
-#include "grasp/compare/load_reason.h"
 #include "grasp/contact/curvature.h"
 #include "grasp/contact/soft_finger.h"
-#include "grasp/quality/stops.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -36,19 +34,10 @@ struct Asked {
   const GraspQuestion& question;
   const TouchingHand& touching;
   const Grasp& grasp;
+  Held hand;
   HeldForces held;
   ForceSet forces;  // within what drives the hand
 };
-
-std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& each : contacts) plain.push_back(each.contact);
-  return plain;
-}
-
-Pose<double> object_in_hand(const GraspQuestion& question, const Grasp& grasp) {
-  return grasp.approached.X_WH.inverse() * question.scene.object.X_WB;
-}
 
 Measured<double> weight_of(const GraspQuestion& question) {
   for (const PlacedBody& placed : question.world.bodies) {
@@ -126,26 +115,13 @@ Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
 
 void add_margins(const Asked& asked, GraspMeasures& measures) {
   const double mass = measures.weight.value.value_or(kGravity) / kGravity;
-  const Held held{*asked.touching.hand, asked.grasp.closed.q, asked.grasp.contacts,
-                  object_in_hand(asked.question, asked.grasp)};
   const GraspLoads loads =
-      grasp_loads(held, asked.question.scene.object, mass,
+      grasp_loads(asked.hand, asked.question.scene.object, mass,
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
   measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
                                                 : none<double>(measures.weight.reason);
   measures.pull = margin_of(loads, GraspTask::kPull);
   measures.turn = margin_of(loads, GraspTask::kTurn);
-}
-
-bool is_soft(const Material& material) {
-  return material.young > 0 && material.layer_thickness > 0;
-}
-
-/// The layer that gives way; null: neither.
-const Material* soft_layer(const Material& a, const Material& b) {
-  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
-  if (!is_soft(b)) return &a;
-  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
 }
 
 PrincipalCurvatures curvatures_at(const Solid& solid, const Pose<double>& X_OB,
@@ -179,7 +155,8 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   for (const HandContact& found : asked.grasp.contacts) {
     const LinkSurface& link =
         asked.touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
-    const Material* layer = soft_layer(materials.at(link.material), materials.at(object.material));
+    const Material* layer =
+        softer_layer(materials.at(link.material), materials.at(object.material));
     if (layer == nullptr)
       return none<GraspStiffness>(
           fmt::format("neither {} nor {} has a soft layer: contacts of {} are rigid", link.material,
@@ -240,13 +217,12 @@ std::string volume_words(const Volume& v) {
 GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
                       const GraspAnswer& answer) {
   const Grasp& grasp = answer.grasp;
-  const Hand& hand = *touching.hand;
   const SceneBody& object = question.scene.object;
-  HeldForces held{hand.layout(), wrench_set(plain(grasp.contacts), object.com, object.reach),
-                  torque_map(hand, grasp.closed.q, grasp.contacts, object_in_hand(question, grasp)),
-                  actuation_with_stops(hand, grasp.closed.q)};
+  const Held hand{*touching.hand, grasp.closed.q, grasp.contacts,
+                  grasp.approached.X_WH.inverse() * object.X_WB};
+  HeldForces held = forces_of(hand, object);
   ForceSet forces = hand_forces(held.set, held.T, held.actuation);
-  const Asked asked{question, touching, grasp, std::move(held), std::move(forces)};
+  const Asked asked{question, touching, grasp, hand, std::move(held), std::move(forces)};
   VolumeOptions of_volume;
   of_volume.limit = question.limit;
   GraspMeasures measures;

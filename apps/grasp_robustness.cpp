@@ -34,12 +34,6 @@ Pose<double> moved(const SceneBody& object, const Eigen::Vector3d& way,
   return object.X_WB * in_body;
 }
 
-std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& each : contacts) plain.push_back(each.contact);
-  return plain;
-}
-
 /// Counts draws, and stops where it is asked to.
 class Watch {
  public:

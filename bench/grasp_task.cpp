@@ -58,9 +58,8 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
   const std::vector<HandContact> contacts =
       find_contacts({task.touching, approached.X_WH, task.hand.pose(closed.q)}, scene);
   add_lap(times.contacts, lap);
-  std::vector<Contact> plain;
-  for (const HandContact& contact : contacts) plain.push_back(contact.contact);
-  const Epsilon quality = epsilon(wrench_set(plain, scene.object.com, scene.object.reach));
+  const Epsilon quality =
+      epsilon(wrench_set(plain(contacts), scene.object.com, scene.object.reach));
   add_lap(times.quality, lap);
   if (!contacts.empty()) ++times.grasped;
   if (quality.force_closure) ++times.closures;

@@ -8,12 +8,6 @@
 namespace thenar {
 namespace {
 
-std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& contact : contacts) plain.push_back(contact.contact);
-  return plain;
-}
-
 /// Back from the object by the share of its room that it has come.
 void stand_off(Approached& approached, const TouchingHand& hand, const Pose<double>& X_WH,
                const Eigen::VectorXd& q, const SceneBody& object, double share) {

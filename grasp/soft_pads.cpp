@@ -16,13 +16,6 @@ bool is_soft(const Material& material) {
   return material.young > 0 && material.layer_thickness > 0;
 }
 
-/// The layer that gives way; null: neither.
-const Material* soft_layer(const Material& a, const Material& b) {
-  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
-  if (!is_soft(b)) return &a;
-  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
-}
-
 Eigen::Vector3d middle(const ContactPatch& patch) {
   Eigen::Vector3d sum(0, 0, 0);
   for (const HandContact& each : patch.contacts) sum += each.contact.p;
@@ -67,6 +60,12 @@ double layer_torsion(const Material& layer, const GapCurvatures& gap, double fri
 
 }  // namespace
 
+const Material* softer_layer(const Material& a, const Material& b) {
+  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
+  if (!is_soft(b)) return &a;
+  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
+}
+
 double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
                   const PadOptions& options) {
   require(
@@ -75,7 +74,7 @@ double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
   require(options.force > 0 && options.step > 0 && std::isfinite(options.force + options.step),
           "force and step of soft contacts must be positive and finite, got {} N and {} m",
           options.force, options.step);
-  const Material* layer = soft_layer(a.material, b.material);
+  const Material* layer = softer_layer(a.material, b.material);
   if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
     return 0;
 

@@ -22,6 +22,10 @@ struct PadBody {
   Pose<double> X_OB;  // its solid's frame in that of the contacts
 };
 
+/// The layer that gives way where two materials meet, of least young / thickness; null: neither has
+/// one.
+[[nodiscard]] const Material* softer_layer(const Material& a, const Material& b);
+
 /// Torsion of each point of a patch [m]: of winkler_patch() in the softer layer (least young /
 /// thickness), with the radii of the gap between both surfaces at the middle of the patch; 0 of
 /// hard points, and where neither body has a layer.

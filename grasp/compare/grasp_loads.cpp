@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "grasp/compare/load_reason.h"
 #include "grasp/quality/hold_force.h"
 #include "grasp/quality/stops.h"
 #include "grasp/quality/task_wrenches.h"
@@ -38,14 +37,6 @@ std::vector<Wrench> loads_of(GraspTask task, double weight, double scale) {
   return {};
 }
 
-HeldForces forces_of(const Held& held, const SceneBody& object) {
-  std::vector<Contact> contacts;
-  for (const HandContact& contact : held.contacts) contacts.push_back(contact.contact);
-  return {held.hand.layout(), wrench_set(contacts, object.com, object.reach),
-          torque_map(held.hand, held.q, held.contacts, held.X_HO),
-          actuation_with_stops(held.hand, held.q)};
-}
-
 /// The value, or zero or NaN with the reason. @param size  of a load at value 1 [N]
 Limited limited(const HeldForces& forces, ConeStatus status, double value,
                 const std::vector<Wrench>& loads, double size) {
@@ -68,6 +59,12 @@ Wrench unborne_load(const ForceSet& forces) {
 }
 
 }  // namespace
+
+HeldForces forces_of(const Held& held, const SceneBody& object) {
+  return {held.hand.layout(), wrench_set(plain(held.contacts), object.com, object.reach),
+          torque_map(held.hand, held.q, held.contacts, held.X_HO),
+          actuation_with_stops(held.hand, held.q)};
+}
 
 GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
                        const std::vector<GraspTask>& tasks) {

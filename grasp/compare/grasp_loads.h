@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grasp/compare/comparison.h"
+#include "grasp/compare/load_reason.h"
 
 namespace thenar {
 
@@ -29,6 +30,9 @@ struct Held {
   const std::vector<HandContact>& contacts;  // object frame
   Pose<double> X_HO;                         // the object seen from the hand
 };
+
+/// What hand_forces() is made of, torques divided by the object's reach.
+[[nodiscard]] HeldForces forces_of(const Held& held, const SceneBody& object);
 
 /// Loads of tasks about the object's centre of mass, along its own axes: weight both ways along
 /// each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within

@@ -2,6 +2,8 @@
 
 /// One place where a hand touches an object.
 
+#include <vector>
+
 #include <Eigen/Core>
 
 #include "base/spatial.h"
@@ -22,6 +24,9 @@ struct HandContact {
   int surface = -1;  // entry of Hand::surfaces()
   double depth = 0;  // how far the two were in each other when it was found [m]
 };
+
+/// The contacts without what they say of the hand.
+[[nodiscard]] std::vector<Contact> plain(const std::vector<HandContact>& contacts);
 
 /// A contact seen from another frame, or moved. @param X_AB  (B: the frame it is given in)
 [[nodiscard]] Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B);

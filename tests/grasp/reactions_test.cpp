@@ -24,10 +24,8 @@ constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMu = 0.5, kEffort = 0.3;  // [1], [N m]
 
 ForceSet forces_of(const Hand& hand, const VectorXd& q, const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& contact : contacts) plain.push_back(contact.contact);
-  return hand_forces(wrench_set(plain, {0, 0.05, 0}, 0.02), torque_map(hand, q, contacts, {}),
-                     actuation_with_stops(hand, q));
+  return hand_forces(wrench_set(plain(contacts), {0, 0.05, 0}, 0.02),
+                     torque_map(hand, q, contacts, {}), actuation_with_stops(hand, q));
 }
 
 double most(const ForceSet& forces, const Vector3d& along) {
