@@ -1,0 +1,245 @@
+"""End-to-end tests of the command `thenar quality`; expected numbers are derived here by hand.
+
+Usage: quality_command_test.py [path of the program]; else the environment's THENAR.
+"""
+import itertools
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = os.environ.get("THENAR", "thenar")
+KEYS = ["epsilon", "volume", "force_closure", "rank", "missing_direction", "worst_wrench", "cpu_s"]
+EXACT = 1e-9  # of polytopes
+
+# Six fingers that press without friction along +-x, +-y, +-z would leave torques free; generators
+# along the twelve half axes of the wrench space do not: their hull is the cross-polytope.
+CROSS = [[s if k == i else 0 for k in range(6)] for i in range(6) for s in (1, -1)]
+
+
+def contact(position, normal, friction, **more):
+    return {"position": position, "normal": normal, "friction": friction, **more}
+
+
+def generators(wrenches):
+    return contact([0, 0, 0], [0, 0, 1], 0, wrenches=wrenches)
+
+
+def grasp(contacts, scale=1.0):
+    return {"centre_of_mass": [0, 0, 0], "torque_scale": scale, "contacts": contacts}
+
+
+PINCH = grasp([contact([-1, 0, 0], [1, 0, 0], 0.5), contact([1, 0, 0], [-1, 0, 0], 0.5)])
+
+
+class Quality(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def write(self, content, name="contacts.json"):
+        path = self.folder / name
+        path.write_text(content if isinstance(content, str) else json.dumps(content))
+        return str(path)
+
+    def run_on(self, content, *words):
+        return subprocess.run([PROGRAM, "quality", self.write(content), *words],
+                              capture_output=True, text=True, check=False, timeout=60)
+
+    def ask(self, content, *words):
+        result = self.run_on(content, "--json", *words)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        answer = json.loads(result.stdout)
+        self.assertLessEqual(answer["epsilon"]["lower"], answer["epsilon"]["upper"])
+        return answer
+
+    def complaint(self, content):
+        result = self.run_on(content)
+        self.assertEqual((result.returncode, result.stdout), (1, ""), result.stderr)
+        self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+        return result.stderr.strip().removeprefix(f"thenar: {self.folder}/contacts.json:")
+
+    def test_answers_with_the_promised_keys(self):
+        answer = self.ask(PINCH)
+        self.assertEqual(list(answer)[:len(KEYS)], KEYS)
+        self.assertEqual(len(answer["worst_wrench"]), 6)
+        self.assertEqual(len(answer["missing_direction"]), 6)
+
+    # The cross-polytope's facets are 1 / sqrt 6 off its centre; its volume is 2^6 / 6!.
+    def test_cross_polytope_is_exact(self):
+        for contacts in ([generators(CROSS)], [generators([w]) for w in CROSS]):
+            answer = self.ask(grasp(contacts))
+            for bound in ("lower", "upper"):
+                self.assertAlmostEqual(answer["epsilon"][bound], 1 / math.sqrt(6), delta=EXACT)
+            self.assertAlmostEqual(answer["volume"], 64 / 720, delta=EXACT)
+            self.assertTrue(answer["force_closure"])
+            self.assertIsNone(answer["missing_direction"])
+            self.assertEqual(answer["rank"], 6)
+
+    # The cube's 64 corners: facets at 1, volume 2^6. As one contact its hull is the same for both
+    # norms, as it holds 0.
+    def test_cube_is_exact_in_both_norms(self):
+        cube = grasp([generators([list(c) for c in itertools.product((-1, 1), repeat=6)])])
+        for norm in ("l1", "linf"):
+            answer = self.ask(cube, "--norm", norm)
+            self.assertAlmostEqual(answer["epsilon"]["lower"], 1, delta=EXACT)
+            self.assertAlmostEqual(answer["volume"], 64, delta=64 * EXACT)
+
+    # Twelve contacts of one generator each, every one with a limit of its own, add up to the cube.
+    def test_linf_adds_contacts_up(self):
+        answer = self.ask(grasp([generators([w]) for w in CROSS]), "--norm", "linf")
+        self.assertAlmostEqual(answer["epsilon"]["lower"], 1, delta=EXACT)
+        self.assertAlmostEqual(answer["volume"], 64, delta=64 * EXACT)
+
+    # Moved by 2 along x, the origin is 2 - 1 beyond the cross-polytope's corner.
+    def test_epsilon_is_negative_outside(self):
+        moved = [[w[0] + 2, *w[1:]] for w in CROSS]
+        answer = self.ask(grasp([generators(moved)]))
+        self.assertFalse(answer["force_closure"])
+        self.assertAlmostEqual(answer["epsilon"]["lower"], -1, delta=EXACT)
+        self.assertAlmostEqual(answer["epsilon"]["upper"], -1, delta=EXACT)
+        self.assertAlmostEqual(answer["volume"], 64 / 720, delta=EXACT)
+        self.assertAlmostEqual(answer["missing_direction"][0], -1, delta=1e-6)
+
+    # Two hard fingers cannot stop a ball from turning about the line between them.
+    def test_pinch_misses_the_twist_about_its_line(self):
+        answer = self.ask(PINCH)
+        self.assertFalse(answer["force_closure"])
+        self.assertEqual(answer["rank"], 5)
+        self.assertAlmostEqual(answer["epsilon"]["upper"], 0, delta=EXACT)
+        self.assertAlmostEqual(abs(answer["missing_direction"][3]), 1, delta=1e-6)
+        self.assertEqual(answer["volume"], 0)
+
+    def test_one_contact_and_none_have_honest_answers(self):
+        one = self.ask(grasp([contact([0, 0, 0], [0, 0, 1], 0.5)]))
+        self.assertFalse(one["force_closure"])
+        self.assertAlmostEqual(one["epsilon"]["upper"], -1, delta=EXACT)  # the normal itself
+        none = self.ask(grasp([]))
+        self.assertEqual((none["force_closure"], none["rank"], none["volume"]), (False, 0, 0))
+
+    def test_pyramids_are_no_better_than_cones(self):
+        third = 2 * math.pi / 3
+        ring = [[math.cos(k * third), math.sin(k * third), 0] for k in range(3)]
+        three = grasp([contact(p, [-x for x in p], 0.8) for p in ring])
+        cone = self.ask(three)["epsilon"]["upper"]
+        pyramids = [self.ask(three, "--edges", str(m))["epsilon"]["lower"] for m in (4, 8, 64)]
+        self.assertTrue(0 < pyramids[0] <= pyramids[1] + 1e-3 <= pyramids[2] + 2e-3 <= cone + 3e-3,
+                        (pyramids, cone))
+
+    def test_several_files_give_a_line_each(self):
+        other = self.write(grasp([generators(CROSS)]), "other.json")
+        out = self.folder / "answers" / "all.jsonl"
+        result = self.run_on(PINCH, other, "--json", "--out", str(out))
+        lines = [json.loads(line) for line in result.stdout.splitlines()]
+        self.assertEqual([line["force_closure"] for line in lines], [False, True])
+        self.assertEqual(out.read_text(), result.stdout)
+
+    def test_speaks_in_words_without_json(self):
+        text = self.run_on(PINCH).stdout
+        for words in ("force closure", "no", "epsilon", "rank", "5 of 6", "cannot make"):
+            self.assertIn(words, text)
+
+    def test_bad_files_say_where_and_what(self):
+        def pretty(change):
+            content = json.loads(json.dumps(PINCH))
+            change(content)
+            return json.dumps(content, indent=1)
+
+        def first(**values):
+            return lambda content: content["contacts"][0].update(values)
+
+        cases = [
+            ("{\n\"centre_of_mass\": [0, 0, NaN]}", "2: wanted JSON: "),
+            ("{\n\"centre_of_mass\": [0, 0,\n Infinity]}", "3: wanted JSON: "),
+            ("{\n\n\"torque_scale\": 1e999}", "3: wanted JSON: number overflow"),
+            ("", "1: wanted JSON: "),
+            ("[]", "1: wanted an object, got []"),
+            ("{\"contacts\":\n" + 100000 * "[" + 100000 * "]" + "}",
+             "2: wanted brackets at most 32 deep"),
+            ("{\"torque_scale\": 1,\n\"torque_scale\": 2}", "2: 'torque_scale' is given twice"),
+            (pretty(lambda c: c.pop("torque_scale")), "1: the file has no 'torque_scale'"),
+            (pretty(lambda c: c.update(torque_scale=0)),
+             "7: wanted a number > 0 as torque_scale, got 0"),
+            (pretty(lambda c: c.update(torque_scale="1")),
+             "7: wanted a number > 0 as torque_scale, got \"1\""),
+            (pretty(lambda c: c.update(centre_of_mass=[0, 0])),
+             "2: wanted 3 numbers as centre_of_mass, got [0,0]"),
+            (pretty(lambda c: c.update(colour=1)),
+             "36: the file knows no 'colour', only centre_of_mass, torque_scale, contacts, name, "
+             "source"),
+            (pretty(lambda c: c.update(contacts=3)), "8: wanted a list of contacts as contacts, got 3"),
+            (pretty(lambda c: c["contacts"].append(5)), "35: wanted an object as contacts.2, got 5"),
+            (pretty(lambda c: c["contacts"][1].pop("normal")), "22: contacts.1 has no 'normal'"),
+            (pretty(first(friction=-0.1)),
+             "20: wanted a number >= 0 as contacts.0.friction, got -0.1"),
+            (pretty(first(torsion=[1])), "21: wanted a number >= 0 as contacts.0.torsion, got [1]"),
+            (pretty(first(normal=[0, 0, 0])),
+             "15: wanted a unit vector (its length is 0) as contacts.0.normal, got [0,0,0]"),
+            (pretty(first(normal=[1, 0.1, 0])),
+             "15: wanted a unit vector (its length is 1.00499) as contacts.0.normal, got [1,0.1,0]"),
+            (pretty(first(normal=[1, None, 0])),
+             "15: wanted 3 numbers as contacts.0.normal, got [1,null,0]"),
+            (pretty(first(wrenches=[])),
+             "21: wanted at least one wrench as contacts.0.wrenches, got []"),
+            (pretty(first(position=[1e300, 0, 0])),
+             "10: wanted no more than 1e+12 as contacts.0.position, got [1e+300,0,0]"),
+            (pretty(first(position=["0", 0, 0])),
+             "10: wanted 3 numbers as contacts.0.position, got [\"0\",0,0]"),
+            (pretty(first(position=None)),
+             "10: wanted 3 numbers as contacts.0.position, got null"),
+            (pretty(first(friction=True)),
+             "20: wanted a number >= 0 as contacts.0.friction, got true"),
+            (pretty(first(friction=1e300)),
+             "20: wanted no more than 1e+12 as contacts.0.friction, got 1e+300"),
+            (pretty(lambda c: c.update(torque_scale=1e-300)),
+             "7: wanted at least 1e-12 as torque_scale, got 1e-300"),
+            (pretty(lambda c: c.update(contacts=None)),
+             "8: wanted a list of contacts as contacts, got null"),
+            (pretty(first(wrenches=[[1e300, 0, 0, 0, 0, 0]])),
+             "22: wanted no more than 1e+12 as contacts.0.wrenches.0, got [1e+300,0,0,0,0,0]"),
+            (pretty(first(wrenches=[[1, 2]])),
+             "22: wanted 6 numbers as contacts.0.wrenches.0, got [1,2]"),
+        ]
+        for content, wanted in cases:
+            with self.subTest(wanted=wanted):
+                self.assertTrue(self.complaint(content).startswith(wanted),
+                                (self.complaint(content), wanted))
+
+    def test_null_leaves_out_what_is_optional(self):
+        plain = self.ask(PINCH)
+        nulls = grasp([{**c, "wrenches": None, "torsion": None} for c in PINCH["contacts"]])
+        answer = self.ask(nulls)
+        for key in ("epsilon", "volume", "rank"):
+            self.assertEqual(answer[key], plain[key])
+
+    # Five soft fingers each with a limit of its own: either the hull is done, or nothing is quoted.
+    def test_a_volume_is_whole_or_null(self):
+        ring = [2 * math.pi * k / 5 for k in range(5)]
+        soft = [contact([math.cos(a), math.sin(a), 0.1 * k], [-math.cos(a), -math.sin(a), 0], 0.8,
+                        torsion=0.3) for k, a in enumerate(ring)]
+        answer = self.ask(grasp(soft), "--norm", "linf")
+        self.assertEqual(answer["volume"] is None, not answer["volume_complete"])
+        self.assertGreater(answer["volume_bounds"]["lower"], 0)
+
+    def test_nearly_unit_normals_are_made_unit(self):
+        self.assertEqual(
+            self.ask(grasp([contact([0, 0, 0], [0, 0, 1.0009], 0)]))["epsilon"]["lower"],
+            self.ask(grasp([contact([0, 0, 0], [0, 0, 1], 0)]))["epsilon"]["lower"])
+
+    def test_a_file_that_is_not_there_is_named(self):
+        missing = str(self.folder / "missing.json")
+        result = subprocess.run([PROGRAM, "quality", missing], capture_output=True, text=True,
+                                check=False)
+        self.assertEqual((result.returncode, result.stderr),
+                         (1, f"thenar: {missing}:1: cannot be read\n"))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        PROGRAM = sys.argv.pop(1)
+    unittest.main()
