@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "base/error.h"
@@ -55,11 +54,13 @@ struct FarthestPair {
 
 FarthestPair farthest_pair(const Points& points, const std::vector<int>& hull) {
   FarthestPair pair{hull.front(), hull.front(), 0};
-  for (const int i : hull)
-    for (const int j : hull) {
-      const double distance = (points.col(i) - points.col(j)).norm();
-      if (distance > pair.distance) pair = {i, j, distance};
+  double most = 0;
+  for (std::size_t i = 0; i < hull.size(); ++i)
+    for (std::size_t j = i + 1; j < hull.size(); ++j) {
+      const double square = (points.col(hull[i]) - points.col(hull[j])).squaredNorm();
+      if (square > most) most = square, pair = {hull[i], hull[j], 0};
     }
+  pair.distance = std::sqrt(most);
   return pair;
 }
 
@@ -72,42 +73,87 @@ double width(const Points& points, const std::vector<int>& hull, const FarthestP
   return width;
 }
 
-/// Outermost distance of any hull corner from the polygon of the kept ones.
-double loss_of(const Points& points, const std::vector<int>& hull, const std::vector<int>& kept) {
-  double loss = 0;
-  for (const int i : hull) {
-    if (std::find(kept.begin(), kept.end(), i) != kept.end()) continue;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < kept.size(); ++k)
-      nearest = std::min(nearest, distance_from_segment(points.col(i), points.col(kept[k]),
-                                                        points.col(kept[(k + 1) % kept.size()])));
-    loss = std::max(loss, nearest);
+/// The polygon of the corners that are kept. A dropped one lies beyond the side that passes it by
+/// and within all others, so that this side is the nearest.
+class Polygon {
+ public:
+  Polygon(const Points& points, const std::vector<int>& hull)
+      : points_(points), hull_(hull), kept_(hull.size()), loss_(hull.size(), 0) {
+    std::iota(kept_.begin(), kept_.end(), std::size_t{0});
+    for (std::size_t k = 0; k < kept_.size(); ++k) cost_.push_back(cost(k));
   }
-  return loss;
-}
+
+  [[nodiscard]] std::size_t size() const { return kept_.size(); }
+
+  [[nodiscard]] std::size_t cheapest() const {
+    return static_cast<std::size_t>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
+  }
+
+  /// Outermost distance of any hull corner once the k-th is dropped as well.
+  [[nodiscard]] double loss_without(std::size_t k) const {
+    double loss = beyond(before(k), after(k));
+    for (std::size_t i = 0; i < size(); ++i)
+      if (i != k && i != before(k)) loss = std::max(loss, loss_[i]);
+    return loss;
+  }
+
+  void drop(std::size_t k) {
+    loss_[before(k)] = beyond(before(k), after(k));
+    const auto at = static_cast<std::ptrdiff_t>(k);
+    kept_.erase(kept_.begin() + at);
+    loss_.erase(loss_.begin() + at);
+    cost_.erase(cost_.begin() + at);
+    k %= size();
+    for (const std::size_t neighbour : {before(k), k}) cost_[neighbour] = cost(neighbour);
+  }
+
+  [[nodiscard]] std::vector<int> corners() const {
+    std::vector<int> corners;
+    for (const std::size_t k : kept_) corners.push_back(hull_[k]);
+    return corners;
+  }
+
+ private:
+  [[nodiscard]] std::size_t before(std::size_t k) const { return (k + size() - 1) % size(); }
+  [[nodiscard]] std::size_t after(std::size_t k) const { return (k + 1) % size(); }
+  [[nodiscard]] Eigen::Vector2d corner(std::size_t k) const { return points_.col(hull_[k]); }
+
+  /// Of a kept corner from the line that would pass it by.
+  [[nodiscard]] double cost(std::size_t k) const {
+    return distance_from_segment(corner(kept_[k]), corner(kept_[before(k)]),
+                                 corner(kept_[after(k)]));
+  }
+
+  /// Outermost distance of hull corners between two kept ones from the line between these.
+  [[nodiscard]] double beyond(std::size_t from, std::size_t to) const {
+    double most = 0;
+    for (std::size_t i = (kept_[from] + 1) % hull_.size(); i != kept_[to];
+         i = (i + 1) % hull_.size())
+      most =
+          std::max(most, distance_from_segment(corner(i), corner(kept_[from]), corner(kept_[to])));
+    return most;
+  }
+
+  const Points& points_;
+  const std::vector<int>& hull_;
+  std::vector<std::size_t> kept_;  // places in the hull
+  std::vector<double> loss_;       // beyond the side from each kept corner to the next [m]
+  std::vector<double> cost_;       // of each kept corner [m]
+};
 
 /// Drops corners that cost least.
 ReducedPoints simplified(const Points& points, const std::vector<int>& hull, double allowed,
                          int most) {
-  ReducedPoints result{hull, 0};
-  while (result.kept.size() > 3) {
-    ReducedPoints next{{}, std::numeric_limits<double>::infinity()};
-    const std::size_t n = result.kept.size();
-    std::size_t cheapest = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 0; k < n; ++k) {
-      const double cost = distance_from_segment(points.col(result.kept[k]),
-                                                points.col(result.kept[(k + n - 1) % n]),
-                                                points.col(result.kept[(k + 1) % n]));
-      if (cost < least) least = cost, cheapest = k;
-    }
-    next.kept = result.kept;
-    next.kept.erase(next.kept.begin() + static_cast<std::ptrdiff_t>(cheapest));
-    next.loss = loss_of(points, hull, next.kept);
-    if (next.loss > allowed && static_cast<int>(n) <= most) break;
-    result = std::move(next);
+  Polygon polygon(points, hull);
+  double loss = 0;
+  while (polygon.size() > 3) {
+    const std::size_t cheapest = polygon.cheapest();
+    const double next = polygon.loss_without(cheapest);
+    if (next > allowed && static_cast<int>(polygon.size()) <= most) break;
+    polygon.drop(cheapest);
+    loss = next;
   }
-  return result;
+  return {polygon.corners(), loss};
 }
 
 }  // namespace
