@@ -61,7 +61,10 @@ void add_close(CLI::App& app) {
   command->add_option("--data", options->choice.data, kDataHelp);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    options->choice.pictures = !options->out.empty();
+    run(*options);
+  });
 }
 
 }  // namespace thenar

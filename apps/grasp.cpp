@@ -146,7 +146,10 @@ void add_grasp(CLI::App& app) {
                     "With --json, also the wrench set as meshes: projected and cut");
   command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
   command->add_option("--save", options->save, "Also write the world with the hand as it ended");
-  command->callback([options] { run(*options); });
+  command->callback([options] {
+    options->choice.pictures = !options->out.empty();
+    run(*options);
+  });
 }
 
 }  // namespace thenar

@@ -22,7 +22,8 @@ namespace thenar {
 /// first of them, with how many more there are.
 [[nodiscard]] std::vector<std::string> folded(const std::vector<std::string>& warnings);
 
-/// A page of the grasp; human hands are drawn finer than they touch. @throws InputError
+/// A page of the grasp; human hands are smoothest where the question asked for pictures. @throws
+/// InputError
 void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
                         const GraspAnswer& answer, const std::string& path);
 

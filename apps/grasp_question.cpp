@@ -6,6 +6,10 @@
 namespace thenar {
 namespace {
 
+constexpr int kSmooth = 2500;  // triangles of a link that look smooth
+
+int drawn(const WorldChoice& choice) { return choice.pictures ? kSmooth : 0; }
+
 std::string world_file(const WorldChoice& choice) {
   return named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
 }
@@ -23,13 +27,16 @@ GraspQuestion question_of(const WorldChoice& choice) {
 
 GraspQuestion ask_world(const WorldChoice& choice) {
   GraspQuestion question = question_of(choice);
-  question.hand = hand_of_world(question.world, choice.hand, question.path, question.data);
+  question.hand =
+      hand_of_world(question.world, choice.hand, question.path, question.data, drawn(choice));
   return question;
 }
 
 GraspQuestion ask_stranger(const WorldChoice& choice) {
   GraspQuestion question = question_of(choice);
-  question.hand.named = hand_by_name(choice.hand, question.data);
+  HumanHandOptions human;
+  human.skin.drawn = drawn(choice);
+  question.hand.named = hand_by_name(choice.hand, question.data, human);
   question.hand.q = open_posture(question.hand.named.hand->layout());
   return question;
 }

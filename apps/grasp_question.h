@@ -29,6 +29,7 @@ struct WorldChoice {
   std::string world;         // a file, or the name of one of worlds/
   std::string hand, object;  // names, or "" for the only ones
   std::string data;          // --data
+  bool pictures = false;     // whether it will be drawn: human hands finer than they touch
 };
 
 /// The question about a world file. @throws InputError where something is not to be found.

@@ -13,7 +13,6 @@ namespace thenar {
 namespace {
 
 constexpr double kTouches = 2e-4;  // gap up to which a stop is told with what it touches [m]
-constexpr int kFine = 6000;        // triangles of each link of a human hand in pictures
 
 Json provenance(const GraspQuestion& question) {
   Json json = Json::object();
@@ -21,20 +20,6 @@ Json provenance(const GraspQuestion& question) {
   for (const auto& [name, version] : versions()) json[name] = version;
   if (question.starts > 0) json["seed"] = std::to_string(question.seed);
   return json;
-}
-
-/// The hand as it is drawn: skin finer than for contacts.
-NamedHand hand_for_picture(const GraspQuestion& question) {
-  if (question.hand.named.patches.empty()) return question.hand.named;
-  const std::string& name = question.hand.parts.empty()
-                                ? question.hand.named.name
-                                : question.world.hands[question.hand.parts.front()].name;
-  if (question.hand.parts.empty()) {
-    HumanHandOptions options;
-    options.skin.triangles = kFine;
-    return hand_by_name(name, question.data, options);
-  }
-  return hand_of_world(question.world, name, question.path, question.data, kFine).named;
 }
 
 }  // namespace
@@ -72,9 +57,8 @@ Table contact_table(const TouchingHand& touching, const std::vector<HandContact>
 
 void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
                         const GraspAnswer& answer, const std::string& path) {
-  const NamedHand drawn = hand_for_picture(question);
-  const HandPicture picture{*drawn.hand, answer.grasp.closed.q, answer.grasp.approached.X_WH,
-                            drawn.patches};
+  const HandPicture picture{*question.hand.named.hand, answer.grasp.closed.q,
+                            answer.grasp.approached.X_WH, question.hand.named.patches};
   const Camera& camera = question.world.camera;
   MeshTable meshes;
   GraspStory story{picture,

@@ -214,12 +214,12 @@ std::vector<std::string> data_for(const std::string& folder, const std::string& 
 }
 
 WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const std::string& path,
-                        const std::vector<std::string>& data, int fine) {
+                        const std::vector<std::string>& data, int drawn) {
   WorldHand hand;
   hand.parts = parts_of(world, chosen(world, name, path));
   const PlacedHand& placed = world.hands[hand.parts.front()];
   HumanHandOptions options;
-  if (fine > 0) options.skin.triangles = fine;
+  options.skin.drawn = drawn;
   hand.named = hand.parts.size() > 1 ? mounted(world, hand.parts, data)
                                      : hand_by_name(name_to_build(world, placed), data, options);
   if (hand.parts.size() == 1) hand.named.name = placed.name;

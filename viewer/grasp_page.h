@@ -19,7 +19,7 @@ struct MeasureRow {
 
 /// What a page tells of a grasp.
 struct GraspStory {
-  const HandPicture& picture;  // the hand where it ended; may be finer than the one that touched
+  const HandPicture& picture;  // the hand where it ended
   const TouchingHand& hand;
   const Scene& scene;
   const Grasp& grasp;

@@ -82,17 +82,24 @@ class SkinMaker {
 
   void add(const std::string& digit, const std::string& segment, const SoftBody& body) {
     if (options_.own.count(segment) > 0) return;
-    // The palm has ten times the area of a phalanx.
-    add(digit, segment, skin_mesh(body, (digit.empty() ? 2 : 1) * options_.triangles));
+    const int share = digit.empty() ? 2 : 1;  // the palm has ten times the area of a phalanx
+    TriangleMesh picture;
+    if (options_.drawn > 0) picture = skin_mesh(body, share * options_.drawn);
+    add(digit, segment, skin_mesh(body, share * options_.triangles), std::move(picture));
   }
 
-  void add(const std::string& digit, const std::string& segment, TriangleMesh mesh) {
+  /// @param picture  empty: the mesh itself
+  void add(const std::string& digit, const std::string& segment, TriangleMesh mesh,
+           TriangleMesh picture = {}) {
     const auto link = skeleton_.link_of_segment.find(segment);
     if (link == skeleton_.link_of_segment.end()) return;
     const Pose<double>& at = skeleton_.segment_at.at(segment);
-    mesh.vertices = ((at.R * mesh.vertices).colwise() + at.p).eval();
+    for (TriangleMesh* each : {&mesh, &picture})
+      each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
+    Solid solid = solid_of(std::move(mesh), segment);
+    if (!picture.empty()) solid.picture = std::move(picture);
     surfaces_.push_back({link->second, segment, digit, options_.material,
-                         std::make_shared<const Solid>(solid_of(std::move(mesh), segment))});
+                         std::make_shared<const Solid>(std::move(solid))});
   }
 
   std::vector<LinkSurface> take() { return std::move(surfaces_); }

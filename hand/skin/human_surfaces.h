@@ -15,8 +15,9 @@ namespace thenar {
 
 /// How fine the skin is, and what is used instead of it.
 struct SkinOptions {
-  int triangles = 800;            // of each link, at most, of the palm twice as many; 6000
-                                  // look smooth in pictures
+  int triangles = 800;            // of each link, at most, of the palm twice as many
+  int drawn = 0;                  // of its picture, likewise: 2500 look smooth, and take no time
+                                  // where distances are asked; 0: what touches is drawn
   std::string material = "skin";  // see Materials
   std::map<std::string, TriangleMesh> own;  // segment -> its surface in the subject's reference
                                             // posture, as segmented from CT or MRI [m]

@@ -41,6 +41,23 @@ TEST(HumanSurfaces, CoverEverySegment) {
   EXPECT_EQ(named(surfaces, "MC1").digit, "thumb");
 }
 
+// What is drawn is finer; what touches, and every distance, stays.
+TEST(HumanSurfaces, AreDrawnFinerThanTheyTouch) {
+  const Subject subject = sample::subject("an_chao_index");
+  const Skeleton skeleton = build_skeleton(subject);
+  const auto plain = human_surfaces(subject, skeleton);
+  SkinOptions options;
+  options.drawn = 2500;
+  const auto fine = human_surfaces(subject, skeleton, options);
+  const Solid &before = *named(plain, "PP2").solid, &after = *named(fine, "PP2").solid;
+  EXPECT_EQ(after.touch[0].core.triangles, before.touch[0].core.triangles);
+  EXPECT_EQ(after.touch[0].core.vertices, before.touch[0].core.vertices);
+  EXPECT_GT(after.picture.triangles.cols(), 1500);
+  EXPECT_LE(after.picture.triangles.cols(), 2500);
+  for (const Vector3d& p : after.picture.vertices.colwise())
+    EXPECT_LT(std::abs(after.shape->distance(p)), 1e-3);  // both within 0.5 mm of the skin
+}
+
 // Triangles sink in by about the square of their edge over eight radii: 0.5 mm on a finger, less
 // the finer they are.
 TEST(HumanSurfaces, KeepToTheSkin) {
