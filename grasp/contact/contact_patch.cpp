@@ -144,10 +144,11 @@ class PatchFinder {
     return points;
   }
 
-  /// The nearest point of A around, to a fraction of the band.
-  PatchPoint nearest_within(const Ball& ball) {
+  /// The nearest point of A around, to a fraction of the band; if that is beyond the cutoff, any.
+  PatchPoint nearest_within(const Ball& ball, double cutoff) {
     SeparationOptions exactly;
     exactly.tolerance = options_.band / 5;
+    exactly.cutoff = cutoff;
     exactly.within = ball;
     exactly.most_evaluations = options_.most_evaluations;
     const Separation s = separation(a_, X_BA_, b_, exactly);
@@ -157,13 +158,14 @@ class PatchFinder {
 
   /// Whether nearer points of another region are so near that this one only leads down to them.
   bool is_slope(const Region& region) {
-    const PatchPoint around = nearest_within({region.nearest.core, kCoarse * options_.resolution});
-    return around.distance < region.nearest.distance - options_.band &&
-           into(around).dot(region.normal) < kCosTurn;
+    const double nearer = region.nearest.distance - options_.band;
+    const PatchPoint around =
+        nearest_within({region.nearest.core, kCoarse * options_.resolution}, nearer);
+    return around.distance < nearer && into(around).dot(region.normal) < kCosTurn;
   }
 
   void find_nearest(Region& region) {
-    const PatchPoint point = nearest_within(region.ball);
+    const PatchPoint point = nearest_within(region.ball, region.nearest.distance);
     if (point.distance >= region.nearest.distance) return;
     const Vector3d n = into(point);
     if (n.dot(region.normal) >= kCosTurn) region.nearest = point, region.normal = n;

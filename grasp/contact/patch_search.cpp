@@ -1,6 +1,8 @@
 #include "grasp/contact/patch_search.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 
 #include "grasp/contact/lifted_bound.h"
 #include "grasp/contact/triangle_point.h"
@@ -10,9 +12,26 @@ namespace {
 
 /// A triangle or part of one, and its rounding.
 struct Part {
-  Eigen::Matrix3d corners;  // [m] (3, 3)
-  double radius;            // [m]
+  Eigen::Matrix3d corners;                        // [m] (3, 3)
+  double radius;                                  // [m]
+  std::array<std::optional<PatchPoint>, 3> seen;  // corners that have been asked for
 };
+
+/// The halves of a part. They share what has been seen at their corners: those of the part, and the
+/// middle of the side that is cut, where it is the middle of the part.
+std::array<Part, 2> halves_of(const Part& part, const PatchPoint& middle) {
+  const std::array<Eigen::Matrix3d, 2> corners = halves(part.corners);
+  std::array<Part, 2> parts{Part{corners[0], part.radius, part.seen},
+                            Part{corners[1], part.radius, part.seen}};
+  for (Part& half : parts)
+    for (int k = 0; k < 3; ++k) {
+      const Eigen::Vector3d corner = half.corners.col(k);
+      if (corner == part.corners.col(k)) continue;
+      half.seen[k].reset();
+      if (corner == middle.core) half.seen[k] = middle;
+    }
+  return parts;
+}
 
 class PatchSearch {
  public:
@@ -61,16 +80,17 @@ class PatchSearch {
 
   void search(int triangle) {
     const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
-    std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius}};
+    std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, {}}};
     while (!parts.empty()) {
-      const Part part = parts.back();
+      Part part = parts.back();
       parts.pop_back();
       const Ball ball = smallest_ball(part.corners);
       if (far_by_place({ball.c, ball.r + part.radius})) continue;
       const NearestSurface near = b_.nearest(ball.c);
       if (bound_of(part, ball, near) > query_.level) continue;
-      if (keep(part, ball, point_at(ball.c, near, part.radius))) continue;
-      for (const Eigen::Matrix3d& half : halves(part.corners)) parts.push_back({half, part.radius});
+      const PatchPoint middle = point_at(ball.c, near, part.radius);
+      if (keep(part, ball, middle)) continue;
+      for (const Part& half : halves_of(part, middle)) parts.push_back(half);
     }
   }
 
@@ -97,17 +117,19 @@ class PatchSearch {
   }
 
   /// Whether the part need not be halved; its points are then among those found.
-  bool keep(const Part& part, const Ball& ball, const PatchPoint& middle) {
-    PatchPiece piece{ball, {}};
-    std::vector<PatchPoint> outside;
+  bool keep(Part& part, const Ball& ball, const PatchPoint& middle) {
+    std::vector<PatchPoint> inside, outside;
     const auto sort_in = [&](const PatchPoint& point) {
-      (counts(point) ? piece.points : outside).push_back(point);
+      (counts(point) ? inside : outside).push_back(point);
     };
-    for (int k = 0; k < 3; ++k) sort_in(seen(part.corners.col(k), part.radius));
-    const std::vector<PatchPoint> inside = piece.points;
+    for (int k = 0; k < 3; ++k) {
+      if (!part.seen[k]) part.seen[k] = seen(part.corners.col(k), part.radius);
+      sort_in(*part.seen[k]);
+    }
     if (inside.empty() && !counts(middle) && clear(part, ball, middle)) return true;
     if (ball.r > query_.resolution && !(outside.empty() && counts(middle))) return false;
-    sort_in(middle);
+    PatchPiece piece{ball, inside};
+    (counts(middle) ? piece.points : outside).push_back(middle);
     for (const PatchPoint& point : outside) add_rim(part, inside, point, piece);
     if (!piece.points.empty()) add(std::move(piece));
     return true;
@@ -119,17 +141,21 @@ class PatchSearch {
     PatchPoint over = seen(nearest_in_triangle(part.corners, point.on_b), part.radius);
     if (!counts(over)) over = down_from(part, point, over.core);
     if (counts(over)) piece.points.push_back(over);
-    for (PatchPoint in : inside) {
-      Eigen::Vector3d out = point.core;
-      for (int i = 0; i < query_.halvings; ++i) {
-        const PatchPoint halfway = seen((in.core + out) / 2, part.radius);
-        if (counts(halfway))
-          in = halfway;
-        else
-          out = halfway.core;
-      }
-      if (query_.halvings > 0) piece.points.push_back(in);
+    if (query_.halvings == 0) return;
+    for (const PatchPoint& in : inside) piece.points.push_back(crossing(in, point));
+  }
+
+  /// Where the way from a point inside to one outside crosses the rim: the last point inside.
+  PatchPoint crossing(PatchPoint in, const PatchPoint& outside) {
+    Eigen::Vector3d out = outside.core;
+    for (int i = 0; i < query_.halvings; ++i) {
+      const PatchPoint halfway = seen((in.core + out) / 2, in.radius);
+      if (counts(halfway))
+        in = halfway;
+      else
+        out = halfway.core;
     }
+    return in;
   }
 
   /// Newton's step down the slope of the distance, which the way to `over` shows, to the level
