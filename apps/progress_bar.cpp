@@ -14,11 +14,25 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-volatile std::sig_atomic_t g_signal = 0;  // a signal handler can reach nothing else
+// A signal handler can reach nothing but globals, and call hardly more than write().
+volatile std::sig_atomic_t g_signal = 0;
+char g_answer[1024];
+std::size_t g_answer_size = 0;
 
 void on_interrupt(int signal) {
+  if (g_signal == 0 && write(STDERR_FILENO, g_answer, g_answer_size) < 0) {
+    // Nobody reads: there is nothing else to do about it here.
+  }
   g_signal = signal;
   std::signal(signal, SIG_DFL);
+}
+
+/// What a signal is answered with.
+void prepare_answer(const std::string& kept) {
+  const std::string text =
+      fmt::format("{}thenar: stopping{}{}; Ctrl-C again ends at once\n",
+                  isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
+  g_answer_size = text.copy(g_answer, sizeof(g_answer));
 }
 
 /// Draws at most ten times a second, and wipes its line when it goes.
@@ -30,7 +44,8 @@ class Bar {
 
   void draw(double fraction, const std::string& what) {
     const auto now = Clock::now();
-    if (now - begin_ < std::chrono::seconds(1) || now - last_ < std::chrono::milliseconds(100))
+    if (interrupted() || now - begin_ < std::chrono::seconds(1) ||
+        now - last_ < std::chrono::milliseconds(100))
       return;
     last_ = now;
     if (!drawn_) first_ = {now, fraction};
@@ -66,7 +81,8 @@ class Bar {
 
 }  // namespace
 
-Progress terminal_progress() {
+Progress terminal_progress(const std::string& kept) {
+  prepare_answer(kept);
   for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_interrupt);
   Progress progress;
   progress.stop_requested = interrupted;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "base/error.h"
 #include "base/progress.h"
 
@@ -7,7 +9,9 @@ namespace thenar {
 
 /// A progress bar on stderr, drawn only on a terminal and only for work longer than a second;
 /// Ctrl-C or SIGTERM asks the work to stop and keep what it has, a second one kills.
-[[nodiscard]] Progress terminal_progress();
+/// @param kept  what the signal is answered with at once, on stderr, after "stopping": of what is
+///              kept; empty: nothing is said of it
+[[nodiscard]] Progress terminal_progress(const std::string& kept = "");
 
 /// Was Ctrl-C pressed, or SIGTERM sent?
 [[nodiscard]] bool interrupted();

@@ -63,7 +63,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
     approaches += cell->approaches;
     held += cell->closures > 0 ? 1 : 0;
     best.push_back(cell->quantile(1));
-    limited.push_back(quantile_of(cell->hand_epsilon, 1));
+    limited.push_back(cell->own_epsilon().most);
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
   return {hand,
@@ -113,14 +113,15 @@ std::vector<Column> load_columns(const Comparison& comparison) {
   return columns;
 }
 
-Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
+Json success_row(const HandOnObject& cell, const Comparison& comparison,
+                 const std::vector<Column>& loads) {
   Json row = Json::array(
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
-       finite(cell.quantile(0.5)), finite(cell.quantile(1)),
-       finite(quantile_of(cell.hand_epsilon, 1)),
-       cell.best.empty() ? Json() : finite(cell.best.front().hold)});
-  for (const Column& column : loads) row.push_back(load(cell.achieved(grasp_task(column.name))));
+       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.own_epsilon().most),
+       finite(cell.least_hold())});
+  for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).most));
+  row.push_back(unknown_words(cell, comparison.tasks));
   return row;
 }
 
@@ -135,16 +136,26 @@ Json all_cells(const Comparison& comparison) {
                               {"squeeze to hold", "N", 2}};
   const std::vector<Column> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
+  columns.push_back({"not known", "", -1});
   Json rows = Json::array();
-  for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
+  for (const HandOnObject& cell : comparison.cells)
+    rows.push_back(success_row(cell, comparison, loads));
   Json table = table_block(
       "Every hand on every object. Closed: share of approaches that end in force closure. Of the "
-      "hand: epsilon with its own efforts. Squeeze: least sum of normal forces by which friction "
-      "alone holds the weight, of the grasp with the best epsilon. Loads after it: the largest "
-      "that the hand's own efforts withstand, of the best grasps.",
+      "hand: epsilon with its own efforts. Squeeze: sum of normal forces by which friction alone "
+      "holds the weight. Loads after it: withstood by the hand's own efforts. " +
+          load_rule(),
       columns, rows);
   table["search"] = true;
   return table;
+}
+
+/// How approaches ended where none of them closed.
+Json outcome_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.closures == 0) rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+  return rows;
 }
 
 /// Why loads of the best grasps are zero or unknown, and how often.
@@ -233,9 +244,7 @@ Json glance_section(const Comparison& comparison) {
 Json cells_section(const Comparison& comparison) {
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
   const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
-  const auto limited = [](const HandOnObject& cell) {
-    return finite(quantile_of(cell.hand_epsilon, 1));
-  };
+  const auto limited = [](const HandOnObject& cell) { return finite(cell.own_epsilon().most); };
   Json blocks =
       Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),
                    matrix(comparison, "Largest epsilon reached; n/a: no force closure.", 3, best),
@@ -244,6 +253,11 @@ Json cells_section(const Comparison& comparison) {
                           "or efforts unknown.",
                           2, limited),
                    all_cells(comparison)});
+  const Json outcomes = outcome_rows(comparison);
+  if (!outcomes.empty())
+    blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
+                                 {{"hand", "", -1}, {"object", "", -1}, {"approaches", "", -1}},
+                                 outcomes));
   const Json reasons = reason_rows(comparison);
   if (!reasons.empty())
     blocks.push_back(table_block(

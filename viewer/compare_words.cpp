@@ -2,26 +2,41 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace thenar {
 namespace {
 
 /// What each version is, as build_human_hand() makes them.
 constexpr std::array<const char*, 4> kVersions{
-    "rigid skin, hard contacts, axes of the thumb at right angles; every joint "
-    "has a strength of "
-    "its own",
-    "as tier 1, but the axes of the thumb are skewed as measured; every joint "
-    "still has a strength "
-    "of its own",
-    "as tier 2, but pads are soft: a contact also resists twisting; every "
-    "joint still has a "
-    "strength of its own",
-    "as tier 3, but tendons in place of strengths: joints share muscles "
-    "through the net, and the "
-    "hand closes as its flexors run in"};
+    "hard contacts; axes of the thumb at right angles; every joint has a strength of its own",
+    "hard contacts; axes of the thumb skewed as measured; every joint has a strength of its own",
+    "soft pads, whose contacts also resist twisting; axes of the thumb skewed as measured; every "
+    "joint has a strength of its own",
+    "soft pads, whose contacts also resist twisting; axes of the thumb skewed as measured; tendons "
+    "in place of strengths: joints share muscles through the net, and the hand closes as its "
+    "flexors run in"};
+
+const char* words_of(GraspOutcome outcome) {
+  switch (outcome) {
+    case GraspOutcome::kGrasped:
+      return "touched without force closure";
+    case GraspOutcome::kOverlaps:
+      return "began in something";
+    case GraspOutcome::kMissed:
+      return "missed the object";
+    case GraspOutcome::kBlocked:
+      return "blocked by an obstacle";
+    case GraspOutcome::kTooLong:
+      return "did not end closing";
+    case GraspOutcome::kEmpty:
+      break;
+  }
+  return "closed without touching";
+}
 
 }  // namespace
 
@@ -35,6 +50,37 @@ std::vector<std::string> version_lines(const Comparison& comparison) {
         lines.push_back(fmt::format("{}: {}.", hand, kVersions[tier]));
   }
   return lines;
+}
+
+std::string load_rule() {
+  return "Every number is the best of any grasp (the largest load, the least squeeze), so two of "
+         "one row may be of different grasps: of the hand's epsilon any that closed, of the others "
+         "those with the largest epsilon, --best of each pair.";
+}
+
+std::string unknown_words(const HandOnObject& cell, const std::vector<std::string>& tasks) {
+  std::vector<std::string> parts;
+  const auto tell = [&](const std::string& name, const LoadFound& load) {
+    if (load.known < load.of)
+      parts.push_back(fmt::format("{} {} of {}", name, load.of - load.known, load.of));
+  };
+  tell("epsilon of the hand", cell.own_epsilon());
+  for (const std::string& task : tasks) tell(task, cell.load(grasp_task(task)));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string outcome_words(const HandOnObject& cell) {
+  std::vector<std::pair<int, std::string>> ways;
+  for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
+    const auto outcome = static_cast<GraspOutcome>(i);
+    const int count = cell.outcomes[i] - (outcome == GraspOutcome::kGrasped ? cell.closures : 0);
+    if (count > 0) ways.emplace_back(count, words_of(outcome));
+  }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<std::string> parts;
+  for (const auto& [count, words] : ways) parts.push_back(fmt::format("{} {}", count, words));
+  return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string reading_words(const Comparison& comparison) {

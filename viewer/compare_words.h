@@ -13,6 +13,17 @@ namespace thenar {
 /// the one before.
 [[nodiscard]] std::vector<std::string> version_lines(const Comparison& comparison);
 
+/// By which rule the loads of several grasps become one number.
+[[nodiscard]] std::string load_rule();
+
+/// "epsilon of the hand 3 of 12, hold-weight 1 of 3": of how many grasps a load is not known; ""
+/// if all are.
+[[nodiscard]] std::string unknown_words(const HandOnObject& cell,
+                                        const std::vector<std::string>& tasks);
+
+/// "12 missed, 5 touched without force closure": how the approaches ended, the most frequent first.
+[[nodiscard]] std::string outcome_words(const HandOnObject& cell);
+
 /// What the numbers mean, and with which settings they came about.
 [[nodiscard]] std::string reading_words(const Comparison& comparison);
 

@@ -9,8 +9,9 @@
 namespace thenar {
 
 /// All of HandAbilities but `types`. Draws postures uniformly within limits from a generator of
-/// options.seed.
-[[nodiscard]] HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options);
+/// options.seed. What a stop leaves is worth nothing.
+[[nodiscard]] HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options,
+                                           const Progress& progress = {});
 
 /// Where tips go: postures drawn, tips noted in cells of a grid. A tip that moves in fewer than
 /// three dimensions (principal extent below two cells) is measured in those alone. The estimate is
@@ -21,7 +22,8 @@ struct Workspaces {
   std::vector<DigitAbility> digits;  // forces are not filled in
   double overlap = 0;  // thumb's, or first digit's, with all others', cells of 2 `cell` [m^3]
 };
-[[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random);
+[[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random,
+                                    const Progress& progress = {});
 
 /// The largest tip forces at a posture within what drives the hand, its stops included:
 ///   max d'f  over  L f = B u + R r + tau_0,  f = J s,  lower <= u <= upper,
@@ -53,6 +55,7 @@ struct Opposition {
 /// middles of tips 20 mm; flesh may overlap on the way, and which way they face does not count.
 /// Postures are searched from 12 drawn starts by damped least squares clamped to the limits.
 /// Source: [Kapandji1986].
-[[nodiscard]] Opposition opposition(const ComparedHand& hand, std::mt19937& random);
+[[nodiscard]] Opposition opposition(const ComparedHand& hand, std::mt19937& random,
+                                    const Progress& progress = {});
 
 }  // namespace thenar

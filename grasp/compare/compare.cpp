@@ -70,10 +70,11 @@ Held held_by(const Setting& setting, const Grasp& grasp) {
           grasp.approached.X_WH.inverse() * setting.scene.object.X_WB};
 }
 
-Tried try_grasp(const Setting& setting, int number, const CompareOptions& options) {
+Tried try_grasp(const Setting& setting, int number, const CompareOptions& options,
+                const Progress& progress) {
   Tried tried;
   tried.grasp = make_grasp(setting, number, options);
-  if (tried.closes())
+  if (tried.closes() && !progress.stop())
     tried.epsilon = hand_epsilon(held_by(setting, tried.grasp), setting.scene.object);
   return tried;
 }
@@ -88,7 +89,7 @@ std::vector<Tried> all_grasps(const Setting& setting, const CompareOptions& opti
   const auto work = [&](bool reports) {
     try {
       for (int n = next++; n < options.approaches && !progress.stop(); n = next++) {
-        grasps[static_cast<std::size_t>(n)] = try_grasp(setting, n, options);
+        grasps[static_cast<std::size_t>(n)] = try_grasp(setting, n, options, progress);
         ++finished;
         if (reports) progress(static_cast<double>(finished) / options.approaches, "");
       }
@@ -133,7 +134,7 @@ Eigen::VectorXd ascending(std::vector<double> values) {
 }
 
 void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>& grasps,
-           const CompareOptions& options) {
+           const CompareOptions& options, const Progress& progress) {
   std::vector<std::pair<double, int>> closed;
   std::vector<double> epsilon, hand_epsilon;
   for (std::size_t n = 0; n < grasps.size(); ++n) {
@@ -152,7 +153,7 @@ void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>&
   cell.interval = wilson_interval(cell.closures, options.approaches);
   cell.epsilon = ascending(std::move(epsilon));
   cell.hand_epsilon = ascending(std::move(hand_epsilon));
-  for (int i = 1; i <= std::min(options.best, cell.closures); ++i) {
+  for (int i = 1; i <= std::min(options.best, cell.closures) && !progress.stop(); ++i) {
     const int number = closed[static_cast<std::size_t>(cell.closures - i)].second;
     cell.best.push_back(
         describe(setting, grasps[static_cast<std::size_t>(number)], number, options));
@@ -230,7 +231,8 @@ HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
   cell.scale = setting.scale;
   const std::vector<Tried> grasps = all_grasps(setting, options, progress);
   if (grasps.empty()) return cell;
-  count(cell, setting, grasps, options);
+  count(cell, setting, grasps, options, progress);
+  if (progress.stop()) cell.approaches = 0;
   cell.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return cell;
 }
@@ -287,6 +289,7 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
   const std::size_t all = hands.size() * objects.size();
   Standings standings;
   for (const ComparedHand& hand : hands) {
+    if (progress.stop()) return out;
     const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
     const TouchingHand touching = touching_hand(*hand.hand);
     std::set<std::string> types;
@@ -306,7 +309,9 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
       out.cells.push_back(std::move(cell));
       if (options.keep) options.keep(out);
     }
-    out.abilities.push_back(hand_abilities(hand, options));
+    HandAbilities abilities = hand_abilities(hand, options, progress);
+    if (progress.stop()) return out;
+    out.abilities.push_back(std::move(abilities));
     out.abilities.back().types.assign(types.begin(), types.end());
   }
   progress(1, "compared");

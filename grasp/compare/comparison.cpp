@@ -34,16 +34,30 @@ double HandOnObject::quantile(double p) const {
   return (1 - share) * epsilon[below] + share * epsilon[above];
 }
 
-double HandOnObject::achieved(GraspTask task) const {
-  if (task == GraspTask::kForceClosure) return success;
-  double most = std::numeric_limits<double>::quiet_NaN();
+LoadFound HandOnObject::load(GraspTask task) const {
+  LoadFound load;
   for (const BestGrasp& grasp : best) {
     const auto found = grasp.margin.find(name_of(task));
-    if (found != grasp.margin.end() && !(found->second <= most)) {
-      if (!std::isnan(found->second)) most = found->second;
-    }
+    if (found == grasp.margin.end()) continue;
+    ++load.of;
+    if (!std::isnan(found->second)) ++load.known;
+    load.most = std::fmax(load.most, found->second);
   }
-  return most;
+  return load;
+}
+
+LoadFound HandOnObject::own_epsilon() const {
+  LoadFound load;
+  load.of = closures;
+  load.known = static_cast<int>(hand_epsilon.size());
+  if (load.known > 0) load.most = hand_epsilon[hand_epsilon.size() - 1];
+  return load;
+}
+
+double HandOnObject::least_hold() const {
+  double least = std::numeric_limits<double>::quiet_NaN();
+  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.hold);
+  return least;
 }
 
 double reach_of_digits(const Hand& hand) {

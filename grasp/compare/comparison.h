@@ -85,6 +85,13 @@ struct BestGrasp {
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };
 
+/// A load over several grasps: the largest, whichever grasp withstands it.
+struct LoadFound {
+  double most = std::numeric_limits<double>::quiet_NaN();  // as BestGrasp; NaN: none is known
+  int known = 0;                                           // grasps that it is known of
+  int of = 0;                                              // grasps that were asked
+};
+
 /// One hand on one object.
 struct HandOnObject {
   std::string hand, object;
@@ -100,9 +107,14 @@ struct HandOnObject {
   std::vector<BestGrasp> best;       // best first
   double seconds = 0;                // wall time
 
-  /// What a task came to: of force closure the share of approaches that reach it, of others the
-  /// largest margin of the best grasps; NaN: not asked, or not known.
-  [[nodiscard]] double achieved(GraspTask task) const;
+  /// Margins of a task over `best`. Force closure has none: it is `success`.
+  [[nodiscard]] LoadFound load(GraspTask task) const;
+
+  /// Epsilon of the hand over all closures.
+  [[nodiscard]] LoadFound own_epsilon() const;
+
+  /// Least `hold` of `best`; NaN if there is none [N].
+  [[nodiscard]] double least_hold() const;
 
   /// Of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;

@@ -38,7 +38,7 @@ struct Held {
 /// each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within
 /// hand_forces() of actuation_with_stops(). Efforts may be those that hold the joints at the
 /// posture; a load that needs no effort, a palm's, has no limit. Loads below 1e-6 N are zero.
-/// Force closure is no load and has no margin: HandOnObject::achieved().
+/// Force closure is no load and has no margin: HandOnObject::success.
 /// @param mass  of the object [kg], under 9.81 m/s^2
 [[nodiscard]] GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
                                      const std::vector<GraspTask>& tasks);

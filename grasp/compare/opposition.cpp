@@ -67,10 +67,12 @@ std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937&
   return starts;
 }
 
-Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>& starts) {
+Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>& starts,
+                    const Progress& progress) {
   Opposition out;
   out.scale = "Kapandji, highest of ten places";
   for (const HandPlace& place : hand.places) {
+    if (progress.stop()) break;
     if (!meet(*hand.hand, hand.thumb, place, starts, kSkinMeets)) continue;
     out.reached.push_back(place.name);
     out.score = std::max(out.score, static_cast<double>(place.score));
@@ -88,7 +90,8 @@ std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
   return met;
 }
 
-Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& starts) {
+Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& starts,
+                     const Progress& progress) {
   const std::vector<HandTip>& tips = hand.layout().tip_points;
   const std::string thumb = thumb_of(hand);
   Opposition out;
@@ -99,6 +102,7 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
   out.scale = fmt::format("share of other tips met by '{}', times 10",
                           thumb.empty() ? tips.front().digit : thumb);
   for (const HandTip& tip : tips) {
+    if (progress.stop()) break;
     if (!thumb.empty() && tip.digit != thumb) continue;
     std::vector<std::string> met = met_by(hand, tip, starts);
     if (met.size() <= out.reached.size()) continue;
@@ -111,9 +115,10 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
 
 }  // namespace
 
-Opposition opposition(const ComparedHand& hand, std::mt19937& random) {
+Opposition opposition(const ComparedHand& hand, std::mt19937& random, const Progress& progress) {
   const std::vector<Eigen::VectorXd> starts = draw_starts(hand.hand->layout(), random);
-  return hand.places.empty() ? analogous(*hand.hand, starts) : kapandji(hand, starts);
+  return hand.places.empty() ? analogous(*hand.hand, starts, progress)
+                             : kapandji(hand, starts, progress);
 }
 
 }  // namespace thenar

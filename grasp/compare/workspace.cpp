@@ -18,6 +18,7 @@ namespace {
 
 constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, of the cell asked for [1]
 constexpr double kShared = 2;                      // of cells that two tips share [1]
+constexpr int kAsk = 1000;                         // draws between two looks at a stop
 
 using Cell = std::array<int, 3>;
 using Cells = std::vector<Cell>;  // ascending
@@ -84,12 +85,14 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
 
 }  // namespace
 
-Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random) {
+Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random,
+                      const Progress& progress) {
   require(draws > 0 && cell > 0, "a workspace wants draws and a cell, got {} and {} m", draws,
           cell);
   const HandLayout& layout = hand.layout();
   std::vector<Eigen::Matrix3Xd> points(layout.tip_points.size(), Eigen::Matrix3Xd(3, draws));
   for (int n = 0; n < draws; ++n) {
+    if (n % kAsk == 0 && progress.stop()) return {};
     const Eigen::Matrix3Xd tips = tips_at(hand, draw_posture(layout, random));
     for (std::size_t t = 0; t < points.size(); ++t)
       points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
@@ -99,7 +102,7 @@ Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& ra
   const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
                                    : thumb_of(hand);
-  for (std::size_t t = 0; t < points.size(); ++t) {
+  for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
     out.digits.push_back(measure_space(digit, points[t], cell));
     const Cells cells = cells_of(points[t], 3, kShared * cell);

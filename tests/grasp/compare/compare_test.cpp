@@ -112,6 +112,29 @@ TEST(Compare, StopsWithWholeCells) {
   EXPECT_TRUE(none.cells.empty());
 }
 
+// Asked again and again, it hears of a stop wherever it comes; what it has by then is whole.
+TEST(Compare, StopsWhereverItIsAsked) {
+  const ComparedHand hand = compared("jaws", sample::jaws());
+  CompareOptions options = few();
+  options.approaches = 3;
+  int all = 0;
+  Progress counting;
+  counting.stop_requested = [&] { return ++all, false; };
+  const Comparison whole = compare({hand}, {cube()}, options, counting);
+  ASSERT_TRUE(whole.complete);
+  ASSERT_GT(all, 8);  // approaches, draws of workspaces, digits
+  for (const int patience : {1, all / 2, all - 1}) {
+    int asked = 0;
+    Progress stop;
+    stop.stop_requested = [&] { return ++asked > patience; };
+    const Comparison part = compare({hand}, {cube()}, options, stop);
+    EXPECT_FALSE(part.complete) << patience;
+    EXPECT_TRUE(part.abilities.empty()) << patience;
+    for (const HandOnObject& cell : part.cells) EXPECT_EQ(cell.approaches, 3);
+    EXPECT_LE(asked, patience + 8) << "went on";
+  }
+}
+
 // The hand that cannot touch comes last: nothing is worked out for the one before.
 TEST(Compare, ChecksAllHandsBeforeAnyWork) {
   RobotSpec bare = sample::jaws();

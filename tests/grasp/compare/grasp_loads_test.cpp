@@ -110,18 +110,32 @@ TEST(HandEpsilon, GrowsWithTheMotor) {
   EXPECT_NEAR(hand_epsilon(ten.held(), ten.scene.object).value / one, 10, 0.5);  // 5 % each
 }
 
-// Of a task the best margin that is known; of force closure, which is no load, the share.
-TEST(HandOnObject, AchievesTheBestMarginThatIsKnown) {
+TEST(HandOnObject, TakesTheLargestLoadAndCountsThoseThatAreKnown) {
   HandOnObject cell;
-  cell.success = 0.25;
-  EXPECT_EQ(cell.achieved(GraspTask::kForceClosure), 0.25);
-  EXPECT_TRUE(std::isnan(cell.achieved(GraspTask::kPull)));
-  cell.best.resize(3);
+  EXPECT_EQ(cell.load(GraspTask::kPull).of, 0);
+  cell.best.resize(4);
   cell.best[0].margin["pull"] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(cell.achieved(GraspTask::kPull)));
+  EXPECT_TRUE(std::isnan(cell.load(GraspTask::kPull).most));
+  EXPECT_EQ(cell.load(GraspTask::kPull).of, 1);
   cell.best[1].margin["pull"] = 3;
   cell.best[2].margin["pull"] = 2;
-  EXPECT_EQ(cell.achieved(GraspTask::kPull), 3);
+  EXPECT_EQ(cell.load(GraspTask::kPull).most, 3);
+  EXPECT_EQ(cell.load(GraspTask::kPull).known, 2);
+  EXPECT_EQ(cell.load(GraspTask::kPull).of, 3);  // nobody asked the fourth
+}
+
+TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
+  HandOnObject cell;
+  EXPECT_TRUE(std::isnan(cell.least_hold()));
+  cell.closures = 3;
+  cell.hand_epsilon = Eigen::Vector2d(1, 4);
+  EXPECT_EQ(cell.own_epsilon().most, 4);
+  EXPECT_EQ(cell.own_epsilon().known, 2);
+  EXPECT_EQ(cell.own_epsilon().of, 3);
+  cell.best.resize(2);
+  cell.best[0].hold = 7;
+  cell.best[1].hold = 5;
+  EXPECT_EQ(cell.least_hold(), 5);
 }
 
 }  // namespace
