@@ -14,11 +14,45 @@ namespace {
 
 using Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 
+/// x^k for x >= 0; ellipsoids and cylinders need no logarithm.
+class Power {
+ public:
+  explicit Power(double k)
+      : k_(k),
+        kind_(k == 1     ? kSame
+              : k == 2   ? kSquare
+              : k == 0.5 ? kRoot
+                         : kAny) {}
+  double operator()(double x) const {
+    switch (kind_) {
+      case kSame:
+        return x;
+      case kSquare:
+        return x * x;
+      case kRoot:
+        return std::sqrt(x);
+      case kAny:
+        break;
+    }
+    return std::pow(x, k_);
+  }
+
+ private:
+  double k_;
+  enum { kSame, kSquare, kRoot, kAny } kind_;
+};
+
 /// The norm N and how it changes, in the first octant.
 class Norm {
  public:
   Norm(const Vector3d& semi_axes, const Vector2d& exponents)
-      : inverse_(semi_axes.cwiseInverse()), p_(2 / exponents(1)), q_(2 / exponents(0)) {}
+      : inverse_(semi_axes.cwiseInverse()),
+        p_(2 / exponents(1)),
+        q_(2 / exponents(0)),
+        to_p_(p_),
+        to_q_(q_),
+        to_ratio_(q_ / p_),
+        to_norm_(1 / q_) {}
 
   struct Value {
     double norm;        // N(x) [1]
@@ -33,11 +67,6 @@ class Norm {
     const Vector2d disc = dual_shares({w.x(), w.y()}, p_);
     const Vector2d whole = dual_shares({disc.dot(w.head<2>()), w.z()}, q_);
     return Vector3d(whole.x() * disc.x(), whole.x() * disc.y(), whole.y()).cwiseQuotient(inverse_);
-  }
-
-  double norm(const Vector3d& x) const {
-    const Powers at = powers(x.cwiseProduct(inverse_));
-    return std::pow(at.disc + at.c, 1 / q_);
   }
 
   /// With T = N^q = s^(q/p) + (z/c)^q, s = (x/a)^p + (y/b)^p.
@@ -57,7 +86,7 @@ class Norm {
     H(2, 2) = q_ * bend(at.c, u.z(), q_);
     g = g.cwiseProduct(inverse_);
     const double steep = g.norm();
-    return {std::pow(at.disc + at.c, 1 / q_), g / steep,
+    return {to_norm_(at.disc + at.c), g / steep,
             inverse_.asDiagonal() * (H / steep) * inverse_.asDiagonal()};
   }
 
@@ -76,11 +105,11 @@ class Norm {
   };
   Powers powers(const Vector3d& u) const {
     Powers at;
-    at.a = std::pow(u.x(), p_);
-    at.b = std::pow(u.y(), p_);
+    at.a = to_p_(u.x());
+    at.b = to_p_(u.y());
     at.s = at.a + at.b;
-    at.disc = p_ == q_ ? at.s : std::pow(at.s, q_ / p_);
-    at.c = std::pow(u.z(), q_);
+    at.disc = to_ratio_(at.s);
+    at.c = to_q_(u.z());
     return at;
   }
   /// u^(k - 1) from u^k; of a sharp edge (k = 1, u = 0) the normal between its sides.
@@ -92,6 +121,7 @@ class Norm {
 
   Vector3d inverse_;  // of the semi-axes [1/m]
   double p_, q_;
+  Power to_p_, to_q_, to_ratio_, to_norm_;
 };
 
 /// A surface point, its normal, and what they say of the distance.
@@ -120,12 +150,14 @@ Vector3d newton_step(const Norm::Value& at, const Vector3d& arm) {
          det;
 }
 
-/// The best bound that Newton's method finds from a point near the surface, before it has to go
+/// The best bound that Newton's method finds from the surface point x / N(x), before it has to go
 /// back or its gap is small enough [m].
-Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, int most, double enough) {
+/// @param at  norm.value(x)
+Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, int most,
+              double enough) {
   Bound best;
   for (int i = 0; i < most; ++i) {
-    const Norm::Value at = norm.value(x);
+    if (i > 0) at = norm.value(x);
     x /= at.norm;
     const Vector3d arm = p - x;
     const double distance = at.gradient.dot(arm);
@@ -195,16 +227,17 @@ class Superellipsoid final : public Shape {
   }
 
   NearestSurface find(const Vector3d& p) const {
-    const double norm = norm_.norm(p);
-    const double enough = kEnough * size_;
+    const Norm::Value at = norm_.value(p);
+    const double norm = at.norm, enough = kEnough * size_;
     if (norm > 1) {
-      const Bound bound = outside(p, p / norm);
+      const Bound bound = outside(p, p, at);
       if (bound.gap <= enough) return {bound.distance, bound.normal, true};
     }
     const internal::NearestTriangle near = grid_.nearest(p, tree_);
     const double rough = std::copysign(std::sqrt(near.foot.squared), norm - 1);
     const Vector3d x = near.foot.at.cwiseMax(0.0);
-    const Bound bound = norm > 1 ? outside(p, x) : improve(norm_, p, x, 4, enough);
+    const Norm::Value there = norm_.value(x);
+    const Bound bound = norm > 1 ? outside(p, x, there) : improve(norm_, p, x, there, 4, enough);
     // A bound far below what the tessellation says is no good; its own error decides.
     if (std::abs(bound.distance - rough) <= 1.05 * kTessellation * size_)
       return {bound.distance, bound.normal, true};
@@ -212,12 +245,13 @@ class Superellipsoid final : public Shape {
     return {rough, rough > 0 && way.norm() > 0 ? Vector3d(way.normalized()) : bound.normal};
   }
 
-  Bound outside(const Vector3d& p, const Vector3d& x) const {
+  /// @param at  norm_.value(x)
+  Bound outside(const Vector3d& p, const Vector3d& x, const Norm::Value& at) const {
     const double enough = kEnough * size_;
-    Bound bound = improve(norm_, p, x, 6, enough);
+    Bound bound = improve(norm_, p, x, at, 6, enough);
     for (int i = 0; i < 2 && bound.gap > enough; ++i) {
       bound = settle(norm_, p, bound, 6, enough);
-      const Bound again = improve(norm_, p, bound.x, 6, enough);
+      const Bound again = improve(norm_, p, bound.x, norm_.value(bound.x), 6, enough);
       if (again.distance > bound.distance) bound = again;
     }
     return bound;
