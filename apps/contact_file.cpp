@@ -1,22 +1,25 @@
 #include "apps/contact_file.h"
 
+#include <algorithm>
 #include <cmath>
-#include <initializer_list>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/contact_doubts.h"
 #include "apps/json_line.h"
 #include "base/error.h"
+#include "data/io/nearest_name.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
 namespace {
 
 using nlohmann::json;
-using Names = std::initializer_list<const char*>;
+using Names = std::vector<std::string>;
 
-constexpr double kNearlyUnit = 1e-3;       // a normal is rounded, not wrong, if off by less [1]
+constexpr int kMisspelt = 2;               // letters that differ
 constexpr double kLargest = 1e12;          // of any number: beyond it wrenches lose all digits
 constexpr std::size_t kLongestShown = 60;  // of a value in a message [characters]
 
@@ -52,12 +55,20 @@ class JsonValue {
     return result;
   }
 
-  void require_members(Names known) const {
+  /// Names of members that are none of `known`, if they look like none of these either.
+  [[nodiscard]] Names others_than(const Names& known) const {
     if (!value_.is_object()) fail_wanted("an object");
-    for (const auto& [member, value] : value_.items())
-      if (std::find(known.begin(), known.end(), member) == known.end())
-        step(value, member)
-            .fail(fmt::format("{} knows no '{}', only {}", name(), member, fmt::join(known, ", ")));
+    Names others;
+    for (const auto& [member, value] : value_.items()) {
+      if (std::find(known.begin(), known.end(), member) != known.end()) continue;
+      for (const std::string& name_known : known)
+        if (edit_distance(member, name_known) <= kMisspelt && name_known.size() > 2 * kMisspelt)
+          step(value, member)
+              .fail(
+                  fmt::format("{} knows no '{}', did you mean '{}'?", name(), member, name_known));
+      others.push_back(member);
+    }
+    return others;
   }
 
   [[nodiscard]] double number(const char* what) const {
@@ -110,14 +121,6 @@ double positive(const JsonValue& value) {
   return number;
 }
 
-Eigen::Vector3d unit(const JsonValue& value) {
-  const Eigen::Vector3d n = value.vector<3>();
-  const double length = n.stableNorm();
-  if (std::abs(length - 1) >= kNearlyUnit)
-    value.fail_wanted(fmt::format("a unit vector (its length is {:.6g})", length));
-  return n / length;
-}
-
 FileContact contact_with_wrenches(const JsonValue& value) {
   FileContact result;
   if (value.gives("position")) result.contact.p = value["position"].vector<3>();
@@ -133,13 +136,16 @@ FileContact contact_with_wrenches(const JsonValue& value) {
 FileContact contact_with_cone(const JsonValue& value) {
   FileContact result;
   result.contact.p = value["position"].vector<3>();
-  result.contact.n = unit(value["normal"]);
+  const JsonValue normal = value["normal"];
+  result.contact.n = normal.vector<3>();
+  result.normal_length = result.contact.n.stableNorm();
+  if (result.normal_length < 1 / kLargest) normal.fail_wanted("a direction");
+  result.contact.n /= result.normal_length;
   result.contact.friction = not_negative(value["friction"]);
   return result;
 }
 
 FileContact file_contact(const JsonValue& value) {
-  value.require_members({"position", "normal", "friction", "torsion", "wrenches", "name"});
   FileContact result =
       value.gives("wrenches") ? contact_with_wrenches(value) : contact_with_cone(value);
   if (value.gives("torsion")) result.contact.torsion = not_negative(value["torsion"]);
@@ -152,10 +158,20 @@ ContactFile read_contact_file(const std::string& path) {
   const std::string text = read_text_file(path);
   const json parsed = parse_json(path, text);
   const JsonValue root(path, text, parsed, {});
-  root.require_members({"centre_of_mass", "torque_scale", "contacts", "name", "source"});
-  ContactFile file{root["centre_of_mass"].vector<3>(), positive(root["torque_scale"]), {}};
-  for (const JsonValue& contact : root["contacts"].entries("a list of contacts"))
+  const Names of_file =
+      root.others_than({"centre_of_mass", "torque_scale", "contacts", "name", "source"});
+  std::set<std::string> ignored(of_file.begin(), of_file.end());
+  ContactFile file{root["centre_of_mass"].vector<3>(), positive(root["torque_scale"]), {}, {}};
+  for (const JsonValue& contact : root["contacts"].entries("a list of contacts")) {
+    const Names of_contact =
+        contact.others_than({"position", "normal", "friction", "torsion", "wrenches", "name"});
+    ignored.insert(of_contact.begin(), of_contact.end());
     file.contacts.push_back(file_contact(contact));
+  }
+  if (!ignored.empty())
+    file.warnings.push_back(
+        fmt::format("ignored, as it is not known: {}", fmt::join(ignored, ", ")));
+  for (const std::string& doubt : contact_doubts(file)) file.warnings.push_back(doubt);
   return file;
 }
 

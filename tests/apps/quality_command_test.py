@@ -35,6 +35,10 @@ def grasp(contacts, scale=1.0):
 
 PINCH = grasp([contact([-1, 0, 0], [1, 0, 0], 0.5), contact([1, 0, 0], [-1, 0, 0], 0.5)])
 
+# Three fingers around a ball, 120 degrees apart.
+THREE = grasp([contact([math.cos(a), math.sin(a), 0], [-math.cos(a), -math.sin(a), 0], 0.8)
+               for a in (0, 2 * math.pi / 3, 4 * math.pi / 3)])
+
 
 class Quality(unittest.TestCase):
     def setUp(self):
@@ -169,9 +173,9 @@ class Quality(unittest.TestCase):
              "7: wanted a number > 0 as torque_scale, got \"1\""),
             (pretty(lambda c: c.update(centre_of_mass=[0, 0])),
              "2: wanted 3 numbers as centre_of_mass, got [0,0]"),
-            (pretty(lambda c: c.update(colour=1)),
-             "36: the file knows no 'colour', only centre_of_mass, torque_scale, contacts, name, "
-             "source"),
+            (pretty(lambda c: c.update(center_of_mass=[0, 0, 0])),
+             "36: the file knows no 'center_of_mass', did you mean 'centre_of_mass'?"),
+            (pretty(first(torsoin=1)), "21: contacts.0 knows no 'torsoin', did you mean 'torsion'?"),
             (pretty(lambda c: c.update(contacts=3)), "8: wanted a list of contacts as contacts, got 3"),
             (pretty(lambda c: c["contacts"].append(5)), "35: wanted an object as contacts.2, got 5"),
             (pretty(lambda c: c["contacts"][1].pop("normal")), "22: contacts.1 has no 'normal'"),
@@ -179,9 +183,7 @@ class Quality(unittest.TestCase):
              "20: wanted a number >= 0 as contacts.0.friction, got -0.1"),
             (pretty(first(torsion=[1])), "21: wanted a number >= 0 as contacts.0.torsion, got [1]"),
             (pretty(first(normal=[0, 0, 0])),
-             "15: wanted a unit vector (its length is 0) as contacts.0.normal, got [0,0,0]"),
-            (pretty(first(normal=[1, 0.1, 0])),
-             "15: wanted a unit vector (its length is 1.00499) as contacts.0.normal, got [1,0.1,0]"),
+             "15: wanted a direction as contacts.0.normal, got [0,0,0]"),
             (pretty(first(normal=[1, None, 0])),
              "15: wanted 3 numbers as contacts.0.normal, got [1,null,0]"),
             (pretty(first(wrenches=[])),
@@ -226,10 +228,77 @@ class Quality(unittest.TestCase):
         self.assertEqual(answer["volume"] is None, not answer["volume_complete"])
         self.assertGreater(answer["volume_bounds"]["lower"], 0)
 
-    def test_nearly_unit_normals_are_made_unit(self):
-        self.assertEqual(
-            self.ask(grasp([contact([0, 0, 0], [0, 0, 1.0009], 0)]))["epsilon"]["lower"],
-            self.ask(grasp([contact([0, 0, 0], [0, 0, 1], 0)]))["epsilon"]["lower"])
+    def test_normals_are_made_unit_with_a_warning_if_it_matters(self):
+        unit = self.ask(THREE)
+        for length, warnings in ((1.0009, []), (2, ["a normal of length 2 was made unit: contact 1"])):
+            given = json.loads(json.dumps(THREE))
+            given["contacts"][1]["normal"] = [length * x for x in given["contacts"][1]["normal"]]
+            answer = self.ask(given)
+            self.assertEqual(answer["warnings"], warnings)
+            for bound in ("lower", "upper"):
+                self.assertAlmostEqual(answer["epsilon"][bound], unit["epsilon"][bound], delta=1e-3)
+
+    def warning(self, content):
+        warnings = self.ask(content)["warnings"]
+        self.assertEqual(len(warnings), 1, warnings)
+        self.assertIn("warning", self.run_on(content).stdout)
+        return warnings[0]
+
+    def test_what_looks_like_a_mistake_is_said(self):
+        self.assertEqual(self.ask(THREE)["warnings"], [])
+        in_mm = grasp([{**c, "position": [1000 * x for x in c["position"]]}
+                       for c in THREE["contacts"]], 1000)
+        self.assertIn("1000 m, or 1 torque scales, from the centre of mass: contacts 0, 1, 2; lengths "
+                      "are in metres", self.warning(in_mm))
+        self.assertIn("point away", self.warning(grasp([{**c, "normal": [-x for x in c["normal"]]}
+                                                        for c in THREE["contacts"]])))
+        self.assertIn("friction 30: contact 1;",
+                      self.warning(grasp([THREE["contacts"][0], {**THREE["contacts"][1], "friction": 30}])))
+        self.assertEqual(self.warning({**THREE, "expected": 1}), "ignored, as it is not known: expected")
+
+    # A pyramid up along z with mu 0.5 from a point down it, in a wrench space 10 wide elsewhere. With
+    # corners along x the nearest facet (4, 0.1, -1, 0.1, 0.1, 0.1) holds one of them and (0, 10, ..);
+    # turned by 45 degrees it holds two, at x = sqrt 0.125, and is (2 / x, 0, -1, 0.1, 0.1, 0.1).
+    def test_the_first_edge_turns_pyramids(self):
+        wide = [[s * 10 if k == i else 0 for k in range(6)] for i in (1, 3, 4, 5) for s in (1, -1)]
+        up = grasp([contact([0, 0, 0], [0, 0, 1], 0.5), generators([[0, 0, -1, 0, 0, 0], *wide])])
+        for angle, squares in ((0, 17.04), (45, 33.03), (90, 17.04)):
+            found = self.ask(up, "--edges", "4", "--first-edge", str(angle))["epsilon"]["lower"]
+            self.assertAlmostEqual(found, 1 / math.sqrt(squares), delta=EXACT)
+        self.assertEqual(self.run_on(THREE, "--first-edge", "3").returncode, 1)
+
+    def test_a_broken_file_hinders_no_other(self):
+        broken = self.write("{", "broken.json")
+        last = self.write(grasp([generators(CROSS)]), "last.json")
+        out = self.folder / "all.jsonl"
+        result = self.run_on(THREE, broken, last, "--json", "--out", str(out))
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual([json.loads(line)["file"] for line in result.stdout.splitlines()],
+                         [str(self.folder / "contacts.json"), last])
+        self.assertTrue(result.stderr.startswith(f"thenar: {broken}:1: wanted JSON"), result.stderr)
+        self.assertEqual(out.read_text(), result.stdout)
+
+    # Whatever the contacts, all promised keys are there, in JSON that knows no NaN.
+    def test_degenerate_contacts_have_whole_answers(self):
+        one = contact([0.5, 0, 0], [-1, 0, 0], 0.5)
+        sets = [[], [one], [one] * 2, [one] * 5, THREE["contacts"][:2], [{**one, "friction": 0}],
+                [{**c, "friction": 0} for c in THREE["contacts"]], [contact([0, 0, 0], [0, 0, 1], 0)],
+                [generators([[0] * 6])], [generators([[1, 0, 0, 0, 0, 0]] * 3)]]
+        files = [self.write(grasp(contacts, scale), f"{i} {scale}.json")
+                 for i, contacts in enumerate(sets) for scale in (1e-3, 1, 1e3)]
+        for norm, edges in itertools.product(("l1", "linf"), "04"):
+            text = self.run_on(THREE, *files, "--json", "--norm", norm, "--edges", edges).stdout
+            self.assertNotIn("-0.0,", text)
+            lines = text.splitlines()[1:]
+            self.assertEqual(len(lines), len(files))
+            for line in lines:
+                answer = json.loads(line, parse_constant=self.fail)
+                self.assertEqual(list(answer)[:len(KEYS)], KEYS)
+                self.assertFalse(answer["force_closure"])
+                self.assertEqual(answer["volume"], 0)
+                self.assertAlmostEqual(math.hypot(*answer["missing_direction"]), 1, delta=1e-6)
+                self.assertLessEqual(answer["epsilon"]["upper"], 0)
+                self.assertLess(answer["rank"], 6)
 
     def test_a_file_that_is_not_there_is_named(self):
         missing = str(self.folder / "missing.json")
