@@ -7,11 +7,8 @@
 
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
-#include "grasp/contact/curvature.h"
-#include "grasp/contact/soft_finger.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -19,10 +16,7 @@ namespace {
 
 using Ordered = nlohmann::ordered_json;
 
-constexpr double kGravity = 9.81;   // [m/s^2]
-constexpr double kFlat = 10;        // less curved than a ball of 0.1 m, as soft_pads has it [1/m]
-constexpr double kStep = 3e-3;      // over which curvatures are taken [m]
-constexpr double kShear = 1.0 / 3;  // shear by Young's modulus of what keeps its volume [1]
+constexpr double kGravity = 9.81;  // [m/s^2]
 
 template <typename Value>
 Measured<Value> none(const std::string& reason) {
@@ -124,45 +118,26 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
   measures.turn = margin_of(loads, GraspTask::kTurn);
 }
 
-PrincipalCurvatures curvatures_at(const Solid& solid, const Pose<double>& X_OB,
-                                  const Eigen::Vector3d& p_O) {
-  PrincipalCurvatures found = curvatures(*solid.shape, X_OB.inverse() * p_O, kStep);
-  found.d1 = X_OB.R * found.d1;
-  return found;
-}
-
-/// Springs of one contact. @param X_OS  the surface's frame in the object's
-PadStiffness pad_of(const Material& layer, const Contact& contact, const Solid& surface,
-                    const Pose<double>& X_OS, const Solid& object) {
-  const PrincipalCurvatures a = curvatures_at(surface, X_OS, contact.p);
-  const PrincipalCurvatures b = curvatures_at(object, {}, contact.p);
-  const GapCurvatures gap =
-      gap_curvatures(a, b, std::acos(std::min(1.0, std::abs(a.d1.dot(b.d1)))));
-  const SoftPatch patch =
-      winkler_patch(kPadForce, layer.young, layer.layer_thickness, 1 / std::max(kFlat, gap.k1),
-                    1 / std::max(kFlat, gap.k2), contact.friction);
-  const double area = kPi * patch.a * patch.b, per_area = layer.young / layer.layer_thickness;
-  return {per_area * area, kShear * per_area * area,
-          kShear * per_area * area * (patch.a * patch.a + patch.b * patch.b) / 4};
-}
-
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   const SceneBody& object = asked.question.scene.object;
   const Materials& materials = asked.question.scene.materials;
   const PosedHand posed{asked.touching, asked.grasp.approached.X_WH,
                         asked.touching.hand->pose(asked.grasp.closed.q)};
+  const PadBody held{object.solid, materials.at(object.material), {}};
+  PadOptions options;
+  options.force = kPadForce;
   std::vector<PadStiffness> pads;
-  for (const HandContact& found : asked.grasp.contacts) {
-    const LinkSurface& link =
-        asked.touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
-    const Material* layer =
-        softer_layer(materials.at(link.material), materials.at(object.material));
-    if (layer == nullptr)
+  for (const ContactPatch& patch : regions_of(asked.grasp.contacts)) {
+    const int surface = patch.contacts[0].surface;
+    const LinkSurface& link = asked.touching.hand->surfaces()[static_cast<std::size_t>(surface)];
+    const PadBody pad{*link.solid, materials.at(link.material),
+                      object.X_WB.inverse() * posed.of_surface(surface)};
+    const auto springs = pad_stiffness(patch, pad, held, options);
+    if (!springs)
       return none<GraspStiffness>(
           fmt::format("neither {} nor {} has a soft layer: contacts of {} are rigid", link.material,
                       object.material, link.name));
-    pads.push_back(pad_of(*layer, found.contact, *link.solid,
-                          object.X_WB.inverse() * posed.of_surface(found.surface), object.solid));
+    pads.insert(pads.end(), patch.contacts.size(), *springs);
   }
   return {grasp_stiffness(plain(asked.grasp.contacts), object.com, object.reach, pads), ""};
 }

@@ -42,11 +42,7 @@ struct GraspMeasures {
 inline constexpr double kPadForce = 1;  // on every contact, for the stiffness of pads [N]
 
 /// Measures a grasp that is one. Friction is of true cones, but for the volume, which is of the
-/// answer's wrenches. Pads are springs of the softer layer (Young's modulus E over
-/// thickness h) as large as winkler_patch() of kPadForce: E / h times the area along the normal, a
-/// third of that along the tangents and about the normal, as the shear modulus of what keeps its
-/// volume is E / 3.
-/// Source: [Cutkosky1989] for the stiffness, [Johnson1985] section 4.3 for the layer.
+/// answer's wrenches. Pads are springs of pad_stiffness() under kPadForce.
 [[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
                                     const GraspAnswer& answer);
 

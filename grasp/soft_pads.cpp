@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/angles.h"
 #include "base/error.h"
 #include "grasp/contact/curvature.h"
 #include "grasp/contact/soft_finger.h"
@@ -10,7 +11,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlat = 10;  // less curved than a ball of 0.1 m [1/m]
+constexpr double kFlat = 10;        // less curved than a ball of 0.1 m [1/m]
+constexpr double kShear = 1.0 / 3;  // shear by Young's modulus of what keeps its volume [1]
+const double kAlike = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
 
 bool is_soft(const Material& material) {
   return material.young > 0 && material.layer_thickness > 0;
@@ -39,23 +42,30 @@ PrincipalCurvatures curvatures_at(const PadBody& body, const Eigen::Vector3d& p_
   return found;
 }
 
-GapCurvatures gap_at(const ContactPatch& patch, const PadBody& a, const PadBody& b, double step) {
-  const PrincipalCurvatures on_a = curvatures_at(a, middle(patch), step);
-  const PrincipalCurvatures on_b = curvatures_at(b, middle(patch), step);
+GapCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadBody& b, double step) {
+  const PrincipalCurvatures on_a = curvatures_at(a, p, step);
+  const PrincipalCurvatures on_b = curvatures_at(b, p, step);
   const double angle = std::acos(std::min(1.0, std::abs(on_a.d1.dot(on_b.d1))));
   return gap_curvatures(on_a, on_b, angle);
 }
 
-double layer_torsion(const Material& layer, const GapCurvatures& gap, double friction,
-                     double force) {
+/// The patch of a layer that is not pressed beyond what it has.
+SoftPatch pressed_patch(const Material& layer, const GapCurvatures& gap, double friction,
+                        double force) {
   const double R1 = 1 / std::max(kFlat, gap.k1), R2 = 1 / std::max(kFlat, gap.k2);
   const auto pressed = [&](double load) {
     return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
   };
   const SoftPatch patch = pressed(force);
   const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
-  if (patch.depth <= most) return patch.torsion;
-  return pressed(force * std::pow(most / patch.depth, 2)).torsion;  // depth goes with its root
+  if (patch.depth <= most) return patch;
+  return pressed(force * std::pow(most / patch.depth, 2));  // depth goes with its root
+}
+
+void check(const PadOptions& options) {
+  require(options.force > 0 && options.step > 0 && std::isfinite(options.force + options.step),
+          "force and step of soft contacts must be positive and finite, got {} N and {} m",
+          options.force, options.step);
 }
 
 }  // namespace
@@ -71,18 +81,43 @@ double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
   require(
       options.contact == ContactModel::kHardPoint || options.contact == ContactModel::kSoftFinger,
       "contacts of grasps are hard points or soft fingers");
-  require(options.force > 0 && options.step > 0 && std::isfinite(options.force + options.step),
-          "force and step of soft contacts must be positive and finite, got {} N and {} m",
-          options.force, options.step);
+  check(options);
   const Material* layer = softer_layer(a.material, b.material);
   if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
     return 0;
 
-  const GapCurvatures gap = gap_at(patch, a, b, options.step);
+  const GapCurvatures gap = gap_at(middle(patch), a, b, options.step);
   if (patch.contacts.size() > 1 && gap.k2 < kFlat) return 0;
   const double friction = patch.contacts[0].contact.friction;
-  const double torsion = layer_torsion(*layer, gap, friction, options.force);
+  const double torsion = pressed_patch(*layer, gap, friction, options.force).torsion;
   return std::max(0.0, torsion - friction * spread(patch));
+}
+
+std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBody& a,
+                                          const PadBody& b, const PadOptions& options) {
+  check(options);
+  require(!patch.contacts.empty(), "a patch of no contacts has no springs");
+  const Material* layer = softer_layer(a.material, b.material);
+  if (layer == nullptr) return {};
+  const GapCurvatures gap = gap_at(middle(patch), a, b, options.step);
+  const double friction = patch.contacts[0].contact.friction;
+  const SoftPatch pressed = pressed_patch(*layer, gap, friction, options.force);
+  const auto points = static_cast<double>(patch.contacts.size());
+  const double normal =
+      layer->young / layer->layer_thickness * kPi * pressed.a * pressed.b / points;
+  const double shear = kShear * normal, arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
+  return PadStiffness{normal, shear, patch.contacts.size() == 1 ? shear * arms : 0};
+}
+
+std::vector<ContactPatch> regions_of(const std::vector<HandContact>& contacts) {
+  std::vector<ContactPatch> regions;
+  for (const HandContact& each : contacts) {
+    const bool goes_on = !regions.empty() && regions.back().contacts[0].surface == each.surface &&
+                         regions.back().normal.dot(each.contact.n) > kAlike;
+    if (!goes_on) regions.push_back({{}, 0, 0, each.contact.n});
+    regions.back().contacts.push_back(each);
+  }
+  return regions;
 }
 
 }  // namespace thenar

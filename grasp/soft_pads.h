@@ -1,10 +1,13 @@
 #pragma once
 
-/// Torsion of contacts between a soft pad and an object.
+/// What soft pads add to contacts: torsion, and springs.
+
+#include <optional>
 
 #include "base/fidelity.h"
 #include "data/io/world/materials.h"
 #include "grasp/contact/contact_patch.h"
+#include "grasp/quality/grasp_stiffness.h"
 
 namespace thenar {
 
@@ -42,5 +45,24 @@ struct PadBody {
 /// is not positive and finite.
 [[nodiscard]] double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
                                 const PadOptions& options);
+
+/// Springs of the pad at each point of a patch, pressed by `options.force` in all; nothing where
+/// neither body has a layer. Of winkler_patch() with semi-axes a, b, gap and layer as torsion_of()
+/// has them, Young's modulus E and thickness h, the whole patch has
+///   normal  k_n = E / h pi a b,  tangential  k_t = k_n / 3,  twisting  k_t (a^2 + b^2) / 4,
+/// the springs under it, each with the shear modulus E / 3 of what keeps its volume along the
+/// tangents; k_n is the slope of force over depth. Several points share the first two and twist by
+/// their distance alone. That a patch also resists being rocked about its tangents, by k_n a^2 / 4,
+/// is left out of one point, as contacts bear no such torque.
+/// `options.contact` is not asked: hard points on soft pads have the springs of these.
+/// @throws InputError if the force or the step is not positive and finite, or the patch is empty.
+/// Source: [Cutkosky1989] for springs of fingertips, [Johnson1985] section 4.3 for the layer.
+[[nodiscard]] std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBody& a,
+                                                        const PadBody& b,
+                                                        const PadOptions& options = {});
+
+/// Contacts as contacts_of() lists them, patch by patch: those of one surface that follow each
+/// other and press in directions within 30 degrees. Only contacts and normals are filled in.
+[[nodiscard]] std::vector<ContactPatch> regions_of(const std::vector<HandContact>& contacts);
 
 }  // namespace thenar

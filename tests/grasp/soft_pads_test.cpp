@@ -109,6 +109,91 @@ TEST(SoftPads, OfFacetsHoldAsMuchAsSmoothOnes) {
   EXPECT_NEAR(faceted + 0.6e-3, smooth, 1e-5);  // 3 points at 1 mm from their middle hold 0.6 mm
 }
 
+/// Stiffness of what jaws squeeze, turns counted as they are: K in N/m, N and N m/rad.
+GraspStiffness stiffness(const ShapeSpec& pad, const ShapeSpec& object) {
+  const Materials& materials = built_in_materials();
+  const Solid jaw = build_solid({pad}), body = build_solid({object});
+  const PadBody held{body, materials.at("wood"), {}};
+  const double half = jaw.shape->bounds().max().x();
+  PadOptions options;
+  options.step = 3e-4;  // so that curvatures of balls are off by 0.02 %
+  std::vector<Contact> contacts;
+  std::vector<PadStiffness> pads;
+  for (const ContactPatch& patch : regions_of(squeeze(pad, "skin", object, {}).contacts)) {
+    const Contact& first = patch.contacts[0].contact;
+    PadBody at{jaw, materials.at("skin"), {}};
+    at.X_OB.p.x() = first.p.x() - (first.n.x() > 0 ? half : -half);
+    for (const HandContact& each : patch.contacts) contacts.push_back(each.contact);
+    pads.insert(pads.end(), patch.contacts.size(), *pad_stiffness(patch, at, held, options));
+  }
+  return grasp_stiffness(contacts, {0, 0, 0}, 1, pads);
+}
+
+/// One patch on a gap of radius R, skin of E = 25 kPa and h = 3 mm at N = 1 N:
+///   N = E / h pi R depth^2,  k_n = dN / ddepth = 2 sqrt(N E pi R / h) = 2 N / depth.
+struct Spring {
+  explicit Spring(double R) : normal(2 * std::sqrt(25e3 * kPi * R / 3e-3)), radius(R) {}
+  [[nodiscard]] double shear() const { return normal / 3; }  // G = E / 3
+  /// k_t int r^2 dA / A = k_t a^2 / 2, of a circle with a^2 = 2 R depth.
+  [[nodiscard]] double twist() const { return shear() * radius * 2 / normal; }
+  double normal;  // [N/m]
+  double radius;  // [m]
+};
+
+using Diagonal = Eigen::Matrix<double, 6, 1>;
+
+/// Of two of them at +-r on the x axis: along x both press, across both shear, about x they twist,
+/// about y and z they rock the object by shearing at r.
+Diagonal pinch_diagonal(const Spring& k, double r) {
+  const double rock = 2 * k.shear() * r * r;
+  return (Diagonal() << 2 * k.normal, 2 * k.shear(), 2 * k.shear(), 2 * k.twist(), rock, rock)
+      .finished();
+}
+
+/// @param error  of an entry, by the root of the two on its row's and column's diagonal [1]
+void expect_diagonal(const GraspStiffness& found, const Diagonal& diagonal, double error) {
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      EXPECT_NEAR(found.K(i, j), i == j ? diagonal(i) : 0,
+                  error * std::sqrt(diagonal(i) * diagonal(j)))
+          << i << " " << j;
+}
+
+constexpr double kPlaces = 1e-3;  // jaws stop within 0.01 mm, at arms of 10 to 20 mm
+
+TEST(SoftPads, HoldABallWithTheirSprings) {
+  const Spring spring(1 / (1 / kPad + 1 / kBall));
+  expect_diagonal(stiffness(kPadBall, kObjectBall), pinch_diagonal(spring, kBall), kPlaces);
+}
+
+TEST(SoftPads, HoldACubeWithTheirSprings) {
+  const ShapeSpec cube = sample::shape(ShapeKind::kBox, {0.03, 0.03, 0.03});
+  expect_diagonal(stiffness(kPadBall, cube), pinch_diagonal(Spring(kPad), 0.015), kPlaces);
+}
+
+// Faces of 20 x 20 mm touch a cube at four corners each, which share the spring of a radius of
+// 0.1 m, by convention: at (+-15, +-10, +-10) mm they press along x and shear across, shear at
+// sqrt(2) 10 mm about x, press at 10 mm and shear at 15 mm about y and z.
+TEST(SoftPads, RockACubeBetweenFlatFacesOnTheirCorners) {
+  const ShapeSpec plate = sample::shape(ShapeKind::kBox, {0.01, 0.02, 0.02});
+  const ShapeSpec cube = sample::shape(ShapeKind::kBox, {0.03, 0.03, 0.03});
+  const Spring k(0.1);
+  const double along = 2 * k.normal, across = 2 * k.shear();
+  const double rock = along * 0.01 * 0.01 + across * 0.015 * 0.015;
+  const Diagonal diagonal =
+      (Diagonal() << along, across, across, across * 2 * 0.01 * 0.01, rock, rock).finished();
+  expect_diagonal(stiffness(plate, cube), diagonal, kPlaces);
+}
+
+TEST(SoftPads, OfRigidMaterialsAreNoSprings) {
+  const Solid ball = build_solid({kPadBall});
+  const PadBody metal{ball, built_in_materials().at("metal"), {}};
+  ContactPatch patch;
+  patch.contacts.resize(1);
+  EXPECT_FALSE(pad_stiffness(patch, metal, metal).has_value());
+  EXPECT_THROW((void)pad_stiffness({}, metal, metal), InputError);
+}
+
 TEST(SoftPads, RejectImpossibleOptions) {
   EXPECT_THROW((void)squeeze(kPadBall, "skin", kObjectBall, soft(0)), InputError);
   PadOptions wrong;
