@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <optional>
 
 #include "grasp/contact/lifted_bound.h"
@@ -16,6 +18,9 @@ struct Part {
   double radius;                                  // [m]
   std::array<std::optional<PatchPoint>, 3> seen;  // corners that have been asked for
 };
+
+/// From a point inside to one outside, and the rounding [m] (3 + 3 + 1).
+using Side = std::array<double, 7>;
 
 /// The halves of a part. They share what has been seen at their corners: those of the part, and the
 /// middle of the side that is cut, where it is the middle of the part.
@@ -78,6 +83,17 @@ class PatchSearch {
     return std::max(by_ball, near.distance + lowest - part.radius);
   }
 
+  /// No point of the part counts, by what has been seen from one of its corners.
+  [[nodiscard]] bool far_by_corners(const Part& part) const {
+    return std::any_of(part.seen.begin(), part.seen.end(), [&](const auto& seen) {
+      if (!seen || seen->distance <= query_.level) return false;
+      const Eigen::Matrix3d arms = part.corners.colwise() - seen->core;
+      const double least = seen->supports ? (seen->normal.transpose() * arms).minCoeff()
+                                          : -std::sqrt(arms.colwise().squaredNorm().maxCoeff());
+      return seen->distance + least > query_.level;
+    });
+  }
+
   void search(int triangle) {
     const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
     std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, {}}};
@@ -85,7 +101,7 @@ class PatchSearch {
       Part part = parts.back();
       parts.pop_back();
       const Ball ball = smallest_ball(part.corners);
-      if (far_by_place({ball.c, ball.r + part.radius})) continue;
+      if (far_by_corners(part) || far_by_place({ball.c, ball.r + part.radius})) continue;
       const NearestSurface near = b_.nearest(ball.c);
       if (bound_of(part, ball, near) > query_.level) continue;
       const PatchPoint middle = point_at(ball.c, near, part.radius);
@@ -101,7 +117,8 @@ class PatchSearch {
 
   static PatchPoint point_at(const Eigen::Vector3d& core, const NearestSurface& near,
                              double radius) {
-    return {core, near.distance - radius, core - near.distance * near.normal, near.normal, radius};
+    return {core,   near.distance - radius, core - near.distance * near.normal, near.normal,
+            radius, near.supports};
   }
 
   [[nodiscard]] bool counts(const PatchPoint& point) const {
@@ -126,7 +143,8 @@ class PatchSearch {
       if (!part.seen[k]) part.seen[k] = seen(part.corners.col(k), part.radius);
       sort_in(*part.seen[k]);
     }
-    if (inside.empty() && !counts(middle) && clear(part, ball, middle)) return true;
+    if (inside.empty() && !counts(middle) && (far_by_corners(part) || clear(part, ball, middle)))
+      return true;
     if (ball.r > query_.resolution && !(outside.empty() && counts(middle))) return false;
     PatchPiece piece{ball, inside};
     (counts(middle) ? piece.points : outside).push_back(middle);
@@ -146,8 +164,17 @@ class PatchSearch {
   }
 
   /// Where the way from a point inside to one outside crosses the rim: the last point inside.
-  PatchPoint crossing(PatchPoint in, const PatchPoint& outside) {
-    Eigen::Vector3d out = outside.core;
+  /// Neighbours share most sides.
+  const PatchPoint& crossing(const PatchPoint& inside, const PatchPoint& outside) {
+    Side side;
+    Eigen::Map<Eigen::Matrix<double, 7, 1>>(side.data()) << inside.core, outside.core,
+        inside.radius;
+    const auto [place, is_new] = crossings_.emplace(side, inside);
+    if (is_new) place->second = halved(inside, outside.core);
+    return place->second;
+  }
+
+  PatchPoint halved(PatchPoint in, Eigen::Vector3d out) {
     for (int i = 0; i < query_.halvings; ++i) {
       const PatchPoint halfway = seen((in.core + out) / 2, in.radius);
       if (counts(halfway))
@@ -182,6 +209,7 @@ class PatchSearch {
   const Shape& b_;
   const PatchQuery query_;
   PatchPieces found_;
+  std::map<Side, PatchPoint> crossings_;
   int evaluations_ = 0;
 };
 

@@ -19,6 +19,7 @@ struct PatchPoint {
   Eigen::Vector3d on_b{0, 0, 0};    // nearest point of B's surface [m] (3)
   Eigen::Vector3d normal{0, 0, 1};  // outward of B there, unit (3)
   double radius = 0;                // of the rounding [m]
+  bool supports = false;            // NearestSurface::supports
 };
 
 /// A piece of a triangle of A that lies near B.
