@@ -88,4 +88,12 @@ std::vector<std::string> warnings_of(const GraspQuestion& question, const GraspA
   return warnings;
 }
 
+std::string explanation(const GraspQuestion& question, const GraspAnswer& answer) {
+  const std::string words = outcome_words(answer.grasp);
+  if (answer.grasp.outcome != GraspOutcome::kEmpty || answer.start.way > 0) return words;
+  return words + (question.hand.parts.size() > 1
+                      ? "; it stays where what carries it stands: other angles of the arm may help"
+                      : "; it closed where it stands: `thenar grasp` goes at the object first");
+}
+
 }  // namespace thenar

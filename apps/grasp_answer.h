@@ -55,6 +55,9 @@ struct GraspAnswer {
 [[nodiscard]] std::vector<std::string> warnings_of(const GraspQuestion& question,
                                                    const GraspAnswer& answer);
 
+/// outcome_words(), and what to do where a hand closed on nothing because it stayed where it is.
+[[nodiscard]] std::string explanation(const GraspQuestion& question, const GraspAnswer& answer);
+
 /// The contacts' wrenches, with cones or pyramids.
 [[nodiscard]] WrenchSet wrenches_of(const GraspQuestion& question,
                                     const std::vector<HandContact>& contacts);

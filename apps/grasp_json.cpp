@@ -104,7 +104,7 @@ Ordered grasp_json(const GraspQuestion& question, const TouchingHand& touching,
                {"hand", question.hand.named.name},
                {"object", question.scene.object.name},
                {"outcome", name_of(grasp.outcome)},
-               {"explanation", outcome_words(grasp)}};
+               {"explanation", explanation(question, answer)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
     json.update(quality_json(grasp.quality));
     if (answer.measures) json.update(measures_json(*answer.measures));

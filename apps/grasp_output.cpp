@@ -73,7 +73,7 @@ std::string grasp_text(const GraspQuestion& question, const TouchingHand& touchi
                        const GraspAnswer& answer) {
   const Grasp& grasp = answer.grasp;
   std::string text = fmt::format("{} and {}: {}\n", question.hand.named.name,
-                                 question.scene.object.name, outcome_words(grasp));
+                                 question.scene.object.name, explanation(question, answer));
   if (question.starts > 0) text += starts_text(question, answer);
   if (grasp.outcome == GraspOutcome::kGrasped) text += quality_text(grasp.quality);
   if (answer.measures) text += "\n" + measures_text(measure_rows(*answer.measures));

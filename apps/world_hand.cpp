@@ -88,23 +88,42 @@ std::vector<std::size_t> parts_of(const WorldSpec& world, std::size_t index) {
   return parts;
 }
 
+/// Locks the motors of a carrier that stand still and whose efforts are unknown; notes that there
+/// were some.
+RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& locked) {
+  bool found = false;
+  for (RobotDof& dof : carrier.dofs) {
+    if (dof.speed != 0 || (dof.max_effort > 0 && !dof.nominal_effort)) continue;
+    dof.backdrivable = false;
+    found = true;
+  }
+  if (found) locked.push_back(carrier.name);
+  return carrier;
+}
+
 /// One robot of a hand and its carriers, from the last of them to the hand.
 NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts,
                   const Places& data) {
   const PlacedHand& last = world.hands[parts.back()];
-  RobotSpec robot = import_robot(file_of(world, last, data));
+  std::vector<std::string> locked;
+  RobotSpec robot = locked_where_unknown(import_robot(file_of(world, last, data)), locked);
   NamedHand hand;
   hand.name = world.hands[parts.front()].name + " on " + last.name;
   hand.file = file_of(world, world.hands[parts.front()], data);
   for (std::size_t i = parts.size() - 1; i-- > 0;) {
     const PlacedHand& placed = world.hands[parts[i]];
     RobotSpec tool = import_robot(file_of(world, placed, data));
-    if (i == 0) tool = graspable(std::move(tool));
+    tool = i == 0 ? graspable(std::move(tool)) : locked_where_unknown(std::move(tool), locked);
     robot = attach(robot, placed.carrier_link, tool, placed.X_WH);
   }
   robot = with_materials(std::move(robot));
   hand.hand = std::make_shared<RobotHand>(robot);
   hand.warnings = robot.warnings;
+  if (!locked.empty())
+    hand.warnings.push_back(fmt::format(
+        "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
+        "part of any load",
+        fmt::join(locked, " and ")));
   return hand;
 }
 

@@ -24,7 +24,8 @@ struct WorldHand {
 /// Builds the hand called `name`; "": the only one that carries no other.
 ///
 /// A hand that is mounted becomes one robot with its carriers, which stand still while it closes if
-/// nothing closes them. Coordinates that the world does not name are where closing begins. Besides
+/// nothing closes them; those of their motors whose efforts are unknown are locked, with a warning.
+/// Coordinates that the world does not name are where closing begins. Besides
 /// coordinates a posture may name degrees of freedom, each of which sets the joints it drives.
 /// @param path   of the world, for messages
 /// @param data   folders with robots/, as data_for()

@@ -58,12 +58,33 @@ class WorldsOfData(unittest.TestCase):
     def test_hands_close_on_their_objects(self):
         worlds = pathlib.Path(__file__).parents[2] / "data" / "worlds"
         for name in sorted(path.stem for path in worlds.glob("*.toml")):
-            result = subprocess.run([PROGRAM, "grasp", str(worlds / f"{name}.toml"), "--json"],
+            result = subprocess.run([PROGRAM, "grasp", str(worlds / f"{name}.toml"), "--json",
+                                     "--wrenches"],
                                     capture_output=True, text=True, check=False, timeout=60)
             self.assertEqual(result.returncode, 0, result.stderr)
             answer = json.loads(result.stdout)
             self.assertTrue(answer["force_closure"], name)
             self.assertGreater(answer["epsilon"]["lower"], 0, name)
+            self.assertNotIn(None, answer["wrench_set"].values(), name)
+
+    # Each jaw presses with 80 N and has friction 1 on wood. Nobody states efforts of arm and base.
+    def test_an_arm_of_unknown_efforts_is_locked(self):
+        result = subprocess.run([PROGRAM, "close", "arm_cube", "--json"], capture_output=True,
+                                text=True, check=False, timeout=60)
+        answer = json.loads(result.stdout)
+        self.assertAlmostEqual(answer["pull_N"], 160, delta=1e-4)
+        self.assertAlmostEqual(answer["hold_actuated_N"], answer["weight_N"], delta=1e-6)
+        [warning] = answer["warnings"]
+        for words in ("xr4000", "puma560", "locked"):
+            self.assertIn(words, warning)
+
+    def test_a_hand_that_closes_on_nothing_says_what_to_do(self):
+        for command, hint in ((["close"], "`thenar grasp` goes at the object first"),
+                              (["grasp", "--no-approach"], "goes at the object first"),
+                              (["grasp"], "grasped")):
+            result = subprocess.run([PROGRAM, command[0], "jaw_box", *command[1:]],
+                                    capture_output=True, text=True, check=False, timeout=60)
+            self.assertIn(hint, result.stdout.splitlines()[0])
 
 
 class DataFromAnywhere(unittest.TestCase):
