@@ -57,6 +57,53 @@ TEST(WrenchPicture, SliceWithoutTorqueIsADoubleCone) {
   }
 }
 
+/// Corners of a cube of side 2 pressed along x from both sides.
+std::vector<Contact> cube_corners(double mu) {
+  std::vector<Contact> contacts;
+  for (const double x : {-1, 1})
+    for (const double y : {-1, 1})
+      for (const double z : {-1, 1}) contacts.push_back({{x, y, z}, {-x, 0, 0}, mu, 0});
+  return contacts;
+}
+
+// Flush jaws of friction 1: a jaw that presses at (y, z) of its face, 1 from the middle, takes
+// friction (f_y, f_z) = (y, z) without turning the cube, however much the other presses. So the
+// pinch's double cone grows to the cylinder of all forces: many ways to make each, and none fails.
+TEST(WrenchPicture, SliceOfFlushJawsIsACylinder) {
+  const ForceSet forces =
+      unit_forces(wrench_set(cube_corners(1), {0, 0, 0}, std::sqrt(3)), ForceLimit::kL1);
+  const WrenchPicture picture = wrench_picture(forces, kForces, PictureKind::kSlice, 4);
+  EXPECT_EQ(picture.failed, 0);
+  for (Eigen::Index i = 0; i < picture.mesh.vertices.cols(); ++i) {
+    const Eigen::Vector3d v = picture.mesh.vertices.col(i);
+    EXPECT_NEAR(std::max(std::abs(v.x()), v.tail<2>().norm()), 1, kSolved) << i;
+  }
+}
+
+// Without friction a pinch makes forces along x alone: a segment, and no torque at all.
+TEST(WrenchPicture, OfAFlatSetIsFlat) {
+  const ForceSet forces = unit_forces(pinch(0, 0), ForceLimit::kL1);
+  for (const PictureKind kind : {PictureKind::kProjection, PictureKind::kSlice}) {
+    const WrenchPicture picture = wrench_picture(forces, kForces, kind, 2);
+    EXPECT_EQ(picture.failed, 0);
+    EXPECT_NEAR(picture.mesh.vertices.row(0).maxCoeff(), 1, kSolved);
+    EXPECT_NEAR(picture.mesh.vertices.row(0).minCoeff(), -1, kSolved);
+    EXPECT_NEAR(picture.mesh.vertices.bottomRows(2).cwiseAbs().maxCoeff(), 0, kSolved);
+    const WrenchPicture torques = wrench_picture(forces, {3, 4, 5}, kind, 2);
+    EXPECT_EQ(torques.failed, 0);
+    EXPECT_NEAR(torques.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolved);
+  }
+}
+
+// One finger presses off the middle: its forces come with torque, so without torque there is none.
+TEST(WrenchPicture, SliceThroughARimIsThePointZero) {
+  const ForceSet forces =
+      unit_forces(wrench_set({{{0, 0, 1}, {0, 1, 0}, 0, 0}}, {0, 0, 0}, 1), ForceLimit::kL1);
+  const WrenchPicture picture = wrench_picture(forces, kForces, PictureKind::kSlice, 2);
+  EXPECT_EQ(picture.failed, 0);
+  EXPECT_NEAR(picture.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolved);
+}
+
 TEST(WrenchPicture, SaysWhereASetHasNoEnd) {
   const WrenchPicture picture =
       wrench_picture(free_forces(pinch(0.5, 0)), kForces, PictureKind::kProjection, 1);
