@@ -38,24 +38,9 @@ Eigen::VectorXd vector(const nlohmann::json& list) {
   return out;
 }
 
-/// A task with the unit of its margin: "hold-weight" is in weights.
-std::string margin_key(const std::string& task) {
-  switch (grasp_task(task)) {
-    case GraspTask::kHoldWeight:
-      return "hold_weights";
-    case GraspTask::kPull:
-      return "pull_N";
-    case GraspTask::kTurn:
-      return "turn_Nm";
-    case GraspTask::kForceClosure:
-      break;
-  }
-  return "force_closure";
-}
-
 Json margin_json(const std::map<std::string, double>& margins) {
   Json out = Json::object();
-  for (const auto& [task, margin] : margins) out[margin_key(task)] = number_json(margin);
+  for (const auto& [task, margin] : margins) out[load_key(grasp_task(task))] = number_json(margin);
   return out;
 }
 
@@ -63,7 +48,7 @@ std::map<std::string, double> margins_of(const nlohmann::json& json) {
   std::map<std::string, double> margins;
   for (const GraspTask task :
        {GraspTask::kForceClosure, GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn}) {
-    const auto found = json.find(margin_key(name_of(task)));
+    const auto found = json.find(load_key(task));
     if (found != json.end()) margins[name_of(task)] = number(*found);
   }
   return margins;
@@ -191,6 +176,20 @@ Json abilities_json(const HandAbilities& hand) {
 }
 
 }  // namespace
+
+std::string load_key(GraspTask task) {
+  switch (task) {
+    case GraspTask::kHoldWeight:
+      return "hold_weights";
+    case GraspTask::kPull:
+      return "pull_N";
+    case GraspTask::kTurn:
+      return "turn_Nm";
+    case GraspTask::kForceClosure:
+      break;
+  }
+  return "force_closure";
+}
 
 Json comparison_json(const Comparison& comparison) {
   Json out{{"complete", comparison.complete},

@@ -14,6 +14,9 @@ namespace thenar {
 /// Everything but how long it took; units are in the names. null: not known; "infinite".
 [[nodiscard]] nlohmann::ordered_json comparison_json(const Comparison& comparison);
 
+/// A task with the unit of its load: "hold_weights", "pull_N", "turn_Nm"; "force_closure" has none.
+[[nodiscard]] std::string load_key(GraspTask task);
+
 /// Cells that an earlier run left in a file; none if there is no such file.
 /// @param inputs  that it must have come from, by name: another value is refused by that name
 /// @throws DataError, InputError if the file holds something else.

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/file_kind.h"
+#include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 
 namespace thenar {
@@ -23,8 +24,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
 
+/// @throws InputError where there is no object, or a file of another kind
 std::string object_file(const std::string& name, const std::string& data) {
-  return named_file("object", name, "objects", ".toml", data_folders(data));
+  std::string file = named_file("object", name, "objects", ".toml", data_folders(data));
+  if (fs::path(file).extension() != ".toml") {
+    const std::string made = fs::path(file).stem().string() + ".toml";
+    throw InputError(
+        fmt::format("'{}' is no object file (TOML): `thenar import {}{} --out {}` makes one; state "
+                    "its mass_g and material there",
+                    file, file, is_mesh_file(file) ? " --units mm" : "", made));
+  }
+  const FileKind kind = find_file_kind(file);
+  require(kind == FileKind::kObject, "'{}' is a file of kind '{}': wanted an object", file,
+          name_of(kind));
+  return file;
 }
 
 ComparedHand to_compare(const std::string& name, const std::string& data) {
@@ -61,20 +74,11 @@ std::string object_hash(const BodySpec& object) {
   return sha256(object_toml(object) + mesh_bytes(object.shapes));
 }
 
-bool is_subject(const std::string& file) {
-  return fs::path(file).extension() == ".toml" && fs::is_regular_file(file) &&
-         find_file_kind(file) == FileKind::kSubject;
-}
-
 /// Of what was read, whatever files it came from; of a subject its file; "" if it is built in.
 std::string hand_hash(const std::string& hand, const std::string& data) {
-  const std::string subject = hand.substr(0, hand.rfind(":tier"));
-  if (subject == "human") return "";
-  if (subject != hand) return sha256(read_source(subject).text);
-  std::string file = robot_file(hand, data_folders(data));
-  if (file.empty()) file = hand;
-  if (is_subject(file)) return sha256(read_source(file).text);
-  const RobotSpec robot = import_robot(file);
+  const HandSource source = find_hand(hand, data_folders(data));
+  if (source.human) return source.file.empty() ? "" : sha256(read_source(source.file).text);
+  const RobotSpec robot = import_robot(source.file);
   std::string bytes = robot_toml(robot);
   for (const RobotLink& link : robot.links) bytes += mesh_bytes(link.shapes);
   return sha256(bytes);

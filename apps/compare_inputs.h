@@ -29,6 +29,7 @@ struct CompareQuestion {
 [[nodiscard]] std::vector<ComparedHand> hands_of(const CompareQuestion& question);
 
 /// The objects, of files or by their names.
+/// @throws InputError that says how to make one of a mesh or another program's file.
 [[nodiscard]] std::vector<BodySpec> objects_of(const CompareQuestion& question);
 
 /// Everything but the names.

@@ -9,6 +9,7 @@
 #include "apps/data_folder.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
+#include "data/io/mesh/mesh_file.h"
 #include "data/io/nearest_name.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/guess_hand.h"
@@ -48,8 +49,20 @@ NamedHand robot(const std::string& name, const std::string& file) {
   return hand;
 }
 
-bool is_subject(const std::string& path) {
-  return fs::path(path).extension() == ".toml" && find_file_kind(path) == FileKind::kSubject;
+/// Of a file with or without a tier. @throws InputError if it is neither a subject nor a robot
+HandSource file_source(const std::string& file, const std::string& tier) {
+  require(
+      !is_mesh_file(file),
+      "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
+      file);
+  if (fs::path(file).extension() == ".toml") {
+    const FileKind kind = find_file_kind(file);
+    if (kind == FileKind::kSubject) return {true, file, tier.empty() ? "tier2" : tier};
+    require(kind == FileKind::kRobot, "'{}' is a file of kind '{}': wanted a robot or a subject",
+            file, name_of(kind));
+  }
+  require(tier.empty(), "'{}' is a robot and has no {}", file, tier);
+  return {false, file, ""};
 }
 
 /// Before and after the last colon; nothing after it if it has no tier.
@@ -66,26 +79,28 @@ std::string robot_file(const std::string& name, const std::vector<std::string>& 
   return find_in(places, (fs::path("robots") / (name + ".toml")).string());
 }
 
-NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& places,
-                       const HumanHandOptions& options) {
+HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
   const auto [base, tier] = split_tier(name);
-  if (base == kHuman) return human(name, default_human(), tier.empty() ? "tier4" : tier, options);
-  if (fs::is_regular_file(base) && is_subject(base)) {
-    NamedHand hand = human(name, read_subject(base), tier.empty() ? "tier2" : tier, options);
-    hand.file = base;
-    return hand;
-  }
-  require(tier.empty(), "'{}' has a tier, but '{}' is neither 'human' nor a subject file", name,
-          base);
-  if (fs::is_regular_file(base)) return robot(name, base);
+  if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier};
+  if (fs::is_regular_file(base)) return file_source(base, tier);
   const std::string library = robot_file(base, places);
-  if (!library.empty()) return robot(name, library);
+  if (!library.empty()) return file_source(library, tier);
   std::vector<std::string> known = names_in(places, "robots");
   for (const char* each : {"human:tier1", "human:tier2", "human:tier3", "human:tier4"})
     known.push_back(each);
   throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files; {}", name,
                                did_you_mean(name, known), fmt::join(known, ", "),
                                places_words(places)));
+}
+
+NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& places,
+                       const HumanHandOptions& options) {
+  const HandSource source = find_hand(name, places);
+  if (!source.human) return robot(name, source.file);
+  const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
+  NamedHand hand = human(name, subject, source.tier, options);
+  hand.file = source.file;
+  return hand;
 }
 
 }  // namespace thenar

@@ -24,6 +24,13 @@ struct NamedHand {
   std::vector<std::string> warnings;      // what was assumed or left out
 };
 
+/// What builds a hand of a name.
+struct HandSource {
+  bool human = false;  // of a subject; else a robot
+  std::string file;    // empty: the built-in human
+  std::string tier;    // of a human hand: "tier1" .. "tier4"
+};
+
 /// The hand called
 ///   "human:tier1" .. "human:tier4"  a version of default_human(); "human" is tier 4
 ///   "FILE.toml:tier1" ..            the same of a subject file; without a tier it is tier 2, which
@@ -31,8 +38,11 @@ struct NamedHand {
 ///   "barrett"                       robots/barrett.toml of the first place that has it
 ///   a path                          a robot of any kind that import_robot() reads
 /// @param places  folders with robots/, as data_folders()
-/// @throws InputError naming the hands there are, if there is none of that name; DataError where a
-///         file is wrong.
+/// @throws InputError naming the hands there are, if there is none of that name, or what a file is
+///         that is no hand; DataError where a file is wrong.
+[[nodiscard]] HandSource find_hand(const std::string& name, const std::vector<std::string>& places);
+
+/// find_hand(), built. @throws InputError, DataError as it
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& human = {});

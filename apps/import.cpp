@@ -186,15 +186,6 @@ Imported import_mesh(const Options& options) {
           }};
 }
 
-bool is_mesh(const std::string& path) {
-  try {
-    (void)mesh_format(path);
-    return true;
-  } catch (const DataError&) {
-    return false;
-  }
-}
-
 Imported import_xml(const Options& options) {
   const std::string& path = options.file;
   const std::string root = XmlFile(path).root_name();
@@ -222,13 +213,14 @@ Imported import_toml(const Options& options) {
 
 Imported import_file(const Options& options) {
   const std::string& path = options.file;
-  if (is_mesh(path)) return import_mesh(options);
+  if (is_mesh_file(path)) return import_mesh(options);
   require(options.scale == 1 && options.units.empty(),
           "--scale and --units are for meshes, '{}' is none", path);
   const std::string text = read_text_file(path);
   const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first != std::string::npos && text[first] == '<') return import_xml(options);
-  if (fs::path(path).extension() == ".cfg") return import_robot_file(path);  // refused by name
+  const std::string ending = fs::path(path).extension();
+  if (ending == ".cfg" || ending == ".wld") return import_robot_file(path);  // refused by name
   return import_toml(options);
 }
 

@@ -74,9 +74,11 @@ Scene scene_of(const BodySpec& object, double scale) {
 
 /// A row of thumbnails: the best grasp of every hand.
 Json best_row(const Comparison& comparison, const BodySpec& object,
-              const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+              const std::vector<ComparePicture>& pictures, MeshTable& meshes,
+              const Progress& progress) {
   Json blocks = Json::array();
   for (const HandOnObject& cell : comparison.cells) {
+    if (progress.stop()) break;
     const ComparePicture* picture = picture_of(pictures, cell.hand);
     if (cell.object != object.name || cell.best.empty() || picture == nullptr) continue;
     blocks.push_back(best_picture(cell, scene_of(object, cell.scale), *picture, meshes));
@@ -95,12 +97,15 @@ std::string without(const Comparison& comparison, const std::string& object) {
 }
 
 Json best_section(const Comparison& comparison, const std::vector<BodySpec>& objects,
-                  const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+                  const std::vector<ComparePicture>& pictures, MeshTable& meshes,
+                  const Progress& progress) {
   Json blocks = Json::array();
   for (const BodySpec& object : objects) {
+    progress(static_cast<double>(blocks.size()) / (2.0 * static_cast<double>(objects.size())),
+             "pictures on " + object.name);
     blocks.push_back(
         text_block(fmt::format("On {}.{}", object.name, without(comparison, object.name))));
-    blocks.push_back(best_row(comparison, object, pictures, meshes));
+    blocks.push_back(best_row(comparison, object, pictures, meshes, progress));
   }
   return section("best", "The best grasps",
                  "Of every hand the grasp with the largest epsilon. Red points are contacts, cones "
@@ -129,13 +134,15 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
 }
 
 Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
-                  const std::vector<ComparePicture>& pictures, MeshTable& meshes) {
+                  const std::vector<ComparePicture>& pictures, MeshTable& meshes,
+                  const Progress& progress) {
   Json sections = Json::array();
   sections.push_back(glance_section(comparison));
   if (!pictures.empty()) sections.push_back(hands_section(pictures, meshes));
   sections.push_back(cells_section(comparison));
   sections.push_back(distribution_section(comparison));
-  if (!pictures.empty()) sections.push_back(best_section(comparison, objects, pictures, meshes));
+  if (!pictures.empty())
+    sections.push_back(best_section(comparison, objects, pictures, meshes, progress));
   sections.push_back(abilities_section(comparison));
   sections.push_back(reading_section(comparison));
   return sections;

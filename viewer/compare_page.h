@@ -22,8 +22,10 @@ struct ComparePicture {
 ///
 /// @param objects   those of the comparison, unscaled; others are not drawn
 /// @param pictures  hands without one are not drawn
+/// @param progress  hears of pictures; what a stop leaves is no page
 [[nodiscard]] Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
-                                const std::vector<ComparePicture>& pictures, MeshTable& meshes);
+                                const std::vector<ComparePicture>& pictures, MeshTable& meshes,
+                                const Progress& progress = {});
 
 /// Every hand by itself, with its joints where closing begins: a look at what is compared.
 [[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);

@@ -176,11 +176,14 @@ Json reason_rows(const Comparison& comparison) {
 Json digit_rows(const Comparison& comparison) {
   Json rows = Json::array();
   for (const HandAbilities& hand : comparison.abilities)
-    for (const DigitAbility& digit : hand.digits)
+    for (const DigitAbility& digit : hand.digits) {
+      const double error = 1e6 * digit.workspace_error;  // [cm^3]
+      const bool solid = digit.dimension == 3;
       rows.push_back({hand.hand, digit.digit, digit.dimension,
-                      digit.dimension == 3 ? finite(1e6 * digit.workspace) : Json(),
-                      digit.dimension == 3 ? finite(1e6 * digit.workspace_error) : Json(),
+                      solid ? finite(rounded_to(1e6 * digit.workspace, error)) : Json(),
+                      solid ? finite(rounded_to(error, error)) : Json(),
                       finite(digit.closing_force), finite(digit.largest_force)});
+    }
   return rows;
 }
 
@@ -196,7 +199,7 @@ Json ability_rows(const Comparison& comparison) {
                                 : fmt::format("{} of {} tips", hand.reached.size(),
                                               std::max<std::size_t>(hand.digits.size(), 1) - 1);
     rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
-                    1e6 * hand.overlap, finite(strongest), hand.types.size()});
+                    in_two_digits(1e6 * hand.overlap), finite(strongest), hand.types.size()});
   }
   return rows;
 }
@@ -272,7 +275,7 @@ Json abilities_section(const Comparison& comparison) {
       "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
       "that the thumb's pad meets; robots have no such places, so of them only the tips count that "
       "the thumb's (or that of the best digit) meets. Workspace shared: of the opposing tip and "
-      "all others. Strongest tip: in its way of closing, digits half bent.",
+      "all others, to two digits. Strongest tip: in its way of closing, digits half bent.",
       {{"hand", "", -1},
        {"reach", "mm", 0},
        {"Kapandji", "of 10", 0},
@@ -287,8 +290,8 @@ Json abilities_section(const Comparison& comparison) {
                   {{"hand", "", -1},
                    {"digit", "", -1},
                    {"dimension", "", 0},
-                   {"workspace", "cm\u00b3", 1},
-                   {"error", "cm\u00b3", 1},
+                   {"workspace", "cm\u00b3", -1},
+                   {"error", "cm\u00b3", -1},
                    {"force in closing", "N", 1},
                    {"largest force", "N", 1}},
                   digit_rows(comparison)));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,9 +54,9 @@ std::vector<std::string> version_lines(const Comparison& comparison) {
 }
 
 std::string load_rule() {
-  return "Every number is the best of any grasp (the largest load, the least squeeze), so two of "
-         "one row may be of different grasps: of the hand's epsilon any that closed, of the others "
-         "those with the largest epsilon, --best of each pair.";
+  return "Each load is the best of any grasp (the largest, of squeezes the least), so two of one "
+         "row may be of different grasps. Epsilon of the hand is asked of all that closed, other "
+         "loads of those with the largest epsilon, --best of each pair.";
 }
 
 std::string unknown_words(const HandOnObject& cell, const std::vector<std::string>& tasks) {
@@ -82,6 +83,14 @@ std::string outcome_words(const HandOnObject& cell) {
   for (const auto& [count, words] : ways) parts.push_back(fmt::format("{} {}", count, words));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
+
+double rounded_to(double value, double error) {
+  if (!(error > 0)) return value;
+  const double place = std::pow(10.0, std::floor(std::log10(error)));
+  return place * std::round(value / place);
+}
+
+double in_two_digits(double value) { return rounded_to(value, std::abs(value) / 10); }
 
 std::string reading_words(const Comparison& comparison) {
   return fmt::format(

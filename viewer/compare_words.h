@@ -24,6 +24,12 @@ namespace thenar {
 /// "12 missed, 5 touched without force closure": how the approaches ended, the most frequent first.
 [[nodiscard]] std::string outcome_words(const HandOnObject& cell);
 
+/// A number as well as it is known: to the place of the first digit of its error.
+[[nodiscard]] double rounded_to(double value, double error);
+
+/// A number of which only two digits mean anything.
+[[nodiscard]] double in_two_digits(double value);
+
 /// What the numbers mean, and with which settings they came about.
 [[nodiscard]] std::string reading_words(const Comparison& comparison);
 

@@ -87,11 +87,30 @@ class Compare(unittest.TestCase):
             while not self.out.exists() and work.poll() is None:
                 time.sleep(0.002)
             work.send_signal(signal.SIGINT)
+            answer = work.stderr.readline()
             words = work.communicate(timeout=60)[1]
+        self.assertIn(f"stopping: finished pairs are kept in '{self.out}'", answer)
         self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
         kept = json.loads(self.out.read_text())
         self.assertFalse(kept["complete"])
         self.assertTrue(1 <= len(kept["cells"]) < 9, len(kept["cells"]))
+        self.assertIn(f"{len(kept['cells'])} of 9 pairs are kept", words)
+        self.keep(**choice)
+        self.assertEqual(self.out.read_bytes(), whole)
+
+    def test_stopped_again_it_loses_nothing(self):
+        choice = {"hands": "parallel_jaw,barrett,allegro", "objects": "sphere_70,jar_lid"}
+        self.keep(**choice)
+        whole = self.out.read_bytes()
+        with subprocess.Popen(self.words(**choice), stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as work:
+            begun = self.out.stat().st_mtime_ns
+            while self.out.stat().st_mtime_ns == begun and work.poll() is None:
+                time.sleep(0.002)
+            work.send_signal(signal.SIGINT)
+            words = work.communicate(timeout=60)[1]
+        self.assertEqual(work.returncode, 128 + signal.SIGINT, words)
+        self.assertEqual(len(json.loads(self.out.read_text())["cells"]), 6)
         self.keep(**choice)
         self.assertEqual(self.out.read_bytes(), whole)
 
@@ -120,6 +139,32 @@ class Compare(unittest.TestCase):
         self.keep(objects="wedge")
         mesh.write_text(MESH.format(x=61))
         self.assertIn("another 'contents'", self.refusal(objects="wedge"))
+
+    def test_suggests_the_nearest_name(self):
+        self.assertIn("did you mean 'barrett'", self.refusal(hands="barret"))
+        self.assertIn("did you mean 'sphere_70'", self.refusal(objects="spere_70"))
+
+    def test_says_which_numbers_it_wants(self):
+        words = self.refusal("--best", "-1")
+        self.assertEqual(words, "thenar: --best: wanted a whole number of at least 0, got -1\n")
+
+    def test_says_how_a_mesh_becomes_an_object(self):
+        mesh = self.folder / "wedge.obj"
+        mesh.write_text(MESH.format(x=60))
+        self.assertIn(f"thenar import {mesh} --units mm --out wedge.toml",
+                      self.refusal(objects=str(mesh)))
+        self.assertIn("is a mesh and no hand", self.refusal(hands=str(mesh)))
+
+    def test_takes_robots_by_their_files_and_refuses_files_of_other_kinds(self):
+        self.keep(hands=str(self.folder / "robots" / "parallel_jaw.toml"))
+        self.assertIn("kind 'object'", self.refusal(hands=str(self.folder / "objects/box.toml")))
+        self.assertIn("kind 'robot'", self.refusal(objects=str(self.folder / "robots/dlr.toml")))
+
+    def test_tells_how_approaches_ended_where_nothing_closed(self):
+        (self.folder / "objects" / "wedge.toml").write_text(OBJECT.replace("0.001", "0.01"))
+        (self.folder / "objects" / "wedge.obj").write_text(MESH.format(x=60))
+        told = self.run_it(objects="wedge").stdout  # of 0.6 m: no jaw goes round it
+        self.assertRegex(told, r"parallel_jaw +wedge +[123] (touched|closed|missed|began)")
 
     def test_refuses_a_hand_without_surfaces_before_any_work(self):
         words = self.refusal(hands="parallel_jaw,graspit_human_20dof")

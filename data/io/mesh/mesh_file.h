@@ -14,6 +14,9 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// @throws DataError for any other, listing those there are.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
+/// Whether mesh_format() knows the ending.
+[[nodiscard]] bool is_mesh_file(const std::string& path);
+
 /// Reads OBJ, STL, PLY, OFF, glTF/GLB, Collada (in its unit; its up axis is not heeded, as in ROS)
 /// and, where Coin was found, VRML 1.0 and 2.0 and Inventor.
 /// Vertices at the same place are merged; polygons are cut into triangles; the transforms of
