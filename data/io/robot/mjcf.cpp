@@ -13,6 +13,7 @@
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/mjcf_drive.h"
 #include "data/io/robot/mjcf_geom.h"
+#include "data/io/robot/mjcf_replicate.h"
 
 namespace thenar {
 namespace {
@@ -73,6 +74,11 @@ class BodyTree {
       } else if (name == "body" || name == "joint" || name == "freejoint" || name == "geom" ||
                  name == "inertial") {
         parts.push_back({node, X_BF, childclass});
+      } else if (internal::makes_bodies(node)) {
+        source_.unread.note(node,
+                            fmt::format("INCOMPLETE: <{}> is not read, its bodies are missing; "
+                                        "MuJoCo itself can save the model written out",
+                                        name));
       } else if (node.type() == pugi::node_element) {
         source_.unread.note(node, fmt::format("<{}> in a body is not read", name));
       }
@@ -309,9 +315,11 @@ RobotSpec read_mjcf(const std::string& path) {
   if (root != "mujoco" && root != "mujocoinclude")
     file.fail(file.root(), fmt::format("wanted <mujoco>, got <{}>", root));
   internal::expand_includes(file);
+  internal::expand_replicates(file);
   Unread unread(file);
   note_sections(file, unread);
-  MjcfSource source{file, unread, internal::read_compiler(file, unread), {}};
+  MjcfSource source{file, unread, internal::read_compiler(file, unread), {}, false};
+  source.incomplete = internal::lacks_joints(file.root());
   source.defaults.read(file, file.root());
   RobotSpec robot;
   robot.name = file.root().attribute("model").value();

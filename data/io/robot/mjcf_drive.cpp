@@ -54,13 +54,14 @@ class Drive {
   }
 
  private:
-  RobotJoint& joint(const pugi::xml_node& node, const std::string& name) {
-    RobotJoint* found = find_joint(robot_, name);
-    if (found == nullptr)
-      source_.file.fail(node, fmt::format("<{}> names joint '{}', and there is no such hinge or "
-                                          "slide",
-                                          node.name(), name));
-    return *found;
+  /// @return false if there is no such hinge or slide, where that may be; else it fails
+  bool has_joint(const pugi::xml_node& node, const std::string& name) {
+    if (find_joint(robot_, name) != nullptr) return true;
+    const std::string what = fmt::format(
+        "<{}> names joint '{}', and there is no such hinge or slide", node.name(), name);
+    if (!source_.incomplete) source_.file.fail(node, what);
+    source_.unread.note(node, what + ": it is left out");
+    return false;
   }
 
   void read_tendons() {
@@ -75,7 +76,7 @@ class Drive {
         FixedTendon tendon{node.attribute("name").value(), {}};
         for (const pugi::xml_node term : node.children("joint")) {
           const std::string name = required_text(source_.file, term, "joint");
-          (void)joint(term, name);
+          if (!has_joint(term, name)) continue;
           tendon.terms.push_back({name, number_or(source_.file, term, "coef", 1)});
         }
         tendons_.push_back(std::move(tendon));
@@ -124,12 +125,11 @@ class Drive {
     a.resize(5, 0);
     const std::string first = required_text(source_.file, node, "joint1");
     const std::string second = node.attribute("joint2").value();
-    (void)joint(node, first);
+    if (!has_joint(node, first) || (!second.empty() && !has_joint(node, second))) return;
     if (second.empty()) {
       held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line()});
       return;
     }
-    (void)joint(node, second);
     if (a[2] != 0 || a[3] != 0 || a[4] != 0)
       source_.unread.note(node, fmt::format("only the linear part of the equality of '{}' and '{}' "
                                             "is kept",
@@ -193,7 +193,7 @@ class Drive {
         actuator.joint = element.text("joint", element.text("jointinparent"));
         actuator.tendon = element.text("tendon");
         actuator.effort = effort_of(element, node.name());
-        if (!actuator.joint.empty()) (void)joint(node, actuator.joint);
+        if (!actuator.joint.empty() && !has_joint(node, actuator.joint)) continue;
         if (actuator.joint.empty() && find_tendon(actuator.tendon) == nullptr) {
           source_.unread.note(node, fmt::format("<{}> '{}' drives no joint and no fixed tendon",
                                                 node.name(), actuator.name));

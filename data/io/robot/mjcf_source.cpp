@@ -123,6 +123,22 @@ const std::string* MjcfDefaults::find(const std::string& name_of_class, const st
   return value == of_element->second.end() ? nullptr : &value->second;
 }
 
+bool makes_bodies(const pugi::xml_node& node) {
+  const std::string name = node.name();
+  return name == "attach" || name == "composite" || name == "flexcomp";
+}
+
+bool lacks_joints(const pugi::xml_node& root) {
+  for (const pugi::xml_node node : root.children()) {
+    const std::string type = node.attribute("type").value();
+    const bool other_joint =
+        std::string(node.name()) == "freejoint" ||
+        (std::string(node.name()) == "joint" && (type == "ball" || type == "free"));
+    if (other_joint || makes_bodies(node) || lacks_joints(node)) return true;
+  }
+  return false;
+}
+
 void expand_includes(const XmlFile& file) {
   std::set<std::string> open{fs::path(file.path()).lexically_normal().string()};
   expand(file, file.root(), open);

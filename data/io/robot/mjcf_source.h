@@ -50,7 +50,14 @@ struct MjcfSource {
   Unread& unread;
   MjcfCompiler compiler;
   MjcfDefaults defaults;
+  bool incomplete;  // joints that the file names may be none here
 };
+
+/// Whether an element stands for bodies that are not read: <attach>, <composite>, <flexcomp>.
+[[nodiscard]] bool makes_bodies(const pugi::xml_node& node);
+
+/// Whether there are such bodies under an element, or joints that are no hinge or slide.
+[[nodiscard]] bool lacks_joints(const pugi::xml_node& root);
 
 /// Puts the content of included files in the place of <include file="..">.
 /// @throws DataError if a file is missing or includes itself.

@@ -308,6 +308,55 @@ TEST_F(Mjcf, CarriesFramesOut) {
   EXPECT_TRUE(matrix_near(link_poses(robot, {})[1].p, Eigen::Vector3d(0, 2, 1), kRounding));
 }
 
+// Steps of 120 degrees about z, then 1 up: copy 2 is at Rz(240) (1, 0, 0) + (0, 0, 2).
+TEST_F(Mjcf, MakesReplicatesStepByStep) {
+  const RobotSpec robot = palm(
+      "<replicate count='3' sep='-' offset='0 0 1' euler='0 0 120'><body name='f' pos='1 0 0'>"
+      "<joint name='j' axis='0 1 0' range='0 90'/></body></replicate>",
+      "<tendon><fixed name='t'><joint joint='j' coef='1'/></fixed></tendon>"
+      "<actuator><motor name='m' tendon='t' ctrlrange='0 2'/></actuator>");
+  EXPECT_THAT(names(robot.links), ElementsAre("palm", "f-0", "f-1", "f-2"));
+  EXPECT_THAT(names(robot.dofs), ElementsAre("j-0", "j-1", "j-2"));
+  for (const RobotDof& dof : robot.dofs) EXPECT_EQ(dof.max_effort, 2);
+  const double cosine = std::cos(kPi / 6);
+  EXPECT_TRUE(matrix_near(link_poses(robot, {})[2].p, Eigen::Vector3d(-0.5, cosine, 1), 1e-14));
+  EXPECT_TRUE(matrix_near(link_poses(robot, {})[3].p, Eigen::Vector3d(-0.5, -cosine, 2), 1e-14));
+}
+
+// The example of the format's reference: the inner suffix stands first, and both steps add up.
+TEST_F(Mjcf, MakesReplicatesOfReplicates) {
+  const RobotSpec robot = palm(
+      "<replicate count='2' offset='0 1 0' euler='90 0 0'><replicate count='2' sep='-' "
+      "offset='1 0 0' euler='0 90 0'><body name='Alice'/></replicate></replicate>");
+  EXPECT_THAT(names(robot.links),
+              ElementsAre("palm", "Alice-00", "Alice-10", "Alice-01", "Alice-11"));
+  const Pose<double> last = link_poses(robot, {})[4];
+  EXPECT_TRUE(matrix_near(last.p, Eigen::Vector3d(1, 1, 0), 1e-14));
+  EXPECT_TRUE(
+      matrix_near(last.R, Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5).toRotationMatrix(), 1e-14));
+}
+
+TEST_F(Mjcf, RefusesReplicatesWithoutEnd) {
+  for (const std::string count : {"0", "1.5", "2000"})
+    EXPECT_THAT(refusal("<mujoco><worldbody>\n<replicate count='" + count +
+                        "'><body/></replicate></worldbody></mujoco>"),
+                AllOf(HasSubstr(":2: "), HasSubstr("in 1..1000")));
+  std::string nested = "<body/>";
+  for (int i = 0; i < 5; ++i) nested = "<replicate count='100'>" + nested + "</replicate>";
+  EXPECT_THAT(refusal("<mujoco><worldbody>" + nested + "</worldbody></mujoco>"),
+              HasSubstr("more than 100000"));
+}
+
+// What names the joints of bodies that are not read is left out with them.
+TEST_F(Mjcf, SaysThatAttachedBodiesAreMissing) {
+  const RobotSpec robot = palm("<attach model='m' body='b' prefix='p_'/>" + kFinger,
+                               "<actuator><motor joint='p_j'/><motor joint='1' ctrlrange='0 2'/>"
+                               "</actuator>");
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("INCOMPLETE: <attach> is not read")));
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("joint 'p_j', and there is no such hinge")));
+  EXPECT_EQ(robot.dofs[0].max_effort, 2);
+}
+
 TEST_F(Mjcf, IncludesFilesWithinFiles) {
   write_file(path("hand.xml"),
              "<mujocoinclude><body name='hand'><include file='tip.xml'/></body></mujocoinclude>");
