@@ -224,6 +224,16 @@ class Import(Files):
         self.assertEqual(told["kind"], "GraspIt! XML")
         self.assertEqual(told["leaf_link_positions_at_zero_m"], {"chain1 none": [0.02, 0, 0.01]})
 
+    def test_names_robots_without_a_name_by_their_file(self):
+        hand = ("<robot type='{}'><palm>lost.xml</palm><dof type='r'><Kp>1</Kp></dof></robot>")
+        self.assertEqual(self.report(self.path("claw.urdf", "<robot><link name='l'/></robot>"))["name"],
+                         "claw")
+        told = self.report(self.path("pincer.xml", hand.format("Hand")))
+        self.assertEqual(told["name"], "pincer")
+        self.assertIn("MISSING BODY", told["warnings"][0])
+        self.assertIn("<Kp>", told["warnings"][-1])
+        self.assertEqual(self.report(self.path("b.xml", hand.format("Barrett")))["name"], "Barrett")
+
     def test_weighs_closed_meshes_and_names_holes(self):
         told = self.report(self.path("corner.off", CORNER.format(4, "3 1 2 3\n")))
         self.assertTrue(told["watertight"])
@@ -305,6 +315,8 @@ class Import(Files):
     def test_refuses_what_it_cannot_read(self):
         for name, text, words in [("a.xml", "<sdf/>", ["a.xml:1:"]),
                                   ("b.cfg", "Barrett\n", [".cfg"]),
+                                  ("w.wld", "!World\n", [".wld"]),
+                                  ("e.xml", "<EigenGrasps/>", ["e.xml:1:", "got <EigenGrasps>"]),
                                   ("c.urdf", "<robot>\n<xacro:x/></robot>", ["c.urdf:2:", "xacro"]),
                                   ("d.off", "OFF\n0 0 0\n", ["d.off"])]:
             done = self.thenar(self.path(name, text), code=1)

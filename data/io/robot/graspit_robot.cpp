@@ -41,7 +41,10 @@ class Translation {
 
   void run() {
     const pugi::xml_node top = file_.root();
-    robot_.name = top.attribute("type").as_string(fs::path(file_.path()).stem().c_str());
+    robot_.name = top.attribute("type").value();
+    if (robot_.name.empty() || robot_.name == "Hand" ||
+        robot_.name == "Robot")  // classes, no names
+      robot_.name = fs::path(file_.path()).stem();
     note_others(top, {"palm", "dof", "chain", "approachDirection"});
     const pugi::xml_node palm = top.child("palm");
     if (!palm) file_.fail(top, "wanted a <palm>");

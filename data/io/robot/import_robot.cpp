@@ -10,6 +10,7 @@
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/mend_shape.h"
 #include "data/io/robot/graspit_robot.h"
+#include "data/io/robot/import_warnings.h"
 #include "data/io/robot/mjcf.h"
 #include "data/io/robot/urdf.h"
 #include "data/io/toml_node.h"
@@ -31,7 +32,8 @@ RobotFileKind kind_of_xml(const XmlFile& file) {
       if (root.child(part)) return RobotFileKind::kGraspit;
     return RobotFileKind::kUrdf;
   }
-  file.fail(root, fmt::format("wanted <robot> (URDF, GraspIt!) or <mujoco>, got <{}>", name));
+  file.fail(root, fmt::format("wanted <robot> (URDF, GraspIt!) or <mujoco>, got <{}>{}", name,
+                              name == "sdf" ? "; wanted the URDF that it was made of" : ""));
 }
 
 RobotSpec read_kind(const std::string& path, RobotFileKind kind) {
@@ -87,9 +89,11 @@ std::string name_of(RobotFileKind kind) {
 RobotFileKind find_robot_kind(const std::string& path) {
   const std::string text = read_text_file(path);
   const std::string ending = std::filesystem::path(path).extension();
-  if (ending == ".cfg")
-    throw DataError(
-        path, 1, "GraspIt!'s older text format .cfg is not read; GraspIt! 2.1 and later write XML");
+  if (ending == ".cfg" || ending == ".wld")
+    throw DataError(path, 1,
+                    fmt::format("GraspIt!'s older text format {} is not read; GraspIt! 2.1 and "
+                                "later write XML",
+                                ending));
   if (is_xml(text)) return kind_of_xml(XmlFile(text, path));
   return RobotFileKind::kToml;
 }
@@ -100,6 +104,7 @@ RobotSpec import_robot(const std::string& path) {
   mend_inertias(robot);
   for (RobotLink& link : robot.links)
     mend_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
+  robot.warnings = internal::by_weight(robot.warnings);
   try {
     check_robot(robot);
   } catch (const InputError& error) {

@@ -1,6 +1,7 @@
 #include "data/io/robot/urdf_prepare.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 #include <sstream>
@@ -210,7 +211,10 @@ std::string prepare_urdf(const XmlFile& file, Unread& unread) {
   for (const pugi::xml_node joint : robot.children("joint"))
     settle_joint(file, unread, joint, links);
   require_one_parent(file, robot);
-  set_default(robot, "name", "robot");
+  if (*robot.attribute("name").value() == 0) {  // urdfdom wants one
+    robot.remove_attribute("name");
+    robot.append_attribute("name") = std::filesystem::path(file.path()).stem().c_str();
+  }
   robot.remove_attribute("version");
   std::ostringstream out;
   robot.print(out, "", pugi::format_raw);

@@ -60,7 +60,11 @@ double scale_of(const XmlFile& file, const pugi::xml_node& geometry) {
 
 ShapeSpec read_geometry(const XmlFile& file, std::vector<std::string>& warnings) {
   const pugi::xml_node geometry = file.root().child("geometryFile");
-  if (!geometry) file.fail(file.root(), "a body needs a <geometryFile>");
+  if (!geometry)
+    file.fail(file.root(),
+              fmt::format("wanted <robot> (URDF, GraspIt!), <mujoco>, <world> or a GraspIt! body "
+                          "with a <geometryFile>, got <{}>",
+                          file.root_name()));
   const std::string path =
       (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
   if (!fs::is_regular_file(path))

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_robot.h"
+#include "data/io/robot/import_warnings.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_posture.h"
 
@@ -56,6 +57,7 @@ class Reader {
       else
         not_understood(node);
     }
+    read_.warnings = internal::by_weight(read_.warnings);
     return std::move(read_);
   }
 
