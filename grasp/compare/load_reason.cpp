@@ -19,10 +19,17 @@ bool feels(const HeldForces& forces, Index coordinate) {
   return forces.T.cols() > 0 && forces.T.row(coordinate).cwiseAbs().maxCoeff() > 1e-12;
 }
 
-Actuation with_locks(Actuation actuation, const std::vector<int>& joints) {
-  for (const int joint : joints)
-    add_reaction(actuation.reactions, Eigen::VectorXd::Unit(actuation.tau_0.size(), joint),
-                 -kInfinity, kInfinity);
+/// The same with a motor of any strength at each of some joints.
+Actuation with_motors(Actuation actuation, const std::vector<int>& joints) {
+  for (const int joint : joints) {
+    const Index old = actuation.B.cols();
+    actuation.B.conservativeResize(actuation.tau_0.size(), old + 1);
+    actuation.B.col(old) = Eigen::VectorXd::Unit(actuation.tau_0.size(), joint);
+    actuation.lower.conservativeResize(old + 1);
+    actuation.lower(old) = -kInfinity;
+    actuation.upper.conservativeResize(old + 1);
+    actuation.upper(old) = kInfinity;
+  }
   return actuation;
 }
 
@@ -33,18 +40,18 @@ bool holds(const ForceSet& forces, const std::vector<Wrench>& loads) {
   return margin.status == ConeStatus::kSolved && margin.lower * size >= kNoLoad;
 }
 
-bool holds_locked(const HeldForces& forces, const std::vector<Wrench>& loads,
+bool holds_driven(const HeldForces& forces, const std::vector<Wrench>& loads,
                   const std::vector<int>& joints) {
-  return holds(hand_forces(forces.set, forces.T, with_locks(forces.actuation, joints)), loads);
+  return holds(hand_forces(forces.set, forces.T, with_motors(forces.actuation, joints)), loads);
 }
 
-/// Joints that must be locked all together: none of them can be left out.
-std::vector<int> least_locks(const HeldForces& forces, const std::vector<Wrench>& loads,
-                             std::vector<int> joints) {
+/// Joints that must be driven all together: none of them can be left out.
+std::vector<int> least_motors(const HeldForces& forces, const std::vector<Wrench>& loads,
+                              std::vector<int> joints) {
   for (std::size_t i = joints.size(); i-- > 0;) {
     std::vector<int> fewer = joints;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    if (holds_locked(forces, loads, fewer)) joints.swap(fewer);
+    if (holds_driven(forces, loads, fewer)) joints.swap(fewer);
   }
   return joints;
 }
@@ -67,9 +74,9 @@ std::string why_nothing_holds(const HeldForces& forces, const std::vector<Wrench
   std::vector<int> joints;
   for (Index j = 0; j < forces.T.rows(); ++j)
     if (feels(forces, j)) joints.push_back(static_cast<int>(j));
-  if (!holds_locked(forces, loads, joints)) return "nothing presses on what its joints bear";
+  if (!holds_driven(forces, loads, joints)) return "nothing presses on what its joints bear";
   std::vector<std::string> names;
-  for (const int joint : least_locks(forces, loads, joints))
+  for (const int joint : least_motors(forces, loads, joints))
     names.push_back(
         fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
   return fmt::format("no effort balances {}", fmt::join(names, ", "));

@@ -25,7 +25,7 @@ struct HeldForces {
 [[nodiscard]] std::string unknown_effort(const HeldForces& forces);
 
 /// What stands in the way of every multiple of some loads: friction, or a least set of joints that
-/// would have to be locked both ways for any of the loads to be borne.
+/// would need a motor of any strength for any of the loads to be borne.
 [[nodiscard]] std::string why_nothing_holds(const HeldForces& forces,
                                             const std::vector<Wrench>& loads);
 

@@ -1,6 +1,7 @@
 #include "grasp/quality/carried.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "grasp/quality/stops.h"
 
@@ -14,29 +15,73 @@ using Eigen::VectorXd;
 /// Whether a number is no more than rounding beside the torques of unit forces.
 constexpr double kNoTorque = 1e-12;
 
-/// Who makes the forces of a contact.
-struct Carrier {
-  int held = -1;          // the outermost held coordinate that feels it; -1: none
-  bool structure = true;  // no coordinate feels it but locked ones
+/// Levers shorter than this share of a contact's longest are none [1].
+constexpr double kNoLever = 1e-3;
+
+/// One contact, as its joints feel it: torques (coordinates, size).
+class OneContact {
+ public:
+  OneContact(const MatrixXd& torques, const Reactions& reactions, double zero)
+      : torques_(torques),
+        reactions_(reactions),
+        zero_(zero),
+        no_lever_(std::max(zero, kNoLever * torques.cwiseAbs().maxCoeff())) {}
+
+  [[nodiscard]] Carried carried() const {
+    Carried found{Carrier::kStructure, -1, 0, torques_.cols(), VectorXd::Zero(torques_.rows())};
+    for (const int j : reactions_.held)
+      if (feels(j)) found.presser = std::max(found.presser, j);
+    bool pressed = false;
+    for (Index j = 0; j < torques_.rows(); ++j) {
+      if (!presses(j, found.presser)) continue;
+      found.levers(j) = std::copysign(limiting_lever(j), torques_(j, 0));
+      pressed = true;
+    }
+    if (pressed) found.by = found.presser >= 0 ? Carrier::kWorm : Carrier::kEffort;
+    if (pressed || found.presser >= 0) return found;
+    found.presser = longest_stop();
+    if (found.presser >= 0) found.by = Carrier::kStop;
+    return found;
+  }
+
+ private:
+  [[nodiscard]] bool feels(Index j) const { return torques_.row(j).cwiseAbs().maxCoeff() > zero_; }
+  [[nodiscard]] bool is_stopped(Index j) const {
+    return std::abs(torques_(j, 0)) > no_lever_ && bears_torque(reactions_, j, torques_(j, 0));
+  }
+  [[nodiscard]] double limiting_lever(Index j) const {
+    return std::max(std::abs(torques_(j, 0)), torques_.row(j).tail(torques_.cols() - 1).norm());
+  }
+
+  /// Whether the effort at a coordinate presses the contact. @param worm  that does, or -1
+  [[nodiscard]] bool presses(Index j, int worm) const {
+    if (limiting_lever(j) <= no_lever_ || is_locked(reactions_, j)) return false;
+    const auto& held = reactions_.held;
+    if (std::find(held.begin(), held.end(), j) != held.end()) return j == worm;
+    return !is_stopped(j);
+  }
+
+  /// Of the coordinates on stops that the normal force pushes them to, that with the longest lever.
+  [[nodiscard]] int longest_stop() const {
+    int longest = -1;
+    for (Index j = 0; j < torques_.rows(); ++j)
+      if (!is_locked(reactions_, j) && is_stopped(j) &&
+          (longest < 0 || std::abs(torques_(j, 0)) > std::abs(torques_(longest, 0))))
+        longest = static_cast<int>(j);
+    return longest;
+  }
+
+  const MatrixXd& torques_;
+  const Reactions& reactions_;
+  double zero_, no_lever_;
 };
 
-Carrier carrier_of(const MatrixXd& torques, const Reactions& reactions, double zero) {
-  Carrier carrier;
-  for (Index j = 0; j < torques.rows(); ++j)
-    if (torques.row(j).cwiseAbs().maxCoeff() > zero && !is_locked(reactions, j))
-      carrier.structure = false;
-  for (const int j : reactions.held)
-    if (torques.row(j).cwiseAbs().maxCoeff() > zero) carrier.held = std::max(carrier.held, j);
-  return carrier;
-}
-
-/// Splits the forces of one contact, at `column` of x, between what is pressed and what is borne.
-void split(Felt& felt, const std::vector<int>& held, const Carrier& carrier, Index column,
-           Index size) {
-  VectorXd borne = felt.x.col(column);
+/// Splits the forces of one contact between what is pressed and what is borne.
+void split(Felt& felt, const std::vector<int>& held, const Carried& carried) {
+  VectorXd borne = felt.x.col(carried.first);
   for (const int j : held) {
     borne(j) = 0;
-    if (j != carrier.held) felt.x.row(j).segment(column, size).setZero();
+    if (j != carried.presser) felt.x.row(j).segment(carried.first, carried.size).setZero();
   }
   felt.p.conservativeResize(felt.x.rows(), felt.p.cols() + 1);
   felt.p.rightCols(1) = borne;
@@ -46,22 +91,19 @@ void split(Felt& felt, const std::vector<int>& held, const Carrier& carrier, Ind
 
 Felt felt_by(const WrenchSet& set, const MatrixXd& T, const Reactions& reactions) {
   const double zero = T.size() > 0 ? kNoTorque * T.cwiseAbs().maxCoeff() : 0;
-  Felt felt{T, MatrixXd(T.rows(), 0), {}, {}, Eigen::RowVectorXd::Zero(T.cols())};
-  std::vector<Carrier> carriers;
-  std::vector<Index> columns;
-  bool any_held = false;
-  for (Index column = 0; carriers.size() < set.caps.size();) {
-    const Index size = 1 + set.caps[carriers.size()].A.cols();
-    columns.push_back(column);
-    carriers.push_back(carrier_of(T.middleCols(column, size), reactions, zero));
-    any_held = any_held || carriers.back().held >= 0;
-    column += size;
-  }
-  for (std::size_t i = 0; i < carriers.size() && any_held; ++i) {
-    felt.pushed_back(columns[i]) = carriers[i].structure ? 1 : -1;
-    if (carriers[i].held < 0 && !carriers[i].structure) continue;
-    split(felt, reactions.held, carriers[i], columns[i], 1 + set.caps[i].A.cols());
-    felt.borne.push_back(static_cast<int>(i));
+  Felt felt{T, MatrixXd(T.rows(), 0), {}, {}, {}};
+  Index first = 0;
+  for (const WrenchCap& cap : set.caps) {
+    const Index size = 1 + cap.A.cols();
+    const MatrixXd torques = T.middleCols(first, size);
+    Carried carried = OneContact(torques, reactions, zero).carried();
+    carried.first = first;
+    if (carried.by != Carrier::kEffort) {
+      split(felt, reactions.held, carried);
+      felt.borne.push_back(static_cast<int>(felt.contacts.size()));
+    }
+    felt.contacts.push_back(carried);
+    first += size;
   }
   for (int j = 0; j < T.rows(); ++j) {
     const double x = felt.x.cols() > 0 ? felt.x.row(j).cwiseAbs().maxCoeff() : 0;

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "grasp/quality/carried.h"
+#include "grasp/quality/force_rows.h"
+#include "grasp/quality/pressed.h"
 #include "grasp/quality/stops.h"
 
 namespace thenar {
@@ -14,32 +17,13 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using internal::add_rows;
+using internal::widen;
 
 Index variables_of(const WrenchSet& set) {
   Index n = 0;
   for (const WrenchCap& cap : set.caps) n += 1 + cap.A.cols();
   return n;
-}
-
-/// Adds rows  G y <= h,  each a cone of its own.
-void add_rows(ForceSet& forces, const MatrixXd& rows, const VectorXd& most) {
-  const Index old = forces.G.rows();
-  forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
-  forces.G.bottomRows(rows.rows()) = rows;
-  forces.h.conservativeResize(old + rows.rows());
-  forces.h.tail(rows.rows()) = most;
-  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
-}
-
-/// Appends columns of zeros for efforts.
-void widen(ForceSet& forces, Index by) {
-  const Index n = forces.wrench.cols();
-  forces.wrench.conservativeResize(6, n + by);
-  forces.wrench.rightCols(by).setZero();
-  forces.G.conservativeResize(forces.G.rows(), n + by);
-  forces.G.rightCols(by).setZero();
-  forces.normals.conservativeResize(n + by);
-  forces.normals.tail(by).setZero();
 }
 
 void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
@@ -179,16 +163,11 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   for (Index i = 0; i < actuators; ++i)
     forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
   balance_torques(forces, felt, actuation);
-  if (!felt.borne.empty()) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(forces.wrench.cols());
-    row.head(T.cols()) = felt.pushed_back;
-    add_rows(forces, row, VectorXd::Zero(1));
-  }
   for (Index i = 0; i < actuators; ++i)
     limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
     limit(forces, efforts + actuators + i, reactions.least(i), reactions.most(i), 1);
-  return forces;
+  return internal::limit_pressing(std::move(forces), felt, actuation);
 }
 
 MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandContact>& contacts,

@@ -14,13 +14,14 @@
 
 namespace thenar {
 
-/// A convex set of contact forces y = (x, p, v, r), described as a cone programme does, with the
+/// A convex set of contact forces y = (x, p, v, r, s), described as a cone programme does, with the
 /// wrenches it makes on the object.
 ///
 /// x holds of each contact its normal force [N], then its shares along the semi-axes of its cap:
 /// the wrench of a contact is c x_0 + A x_1.., in its friction cone while |x_1..| <= x_0.
-/// p holds normal forces that held drives bear: see hand_forces() [N].
-/// v holds the efforts of actuators, each as a part of `effort_unit`; r holds reactions.
+/// p holds normal forces that the load presses on worms, stops and structure [N]; v the efforts of
+/// actuators, each as a part of `effort_unit`; r reactions; s what stops push back [N]: see
+/// hand_forces().
 struct ForceSet {
   Eigen::Matrix<double, 6, Eigen::Dynamic> wrench;  // of y on the object (6, n)
   Eigen::MatrixXd A;                                // A y = b: torques balance (r, n)
@@ -46,14 +47,26 @@ struct ForceSet {
 /// Contacts with a part that cannot move, like a palm, need no effort: T has zeros for them. A
 /// coordinate that no contact feels (a digit that does not touch) is asked nothing.
 ///
-/// Held coordinates (worms) bear any torque, but do not press by themselves. So
-/// * what a contact presses must come from the drive of the outermost held coordinate that feels
-///   it; held ones further in bear it: x has zeros in their rows of T;
-/// * what the load presses against such a contact counts by a normal force p >= 0 of its own, in
-///   no row of a held coordinate. How much friction it brings depends on elasticity, and is left
-///   out: the set is on the safe side;
-/// * for the same reason contacts with structure (a palm, a locked link) push back by x no more in
-///   all than the others press, and have a p as well. Without contacts on held parts they do not.
+/// Worms (held coordinates), locks, stops and structure bear any torque, but press by no force of
+/// their own: each normal force x_0 is pressed by an effort, or pushes back against such a one.
+/// * Effort: some coordinate feels the contact that is neither held nor locked nor on a stop that
+///   the normal force pushes it to. Others may rest on their stops. Nor does friction jam it: of
+///   contacts that push coordinate j the same way,
+///     sum l x_0 <= largest torque of efforts at j,   l = max(|T_jn|, |T_jf|),
+///   the torques of the normal force and of friction. For forces that need no friction, T_jn is
+///   the larger and this is the balance itself.
+/// * Worm: the outermost held coordinate that feels the contact presses, by its drive and limited
+///   as above; held ones further in bear it, and their stops count for nothing: x has zeros in
+///   their rows of T.
+/// * Stop: all that feels the contact is on such stops, or locked. x_0 = a + s: of those whose
+///   longest lever is to j, sum |T_jn| a <= B_j u + tau_0j (clutches too); s >= 0 is what stops
+///   push back, sum s <= sum x_0 of efforts and worms.
+/// * Structure: only locked coordinates feel the contact, or none.
+///     sum x_0 of structure + sum s <= sum x_0 of efforts and worms + sum a.
+/// What the load presses on the last three counts by a normal force p >= 0 of its own without
+/// friction, in no row of a held coordinate. How much friction a load brings depends on elasticity
+/// and is left out, as are wedges that would make more normal force than presses them: the set is
+/// on the safe side. Where no efforts balance all joints without pulling some onto stops, a = 0.
 ///
 /// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
 ///           (coordinates, length of x)

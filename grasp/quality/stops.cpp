@@ -11,6 +11,17 @@ using Eigen::Index;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+bool is_held(const Reactions& reactions, int coordinate) {
+  return std::find(reactions.held.begin(), reactions.held.end(), coordinate) !=
+         reactions.held.end();
+}
+
+/// Whether a reaction is the coordinate's alone.
+bool is_own(const Reactions& reactions, Index i, Index coordinate) {
+  const double own = std::abs(reactions.R(coordinate, i));
+  return own > 0 && own == reactions.R.col(i).cwiseAbs().sum();
+}
+
 }  // namespace
 
 void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most) {
@@ -41,19 +52,25 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
   for (Index i = 0; i < count; ++i) {
     int innermost = 0;
     while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
-    if (!std::binary_search(coordinates.begin(), coordinates.end(), innermost))
+    const bool stops = reactions.least(i) == 0 && reactions.most(i) == kInfinity;
+    const bool worm = stops && is_held(reactions, innermost) && is_own(reactions, i, innermost);
+    if (worm || !std::binary_search(coordinates.begin(), coordinates.end(), innermost))
       rows.col(i).setZero();
   }
   return rows;
 }
 
-bool is_locked(const Reactions& reactions, Index coordinate) {
+bool bears_torque(const Reactions& reactions, Index coordinate, double way) {
   for (Index i = 0; i < reactions.least.size(); ++i) {
-    const bool both = reactions.least(i) == -kInfinity && reactions.most(i) == kInfinity;
-    const double own = std::abs(reactions.R(coordinate, i));
-    if (both && own > 0 && own == reactions.R.col(i).cwiseAbs().sum()) return true;
+    const bool up = (reactions.R(coordinate, i) > 0) == (way > 0);
+    const double limit = up ? reactions.most(i) : -reactions.least(i);
+    if (limit == kInfinity && is_own(reactions, i, coordinate)) return true;
   }
   return false;
+}
+
+bool is_locked(const Reactions& reactions, Index coordinate) {
+  return bears_torque(reactions, coordinate, 1) && bears_torque(reactions, coordinate, -1);
 }
 
 }  // namespace thenar

@@ -19,12 +19,17 @@ inline constexpr double kAtStop = 1e-4;
 void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most);
 
 /// The rows of R of some coordinates. A reaction that shares torque between coordinates (a clutch)
-/// does so only if the innermost of them is among these: else its columns are zero.
+/// does so only if the innermost of them is among these: else its columns are zero. So are those of
+/// stops of held coordinates: worms bear what they would.
 /// @param coordinates  ascending
 [[nodiscard]] Eigen::MatrixXd reactions_on(const Reactions& reactions,
                                            const std::vector<int>& coordinates);
 
-/// Whether a reaction bears any torque of this coordinate alone.
+/// Whether a reaction of this coordinate alone balances whatever torque comes, of the sign of
+/// `way`.
+[[nodiscard]] bool bears_torque(const Reactions& reactions, Eigen::Index coordinate, double way);
+
+/// Whether the same holds both ways: a lock, or stops that leave no range.
 [[nodiscard]] bool is_locked(const Reactions& reactions, Eigen::Index coordinate);
 
 }  // namespace thenar
