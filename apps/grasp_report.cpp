@@ -7,6 +7,7 @@
 #include "base/provenance.h"
 #include "data/io/toml_node.h"
 #include "viewer/grasp_page.h"
+#include "viewer/grasp_view.h"
 #include "viewer/report_page.h"
 
 namespace thenar {
@@ -57,20 +58,24 @@ Table contact_table(const TouchingHand& touching, const std::vector<HandContact>
 
 void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
                         const GraspAnswer& answer, const std::string& path) {
-  const HandPicture picture{*question.hand.named.hand, answer.grasp.closed.q,
-                            answer.grasp.approached.X_WH, question.hand.named.patches};
+  const Hand& hand = *question.hand.named.hand;
+  const Grasp& grasp = answer.grasp;
+  const HandPicture picture{hand, grasp.closed.q, grasp.approached.X_WH,
+                            question.hand.named.patches, question.hand.carrier_surfaces};
   const Camera& camera = question.world.camera;
+  const PosedHand posed{touching, grasp.approached.X_WH, hand.pose(grasp.closed.q)};
   MeshTable meshes;
-  GraspStory story{picture,
-                   touching,
-                   question.scene,
-                   answer.grasp,
-                   answer.wrenches,
-                   question.limit,
-                   camera.eye - camera.target,
-                   warnings_of(question, answer),
-                   {},
-                   {}};
+  GraspStory story{
+      picture,
+      touching,
+      question.scene,
+      grasp,
+      answer.wrenches,
+      question.limit,
+      view_of_contacts(posed, question.scene, grasp.contacts, camera.eye - camera.target),
+      warnings_of(question, answer),
+      {},
+      {}};
   if (answer.measures) story.measures = measure_rows(*answer.measures);
   if (answer.robustness) story.robustness = robustness_rows(*answer.robustness);
   const Json sections = grasp_page(story, meshes);

@@ -102,18 +102,22 @@ RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& lock
 }
 
 /// One robot of a hand and its carriers, from the last of them to the hand.
-NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts,
-                  const Places& data) {
+void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
+  const std::vector<std::size_t>& parts = mounted.parts;
   const PlacedHand& last = world.hands[parts.back()];
   std::vector<std::string> locked;
   RobotSpec robot = locked_where_unknown(import_robot(file_of(world, last, data)), locked);
-  NamedHand hand;
+  NamedHand& hand = mounted.named;
   hand.name = world.hands[parts.front()].name + " on " + last.name;
   hand.file = file_of(world, world.hands[parts.front()], data);
   for (std::size_t i = parts.size() - 1; i-- > 0;) {
     const PlacedHand& placed = world.hands[parts[i]];
     RobotSpec tool = import_robot(file_of(world, placed, data));
     tool = i == 0 ? graspable(std::move(tool)) : locked_where_unknown(std::move(tool), locked);
+    if (i == 0)
+      mounted.carrier_surfaces = static_cast<int>(
+          std::count_if(robot.links.begin(), robot.links.end(),
+                        [](const RobotLink& link) { return !link.shapes.empty(); }));
     robot = attach(robot, placed.carrier_link, tool, placed.X_WH);
   }
   robot = with_materials(std::move(robot));
@@ -124,7 +128,6 @@ NamedHand mounted(const WorldSpec& world, const std::vector<std::size_t>& parts,
         "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
         "part of any load",
         fmt::join(locked, " and ")));
-  return hand;
 }
 
 /// Where the coordinates of a part of a mounted hand went: under their own name, or with the
@@ -239,9 +242,12 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
   const PlacedHand& placed = world.hands[hand.parts.front()];
   HumanHandOptions options;
   options.skin.drawn = drawn;
-  hand.named = hand.parts.size() > 1 ? mounted(world, hand.parts, data)
-                                     : hand_by_name(name_to_build(world, placed), data, options);
-  if (hand.parts.size() == 1) hand.named.name = placed.name;
+  if (hand.parts.size() > 1) {
+    mount(world, data, hand);
+  } else {
+    hand.named = hand_by_name(name_to_build(world, placed), data, options);
+    hand.named.name = placed.name;
+  }
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);
   set_posture(world, path, data, hand);

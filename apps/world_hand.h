@@ -17,6 +17,7 @@ struct WorldHand {
   Eigen::VectorXd q;               // as the world says, else where closing begins (coordinates)
   std::vector<std::size_t> parts;  // of WorldSpec::hands: the hand, what carries it, what carries
                                    // that..; empty: not of the world
+  int carrier_surfaces = 0;        // the first of Hand::surfaces() are of what carries it
   std::vector<std::vector<std::string>> names;  // coordinates of each part, as worlds call them
   std::vector<std::vector<int>> places;         // and as entries of q
 };

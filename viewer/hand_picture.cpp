@@ -9,13 +9,15 @@ namespace {
 constexpr const char* kSkin = "#dfab8f";
 constexpr const char* kBone = "#e6dcc3";
 constexpr const char* kPalm = "#7d8794";
+constexpr const char* kCarrier = "#a3abb5";
 constexpr const char* kObject = "#e6a83c";
 constexpr const char* kObstacle = "#b9c0c9";
 constexpr const char* kContact = "#b3261e";
 const MeshColor kSkinColor(0xdf, 0xab, 0x8f), kNailColor(0xf0, 0xd3, 0xc6);
 constexpr double kCrease = 35;          // [deg]
 constexpr double kObjectOpacity = 0.6;  // [1]
-constexpr double kConeHeight = 0.35;    // of the object's reach [1]
+constexpr double kArrow = 0.25;         // of the object's reach [1]
+constexpr double kLongest = 12e-3;      // arrows and sides of cones, of small objects shorter [m]
 
 /// Colours of digits that tell them apart, paler than those of charts.
 const char* digit_color(std::size_t index) {
@@ -70,6 +72,12 @@ Json layer(const std::string& name, const std::string& color, Json items) {
   return {{"name", name}, {"color", color}, {"items", std::move(items)}};
 }
 
+/// A layer that the view need not hold.
+Json out_of_fit(Json layer) {
+  layer["fit"] = false;
+  return layer;
+}
+
 Json body_item(const SceneBody& body, MeshTable& meshes) {
   return mesh_item(meshes.add(body.solid.picture, {kCrease, {}}), body.X_WB);
 }
@@ -81,19 +89,24 @@ Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
   const std::vector<Pose<double>> links = hand.pose(picture.q);
   const std::vector<std::string> digits = digits_of(hand);
   Json layers = Json::array();
+  Json carriers = Json::array();
   for (std::size_t d = 0; d < digits.size(); ++d) {
     Json items = Json::array();
-    for (const LinkSurface& surface : hand.surfaces()) {
+    for (std::size_t s = 0; s < hand.surfaces().size(); ++s) {
+      const LinkSurface& surface = hand.surfaces()[s];
       if (surface.digit != digits[d] || surface.solid->picture.empty()) continue;
       const Pose<double> X = surface.link < 0
                                  ? picture.X_WH
                                  : picture.X_WH * links[static_cast<std::size_t>(surface.link)];
       const MeshLook look = look_of(surface, picture.patches);
-      items.push_back(mesh_item(meshes.add(surface.solid->picture, look), X));
+      (s < static_cast<std::size_t>(picture.carrier_surfaces) ? carriers : items)
+          .push_back(mesh_item(meshes.add(surface.solid->picture, look), X));
     }
+    if (items.empty()) continue;
     const std::string name = digits[d].empty() ? "palm" : digits[d];
     layers.push_back(layer(name, color_of(hand, digits[d], d), std::move(items)));
   }
+  if (!carriers.empty()) layers.push_back(out_of_fit(layer("carrier", kCarrier, carriers)));
   return layers;
 }
 
@@ -104,30 +117,29 @@ Json scene_layers(const Scene& scene, MeshTable& meshes) {
   Json items = Json::array();
   for (const SceneBody& body : scene.obstacles) items.push_back(body_item(body, meshes));
   if (items.empty()) return layers;
-  Json obstacles = layer("obstacles", kObstacle, std::move(items));
-  obstacles["fit"] = false;
-  layers.push_back(std::move(obstacles));
+  layers.push_back(out_of_fit(layer("obstacles", kObstacle, std::move(items))));
   return layers;
 }
 
 Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>& X_WO,
                     double reach) {
-  const double height = kConeHeight * reach;
+  const double length = std::min(kArrow * reach, kLongest);
   Json points = Json::array(), normals = Json::array(), cones = Json::array();
   for (const HandContact& found : contacts) {
     const Contact contact = seen_from(X_WO, found.contact);
     points.push_back(in_mm(contact.p));
     normals.push_back({{"kind", "arrow"},
                        {"from", in_mm(contact.p)},
-                       {"vector", in_mm(height * contact.n)},
-                       {"radius", 8 * height}});
+                       {"vector", in_mm(length * contact.n)},
+                       {"radius", 25 * length}});
+    const double height = length / std::hypot(1, contact.friction);
     cones.push_back({{"kind", "cone"},
                      {"tip", in_mm(contact.p)},
                      {"axis", in_mm(height * contact.n)},
                      {"radius", 1000 * height * contact.friction}});
   }
   if (contacts.empty()) return Json::array();
-  normals.push_back({{"kind", "points"}, {"positions", points}, {"radius", 30 * height}});
+  normals.push_back({{"kind", "points"}, {"positions", points}, {"radius", 70 * length}});
   return Json::array({layer("contacts", kContact, std::move(normals)),
                       layer("friction cones", kContact, std::move(cones))});
 }

@@ -18,10 +18,12 @@ struct HandPicture {
   Eigen::VectorXd q;               // (coordinates) [rad] or [m]
   Pose<double> X_WH;               //
   std::vector<SkinPatch> patches;  // nails are drawn in their own colour; may be empty
+  int carrier_surfaces = 0;        // the first so many are of arm and base, which the view need
+                                   // not hold
 };
 
-/// A layer for every digit, one for what is no digit; skin in the colour of skin, everything else
-/// in a colour for each digit.
+/// A layer for every digit, one for what is no digit, one for what carries the hand; skin in the
+/// colour of skin, everything else in a colour for each digit.
 [[nodiscard]] Json hand_layers(const HandPicture& picture, MeshTable& meshes);
 
 /// The object, seen through so that contacts are seen, and the obstacles, which the view need not
@@ -29,7 +31,8 @@ struct HandPicture {
 [[nodiscard]] Json scene_layers(const Scene& scene, MeshTable& meshes);
 
 /// Contacts: points and normals as one layer, friction cones as another.
-/// @param reach  of the object: what cones are drawn in proportion to [m]
+/// @param reach  of the object: arrows and sides of cones are a quarter of it, and no longer than a
+///               pad is wide, 12 mm [m]
 [[nodiscard]] Json contact_layers(const std::vector<HandContact>& contacts,
                                   const Pose<double>& X_WO, double reach);
 
