@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -42,16 +44,39 @@ Json limited_row(const HandOnObject& cell) {
   return quantile_row(cell.hand, cell.hand_epsilon, cell.closures);
 }
 
+/// Where the axis ends, if a few rows would stretch it so that the others could not be read: rows
+/// that reach beyond thrice the median of all ends are cut; infinite: none is.
+double end_of_axis(const Json& rows) {
+  std::vector<double> ends;
+  for (const Json& row : rows)
+    if (row["high"].is_number()) ends.push_back(row["high"]);
+  if (ends.empty()) return INFINITY;
+  std::sort(ends.begin(), ends.end());
+  const double fair = 3 * ends[ends.size() / 2];
+  if (fair <= 0 || ends.back() <= fair) return INFINITY;
+  return 1.1 * *(std::upper_bound(ends.begin(), ends.end(), fair) - 1);
+}
+
+/// Cuts the axis of a chart where that is needed, and says so.
+Json readable(Json chart) {
+  const double end = end_of_axis(chart["rows"]);
+  if (std::isinf(end)) return chart;
+  chart["x_most"] = end;
+  chart["caption"] =
+      chart["caption"].get<std::string>() + " The axis is cut: arrowheads go on beyond it.";
+  return chart;
+}
+
 Json chart(const Comparison& comparison, const std::string& object, const std::string& caption,
            const std::string& label, Json (*row)(const HandOnObject&)) {
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
     if (cell.object == object) rows.push_back(row(cell));
-  return {{"type", "interval"},
-          {"caption", caption},
-          {"x_label", label},
-          {"key", kKey},
-          {"rows", std::move(rows)}};
+  return readable({{"type", "interval"},
+                   {"caption", caption},
+                   {"x_label", label},
+                   {"key", kKey},
+                   {"rows", std::move(rows)}});
 }
 
 }  // namespace

@@ -7,11 +7,14 @@
 #include <fmt/ranges.h>
 
 #include "grasp/closing_drives.h"
+#include "viewer/clear_view.h"
 #include "viewer/compare_tables.h"
 #include "viewer/grasp_page.h"
 
 namespace thenar {
 namespace {
+
+constexpr double kInside = 4e-3;  // from a contact into the object, where it is looked for [m]
 
 const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
                                  const std::string& hand) {
@@ -47,6 +50,22 @@ Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
   return best.X_WH.R * (back.cross(along) + 0.5 * back + 0.5 * along);
 }
 
+/// Whether something that is no digit, like a forearm, is farther from the object than tips reach.
+bool reaches_out(const HandPicture& picture, const SceneBody& object) {
+  const std::vector<Pose<double>> links = picture.hand.pose(picture.q);
+  const Eigen::Vector3d middle_H = picture.X_WH.inverse() * (object.X_WB * object.com);
+  const double shown = object.reach + reach_of_digits(picture.hand);
+  const std::vector<LinkSurface>& surfaces = picture.hand.surfaces();
+  return std::any_of(surfaces.begin(), surfaces.end(), [&](const LinkSurface& surface) {
+    const Eigen::Matrix3Xd& at = surface.solid->picture.vertices;
+    if (!surface.digit.empty() || at.cols() == 0) return false;
+    const Eigen::Vector3d middle =
+        surface.link < 0 ? middle_H
+                         : links[static_cast<std::size_t>(surface.link)].inverse() * middle_H;
+    return (at.colwise() - middle).colwise().norm().maxCoeff() > shown;
+  });
+}
+
 Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePicture& picture,
                   MeshTable& meshes) {
   const BestGrasp& best = cell.best.front();
@@ -58,8 +77,12 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
       best.contacts.size(), best.type.empty() ? "no type" : best.type);
   Json layers = grasp_layers(hand, scene, best.contacts, meshes);
   for (Json& layer : layers)
-    if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
-  Json block = thumbnail_block(caption, eye_for(*picture.drawn, best), std::move(layers));
+    if (layer["name"] == "palm") layer["fit"] = !reaches_out(hand, scene.object);
+  std::vector<Contact> contacts;
+  for (const HandContact& found : best.contacts)
+    contacts.push_back(seen_from(scene.object.X_WB, found.contact));
+  const Eigen::Vector3d eye = clear_view(hand, contacts, kInside, eye_for(*picture.drawn, best));
+  Json block = thumbnail_block(caption, eye, std::move(layers));
   const Eigen::Vector3d up = -(best.X_WH.R * picture.drawn->layout().approach.direction);
   block["up"] = list(up);
   return block;
@@ -108,7 +131,8 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
     blocks.push_back(best_row(comparison, object, pictures, meshes, progress));
   }
   return section("best", "The best grasps",
-                 "Of every hand the grasp with the largest epsilon. Red points are contacts, cones "
+                 "Of every hand the grasp with the largest epsilon; the numbers are of that grasp, "
+                 "the eye is where most of its contacts are seen. Red points are contacts, cones "
                  "the forces that do not slip. Drag a picture to turn it.",
                  blocks);
 }

@@ -9,6 +9,7 @@
 #include "data/io/robot/robot.h"
 #include "grasp/closing_drives.h"
 #include "grasp/robot_hand.h"
+#include "viewer/compare_words.h"
 
 namespace thenar {
 namespace {
@@ -33,6 +34,7 @@ Comparison sample() {
   card.closures = 0;
   card.success = 0;
   card.epsilon.resize(0);
+  card.outcomes[static_cast<std::size_t>(GraspOutcome::kGrasped)] = 4;
   comparison.cells = {ball, card};
   HandAbilities abilities;
   abilities.hand = "jaws";
@@ -74,6 +76,27 @@ TEST(ComparePage, ShowsQuantilesWhereThereAreGrasps) {
     EXPECT_EQ(chart["rows"][0]["display"], "no closure in 4");
 }
 
+// Ends of 0.4, 0.5 and 9: the last is beyond thrice the median, the axis ends a tenth past 0.5.
+TEST(ComparePage, CutsTheAxisWhereOneHandWouldStretchIt) {
+  Comparison comparison = sample();
+  comparison.hands = {"jaws", "fingers", "vice"};
+  HandOnObject fingers = comparison.cells[0], vice = comparison.cells[0];
+  fingers.hand = "fingers";
+  fingers.epsilon[2] = 0.5;
+  vice.hand = "vice";
+  vice.epsilon[2] = 9;
+  MeshTable meshes;
+  const auto chart = [&] {
+    const Json page = compare_page(comparison, {}, {}, meshes);
+    return section_of(page, "quality")["blocks"][0]["blocks"][0];
+  };
+  comparison.cells = {comparison.cells[0], fingers};
+  EXPECT_FALSE(chart().contains("x_most"));
+  comparison.cells.push_back(vice);
+  EXPECT_DOUBLE_EQ(chart()["x_most"], 0.55);
+  EXPECT_NE(chart()["caption"].get<std::string>().find("cut"), std::string::npos);
+}
+
 TEST(ComparePage, SaysThatEffortsAreUnknown) {
   MeshTable meshes;
   const Json page = compare_page(sample(), {}, {}, meshes);
@@ -94,8 +117,11 @@ TEST(ComparePage, TakesTheBestOfTheLoadsThatAreKnown) {
   MeshTable meshes;
   const Json page = compare_page(comparison, {}, {}, meshes);
   const Json& blocks = section_of(page, "grasps")["blocks"];
-  EXPECT_EQ(blocks[3]["rows"][0].back(), 7.0);
-  EXPECT_EQ(blocks[4]["rows"][0],
+  const Json& row = blocks[3]["rows"][0];
+  EXPECT_EQ(row[row.size() - 2], 7.0);
+  EXPECT_EQ(row.back(), "epsilon of the hand 3 of 3, hold-weight 1 of 2");
+  EXPECT_EQ(blocks[4]["rows"][0], Json::array({"jaws", "card", "4 touched without force closure"}));
+  EXPECT_EQ(blocks[5]["rows"][0],
             Json::array({"jaws", "hold-weight", "the effort of 'motor' is unknown", 1}));
 }
 
@@ -118,6 +144,23 @@ TEST(ComparePage, SaysWhatIsMissingOfOneThatWasStopped) {
   const Json& banner = section_of(page, "glance")["blocks"][0];
   EXPECT_EQ(banner["ok"], false);
   EXPECT_EQ(banner["title"], "Not finished: 1 of 2 cells");
+}
+
+TEST(CompareWords, TellHowApproachesEndedTheMostFrequentFirst) {
+  HandOnObject cell;
+  cell.outcomes = {5, 0, 7, 0, 0, 1};
+  cell.closures = 2;
+  EXPECT_EQ(outcome_words(cell),
+            "7 missed the object, 3 touched without force closure, 1 closed without touching");
+}
+
+TEST(CompareWords, RoundToWhatIsKnown) {
+  EXPECT_EQ(rounded_to(467.8, 127.4), 500);
+  EXPECT_EQ(rounded_to(166.5, 31.9), 170);
+  EXPECT_DOUBLE_EQ(rounded_to(1.234, 0.05), 1.23);
+  EXPECT_EQ(rounded_to(3, 0), 3);
+  EXPECT_EQ(in_two_digits(1271), 1300);
+  EXPECT_EQ(in_two_digits(0), 0);
 }
 
 // Every mesh that a picture names is in the table, once however many pictures show it.

@@ -33,7 +33,13 @@ export function rowText(row) {
 /// it.
 const sideText = (row) => (row.null ? "not identifiable" : rowText(row));
 
-function marks(row, x, y) {
+const isBeyond = (value, most) => isNumber(value) && value > most;
+
+/// Whether some of a row lies beyond the end of the axis.
+export const goesOn = (row, most) =>
+  [row.estimate, row.high, row.prior_high, row.truth].some((value) => isBeyond(value, most));
+
+function marks(row, x, y, most) {
   const drawn = [];
   if (isNumber(row.prior_low) && isNumber(row.prior_high))
     drawn.push(
@@ -62,7 +68,7 @@ function marks(row, x, y) {
     drawn.push(
       svg("line", { class: "inner", x1: x(row.inner_low), x2: x(row.inner_high), y1: y, y2: y }),
     );
-  if (isNumber(row.estimate))
+  if (isNumber(row.estimate) && !isBeyond(row.estimate, most))
     drawn.push(
       svg("circle", {
         class: row.null ? "hollow" : "estimate",
@@ -73,6 +79,8 @@ function marks(row, x, y) {
     );
   if (isNumber(row.truth))
     drawn.push(svg("path", { class: "truth", d: `M${x(row.truth)} ${y - 8}v16` }));
+  if (goesOn(row, most))
+    drawn.push(svg("path", { class: "estimate", d: `M${x(most) + 2} ${y - 5}l8 5l-8 5z` }));
   return drawn;
 }
 
@@ -93,7 +101,7 @@ const words = (row) => [
 ];
 
 /// One row; in a narrow chart its words stand above the marks.
-function line(row, top, { x, left, right, width, narrow, row: height }) {
+function line(row, top, { x, most, left, right, width, narrow, row: height }) {
   const y = narrow ? top + 24 : top + height / 2;
   const text = narrow ? top + 14 : y + 4;
   const name = narrow ? { x: 0 } : { x: left - 10, "text-anchor": "end" };
@@ -102,7 +110,7 @@ function line(row, top, { x, left, right, width, narrow, row: height }) {
     "g",
     { class: `interval-row ${row.null ? "null" : ""}`, style: `color: ${INK}`, role: "img" },
     svg("rect", { class: "catch", x: 0, y: top, width, height }),
-    ...marks(row, x, y),
+    ...marks(row, x, y, most),
     svg("text", { class: "name", y: text, ...name }, row.name),
     svg("text", { class: row.null ? "note" : "", y: text, ...side }, sideText(row)),
   );
@@ -110,18 +118,20 @@ function line(row, top, { x, left, right, width, narrow, row: height }) {
 }
 
 /// Where the columns of a chart of this width stand.
-function layoutOf({ rows, reference_lines = [] }, width) {
+function layoutOf({ rows, reference_lines = [], x_most: most = Infinity }, width) {
   const values = rows
     .flatMap((r) => [r.estimate, r.low, r.high, r.prior_low, r.prior_high, r.truth])
-    .filter(isNumber);
+    .filter(isNumber)
+    .map((value) => Math.min(value, most));
   const range = extent([...values, ...reference_lines.map((r) => r.value)], 0.04);
   const names = 18 + Math.max(60, ...rows.map((r) => textWidth(r.name)));
   const words = Math.max(...rows.map((r) => textWidth(sideText(r))), 60);
   const narrow = width < NARROW || width - names - words < LEAST;
   const left = narrow ? 8 : names;
   const right = width - (narrow ? 8 : 24 + words);
-  const x = linear(range, [left, right]);
-  return { range, left, right, width, narrow, x, row: narrow ? TALL_ROW : ROW };
+  const along = linear(range, [left, right]);
+  const x = (value) => along(Math.min(value, most));
+  return { range, most, left, right, width, narrow, x, row: narrow ? TALL_ROW : ROW };
 }
 
 function chart(block, width) {

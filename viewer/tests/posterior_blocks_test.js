@@ -5,7 +5,7 @@ import test from "node:test";
 import { disagrees } from "../report/chains.js";
 import { withUnit } from "../report/chain_panels.js";
 import { brokenName, rangeOf } from "../report/corner_panels.js";
-import { rowText } from "../report/interval.js";
+import { goesOn, rowText } from "../report/interval.js";
 import { seriesColors } from "../report/palette.js";
 import { pathThrough } from "../report/panel.js";
 import { isOutside } from "../report/predictive.js";
@@ -65,6 +65,13 @@ test("what lies outside its interval", () => {
   assert.equal(isOutside({ measured: 3, low: 0, high: 2 }), true);
   assert.equal(isOutside({ measured: 2, low: 0, high: 2 }), false);
   assert.equal(isOutside({ measured: null, low: 0, high: 2 }), null);
+});
+
+test("a row goes on beyond a cut axis if anything of it does", () => {
+  assert.equal(goesOn({ estimate: 1, low: 0, high: 3 }, 2), true);
+  assert.equal(goesOn({ estimate: 1, low: 0, high: 2 }, 2), false);
+  assert.equal(goesOn({ estimate: null, low: null, high: null }, 2), false);
+  assert.equal(goesOn({ estimate: 1, high: 3 }, Infinity), false);
 });
 
 test("a row tells its own words, or estimate and interval", () => {
