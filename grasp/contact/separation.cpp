@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "grasp/contact/ball_pair.h"
 #include "grasp/contact/convex_bracket.h"
 #include "grasp/contact/lifted_bound.h"
 #include "grasp/contact/triangle_point.h"
@@ -50,11 +51,12 @@ class Search {
     if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size()))
       descend(whole(options_.start));
     const Ball root = posed(a_.nodes.front());
-    const NearestSurface seen = see(root.c);
+    const bool single = a_.nodes.front().triangle >= 0;
+    const NearestSurface seen = single ? whole(a_.nodes.front().triangle).seen : see(root.c);
     const double bound = seen.distance - root.r;
     if (bound <= options_.cutoff && bound < enough() && options_.within.r >= kEverywhere)
       guess(seen.normal);
-    if (a_.nodes.front().triangle >= 0)
+    if (single)
       add_node(0, bound);
     else
       push({bound, 0, -1});
@@ -115,11 +117,14 @@ class Search {
   /// Goes to the triangle farthest down, as B is seen from the best point, until none is better;
   /// large empty balls that stand there then tell of most others at once that they are no nearer.
   void guess(Eigen::Vector3d n) {
-    for (int i = 0; i < kGuesses; ++i) {
+    for (int i = 0, last = -1; i < kGuesses; ++i) {
       const double before = best_;
-      descend(whole(lowest_triangle(X_BA_.R.transpose() * n)));
+      const int lowest = lowest_triangle(X_BA_.R.transpose() * n);
+      if (lowest == last) break;
+      descend(whole(lowest));
       if (!(best_ < before - options_.tolerance)) break;
       n = seen_.normal;
+      last = lowest;
     }
     if (seen_.supports) return;
     for (const double h : {3.0, 30.0}) {
@@ -169,9 +174,11 @@ class Search {
   }
 
   Piece evaluated(const Eigen::Matrix3d& corners, double radius, int triangle) {
+    if (triangle == last_.triangle && corners == last_.corners) return last_;
     Piece piece{corners, smallest_ball(corners), {}, radius, triangle};
     piece.seen = see(piece.ball.c);
     offer(piece.ball.c, piece.seen, piece);
+    last_ = piece;
     return piece;
   }
 
@@ -202,8 +209,8 @@ class Search {
     }
     const Piece piece = evaluated(corners, radius, triangle);
     const double seen = std::max(bound, bound_of(piece));
-    if (piece.seen.supports && is_segment(triangle)) {
-      const double lower = close_in(piece);
+    if (is_segment(triangle)) {
+      const double lower = piece.seen.supports ? close_in(piece) : fill_in(piece);
       if (lower > kNothing) {
         dropped_ = std::min(dropped_, std::max(seen, lower));
         return;
@@ -249,6 +256,36 @@ class Search {
       bracket.add(tangent(t, seen));
     }
     return bracket.lower();
+  }
+
+  /// Along a segment outside B empty balls leave nothing nearer between them: balls about points of
+  /// it, where the bound is least, down to what is enough. Returns a bound of the segment, kNothing
+  /// if it goes into B, not all of it counts, or distances are not exact.
+  double fill_in(const Piece& piece) {
+    const double r = piece.ball.r;
+    if (options_.within.r < kEverywhere || b_.accuracy() > 0 || !(r > 0)) return kNothing;
+    const Eigen::Vector3d u = longest_side(piece.corners).stableNormalized();
+    const auto distance_at = [&](double t) {
+      const Eigen::Vector3d p = piece.ball.c + t * u;
+      const NearestSurface seen = see(p);
+      offer(p, seen, piece);
+      return seen.distance;
+    };
+    std::vector<BallPair> pairs{{-r, r, distance_at(-r), distance_at(r)}};
+    while (pairs.back().d_from > 0 && pairs.back().d_to > 0) {
+      const auto lowest = std::min_element(
+          pairs.begin(), pairs.end(),
+          [](const BallPair& x, const BallPair& y) { return x.least() < y.least(); });
+      const BallPair pair = *lowest;
+      const double bound = pair.least() - piece.radius, t = pair.narrowest();
+      if (bound >= enough() || bound > options_.cutoff || pairs.size() >= kMostPairs ||
+          evaluations_ >= options_.most_evaluations || !(t > pair.from && t < pair.to))
+        return bound;
+      const double d = distance_at(t);
+      *lowest = {pair.from, t, pair.d_from, d};
+      pairs.push_back({t, pair.to, d, pair.d_to});
+    }
+    return kNothing;
   }
 
   static Eigen::Vector3d longest_side(const Eigen::Matrix3d& corners) {
@@ -349,6 +386,7 @@ class Search {
   static constexpr double kEverywhere = 1e29;     // radius of a ball that restricts nothing [m]
   static constexpr std::size_t kMostPlanes = 8;
   static constexpr int kMostAlong = 40;
+  static constexpr std::size_t kMostPairs = 200;
   static constexpr int kGuesses = 4;
   static constexpr std::size_t kMostEmpty = 8;
   static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
@@ -360,6 +398,7 @@ class Search {
 
   std::vector<Candidate> heap_;
   std::vector<Piece> pieces_;
+  Piece last_{{}, {}, {}, 0, -1};          // that was evaluated
   double best_ = kInfinity;                // least distance seen [m]
   double dropped_ = kInfinity;             // least bound of what was not searched [m]
   Eigen::Vector3d core_{0, 0, 0};          // where it was seen: a point of A's core [m] (3)
