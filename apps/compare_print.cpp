@@ -82,7 +82,9 @@ void print_comparison(const Comparison& comparison) {
   print_table("Grasps: share with force closure, its 95 % interval, and loads",
               cell_table(comparison));
   fmt::print("{}\n", load_rule());
-  fmt::print("-: nothing closed, or not known. inf: stops or drives that hold bear it.\n\n");
+  fmt::print(
+      "-: nothing closed, or not known. 0: nothing is borne, why is in the page and in "
+      "JSON.\ninf: stops or drives that hold bear it.\n\n");
   print_table("Where nothing closed: how the approaches ended", outcome_table(comparison));
   print_table("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
   for (const std::string& warning : comparison.warnings) fmt::print("warning: {}\n", warning);
