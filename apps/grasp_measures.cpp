@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/print_table.h"
+#include "apps/schedule.h"
 #include "apps/to_json.h"
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
@@ -46,11 +47,12 @@ Measured<double> weight_of(const GraspQuestion& question) {
 }
 
 Measured<InscribedBall> ball_of(const Asked& asked) {
-  const std::string effort = unknown_effort(asked.held);
-  if (!effort.empty()) return none<InscribedBall>("the effort of '" + effort + "' is unknown");
+  const std::string unknown = unknown_effort(asked.held);
+  if (!unknown.empty()) return none<InscribedBall>(unknown);
   const InscribedBall ball = inscribed_ball(asked.forces);
   if (ball.status == ConeStatus::kInfeasible)
     return none<InscribedBall>("no effort keeps the hand's own torques in balance");
+  if (ball.status == ConeStatus::kUnbounded) return none<InscribedBall>(kBorneByStructure);
   if (!std::isfinite(ball.lower))
     return none<InscribedBall>(
         fmt::format("the search gave up early; at most {} N", shown(ball.upper)));
@@ -73,6 +75,15 @@ Wrench weight_load(const SceneBody& object, double weight) {
   return load;
 }
 
+/// Why what drives the hand does not hold a load: it bears none of it, or not all.
+std::string why_not_held(const Asked& asked, const Wrench& load) {
+  const Reach reach = largest_load(asked.forces, load);
+  const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";
+  if (reach.status != ConeStatus::kSolved || reach.value * load.norm() < kNoLoad)
+    return cannot + why_nothing_holds(asked.held, {load});
+  return cannot + fmt::format("it bears {:.3g} N of it", reach.value * load.norm());
+}
+
 void add_holds(const Asked& asked, GraspMeasures& measures) {
   if (!measures.weight.value) {
     measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
@@ -85,15 +96,11 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold_actuated = none<double>(measures.hold.reason);
     return;
   }
-  const std::string effort = unknown_effort(asked.held);
-  if (!effort.empty()) {
-    measures.hold_actuated = none<double>("the effort of '" + effort + "' is unknown");
-    return;
-  }
+  const std::string unknown = unknown_effort(asked.held);
   measures.hold_actuated =
-      hold_of(asked.forces, load, "what drives the hand cannot make forces that hold the weight");
-  if (!measures.hold_actuated.value)
-    measures.hold_actuated.reason += ": " + why_nothing_holds(asked.held, {load});
+      unknown.empty() ? hold_of(asked.forces, load, "") : none<double>(unknown);
+  if (!measures.hold_actuated.value && measures.hold_actuated.reason.empty())
+    measures.hold_actuated.reason = why_not_held(asked, load);
 }
 
 Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
@@ -101,9 +108,7 @@ Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
   if (found == loads.margin.end()) return none<double>("not asked");
   const auto why = loads.reasons.find(name_of(task));
   const std::string reason = why == loads.reasons.end() ? "" : why->second;
-  if (std::isnan(found->second)) return none<double>(reason);
-  if (std::isinf(found->second))
-    return none<double>("nothing limits it: the load is borne without effort");
+  if (!std::isfinite(found->second)) return none<double>(reason);
   return {found->second, reason};
 }
 
@@ -190,7 +195,7 @@ std::string volume_words(const Volume& v) {
 }  // namespace
 
 GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
-                      const GraspAnswer& answer) {
+                      const GraspAnswer& answer, const Progress& progress) {
   const Grasp& grasp = answer.grasp;
   const SceneBody& object = question.scene.object;
   const Held hand{*touching.hand, grasp.closed.q, grasp.contacts,
@@ -202,8 +207,11 @@ GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touchin
   of_volume.limit = question.limit;
   GraspMeasures measures;
   measures.edges = question.edges;
+  report_or_stop(progress, 0, "volume of wrenches");
   measures.volume = volume(answer.wrenches, of_volume);
+  report_or_stop(progress, 0.3, "epsilon of the driven hand");
   measures.actuated = ball_of(asked);
+  report_or_stop(progress, 0.7, "loads");
   measures.weight = weight_of(question);
   add_holds(asked, measures);
   add_margins(asked, measures);

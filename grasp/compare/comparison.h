@@ -80,7 +80,8 @@ struct BestGrasp {
                                          // infinite: they cannot
   std::map<std::string, double> margin;  // task -> largest load withstood with the hand's
                                          // actuators; units as GraspTask; NaN: not known
-  std::map<std::string, std::string> reasons;  // task or "epsilon" -> why it is zero or not known
+  std::map<std::string, std::string>
+      reasons;  // task or "epsilon" -> why it is zero, not known or infinite
   /// Least of all wrenches that the hand's actuators withstand [N]; NaN: not known.
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };

@@ -37,15 +37,16 @@ std::vector<Wrench> loads_of(GraspTask task, double weight, double scale) {
   return {};
 }
 
-/// The value, or zero or NaN with the reason. @param size  of a load at value 1 [N]
+/// The value, and where it is zero, NaN or infinite the reason. @param size  of a load at value 1
+/// [N]
 Limited limited(const HeldForces& forces, ConeStatus status, double value,
                 const std::vector<Wrench>& loads, double size) {
   if (status == ConeStatus::kStalled) return {kUnknown, "the programme did not converge"};
-  const std::string effort = unknown_effort(forces);
-  if (!effort.empty()) return {kUnknown, "the effort of '" + effort + "' is unknown"};
+  const std::string unknown = unknown_effort(forces);
+  if (!unknown.empty()) return {kUnknown, unknown};
   if (status == ConeStatus::kInfeasible || value * size < kNoLoad)
     return {0, why_nothing_holds(forces, loads)};
-  return {value, ""};
+  return {value, std::isinf(value) ? kBorneByStructure : ""};
 }
 
 /// A load along an axis that is proven not to be borne, however small; zero: none is.
@@ -88,8 +89,8 @@ GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
 
 Limited hand_epsilon(const Held& held, const SceneBody& object) {
   const HeldForces held_by = forces_of(held, object);
-  const std::string effort = unknown_effort(held_by);
-  if (!effort.empty()) return {kUnknown, "the effort of '" + effort + "' is unknown"};
+  const std::string unknown = unknown_effort(held_by);
+  if (!unknown.empty()) return {kUnknown, unknown};
   BallOptions options;
   options.gap = kGap;
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);

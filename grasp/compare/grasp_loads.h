@@ -14,7 +14,7 @@ namespace thenar {
 /// A load that may be none, or not known.
 struct Limited {
   double value = 0;    // NaN: not known; infinite: nothing limits it
-  std::string reason;  // why it is zero or not known; else empty
+  std::string reason;  // why it is zero, not known or infinite; else empty
 };
 
 struct GraspLoads {

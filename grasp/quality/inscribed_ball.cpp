@@ -90,10 +90,23 @@ class Search {
 
 }  // namespace
 
+bool is_unlimited(ForceSet forces, int axes) {
+  forces.b.setZero();
+  forces.h.setZero();
+  for (int i = 0; i < axes; ++i)
+    for (const double sign : {1.0, -1.0})
+      if (largest_load(forces, sign * Wrench::Unit(i)).status != ConeStatus::kUnbounded)
+        return false;
+  return true;
+}
+
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options) {
   require(options.gap > 0 && options.strength > 0 && options.most_programs > 0,
           "gap, strength and most_programs must be positive, got {}, {}, {}", options.gap,
           options.strength, options.most_programs);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (is_unlimited(forces, 6))
+    return {ConeStatus::kUnbounded, kInfinity, kInfinity, Wrench::Zero(), 12};
   return Search(forces, options).run();
 }
 

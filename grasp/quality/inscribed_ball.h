@@ -14,7 +14,8 @@ struct BallOptions {
 
 /// Signed radius of the largest ball about the origin in the wrenches of a force set.
 struct [[nodiscard]] InscribedBall {
-  ConeStatus status;  // kSolved, kInfeasible: no force is possible, kStalled: gave up early
+  ConeStatus status;  // kSolved, kInfeasible: no force is possible, kStalled: gave up early,
+                      // kUnbounded: every wrench can be made, bounds are infinite
   double lower;       // [N], rounding of the programmes (1e-10 of their size) aside
   double upper;       // [N]
   Wrench worst_load;  // unit: the load withstood least (6)
@@ -24,9 +25,13 @@ struct [[nodiscard]] InscribedBall {
 /// epsilon = min over |u| = 1 of h(u), h the support function of the set, a cone programme for
 /// each direction. Points found by the programmes span a hull inside the set, whose nearest facet
 /// bounds it from below and is the next direction to ask: see epsilon().
-/// Zero or negative: some load is not withstood, however small.
+/// Zero or negative: some load is not withstood, however small. Infinite: is_unlimited().
 /// @throws InputError if a setting is not positive
 /// Source: [Krug2017] for wrench sets bounded by actuators.
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options = {});
+
+/// Whether forces bear every load along the first axes of a wrench, however large: their recession
+/// cone, all limits at zero, holds both ways along each.
+[[nodiscard]] bool is_unlimited(ForceSet forces, int axes);
 
 }  // namespace thenar

@@ -12,6 +12,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kIndependent = 1e-9;  // least part of the longest axis across the others [1]
 
 /// Appends variables p with |p| <= half width, which make the last rows of the wrench.
@@ -52,7 +53,6 @@ ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>
 }  // namespace
 
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<Wrench>& loads) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero()};
   for (const Wrench& load : loads) {
     if (load.isZero(0)) continue;
@@ -93,6 +93,8 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
   require(qr.rank() == Q.cols(), "{} axes of the ellipsoid span {} dimensions", Q.cols(),
           qr.rank());
   ForceSet sliced = slice_along(forces, qr);
+  if (is_unlimited(sliced, static_cast<int>(Q.cols())))
+    return {ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero()};
   if (Q.cols() < 6) {
     sliced.h.conservativeResize(sliced.h.size());
     const Reach any = farthest_wrench(sliced, Wrench::Unit(0));

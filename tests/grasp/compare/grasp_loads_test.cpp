@@ -92,6 +92,26 @@ TEST(GraspLoads, OfWormsAreThoseOfFrictionAcross) {
   EXPECT_NEAR(Squeeze(robot).loads().margin.at("pull"), 2, 1e-6);
 }
 
+// The palm alone, on all sides of the cube, two contacts a face: no motor is asked, nor a number.
+TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
+  Squeeze squeeze(sample::jaws());
+  const Eigen::Vector3d centre = squeeze.scene.object.com;
+  squeeze.grasp.contacts.clear();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (const double beside : {-0.01, 0.01}) {
+        const Eigen::Vector3d n = -side * Eigen::Vector3d::Unit(axis);
+        squeeze.grasp.contacts.push_back(
+            {{centre - 0.015 * n + beside * Eigen::Vector3d::Unit((axis + 1) % 3), n, 0, 0}, 0, 0});
+      }
+  const GraspLoads loads = squeeze.loads();
+  EXPECT_EQ(loads.margin.at("pull"), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(loads.reasons.at("pull"), "borne by structure, whose strength is not known");
+  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(epsilon.reason, "borne by structure, whose strength is not known");
+}
+
 // Along x a jaw at most lets go of 2 N, across it friction bears no more; turned about an axis the
 // corners do so: no wrench of 2 N or less needs more than the motor has, some of 2 N do.
 TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {

@@ -10,6 +10,7 @@
 
 #include "grasp/quality/hold_force.h"
 #include "grasp/quality/stops.h"
+#include "grasp/quality/task_wrenches.h"
 #include "grasp/quality/withstood.h"
 #include "tests/grasp/quality/pinch.h"
 
@@ -178,6 +179,28 @@ TEST(Pressed, SpringsTowardsAStopAreOvercomeFirst) {
     sprung.tau_0.setConstant(-2);
     EXPECT_NEAR(load(pinched(sprung), 2), kMu * 2 * std::max(0.0, most - 2), kSolved) << most;
   }
+}
+
+/// Frictionless contacts beside the middles of the faces of a cube, twisted so that it cannot move.
+std::vector<Contact> cage() {
+  std::vector<Contact> contacts;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0})
+      for (const double beside : {-0.5, 0.5}) {
+        const Vector3d n = -side * Vector3d::Unit(axis);
+        contacts.push_back({-n + beside * Vector3d::Unit((axis + 1) % 3), n, 0, 0});
+      }
+  return contacts;
+}
+
+// Form closure in a palm bears whatever comes: that is told, and is no number of the search.
+TEST(Pressed, CageOfAPalmHasNoLimitAndSaysSo) {
+  const ForceSet caged = hand_forces(wrench_set(cage(), {0, 0, 0}, 1), MatrixXd::Zero(1, 12),
+                                     motors(MatrixXd::Identity(1, 1), 6, {}));
+  const InscribedBall ball = inscribed_ball(caged);
+  EXPECT_EQ(ball.status, ConeStatus::kUnbounded);
+  EXPECT_EQ(ball.lower, kNoLimit);
+  EXPECT_EQ(margin_of_ellipsoid(caged, Eigen::Matrix<double, 6, 2>::Identity()).lower, kNoLimit);
 }
 
 /// What a grasp of random contacts on joints with random stops, locks and worms squeezes most.
