@@ -102,9 +102,10 @@ std::string reading_words(const Comparison& comparison) {
       "not.\n\nEpsilon of the hand: the same disturbance in newtons, with the forces that "
       "the hand's own motors or tendons, stops and drives that do not run back can make at "
       "that posture. A grasp of good geometry may have none: a joint that nothing holds "
-      "gives way. Stops and such drives are taken for unbreakable, as no source states "
-      "their strength: hundreds of newtons, or no limit, mean that they bear the load and "
-      "not that the hand would. Loads are limited alike.\n\nn/a stands where nothing was "
+      "gives way. Stops, such drives and palms press by no force of their own: they push "
+      "back what motors or tendons press, and bear what the load presses on them without "
+      "friction. No source states their strength: no limit means that they alone bear the "
+      "load, and not that the hand would. Loads are limited alike.\n\nn/a stands where nothing was "
       "measured or an effort is unknown. Approaches are random: shares have the interval "
       "that is given with them, and the best of few approaches is not the best there "
       "is.\n\nSeed {}, {} approaches, objects {}.",
