@@ -14,6 +14,8 @@
 #include "apps/grasp_measures.h"
 #include "apps/grasp_output.h"
 #include "apps/output_ending.h"
+#include "apps/progress_bar.h"
+#include "apps/schedule.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "viewer/grasp_words.h"
@@ -30,20 +32,24 @@ struct Options {
 void run(const Options& options) {
   require_ending(options.out, {".html"});
   if (!options.out.empty()) require_writable(options.out);
-  const GraspQuestion question = ask_world(options.choice);
+  constexpr double kHand = 3, kClose = 0.3, kMeasures = 0.6;  // roughly, of a human hand [s]
+  Schedule schedule(terminal_progress(), kHand + kClose + kMeasures);
+  const GraspQuestion question = ask_world(options.choice, schedule.next(kHand));
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
   const TouchingHand touching = touching_hand(*question.hand.named.hand, question.scene.materials);
   const std::clock_t start = std::clock();
-  GraspAnswer found = answer(question, touching, 0);
+  GraspAnswer found = answer(question, touching, 0, schedule.next(kClose));
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
   if (found.grasp.outcome == GraspOutcome::kGrasped)
-    found.measures = std::make_shared<const GraspMeasures>(measure(question, touching, found));
+    found.measures = std::make_shared<const GraspMeasures>(
+        measure(question, touching, found, schedule.next(kMeasures)));
   found.cpu = cpu_since(start);
+  if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
+  schedule.finish();
   fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
                                 : grasp_text(question, touching, found));
-  if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 //
 // Puts the hand of a world on its object, finds the contacts, and measures the grasp.
 
+#include <algorithm>
 #include <ctime>
 #include <memory>
 #include <string>
@@ -17,6 +18,7 @@
 #include "apps/grasp_robustness.h"
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
+#include "apps/schedule.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "grasp/closing_drives.h"
@@ -49,11 +51,19 @@ void check(const Options& options) {
     if (!path.empty()) require_writable(path);
 }
 
+/// What parts take of a human hand, roughly [s]: of others they end sooner.
+constexpr double kHand = 3, kStart = 0.3, kMeasures = 0.6, kDraw = 0.2, kPage = 0.6;
+
+double seconds(const Options& options) {
+  return kHand + kStart * std::max(1, options.random) + kMeasures + kDraw * options.robustness +
+         (options.out.empty() ? 0 : kPage);
+}
+
 /// A hand that the world does not have may start at random.
-GraspQuestion ask(const Options& options) {
+GraspQuestion ask(const Options& options, const Progress& progress) {
   const bool stranger =
       !options.choice.hand.empty() && options.random > 0 && !has_hand(options.choice);
-  return stranger ? ask_stranger(options.choice) : ask_world(options.choice);
+  return stranger ? ask_stranger(options.choice, progress) : ask_world(options.choice, progress);
 }
 
 void save(const GraspQuestion& question, const GraspAnswer& found, const std::string& path) {
@@ -72,20 +82,22 @@ void save(const GraspQuestion& question, const GraspAnswer& found, const std::st
 }
 
 void add_measures(const Options& options, const GraspQuestion& question,
-                  const TouchingHand& touching, const Progress& progress, GraspAnswer& found) {
+                  const TouchingHand& touching, Schedule& schedule, GraspAnswer& found) {
   if (found.grasp.outcome != GraspOutcome::kGrasped) return;
-  found.measures = std::make_shared<const GraspMeasures>(measure(question, touching, found));
+  found.measures = std::make_shared<const GraspMeasures>(
+      measure(question, touching, found, schedule.next(kMeasures)));
   if (options.robustness == 0) return;
   RobustnessQuestion asked;
   asked.draws = options.robustness;
   asked.seed = options.seed;
   found.robustness = std::make_shared<const GraspRobustness>(
-      robustness_of(question, touching, found, asked, progress));
+      robustness_of(question, touching, found, asked, schedule.next(kDraw * options.robustness)));
 }
 
 void run(const Options& options) {
   check(options);
-  GraspQuestion question = ask(options);
+  Schedule schedule(terminal_progress(), seconds(options));
+  GraspQuestion question = ask(options, schedule.next(kHand));
   question.limit = options.norm == "l1" ? ForceLimit::kL1 : ForceLimit::kLinf;
   question.gap = options.gap;
   question.edges = options.edges;
@@ -97,19 +109,22 @@ void run(const Options& options) {
   const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
   require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
           question.hand.named.name);
-  const Progress progress = terminal_progress();
   const std::clock_t start = std::clock();
-  GraspAnswer found =
-      answer(question, touching, options.approach && !mounted ? options.way : 0, progress);
+  GraspAnswer found = answer(question, touching, options.approach && !mounted ? options.way : 0,
+                             schedule.next(kStart * std::max(1, options.random)));
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
-  add_measures(options, question, touching, progress, found);
+  add_measures(options, question, touching, schedule, found);
   found.cpu = cpu_since(start);
+  if (!options.out.empty()) {
+    report_or_stop(schedule.next(kPage), 0, options.out);
+    write_grasp_report(question, touching, found, options.out);
+  }
+  schedule.finish();
   fmt::print("{}", options.json
                        ? grasp_json(question, touching, found, options.wrenches).dump(2) + "\n"
                        : grasp_text(question, touching, found));
   if (!options.save.empty()) save(question, found, options.save);
-  if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/progress_bar.h"
+#include "apps/schedule.h"
 #include "grasp/quality/pyramid.h"
 #include "viewer/grasp_words.h"
 
@@ -58,13 +58,13 @@ GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching, 
                    const Progress& progress) {
   GraspAnswer found;
   if (question.starts == 0) {
+    report_or_stop(progress, 0, "closing the hand");
     const Trial own{question.hand.X_WH, question.hand.q, way};
     note(found, grasp_from(question, touching, own), -1, own);
   }
   for (int i = 0; i < question.starts; ++i) {
-    if (progress.stop())
-      throw Interrupted(fmt::format("stopped after {} of {} starts", i, question.starts));
-    progress(static_cast<double>(i) / question.starts, "starts");
+    report_or_stop(progress, static_cast<double>(i) / question.starts,
+                   fmt::format("start {} of {}", i + 1, question.starts));
     const Trial drawn = draw_trial(touching, question.scene.object, question.seed, i);
     note(found, grasp_from(question, touching, drawn), i, drawn);
   }

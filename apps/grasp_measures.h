@@ -44,7 +44,7 @@ inline constexpr double kPadForce = 1;  // on every contact, for the stiffness o
 /// Measures a grasp that is one. Friction is of true cones, but for the volume, which is of the
 /// answer's wrenches. Pads are springs of pad_stiffness() under kPadForce.
 [[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
-                                    const GraspAnswer& answer);
+                                    const GraspAnswer& answer, const Progress& progress = {});
 
 /// With units in the names of keys; null where there is no value, `reasons` says why.
 [[nodiscard]] nlohmann::ordered_json measures_json(const GraspMeasures& measures);

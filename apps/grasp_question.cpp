@@ -8,7 +8,12 @@ namespace {
 
 constexpr int kSmooth = 2500;  // triangles of a link that look smooth
 
-int drawn(const WorldChoice& choice) { return choice.pictures ? kSmooth : 0; }
+HumanHandOptions human_of(const WorldChoice& choice, const Progress& progress) {
+  HumanHandOptions human;
+  human.skin.drawn = choice.pictures ? kSmooth : 0;
+  human.skin.progress = progress;
+  return human;
+}
 
 std::string world_file(const WorldChoice& choice) {
   return named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
@@ -25,18 +30,16 @@ GraspQuestion question_of(const WorldChoice& choice) {
 
 }  // namespace
 
-GraspQuestion ask_world(const WorldChoice& choice) {
+GraspQuestion ask_world(const WorldChoice& choice, const Progress& progress) {
   GraspQuestion question = question_of(choice);
-  question.hand =
-      hand_of_world(question.world, choice.hand, question.path, question.data, drawn(choice));
+  question.hand = hand_of_world(question.world, choice.hand, question.path, question.data,
+                                human_of(choice, progress));
   return question;
 }
 
-GraspQuestion ask_stranger(const WorldChoice& choice) {
+GraspQuestion ask_stranger(const WorldChoice& choice, const Progress& progress) {
   GraspQuestion question = question_of(choice);
-  HumanHandOptions human;
-  human.skin.drawn = drawn(choice);
-  question.hand.named = hand_by_name(choice.hand, question.data, human);
+  question.hand.named = hand_by_name(choice.hand, question.data, human_of(choice, progress));
   question.hand.q = open_posture(question.hand.named.hand->layout());
   return question;
 }

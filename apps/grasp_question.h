@@ -33,10 +33,10 @@ struct WorldChoice {
 };
 
 /// The question about a world file. @throws InputError where something is not to be found.
-[[nodiscard]] GraspQuestion ask_world(const WorldChoice& choice);
+[[nodiscard]] GraspQuestion ask_world(const WorldChoice& choice, const Progress& progress = {});
 
 /// The same about a hand that the world does not have: only its own start is missing.
-[[nodiscard]] GraspQuestion ask_stranger(const WorldChoice& choice);
+[[nodiscard]] GraspQuestion ask_stranger(const WorldChoice& choice, const Progress& progress = {});
 
 /// Whether the world has the hand that is named.
 [[nodiscard]] bool has_hand(const WorldChoice& choice);

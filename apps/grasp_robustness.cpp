@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/progress_bar.h"
+#include "apps/schedule.h"
 #include "apps/to_json.h"
 #include "base/angles.h"
 #include "grasp/draw_uniform.h"
@@ -38,10 +38,7 @@ Pose<double> moved(const SceneBody& object, const Eigen::Vector3d& way,
 class Watch {
  public:
   Watch(const Progress& progress, int draws) : progress_(progress), all_(2.0 * draws) {}
-  void tick() {
-    if (progress_.stop()) throw Interrupted("stopped while robustness was drawn");
-    progress_(++done_ / all_, "robustness");
-  }
+  void tick() { report_or_stop(progress_, ++done_ / all_, "robustness"); }
 
  private:
   const Progress& progress_;

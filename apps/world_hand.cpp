@@ -236,16 +236,14 @@ std::vector<std::string> data_for(const std::string& folder, const std::string& 
 }
 
 WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const std::string& path,
-                        const std::vector<std::string>& data, int drawn) {
+                        const std::vector<std::string>& data, const HumanHandOptions& human) {
   WorldHand hand;
   hand.parts = parts_of(world, chosen(world, name, path));
   const PlacedHand& placed = world.hands[hand.parts.front()];
-  HumanHandOptions options;
-  options.skin.drawn = drawn;
   if (hand.parts.size() > 1) {
     mount(world, data, hand);
   } else {
-    hand.named = hand_by_name(name_to_build(world, placed), data, options);
+    hand.named = hand_by_name(name_to_build(world, placed), data, human);
     hand.named.name = placed.name;
   }
   hand.X_WH = world.hands[hand.parts.back()].X_WH;

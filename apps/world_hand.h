@@ -30,12 +30,12 @@ struct WorldHand {
 /// coordinates a posture may name degrees of freedom, each of which sets the joints it drives.
 /// @param path   of the world, for messages
 /// @param data   folders with robots/, as data_for()
-/// @param drawn  SkinOptions::drawn of a human hand
+/// @param human  how to build a human hand
 /// @throws InputError if there is no such hand or more than one to choose from, if a posture names
 ///         what the hand has not or leaves its limits, or if a human hand is mounted.
 [[nodiscard]] WorldHand hand_of_world(const WorldSpec& world, const std::string& name,
                                       const std::string& path, const std::vector<std::string>& data,
-                                      int drawn = 0);
+                                      const HumanHandOptions& human = {});
 
 /// data_folders() for a world read from `folder`: beside worlds/ there may be robots/.
 [[nodiscard]] std::vector<std::string> data_for(const std::string& folder,

@@ -64,7 +64,8 @@ std::string unknown_effort(const HeldForces& forces) {
     if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
     for (Index j = 0; j < a.B.rows(); ++j)
       if (a.B(j, k) != 0 && feels(forces, j) && !is_locked(a.reactions, j))
-        return forces.layout.actuators[static_cast<std::size_t>(k)];
+        return fmt::format("the effort of '{}' is unknown",
+                           forces.layout.actuators[static_cast<std::size_t>(k)]);
   }
   return "";
 }

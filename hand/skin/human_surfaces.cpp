@@ -137,9 +137,13 @@ std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& 
                                         const SkinOptions& options) {
   const HandAnatomy hand = find_anatomy(subject);
   SkinMaker maker(skeleton, options);
-  for (const auto& [segment, body] : skin_bodies(hand))
+  const std::map<std::string, SoftBody> bodies = skin_bodies(hand);
+  double done = 0;
+  for (const auto& [segment, body] : bodies) {
+    options.progress(done++ / static_cast<double>(bodies.size()), "skin of " + segment);
     if (skeleton.link_of_segment.count(segment) > 0)
       maker.add(digit_of(hand, segment), segment, body);
+  }
   for (const auto& [segment, mesh] : options.own)
     maker.add(digit_of(hand, segment), segment_named(subject, segment).name, mesh);
   return maker.take();

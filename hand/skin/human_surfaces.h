@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/shapes/triangle_mesh.h"
 #include "hand/hand.h"
 #include "hand/skeleton.h"
@@ -21,6 +22,7 @@ struct SkinOptions {
   std::string material = "skin";  // see Materials
   std::map<std::string, TriangleMesh> own;  // segment -> its surface in the subject's reference
                                             // posture, as segmented from CT or MRI [m]
+  Progress progress;                        // hears of every segment
 };
 
 /// Watertight skin of every segment that the skeleton keeps, in the hand's frame at the reference

@@ -1,0 +1,27 @@
+#include "apps/schedule.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "apps/progress_bar.h"
+
+namespace thenar {
+
+Schedule::Schedule(Progress whole, double seconds) : whole_(std::move(whole)), seconds_(seconds) {}
+
+Progress Schedule::next(double seconds) {
+  const double from = done_ / seconds_, share = seconds / seconds_;
+  done_ += seconds;
+  Progress part = whole_;
+  part.report = [whole = whole_, from, share](double fraction, const std::string& what) {
+    whole(std::min(1.0, from + fraction * share), what);
+  };
+  return part;
+}
+
+void report_or_stop(const Progress& progress, double fraction, const std::string& what) {
+  if (progress.stop()) throw Interrupted("stopped before: " + what);
+  progress(fraction, what);
+}
+
+}  // namespace thenar
