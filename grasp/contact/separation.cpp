@@ -126,7 +126,7 @@ class Search {
       n = seen_.normal;
       last = lowest;
     }
-    if (seen_.supports) return;
+    if (seen_.supports || (a_.triangles.size() == 1 && fills_in(0))) return;
     for (const double h : {3.0, 30.0}) {
       const Eigen::Vector3d above = core_ + h * a_.nodes.front().ball.r * seen_.normal;
       empty_.push_back({above, distance(above)});
@@ -258,12 +258,16 @@ class Search {
     return bracket.lower();
   }
 
+  [[nodiscard]] bool fills_in(int triangle) const {
+    return is_segment(triangle) && options_.within.r >= kEverywhere && b_.accuracy() == 0;
+  }
+
   /// Along a segment outside B empty balls leave nothing nearer between them: balls about points of
   /// it, where the bound is least, down to what is enough. Returns a bound of the segment, kNothing
   /// if it goes into B, not all of it counts, or distances are not exact.
   double fill_in(const Piece& piece) {
     const double r = piece.ball.r;
-    if (options_.within.r < kEverywhere || b_.accuracy() > 0 || !(r > 0)) return kNothing;
+    if (!fills_in(piece.triangle) || !(r > 0)) return kNothing;
     const Eigen::Vector3d u = longest_side(piece.corners).stableNormalized();
     const auto distance_at = [&](double t) {
       const Eigen::Vector3d p = piece.ball.c + t * u;
@@ -370,12 +374,11 @@ class Search {
     if (triangle_ < 0) whole(0);  // beyond the cutoff before any triangle was seen
     const double below = heap_.empty() ? kInfinity : heap_.front().bound;
     const double lower = std::min({below, dropped_, best_});
-    const NearestSurface& seen = seen_;
     Separation s{best_,
                  best_ - lower + b_.accuracy() + kRounding * core_.norm(),
-                 core_ - radius_ * seen.normal,
-                 core_ - seen.distance * seen.normal,
-                 seen.normal,
+                 core_ - radius_ * seen_.normal,
+                 core_ - seen_.distance * seen_.normal,
+                 seen_.normal,
                  triangle_,
                  evaluations_};
     if (lower > options_.cutoff) s.distance = lower, s.error = kInfinity;
