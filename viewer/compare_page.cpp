@@ -50,22 +50,6 @@ Eigen::Vector3d eye_for(const Hand& hand, const BestGrasp& best) {
   return best.X_WH.R * (back.cross(along) + 0.5 * back + 0.5 * along);
 }
 
-/// Whether something that is no digit, like a forearm, is farther from the object than tips reach.
-bool reaches_out(const HandPicture& picture, const SceneBody& object) {
-  const std::vector<Pose<double>> links = picture.hand.pose(picture.q);
-  const Eigen::Vector3d middle_H = picture.X_WH.inverse() * (object.X_WB * object.com);
-  const double shown = object.reach + reach_of_digits(picture.hand);
-  const std::vector<LinkSurface>& surfaces = picture.hand.surfaces();
-  return std::any_of(surfaces.begin(), surfaces.end(), [&](const LinkSurface& surface) {
-    const Eigen::Matrix3Xd& at = surface.solid->picture.vertices;
-    if (!surface.digit.empty() || at.cols() == 0) return false;
-    const Eigen::Vector3d middle =
-        surface.link < 0 ? middle_H
-                         : links[static_cast<std::size_t>(surface.link)].inverse() * middle_H;
-    return (at.colwise() - middle).colwise().norm().maxCoeff() > shown;
-  });
-}
-
 Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePicture& picture,
                   MeshTable& meshes) {
   const BestGrasp& best = cell.best.front();
@@ -77,7 +61,7 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
       best.contacts.size(), best.type.empty() ? "no type" : best.type);
   Json layers = grasp_layers(hand, scene, best.contacts, meshes);
   for (Json& layer : layers)
-    if (layer["name"] == "palm") layer["fit"] = !reaches_out(hand, scene.object);
+    if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
   std::vector<Contact> contacts;
   for (const HandContact& found : best.contacts)
     contacts.push_back(seen_from(scene.object.X_WB, found.contact));

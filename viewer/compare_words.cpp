@@ -21,6 +21,8 @@ constexpr std::array<const char*, 4> kVersions{
     "in place of strengths: joints share muscles through the net, and the hand closes as its "
     "flexors run in"};
 
+constexpr const char* kEpsilon = "epsilon";  // as BestGrasp::reasons has it
+
 const char* words_of(GraspOutcome outcome) {
   switch (outcome) {
     case GraspOutcome::kGrasped:
@@ -37,6 +39,14 @@ const char* words_of(GraspOutcome outcome) {
       break;
   }
   return "closed without touching";
+}
+
+/// Of the first load that is not known and says why.
+std::string why_unknown(const HandOnObject& cell) {
+  for (const BestGrasp& best : cell.best)
+    for (const auto& [load, reason] : best.reasons)
+      if (std::isnan(load == kEpsilon ? best.hand_epsilon : best.margin.at(load))) return reason;
+  return "";
 }
 
 }  // namespace
@@ -61,13 +71,18 @@ std::string load_rule() {
 
 std::string unknown_words(const HandOnObject& cell, const std::vector<std::string>& tasks) {
   std::vector<std::string> parts;
+  bool any = false;  // is known
   const auto tell = [&](const std::string& name, const LoadFound& load) {
+    any = any || load.known > 0;
     if (load.known < load.of)
       parts.push_back(fmt::format("{} {} of {}", name, load.of - load.known, load.of));
   };
-  tell("epsilon of the hand", cell.own_epsilon());
+  tell(kEpsilon, cell.own_epsilon());
   for (const std::string& task : tasks) tell(task, cell.load(grasp_task(task)));
-  return fmt::format("{}", fmt::join(parts, ", "));
+  if (parts.empty()) return "";
+  const std::string why = why_unknown(cell);
+  return fmt::format("{}{}{}", any ? fmt::format("{}", fmt::join(parts, ", ")) : "all",
+                     why.empty() ? "" : ": ", why);
 }
 
 std::string outcome_words(const HandOnObject& cell) {

@@ -16,8 +16,8 @@ namespace thenar {
 /// By which rule the loads of several grasps become one number.
 [[nodiscard]] std::string load_rule();
 
-/// "epsilon of the hand 3 of 12, hold-weight 1 of 3": of how many grasps a load is not known; ""
-/// if all are.
+/// "epsilon 3 of 12, hold-weight 1 of 3: the programme did not converge": of how many grasps a load
+/// is not known, and why, by the first that tells; "all: .." if none is; "" if all are.
 [[nodiscard]] std::string unknown_words(const HandOnObject& cell,
                                         const std::vector<std::string>& tasks);
 
