@@ -131,7 +131,8 @@ std::vector<MeasureRow> robustness_rows(const GraspRobustness& robustness) {
                    1000 * asked.contacts.place, asked.contacts.tilt / kDegree)},
       {"with the object elsewhere", share_words(robustness.pose),
        fmt::format("{} draws of seed {}: moved by {:.1f} mm and turned by {:.1f} deg an axis, "
-                   "grasped anew, and it yields to jaws",
+                   "grasped anew; it yields to jaws, but is not turned flush by them, so that "
+                   "flat faces meet along edges or at corners",
                    asked.draws, asked.seed, 1000 * asked.place, asked.turn / kDegree)}};
 }
 

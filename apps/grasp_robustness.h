@@ -28,7 +28,11 @@ struct GraspRobustness {
 
 /// Both, each from a generator of the seed. Moves of the object are normal along and about each of
 /// its axes, about its centre of mass; one after which the hand does not grasp is a miss, which is
-/// no force closure and below every epsilon. Pyramids and the gap are the question's.
+/// no force closure and below every epsilon. Closing moves the object between jaws, but does not
+/// turn it: a box that is off by angles touches flat jaws along edges or at corners, where it may
+/// turn about their line, and epsilon is near zero; real jaws would turn it flush. So of flat faces
+/// the second says how sure the grasp is before it settles. Pyramids and the gap are the
+/// question's.
 /// @throws Interrupted where progress says stop
 [[nodiscard]] GraspRobustness robustness_of(const GraspQuestion& question,
                                             const TouchingHand& touching, const GraspAnswer& answer,
