@@ -171,6 +171,17 @@ TEST(Pressed, RoughContactsDoNotJamWithoutLimit) {
   EXPECT_LE(across, 2 * 10 / s + kSolved);
 }
 
+// Two contacts of one slide that oppose each other: each presses with its 10 N at most, and a fork
+// whose motor is off holds nothing between them.
+TEST(Pressed, ForkSqueezesNoMoreThanItsMotorPresses) {
+  MatrixXd T = pinch_torques(kMu, 0).topRows(1);
+  T(0, 3) = -1;
+  for (const double most : {10.0, 0.0}) {
+    const Actuation motor = motors(MatrixXd::Identity(1, 1), most, {});
+    EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, motor), 2), kMu * 2 * most, kSolved);
+  }
+}
+
 // A spring of 2 N holds a jaw on its stop: a motor of 6 N has 4 N left for pressing, one of 1 N
 // none. No force at all is in the set, whatever the motor.
 TEST(Pressed, SpringsTowardsAStopAreOvercomeFirst) {
