@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "grasp/quality/epsilon_start.h"
 #include "grasp/quality/hull.h"
 #include "grasp/quality/pyramid.h"
+#include "grasp/quality/sum_volume.h"
 
 namespace thenar {
 namespace {
@@ -20,6 +22,9 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kLeastEdges = 6;    // with fewer than asked for an estimate to mean much
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
+
+constexpr double kMostChoices = 2e7;  // of faces of a sum: some seconds
+constexpr double kSumError = 1e-6;    // of the volume of a sum that is not in general position [1]
 
 struct PolytopeVolume {
   double volume;
@@ -43,12 +48,21 @@ PolytopeVolume polytope_volume(const WrenchSet& set, const VolumeOptions& option
   }
 }
 
+/// Of a Minkowski sum without its hull, where that can be, else by the hull.
+PolytopeVolume volume_of_sum(const WrenchSet& set, const VolumeOptions& options) {
+  if (options.limit == ForceLimit::kLinf)
+    if (const std::optional<double> sum = internal::sum_volume(set, kMostChoices))
+      return {*sum, true, 0};
+  return polytope_volume(set, options);
+}
+
 /// With polytopes of so many edges in and about the caps.
 Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
-  const PolytopeVolume in = polytope_volume(polytopes_in(set, options.edges), options);
-  const PolytopeVolume about = in.complete
-                                   ? polytope_volume(polytopes_about(set, options.edges), options)
-                                   : PolytopeVolume{0, false, in.facets};
+  PolytopeVolume in = volume_of_sum(polytopes_in(set, options.edges), options);
+  PolytopeVolume about = in.complete ? volume_of_sum(polytopes_about(set, options.edges), options)
+                                     : PolytopeVolume{0, false, in.facets};
+  if (in.complete && in.facets == 0) in.volume *= 1 - kSumError;
+  if (about.complete && about.facets == 0) about.volume *= 1 + kSumError;
   if (!about.complete) return {in.volume, kInfinity, kNone, false, about.facets, options.edges};
   const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
   return {in.volume, about.volume, guess, true, about.facets, options.edges};
@@ -62,10 +76,18 @@ Volume tighter(const Volume& fine, Volume coarse) {
   return coarse;
 }
 
+/// The hull, if it is small; else the sum without it, if that can be; else the hull with patience.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
-  VolumeOptions patient = options;
-  patient.most_facets = 8 * std::min(options.most_facets, 100000000);
-  const PolytopeVolume v = polytope_volume(pyramids(set, options.edges), patient);
+  const WrenchSet points = pyramids(set, options.edges);
+  PolytopeVolume v = polytope_volume(points, options);
+  if (!v.complete && options.limit == ForceLimit::kLinf)
+    if (const std::optional<double> sum = internal::sum_volume(points, kMostChoices))
+      return {*sum * (1 - kSumError), *sum * (1 + kSumError), *sum, true, 0, 0};
+  if (!v.complete) {
+    VolumeOptions patient = options;
+    patient.most_facets = 8 * std::min(options.most_facets, 100000000);
+    v = polytope_volume(points, patient);
+  }
   if (!v.complete) return {v.volume, kInfinity, kNone, false, v.facets, 0};
   return {v.volume, v.volume, v.volume, true, v.facets, 0};
 }

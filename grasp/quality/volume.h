@@ -25,14 +25,15 @@ struct [[nodiscard]] Volume {
 
 /// Volume of conv(caps) (kL1), or of the Minkowski sum of caps joined with 0 (kLinf).
 ///
-/// Hulls are refined facet by facet until no support point lies beyond any. The sets with m edges
-/// in and about the cones enclose the true one. Of small d = (pi / m)^2 the area of a polygon in a
-/// circle lacks 2 d / 3, that of one about it has d / 3 too much, their mean widths d / 6 and d /
-/// 3: the estimate lower^(1 - w) upper^w is exact to d^2 with w = 2/3 or 1/3. Wrench sets depend on
-/// both; w = 0.56 is within 1 % for 12 edges on random L1 grasps of three to five contacts, within
-/// 3 % for 6 (soft fingers: 12 %). Without cones (points, segments) all three are the exact volume.
-/// Flat sets have volume 0. L1 never holds 0 by itself: without force closure the volume is that of
-/// the hull without the origin.
+/// Hulls are refined facet by facet until no support point lies beyond any; of Minkowski sums of
+/// hard points the volume is had without a hull (internal::sum_volume()), to 1e-6 at worst. The
+/// sets with m edges in and about the cones enclose the true one. Of small d = (pi / m)^2 the area
+/// of a polygon in a circle lacks 2 d / 3, that of one about it has d / 3 too much, their mean
+/// widths d / 6 and d / 3: the estimate lower^(1 - w) upper^w is exact to d^2 with w = 2/3 or 1/3.
+/// Wrench sets depend on both; w = 0.56 is within 1 % for 12 edges on random L1 grasps of three to
+/// five contacts, within 3 % for 6 (soft fingers: 12 %). Without cones (points, segments) all three
+/// are the exact volume. Flat sets have volume 0. L1 never holds 0 by itself: without force closure
+/// the volume is that of the hull without the origin.
 /// @throws InputError if edges < 3, or a wrench is not finite
 [[nodiscard]] Volume volume(const WrenchSet& set, const VolumeOptions& options = {});
 

@@ -219,6 +219,16 @@ class Quality(unittest.TestCase):
         for key in ("epsilon", "volume", "rank"):
             self.assertEqual(answer[key], plain[key])
 
+    # Contacts that stand twice under linf make a set of twice the size, 2^6 times the volume.
+    def test_volumes_of_six_contacts_are_known(self):
+        words = ("--norm", "linf", "--edges", "6")
+        once = self.ask(THREE, *words)["volume"]
+        twice = self.ask(grasp(2 * THREE["contacts"]), *words)["volume"]
+        self.assertAlmostEqual(twice / once, 64, delta=64e-6)
+        ring = [contact([math.cos(k), math.sin(k), 0.1 * k], [-math.cos(k), -math.sin(k), 0], 0.5)
+                for k in range(6)]
+        self.assertTrue(self.ask(grasp(ring), *words)["volume_complete"])
+
     # Five soft fingers each with a limit of its own: either the hull is done, or nothing is quoted.
     def test_a_volume_is_whole_or_null(self):
         ring = [2 * math.pi * k / 5 for k in range(5)]

@@ -121,16 +121,36 @@ TEST(Volume, OfThreeEdgesNobodyAskedForIsNoEstimate) {
   EXPECT_GE(v.upper, std::pow(M_PI, 3) * 8 / 720);
 }
 
+// Soft fingers span four dimensions each: nothing but the hull has their volume.
 TEST(Volume, OfTooManyPointsIsNone) {
   std::mt19937 rng(5);
   VolumeOptions options;
   options.limit = ForceLimit::kLinf;
   options.most_facets = 1000;
-  const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
+  std::vector<Contact> contacts = random_contacts(rng, 4);
+  for (Contact& contact : contacts) contact.torsion = 0.1;
+  const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
   const Volume v = volume(pyramids(set, 8), options);
   EXPECT_FALSE(v.complete);
   EXPECT_TRUE(std::isnan(v.estimate));
   EXPECT_TRUE(std::isinf(v.upper));
+}
+
+TEST(Volume, OfHardPointsIsHadWithoutAHullThatIsTooLarge) {
+  std::mt19937 rng(5);
+  VolumeOptions options;
+  options.limit = ForceLimit::kLinf;
+  const WrenchSet set =
+      pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
+  const Volume hull = volume(set, options);
+  ASSERT_GT(hull.facets, 100);
+  options.most_facets = 100;
+  const Volume sum = volume(set, options);
+  EXPECT_TRUE(sum.complete);
+  EXPECT_EQ(sum.facets, 0);
+  EXPECT_NEAR(sum.estimate / hull.estimate, 1, 1e-7);
+  EXPECT_LE(sum.lower, hull.lower);
+  EXPECT_GE(sum.upper, hull.upper);
 }
 
 TEST(Volume, WantsThreeEdges) {

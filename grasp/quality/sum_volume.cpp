@@ -1,0 +1,244 @@
+#include "grasp/quality/sum_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+#include <Eigen/Dense>
+
+#include "grasp/quality/contact_faces.h"
+
+namespace thenar::internal {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Form = std::array<double, 64>;  // by the set of axes: an exterior product of some vectors
+
+constexpr int kAll = 63;        // the set of all six axes
+constexpr double kTie = 1e-14;  // a determinant below this part of its columns' lengths is 0
+constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until they are in general position
+constexpr double kTurnedArea = 100;  // facets below so many turns of their vectors' lengths do not
+                                     // matter [1]
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kOpen = 1e-7;  // of a closed surface's sum of normals over its area
+
+int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
+
+/// Sign of (axes) ^ axis in ascending order.
+double sign(int axes, int axis) { return members(axes >> (axis + 1)) % 2 == 0 ? 1 : -1; }
+
+/// out[axes | axis] += sign in[axes] v[axis].
+struct Term {
+  std::size_t in, out;
+  int axis;
+  double sign;
+};
+
+std::vector<Term> terms(int degree) {
+  std::vector<Term> list;
+  for (int axes = 0; axes < kAll; ++axes)
+    for (int axis = 0; axis < 6 && members(axes) == degree; ++axis)
+      if ((axes & 1 << axis) == 0)
+        list.push_back({static_cast<std::size_t>(axes), static_cast<std::size_t>(axes | 1 << axis),
+                        axis, sign(axes, axis)});
+  return list;
+}
+
+/// f ^ v, of `degree` vectors and one.
+Form wedge(const Form& f, int degree, const Wrench& v) {
+  static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
+                                                    terms(4)};
+  Form out{};
+  for (const Term& term : all[static_cast<std::size_t>(degree)])
+    out[term.out] += term.sign * f[term.in] * v[term.axis];
+  return out;
+}
+
+/// Normal to five vectors: det(.., x) = u'x.
+Wrench normal(const Form& five) {
+  Wrench u;
+  for (int axis = 0; axis < 6; ++axis) {
+    const int others = kAll ^ 1 << axis;
+    u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
+  }
+  return u;
+}
+
+/// Normal to four vectors and e: S e.
+Matrix6 normals(const Form& four) {
+  static const std::vector<Term> all = terms(4);
+  Matrix6 S = Matrix6::Zero();
+  for (const Term& term : all) {
+    const int others = static_cast<int>(term.out);
+    const int axis = members((kAll ^ others) - 1);
+    S(axis, term.axis) += sign(others, axis) * term.sign * four[term.in];
+  }
+  return S;
+}
+
+class Sum {
+ public:
+  /// @param no_area  uncertain facets below this part of their vectors' lengths do not matter [1]
+  Sum(const std::vector<ContactBody>& bodies, double no_area)
+      : bodies_(bodies), no_area_(no_area) {}
+
+  /// @return none where facets do not close, or ties make them uncertain
+  std::optional<double> volume() {
+    Form one{};
+    one[0] = 1;
+    choose(0, 5, one, 1, 1);
+    if (tie_ || !(surplus_.norm() <= kOpen * surface_)) return {};
+    return volume_ / 6;
+  }
+
+ private:
+  /// Adds faces of contacts from number `first` on, of `left` dimensions together.
+  /// @param f        product of the vectors along the faces chosen so far
+  /// @param size     product of their sizes
+  /// @param lengths  product of their vectors' lengths
+  void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
+    const Matrix6 S = left == 1 ? normals(f) : Matrix6();
+    for (std::size_t c = first; c < bodies_.size() && !tie_; ++c)
+      for (const ContactFace& face : bodies_[c].faces) {
+        if (face.dimension > left) continue;
+        chosen_.push_back({c, &face});
+        double longer = lengths;
+        for (int i = 0; i < face.dimension; ++i)
+          longer *= face.span[static_cast<std::size_t>(i)].norm();
+        if (left == 1) {
+          finish(S * face.span[0], size * face.size, longer);
+        } else {
+          Form more = f;
+          for (int i = 0; i < face.dimension; ++i)
+            more = wedge(more, 5 - left + i, face.span[static_cast<std::size_t>(i)]);
+          if (face.dimension == left)
+            finish(normal(more), size * face.size, longer);
+          else
+            choose(c + 1, left - face.dimension, more, size * face.size, longer);
+        }
+        chosen_.pop_back();
+      }
+  }
+
+  /// Takes the facet with this normal into account, if it is one.
+  void finish(const Wrench& u, double size, double lengths) {
+    double way = 0;  // 1: u is an outer normal; -1: -u is
+    const double least = kTie * lengths;
+    for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
+      for (int i = 0; i < chosen->face->inwards; ++i) {
+        const Wrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
+        const double t = -u.dot(inward);
+        if (t * way < 0) return;
+        if (std::abs(t) < least * inward.norm()) return tie(u, lengths);
+        way = t > 0 ? 1 : -1;
+      }
+    if (way >= 0) add(u, size, lengths);
+    if (way <= 0) add(-u, size, lengths);
+  }
+
+  void tie(const Wrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
+
+  void add(const Wrench& u, double size, double lengths) {
+    double h = 0;
+    std::size_t next = 0;
+    for (std::size_t c = 0; c < bodies_.size(); ++c) {
+      const bool is_chosen = next < chosen_.size() && chosen_[next].contact == c;
+      if (is_chosen) ++next;
+      double best = -kInfinity, second = -kInfinity;
+      for (const Wrench& point : bodies_[c].points) {
+        const double reach = u.dot(point);
+        second = std::max(second, std::min(best, reach));
+        best = std::max(best, reach);
+      }
+      if (!is_chosen && best - second < kTie * lengths * longest_[c]) tie(u, lengths);
+      h += best;
+    }
+    volume_ += size * h;
+    surplus_ += size * u;
+    surface_ += size * u.norm();
+  }
+
+  struct Chosen {
+    std::size_t contact;
+    const ContactFace* face;
+  };
+
+  const std::vector<ContactBody>& bodies_;
+  double no_area_;
+  std::vector<double> longest_ = longest_of(bodies_);
+  std::vector<Chosen> chosen_;
+  bool tie_ = false;
+  double volume_ = 0, surface_ = 0;
+  Wrench surplus_ = Wrench::Zero();
+
+  static std::vector<double> longest_of(const std::vector<ContactBody>& bodies) {
+    std::vector<double> longest;
+    for (const ContactBody& body : bodies) {
+      double length = 0;
+      for (const Wrench& point : body.points) length = std::max(length, point.norm());
+      longest.push_back(length);
+    }
+    return longest;
+  }
+};
+
+/// How many choices of faces there are, of five dimensions together.
+double choices(const std::vector<ContactBody>& bodies) {
+  std::array<double, 6> ways{1};
+  for (const ContactBody& body : bodies) {
+    std::array<double, 6> more = ways;
+    for (const ContactFace& face : body.faces)
+      for (std::size_t d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
+        more[d] += ways[d - static_cast<std::size_t>(face.dimension)];
+    ways = more;
+  }
+  return ways[5];
+}
+
+std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
+  std::mt19937 rng(1);
+  for (ContactBody& body : bodies) {
+    Matrix6 R = Matrix6::Identity();
+    for (double& entry : R.reshaped())
+      entry += by * (2.0 * static_cast<double>(rng()) / 4294967296.0 - 1);
+    for (Wrench& point : body.points) point = R * point;
+    for (ContactFace& face : body.faces) {
+      for (Wrench& along : face.span) along = R * along;
+      for (Wrench& along : face.inward) along = R * along;
+    }
+  }
+  return bodies;
+}
+
+/// Points of each contact.
+std::vector<std::vector<Wrench>> grouped(const WrenchSet& set) {
+  std::map<int, std::vector<Wrench>> shared;
+  std::vector<std::vector<Wrench>> groups;
+  for (const WrenchCap& cap : set.caps) {
+    if (cap.contact >= 0)
+      shared[cap.contact].push_back(cap.c);
+    else
+      groups.push_back({cap.c});
+  }
+  for (auto& [contact, points] : shared) groups.push_back(std::move(points));
+  return groups;
+}
+
+}  // namespace
+
+std::optional<double> sum_volume(const WrenchSet& set, double most) {
+  std::vector<ContactBody> bodies;
+  for (const std::vector<Wrench>& points : grouped(set)) {
+    std::optional<ContactBody> body = contact_body(points);
+    if (!body) return {};
+    bodies.push_back(std::move(*body));
+  }
+  if (choices(bodies) > most) return {};
+  for (const double by : kTurns)
+    if (const auto found = Sum(turned(bodies, by), kTurnedArea * by).volume()) return found;
+  return {};
+}
+
+}  // namespace thenar::internal
