@@ -129,11 +129,14 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
     const Hand& hand = *picture.drawn;
     const HandPicture shown{hand, open_posture(hand.layout()), {}, picture.patches};
     const Eigen::Vector3d palm = hand.layout().approach.direction;
-    const Tangents side = tangents(palm);
-    blocks.push_back(thumbnail_block(
+    const Eigen::Vector3d ahead = tips_ahead(hand, shown.q);
+    const Eigen::Vector3d up = ahead.isZero(0) ? tangents(palm).e1 : ahead.normalized();
+    Json block = thumbnail_block(
         fmt::format("{}: {} coordinates, {} actuators", picture.hand,
                     hand.layout().coordinates.size(), hand.layout().actuators.size()),
-        palm + 0.35 * side.e1 + 0.25 * side.e2, hand_layers(shown, meshes)));
+        palm + 0.35 * up + 0.25 * palm.cross(up), hand_layers(shown, meshes));
+    block["up"] = list(up);  // the side of the light: else palms that look down are dark
+    blocks.push_back(std::move(block));
   }
   Json row = row_block(std::move(blocks));
   row["narrow"] = true;

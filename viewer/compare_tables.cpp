@@ -113,15 +113,13 @@ std::vector<Column> load_columns(const Comparison& comparison) {
   return columns;
 }
 
-Json success_row(const HandOnObject& cell, const Comparison& comparison,
-                 const std::vector<Column>& loads) {
+Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
   Json row = Json::array(
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
        finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.own_epsilon().most),
        finite(cell.least_hold())});
   for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).most));
-  row.push_back(unknown_words(cell, comparison.tasks));
   return row;
 }
 
@@ -136,10 +134,8 @@ Json all_cells(const Comparison& comparison) {
                               {"squeeze to hold", "N", 2}};
   const std::vector<Column> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
-  columns.push_back({"not known", "", -1});
   Json rows = Json::array();
-  for (const HandOnObject& cell : comparison.cells)
-    rows.push_back(success_row(cell, comparison, loads));
+  for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
   Json table = table_block(
       "Every hand on every object. Closed: share of approaches that end in force closure. Of the "
       "hand: epsilon with its own efforts. Squeeze: sum of normal forces by which friction alone "
@@ -155,6 +151,15 @@ Json outcome_rows(const Comparison& comparison) {
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells)
     if (cell.closures == 0) rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+  return rows;
+}
+
+/// Pairs with loads that are not known.
+Json unknown_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells)
+    if (const std::string words = unknown_words(cell, comparison.tasks); !words.empty())
+      rows.push_back({cell.hand, cell.object, words});
   return rows;
 }
 
@@ -261,6 +266,11 @@ Json cells_section(const Comparison& comparison) {
     blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
                                  {{"hand", "", -1}, {"object", "", -1}, {"approaches", "", -1}},
                                  outcomes));
+  const Json unknown = unknown_rows(comparison);
+  if (!unknown.empty())
+    blocks.push_back(table_block(
+        "Loads that are not known, of how many grasps; the numbers above are of the others.",
+        {{"hand", "", -1}, {"object", "", -1}, {"not known", "", -1}}, unknown));
   const Json reasons = reason_rows(comparison);
   if (!reasons.empty())
     blocks.push_back(table_block(
