@@ -44,7 +44,7 @@ std::vector<Vector3d> directions(const Vector3d& given) {
   std::vector<Vector3d> all{given};
   for (const double height : {10 * kDegree, 25 * kDegree, 40 * kDegree})
     for (int i = 0; i < kRound; ++i) {
-      const double round = 2 * kPi * i / kRound;
+      const double round = 2 * kPi * (i + 0.5) / kRound;  // not along the axes
       const Vector3d level(std::cos(round), std::sin(round), 0);
       all.emplace_back(std::cos(height) * level + std::sin(height) * kUp);
     }

@@ -15,6 +15,7 @@ constexpr int kFrictions = 24;       // points of the curve
 constexpr double kMostFriction = 2;  // times the contacts' own
 constexpr const char* kSlice = "#0072b2";
 constexpr const char* kShadow = "#8a8f99";
+const Eigen::Vector3d kSlanted(1, -1, 0.7);  // eye on wrenches, which are in the object's frame
 
 std::string enclosed(const Epsilon& e) {
   return fmt::format("between {:.5g} and {:.5g}", e.lower, e.upper);
@@ -108,7 +109,7 @@ Json set_scene(const GraspStory& story, int first, const std::string& caption, M
   if (story.grasp.quality.force_closure && slice.failed == 0)
     layers.push_back(
         mesh_layer(first == 0 ? "without torque" : "without force", kSlice, 0.75, slice, meshes));
-  Json block = picture_block(caption, story.eye, std::move(layers));
+  Json block = picture_block(caption, kSlanted, std::move(layers));
   block["unit"] = "N";
   block["link"] = "wrenches";
   return block;
