@@ -126,6 +126,13 @@ Json mass_json(const BodySpec& body) {
   return body.spread_mass > 0 ? Json(body.spread_mass) : Json(nullptr);
 }
 
+constexpr double kLargestMesh = 10;  // a larger one is in another unit [m]
+
+/// Longest edge of its box [m].
+double extent(const TriangleMesh& mesh) {
+  return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).maxCoeff();
+}
+
 /// Whether its triangles, part for part, agree on what is inside.
 bool has_volume(const TriangleMesh& mesh) {
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
@@ -218,6 +225,10 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
         fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
   if (found.degenerate > 0)
     warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
+  const double across = extent(mesh);
+  if (across > kLargestMesh)
+    warnings.push_back(
+        fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across));
   const bool closed = has_volume(mesh);
   const MassProperties mass = closed ? signed_moments(mesh) : MassProperties{};
   const bool solid = mass.mass > 0;

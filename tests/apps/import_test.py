@@ -282,6 +282,17 @@ class Import(Files):
         told = self.report(self.path("still.xml", world.format("obstacle")))
         self.assertIn("MENDED mesh 'open.off' of obstacle 'body'", told["warnings"][0])
 
+    def test_doubts_the_units_of_huge_meshes(self):
+        huge = self.path("huge.off", CORNER.format(4, "3 1 2 3\n").replace("1 0 0\n", "80 0 0\n", 1))
+        self.assertEqual(self.report(huge)["warnings"],
+                         ["80 m across: are its numbers millimetres? --units mm"])
+        self.assertEqual(self.report(huge, "--units", "mm")["warnings"], [])
+        arm = ARM.replace('<box size="0.1 0.1 0.3"/>', '<mesh filename="huge.off"{}/>')
+        told = self.report(self.path("arm.urdf", arm.format("")))
+        self.assertIn("a mesh of link 'upper' is 80 m across", told["warnings"][0])
+        self.assertEqual(self.report(self.path("arm.urdf", arm.format(' scale="0.001 0.001 0.001"')))
+                         ["warnings"], [])
+
     def test_makes_objects_of_meshes(self):
         corner = self.path("corner.off", CORNER.format(4, "3 1 2 3\n"))
         self.thenar(corner, "--units", "cm", "--out", self.path("sub/corner.toml"))

@@ -70,6 +70,23 @@ void mend_inertias(RobotSpec& robot) {
     }
 }
 
+constexpr double kLargestMesh = 10;  // of a link: a larger one is in another unit [m]
+
+void doubt_units(RobotSpec& robot) {
+  for (const RobotLink& link : robot.links)
+    for (const ShapeSpec& shape : link.shapes) {
+      if (shape.kind != ShapeKind::kMesh) continue;
+      const double across =
+          (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
+              .maxCoeff();
+      if (across > kLargestMesh)
+        robot.warnings.push_back(
+            fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, and "
+                        "its scale (0.001) not given?",
+                        link.name, across));
+    }
+}
+
 }  // namespace
 
 std::string name_of(RobotFileKind kind) {
@@ -104,6 +121,7 @@ RobotSpec import_robot(const std::string& path) {
   mend_inertias(robot);
   for (RobotLink& link : robot.links)
     mend_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
+  doubt_units(robot);
   robot.warnings = internal::by_weight(robot.warnings);
   try {
     check_robot(robot);
