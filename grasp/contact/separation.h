@@ -39,6 +39,9 @@ struct SeparationOptions {
 /// faces lying on each other it leaves nothing to be divided. Triangles are halved until the best
 /// point is within the tolerance of the lowest bound.
 ///
+/// The core of a capsule is searched along itself: beside a convex solid between supporting planes
+/// (ConvexBracket), beside others whose distance is exact between empty balls (BallPair).
+///
 /// A rounded triangle of radius r is as far as its core less r. Where A encloses B without touching
 /// it the distance is positive: hands do not swallow objects. Beyond `cutoff` the distance is a
 /// lower bound, with the nearest points seen so far; its error is then infinite.
