@@ -125,19 +125,24 @@ class Sum {
   /// Takes the facet with this normal into account, if it is one.
   void finish(const Wrench& u, double size, double lengths) {
     double way = 0;  // 1: u is an outer normal; -1: -u is
-    const double least = kTie * lengths;
+    bool uncertain = false;
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
       for (int i = 0; i < chosen->face->inwards; ++i) {
         const Wrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
         const double t = -u.dot(inward);
+        if (std::abs(t) < kTie * lengths * inward.norm()) {
+          uncertain = true;
+          continue;
+        }
         if (t * way < 0) return;
-        if (std::abs(t) < least * inward.norm()) return tie(u, lengths);
         way = t > 0 ? 1 : -1;
       }
+    if (uncertain) return tie(u, lengths);
     if (way >= 0) add(u, size, lengths);
     if (way <= 0) add(-u, size, lengths);
   }
 
+  /// Nobody knows whether this is a facet, which matters if it is large.
   void tie(const Wrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
 
   void add(const Wrench& u, double size, double lengths) {
