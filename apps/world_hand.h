@@ -26,8 +26,8 @@ struct WorldHand {
 ///
 /// A hand that is mounted becomes one robot with its carriers, which stand still while it closes if
 /// nothing closes them; those of their motors whose efforts are unknown are locked, with a warning.
-/// Coordinates that the world does not name are where closing begins. Besides
-/// coordinates a posture may name degrees of freedom, each of which sets the joints it drives.
+/// Coordinates that the world does not name are where closing begins. Besides coordinates a posture
+/// may name degrees of freedom, each of which sets the joints it drives.
 /// @param path   of the world, for messages
 /// @param data   folders with robots/, as data_for()
 /// @param human  how to build a human hand
