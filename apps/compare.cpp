@@ -45,7 +45,7 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 }
 
 Comparison run_comparison(const Options& options, const Json& inputs,
-                          const std::vector<ComparedHand>& hands, const Progress& progress) {
+                          const std::vector<NamedHand>& named, const Progress& progress) {
   std::vector<HandOnObject> done;
   if (!options.output.empty()) done = read_cells(options.output, inputs);
   const auto save = [&](const Comparison& comparison) {
@@ -56,8 +56,8 @@ Comparison run_comparison(const Options& options, const Json& inputs,
   };
   CompareOptions settings = options_of(options.question);
   settings.keep = save;
-  const Comparison comparison =
-      compare(hands, objects_of(options.question), settings, progress, done);
+  const Comparison comparison = compare(hands_of(options.question, named),
+                                        objects_of(options.question), settings, progress, done);
   save(comparison);
   return joined(comparison, done);
 }
@@ -76,11 +76,11 @@ void run(const Options& options) {
   if (!options.report.empty()) require_writable(options.report);
   const Json inputs = compare_inputs(options.question);
   if (!options.output.empty()) require_writable(options.output);
-  const std::vector<ComparedHand> hands = hands_of(options.question);  // a signal ends it at once
+  const std::vector<NamedHand> named = named_hands(options.question);  // a signal ends it at once
   const Progress progress = terminal_progress(
       options.output.empty() ? "without --out nothing is kept"
                              : fmt::format("finished pairs are kept in '{}'", options.output));
-  const Comparison comparison = run_comparison(options, inputs, hands, progress);
+  const Comparison comparison = run_comparison(options, inputs, named, progress);
   if (!comparison.complete)
     throw Interrupted("stopped; " + kept_words(options, comparison) +
                       (options.report.empty() ? "" : "; the page is drawn when all is compared"));
@@ -90,9 +90,8 @@ void run(const Options& options) {
     print_comparison(comparison);
   if (options.report.empty()) return;
   std::fflush(stdout);
-  const bool drawn =
-      write_compare_report(comparison, objects_of(options.question), options.question.data,
-                           compare_provenance(inputs), options.report, progress);
+  const bool drawn = write_compare_report(comparison, objects_of(options.question), named,
+                                          compare_provenance(inputs), options.report, progress);
   if (!drawn)
     throw Interrupted("stopped before the page was drawn; " + kept_words(options, comparison));
 }

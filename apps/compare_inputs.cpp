@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "apps/data_folder.h"
-#include "apps/hand_by_name.h"
 #include "apps/read_source.h"
 #include "base/error.h"
 #include "base/provenance.h"
@@ -22,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
+constexpr int kFine = 2500;  // triangles of each link of a human hand: many hands share a page
 constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
 
 /// @throws InputError where there is no object, or a file of another kind
@@ -40,10 +40,9 @@ std::string object_file(const std::string& name, const std::string& data) {
   return file;
 }
 
-ComparedHand to_compare(const std::string& name, const std::string& data) {
-  const NamedHand named = hand_by_name(name, data_folders(data));
+ComparedHand to_compare(const NamedHand& named) {
   ComparedHand hand;
-  hand.name = name;
+  hand.name = named.name;
   hand.hand = named.hand;
   hand.contact = named.contact;
   hand.rates = named.rates;
@@ -92,9 +91,19 @@ std::string program_hash() {
 
 }  // namespace
 
-std::vector<ComparedHand> hands_of(const CompareQuestion& question) {
+std::vector<NamedHand> named_hands(const CompareQuestion& question) {
+  HumanHandOptions human;
+  human.skin.drawn = kFine;
+  std::vector<NamedHand> hands;
+  for (const std::string& name : question.hands)
+    hands.push_back(hand_by_name(name, data_folders(question.data), human));
+  return hands;
+}
+
+std::vector<ComparedHand> hands_of(const CompareQuestion& question,
+                                   const std::vector<NamedHand>& named) {
   std::vector<ComparedHand> hands;
-  for (const std::string& name : question.hands) hands.push_back(to_compare(name, question.data));
+  for (const NamedHand& each : named) hands.push_back(to_compare(each));
   for (const std::string& name : question.objects)
     if (read_object(object_file(name, question.data)).material.empty())
       for (ComparedHand& hand : hands)

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/hand_by_name.h"
 #include "grasp/compare/comparison.h"
 
 namespace thenar {
@@ -25,8 +26,12 @@ struct CompareQuestion {
   bool normalise = false;
 };
 
-/// The hands by their names. Those of tendons close by the excursion of their flexors.
-[[nodiscard]] std::vector<ComparedHand> hands_of(const CompareQuestion& question);
+/// The hands by their names, human ones drawn finer than they touch.
+[[nodiscard]] std::vector<NamedHand> named_hands(const CompareQuestion& question);
+
+/// The same to be compared. Those of tendons close by the excursion of their flexors.
+[[nodiscard]] std::vector<ComparedHand> hands_of(const CompareQuestion& question,
+                                                 const std::vector<NamedHand>& named);
 
 /// The objects, of files or by their names.
 /// @throws InputError that says how to make one of a mesh or another program's file.

@@ -7,17 +7,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/hand_by_name.h"
 #include "grasp/compare/comparison.h"
 
 namespace thenar {
 
-/// Writes the page; false if stopped before. Hands are built again by their names, to be drawn:
-/// human ones with finer skin.
+/// Writes the page; false if stopped before.
 /// @param objects     as compared
-/// @param data        folder with robots/
+/// @param hands       that were compared
 /// @param provenance  name -> text
 bool write_compare_report(const Comparison& comparison, const std::vector<BodySpec>& objects,
-                          const std::string& data, const nlohmann::json& provenance,
+                          const std::vector<NamedHand>& hands, const nlohmann::json& provenance,
                           const std::string& path, const Progress& progress = {});
 
 }  // namespace thenar

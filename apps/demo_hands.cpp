@@ -1,6 +1,7 @@
 #include "apps/demo_hands.h"
 
 #include <utility>
+#include <vector>
 
 #include "apps/compare_inputs.h"
 #include "apps/compare_report.h"
@@ -23,9 +24,10 @@ nlohmann::json compare_hands(const std::string& data, const std::string& output,
   question.approaches = 8;
   question.data = data;
   const std::vector<BodySpec> objects = objects_of(question);
+  const std::vector<NamedHand> hands = named_hands(question);
   const Comparison comparison =
-      compare(hands_of(question), objects, options_of(question), progress);
-  write_compare_report(comparison, objects, data, compare_provenance(compare_inputs(question)),
+      compare(hands_of(question, hands), objects, options_of(question), progress);
+  write_compare_report(comparison, objects, hands, compare_provenance(compare_inputs(question)),
                        output + "/" + kPage);
 
   Json section = glance_section(comparison);
