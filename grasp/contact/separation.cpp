@@ -1,13 +1,13 @@
 #include "grasp/contact/separation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "base/error.h"
 #include "grasp/contact/ball_pair.h"
 #include "grasp/contact/convex_bracket.h"
+#include "grasp/contact/empty_space.h"
 #include "grasp/contact/lifted_bound.h"
 #include "grasp/contact/triangle_point.h"
 
@@ -30,12 +30,6 @@ struct Candidate {
   double bound;  // nothing in it is nearer [m]
   int node;      // -1: it is a piece
   int piece;
-};
-
-/// No part of B lies beyond it: nothing at q is nearer than  n . q - offset.
-struct Plane {
-  Eigen::Vector3d n;  // unit, outward of B (3)
-  double offset;      // [m]
 };
 
 bool farther(const Candidate& x, const Candidate& y) { return x.bound > y.bound; }
@@ -88,15 +82,9 @@ class Search {
   NearestSurface see(const Eigen::Vector3d& p) {
     ++evaluations_;
     const NearestSurface seen = b_.nearest(p);
-    if (seen.supports) {
-      planes_[planes_seen_ % kMostPlanes] = {seen.normal, seen.normal.dot(p) - seen.distance};
-      ++planes_seen_;
-    }
+    if (seen.supports) empty_.add_plane(seen.normal, seen.normal.dot(p) - seen.distance);
     return seen;
   }
-
-  /// Planes that are remembered: the last ones.
-  [[nodiscard]] std::size_t planes() const { return std::min(planes_seen_, kMostPlanes); }
 
   void push(const Candidate& candidate) {
     if (candidate.bound >= enough()) {
@@ -129,7 +117,7 @@ class Search {
     if (seen_.supports || (a_.triangles.size() == 1 && fills_in(0))) return;
     for (const double h : {3.0, 30.0}) {
       const Eigen::Vector3d above = core_ + h * a_.nodes.front().ball.r * seen_.normal;
-      empty_.push_back({above, distance(above)});
+      empty_.add_ball({above, distance(above)});
     }
   }
 
@@ -182,27 +170,9 @@ class Search {
     return piece;
   }
 
-  /// What planes and empty balls tell of a ball, or of a rounded triangle.
-  [[nodiscard]] double known(const Ball& ball) const {
-    double bound = -kInfinity;
-    for (const Ball& empty : empty_)
-      bound = std::max(bound, empty.r - (ball.c - empty.c).norm() - ball.r);
-    for (std::size_t i = 0; i < planes(); ++i)
-      bound = std::max(bound, planes_[i].n.dot(ball.c) - planes_[i].offset - ball.r);
-    return bound;
-  }
-  [[nodiscard]] double known(const Eigen::Matrix3d& corners, double radius) const {
-    double bound = -kInfinity;
-    for (const Ball& empty : empty_) bound = std::max(bound, bound_by(empty, corners) - radius);
-    for (std::size_t i = 0; i < planes(); ++i)
-      bound = std::max(
-          bound, (planes_[i].n.transpose() * corners).minCoeff() - planes_[i].offset - radius);
-    return bound;
-  }
-
   /// Queues a triangle or a part of one.
   void add_piece(const Eigen::Matrix3d& corners, double radius, int triangle, double parent) {
-    const double bound = std::max(parent, known(corners, radius));
+    const double bound = std::max(parent, empty_.bound(corners, radius));
     if (bound >= enough()) {
       dropped_ = std::min(dropped_, bound);
       return;
@@ -309,10 +279,10 @@ class Search {
       const double radius = a_.triangles[static_cast<std::size_t>(node.triangle)].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
-    double bound = std::max(parent, known(ball));
+    double bound = std::max(parent, empty_.bound(ball));
     if (bound < enough())
       bound =
-          std::max(bound, (planes_seen_ > 0 ? see(ball.c).distance : distance(ball.c)) - ball.r);
+          std::max(bound, (empty_.has_planes() ? see(ball.c).distance : distance(ball.c)) - ball.r);
     push({bound, index, -1});
   }
 
@@ -325,7 +295,7 @@ class Search {
     }
     const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
     descend(piece);
-    const double bound = std::max({candidate.bound, known(piece.corners, piece.radius),
+    const double bound = std::max({candidate.bound, empty_.bound(piece.corners, piece.radius),
                                    piece.seen.supports ? kNothing : lifted(piece)});
     if (bound >= enough())
       dropped_ = std::min(dropped_, bound);
@@ -338,7 +308,7 @@ class Search {
     const Ball empty =
         lifted_ball(b_, piece.corners, piece.ball, piece.seen, enough() + piece.radius);
     if (!std::isfinite(empty.r)) return -kInfinity;
-    if (empty_.size() < kMostEmpty) empty_.push_back(empty);
+    empty_.add_ball(empty);
     return bound_by(empty, piece.corners) - piece.radius;
   }
 
@@ -387,11 +357,9 @@ class Search {
 
   static constexpr double kNothing = -kInfinity;  // a bound that says nothing [m]
   static constexpr double kEverywhere = 1e29;     // radius of a ball that restricts nothing [m]
-  static constexpr std::size_t kMostPlanes = 8;
   static constexpr int kMostAlong = 40;
   static constexpr std::size_t kMostPairs = 200;
   static constexpr int kGuesses = 4;
-  static constexpr std::size_t kMostEmpty = 8;
   static constexpr double kRounding = 1e-14;  // of a distance, per coordinate [1]
 
   const TouchBody& a_;
@@ -401,15 +369,13 @@ class Search {
 
   std::vector<Candidate> heap_;
   std::vector<Piece> pieces_;
-  Piece last_{{}, {}, {}, 0, -1};          // that was evaluated
-  double best_ = kInfinity;                // least distance seen [m]
-  double dropped_ = kInfinity;             // least bound of what was not searched [m]
-  Eigen::Vector3d core_{0, 0, 0};          // where it was seen: a point of A's core [m] (3)
-  NearestSurface seen_{};                  // of B from there
-  std::vector<Ball> empty_;                // that hold nothing of B [m]
-  std::array<Plane, kMostPlanes> planes_;  // that hold all of B, if it is convex
-  std::size_t planes_seen_ = 0;
-  double radius_ = 0;  // of the rounding there [m]
+  Piece last_{{}, {}, {}, 0, -1};  // that was evaluated
+  double best_ = kInfinity;        // least distance seen [m]
+  double dropped_ = kInfinity;     // least bound of what was not searched [m]
+  Eigen::Vector3d core_{0, 0, 0};  // where it was seen: a point of A's core [m] (3)
+  NearestSurface seen_{};          // of B from there
+  EmptySpace empty_;               // of B
+  double radius_ = 0;              // of the rounding there [m]
   int triangle_ = -1;
   int evaluations_ = 0;
 };
