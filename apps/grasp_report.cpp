@@ -63,19 +63,18 @@ void write_grasp_report(const GraspQuestion& question, const TouchingHand& touch
   const HandPicture picture{hand, grasp.closed.q, grasp.approached.X_WH,
                             question.hand.named.patches, question.hand.carrier_surfaces};
   const Camera& camera = question.world.camera;
-  const PosedHand posed{touching, grasp.approached.X_WH, hand.pose(grasp.closed.q)};
   MeshTable meshes;
-  GraspStory story{
-      picture,
-      touching,
-      question.scene,
-      grasp,
-      answer.wrenches,
-      question.limit,
-      view_of_contacts(posed, question.scene, grasp.contacts, camera.eye - camera.target),
-      warnings_of(question, answer),
-      {},
-      {}};
+  GraspStory story{picture,
+                   touching,
+                   question.scene,
+                   grasp,
+                   answer.wrenches,
+                   question.limit,
+                   view_of_contacts(picture, question.scene, grasp.contacts,
+                                    {camera.eye - camera.target, Eigen::Vector3d::UnitZ()}),
+                   warnings_of(question, answer),
+                   {},
+                   {}};
   if (answer.measures) story.measures = measure_rows(*answer.measures);
   if (answer.robustness) story.robustness = robustness_rows(*answer.robustness);
   const Json sections = grasp_page(story, meshes);

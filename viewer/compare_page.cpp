@@ -6,15 +6,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/angles.h"
 #include "grasp/closing_drives.h"
-#include "viewer/clear_view.h"
 #include "viewer/compare_tables.h"
 #include "viewer/grasp_page.h"
+#include "viewer/grasp_view.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kInside = 4e-3;  // from a contact into the object, where it is looked for [m]
 
 const ComparePicture* picture_of(const std::vector<ComparePicture>& pictures,
                                  const std::string& hand) {
@@ -62,12 +61,10 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
   Json layers = grasp_layers(hand, scene, best.contacts, meshes);
   for (Json& layer : layers)
     if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
-  std::vector<Contact> contacts;
-  for (const HandContact& found : best.contacts)
-    contacts.push_back(seen_from(scene.object.X_WB, found.contact));
-  const Eigen::Vector3d eye = clear_view(hand, contacts, kInside, eye_for(*picture.drawn, best));
-  Json block = thumbnail_block(caption, eye, std::move(layers));
   const Eigen::Vector3d up = -(best.X_WH.R * picture.drawn->layout().approach.direction);
+  const Eigen::Vector3d eye =
+      view_of_contacts(hand, scene, best.contacts, {eye_for(*picture.drawn, best), up, -kPi / 2});
+  Json block = thumbnail_block(caption, eye, std::move(layers));
   block["up"] = list(up);
   return block;
 }
@@ -116,7 +113,8 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
   }
   return section("best", "The best grasps",
                  "Of every hand the grasp with the largest epsilon; the numbers are of that grasp, "
-                 "the eye is where most of its contacts are seen. Red points are contacts, cones "
+                 "the eye is where most of its contacts and of the object is seen. Red points are "
+                 "contacts, cones "
                  "the forces that do not slip. Drag a picture to turn it.",
                  blocks);
 }
