@@ -55,7 +55,7 @@ Scene build_scene(const WorldSpec& world, const std::string& object) {
       found,
       object.empty() ? "world '{}' has no dynamic body to grasp{}" : "world '{}' has no body '{}'",
       world.name, object);
-  scene.materials = built_in_materials();
+  scene.materials = world.materials;
   return scene;
 }
 

@@ -217,6 +217,21 @@ class GraspOfJaws(unittest.TestCase):
             answer.pop("cpu_s")
         self.assertEqual(answers[0], answers[1])
 
+    # Jaws of rubber of 80 N each bear mu 80 N apiece along z.
+    def test_materials_of_the_world_stand_over_those_that_come_with_thenar(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        text = pathlib.Path(world).read_text()
+        for friction in (0.25, 0):
+            pathlib.Path(world).write_text('materials = "own.toml"\n' + text)
+            (self.folder / "own.toml").write_text(
+                f'name = "own"\nsource = "Own"\n[sources]\nOwn = "Made up"\n[[friction]]\nbetween = ["wood", "rubber"]\n'
+                f'static = {friction}\nkinetic = {friction}\n')
+            for command in ("close", "grasp"):
+                answer = self.ask(command, world)
+                self.assertEqual({c["friction"] for c in answer["contacts"]
+                                  if "jaw" in c["surface"]}, {friction})
+            self.assertAlmostEqual(self.ask("close", world)["pull_N"], 160 * friction, delta=1e-3)
+
     # Two faces of the cube are pressed, nothing below it: each of the two sides bears half the
     # weight m g by friction, so the squeeze is m g / mu; wood on the jaws' rubber has mu = 1.
     def test_a_cube_is_held_by_its_weight_over_friction(self):

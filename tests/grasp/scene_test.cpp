@@ -1,4 +1,4 @@
-// Tests for grasp/scene.cpp: where the centre of a body without a stated mass is.
+// Tests for grasp/scene.cpp: centres of bodies, and friction.
 
 #include "grasp/scene.h"
 
@@ -32,6 +32,14 @@ TEST(Scene, KeepsTheCentreThatIsStated) {
       sample::placed("ball", sample::shape(ShapeKind::kSphere, {0.02, 0, 0}), {0, 0, 0});
   placed.body.mass = BodyMass{0.1, {0, 0, 0.005}, Eigen::Matrix3d::Identity()};
   EXPECT_EQ(build_body(placed).com, Eigen::Vector3d(0, 0, 0.005));
+}
+
+TEST(Scene, KeepsTheFrictionOfItsWorld) {
+  WorldSpec world;
+  world.bodies = {
+      sample::placed("ball", sample::shape(ShapeKind::kSphere, {0.02, 0, 0}), {0, 0, 0})};
+  world.materials.friction[{"rubber", "wood"}] = {0.3, 0.2};
+  EXPECT_EQ(build_scene(world).materials.between("wood", "rubber").static_coefficient, 0.3);
 }
 
 }  // namespace
