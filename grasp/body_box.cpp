@@ -32,8 +32,7 @@ BodyBox longest_first(const BodyBox& box) {
 
 }  // namespace
 
-BodyBox body_box(const SceneBody& body) {
-  const TriangleMesh& picture = body.solid.picture;
+BodyBox body_box(const TriangleMesh& picture) {
   const BodyBox framed = box_along(Eigen::Matrix3d::Identity(), picture.vertices);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(mass_properties(picture, 1).inertia);
   const BodyBox turned = box_along(inertia.eigenvectors(), picture.vertices);

@@ -2,19 +2,21 @@
 
 /// The box around a body: which way it is long.
 
-#include "grasp/scene.h"
+#include <Eigen/Core>
+
+#include "base/shapes/triangle_mesh.h"
 
 namespace thenar {
 
-/// In the body's frame.
+/// In the frame of its mesh.
 struct BodyBox {
-  Eigen::Matrix3d axes;  // unit columns, right-handed, the longest side first (3, 3)
-  Eigen::Vector3d half;  // of its sides along them, descending [m] (3)
+  Eigen::Matrix3d axes{Eigen::Matrix3d::Identity()};  // columns, right-handed, longest first (3, 3)
+  Eigen::Vector3d half{0, 0, 0};                      // of its sides along them, descending [m] (3)
 };
 
-/// The smaller of two boxes around the body's picture: one along its frame, one along its principal
+/// The smaller of two boxes around a body's picture: one along its frame, one along its principal
 /// axes of inertia at uniform density. Bodies whose principal axes are no axes at all, balls and
 /// cubes, keep their frame: the other must be smaller by 1 % of the volume.
-[[nodiscard]] BodyBox body_box(const SceneBody& body);
+[[nodiscard]] BodyBox body_box(const TriangleMesh& picture);
 
 }  // namespace thenar

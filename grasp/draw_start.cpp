@@ -6,7 +6,6 @@
 
 #include "base/angles.h"
 #include "base/spatial.h"
-#include "grasp/body_box.h"
 #include "grasp/closing_drives.h"
 #include "grasp/draw_uniform.h"
 #include "grasp/tip_ways.h"
@@ -53,7 +52,7 @@ Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 /// R_WH of an approach along the object's axes.
 Eigen::Matrix3d along_axes(const TouchingHand& hand, const Eigen::VectorXd& q,
                            const SceneBody& object, const Draws& u) {
-  const Eigen::Matrix3d axes = object.X_WB.R * body_box(object).axes;
+  const Eigen::Matrix3d axes = object.X_WB.R * object.box.axes;
   const int side = std::min(5, static_cast<int>(6 * u.side));
   const int from = side / 2, shorter = from == 2 ? 1 : 2;
   const Eigen::Vector3d towards = (side % 2 == 0 ? 1.0 : -1.0) * axes.col(from);

@@ -11,10 +11,10 @@ namespace thenar {
 
 /// A pose clear of the object from which the palm looks at it. Two kinds, equally likely:
 ///
-/// along axes: the hand comes along one of the six half-axes of body_box(), each as likely, aims at
-///   a point uniform in a ball of a tenth of the object's reach about its centre of mass, and
-///   closes (closing_axis()) across the shorter of the other two axes, one way round or the other.
-///   Jaws then lie flat on flat sides, as they would turn the object to.
+/// along axes: the hand comes along one of the six half-axes of the object's box, each as likely,
+///   aims at a point uniform in a ball of a tenth of the object's reach about its centre of mass,
+///   and closes (closing_axis()) across the shorter of the other two axes, one way round or the
+///   other. Jaws then lie flat on flat sides, as they would turn the object to.
 /// any: the direction of approach is uniform on the sphere, the roll about it uniform, and it aims
 ///   at a point uniform in a ball of half the object's reach about its centre of mass.
 ///

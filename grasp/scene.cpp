@@ -35,6 +35,7 @@ SceneBody build_body(const PlacedBody& placed) {
   body.com =
       placed.body.mass ? placed.body.mass->com : volume_centre(placed.body, body.solid.picture);
   body.reach = reach_of(body.solid.picture, body.com);
+  body.box = body_box(body.solid.picture);
   return body;
 }
 

@@ -9,6 +9,7 @@
 #include "base/spatial.h"
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
+#include "grasp/body_box.h"
 
 namespace thenar {
 
@@ -16,11 +17,11 @@ namespace thenar {
 struct SceneBody {
   std::string name;
   std::string material;
-  Solid solid;        // body frame
-  Pose<double> X_WB;  //
-  Eigen::Vector3d com{0, 0,
-                      0};  // centre of mass, of volume if the mass is unknown, body frame [m] (3)
-  double reach = 0;        // of the surface from com: the usual torque scale [m]
+  Solid solid;                   // body frame
+  Pose<double> X_WB;             //
+  Eigen::Vector3d com{0, 0, 0};  // of mass, of volume if that is unknown, body frame [m] (3)
+  double reach = 0;              // of the surface from com: the usual torque scale [m]
+  BodyBox box;                   // body frame
 };
 
 struct Scene {

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "grasp/body_box.h"
 #include "grasp/closing_drives.h"
 #include "grasp/gaps.h"
 #include "grasp/robot_hand.h"
@@ -38,7 +37,7 @@ int axis_of(const Eigen::Matrix3d& axes, const Eigen::Vector3d& direction) {
 }
 
 TEST(BodyBox, FindsTheSidesOfATurnedBox) {
-  const BodyBox box = body_box(turned_box());
+  const BodyBox box = turned_box().box;
   EXPECT_TRUE(matrix_near(box.half, Eigen::Vector3d(0.06, 0.03, 0.02), kRound));
   EXPECT_NEAR(box.axes.determinant(), 1, kRound);
 }
@@ -46,7 +45,7 @@ TEST(BodyBox, FindsTheSidesOfATurnedBox) {
 TEST(BodyBox, KeepsTheFrameOfACube) {
   const SceneBody cube =
       sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})}).object;
-  EXPECT_EQ(body_box(cube).axes, Eigen::Matrix3d::Identity());
+  EXPECT_EQ(cube.box.axes, Eigen::Matrix3d::Identity());
 }
 
 TEST(TipWays, OfJawsGoAcrossTheApproach) {
@@ -74,7 +73,7 @@ TEST(DrawStart, GoesAlongAxesInHalfOfTheCasesAndClosesAcrossTheShorterSide) {
   const TouchingHand touching = touching_hand(hand);
   const SceneBody box = turned_box();
   const Eigen::VectorXd q = open_posture(hand.layout());
-  const Eigen::Matrix3d axes = box.X_WB.R * body_box(box).axes;
+  const Eigen::Matrix3d axes = box.X_WB.R * box.box.axes;
   const Eigen::Vector3d closing = tip_ways(hand, q).axis;
   std::mt19937 random(1);
   int along = 0;
