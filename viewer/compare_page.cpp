@@ -114,8 +114,7 @@ Json best_section(const Comparison& comparison, const std::vector<BodySpec>& obj
   return section("best", "The best grasps",
                  "Of every hand the grasp with the largest epsilon; the numbers are of that grasp, "
                  "the eye is where most of its contacts and of the object is seen. Red points are "
-                 "contacts, cones "
-                 "the forces that do not slip. Drag a picture to turn it.",
+                 "contacts, cones the forces that do not slip. Drag a picture to turn it.",
                  blocks);
 }
 
