@@ -32,6 +32,24 @@ scale = 0.001
 """
 
 
+# Two jaws 100 mm apart inside, of 70 mm, that a motor slides together.
+GRIPPER = """<robot name="grip">
+  <link name="palm"><collision><origin xyz="0 0 -0.02"/>
+    <geometry><box size="0.16 0.05 0.04"/></geometry></collision></link>
+  <link name="left"><collision><origin xyz="-0.006 0 0.035"/>
+    <geometry><box size="0.012 0.03 0.07"/></geometry></collision></link>
+  <link name="right"><collision><origin xyz="0.006 0 0.035"/>
+    <geometry><box size="0.012 0.03 0.07"/></geometry></collision></link>
+  <joint name="slide" type="prismatic"><parent link="palm"/><child link="left"/>
+    <origin xyz="-0.05 0 0"/><axis xyz="1 0 0"/>
+    <limit lower="0" upper="0.05" effort="60" velocity="0.1"/></joint>
+  <joint name="mirrored" type="prismatic"><parent link="palm"/><child link="right"/>
+    <origin xyz="0.05 0 0"/><axis xyz="-1 0 0"/><mimic joint="slide"/>
+    <limit lower="0" upper="0.05" effort="60" velocity="0.1"/></joint>
+</robot>
+"""
+
+
 class Compare(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -159,6 +177,25 @@ class Compare(unittest.TestCase):
         self.keep(hands=str(self.folder / "robots" / "parallel_jaw.toml"))
         self.assertIn("kind 'object'", self.refusal(hands=str(self.folder / "objects/box.toml")))
         self.assertIn("kind 'robot'", self.refusal(objects=str(self.folder / "robots/dlr.toml")))
+
+    def test_compares_a_gripper_of_a_urdf_file(self):
+        robot = self.folder / "grip.urdf"
+        robot.write_text(GRIPPER)
+        kept = self.keep(hands=str(robot))
+        self.assertGreater(kept["cells"][0]["closures"], 0)
+        # One motor of 60 N moves both jaws as far: by its power 30 N are left for each.
+        for digit in kept["abilities"][0]["digits"]:
+            self.assertAlmostEqual(digit["closing_force_N"], 30, delta=1e-6)
+        self.assertTrue(any("2 guessed" in words for words in kept["warnings"]), kept["warnings"])
+
+    def test_says_where_the_mass_of_a_mesh_is_stated(self):
+        mesh, made = self.folder / "wedge.obj", self.folder / "wedge.toml"
+        mesh.write_text(MESH.format(x=60))
+        subprocess.run([PROGRAM, "import", str(mesh), "--units", "mm", "--out", str(made)],
+                       check=True, capture_output=True, timeout=120)
+        self.assertIn("state mass_g or density_kg_m3", self.refusal(objects=str(made)))
+        made.write_text("mass_g = 100\n" + made.read_text())
+        self.keep(objects=str(made))
 
     def test_tells_how_approaches_ended_where_nothing_closed(self):
         (self.folder / "objects" / "wedge.toml").write_text(OBJECT.replace("0.001", "0.01"))

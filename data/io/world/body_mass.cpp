@@ -74,7 +74,9 @@ double density_of(const BodySpec& body, double volume, const Materials& material
   const double density = body.density > 0 || body.material.empty()
                              ? body.density
                              : materials.at(body.material).density;
-  require(density > 0, "body '{}' has neither a mass nor a density, and its material '{}' has none",
+  require(density > 0,
+          "body '{}' has neither mass nor density, nor has its material '{}': state mass_g or "
+          "density_kg_m3 beside its shapes, in its object file or its [[body]] of the world",
           body.name, body.material);
   return density;
 }

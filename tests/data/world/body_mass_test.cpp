@@ -88,7 +88,8 @@ TEST(BodyMass, SumsTaperedCapsules) {
 TEST(BodyMass, IsRefusedWhereNothingIsKnown) {
   const BodySpec body = body_of(ShapeKind::kSphere, {1, 0, 0});
   EXPECT_EQ(message_of([&] { (void)body_mass(body); }),
-            "body 'body' has neither a mass nor a density, and its material '' has none");
+            "body 'body' has neither mass nor density, nor has its material '': state mass_g or "
+            "density_kg_m3 beside its shapes, in its object file or its [[body]] of the world");
 }
 
 // As a box, whichever way its triangles face; with a hole it is no solid.
