@@ -49,24 +49,27 @@ struct ForceSet {
 ///
 /// Worms (held coordinates), locks, stops and structure bear any torque, but press by no force of
 /// their own: each normal force x_0 is pressed by an effort, or pushes back against such a one.
-/// * Effort: some coordinate feels the contact that is neither held nor locked nor on a stop that
-///   the normal force pushes it to. Others may rest on their stops. Nor does friction jam it: of
-///   contacts that push coordinate j the same way,
-///     sum l x_0 <= largest torque of efforts at j,   l = max(|T_jn|, |T_jf|),
-///   the torques of the normal force and of friction. For forces that need no friction, T_jn is
-///   the larger and this is the balance itself.
-/// * Worm: the outermost held coordinate that feels the contact presses, by its drive and limited
-///   as above; held ones further in bear it, and their stops count for nothing: x has zeros in
-///   their rows of T.
-/// * Stop: all that feels the contact is on such stops, or locked. x_0 = a + s: of those whose
-///   longest lever is to j, sum |T_jn| a <= B_j u + tau_0j (clutches too); s >= 0 is what stops
-///   push back, sum s <= sum x_0 of efforts and worms.
-/// * Structure: only locked coordinates feel the contact, or none.
+/// A coordinate presses a contact along the way T_jn / |(T_jn, T_jf)| of its normal, by its torques
+/// of the normal force and of friction: if it is neither locked nor on a stop that the normal force
+/// pushes it to, if no other's way is twice as good, and if it does work on some forces that cancel
+/// out on the object (an arm moves all contacts alike, a link its own).
+/// * Effort: some coordinate that no worm holds presses it; others may rest on their stops.
+///   Friction does not jam it: of contacts that coordinate j presses the same way,
+///     sum l x_0 <= largest torque of efforts at j,   l = max(|T_jn|, |T_jf|).
+///   For forces that need no friction, T_jn is the larger and this is the balance itself.
+/// * Worm: the outermost held coordinate that presses the contact does so by its drive, limited as
+///   above; other held ones bear it, and their stops count for nothing: x has zeros in their rows
+///   of T.
+/// * Stop: nothing presses it, but a stop could bear it. x_0 = a + s: of those whose longest lever
+///   is to j, sum |T_jn| a <= B_j u + tau_0j (clutches too); s >= 0 is what stops push back,
+///   sum s <= sum x_0 of efforts and worms.
+/// * Structure: neither presses nor could bear it.
 ///     sum x_0 of structure + sum s <= sum x_0 of efforts and worms + sum a.
 /// What the load presses on the last three counts by a normal force p >= 0 of its own without
 /// friction, in no row of a held coordinate. How much friction a load brings depends on elasticity
 /// and is left out, as are wedges that would make more normal force than presses them: the set is
-/// on the safe side. Where no efforts balance all joints without pulling some onto stops, a = 0.
+/// on the safe side. a = 0 of a joint whose springs no effort overcomes, and of all where no
+/// efforts balance all joints without pulling some onto stops.
 ///
 /// @param T  joint torques of contact forces, torque_map(), coordinates from the base outwards
 ///           (coordinates, length of x)

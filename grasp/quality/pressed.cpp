@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "grasp/quality/force_rows.h"
@@ -40,7 +40,7 @@ class Limits {
     push_back();
     if (count(Carrier::kStop) == 0) return forces_;
     ForceSet idle = forces_;
-    for (const int j : pressers()) press(j);
+    for (const auto& [j, way] : pressers()) largest(j, way) < 0 ? leave(j) : press(j, way);
     if (is_slack() ||
         smallest_hold(forces_, Wrench::Zero(), Squeeze::kSum).status != ConeStatus::kInfeasible)
       return forces_;
@@ -71,11 +71,13 @@ class Limits {
     return sum;
   }
 
-  [[nodiscard]] std::set<int> pressers() const {
-    std::set<int> coordinates;
+  /// Coordinates on stops whose efforts press, and the way off the stop.
+  [[nodiscard]] std::map<int, double> pressers() const {
+    std::map<int, double> ways;
     for (const Carried& contact : felt_.contacts)
-      if (contact.by == Carrier::kStop) coordinates.insert(contact.presser);
-    return coordinates;
+      if (contact.by == Carrier::kStop)
+        ways[contact.presser] = felt_.x(contact.presser, contact.first) > 0 ? 1 : -1;
+    return ways;
   }
 
   /// Whether no effort at all is among the efforts, and keeps the hand in balance.
@@ -84,8 +86,8 @@ class Limits {
            (actuation_.upper.array() >= 0).all();
   }
 
-  /// Largest torque of efforts and clutches at a coordinate, in one way; not below zero.
-  [[nodiscard]] double most(int j, double way) const {
+  /// Largest torque of efforts and clutches at a coordinate, in one way.
+  [[nodiscard]] double largest(int j, double way) const {
     double sum = way * actuation_.tau_0(j);
     const auto add = [&](double torque, double least, double most) {
       if (torque != 0) sum += std::max(torque * least, torque * most);
@@ -95,7 +97,7 @@ class Limits {
     for (Index i = 0; i < clutches_.cols(); ++i)
       add(way * clutches_(row_of(j), i), actuation_.reactions.least(i),
           actuation_.reactions.most(i));
-    return std::max(0.0, sum);
+    return sum;
   }
 
   /// sum l_i x_i0 <= largest torque, of contacts that push a coordinate back the same way.
@@ -104,9 +106,9 @@ class Limits {
     for (const Carried& contact : felt_.contacts)
       if (contact.by == Carrier::kEffort || contact.by == Carrier::kWorm)
         row(contact.first) = std::max(0.0, way * contact.levers(j));
-    const double largest = row.maxCoeff(), limit = most(j, way);
-    if (largest > 0 && std::isfinite(limit))
-      add_rows(forces_, row / largest, VectorXd::Constant(1, limit / largest));
+    const double longest = row.maxCoeff(), limit = std::max(0.0, largest(j, way));
+    if (longest > 0 && std::isfinite(limit))
+      add_rows(forces_, row / longest, VectorXd::Constant(1, limit / longest));
   }
 
   /// 0 <= s_i <= x_i0, and the sums of what pushes back.
@@ -124,27 +126,34 @@ class Limits {
                VectorXd::Zero(1));
   }
 
-  /// sum T_j n_i (x_i0 - s_i) <= B_j u + R_j r + tau_0j, r of clutches, in the way of the stop.
-  void press(int j) {
+  /// The a_i = x_i0 - s_i of contacts on the stop of a coordinate, by their levers.
+  [[nodiscard]] RowVectorXd pressed_at(int j) const {
     RowVectorXd row = none();
-    double way = 1;
     Index s = s_;
     for (const Carried& contact : felt_.contacts) {
       if (contact.by != Carrier::kStop) continue;
-      if (contact.presser == j) {
-        const double lever = felt_.x(j, contact.first);
-        way = lever > 0 ? 1 : -1;
-        row(contact.first) = std::abs(lever);
-        if (s < row.size()) row(s) = -std::abs(lever);
-      }
-      ++s;
+      const double lever = contact.presser == j ? std::abs(felt_.x(j, contact.first)) : 0;
+      row(contact.first) = lever;
+      if (s < row.size()) row(s++) = -lever;
     }
+    return row;
+  }
+
+  /// sum |T_j n_i| a_i <= B_j u + R_j r + tau_0j, r of clutches, in the way off the stop.
+  void press(int j, double way) {
+    RowVectorXd row = pressed_at(j);
     const Index v = felt_.x.cols() + felt_.p.cols(), r = v + actuation_.B.cols();
     row.segment(v, actuation_.B.cols()) =
         -way * actuation_.B.row(j).cwiseProduct(forces_.effort_unit.transpose());
     row.segment(r, clutches_.cols()) = -way * clutches_.row(row_of(j));
-    const double largest = row.cwiseAbs().maxCoeff();
-    add_rows(forces_, row / largest, VectorXd::Constant(1, way * actuation_.tau_0(j) / largest));
+    const double size = row.cwiseAbs().maxCoeff();
+    add_rows(forces_, row / size, VectorXd::Constant(1, way * actuation_.tau_0(j) / size));
+  }
+
+  /// Springs hold it on its stop whatever the efforts do: a = 0.
+  void leave(int j) {
+    const RowVectorXd row = pressed_at(j);
+    add_rows(forces_, row / row.cwiseAbs().maxCoeff(), VectorXd::Zero(1));
   }
 
   ForceSet forces_;

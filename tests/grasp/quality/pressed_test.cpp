@@ -151,8 +151,9 @@ TEST(Pressed, StopOfAKnuckleBearsTheOuterPhalanxButPressesNotTheInnerOne) {
 }
 
 // Jaws of 10 N at 60 degrees to their normals press a ball against a palm. Friction of 1 could
-// carry any force along the bars; the motor makes normal forces of 10 / sin 60 degrees in sum, and
-// the palm as much.
+// carry any force along the bars; the motor makes normal forces of 10 / sin 60 degrees in sum, a
+// and a. Across, a ball that must not turn asks 2 a sin 60 degrees of the palm, which is what it
+// bears.
 TEST(Pressed, RoughContactsDoNotJamWithoutLimit) {
   const double c = 0.5, s = std::sqrt(0.75);
   const std::vector<Contact> contacts{{{-c, s, 0}, {c, -s, 0}, 1, 0},
@@ -166,20 +167,58 @@ TEST(Pressed, RoughContactsDoNotJamWithoutLimit) {
   }
   const WrenchSet set = wrench_set(contacts, {0, 0, 0}, 1);
   const Actuation motor = motors(MatrixXd::Identity(1, 1), 10, {});
-  const double across = load(hand_forces(set, T, motor), 2);
-  EXPECT_GT(across, 1);
-  EXPECT_LE(across, 2 * 10 / s + kSolved);
+  EXPECT_NEAR(load(hand_forces(set, T, motor), 2), 10 / s + 10, kSolved);
 }
 
-// Two contacts of one slide that oppose each other: each presses with its 10 N at most, and a fork
-// whose motor is off holds nothing between them.
-TEST(Pressed, ForkSqueezesNoMoreThanItsMotorPresses) {
+// Two contacts of one slide that oppose each other are one body: its motor moves both, and holds
+// nothing between them.
+TEST(Pressed, ForkSqueezesNothing) {
   MatrixXd T = pinch_torques(kMu, 0).topRows(1);
   T(0, 3) = -1;
-  for (const double most : {10.0, 0.0}) {
-    const Actuation motor = motors(MatrixXd::Identity(1, 1), most, {});
-    EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, motor), 2), kMu * 2 * most, kSolved);
+  const Actuation motor = motors(MatrixXd::Identity(1, 1), 10, {});
+  EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, motor), 2), 0, kSolved);
+}
+
+/// The pinch of two flexors, with a joint each that moves it along z, and `noise` along the normal.
+ForceSet with_sideways(double flexors, double sideways, bool stopped, double noise = 0) {
+  MatrixXd T = MatrixXd::Zero(4, 6);
+  T.topRows(2) = pinch_torques(kMu, 0);
+  for (const int i : {0, 1}) {
+    const Tangents t = tangents(pinch_contacts(kMu, 0)[static_cast<std::size_t>(i)].n);
+    T.row(2 + i).segment(3L * i, 3) << noise, kMu * t.e1.z(), kMu * t.e2.z();
   }
+  Actuation actuation = motors(MatrixXd::Identity(4, 4), 1, {});
+  actuation.upper << flexors, flexors, sideways, sideways;
+  actuation.lower = -actuation.upper;
+  for (const int j : {0, 1})
+    if (stopped) add_reaction(actuation.reactions, VectorXd::Unit(4, j), 0, kNoLimit);
+  return hand_forces(pinch(kMu, 0), T, actuation);
+}
+
+// What moves a contact along its face alone presses nothing, whatever its effort, and takes nothing
+// from what flexors press.
+TEST(Pressed, SidewaysJointsNeitherPressNorHinder) {
+  for (const bool stopped : {false, true})
+    for (const double sideways : {0.0, 0.1, 50.0})
+      for (const double noise : {0.0, 1e-18, -1e-18}) {
+        EXPECT_NEAR(load(with_sideways(6, sideways, stopped, noise), 1), kMu * 12, kSolved);
+        EXPECT_NEAR(load(with_sideways(0, sideways, stopped, noise), 1), 0, kSolved);
+      }
+}
+
+// Jaws of 10 N on an arm: it moves both alike, so that its effort squeezes nothing, and lack of it
+// hinders no squeeze.
+TEST(Pressed, ArmsNeitherPressNorHinder) {
+  MatrixXd T(2, 6);
+  T << 1, 0, 0, 1, 0, 0, 1, 0, 0, -1, 0, 0;
+  for (const double arm : {0.0, 50.0})
+    for (const double jaw : {0.0, 10.0})
+      for (const std::vector<int>& stops : {std::vector<int>{}, std::vector<int>{0}}) {
+        Actuation actuation = motors(MatrixXd::Identity(2, 2), 1, stops);
+        actuation.upper = Vector2d(jaw, arm);
+        actuation.lower = -actuation.upper;
+        EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, actuation), 2), kMu * jaw, kSolved);
+      }
 }
 
 // A spring of 2 N holds a jaw on its stop: a motor of 6 N has 4 N left for pressing, one of 1 N
@@ -189,6 +228,21 @@ TEST(Pressed, SpringsTowardsAStopAreOvercomeFirst) {
     Actuation sprung = motors(Eigen::Matrix2d::Identity(), most, {0, 1});
     sprung.tau_0.setConstant(-2);
     EXPECT_NEAR(load(pinched(sprung), 2), kMu * 2 * std::max(0.0, most - 2), kSolved) << most;
+  }
+}
+
+// A third finger whose spring is stronger than its motor rests, and leaves the others alone.
+TEST(Pressed, SpringOfOneFingerStopsNoOther) {
+  std::vector<Contact> contacts = pinch_contacts(kMu, 0);
+  contacts.push_back({{0, -kRadius, 0}, {0, 1, 0}, kMu, 0});
+  MatrixXd T = MatrixXd::Zero(3, 9);
+  for (const int i : {0, 1, 2}) T(i, 3L * i) = 1;
+  for (const double third : {2.01, 1.99}) {
+    Actuation sprung = motors(MatrixXd::Identity(3, 3), 6, {0, 1, 2});
+    sprung.upper(2) = third;
+    sprung.tau_0.setConstant(-2);
+    const ForceSet forces = hand_forces(wrench_set(contacts, {0, 0, 0}, kScale), T, sprung);
+    for (const int axis : {1, 2}) EXPECT_NEAR(load(forces, axis), kMu * 8, kSolved) << third;
   }
 }
 
