@@ -1,5 +1,6 @@
 #include "grasp/quality/withstood.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "base/error.h"
@@ -12,6 +13,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kMostLeverage = 1e4;  // of a load over the largest limit of forces [1]
+constexpr double kAll = 1 - 1e-4;      // of a load, as good as all of it [1]
 
 /// The programme of a force set, still without an aim.
 ConeProgram program_of(const ForceSet& forces) {
@@ -36,6 +39,36 @@ void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& 
   program.A.bottomRows(rows.rows()) = rows;
   program.b.conservativeResize(old + rows.rows());
   program.b.tail(rows.rows()) = values;
+}
+
+/// The largest limit of a programme; 0: it has none.
+double largest_limit(const ConeProgram& program) {
+  return std::max(program.b.lpNorm<Eigen::Infinity>(), program.h.lpNorm<Eigen::Infinity>());
+}
+
+/// Whether the last variable reaches a value far beyond all limits, which count as parts of it.
+bool reaches(ConeProgram program, double value) {
+  const Index rows = program.G.rows(), last = program.c.size() - 1;
+  program.b /= value;
+  program.h /= value;
+  program.G.conservativeResize(rows + 1, program.G.cols());
+  program.G.row(rows) = Eigen::RowVectorXd::Unit(program.G.cols(), last);
+  program.h.conservativeResize(rows + 1);
+  program.h(rows) = 1;
+  program.cones.push_back(1);
+  const ConeResult most = solve(program);
+  return most.status == ConeStatus::kSolved && -most.objective > kAll;
+}
+
+/// A value with so much leverage is borne by structure but for the rounding of normals, and the
+/// programme is so badly scaled that it may not end.
+void judge_leverage(const ConeProgram& program, double way, ConeResult& solution) {
+  const double most = kMostLeverage * largest_limit(program) / way;
+  if (most == 0) return;
+  const bool beyond = solution.status == ConeStatus::kSolved
+                          ? -solution.objective > most
+                          : solution.status == ConeStatus::kStalled && reaches(program, most);
+  if (beyond) solution.status = ConeStatus::kUnbounded;
 }
 
 /// The value is minus the objective.
@@ -76,7 +109,9 @@ Reach farthest_along(const ForceSet& forces, const MatrixXd& rows, const VectorX
   MatrixXd equalities(rows.rows(), program.c.size());
   equalities << rows * forces.wrench, -way;
   add_equalities(program, equalities, start);
-  return reach_of(forces, solve(program));
+  ConeResult solution = solve(program);
+  judge_leverage(program, way.norm(), solution);
+  return reach_of(forces, solution);
 }
 
 Reach largest_load(const ForceSet& forces, const Wrench& d) {

@@ -22,7 +22,8 @@ Reach farthest_wrench(const ForceSet& forces, const Wrench& u);
 
 /// Largest k for which the forces balance the disturbance k d:  W y = -k d.
 ///
-/// Without limits on forces k is zero or infinite.
+/// Without limits on forces k is zero or infinite. A load of more than 1e4 times the largest limit
+/// is one without limit: structure bears it but for the rounding of its normals.
 /// @param d  disturbance at k = 1 (6)
 /// @throws InputError if d is zero or not finite.
 Reach largest_load(const ForceSet& forces, const Wrench& d);

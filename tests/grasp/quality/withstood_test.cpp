@@ -6,6 +6,7 @@
 #include <random>
 
 #include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/error.h"
 #include "tests/grasp/quality/pinch.h"
@@ -152,6 +153,39 @@ TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
       ASSERT_EQ(reach.status, ConeStatus::kSolved) << trial;
       ASSERT_LE(reach.residual, 1e-9) << trial;  // ten times what is asked for
     }
+  }
+}
+
+/// The same jaws on worms, with contacts about the line between them, and the normals of one of
+/// them a little off the other's.
+ForceSet worm_jaws(const std::vector<Contact>& found, double tilt) {
+  std::vector<Contact> contacts = found;
+  for (Contact contact : found) {
+    contact.p.tail<2>() *= -1;
+    contacts.push_back(contact);
+  }
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(tilt, Eigen::Vector3d::UnitZ()).matrix();
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(2, 3 * static_cast<Eigen::Index>(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const bool right = contacts[i].p.x() > 0;
+    if (right) contacts[i].n = turn * contacts[i].n;
+    T(right, 3 * static_cast<Eigen::Index>(i)) = 1;
+  }
+  Actuation motor{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(), Eigen::VectorXd::Zero(1),
+                  Eigen::VectorXd::Constant(1, 40)};
+  motor.reactions.held = {0, 1};
+  return hand_forces(wrench_set(contacts, {0, 0, 0}, 0.05), T, motor);
+}
+
+// Worms bear what is pressed along the jaws' line. Were the normals exactly parallel, nothing would
+// limit it; 1e-8 rad apart friction of some 20 N does, by leverage: at 2e9 N.
+TEST(Withstood, IsWithoutLimitWhereOnlyRoundingOfNormalsLimitsIt) {
+  std::mt19937 rng(3);
+  for (int trial = 0; trial < 10; ++trial) {
+    const ForceSet jaws = worm_jaws(jaws_on_box(rng, 4 + trial % 5), 1e-8);
+    const Reach reach = largest_load(jaws, Wrench::Unit(0));
+    ASSERT_EQ(reach.status, ConeStatus::kUnbounded) << trial;
+    ASSERT_EQ(reach.value, kNoLimit) << trial;
   }
 }
 
