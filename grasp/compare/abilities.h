@@ -38,7 +38,7 @@ struct Workspaces {
 /// effort that matters is unknown.
 struct TipForces {
   double closing = 0;  // d along the tip's way in closing: how hard the digit presses [N]
-  double largest = 0;  // over 64 directions; infinite: stops bear one of them [N]
+  double largest = 0;  // |f|, by ascent from 65 directions; infinite: stops bear one of them [N]
 };
 [[nodiscard]] TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip);
 

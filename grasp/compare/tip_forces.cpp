@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kDirections = 64;
 constexpr double kStill = 1e-12;  // motion of a tip that is none [m/rad]
+constexpr double kClimbs = 1e-9;  // part by which a step to a larger force must be larger [1]
+constexpr int kMostSteps = 20;    // to larger forces
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Evenly spread on the sphere: a Fibonacci spiral.
@@ -107,14 +109,36 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   return program;
 }
 
-/// max d'f [N]; infinite: stops bear it; NaN: no answer.
-double farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
+/// How far forces of a tip go one way.
+struct Farthest {
+  double reach;       // max d'f [N]; infinite: stops bear it; NaN: no answer
+  Eigen::Vector3d f;  // made there [N]; zero without a finite answer
+};
+Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
   program.c = Eigen::VectorXd::Zero(program.A.cols());
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
-  if (result.status == ConeStatus::kUnbounded) return std::numeric_limits<double>::infinity();
-  if (result.status == ConeStatus::kInfeasible) return 0;  // nothing balances the digit
-  return result.status == ConeStatus::kSolved ? -result.objective : kNone;
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  if (result.status == ConeStatus::kUnbounded)
+    return {std::numeric_limits<double>::infinity(), zero};
+  if (result.status == ConeStatus::kInfeasible) return {0, zero};  // nothing balances the digit
+  if (result.status != ConeStatus::kSolved) return {kNone, zero};
+  return {-result.objective, J * result.x.head(J.cols())};
+}
+
+/// Goes from a direction to that of the force which is made there, while that is larger: max |f| is
+/// of a convex function, so each step climbs, and ends in a corner.
+double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector3d d) {
+  double best = 0;
+  for (int step = 0; step < kMostSteps; ++step) {
+    const Farthest most = farthest(program, J, d);
+    if (!std::isfinite(most.reach)) return most.reach;
+    const double size = most.f.norm();
+    if (!(size > (1 + kClimbs) * best)) break;
+    best = size;
+    d = most.f / size;
+  }
+  return best;
 }
 
 }  // namespace
@@ -133,9 +157,15 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const Eigen::MatrixXd L = load_map(hand, q, tip, all, rates)(joints, Eigen::all);
   const ConeProgram program = balance(J, L, actuation, joints);
   const Eigen::Vector3d closing = all * rates;
-  TipForces forces{closing.isZero(kStill) ? 0 : farthest(program, J, closing.normalized()), 0};
+  TipForces forces;
+  if (!closing.isZero(kStill)) {
+    const Eigen::Vector3d way = closing.normalized();
+    forces.closing = farthest(program, J, way).reach;
+    if (std::isnan(forces.closing)) return {kNone, kNone};
+    forces.largest = std::max(forces.closing, climb(program, J, way));
+  }
   for (int i = 0; i < kDirections; ++i) {
-    const double reach = farthest(program, J, direction(i));
+    const double reach = climb(program, J, direction(i));
     if (std::isnan(reach)) return {forces.closing, kNone};
     forces.largest = std::max(forces.largest, reach);
   }
