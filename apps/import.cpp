@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -26,6 +27,7 @@
 #include "data/io/toml_node.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
+#include "grasp/guess_hand.h"
 
 namespace thenar {
 namespace {
@@ -64,16 +66,43 @@ void point_to(std::vector<ShapeSpec>& shapes, const fs::path& from, const std::s
   for (ShapeSpec& shape : shapes) point_to(shape.mesh_file, from, out);
 }
 
+bool is_hand(const RobotSpec& robot) {
+  std::set<std::string> digits;
+  for (const RobotLink& link : robot.links)
+    if (!link.digit.empty()) digits.insert(link.digit);
+  return digits.size() > 1;
+}
+
+/// How a hand grasps, guessed where its format leaves it unsaid; another robot as it is.
+RobotSpec with_guesses(const RobotSpec& robot) {
+  try {
+    RobotSpec guessed = graspable(robot);
+    return is_hand(guessed) ? guessed : robot;
+  } catch (const InputError&) {
+    return robot;  // it can be told and written, but not grasp
+  }
+}
+
+/// The robot as TOML, with what was guessed marked, and told.
+void write_robot_toml(const std::string& out, const RobotSpec& robot, RobotFileKind kind) {
+  RobotSpec written = kind == RobotFileKind::kToml ? robot : with_guesses(robot);
+  for (std::size_t i = robot.warnings.size(); i < written.warnings.size(); ++i)
+    fmt::print(stderr, "{}: {}\n", out, written.warnings[i]);
+  written.warnings = robot.warnings;  // guesses are comments of the file
+  write_file(out, robot_toml(written, &robot));
+}
+
 Imported import_robot_file(const std::string& path) {
   const RobotSpec robot = import_robot(path);
-  return {report(robot, find_robot_kind(path)),
+  const RobotFileKind kind = find_robot_kind(path);
+  return {report(robot, kind),
           {".toml", ".urdf"},
           [=](const std::string& out) {
             RobotSpec moved = robot;
             for (RobotLink& link : moved.links)
               point_to(link.shapes, fs::path(path).parent_path(), out);
             if (fs::path(out).extension() == ".toml")
-              write_file(out, robot_toml(moved));
+              write_robot_toml(out, moved, kind);
             else
               (void)write_urdf(out, moved);  // its warnings were told before
           },

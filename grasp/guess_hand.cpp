@@ -101,13 +101,19 @@ double closing_sign(const RobotHand& hand, const Drive& drive) {
   return nearer > 0 ? 1 : -1;
 }
 
+bool any_speed(const RobotSpec& robot) {
+  return std::any_of(robot.dofs.begin(), robot.dofs.end(),
+                     [](const RobotDof& dof) { return dof.speed != 0; });
+}
+
 void guess_closing(RobotSpec& robot) {
   const RobotHand hand(robot);
+  const bool paced = any_speed(robot);
   std::vector<std::string> closing;
   for (const Drive& drive : hand.layout().drives)
     for (RobotDof& dof : robot.dofs) {
       if (dof.name != drive.name) continue;
-      dof.speed = closing_sign(hand, drive) * std::abs(dof.speed);
+      dof.speed = closing_sign(hand, drive) * (paced ? std::abs(dof.speed) : 1);
       if (dof.speed != 0)
         closing.push_back(fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
     }
@@ -185,11 +191,37 @@ void guess_approach(RobotSpec& robot) {
                   d.x(), d.y(), d.z(), p.x(), p.y(), p.z()));
 }
 
-bool says_how_it_grasps(const RobotSpec& robot) {
+bool states_approach(const RobotSpec& robot) {
   const RobotApproach unsaid;
-  return robot.approach.point != unsaid.point || robot.approach.direction != unsaid.direction ||
-         std::any_of(robot.links.begin(), robot.links.end(),
+  return robot.approach.point != unsaid.point || robot.approach.direction != unsaid.direction;
+}
+
+bool states_digits(const RobotSpec& robot) {
+  return std::any_of(robot.links.begin(), robot.links.end(),
                      [](const RobotLink& link) { return !link.digit.empty(); });
+}
+
+/// guess_digits() with a warning. @return whether there are any
+bool name_digits(RobotSpec& robot) {
+  const int digits = guess_digits(robot);
+  if (digits == 0) return false;
+  std::vector<std::string> names;
+  for (const RobotLink& link : robot.links)
+    if (!link.digit.empty()) names.push_back(fmt::format("{} of {}", link.name, link.digit));
+  robot.warnings.push_back(
+      fmt::format("no digits are stated: {} guessed: {}", digits, fmt::join(names, ", ")));
+  return true;
+}
+
+void name_nominal(RobotSpec& robot) {
+  std::vector<std::string> nominal;
+  for (const RobotDof& dof : robot.dofs)
+    if (dof.nominal_effort && dof.max_effort > 0) nominal.push_back(dof.name);
+  if (!nominal.empty())
+    robot.warnings.push_back(
+        fmt::format("efforts of {} are nominal, as a model's placeholders: measures of force take "
+                    "them for unknown",
+                    fmt::join(nominal, ", ")));
 }
 
 }  // namespace
@@ -209,16 +241,16 @@ RobotSpec with_materials(RobotSpec robot) {
 
 RobotSpec graspable(RobotSpec robot) {
   robot = with_materials(std::move(robot));
-  if (says_how_it_grasps(robot)) return robot;
-  const int digits = guess_digits(robot);
-  if (digits == 0) return robot;
-  std::vector<std::string> names;
-  for (const RobotLink& link : robot.links)
-    if (!link.digit.empty()) names.push_back(fmt::format("{} of {}", link.name, link.digit));
-  robot.warnings.push_back(
-      fmt::format("no digits are stated: {} guessed: {}", digits, fmt::join(names, ", ")));
+  name_nominal(robot);
+  if (!states_digits(robot) && !states_approach(robot)) {
+    if (!name_digits(robot)) return robot;
+    robot.closing_stated = false;
+  }
+  if (!any_speed(robot) && states_digits(robot)) robot.closing_stated = robot.dofs.empty();
+  if (robot.closing_stated) return robot;
   guess_closing(robot);
-  guess_approach(robot);
+  robot.closing_stated = true;
+  if (!states_approach(robot)) guess_approach(robot);
   return robot;
 }
 

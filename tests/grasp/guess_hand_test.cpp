@@ -43,6 +43,28 @@ TEST(GuessHand, GoesFromThePalmToTheTips) {
   EXPECT_NEAR(approach.point.y(), -0.025, 1e-12);
 }
 
+// A format without closing says how fast (2 mm/s here), not which way; digits may be stated by
+// hand.
+TEST(GuessHand, GuessesTheClosingThatNoFileStates) {
+  RobotSpec robot = bare_jaws();
+  robot.closing_stated = false;
+  robot.dofs[0].speed = 0.002;
+  robot.links[1].digit = "a";
+  robot.links[2].digit = "b";
+  EXPECT_EQ(graspable(robot).dofs[0].speed, -0.002);
+  EXPECT_TRUE(graspable(robot).closing_stated);
+  robot.closing_stated = true;
+  EXPECT_EQ(graspable(robot).dofs[0].speed, 0.002);
+  robot.dofs[0].speed = 0;
+  EXPECT_EQ(graspable(robot).dofs[0].speed, -1);
+}
+
+TEST(GuessHand, SaysWhichEffortsAreNominal) {
+  RobotSpec robot = sample::jaws();
+  robot.dofs[0].nominal_effort = true;
+  EXPECT_THAT(graspable(robot).warnings, Contains(HasSubstr("efforts of motor are nominal")));
+}
+
 TEST(GuessHand, LeavesAloneWhatIsStated) {
   const RobotSpec stated = sample::jaws(), robot = graspable(stated);
   EXPECT_EQ(robot.links[1].digit, "left");

@@ -103,6 +103,9 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
           carrier.name, link, tool.name, fmt::join(links, ", "));
 
   RobotSpec robot = carrier;
+  if (!carrier.closing_stated)
+    for (RobotDof& dof : robot.dofs) dof.speed = 0;
+  robot.closing_stated = tool.closing_stated;
   robot.name = carrier.name + " with " + tool.name;
   robot.source = joined(carrier.source, tool.source);
   robot.licence = joined(carrier.licence, tool.licence);

@@ -322,6 +322,7 @@ RobotSpec read_mjcf(const std::string& path) {
   source.incomplete = internal::lacks_joints(file.root());
   source.defaults.read(file, file.root());
   RobotSpec robot;
+  robot.closing_stated = false;
   robot.name = file.root().attribute("model").value();
   BodyTree tree(source, robot);
   tree.run();

@@ -87,6 +87,7 @@ struct RobotSpec {
   std::vector<RobotJoint> joints;
   std::vector<RobotDof> dofs;
   RobotApproach approach;
+  bool closing_stated = true;         // false: speeds say how fast drives run, not which way closes
   std::vector<std::string> warnings;  // what an importer met and did not understand
 };
 
@@ -97,8 +98,10 @@ struct RobotSpec {
 
 /// The robot as TOML that read_robot() reads without loss: every double survives to the bit. A mesh
 /// that came from a file is named, not written out.
+/// @param stated  what was known of it before digits, materials, closing and approach were guessed:
+/// lines of these that differ end in a comment, "# guessed"; null: nothing was
 /// @throws InputError as check_robot().
-[[nodiscard]] std::string robot_toml(const RobotSpec& robot);
+[[nodiscard]] std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated = nullptr);
 
 /// Whether some rigid body has this inertia about its centre of mass: symmetric, no principal
 /// moment negative, none larger than the sum of the others; to 1e-6 of the largest.
@@ -112,7 +115,8 @@ struct RobotSpec {
 /// @throws InputError
 void check_robot(const RobotSpec& robot);
 
-/// `tool` mounted on a link of `carrier`: one tree, which approaches as the tool does; names of the
+/// `tool` mounted on a link of `carrier`: one tree, which approaches as the tool does, and closes
+/// as it does where nothing states how the carrier closes, which then stands still; names of the
 /// tool get "NAME/" before them where the carrier has them already. A fixed joint "NAME mount"
 /// holds them together.
 /// @param X_LT  base link of the tool in that link

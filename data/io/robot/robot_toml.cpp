@@ -24,8 +24,11 @@ constexpr Units kSliding{"_m", "_N", "_N_per_m", "_Ns_per_m"};
 
 void add(std::string& text, const std::string& line) { text += line + "\n"; }
 
-void add_text(std::string& text, const std::string& key, const std::string& value) {
-  if (!value.empty()) add(text, key + " = " + toml_quoted(value));
+const char* mark(bool guessed) { return guessed ? "  # guessed" : ""; }
+
+void add_text(std::string& text, const std::string& key, const std::string& value,
+              bool guessed = false) {
+  if (!value.empty()) add(text, key + " = " + toml_quoted(value) + mark(guessed));
 }
 
 /// Nothing for what the reader assumes anyway.
@@ -53,10 +56,10 @@ std::string source_lines(const std::string& source) {
   return own.empty() ? text : text + "\n[sources]\n" + own;
 }
 
-std::string link_lines(const RobotLink& link) {
+std::string link_lines(const RobotLink& link, const RobotLink& stated) {
   std::string text = "\n[[link]]\nname = " + toml_quoted(link.name) + "\n";
-  add_text(text, "digit", link.digit);
-  add_text(text, "material", link.material);
+  add_text(text, "digit", link.digit, link.digit != stated.digit);
+  add_text(text, "material", link.material, link.material != stated.material);
   add_number(text, "mass_kg", link.mass);
   if (!same_bits(link.com, Vector3d(0, 0, 0))) add(text, "com_m = " + toml_list(link.com));
   const Eigen::Matrix3d& I = link.inertia;
@@ -108,12 +111,15 @@ bool slides(const RobotSpec& robot, const RobotDof& dof) {
   return false;
 }
 
-std::string dof_lines(const RobotDof& dof, const Units& in) {
+std::string dof_lines(const RobotDof& dof, const Units& in, bool closing_guessed) {
   std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
   add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
   add(text,
       fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
-  add_number(text, "speed", dof.speed);
+  if (closing_guessed)
+    add(text, "speed = " + toml_number(dof.speed) + mark(true));
+  else
+    add_number(text, "speed", dof.speed);
   add_number(text, std::string("max_effort") + in.effort, dof.max_effort);
   add_number(text, std::string("breakaway") + in.effort, dof.breakaway);
   add_number(text, std::string("stiffness") + in.stiffness, dof.stiffness);
@@ -122,24 +128,29 @@ std::string dof_lines(const RobotDof& dof, const Units& in) {
   return text;
 }
 
-std::string approach_lines(const RobotApproach& approach) {
-  return fmt::format("\n[approach]\npoint_m = {}\ndirection = {}\n", toml_list(approach.point),
-                     toml_list(approach.direction));
+std::string approach_lines(const RobotApproach& approach, const RobotApproach& stated) {
+  const bool guessed = approach.point != stated.point || approach.direction != stated.direction;
+  return fmt::format("\n[approach]{}\npoint_m = {}\ndirection = {}\n", mark(guessed),
+                     toml_list(approach.point), toml_list(approach.direction));
 }
 
 }  // namespace
 
-std::string robot_toml(const RobotSpec& robot) {
+std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   check_robot(robot);
+  const RobotSpec& before = stated == nullptr ? robot : *stated;
+  const bool closing_guessed = robot.closing_stated && !before.closing_stated;
   std::string text = "name = " + toml_quoted(robot.name) + "\n";
   add_text(text, "description", robot.description);
   add_text(text, "licence", robot.licence);
   if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
+  if (!robot.closing_stated) add(text, "closing = \"unstated\"");
   text += source_lines(robot.source);
-  text += approach_lines(robot.approach);
-  for (const RobotLink& link : robot.links) text += link_lines(link);
+  text += approach_lines(robot.approach, before.approach);
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    text += link_lines(robot.links[i], before.links[i]);
   for (const RobotDof& dof : robot.dofs)
-    text += dof_lines(dof, slides(robot, dof) ? kSliding : kTurning);
+    text += dof_lines(dof, slides(robot, dof) ? kSliding : kTurning, closing_guessed);
   for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
   return text;
 }

@@ -27,6 +27,8 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   robot.description = top.text_or("description", "");
   robot.source = top.source() == kUnstated ? "" : top.source();
   robot.licence = top.text_or("licence", "");
+  robot.closing_stated =
+      !top.has("closing") || top.choice("closing", {"stated", "unstated"}) == "stated";
   if (top.has("warnings")) robot.warnings = top.texts("warnings");
   read_approach(top, robot);
   for (TomlTable& table : top.tables("link"))

@@ -209,6 +209,7 @@ RobotSpec read_urdf(const std::string& path) {
   robot.warnings = unread.warnings();
   const urdf::ModelInterfaceSharedPtr model = parse(text, file, robot.warnings);
   robot.name = model->getName();
+  robot.closing_stated = false;
   Translation(*model, file, robot).run();
   return robot;
 }

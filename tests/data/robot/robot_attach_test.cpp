@@ -57,6 +57,20 @@ TEST(Attach, ApproachesAsTheToolDoes) {
   EXPECT_TRUE(matrix_near(approach.direction, Eigen::Vector3d(0, 1, 0), 1e-15));
 }
 
+// A carrier of a format without closing would run away with its velocity limits as speeds.
+TEST(Attach, HoldsACarrierStillOfWhichNoClosingIsStated) {
+  RobotSpec carrier = sample::small_robot(), tool = sample::small_robot(2);
+  tool.name = "T";
+  carrier.dofs[0].speed = tool.dofs[0].speed = 2;
+  const std::size_t first = carrier.dofs.size();
+  EXPECT_EQ(attach(carrier, "jaw", tool, {}).dofs[0].speed, 2);
+  carrier.closing_stated = false;
+  const RobotSpec both = attach(carrier, "jaw", tool, {});
+  EXPECT_EQ(both.dofs[0].speed, 0);
+  EXPECT_EQ(both.dofs[first].speed, 2);
+  EXPECT_TRUE(both.closing_stated);
+}
+
 TEST(Attach, RefusesALinkThereIsNot) {
   const RobotSpec robot = sample::small_robot();
   EXPECT_THAT(message_of([&] { (void)attach(robot, "claw", robot, {}); }),

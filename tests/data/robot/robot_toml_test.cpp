@@ -13,6 +13,9 @@ namespace thenar {
 namespace {
 
 using internal::same_bits;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
 
 void expect_same_pose(const Pose<double>& a, const Pose<double>& b) {
   EXPECT_TRUE(same_bits(a.R, b.R));
@@ -49,8 +52,8 @@ void expect_same_joint(const RobotJoint& a, const RobotJoint& b) {
 }
 
 void expect_same(const RobotSpec& a, const RobotSpec& b) {
-  EXPECT_EQ(std::tie(a.name, a.description, a.source, a.licence, a.warnings),
-            std::tie(b.name, b.description, b.source, b.licence, b.warnings));
+  EXPECT_EQ(std::tie(a.name, a.description, a.source, a.licence, a.closing_stated, a.warnings),
+            std::tie(b.name, b.description, b.source, b.licence, b.closing_stated, b.warnings));
   EXPECT_TRUE(same_bits(a.approach.point, b.approach.point));
   EXPECT_TRUE(same_bits(a.approach.direction, b.approach.direction));
   ASSERT_EQ(a.links.size(), b.links.size());
@@ -70,11 +73,29 @@ void expect_same(const RobotSpec& a, const RobotSpec& b) {
   }
 }
 
+TEST(RobotToml, MarksWhatWasGuessed) {
+  RobotSpec stated = sample::small_robot(1);
+  stated.closing_stated = false;
+  for (RobotLink& link : stated.links) link.digit = link.material = "";
+  RobotSpec guessed = stated;
+  guessed.closing_stated = true;
+  guessed.links[1].digit = "thumb";
+  guessed.links[1].material = "plastic";
+  guessed.approach.direction = {1, 0, 0};
+  const std::string text = robot_toml(guessed, &stated);
+  for (const char* line : {"\ndigit = \"thumb\"  # guessed\n",
+                           "\nmaterial = \"plastic\"  # guessed\n", "\n[approach]  # guessed\n"})
+    EXPECT_THAT(text, HasSubstr(line));
+  EXPECT_THAT(text, ContainsRegex("\nspeed = [^\n]*  # guessed\n"));
+  EXPECT_THAT(robot_toml(guessed), Not(HasSubstr("guessed")));
+}
+
 TEST(RobotToml, KeepsEveryBit) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     RobotSpec robot = sample::small_robot(seed);
     robot.dofs[seed % 2].backdrivable = false;
     robot.dofs[seed % 2].nominal_effort = seed % 3 == 0;
+    robot.closing_stated = seed % 4 != 0;
     expect_same(parse_robot(robot_toml(robot), "robot.toml"), robot);
   }
 }
