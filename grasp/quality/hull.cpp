@@ -228,6 +228,13 @@ void Hull::join(int facet, std::int8_t place, std::uint64_t key) {
   }
 }
 
+double Hull::inner_radius() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    if (links_[i].birth != 0) least = std::min(least, planes_[i].d - planes_[i].n.dot(inside_));
+  return least;
+}
+
 double Hull::volume() const {
   double sum = 0;
   for (const Links& links : links_) {

@@ -50,6 +50,7 @@ class Hull {
   [[nodiscard]] int facets() const { return alive_; }
   [[nodiscard]] double error() const { return error_; }  // largest of all planes so far
   [[nodiscard]] double volume() const;                   // signed simplices: folds cancel
+  [[nodiscard]] double inner_radius() const;             // least distance of a facet from inside
 
  private:
   struct Links {

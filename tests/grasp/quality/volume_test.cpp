@@ -153,6 +153,21 @@ TEST(Volume, OfHardPointsIsHadWithoutAHullThatIsTooLarge) {
   EXPECT_GE(sum.upper, hull.upper);
 }
 
+// Volume is affine: a set pressed flat along a direction has the share of it that is left.
+TEST(Volume, OfNearlyFlatSetsIsThatOfTheWideOnesPressed) {
+  std::mt19937 rng(6);
+  const WrenchSet wide =
+      pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
+  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+    const double whole = volume_of(wide, limit).estimate;
+    for (const double left : {1e-3, 1e-6, 1e-8}) {
+      WrenchSet flat = wide;
+      for (WrenchCap& cap : flat.caps) cap.c(5) *= left;
+      EXPECT_NEAR(volume_of(flat, limit).estimate / (whole * left), 1, 1e-6) << left;
+    }
+  }
+}
+
 TEST(Volume, WantsThreeEdges) {
   EXPECT_THROW((void)volume_of(orthogonal_discs(), ForceLimit::kL1, 2), InputError);
 }
