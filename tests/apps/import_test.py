@@ -200,7 +200,7 @@ class Import(Files):
                         'range_deg = [-90, 90]\n[[joint]]\nname = "j"\nkind = "revolute"\n'
                         'parent = "a"\nchild = "b"\ndof = "m"\nrange_deg = [-30, 30]\n')
         done = self.thenar(arm, "--strict", "--out", self.path("arm.urdf"), code=1)
-        self.assertIn("no compliant couplings: 'm'", done.stderr)
+        self.assertIn("no compliant couplings: 'j'", done.stderr)
         self.assertIn("1 warning", done.stderr)
         self.assertFalse(os.path.exists(self.path("arm.urdf")))
         self.assertIn("no compliant", self.thenar(arm, "--out", self.path("arm.urdf")).stderr)

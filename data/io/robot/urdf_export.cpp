@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <pugixml.hpp>
 
 #include "base/shapes/solid.h"
@@ -61,7 +62,58 @@ class Export {
     return " " + text + " ";
   }
 
+  /// A warning of everything that these, if any, have and URDF cannot say.
+  void leave_out(const std::string& what, const std::vector<std::string>& of) {
+    if (!of.empty())
+      out_.warnings.push_back(
+          fmt::format("URDF has no {}: left out of {}", what, fmt::join(of, ", ")));
+  }
+
+  template <typename Part, typename Has>
+  static std::vector<std::string> names_of(const std::vector<Part>& parts, const Has& has) {
+    std::vector<std::string> names;
+    for (const Part& part : parts)
+      if (has(part)) names.push_back(part.name);
+    return names;
+  }
+
+  void name_unsaid_of_links() {
+    leave_out("materials of contact",
+              names_of(robot_.links, [](const RobotLink& link) { return !link.material.empty(); }));
+    leave_out("digits",
+              names_of(robot_.links, [](const RobotLink& link) { return !link.digit.empty(); }));
+    leave_out("inertia without mass", names_of(robot_.links, [](const RobotLink& link) {
+                return !(link.mass > 0) && !link.inertia.isZero(0);
+              }));
+    const RobotApproach unsaid;
+    if (robot_.approach.point != unsaid.point || robot_.approach.direction != unsaid.direction)
+      leave_out("approach", {robot_.name});
+  }
+
+  void name_unsaid_of_motors() {
+    if (robot_.closing_stated)
+      leave_out("direction of closing",
+                names_of(robot_.dofs, [](const RobotDof& dof) { return dof.speed != 0; }));
+    leave_out("nominal efforts, so that they count as known",
+              names_of(robot_.dofs, [](const RobotDof& dof) { return dof.nominal_effort; }));
+    leave_out("worms and brakes",
+              names_of(robot_.dofs, [](const RobotDof& dof) { return !dof.backdrivable; }));
+    for (const RobotDof& dof : robot_.dofs)
+      if (!drives(dof.name))
+        leave_out("motors without joints", {dof.name});
+      else if (leader(dof.name).name != dof.name)
+        out_.warnings.push_back(
+            fmt::format("URDF has no names of motors: '{}' is that of joint '{}'", dof.name,
+                        leader(dof.name).name));
+    for (const RobotJoint& joint : robot_.joints)
+      if (joint.kind != RobotJointKind::kFixed && joint.dof.empty())
+        out_.warnings.push_back(
+            fmt::format("URDF has no joints without motors: '{}' gets one", joint.name));
+  }
+
   void name_unsaid() {
+    name_unsaid_of_links();
+    name_unsaid_of_motors();
     for (const RobotDof& dof : robot_.dofs)
       if (dof.kind != RobotDofKind::kRigid)
         out_.warnings.push_back(fmt::format(
@@ -182,6 +234,11 @@ class Export {
   }
 
   // ---- joints
+
+  [[nodiscard]] bool drives(const std::string& dof) const {
+    return std::any_of(robot_.joints.begin(), robot_.joints.end(),
+                       [&](const RobotJoint& joint) { return joint.dof == dof; });
+  }
 
   [[nodiscard]] const RobotJoint& leader(const std::string& dof) const {
     const RobotJoint* first = nullptr;

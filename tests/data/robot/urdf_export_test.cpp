@@ -178,5 +178,43 @@ TEST_F(UrdfExport, SaysWhatUrdfCannot) {
   EXPECT_THAT(urdf.text, HasSubstr("<!-- URDF has no breakaway couplings"));
 }
 
+TEST_F(UrdfExport, NamesEverythingThatIsLostOfAHand) {
+  std::mt19937 rng(3);
+  RobotSpec robot = geared_robot(rng);
+  for (RobotLink& link : robot.links) link.material = link.digit = "";
+  robot.dofs[1].speed = 0;
+  robot.links[2].material = "rubber";
+  robot.links[3].digit = "thumb";
+  robot.approach.direction = {1, 0, 0};
+  robot.dofs[0].nominal_effort = true;
+  robot.dofs[1].backdrivable = false;
+  EXPECT_THAT(
+      robot_urdf(robot, "").warnings,
+      testing::IsSupersetOf(
+          {"URDF has no materials of contact: left out of link2",
+           "URDF has no digits: left out of link3", "URDF has no approach: left out of geared",
+           "URDF has no direction of closing: left out of m0",
+           "URDF has no nominal efforts, so that they count as known: left out of m0",
+           "URDF has no worms and brakes: left out of m1"}));
+  EXPECT_THAT(robot_urdf(robot, "").warnings,
+              Contains(HasSubstr("URDF has no names of motors: 'm0' is that of joint")));
+}
+
+TEST_F(UrdfExport, SaysNothingOfWhatUrdfCanSay) {
+  RobotSpec robot;
+  robot.name = "one";
+  robot.links.resize(2);
+  robot.links[0].name = "base";
+  robot.links[1].name = "jaw";
+  RobotJoint joint;
+  joint.name = joint.dof = "slide";
+  joint.parent = "base";
+  joint.child = "jaw";
+  robot.joints = {joint};
+  robot.dofs.resize(1);
+  robot.dofs[0].name = "slide";
+  EXPECT_THAT(robot_urdf(robot, "").warnings, testing::IsEmpty());
+}
+
 }  // namespace
 }  // namespace thenar
