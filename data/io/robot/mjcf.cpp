@@ -119,9 +119,8 @@ class BodyTree {
     const MjcfSource& source = source_;
     for (const Part& part : parts) {
       if (!is(part, "geom")) continue;
-      const MjcfElement element(source, part.node, part.childclass);
-      MjcfGeom geom =
-          internal::read_geom(source, meshes_, element, part.X_BF, link.name, robot_.warnings);
+      MjcfGeom geom = internal::read_geom(source, meshes_, part.node, part.childclass, part.X_BF,
+                                          link.name, robot_.warnings);
       masses.push_back(geom.mass);
       if (geom.shape) (geom.collides ? link.shapes : shown).push_back(std::move(*geom.shape));
     }
@@ -322,8 +321,8 @@ RobotSpec read_mjcf(const std::string& path) {
   source.incomplete = internal::lacks_joints(file.root());
   source.defaults.read(file, file.root());
   RobotSpec robot;
-  robot.closing_stated = false;
   robot.name = file.root().attribute("model").value();
+  robot.closing_stated = false;
   BodyTree tree(source, robot);
   tree.run();
   set_total_mass(robot, source.compiler.total_mass);

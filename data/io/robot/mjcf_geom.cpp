@@ -137,6 +137,16 @@ ShapeSpec solid(ShapeSpec shape) {
   return shape;
 }
 
+/// What contact in MuJoCo heeds and a material here does not tell.
+void note_contact(const MjcfSource& source, const MjcfElement& geom, const pugi::xml_node& node) {
+  if (geom.has("friction"))
+    source.unread.note(node,
+                       "friction of a <geom> is not read: that of its link's material counts");
+  for (const char* attribute : {"condim", "solref", "solimp", "margin", "gap"})
+    if (geom.has(attribute))
+      source.unread.note(node, fmt::format("{} of a <geom> is not read", attribute));
+}
+
 }  // namespace
 
 MjcfMeshes find_meshes(const MjcfSource& source) {
@@ -155,10 +165,12 @@ MjcfMeshes find_meshes(const MjcfSource& source) {
   return meshes;
 }
 
-MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const MjcfElement& geom,
-                   const Pose<double>& X_BF, const std::string& body,
+MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const pugi::xml_node& node,
+                   const std::string& childclass, const Pose<double>& X_BF, const std::string& body,
                    std::vector<std::string>& warnings) {
+  const MjcfElement geom(source, node, childclass);
   MjcfGeom result;
+  note_contact(source, geom, node);
   result.collides = geom.number("contype", 1) != 0 || geom.number("conaffinity", 1) != 0;
   ShapeSpec shape;
   shape.X_BS = geom.pose();

@@ -23,11 +23,13 @@ struct MjcfGeom {
 using MjcfMeshes = std::map<std::string, pugi::xml_node>;
 [[nodiscard]] MjcfMeshes find_meshes(const MjcfSource& source);
 
+/// Settings of contact that a material does not tell (friction, condim, solref ..) are noted.
 /// @param X_BF       frame that the geom is given in
 /// @param warnings   gets what is missing
 /// @throws DataError
 [[nodiscard]] MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes,
-                                 const MjcfElement& geom, const Pose<double>& X_BF,
-                                 const std::string& body, std::vector<std::string>& warnings);
+                                 const pugi::xml_node& node, const std::string& childclass,
+                                 const Pose<double>& X_BF, const std::string& body,
+                                 std::vector<std::string>& warnings);
 
 }  // namespace thenar::internal

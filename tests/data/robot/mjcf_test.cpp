@@ -379,6 +379,17 @@ TEST_F(Mjcf, NamesWhatItDoesNotRead) {
     EXPECT_THAT(robot.warnings, Contains(HasSubstr(part)));
 }
 
+// Said once, also of what a default class says.
+TEST_F(Mjcf, SaysThatContactSettingsOfGeomsAreNotRead) {
+  const RobotSpec robot = palm("<geom size='0.1' friction='1.5 0.01 0.001' condim='4'/>" + kFinger,
+                               "<default><geom solref='0.01 1'/></default>");
+  for (const std::string part :
+       {"friction of a <geom> is not read: that of its link's material",
+        "condim of a <geom> is not read", "solref of a <geom> is not read"})
+    EXPECT_THAT(robot.warnings, Contains(HasSubstr(part)));
+  EXPECT_THAT(robot.warnings, Not(Contains(HasSubstr("margin"))));
+}
+
 TEST_F(Mjcf, FindsMeshesInTheirFolder) {
   std::filesystem::create_directories(folder_ / "assets");
   write_file(path("assets/t.off"), "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
