@@ -147,7 +147,10 @@ void settle_limits(Unread& unread, pugi::xml_node joint) {
   }
   if (!limit && type == "prismatic") {
     unread.note(joint, fmt::format("prismatic joint '{}' has no <limit>: it stays at zero", name));
-    limit = joint.append_child("limit");
+    if (joint.child("mimic"))
+      limit = joint.append_child("limit");  // which its coupling widens
+    else
+      joint.attribute("type") = "fixed";
   }
   if (!limit) return;
   set_default(limit, "effort", "0");
