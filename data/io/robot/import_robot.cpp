@@ -70,21 +70,35 @@ void mend_inertias(RobotSpec& robot) {
     }
 }
 
-constexpr double kLargestMesh = 10;  // of a link: a larger one is in another unit [m]
+constexpr double kLargest = 10;  // shape or way: a longer one is in another unit [m]
+
+/// A mesh's longest side, another shape's largest size, such as a radius [m].
+double across(const ShapeSpec& shape) {
+  if (shape.kind != ShapeKind::kMesh) return shape.size.maxCoeff();
+  return (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
+      .maxCoeff();
+}
 
 void doubt_units(RobotSpec& robot) {
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
-      if (shape.kind != ShapeKind::kMesh) continue;
-      const double across =
-          (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
-              .maxCoeff();
-      if (across > kLargestMesh)
-        robot.warnings.push_back(
-            fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, and "
-                        "its scale (0.001) not given?",
-                        link.name, across));
+      const double size = across(shape);
+      if (!(size > kLargest)) continue;
+      robot.warnings.push_back(
+          shape.kind == ShapeKind::kMesh
+              ? fmt::format("a mesh of link '{}' is {:.4g} m across: are its numbers millimetres, "
+                            "and its scale (0.001) not given?",
+                            link.name, size)
+              : fmt::format("a {} of link '{}' has a size of {:.4g} m: are its numbers "
+                            "millimetres? Lengths are read as metres",
+                            name_of(shape.kind), link.name, size));
     }
+  for (const RobotJoint& joint : robot.joints)
+    if (joint.X_PJ.p.norm() > kLargest)
+      robot.warnings.push_back(fmt::format(
+          "joint '{}' lies {:.4g} m from its parent's frame: are its numbers millimetres? Lengths "
+          "are read as metres",
+          joint.name, joint.X_PJ.p.norm()));
 }
 
 }  // namespace
