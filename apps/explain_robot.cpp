@@ -40,7 +40,8 @@ Section explain_motors(const RobotSpec& robot) {
         joints.push_back(joint.ratio == 1 ? joint.name
                                           : joint.name + " x " + shown(joint.ratio, 3));
     const bool sliding = slides(robot, dof);
-    const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm");
+    const std::string effort = shown(dof.max_effort, 2) + (sliding ? " N" : " Nm") +
+                               (dof.nominal_effort ? " (nominal)" : "");
     section.table.rows.push_back({dof.name, word(dof.kind), in_units(dof.lower, sliding),
                                   in_units(dof.upper, sliding), shown(dof.speed, 2),
                                   dof.max_effort > 0 ? effort : "-", listed(joints)});

@@ -83,8 +83,13 @@ std::string summary(const BodySpec& body) {
   (void)build_solid(body.shapes);  // throws if a mesh has holes
   std::vector<std::string> kinds;
   for (const ShapeSpec& shape : body.shapes) kinds.push_back(name_of(shape.kind));
-  return fmt::format("object '{}': {} ({}), material {}", body.name, counted(kinds.size(), "shape"),
-                     listed(kinds), body.material.empty() ? "unknown" : body.material);
+  std::vector<std::string> warnings;
+  note_turned(body.shapes, fmt::format("object '{}'", body.name), warnings);
+  std::string text =
+      fmt::format("object '{}': {} ({}), material {}", body.name, counted(kinds.size(), "shape"),
+                  listed(kinds), body.material.empty() ? "unknown" : body.material);
+  for (const std::string& warning : warnings) text += "; warning: " + warning;
+  return text;
 }
 
 std::string summary(const WorldSpec& world) {

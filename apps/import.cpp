@@ -123,6 +123,7 @@ void settle_meshes(BodySpec& body, const Options& options, bool dynamic,
     } catch (const InputError& error) {
       throw DataError(options.file, 1, fmt::format("{}; --repair mends it", error.what()));
     }
+    note_turned(body.shapes, owner, warnings);
     return;
   }
   mend_shapes(body.shapes, owner, warnings);
@@ -228,9 +229,21 @@ Imported import_xml(const Options& options) {
   return import_body(read.body, "GraspIt! body", options, read.warnings);
 }
 
+FileKind kind_of_toml(const std::string& path) {
+  if (fs::path(path).extension() == ".toml") return find_file_kind(path);
+  try {
+    return find_file_kind(path);
+  } catch (const DataError&) {
+    throw DataError(path, 1,
+                    "wanted a robot (URDF, MJCF, GraspIt! XML, TOML), an object or a world "
+                    "(GraspIt! XML, TOML), or a mesh (.obj, .stl, .ply, .off, .gltf, .glb, .dae, "
+                    ".wrl, .vrml, .iv)");
+  }
+}
+
 Imported import_toml(const Options& options) {
   const std::string& path = options.file;
-  const FileKind kind = find_file_kind(path);
+  const FileKind kind = kind_of_toml(path);
   if (kind == FileKind::kRobot) return import_robot_file(path);
   if (kind == FileKind::kObject) return import_body(read_object(path), "object", options, {});
   if (kind == FileKind::kWorld) return import_world(read_world(path), "world", options, {});

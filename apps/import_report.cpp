@@ -9,6 +9,7 @@
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
 #include "data/io/robot/link_poses.h"
+#include "data/io/world/body_mass.h"
 
 namespace thenar {
 namespace {
@@ -52,6 +53,11 @@ std::string name_of(RobotDofKind kind) {
   return "compliant";
 }
 
+std::string effort_word(const RobotDof& dof) {
+  if (!(dof.max_effort > 0)) return "unknown";
+  return dof.nominal_effort ? "nominal" : "published";
+}
+
 Json dofs(const RobotSpec& robot) {
   Json list = Json::array();
   for (const RobotDof& dof : robot.dofs) {
@@ -63,6 +69,7 @@ Json dofs(const RobotSpec& robot) {
                     {"lower", dof.lower},
                     {"upper", dof.upper},
                     {"max_effort", dof.max_effort},
+                    {"effort_is", effort_word(dof)},
                     {"joints", driven}});
   }
   return list;
@@ -123,6 +130,7 @@ Json shapes(const std::vector<ShapeSpec>& specs) {
 
 Json mass_json(const BodySpec& body) {
   if (body.mass) return body.mass->mass;
+  if (!(body.spread_mass > 0) && body.density > 0) return body_mass(body).mass;
   return body.spread_mass > 0 ? Json(body.spread_mass) : Json(nullptr);
 }
 
@@ -140,6 +148,14 @@ bool has_volume(const TriangleMesh& mesh) {
     const MeshReport found = check_mesh(part);
     return found.holes.empty() && found.nonmanifold_edges == 0 && found.reversed_edges == 0;
   });
+}
+
+constexpr double kNoise = 1e-12;  // of the trace, in an inertia of a symmetric solid [1]
+
+/// Symmetric, and zero where only rounding is left.
+Eigen::Matrix3d without_noise(const Eigen::Matrix3d& inertia) {
+  const Eigen::Matrix3d I = (inertia + inertia.transpose()) / 2;
+  return (I.array().abs() < kNoise * I.trace()).select(0.0, I);
 }
 
 std::string line_of_text(const std::string& key, const Json& value) {
@@ -218,8 +234,9 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
                     "closes it",
                     found.holes.size(), found.holes.size() == 1 ? "" : "s"));
   if (found.reversed_edges > 0)
-    warnings.push_back(fmt::format("{} edges lie between triangles that face opposite ways",
-                                   found.reversed_edges));
+    warnings.push_back(
+        fmt::format("{} edges lie between triangles that face opposite ways; --repair turns them",
+                    found.reversed_edges));
   if (found.nonmanifold_edges > 0)
     warnings.push_back(
         fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
@@ -249,7 +266,7 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
           {"highest_corner_m", vector_json(mesh.vertices.rowwise().maxCoeff())},
           {"volume_m3", solid ? Json(mass.mass) : Json(nullptr)},
           {"centre_of_mass_m", solid ? vector_json(mass.centre) : Json(nullptr)},
-          {"inertia", solid ? Json(to_json(mass.inertia)) : Json(nullptr)},
+          {"inertia_m5", solid ? Json(to_json(without_noise(mass.inertia))) : Json(nullptr)},
           {"warnings", warnings}};
 }
 

@@ -23,7 +23,7 @@ namespace thenar {
                                             const std::vector<std::string>& warnings);
 
 /// Vertices, triangles, whether it is closed and where not, box, volume, centre; inertia about it
-/// at density 1 kg/m^3.
+/// at density 1, "inertia_m5" [m^5].
 [[nodiscard]] nlohmann::ordered_json report(const TriangleMesh& mesh, const std::string& name);
 
 /// A report as lines for people: numbers and short lists, then what lies deeper, then the warnings.

@@ -2,6 +2,7 @@
 //
 // What every file is and holds, or what is wrong with it and where.
 
+#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -26,10 +27,21 @@ struct Line {
   std::string text;
 };
 
+constexpr const char* kOtherKinds =
+    ":1: wanted TOML or HDF5; robots, objects, worlds and meshes of other formats are told by "
+    "`thenar import`, lists of contacts (JSON) by `thenar quality`";
+
+bool is_own_kind(const std::string& path) {
+  const std::string ending = std::filesystem::path(path).extension();
+  return !std::filesystem::exists(path) || ending == ".toml" || ending == ".h5" ||
+         ending == ".hdf5";
+}
+
 Line check(const std::string& path) {
   try {
     return {path, true, summarise_file(path)};
   } catch (const Error& e) {
+    if (!is_own_kind(path)) return {path, false, path + kOtherKinds};
     const std::string what = e.what();
     const bool placed = what.compare(0, path.size() + 1, path + ":") == 0;
     return {path, false, placed ? what : path + ": " + what};

@@ -196,9 +196,9 @@ class Import(Files):
 
     def test_fails_when_strict_and_the_output_cannot_say_all(self):
         arm = self.path("arm.toml", 'name = "r"\nsource = "x"\n[sources]\nx = "y"\n[[link]]\n'
-                        'name = "a"\n[[link]]\nname = "b"\n[[dof]]\nname = "m"\nkind = "compliant"\n'
+                        'name = "a"\n[[link]]\nname = "b"\n[[dof]]\nname = "j"\nkind = "compliant"\n'
                         'range_deg = [-90, 90]\n[[joint]]\nname = "j"\nkind = "revolute"\n'
-                        'parent = "a"\nchild = "b"\ndof = "m"\nrange_deg = [-30, 30]\n')
+                        'parent = "a"\nchild = "b"\ndof = "j"\nrange_deg = [-30, 30]\n')
         done = self.thenar(arm, "--strict", "--out", self.path("arm.urdf"), code=1)
         self.assertIn("no compliant couplings: 'j'", done.stderr)
         self.assertIn("1 warning", done.stderr)
@@ -242,15 +242,15 @@ class Import(Files):
         for value in told["centre_of_mass_m"]:
             self.assertAlmostEqual(value, 0.25, 12)
         # Second moments 1/60 each, products 1/120, less those of the centre.
-        self.assertAlmostEqual(told["inertia"][0][0], 2 * (1 / 60 - 1 / 96), 12)
-        self.assertAlmostEqual(told["inertia"][0][1], 1 / 96 - 1 / 120, 12)
+        self.assertAlmostEqual(told["inertia_m5"][0][0], 2 * (1 / 60 - 1 / 96), 12)
+        self.assertAlmostEqual(told["inertia_m5"][0][1], 1 / 96 - 1 / 120, 12)
         told = self.report(self.path("open.off", CORNER.format(3, "")))
         self.assertFalse(told["watertight"])
         self.assertEqual(told["holes"][0]["edges"], 3)
         for value in told["holes"][0]["centre_m"]:
             self.assertAlmostEqual(value, 1 / 3, 12)
         self.assertIn("open in 1 place", told["warnings"][0])
-        for nothing in ["volume_m3", "centre_of_mass_m", "inertia"]:
+        for nothing in ["volume_m3", "centre_of_mass_m", "inertia_m5"]:
             self.assertIsNone(told[nothing])
 
     def test_counts_triangles_that_face_the_wrong_way_and_turns_them(self):
@@ -258,6 +258,14 @@ class Import(Files):
         turned = self.path("turned.off", CORNER.format(4, "3 3 2 1\n"))
         told = self.report(turned)
         self.assertEqual((told["reversed_edges"], told["volume_m3"]), (3, None))
+        self.assertIn("--repair turns them", told["warnings"][0])
+        body = self.path("body.toml", 'name = "b"\nsource = "x"\nmaterial = "wood"\n[sources]\n'
+                         'x = "y"\n[[shape]]\nkind = "mesh"\nfile = "turned.off"\n')
+        words = "mesh 'turned.off' of {} 'b': 3 edges lie between triangles"
+        self.assertIn(words.format("body"), self.report(body)["warnings"][0])
+        checked = subprocess.run([PROGRAM, "validate", body], capture_output=True, text=True,
+                                 timeout=60, check=True)
+        self.assertIn(words.format("object"), checked.stdout)
         told = self.report(turned, "--repair")
         self.assertEqual((told["reversed_edges"], told["watertight"]), (0, True))
         self.assertAlmostEqual(told["volume_m3"], 1 / 6, 12)
@@ -293,6 +301,36 @@ class Import(Files):
         self.assertEqual(self.report(self.path("arm.urdf", arm.format(' scale="0.001 0.001 0.001"')))
                          ["warnings"], [])
 
+    def test_doubts_the_units_of_huge_links(self):
+        told = self.report(self.path("arm.urdf", ARM.replace("0.1 0.1 0.3", "120 40 40")))
+        self.assertIn("a box of link 'upper' has a size of 120 m: are its numbers millimetres",
+                      told["warnings"][0])
+        told = self.report(self.path("arm.urdf", ARM.replace("0 0 0.3", "0 0 300")))
+        self.assertIn("joint 'elbow' lies 300 m", told["warnings"][0])
+
+    def test_weighs_objects_by_their_density(self):
+        told = self.report(self.path("cube.toml", 'name = "c"\nsource = "x"\ndensity_kg_m3 = 600\n'
+                                     '[sources]\nx = "y"\n[[shape]]\nkind = "box"\n'
+                                     'size_mm = [50, 50, 50]\n'))
+        self.assertAlmostEqual(told["mass_kg"], 600 * 0.05**3, 12)
+
+    def test_leaves_no_motor_to_a_slide_without_limits(self):
+        told = self.report(self.path("arm.urdf", ARM.replace('type="revolute"', 'type="prismatic"', 1)
+                                     .replace('<limit lower="-1" upper="1" effort="9" velocity="2"/>',
+                                              "", 1)))
+        self.assertIn("prismatic joint 'shoulder' has no <limit>: it stays at zero",
+                      " ".join(told["warnings"]))
+        self.assertEqual((told["counts"]["dofs"], told["counts"]["joints_moving"]), (0, 1))
+
+    def test_says_whether_an_effort_is_nominal(self):
+        joint = ("<joint type='Revolute'><theta>d0</theta><d>10</d><a>20</a><alpha>0</alpha>"
+                 "<minValue>0</minValue><maxValue>90</maxValue></joint>")
+        told = self.report(self.path("g.xml", "<robot type='G'><palm>none.xml</palm><dof type='r'>"
+                                     "<maxEffort>5e9</maxEffort></dof><chain>" + joint +
+                                     "<link>none.xml</link></chain></robot>"))
+        self.assertEqual(told["dofs"][0]["effort_is"], "nominal")
+        self.assertEqual(self.report(self.path("arm.urdf", ARM))["dofs"][0]["effort_is"], "published")
+
     def test_makes_objects_of_meshes(self):
         corner = self.path("corner.off", CORNER.format(4, "3 1 2 3\n"))
         self.thenar(corner, "--units", "cm", "--out", self.path("sub/corner.toml"))
@@ -312,6 +350,12 @@ class Import(Files):
         self.assertEqual(done.returncode, 1)
         self.assertIn("mesh 'open.off' of link 'palm': a mesh bounds no solid: 1 hole(s)", done.stdout)
 
+    def test_validate_says_which_kinds_it_reads(self):
+        done = subprocess.run([PROGRAM, "validate", self.path("c.json", "{}")], capture_output=True,
+                              text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("c.json:1: wanted TOML or HDF5", done.stdout)
+
     def test_closes_holes_and_scales(self):
         told = self.report(self.path("open.off", CORNER.format(3, "")), "--repair", "--scale", "0.1",
                            "--out", self.path("closed.stl"))
@@ -329,7 +373,8 @@ class Import(Files):
                                   ("w.wld", "!World\n", [".wld"]),
                                   ("e.xml", "<EigenGrasps/>", ["e.xml:1:", "got <EigenGrasps>"]),
                                   ("c.urdf", "<robot>\n<xacro:x/></robot>", ["c.urdf:2:", "xacro"]),
-                                  ("d.off", "OFF\n0 0 0\n", ["d.off"])]:
+                                  ("d.off", "OFF\n0 0 0\n", ["d.off"]),
+                                  ("f.step", "ISO-10303-21;\n", ["f.step:1:", "URDF", ".stl"])]:
             done = self.thenar(self.path(name, text), code=1)
             for word in words:
                 self.assertIn(word, done.stderr)
@@ -387,6 +432,29 @@ class ImportedHands(Files):
                                                           pathlib.Path(self.path("jaws.toml"))
                                                           .read_text()), "--json"))
         self.assertEqual(told["outcome"], "grasped")
+
+    def test_write_down_what_is_guessed_of_them(self):
+        for name, text in HANDS.items():
+            with self.subTest(name):
+                self.thenar("import", self.path(name, text), "--out", self.path("hand.toml"))
+                written = pathlib.Path(self.path("hand.toml")).read_text()
+                self.assertIn('digit = "finger 1"  # guessed', written)
+                self.assertIn('material = "plastic"  # guessed', written)
+                self.assertRegex(written, r'speed = -[0-9.]+  # guessed')
+                self.assertIn("[approach]  # guessed", written)
+                told = [json.loads(self.thenar("grasp", self.world(file, text), "--json"))
+                        for file, text in [(name, text), ("hand.toml", written)]]
+                self.assertEqual(told[0]["contacts"], told[1]["contacts"])
+                self.assertEqual(told[1]["warnings"], [])
+
+    def test_may_be_given_digits_and_materials_by_hand(self):
+        self.path("jaws.urdf", JAWS_URDF)
+        self.thenar("import", self.path("jaws.urdf"), "--out", self.path("jaws.toml"))
+        stated = pathlib.Path(self.path("jaws.toml")).read_text()
+        stated = stated.replace("plastic", "rubber").replace('"finger 1"', '"upper jaw"')
+        told = json.loads(self.thenar("grasp", self.world("jaws.toml", stated), "--json"))
+        self.assertEqual(told["outcome"], "grasped")
+        self.assertIn("upper jaw", {contact["digit"] for contact in told["contacts"]})
 
     def test_hold_a_body_without_material(self):
         told = json.loads(self.thenar("grasp", self.world("jaws.urdf", JAWS_URDF, ""), "--json"))

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_mend.h"
 #include "base/shapes/mesh_parts.h"
 
@@ -43,6 +44,19 @@ void mend_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
   for (ShapeSpec& shape : shapes)
     if (mend_shape(shape, owner, warnings)) kept.push_back(std::move(shape));
   shapes = std::move(kept);
+}
+
+void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
+                 std::vector<std::string>& warnings) {
+  for (const ShapeSpec& shape : shapes) {
+    if (shape.kind != ShapeKind::kMesh) continue;
+    const int edges = check_mesh(shape.mesh).reversed_edges;
+    if (edges > 0)
+      warnings.push_back(fmt::format(
+          "{}: {} edges lie between triangles that face opposite ways; they are turned to agree, "
+          "and `thenar import --repair` writes them so",
+          described(shape, owner), edges));
+  }
 }
 
 void require_solid(const ShapeSpec& shape, const std::string& owner) {

@@ -20,6 +20,10 @@ namespace thenar {
 void mend_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
                  std::vector<std::string>& warnings);
 
+/// Warns of meshes whose triangles face opposite ways, which are turned wherever a solid is wanted.
+void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
+                 std::vector<std::string>& warnings);
+
 /// Refuses a mesh that bounds no solid (solid_parts()), naming its file and its holes.
 /// @throws InputError
 void require_solid(const ShapeSpec& shape, const std::string& owner);
