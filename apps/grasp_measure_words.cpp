@@ -80,8 +80,10 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   std::vector<MeasureRow> rows;
   rows.push_back({"volume of wrenches", volume_words(m.volume) + " unit forces^6", ""});
   add_row(rows, "epsilon of the driven hand", m.actuated, [](const InscribedBall& ball) {
-    return fmt::format("{:.4g} to {:.4g} N, least against {}", ball.lower, ball.upper,
-                       direction_words(ball.worst_load));
+    const std::string worst = direction_words(ball.worst_load);
+    return ball.upper == 0
+               ? fmt::format("0 N, nothing withstands {}", worst)
+               : fmt::format("{:.4g} to {:.4g} N, least against {}", ball.lower, ball.upper, worst);
   });
   add_row(rows, "weight of the object", m.weight, in("N"));
   add_row(rows, "least squeeze that holds it", m.hold, in("N"));

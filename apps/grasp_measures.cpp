@@ -41,6 +41,21 @@ Measured<double> weight_of(const GraspQuestion& question) {
   return none<double>("the object's mass is unknown");
 }
 
+/// Exactly zero against a load that is proven not to be borne: bounds within kNoLoad of zero are
+/// the programmes' rounding, and so is the direction that comes with them.
+Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
+  const Wrench unborne = unborne_load(asked.forces);
+  if (!unborne.isZero(0)) ball.worst_load = unborne;
+  if (unborne.isZero(0) && !(ball.upper < kNoLoad))
+    return none<InscribedBall>("the search gave up early" +
+                               (std::isfinite(ball.upper)
+                                    ? fmt::format("; at most {} N", shown(ball.upper))
+                                    : std::string()));
+  ball.status = ConeStatus::kSolved;
+  ball.lower = ball.upper = 0;
+  return {ball, why_nothing_holds(asked.held, {ball.worst_load})};
+}
+
 Measured<InscribedBall> ball_of(const Asked& asked) {
   const std::string unknown = unknown_effort(asked.held);
   if (!unknown.empty()) return none<InscribedBall>(unknown);
@@ -48,12 +63,8 @@ Measured<InscribedBall> ball_of(const Asked& asked) {
   if (ball.status == ConeStatus::kInfeasible)
     return none<InscribedBall>("no effort keeps the hand's own torques in balance");
   if (ball.status == ConeStatus::kUnbounded) return none<InscribedBall>(kBorneByStructure);
-  if (!std::isfinite(ball.lower))
-    return none<InscribedBall>(
-        fmt::format("the search gave up early; at most {} N", shown(ball.upper)));
-  Measured<InscribedBall> found{ball, ""};
-  if (ball.lower < kNoLoad) found.reason = why_nothing_holds(asked.held, {ball.worst_load});
-  return found;
+  if (ball.lower >= kNoLoad || ball.upper <= -kNoLoad) return {ball, ""};
+  return zero_ball(asked, ball);
 }
 
 Measured<double> hold_of(const ForceSet& forces, const Wrench& load, const std::string& failure) {

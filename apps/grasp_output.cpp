@@ -14,11 +14,16 @@
 namespace thenar {
 namespace {
 
+/// One number where both bounds show as the same.
+std::string bounds_text(const Epsilon& e) {
+  const std::string lower = fmt::format("{:.6g}", without_rounding(e.lower));
+  const std::string upper = fmt::format("{:.6g}", without_rounding(e.upper));
+  return lower == upper ? lower : fmt::format("between {} and {}", lower, upper);
+}
+
 std::string quality_text(const Epsilon& e) {
   std::string text = fmt::format("  {:<18}{}\n", "force closure", e.force_closure ? "yes" : "no");
-  text += fmt::format("  {:<18}between {:.6g} and {:.6g}{}\n", "epsilon", e.lower + 0.0,
-                      e.upper + 0.0,  // no -0
-
+  text += fmt::format("  {:<18}{}{}\n", "epsilon", bounds_text(e),
                       e.converged ? "" : " (gave up early)");
   if (e.has_missing_direction)
     text += fmt::format("  {:<18}{}\n", "cannot make", direction_words(e.missing_direction));

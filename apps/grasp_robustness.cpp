@@ -8,6 +8,7 @@
 #include "apps/to_json.h"
 #include "base/angles.h"
 #include "grasp/draw_uniform.h"
+#include "viewer/grasp_words.h"
 
 namespace thenar {
 namespace {
@@ -65,7 +66,8 @@ std::string share_words(const Robustness& found) {
   std::string words =
       fmt::format("force closure in {:.0f} % ({:.0f} to {:.0f} %), median epsilon {}",
                   100 * found.closure, 100 * found.closure_lower, 100 * found.closure_upper,
-                  std::isfinite(median) ? fmt::format("{:.3g}", median) : "none: the hand misses");
+                  std::isfinite(median) ? fmt::format("{:.3g}", without_rounding(median))
+                                        : "none: the hand misses");
   if (found.misses > 0)
     words += fmt::format(", {} of {} draws miss", found.misses, found.epsilon.size());
   return words;

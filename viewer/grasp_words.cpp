@@ -13,6 +13,7 @@ namespace {
 constexpr double kShare = 1.0 / 3;   // of the largest part that is still named [1]
 constexpr double kAtLimit = 1e-9;    // as in closing [rad] or [m]
 constexpr double kNoTurn = 1e-12;    // [1]
+constexpr double kRounding = 1e-9;   // of an epsilon of unit forces [1]
 constexpr double kSearch = 1.0 / 4;  // of what still touches: how exactly gaps are measured
 
 const std::string& name_of(const Hand& hand, int surface) {
@@ -124,6 +125,8 @@ std::string direction_words(const Wrench& wrench) {
 std::string motion_words(const Wrench& motion) {
   return large_parts(motion, "along", "turning about");
 }
+
+double without_rounding(double epsilon) { return std::abs(epsilon) < kRounding ? 0 : epsilon; }
 
 std::string overlap_words(const std::vector<Overlap>& overlaps) {
   std::vector<std::string> parts;

@@ -41,6 +41,9 @@ struct Touching {
 /// The same of a motion: "along -z, turning about +x".
 [[nodiscard]] std::string motion_words(const Wrench& motion);
 
+/// An epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and never -0.
+[[nodiscard]] double without_rounding(double epsilon);
+
 /// "grasped: 12 contacts, force closure", "overlaps: DP2 is 3.2 mm in table"...
 [[nodiscard]] std::string outcome_words(const Grasp& grasp);
 

@@ -49,7 +49,8 @@ Limited limited(const HeldForces& forces, ConeStatus status, double value,
   return {value, std::isinf(value) ? kBorneByStructure : ""};
 }
 
-/// A load along an axis that is proven not to be borne, however small; zero: none is.
+}  // namespace
+
 Wrench unborne_load(const ForceSet& forces) {
   for (const Wrench& load : both_ways(0, 5, 1)) {
     const Reach reach = largest_load(forces, load);
@@ -58,8 +59,6 @@ Wrench unborne_load(const ForceSet& forces) {
   }
   return Wrench::Zero();
 }
-
-}  // namespace
 
 HeldForces forces_of(const Held& held, const SceneBody& object) {
   return {held.hand.layout(), wrench_set(plain(held.contacts), object.com, object.reach),

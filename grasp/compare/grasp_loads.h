@@ -43,6 +43,10 @@ struct Held {
 [[nodiscard]] GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
                                      const std::vector<GraspTask>& tasks);
 
+/// A load of 1 N along an axis, turns over the reach, that is proven not to be borne, however
+/// small; zero: there is none.
+[[nodiscard]] Wrench unborne_load(const ForceSet& forces);
+
 /// Radius of inscribed_ball() of the same forces, torques divided by the object's reach, to 5 %
 /// from below where the search ends, else its certified lower bound [N]. Zero as soon as one load
 /// along an axis is proven not to be borne.

@@ -231,6 +231,12 @@ class GraspOfJaws(unittest.TestCase):
                 self.assertEqual({c["friction"] for c in answer["contacts"]
                                   if "jaw" in c["surface"]}, {friction})
             self.assertAlmostEqual(self.ask("close", world)["pull_N"], 160 * friction, delta=1e-3)
+        # Without friction no force across the line of closing is borne: a zero is told as one.
+        text = self.run_it("close", world).stdout
+        self.assertNotRegex(text, r"[0-9]e-[0-9]|inf|-0 ")
+        self.assertRegex(text, "epsilon of the driven hand  0 N, nothing withstands force along -[yz]")
+        ball = self.ask("close", world)["actuated_epsilon_N"]
+        self.assertEqual((ball["lower"], ball["upper"]), (0, 0))
 
     # Two faces of the cube are pressed, nothing below it: each of the two sides bears half the
     # weight m g by friction, so the squeeze is m g / mu; wood on the jaws' rubber has mu = 1.

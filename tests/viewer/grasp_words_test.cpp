@@ -2,6 +2,7 @@
 
 #include "viewer/grasp_words.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "data/io/robot/robot.h"
@@ -68,6 +69,13 @@ TEST(GraspWords, NamesWhatStoppedACoordinate) {
   ASSERT_EQ(words.size(), 1U);
   EXPECT_NE(words[0].find("contact: "), std::string::npos) << words[0];
   EXPECT_NE(words[0].find(" on ball"), std::string::npos) << words[0];
+}
+
+TEST(GraspWords, CallRoundingZero) {
+  EXPECT_EQ(fmt::format("{}", without_rounding(-1.9e-14)), "0");
+  EXPECT_EQ(fmt::format("{}", without_rounding(-0.0)), "0");
+  EXPECT_EQ(without_rounding(-2e-9), -2e-9);
+  EXPECT_EQ(without_rounding(0.25), 0.25);
 }
 
 }  // namespace
