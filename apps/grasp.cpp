@@ -114,10 +114,13 @@ void run(const Options& options) {
                              schedule.next(kStart * std::max(1, options.random)));
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,
           outcome_words(found.grasp));
-  add_measures(options, question, touching, schedule, found);
+  try {
+    add_measures(options, question, touching, schedule, found);
+  } catch (const Interrupted&) {  // what was found until then is told
+  }
   found.cpu = cpu_since(start);
-  if (!options.out.empty()) {
-    report_or_stop(schedule.next(kPage), 0, options.out);
+  if (!options.out.empty() && !interrupted()) {
+    schedule.next(kPage)(0, options.out);
     write_grasp_report(question, touching, found, options.out);
   }
   schedule.finish();
@@ -125,6 +128,7 @@ void run(const Options& options) {
                        ? grasp_json(question, touching, found, options.wrenches).dump(2) + "\n"
                        : grasp_text(question, touching, found));
   if (!options.save.empty()) save(question, found, options.save);
+  if (interrupted()) throw Interrupted("stopped: this is what was found by then");
 }
 
 }  // namespace

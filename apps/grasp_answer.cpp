@@ -62,7 +62,7 @@ GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching, 
     const Trial own{question.hand.X_WH, question.hand.q, way};
     note(found, grasp_from(question, touching, own), -1, own);
   }
-  for (int i = 0; i < question.starts; ++i) {
+  for (int i = 0; i < question.starts && (i == 0 || !progress.stop()); ++i) {
     report_or_stop(progress, static_cast<double>(i) / question.starts,
                    fmt::format("start {} of {}", i + 1, question.starts));
     const Trial drawn = draw_trial(touching, question.scene.object, question.seed, i);

@@ -5,6 +5,7 @@
 #include <array>
 #include <ctime>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -33,13 +34,16 @@ struct GraspAnswer {
   double cpu = 0;                                     // of all, measures included [s]
   std::shared_ptr<const GraspMeasures> measures;      // const, so shared by copies; null: no grasp
   std::shared_ptr<const GraspRobustness> robustness;  // the same; null: not asked
+
+  [[nodiscard]] int started() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
 };
 
 /// Starts, and keeps the best. Start n of several is draw_trial() n, as in `thenar compare`, and
 /// the object yields to jaws as in centred_grasp(); so it does where the world's own hand goes at
 /// it.
 /// @param way  farthest approach from the world's own start [m]; 0: the hand stays there
-/// @throws Interrupted where progress says stop
+/// Where progress says stop it is the best of the starts until then.
+/// @throws Interrupted where that is before the first
 [[nodiscard]] GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching,
                                  double way, const Progress& progress = {});
 

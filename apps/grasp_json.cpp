@@ -61,7 +61,7 @@ Ordered starts_json(const GraspQuestion& question, const GraspAnswer& answer) {
   Ordered outcomes = Ordered::object();
   for (std::size_t i = 0; i < kOutcomes.size(); ++i)
     outcomes[name_of(kOutcomes[i])] = answer.outcomes[i];
-  return {{"count", question.starts},
+  return {{"count", answer.started()},
           {"seed", question.seed},
           {"best", answer.best},
           {"outcomes", outcomes},

@@ -51,7 +51,7 @@ std::string starts_text(const GraspQuestion& question, const GraspAnswer& answer
     if (answer.outcomes[i] > 0)
       parts.push_back(fmt::format("{} {}", answer.outcomes[i], name_of(kOutcomes[i])));
   return fmt::format("  {:<18}{} of seed {}: {}; {} with force closure\n", "starts",
-                     question.starts, question.seed, fmt::join(parts, ", "), answer.closures);
+                     answer.started(), question.seed, fmt::join(parts, ", "), answer.closures);
 }
 
 }  // namespace

@@ -7,9 +7,11 @@ import math
 import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = os.environ.get("THENAR", "thenar")
@@ -208,6 +210,19 @@ class GraspOfJaws(unittest.TestCase):
         self.assertEqual(again["hand_pose"], answer["hand_pose"])
         self.assertAlmostEqual(again["coordinates"][0]["value"], answer["coordinates"][0]["value"],
                                delta=GAP)
+
+    # Stopped in the draws of --robustness, which would take minutes.
+    def test_a_grasp_that_is_found_survives_a_stop(self):
+        world = self.world(kind="box", size="size_mm = [20, 20, 20]")
+        for words in (["--no-approach", "--robustness", "100000"], ["--random", "100000"]):
+            with subprocess.Popen([PROGRAM, "grasp", world, *words], text=True,
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
+                time.sleep(1)
+                running.send_signal(signal.SIGINT)
+                text, complaint = running.communicate(timeout=20)
+            self.assertEqual(running.returncode, 130)
+            self.assertIn("force closure", text)
+            self.assertIn("stopped", complaint)
 
     def test_the_same_seed_gives_the_same_grasp(self):
         world = self.world(kind="box", size="size_mm = [20, 30, 40]")
