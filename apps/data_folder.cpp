@@ -75,8 +75,10 @@ std::string named_file(const std::string& what, const std::string& name, const s
     if (!found.empty()) return found;
   }
   const std::vector<std::string> known = names_in(places, folder, ending);
-  throw InputError(fmt::format("there is no {} '{}'{}, neither a file nor one of {}/: {}", what,
-                               name, did_you_mean(name, known), folder, places_words(places)));
+  const std::string meant = did_you_mean(name, known);
+  throw InputError(fmt::format("there is no {} '{}'{} is neither a file nor one of {}/; {}", what,
+                               name, meant.empty() ? ": it" : meant + " It", folder,
+                               places_words(places)));
 }
 
 std::string places_words(const std::vector<std::string>& places) {

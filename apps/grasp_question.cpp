@@ -1,6 +1,8 @@
 #include "apps/grasp_question.h"
 
 #include "apps/data_folder.h"
+#include "base/error.h"
+#include "data/io/file_kind.h"
 #include "grasp/closing_drives.h"
 
 namespace thenar {
@@ -16,7 +18,12 @@ HumanHandOptions human_of(const WorldChoice& choice, const Progress& progress) {
 }
 
 std::string world_file(const WorldChoice& choice) {
-  return named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
+  std::string file =
+      named_file("world", choice.world, "worlds", ".toml", data_folders(choice.data));
+  const FileKind kind = find_file_kind(file);
+  require(kind == FileKind::kWorld, "'{}' is a file of kind '{}': wanted a world", file,
+          name_of(kind));
+  return file;
 }
 
 GraspQuestion question_of(const WorldChoice& choice) {

@@ -1,11 +1,33 @@
 // thenar: the human hand, fitted to forces. `thenar --help` lists the subcommands.
 
+#include <algorithm>
 #include <exception>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "apps/commands.h"
 #include "apps/progress_bar.h"
+#include "base/error.h"
+#include "data/io/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+/// Names what a misspelt command was meant to be.
+void require_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string name = argv[1];
+  require(std::find(names.begin(), names.end(), name) != names.end(),
+          "there is no command '{}'{}; `thenar --help` lists them", name,
+          did_you_mean(name, names));
+}
+
+}  // namespace
+}  // namespace thenar
 
 int main(int argc, char** argv) {
   CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
@@ -29,6 +51,7 @@ int main(int argc, char** argv) {
   thenar::add_import(app);
   thenar::add_demo(app);
   try {
+    thenar::require_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/shapes/mass_properties.h"
+#include "data/io/nearest_name.h"
 #include "data/io/world/body_mass.h"
 
 namespace thenar {
@@ -20,6 +21,26 @@ Eigen::Vector3d volume_centre(const BodySpec& body, const TriangleMesh& picture)
   return body_mass(even).com;
 }
 
+std::vector<std::string> names_of(const WorldSpec& world) {
+  std::vector<std::string> names;
+  for (const PlacedBody& placed : world.bodies) names.push_back(placed.body.name);
+  return names;
+}
+
+/// build_solid(), complaints with the names of the body and its meshes.
+Solid solid_of(const BodySpec& body) {
+  try {
+    return build_solid(body.shapes);
+  } catch (const InputError& error) {
+    std::string files;
+    for (const ShapeSpec& shape : body.shapes)
+      if (!shape.mesh_file.empty()) files += (files.empty() ? "" : ", ") + shape.mesh_file;
+    if (files.empty()) throw InputError(fmt::format("body '{}': {}", body.name, error.what()));
+    throw InputError(fmt::format("body '{}' of {}: {}; `thenar import MESH --repair` mends a mesh",
+                                 body.name, files, error.what()));
+  }
+}
+
 bool is_object(const PlacedBody& placed, const std::string& name) {
   return name.empty() ? placed.dynamic : placed.body.name == name;
 }
@@ -30,7 +51,7 @@ SceneBody build_body(const PlacedBody& placed) {
   SceneBody body;
   body.name = placed.body.name;
   body.material = placed.body.material.empty() ? kGuessedMaterial : placed.body.material;
-  body.solid = build_solid(placed.body.shapes);
+  body.solid = solid_of(placed.body);
   body.X_WB = placed.X_WB;
   body.com =
       placed.body.mass ? placed.body.mass->com : volume_centre(placed.body, body.solid.picture);
@@ -47,15 +68,16 @@ Scene build_scene(const WorldSpec& world, const std::string& object) {
       scene.obstacles.push_back(build_body(placed));
       continue;
     }
+    require(placed.dynamic, "world '{}': body '{}' is an obstacle; wanted one of role \"object\"",
+            world.name, object);
     require(!found, "world '{}' has more than one dynamic body{}: name the one to grasp",
             world.name, object.empty() ? "" : " '" + object + "'");
     scene.object = build_body(placed);
     found = true;
   }
-  require(
-      found,
-      object.empty() ? "world '{}' has no dynamic body to grasp{}" : "world '{}' has no body '{}'",
-      world.name, object);
+  require(found || !object.empty(), "world '{}' has no dynamic body to grasp", world.name);
+  require(found, "world '{}' has no body '{}'{}", world.name, object,
+          did_you_mean(object, names_of(world)));
   scene.materials = world.materials;
   return scene;
 }

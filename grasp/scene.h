@@ -35,7 +35,8 @@ struct Scene {
 
 /// A world around one of its dynamic bodies; the other bodies are obstacles.
 /// @param object  its name; empty: the only dynamic body
-/// @throws InputError if there is no such body, or more than one and none is named.
+/// @throws InputError if there is no such body, if it is an obstacle, or if none is named and not
+///         one is dynamic.
 [[nodiscard]] Scene build_scene(const WorldSpec& world, const std::string& object = "");
 
 }  // namespace thenar

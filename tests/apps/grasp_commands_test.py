@@ -126,6 +126,14 @@ class DataFromAnywhere(unittest.TestCase):
         for words in ("there is no world 'jaw_boy', did you mean 'jaw_box'?", "looked in",
                       "/tmp/nowhere, data, ", "/share/thenar, ", "/data"):
             self.assertIn(words, result.stderr)
+        self.assertIn("there is no command 'graps', did you mean 'grasp'?",
+                      self.run_in("graps", "jaw_box").stderr)
+        mug = str(ROBOTS.parent / "objects" / "mug.toml")
+        self.assertIn("is a file of kind 'object': wanted a world", self.run_in("grasp", mug).stderr)
+        self.assertIn("body 'table' is an obstacle",
+                      self.run_in("grasp", "barrett_bobbin", "--object", "table").stderr)
+        self.assertIn("has no body 'bobin', did you mean 'bobbin'?",
+                      self.run_in("grasp", "barrett_bobbin", "--object", "bobin").stderr)
         self.assertIn("--data: there is no folder elsewhere",
                       self.run_in("grasp", "jaw_box", "--data", "elsewhere").stderr)
 
