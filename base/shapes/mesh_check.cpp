@@ -187,7 +187,7 @@ std::string describe(const MeshReport& report) {
   add(static_cast<int>(report.holes.size()), "hole(s)");
   for (std::size_t i = 0; i < std::min(report.holes.size(), kHolesTold); ++i) {
     const MeshHole& hole = report.holes[i];
-    text += fmt::format("{} {} edges, {:.4g} mm around ({:.4g}, {:.4g}, {:.4g}) mm",
+    text += fmt::format("{} {} edges, {:.4g} mm long, about ({:.4g}, {:.4g}, {:.4g}) mm",
                         i == 0 ? ":" : ",", hole.loop.size(), 1e3 * hole.length,
                         1e3 * hole.centre.x(), 1e3 * hole.centre.y(), 1e3 * hole.centre.z());
   }

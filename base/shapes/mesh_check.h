@@ -33,7 +33,7 @@ struct MeshReport {
 /// @throws InputError if a corner is no vertex or a coordinate is not finite.
 [[nodiscard]] MeshReport check_mesh(const TriangleMesh& mesh);
 
-/// "2 hole(s): 4 edges, 32 mm around (10, 0, 5) mm, ..; .." and the like, eight holes at most;
+/// "2 hole(s): 4 edges, 32 mm long, about (10, 0, 5) mm, ..; .." and the like, eight holes at most;
 /// empty if watertight.
 [[nodiscard]] std::string describe(const MeshReport& report);
 

@@ -350,6 +350,26 @@ class GraspOfJaws(unittest.TestCase):
         self.assertGreaterEqual(len(named), 4)  # body, two jaws, ball
         self.assertLessEqual(set(named), set(report["meshes"]))
 
+    # A tetrahedron without its last side.
+    def test_a_leaky_mesh_is_named_with_what_mends_it(self):
+        (self.folder / "leaky.obj").write_text("v 0 0 0\nv 0.02 0 0\nv 0 0.02 0\nv 0 0 0.02\n"
+                                               "f 1 3 2\nf 1 2 4\nf 1 4 3\n")
+        world = self.world(kind="mesh", size='file = "leaky.obj"')
+        complaint = self.run_it("close", world).stderr
+        for words in ("body 'ball'", "leaky.obj", "1 hole(s)", "thenar import", "--repair"):
+            self.assertIn(words, complaint)
+
+    def test_a_mesh_of_millimetres_is_asked_for_its_unit(self):
+        (self.folder / "big.obj").write_text("v 0 0 0\nv 20 0 0\nv 0 20 0\nv 0 0 20\n"
+                                             "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        asked = self.run_it("validate", self.world(kind="mesh", size='file = "big.obj"'))
+        self.assertEqual(asked.returncode, 1)
+        self.assertIn("20 m across: are its numbers millimetres? scale = 0.001",
+                      asked.stderr + asked.stdout)
+        for scale in ("0.001", "1"):
+            told = self.world(kind="mesh", size=f'file = "big.obj"\nscale = {scale}')
+            self.assertEqual(self.run_it("validate", told).returncode, 0, scale)
+
     def test_wrong_names_are_told(self):
         world = self.world(ways="openin = 55")
         self.assertIn("has no coordinate 'openin', did you mean 'opening'?",

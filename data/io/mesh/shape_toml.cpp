@@ -101,7 +101,8 @@ Eigen::Vector2d read_exponents(TomlTable& table) {
 
 std::vector<std::string> mesh_lines(const ShapeSpec& shape) {
   std::vector<std::string> lines;
-  if (shape.mesh_scale != 1) lines.push_back("scale = " + toml_number(shape.mesh_scale));
+  if (shape.mesh_scale != 1 || !shape.mesh_file.empty())
+    lines.push_back("scale = " + toml_number(shape.mesh_scale));
   if (!shape.mesh_file.empty()) {
     lines.push_back("file = " + toml_quoted(shape.mesh_file));
     return lines;

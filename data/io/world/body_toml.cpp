@@ -12,6 +12,7 @@
 namespace thenar::internal {
 namespace {
 
+constexpr double kLargestMesh = 10;  // of an object whose scale is not stated [m]
 constexpr double kRounding =
     1e-6;  // how far moments of inertia may be off, in parts of the largest
 
@@ -57,6 +58,22 @@ std::string mass_lines(const BodySpec& body) {
       toml_list(std::vector<double>{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}));
 }
 
+/// Meshes whose scale nobody states have one of metres.
+ShapeSpec read_sized_shape(TomlTable& table, const std::string& path) {
+  const bool scaled = table.has("scale");
+  ShapeSpec shape = read_shape_table(table, path);
+  if (scaled || shape.mesh_file.empty() || shape.mesh.empty()) return shape;
+  const Eigen::Matrix3Xd& v = shape.mesh.vertices;
+  const double across = (v.rowwise().maxCoeff() - v.rowwise().minCoeff()).maxCoeff();
+  if (across > kLargestMesh)
+    table.fail(
+        fmt::format("the mesh is {:.4g} m across: are its numbers millimetres? scale = 0.001;"
+                    " if it is as large as that, scale = 1",
+                    across),
+        "file");
+  return shape;
+}
+
 }  // namespace
 
 BodySpec read_body_keys(TomlTable& table, const std::string& path) {
@@ -67,7 +84,7 @@ BodySpec read_body_keys(TomlTable& table, const std::string& path) {
   body.material = table.text_or("material", "");
   read_mass_keys(table, body);
   for (TomlTable& shape : table.tables("shape"))
-    body.shapes.push_back(read_shape_table(shape, path));
+    body.shapes.push_back(read_sized_shape(shape, path));
   if (body.shapes.empty()) table.fail(fmt::format("body '{}' needs a shape: [[shape]]", body.name));
   return body;
 }

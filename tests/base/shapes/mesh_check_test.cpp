@@ -44,7 +44,7 @@ TEST(CheckMesh, NamesTheHole) {
   ASSERT_EQ(report.holes.size(), 1U);
   EXPECT_EQ(report.holes[0].loop.size(), 4U);
   EXPECT_NEAR(report.holes[0].length, 0.08, 1e-15);
-  EXPECT_EQ(describe(report), "1 hole(s): 4 edges, 80 mm around (0, 0, 10) mm");
+  EXPECT_EQ(describe(report), "1 hole(s): 4 edges, 80 mm long, about (0, 0, 10) mm");
 }
 
 TEST(CheckMesh, FindsTurnedAndDegenerateTriangles) {
@@ -85,7 +85,7 @@ TEST(RepairMesh, DropsWhatIsThereTwice) {
 
 TEST(BuildSolid, RefusesALeakyMeshNamingItsHoles) {
   EXPECT_EQ(message_of([] { (void)build_solid({spec(open_box())}); }),
-            "a mesh bounds no solid: 1 hole(s): 4 edges, 80 mm around (0, 0, 10) mm");
+            "a mesh bounds no solid: 1 hole(s): 4 edges, 80 mm long, about (0, 0, 10) mm");
 }
 
 TEST(BuildSolid, TurnsAMeshOutwards) {
