@@ -142,7 +142,7 @@ std::string enclosed(double lower, double upper) {
 }
 
 std::string volume_words(const Volume& v) {
-  if (!v.complete) return fmt::format("at least {:.6g}: a hull had too many facets", v.lower);
+  if (!v.complete) return fmt::format("at least {:.6g}: too many facets or faces", v.lower);
   if (v.lower == v.upper) return fmt::format("{:.6g}", v.estimate);
   return fmt::format("about {:.6g}, {}", v.estimate, enclosed(v.lower, v.upper));
 }

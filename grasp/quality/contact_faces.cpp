@@ -11,8 +11,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFlat = 1e-10;  // distances below this part of the size count as 0 [1]
-constexpr int kMostPoints = 60;
+constexpr double kFlat = 1e-10;   // distances below this part of the size count as 0 [1]
+constexpr int kMostPoints = 200;  // some seconds: every three of them are tried
 
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
 

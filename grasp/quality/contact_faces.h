@@ -25,7 +25,7 @@ struct ContactBody {
   std::vector<ContactFace> faces;  // of dimension 1 and more
 };
 
-/// @return none if the points span more than three dimensions, or are more than 60
+/// @return none if the points span more than three dimensions, or are more than 200
 [[nodiscard]] std::optional<ContactBody> contact_body(const std::vector<Wrench>& points);
 
 }  // namespace thenar::internal

@@ -49,6 +49,20 @@ TEST(SumVolume, OfDirectSumsIsTheProduct) {
   EXPECT_NEAR(sum_of(axes(3)), 1. / 36, kExact);
 }
 
+// Two cones at right angles, of m corners each: the product of (m / 2 sin(2 pi / m)) / 3.
+TEST(SumVolume, OfManyEdgesIsTheProductOfTwoCones) {
+  constexpr int kEdges = 64;
+  WrenchSet set;
+  for (int contact = 0; contact < 2; ++contact)
+    for (int i = 0; i < kEdges; ++i) {
+      const double turn = 2 * M_PI * i / kEdges;
+      Wrench point = Wrench::Zero();
+      point.segment<3>(3 * contact) << 1, std::cos(turn), std::sin(turn);
+      set.caps.push_back({point, {}, contact});
+    }
+  EXPECT_NEAR(sum_of(set), std::pow(kEdges / 2 * std::sin(2 * M_PI / kEdges) / 3, 2), 1e-9);
+}
+
 // A sum of segments is tiled by one parallelotope for each six of them.
 TEST(SumVolume, OfSegmentsIsTheSumOfDeterminants) {
   std::mt19937 rng(4);
