@@ -66,7 +66,7 @@ Ordered measures_json(const GraspMeasures& m) {
   put(json, reasons, "turn_Nm", m.turn, same);
   put(json, reasons, "stiffness_N_per_m", m.stiffness, stiffness_json);
   put(json, reasons, "manipulability", m.manipulability, object_motion_json);
-  if (!m.volume.complete) reasons["volume"] = "the hull has too many facets";
+  if (!m.volume.complete) reasons["volume"] = "too many facets or faces";
   json["friction_edges"] = m.edges;
   json["true_cones"] = m.edges > 0 ? "all but epsilon, volume, robustness, wrench_set" : "all";
   json["reasons"] = reasons;
