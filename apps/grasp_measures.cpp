@@ -8,6 +8,7 @@
 #include "apps/schedule.h"
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
+#include "viewer/grasp_words.h"
 
 namespace thenar {
 namespace {
@@ -125,6 +126,11 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
                   {GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn});
   measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
                                                 : none<double>(measures.weight.reason);
+  if (measures.times_weight.value == 0.0) {  // along one axis, maybe not along z
+    const Wrench unborne = unborne_load(asked.forces);
+    if (!unborne.head<3>().isZero(0))
+      measures.times_weight.reason += ": nothing withstands " + direction_words(unborne);
+  }
   measures.pull = margin_of(loads, GraspTask::kPull);
   measures.turn = margin_of(loads, GraspTask::kTurn);
 }
