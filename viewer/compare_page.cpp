@@ -54,10 +54,11 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
   const BestGrasp& best = cell.best.front();
   const HandPicture hand{*picture.drawn, best.q, best.X_WH, picture.patches};
   const std::string caption = fmt::format(
-      "{}: epsilon {:.3f}{}, {} contacts, {}", cell.hand, best.epsilon,
+      "{}: epsilon {:.3f}{}, {} contact{}, {}", cell.hand, best.epsilon,
       std::isfinite(best.hand_epsilon) ? fmt::format(", of the hand {:.1f} N", best.hand_epsilon)
                                        : "",
-      best.contacts.size(), best.type.empty() ? "no type" : best.type);
+      best.contacts.size(), best.contacts.size() == 1 ? "" : "s",
+      best.type.empty() ? "no type" : best.type);
   Json layers = grasp_layers(hand, scene, best.contacts, meshes);
   for (Json& layer : layers)
     if (layer["name"] == "palm") layer["fit"] = false;  // it may be a forearm
