@@ -8,6 +8,7 @@
 #include "apps/schedule.h"
 #include "base/error.h"
 #include "data/io/world/body_mass.h"
+#include "grasp/quality/task_wrenches.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -119,6 +120,16 @@ Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
   return {found->second, reason};
 }
 
+/// Says how much of a load efforts hold by themselves, where that is less than half of it.
+void tell_efforts(const Asked& asked, GraspTask task, double weight, Measured<double>& margin) {
+  if (margin.value.value_or(0) == 0 || asked.forces.borne.empty()) return;
+  const TaskMargin pressed = margin_of_loads(
+      by_efforts(asked.forces), task_loads(task, weight, asked.question.scene.object.reach));
+  if (pressed.status == ConeStatus::kSolved && pressed.lower < *margin.value / 2)
+    margin.reason = fmt::format("{:.4g} by efforts and friction, the rest is borne by structure",
+                                pressed.lower);
+}
+
 void add_margins(const Asked& asked, GraspMeasures& measures) {
   const double mass = measures.weight.value.value_or(kGravity) / kGravity;
   const GraspLoads loads =
@@ -133,6 +144,9 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
   }
   measures.pull = margin_of(loads, GraspTask::kPull);
   measures.turn = margin_of(loads, GraspTask::kTurn);
+  tell_efforts(asked, GraspTask::kHoldWeight, kGravity * mass, measures.times_weight);
+  tell_efforts(asked, GraspTask::kPull, kGravity * mass, measures.pull);
+  tell_efforts(asked, GraspTask::kTurn, kGravity * mass, measures.turn);
 }
 
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {

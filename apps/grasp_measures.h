@@ -20,7 +20,7 @@ namespace thenar {
 template <typename Value>
 struct Measured {
   std::optional<Value> value;
-  std::string reason;  // where there is no value, or where it is zero and that can be told why
+  std::string reason;  // where there is no value, or what to know of it
 };
 
 /// Torques in wrenches are about the object's centre of mass and over its reach; its own frame.

@@ -23,20 +23,6 @@ std::vector<Wrench> both_ways(int first, int last, double size) {
   return loads;
 }
 
-std::vector<Wrench> loads_of(GraspTask task, double weight, double scale) {
-  switch (task) {
-    case GraspTask::kHoldWeight:
-      return both_ways(0, 2, weight);
-    case GraspTask::kPull:
-      return both_ways(2, 2, 1.0);
-    case GraspTask::kTurn:
-      return both_ways(5, 5, 1.0 / scale);
-    case GraspTask::kForceClosure:
-      break;
-  }
-  return {};
-}
-
 /// The value, and where it is zero, NaN or infinite the reason. @param size  of a load at value 1
 /// [N]
 Limited limited(const HeldForces& forces, ConeStatus status, double value,
@@ -50,6 +36,20 @@ Limited limited(const HeldForces& forces, ConeStatus status, double value,
 }
 
 }  // namespace
+
+std::vector<Wrench> task_loads(GraspTask task, double weight, double scale) {
+  switch (task) {
+    case GraspTask::kHoldWeight:
+      return both_ways(0, 2, weight);
+    case GraspTask::kPull:
+      return both_ways(2, 2, 1.0);
+    case GraspTask::kTurn:
+      return both_ways(5, 5, 1.0 / scale);
+    case GraspTask::kForceClosure:
+      break;
+  }
+  return {};
+}
 
 Wrench unborne_load(const ForceSet& forces) {
   for (const Wrench& load : both_ways(0, 5, 1)) {
@@ -76,7 +76,7 @@ GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
 
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
-    const std::vector<Wrench> list = loads_of(task, kGravity * mass, object.reach);
+    const std::vector<Wrench> list = task_loads(task, kGravity * mass, object.reach);
     if (list.empty()) continue;
     const TaskMargin margin = margin_of_loads(forces, list);
     const Limited result = limited(held_by, margin.status, margin.lower, list, list.front().norm());

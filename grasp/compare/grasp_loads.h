@@ -34,6 +34,10 @@ struct Held {
 /// What hand_forces() is made of, torques divided by the object's reach.
 [[nodiscard]] HeldForces forces_of(const Held& held, const SceneBody& object);
 
+/// The loads of a task, none of force closure. @param weight  of the object [N]
+/// @param scale  of torques [m]
+[[nodiscard]] std::vector<Wrench> task_loads(GraspTask task, double weight, double scale);
+
 /// Loads of tasks about the object's centre of mass, along its own axes: weight both ways along
 /// each of the three, a pull of 1 N along +-z, a torque of 1 N m about +-z, within
 /// hand_forces() of actuation_with_stops(). Efforts may be those that hold the joints at the

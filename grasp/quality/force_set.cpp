@@ -170,6 +170,17 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   return internal::limit_pressing(std::move(forces), felt, actuation);
 }
 
+ForceSet by_efforts(ForceSet forces) {
+  const Index pressed = forces.wrench.cols();
+  Index first = 0;  // of p, behind x
+  for (int contact = 0; contact < forces.contacts; ++contact)
+    first += forces.cones[static_cast<std::size_t>(contact)];
+  for (std::size_t i = 0; i < forces.borne.size(); ++i)
+    add_rows(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
+             VectorXd::Zero(1));
+  return forces;
+}
+
 MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandContact>& contacts,
                     const Pose<double>& X_HO) {
   const std::vector<Pose<double>> poses = hand.pose(q);

@@ -79,6 +79,9 @@ struct ForceSet {
 [[nodiscard]] ForceSet hand_forces(const WrenchSet& set, const Eigen::MatrixXd& T,
                                    const Actuation& actuation);
 
+/// The same without p: what efforts press, and what pushes back against that.
+[[nodiscard]] ForceSet by_efforts(ForceSet forces);
+
 /// Joint torques by which a hand holds against unit contact forces:  T x = sum_i J_i' (f_i, m_i).
 ///
 /// @param q         posture of the hand  (coordinates)

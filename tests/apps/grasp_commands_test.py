@@ -120,6 +120,10 @@ class DataFromAnywhere(unittest.TestCase):
         self.assertEqual([a["world"] for a in (given, named, here)],
                          [f"{place}/worlds/jaw_box.toml" for place in ("given", "named", "data")])
 
+    def test_tells_what_structure_bears_of_a_load(self):
+        self.assertRegex(self.run_in("grasp", "barrett_bobbin").stdout,
+                         "pull along z .* by efforts and friction, the rest is borne by structure")
+
     def test_a_complaint_names_all_places(self):
         result = self.run_in("grasp", "jaw_boy", THENAR_DATA="/tmp/nowhere")
         self.assertEqual(result.returncode, 1)

@@ -117,6 +117,7 @@ TEST(Pressed, WormAtItsStopPressesByItsMotorAlone) {
     worms.reactions.held = {0, 1};
     EXPECT_NEAR(load(pinched(worms), 2), kMu * 12, kSolved) << stop;
     EXPECT_EQ(load(pinched(worms), 0), kNoLimit) << stop;
+    EXPECT_NEAR(load(by_efforts(pinched(worms)), 0), 6, kSolved) << stop;
   }
 }
 
