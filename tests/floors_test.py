@@ -60,7 +60,7 @@ FENCES = {
 }
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
 ANYWHERE = (r"Eigen/.*|fmt/.*|[a-z_0-9]+"
-            r"|(unistd|fcntl|dlfcn|sys/file|sys/resource|immintrin|cpuid)\.h")
+            r"|(unistd|fcntl|dlfcn|sys/file|sys/resource|sys/stat|immintrin|cpuid)\.h")
 
 
 def one_of(name, prefixes):

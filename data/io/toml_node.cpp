@@ -3,10 +3,10 @@
 #include "data/io/toml_node.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "base/error.h"
+#include "base/read_file.h"
+#include "data/io/file_guard.h"
 
 namespace {
 /// Thrown where toml++ would abort the program: some syntax errors break its assertions.
@@ -101,6 +101,7 @@ const TomlNode* TomlNode::find(const std::string& key) const {
 }
 
 TomlNode parse_toml(const std::string& text, const std::string& path) {
+  guard_text(text, path, GuardedKind::kToml);
   try {
     return convert(toml::parse(text, path));
   } catch (const toml::parse_error& e) {
@@ -129,11 +130,7 @@ std::string kind_name(TomlKind kind) {
 }
 
 std::string read_text_file(const std::string& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file) throw DataError(path, 1, "cannot be read");
-  return text.str();
+  return read_file(path, limit_of(GuardedKind::kMesh).bytes);  // the longest of texts
 }
 
 }  // namespace thenar

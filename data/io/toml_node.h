@@ -25,13 +25,14 @@ struct TomlNode {
   [[nodiscard]] const TomlNode* find(const std::string& key) const;
 };
 
-/// Parses TOML 1.0. @throws DataError at the line of the first syntax error.
+/// Parses TOML 1.0, within the limits of data/io/file_guard.h.
+/// @throws DataError at the line of the first syntax error.
 [[nodiscard]] TomlNode parse_toml(const std::string& text, const std::string& path);
 
 /// How a kind is called in messages: "a number".
 [[nodiscard]] std::string kind_name(TomlKind kind);
 
-/// The whole content of a text file. @throws DataError if it cannot be opened.
+/// The whole content of a regular file. @throws DataError if it is none, or cannot be opened.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 }  // namespace thenar

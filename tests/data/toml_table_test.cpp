@@ -176,7 +176,7 @@ TEST(TomlTable, MissingFileIsNamed) {
     (void)read_text_file("/nowhere/a.toml");
     FAIL() << "expected DataError";
   } catch (const DataError& e) {
-    EXPECT_STREQ(e.what(), "/nowhere/a.toml:1: cannot be read");
+    EXPECT_STREQ(e.what(), "/nowhere/a.toml:1: cannot be read: No such file or directory");
   }
 }
 

@@ -1,0 +1,45 @@
+#pragma once
+
+/// The door that every file passes before a parser sees it: regular, of bounded size, nesting and
+/// number of values. Parsers recurse with the nesting and take many bytes for one of the file, so
+/// a small crafted file could end the program or take all memory.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace thenar {
+
+/// What a file is read as; this decides its limits and how nesting is counted.
+enum class GuardedKind {
+  kToml,       // brackets, braces, dotted keys and headers
+  kJson,       // brackets and braces; the JSON of glTF too
+  kXml,        // tags: URDF, MJCF, GraspIt!, Collada
+  kScene,      // braces and brackets of VRML and Inventor
+  kMesh,       // size alone: STL, PLY, OFF, OBJ, glTF buffers, textures
+  kResult,     // size alone: HDF5
+  kInference,  // size alone: netCDF
+};
+
+/// The limits of one kind; the table with its reasons is in file_guard.cpp.
+struct FileLimit {
+  GuardedKind kind;
+  const char* name;    // in messages: "TOML"
+  std::size_t bytes;   // of the file
+  int depth;           // of nesting; 0: not counted
+  std::size_t values;  // that the text may hold, by its separators; 0: not counted
+};
+
+[[nodiscard]] const FileLimit& limit_of(GuardedKind kind);
+
+/// Reads a regular file and holds it against the limits of its kind.
+/// @throws DataError `path:line: what was wanted, what came`.
+[[nodiscard]] std::string read_guarded(const std::string& path, GuardedKind kind);
+
+/// Holds a text that is in memory already against the limits of its kind. One pass, no recursion,
+/// no memory beyond one number for each open bracket. The text need not be well-formed.
+/// @param path  only names it in messages
+/// @throws DataError at the line on which a limit is passed.
+void guard_text(std::string_view text, const std::string& path, GuardedKind kind);
+
+}  // namespace thenar
