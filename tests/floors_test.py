@@ -39,11 +39,11 @@ FENCES = {
                                                              "bench/"],
     r"kinsol/.*": ["bench/"],
     r"libqhull.*": ["tendons/convex_hull.cpp", "bench/", "tests/grasp/"],
-    r"assimp/.*": ["data/io/mesh/assimp_mesh.cpp"],
-    r"Inventor/.*": ["data/io/mesh/inventor_mesh.cpp"],
+    r"assimp/.*": ["data/io/foreign_mesh/assimp_mesh.cpp"],
+    r"Inventor/.*": ["data/io/foreign_mesh/inventor_mesh.cpp"],
     r"(urdf_(parser|model)|console_bridge)/.*": ["data/io/robot/urdf.cpp"],
     r"pugixml\.hpp": ["data/io/graspit/", "data/io/robot/", "data/io/world/",
-                      "data/io/mesh/collada_text.cpp", "tests/data/graspit/"],
+                      "data/io/foreign_mesh/collada_text.cpp", "tests/data/graspit/"],
     r"fcl/.*": ["grasp/contact/fcl_separation.cpp", "bench/"],
     r"(hdf5|H5).*": ["data/io/result_file.cpp", "tests/data/"],
     r"netcdf.*\.h": ["data/io/inference_file.cpp", "data/io/inference_file_read.cpp"],
@@ -60,7 +60,8 @@ FENCES = {
 }
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
 ANYWHERE = (r"Eigen/.*|fmt/.*|[a-z_0-9]+"
-            r"|(unistd|fcntl|dlfcn|sys/file|sys/resource|sys/stat|immintrin|cpuid)\.h")
+            r"|(unistd|fcntl|dlfcn|poll|spawn|immintrin|cpuid)\.h"
+            r"|sys/(file|resource|stat|prctl|wait)\.h")
 
 
 def one_of(name, prefixes):

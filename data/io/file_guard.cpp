@@ -14,7 +14,7 @@ constexpr std::size_t kMega = 1000 * 1000;
 
 // Sizes and counts keep what a parser takes below 1 GB, depths keep its recursion below 1 MB of
 // stack. The right column says what real files need.
-constexpr std::array<FileLimit, 7> kLimits{{
+constexpr std::array<FileLimit, 8> kLimits{{
     // kind, name, bytes, depth, values             largest real file known; memory at the limit
     {GuardedKind::kToml, "TOML", 8 * kMega, 32, 500'000},          // 50 kB, 5 deep; 500 B a value
     {GuardedKind::kJson, "JSON", 64 * kMega, 32, 2 * kMega},       // 5 MB, 8 deep; 100 B a value
@@ -23,6 +23,7 @@ constexpr std::array<FileLimit, 7> kLimits{{
     {GuardedKind::kMesh, "a mesh", 128 * kMega, 0, 0},             // 50 MB of a million triangles
     {GuardedKind::kResult, "HDF5", 256 * kMega, 0, 0},             // 10 MB
     {GuardedKind::kInference, "netCDF", 512 * kMega, 0, 0},  // 100 MB: 326 parameters, 16,000 draws
+    {GuardedKind::kCollada, "Collada", 128 * kMega, 128, 2 * kMega},  // 50 MB, 15 deep
 }};
 
 /// Counts nesting and values along a text, and refuses at the first place beyond a limit.
@@ -237,7 +238,7 @@ void guard_text(std::string_view text, const std::string& path, GuardedKind kind
   if (kind == GuardedKind::kToml) TomlNesting(text, counter).count();
   if (kind == GuardedKind::kJson) count_brackets(text, counter, false);
   if (kind == GuardedKind::kScene) count_brackets(text, counter, true);
-  if (kind == GuardedKind::kXml) count_tags(text, counter);
+  if (kind == GuardedKind::kXml || kind == GuardedKind::kCollada) count_tags(text, counter);
 }
 
 }  // namespace thenar

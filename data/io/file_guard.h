@@ -14,11 +14,12 @@ namespace thenar {
 enum class GuardedKind {
   kToml,       // brackets, braces, dotted keys and headers
   kJson,       // brackets and braces; the JSON of glTF too
-  kXml,        // tags: URDF, MJCF, GraspIt!, Collada
+  kXml,        // tags: URDF, MJCF, GraspIt!
   kScene,      // braces and brackets of VRML and Inventor
   kMesh,       // size alone: STL, PLY, OFF, OBJ, glTF buffers, textures
   kResult,     // size alone: HDF5
   kInference,  // size alone: netCDF
+  kCollada,    // tags around long lists of numbers
 };
 
 /// The limits of one kind; the table with its reasons is in file_guard.cpp.

@@ -35,13 +35,14 @@ inline std::string broken(std::string text, std::mt19937& rng) {
 }
 
 /// Reads broken copies of a file, each of which must give a result or a DataError.
-/// THENAR_BROKEN_FILES sets how many; 300 otherwise.
+/// THENAR_BROKEN_FILES sets how many; `usual` otherwise.
 /// @param path  where the copies stand, beside what the file names
 /// @param read  takes that path
 template <typename Read>
-void expect_no_harm(const std::string& text, const std::string& path, const Read& read) {
+void expect_no_harm(const std::string& text, const std::string& path, const Read& read,
+                    int usual = 300) {
   const char* wanted = std::getenv("THENAR_BROKEN_FILES");
-  const int count = wanted == nullptr ? 300 : std::atoi(wanted);
+  const int count = wanted == nullptr ? usual : std::atoi(wanted);
   std::mt19937 rng(1);
   int refused = 0;
   for (int i = 0; i < count; ++i) {

@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <regex>
 
 #include "base/error.h"
+#include "data/io/mesh/text_lines.h"
 
 namespace thenar {
 namespace {
@@ -29,9 +27,16 @@ bool holds_bytes(const std::string& text, bool exactly) {
   return exactly ? size == text.size() : size <= text.size();
 }
 
-TriangleSoup from_bytes(const std::string& text) {
+void require_few(std::size_t triangles, const std::string& path) {
+  if (triangles > kMostTriangles)
+    throw DataError(path, 1,
+                    fmt::format("wanted at most {} triangles, got {}", kMostTriangles, triangles));
+}
+
+TriangleSoup from_bytes(const std::string& text, const std::string& path) {
   TriangleSoup soup;
   const std::size_t count = number_at<std::uint32_t>(text, 80);
+  require_few(count, path);
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t at = kHead + kFacet * t + kNormal + 12 * k;
@@ -48,7 +53,6 @@ class Words {
 
   /// Empty at the end.
   std::string next() {
-    const auto is_space = [](char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; };
     for (; at_ < text_.size() && is_space(text_[at_]); ++at_) line_ += text_[at_] == '\n' ? 1 : 0;
     std::string word;
     for (; at_ < text_.size() && !is_space(text_[at_]); ++at_)
@@ -59,26 +63,45 @@ class Words {
   /// The name of a solid, of any words: the rest of the line, or, where all is on one, what stands
   /// before the first facet.
   void skip_name() {
-    static const std::regex facet(R"(\sfacet\s+normal\s)", std::regex::icase);
-    const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(at_);
-    const auto end = std::find(begin, text_.end(), '\n');
-    std::smatch found;
-    at_ += static_cast<std::size_t>(std::regex_search(begin, end, found, facet) ? found.position(0)
-                                                                                : end - begin);
+    const std::size_t end = std::min(text_.find('\n', at_), text_.size());
+    for (; at_ < end; ++at_) {
+      // White space, "facet", white space, "normal".
+      const std::size_t facet = skip_white(at_), normal = skip_white(facet + 5);
+      if (facet > at_ && normal > facet + 5 && normal < end && is_word(facet, "facet") &&
+          is_word(normal, "normal"))
+        return;
+      if (facet > at_) at_ = facet - 1;
+    }
+    at_ = end;
   }
 
   double number() {
     const std::string word = next();
-    char* end = nullptr;
-    const double value = std::strtod(word.c_str(), &end);
-    if (word.empty() || *end != '\0' || !std::isfinite(value))
-      fail(fmt::format("wanted three numbers after 'vertex', got '{}'", word));
+    double value = 0;
+    if (!parse_decimal(word, value))
+      fail(fmt::format("wanted three numbers after 'vertex', got {}", in_quotes(word)));
     return value;
   }
 
   [[noreturn]] void fail(const std::string& what) const { throw DataError(path_, line_, what); }
 
  private:
+  static bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+  [[nodiscard]] std::size_t skip_white(std::size_t at) const {
+    while (at < text_.size() && is_space(text_[at])) ++at;
+    return at;
+  }
+
+  /// Whether `word` stands there, in any case.
+  [[nodiscard]] bool is_word(std::size_t at, const std::string& word) const {
+    if (at + word.size() > text_.size()) return false;
+    return std::equal(word.begin(), word.end(), text_.begin() + static_cast<std::ptrdiff_t>(at),
+                      [](char a, char b) {
+                        return a == static_cast<char>(std::tolower(static_cast<unsigned char>(b)));
+                      });
+  }
+
   const std::string& text_;
   const std::string& path_;
   std::size_t at_ = 0;
@@ -100,6 +123,7 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
     if (word != "vertex") continue;
     const double x = words.number(), y = words.number(), z = words.number();
     soup.corners.emplace_back(x, y, z);
+    require_few(soup.corners.size() / 3, path);
   }
   if (open || soup.corners.size() % 3 != 0)
     words.fail("the file is cut off: 'endsolid' is missing");
@@ -119,8 +143,8 @@ bool is_text(const std::string& text) {
 }  // namespace
 
 TriangleSoup parse_stl(const std::string& text, const std::string& path) {
-  if (holds_bytes(text, true)) return from_bytes(text);
-  if (!is_text(text) && holds_bytes(text, false)) return from_bytes(text);
+  if (holds_bytes(text, true)) return from_bytes(text, path);
+  if (!is_text(text) && holds_bytes(text, false)) return from_bytes(text, path);
   if (!is_text(text) && text.size() >= kHead)
     throw DataError(path, 1,
                     fmt::format("wanted {} triangles of {} bytes after the heading, got {} bytes",

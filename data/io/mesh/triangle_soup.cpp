@@ -8,6 +8,8 @@
 namespace thenar {
 namespace {
 
+constexpr int kFarthest = 1'000'000;  // of a corner; squares and products stay numbers [m]
+
 /// Hands out one number for each place.
 class Vertices {
  public:
@@ -35,6 +37,9 @@ TriangleMesh merge_corners(const TriangleSoup& soup, double scale, const std::st
       const Eigen::Vector3d p = scale * soup.corners[i + static_cast<std::size_t>(k)];
       if (!p.allFinite())
         throw DataError(path, 1, fmt::format("triangle {} has a corner that is not finite", i / 3));
+      if (p.cwiseAbs().maxCoeff() > kFarthest)
+        throw DataError(path, 1,
+                        fmt::format("triangle {} has a corner beyond {} m", i / 3, kFarthest));
       t(k) = vertices.index_of(p);
     }
     if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0)) triangles.push_back(t);

@@ -11,16 +11,21 @@
 
 namespace thenar {
 
-/// Three corners for each triangle [unit of the file].
+/// Three corners for each triangle.
 struct TriangleSoup {
-  std::vector<Eigen::Vector3d> corners;
+  std::vector<Eigen::Vector3d> corners;  // [unit of the file]
+  // The file's own vertex at each corner; empty where corners share none, as in STL.
+  std::vector<int> vertices;
 };
+
+/// A file of more triangles is refused: a hand or an object has no need of them.
+constexpr std::size_t kMostTriangles = 2'000'000;
 
 /// The soup as a surface: corners at exactly the same place become one vertex, triangles of which
 /// two corners are the same vertex (and so without an area) are left out.
 /// @param scale  [m] per unit of the soup
 /// @param path   names the file in messages
-/// @throws DataError if no triangle is left, or a coordinate is not finite.
+/// @throws DataError if no triangle is left, or a coordinate is not finite or beyond 1e6 m.
 [[nodiscard]] TriangleMesh merge_corners(const TriangleSoup& soup, double scale,
                                          const std::string& path);
 

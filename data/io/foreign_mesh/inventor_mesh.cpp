@@ -1,6 +1,6 @@
 // The one fence of Coin.
 
-#include "data/io/mesh/inventor_mesh.h"
+#include "data/io/foreign_mesh/inventor_mesh.h"
 
 #include "base/error.h"
 
@@ -18,8 +18,8 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
 
 #else
 
+#include <algorithm>
 #include <array>
-#include <mutex>
 #include <regex>
 #include <utility>
 
@@ -35,42 +35,20 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoShapeHints.h>
 
+#include "data/io/foreign_mesh/one_folder.h"
+
 namespace thenar {
 namespace {
 
-/// Keeps what Coin would print while it reads.
-class Silence {
- public:
-  Silence()
-      : debug_(SoDebugError::getHandlerCallback()),
-        debug_data_(SoDebugError::getHandlerData()),
-        read_(SoReadError::getHandlerCallback()),
-        read_data_(SoReadError::getHandlerData()) {
-    SoDebugError::setHandlerCallback(swallow, nullptr);
-    SoReadError::setHandlerCallback(keep, this);
-  }
-  ~Silence() {
-    SoDebugError::setHandlerCallback(debug_, debug_data_);
-    SoReadError::setHandlerCallback(read_, read_data_);
-  }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+/// The first error of reading that Coin tells, into a std::string. Textures that are not there are
+/// none: a surface has no need of them.
+void keep_first(const SoError* error, void* first) {
+  const std::string said = error->getDebugString().getString();
+  std::string& kept = *static_cast<std::string*>(first);
+  if (kept.empty() && said.find("texture file") == std::string::npos) kept = said;
+}
 
-  [[nodiscard]] const std::string& first() const { return first_; }
-
- private:
-  static void swallow(const SoError* /*error*/, void* /*data*/) {}
-  static void keep(const SoError* error, void* data) {
-    std::string& first = static_cast<Silence*>(data)->first_;
-    if (first.empty()) first = error->getDebugString().getString();
-  }
-
-  SoErrorCB* debug_;
-  void* debug_data_;
-  SoErrorCB* read_;
-  void* read_data_;
-  std::string first_;
-};
+void swallow(const SoError* /*error*/, void* /*data*/) {}
 
 /// Coin says "Coin read error: WHAT\n\tOccurred at line N in FILE".
 [[noreturn]] void fail(const std::string& path, const std::string& said) {
@@ -92,8 +70,18 @@ bool is_clockwise(SoCallbackAction& action) {
   return action.getVertexOrdering() == SoShapeHints::CLOCKWISE;
 }
 
-void append_triangle(void* soup, SoCallbackAction* action, const SoPrimitiveVertex* a,
+/// Triangles as they come. Few bytes may stand for many, by shapes that Coin divides and by nodes
+/// used in many places; 100,000 are few enough.
+struct Collector {
+  TriangleSoup soup;
+  std::size_t most;
+};
+
+void append_triangle(void* data, SoCallbackAction* action, const SoPrimitiveVertex* a,
                      const SoPrimitiveVertex* b, const SoPrimitiveVertex* c) {
+  auto& [soup, most] = *static_cast<Collector*>(data);
+  if (soup.corners.size() >= 3 * most)
+    throw InputError(fmt::format("this file stands for more than {} triangles", most));
   const SbMatrix& place = action->getModelMatrix();
   std::array<Eigen::Vector3d, 3> corner;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -102,37 +90,33 @@ void append_triangle(void* soup, SoCallbackAction* action, const SoPrimitiveVert
     corner[k] = {p[0], p[1], p[2]};
   }
   if (is_clockwise(*action) != (place.det3() < 0)) std::swap(corner[1], corner[2]);
-  auto& corners = static_cast<TriangleSoup*>(soup)->corners;
-  corners.insert(corners.end(), corner.begin(), corner.end());
+  soup.corners.insert(soup.corners.end(), corner.begin(), corner.end());
 }
 
-SoSeparator* read_graph(const std::string& path) {
-  const Silence silence;
+SoSeparator* read_graph(const std::string& text, const std::string& path) {
+  std::string first_error;
+  SoDebugError::setHandlerCallback(swallow, nullptr);
+  SoReadError::setHandlerCallback(keep_first, &first_error);
   SoInput input;
-  SoSeparator* graph = nullptr;
-  if (input.openFile(path.c_str(), TRUE)) graph = SoDB::readAll(&input);
-  if (graph != nullptr) graph->ref();
-  if (graph == nullptr || !silence.first().empty()) {
-    if (graph != nullptr) graph->unref();
-    fail(path, silence.first());
-  }
+  input.setBuffer(text.data(), text.size());
+  SoSeparator* const graph = SoDB::readAll(&input);
+  if (graph == nullptr || !first_error.empty()) fail(path, first_error);
+  graph->ref();
   return graph;
 }
 
 }  // namespace
 
 TriangleSoup read_inventor_mesh(const std::string& path) {
-  static std::mutex one_at_a_time;  // Coin's error handlers and node types are global
-  const std::lock_guard lock(one_at_a_time);
-  if (!SoDB::isInitialized()) SoDB::init();
-
-  SoSeparator* graph = read_graph(path);
-  TriangleSoup soup;
+  const std::string text = read_one(path);
+  SoDB::init();
+  open_nothing();
+  SoSeparator* const graph = read_graph(text, path);
+  Collector found{{}, std::min(kMostTriangles, 100'000 + text.size())};
   SoCallbackAction action;
-  action.addTriangleCallback(SoShape::getClassTypeId(), append_triangle, &soup);
+  action.addTriangleCallback(SoShape::getClassTypeId(), append_triangle, &found);
   action.apply(graph);
-  graph->unref();
-  return soup;
+  return std::move(found.soup);
 }
 
 }  // namespace thenar

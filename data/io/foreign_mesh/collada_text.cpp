@@ -1,4 +1,4 @@
-#include "data/io/mesh/collada_text.h"
+#include "data/io/foreign_mesh/collada_text.h"
 
 #include <algorithm>
 #include <map>
@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "data/io/graspit/xml_walk.h"
 
 namespace thenar {
 namespace {
@@ -20,9 +21,13 @@ class Check {
 
   void run() {
     each(document_, [&](const pugi::xml_node& node) {
-      if (std::string(node.name()) == "float_array")
-        lengths_["#" + std::string(node.attribute("id").value())] = whole(node, "count", 0);
+      const std::string id = "#" + std::string(node.attribute("id").value());
+      if (std::string(node.name()) == "float_array") lengths_[id] = whole(node, "count", 0);
+      if (std::string(node.name()) == "node") nodes_.emplace(id, node);
+      require_own(node);
     });
+    if (placed(document_, 0) > kMostNodes)
+      fail_at(0, fmt::format("nodes in nodes stand for more than {} of them", kMostNodes));
     each(document_, [&](const pugi::xml_node& node) {
       if (std::string(node.name()) == "accessor") check_accessor(node);
       static const std::set<std::string> lists{"p", "h", "v", "vcount", "int_array"};
@@ -32,10 +37,8 @@ class Check {
 
  private:
   template <typename Visit>
-  // NOLINTNEXTLINE(misc-no-recursion): as deep as the file
-  static void each(const pugi::xml_node& node, const Visit& visit) {
-    visit(node);
-    for (const pugi::xml_node& child : node.children()) each(child, visit);
+  static void each(const pugi::xml_node& top, const Visit& visit) {
+    for (pugi::xml_node node = top; node; node = internal::next_below(top, node)) visit(node);
   }
 
   [[noreturn]] void fail_at(std::ptrdiff_t offset, const std::string& what) const {
@@ -53,6 +56,38 @@ class Check {
               fmt::format("wanted {} of <{}> in 0..{:.0e}, got '{}'", attribute, node.name(), kMost,
                           node.attribute(attribute).value()));
     return number;
+  }
+
+  /// Refuses what stands in another file: its own begins with '#'.
+  void require_own(const pugi::xml_node& node) const {
+    const std::string url = node.attribute("url").value();
+    if (std::string(node.name()).rfind("instance_", 0) == 0 && !url.empty() && url[0] != '#')
+      fail_at(node.offset_debug(),
+              fmt::format("<{}> names another file, which is not read: '{}'", node.name(), url));
+  }
+
+  /// How many nodes stand below one, each <instance_node> with all that it stands for.
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
+  double placed(const pugi::xml_node& top, int depth) {
+    constexpr int kDeepest = 100;
+    double count = 0;
+    each(top, [&](const pugi::xml_node& node) {
+      count += std::string(node.name()) == "node" ? 1 : 0;
+      if (std::string(node.name()) != "instance_node") return;
+      const auto other = nodes_.find(node.attribute("url").value());
+      if (other == nodes_.end()) return;
+      const auto [known, is_new] = placed_.emplace(other->first, -1);
+      if (!is_new && known->second < 0)
+        fail_at(node.offset_debug(), fmt::format("node '{}' stands in itself", other->first));
+      if (depth > kDeepest)
+        fail_at(node.offset_debug(), fmt::format("nodes stand more than {} deep", kDeepest));
+      if (is_new) {
+        const double inside = placed(other->second, depth + 1);
+        placed_[other->first] = inside;
+      }
+      count += placed_.at(other->first);
+    });
+    return count;
   }
 
   /// From each of the numbers offset, offset + stride .. of an array on, one for each parameter.
@@ -80,7 +115,10 @@ class Check {
   const std::string& text_;
   const std::string& path_;
   pugi::xml_document document_;
-  std::map<std::string, double> lengths_;  // of the arrays, by "#id"
+  static constexpr double kMostNodes = 1e5;
+  std::map<std::string, double> lengths_;        // of the arrays, by "#id"
+  std::map<std::string, pugi::xml_node> nodes_;  // by "#id"
+  std::map<std::string, double> placed_;         // nodes below each; negative: being counted
 };
 
 }  // namespace

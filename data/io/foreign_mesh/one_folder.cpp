@@ -1,0 +1,46 @@
+#include "data/io/foreign_mesh/one_folder.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <sys/resource.h>
+
+#include "data/io/file_guard.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// How many more files may be open: none, or as many as the system allows.
+void set_open_files(bool any) {
+  rlimit files{};
+  if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
+  files.rlim_cur = any ? files.rlim_max : 0;
+  (void)setrlimit(RLIMIT_NOFILE, &files);
+}
+
+}  // namespace
+
+void open_nothing() { set_open_files(false); }
+
+std::string read_one(const std::string& path) {
+  rlimit before{};
+  (void)getrlimit(RLIMIT_NOFILE, &before);
+  set_open_files(true);
+  std::string text = read_guarded(path, GuardedKind::kMesh);
+  (void)setrlimit(RLIMIT_NOFILE, &before);
+  return text;
+}
+
+bool is_in_folder_of(const std::string& path, const std::string& file) {
+  std::error_code none;
+  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), none);
+  if (none) return false;
+  const fs::path real = fs::canonical(file, none);
+  if (none || !fs::is_regular_file(real, none)) return false;
+  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
+         folder.end();
+}
+
+}  // namespace thenar

@@ -1,0 +1,132 @@
+#include "data/io/mesh/bounded_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Both ends of a pipe, closed with it.
+class Pipe {
+ public:
+  Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0, "no pipe: {}", std::strerror(errno)); }
+  ~Pipe() {
+    close_end(0);
+    close_end(1);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  [[nodiscard]] int end(std::size_t i) const { return ends_.at(i); }
+  void close_end(std::size_t i) {
+    if (ends_.at(i) >= 0) (void)close(ends_.at(i));
+    ends_.at(i) = -1;
+  }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+/// Starts the program with its output in a pipe. @return its process
+pid_t start(const std::vector<std::string>& command, int output) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&files, output, 1);
+  posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
+  posix_spawn_file_actions_addclosefrom_np(&files, 3);
+  // Signals as at the start of any program, whatever we have blocked or ignored.
+  sigset_t none, all;
+  sigemptyset(&none);
+  sigfillset(&all);
+  posix_spawnattr_setsigmask(&attributes, &none);
+  posix_spawnattr_setsigdefault(&attributes, &all);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes,
+                           POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+
+  std::vector<std::string> words = command;
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = -1;
+  const int error =
+      posix_spawn(&process, arguments[0], &files, &attributes, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&files);
+  posix_spawnattr_destroy(&attributes);
+  require(error == 0, "'{}' cannot be started: {}", command.at(0), std::strerror(error));
+  return process;
+}
+
+/// Reads until the other end is closed, or a limit is met.
+void read_all(int pipe, double seconds, std::size_t most, ProcessEnd& end) {
+  const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
+  std::array<char, 1 << 16> part;
+  while (true) {
+    const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
+    pollfd waiting{pipe, POLLIN, 0};
+    const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(1000 * left) + 1) : 0;
+    if (ready < 0 && errno == EINTR) continue;
+    end.too_long = ready == 0;
+    if (ready <= 0) return;
+    const ssize_t got = read(pipe, part.data(), part.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return;
+    end.output.append(part.data(), static_cast<std::size_t>(got));
+    end.too_much = end.output.size() > most;
+    if (end.too_much) return;
+  }
+}
+
+}  // namespace
+
+std::string ProcessEnd::trouble() const {
+  if (too_long || signal == SIGXCPU) return "took too long";
+  if (too_much) return "gave too much";
+  if (signal == SIGKILL) return "was killed";
+  if (signal != 0) return fmt::format("crashed ({})", strsignal(signal));
+  return exit_code == 0 ? "" : fmt::format("ended with status {}", exit_code);
+}
+
+ProcessEnd run_bounded(const std::vector<std::string>& command, double seconds, std::size_t most) {
+  Pipe pipe;
+  const pid_t process = start(command, pipe.end(1));
+  pipe.close_end(1);
+  ProcessEnd end;
+  read_all(pipe.end(0), seconds, most, end);
+  if (end.too_long || end.too_much) (void)kill(process, SIGKILL);
+  pipe.close_end(0);
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0)
+    if (errno != EINTR) return end;  // children are not waited for here: the output must tell
+  if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
+  if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
+  return end;
+}
+
+void end_with_parent() {
+  const pid_t parent = getppid();
+  (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);  // it has ended already
+}
+
+}  // namespace thenar

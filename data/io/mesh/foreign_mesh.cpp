@@ -1,0 +1,162 @@
+#include "data/io/mesh/foreign_mesh.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "base/error.h"
+#include "data/io/file_guard.h"
+#include "data/io/mesh/bounded_process.h"
+#include "data/io/mesh/reader_answer.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr const char* kProgram = "thenar-mesh-reader";
+
+/// Where the program may be, best first.
+std::vector<fs::path> reader_places() {
+  const char* const named = std::getenv("THENAR_MESH_READER");
+  if (named != nullptr && *named != '\0') return {named};
+  std::vector<fs::path> places;
+  std::error_code unknown;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
+  if (!unknown) places.push_back(self.parent_path() / kProgram);
+  places.push_back(fs::path(THENAR_READER_BUILT) / kProgram);
+  places.push_back(fs::path(THENAR_READER_INSTALLED) / kProgram);
+  const char* const path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (!folder.empty()) places.push_back(fs::path(folder) / kProgram);
+  return places;
+}
+
+// ---- what a scene of VRML or Inventor may not hold
+
+/// Walks over the words of a scene, without texts and comments.
+class SceneWords {
+ public:
+  SceneWords(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+
+  /// The next word, or one of the signs {}[]; empty at the end.
+  std::string_view next() {
+    constexpr std::string_view kSigns = "{}[]", kBetween = " \t\r\n,";
+    while (at_ < text_.size()) {
+      const char c = text_[at_];
+      if (c == '#') {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (c == '"') {
+        skip_text();
+      } else if (kBetween.find(c) != std::string_view::npos) {
+        line_ += c == '\n' ? 1 : 0;
+        ++at_;
+      } else {
+        const std::size_t begin = at_++;
+        if (kSigns.find(c) == std::string_view::npos)
+          while (at_ < text_.size() && kSigns.find(text_[at_]) == std::string_view::npos &&
+                 kBetween.find(text_[at_]) == std::string_view::npos && text_[at_] != '"')
+            ++at_;
+        return text_.substr(begin, at_ - begin);
+      }
+    }
+    return {};
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { throw DataError(path_, line_, what); }
+
+ private:
+  void skip_text() {
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+      if (text_[at_] == '\\') ++at_;
+      line_ += at_ < text_.size() && text_[at_] == '\n' ? 1 : 0;
+    }
+    at_ = std::min(at_ + 1, text_.size());
+  }
+
+  std::string_view text_;
+  const std::string& path_;
+  std::size_t at_ = 0;
+  int line_ = 1;
+};
+
+/// Nodes that stand for another file.
+bool includes_file(std::string_view node) {
+  for (const std::string_view other : {"File", "SoFile", "Inline", "WWWInline", "VRMLInline"})
+    if (node == other) return true;
+  return false;
+}
+
+void refuse_inclusion(std::string_view text, const std::string& path) {
+  SceneWords words(text, path);
+  std::string_view before = words.next();
+  for (std::string_view word; !before.empty(); before = word) {
+    word = words.next();
+    if ((word == "{" && includes_file(before)) || before == "EXTERNPROTO")
+      words.fail(
+          fmt::format("<{}> puts another file in its place, which is not read: write the "
+                      "scene into one file, or turn it into an OBJ",
+                      before));
+  }
+}
+
+// ---- what any such file may not hold
+
+/// The JSON inside of a GLB, which stands behind its heading; empty if it is none.
+std::string_view json_of_glb(std::string_view bytes) {
+  constexpr std::size_t kHead = 20;
+  if (bytes.size() < kHead || bytes.substr(0, 4) != "glTF") return {};
+  std::uint32_t size = 0;
+  std::memcpy(&size, bytes.data() + 12, sizeof(size));
+  return bytes.substr(kHead, size);
+}
+
+/// Holds a file against its limits before the program sees it.
+void guard(const std::string& path, MeshFormat format) {
+  if (format == MeshFormat::kCollada) {
+    (void)read_guarded(path, GuardedKind::kCollada);
+  } else if (format == MeshFormat::kGltf) {
+    const std::string text = read_guarded(path, GuardedKind::kMesh);
+    const bool bytes = text.compare(0, 4, "glTF") == 0;
+    guard_text(bytes ? json_of_glb(text) : text, path, GuardedKind::kJson);
+  } else {
+    refuse_inclusion(read_guarded(path, GuardedKind::kScene), path);
+  }
+}
+
+}  // namespace
+
+std::string find_mesh_reader() {
+  for (const fs::path& place : reader_places())
+    if (access(place.c_str(), X_OK) == 0) return place.string();
+  return "";
+}
+
+TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format) {
+  const MeshReaderLimits limits;
+  guard(path, format);
+  const std::string program = find_mesh_reader();
+  if (program.empty())
+    throw DataError(path, 1,
+                    fmt::format("glTF, Collada, VRML and Inventor are read by the program {}, "
+                                "which is not there: install it beside the command, or name it "
+                                "with THENAR_MESH_READER",
+                                kProgram));
+  const ProcessEnd end =
+      run_bounded({program, path}, limits.clock_seconds, kMostTriangles * 36 + 1000);
+  // An answer says more than how the program ended, which may be by a crash behind it.
+  const std::string trouble = end.trouble();
+  if (!trouble.empty())
+    throw DataError(path, 1,
+                    fmt::format("cannot be read: the program that reads it {}; it may take {} s "
+                                "of the processor and {} MB",
+                                trouble, limits.processor_seconds, limits.memory >> 20));
+  return parse_answer(end.output, path);
+}
+
+}  // namespace thenar

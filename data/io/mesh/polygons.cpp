@@ -1,0 +1,142 @@
+#include "data/io/mesh/polygons.h"
+
+#include <array>
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+// Cutting a polygon takes as many steps as it has corners times those that turn inwards; a file of
+// a million quadrangles needs 4e6, a crafted one could ask for 1e15.
+constexpr double kMostSteps = 1e8;
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+/// The corners along the polygon's own normal, counterclockwise.
+std::vector<Eigen::Vector2d> flattened(const std::vector<Eigen::Vector3d>& corner) {
+  // Newell: twice the area vector, whatever the polygon's form.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < corner.size(); ++i)
+    normal += (corner[i] - corner[0]).cross(corner[(i + 1) % corner.size()] - corner[0]);
+  Eigen::Index away = 0;
+  normal.cwiseAbs().maxCoeff(&away);
+  const Eigen::Index x = (away + 1) % 3, y = (away + 2) % 3;
+  const double side = normal[away] < 0 ? -1 : 1;
+  std::vector<Eigen::Vector2d> flat;
+  flat.reserve(corner.size());
+  for (const Eigen::Vector3d& p : corner)
+    flat.emplace_back(side * (p[x] - corner[0][x]), p[y] - corner[0][y]);
+  return flat;
+}
+
+class Cutter {
+ public:
+  Cutter(const Polygons& polygons, const std::string& path) : polygons_(polygons), path_(path) {}
+
+  TriangleSoup run() {
+    const int* corners = polygons_.corners.data();
+    for (face_ = 0; face_ < polygons_.sizes.size(); ++face_) {
+      const int size = polygons_.sizes[face_];
+      if (size >= 3) cut(std::vector<int>(corners, corners + size));
+      corners += size;
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw DataError(path_, polygons_.lines[face_], what);
+  }
+
+  void append(int a, int b, int c) {
+    if (soup_.corners.size() >= 3 * kMostTriangles)
+      fail(fmt::format("wanted at most {} triangles, got more", kMostTriangles));
+    for (const int corner : {a, b, c}) {
+      soup_.corners.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
+      soup_.vertices.push_back(corner);
+    }
+  }
+
+  void cut(const std::vector<int>& face) {
+    const int count = static_cast<int>(polygons_.vertices.size());
+    for (const int corner : face)
+      if (corner < 0 || corner >= count)
+        fail(fmt::format("a face has corner {}, and there are {} vertices, counted from 0", corner,
+                         count));
+    if (face.size() == 3) return append(face[0], face[1], face[2]);
+    std::vector<Eigen::Vector3d> place;
+    for (const int corner : face)
+      place.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
+    cut_ears(face, flattened(place));
+  }
+
+  /// Takes off one corner after the other whose triangle holds no corner that turns inwards.
+  void cut_ears(const std::vector<int>& face, const std::vector<Eigen::Vector2d>& flat) {
+    std::vector<std::size_t> left(face.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
+    const auto turn = [&](std::size_t i) {
+      const Eigen::Vector2d& here = flat[left[i]];
+      return cross(here - flat[left[(i + left.size() - 1) % left.size()]],
+                   flat[left[(i + 1) % left.size()]] - here);
+    };
+    std::vector<std::size_t> inward;
+    for (std::size_t i = 0; i < left.size(); ++i)
+      if (turn(i) < 0) inward.push_back(i);
+    if (inward.empty()) return fan(face);
+
+    const auto is_ear = [&](std::size_t i) {
+      if (!(turn(i) > 0)) return false;
+      const std::size_t a = left[(i + left.size() - 1) % left.size()], b = left[i],
+                        c = left[(i + 1) % left.size()];
+      for (const std::size_t k : inward) {
+        ++steps_;
+        if (k == a || k == b || k == c || face[k] == face[a] || face[k] == face[c]) continue;
+        const Eigen::Vector2d& p = flat[k];
+        if (cross(flat[b] - flat[a], p - flat[a]) >= 0 &&
+            cross(flat[c] - flat[b], p - flat[b]) >= 0 &&
+            cross(flat[a] - flat[c], p - flat[c]) >= 0)
+          return false;
+      }
+      return true;
+    };
+    std::size_t at = 1;
+    while (left.size() > 3) {
+      // Where none is left, as in polygons that cross themselves, any corner does.
+      std::size_t tried = 0;
+      for (; tried < left.size() && !is_ear(at % left.size()); ++tried) ++at;
+      steps_ += static_cast<double>(tried + left.size());
+      if (steps_ > kMostSteps)
+        fail(fmt::format("wanted faces that are convex or have few corners, got one of {}",
+                         face.size()));
+      at %= left.size();
+      append(face[left[(at + left.size() - 1) % left.size()]], face[left[at]],
+             face[left[(at + 1) % left.size()]]);
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(at));
+    }
+    append(face[left[0]], face[left[1]], face[left[2]]);
+  }
+
+  void fan(const std::vector<int>& face) {
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) append(face[0], face[k], face[k + 1]);
+  }
+
+  const Polygons& polygons_;
+  const std::string& path_;
+  std::size_t face_ = 0;
+  double steps_ = 0;
+  TriangleSoup soup_;
+};
+
+}  // namespace
+
+TriangleSoup cut_polygons(const Polygons& polygons, const std::string& path) {
+  return Cutter(polygons, path).run();
+}
+
+}  // namespace thenar

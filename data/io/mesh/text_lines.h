@@ -1,0 +1,54 @@
+#pragma once
+
+/// The lines and words of a mesh file in text.
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace thenar {
+
+/// A walk over lines that hold something, and over the words of each. Comments from # to the end
+/// of a line are left out; a line that ends in a backslash goes on in the next. Takes no memory.
+class TextLines {
+ public:
+  /// @param text  must outlive this
+  /// @param path  names the file in messages; must outlive this
+  TextLines(std::string_view text, const std::string& path) : text_(text), path_(path) {}
+
+  /// Goes on to the next line. @return false at the end of the text
+  [[nodiscard]] bool next();
+
+  /// The next word of the line; empty at its end.
+  [[nodiscard]] std::string_view word();
+
+  /// The next word as a finite number. @throws DataError
+  [[nodiscard]] double number();
+
+  /// The next word as a whole number in lower..upper. @throws DataError
+  [[nodiscard]] int whole(int lower, int upper);
+
+  /// Where the line begins, from 1.
+  [[nodiscard]] int line() const { return line_; }
+
+  /// The bytes behind the line.
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  std::string_view text_;
+  const std::string& path_;
+  std::string_view rest_;  // of the line
+  std::size_t next_ = 0;   // where the next line begins
+  int line_ = 0, next_line_ = 1;
+};
+
+/// A word in a message, cut where it is long.
+[[nodiscard]] std::string in_quotes(std::string_view word);
+
+/// A decimal number, all of it and finite, with or without a sign; "1e-400" is 0.
+/// @return false if it is none
+[[nodiscard]] bool parse_decimal(std::string_view word, double& value);
+
+}  // namespace thenar
