@@ -12,7 +12,9 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "data/io/toml_node.h"
+#include "base/read_file.h"
+#include "data/io/file_guard.h"
+#include "data/io/graspit/xml_walk.h"
 
 namespace thenar {
 namespace {
@@ -29,25 +31,30 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): as deep as the file
-void rename(pugi::xml_node node, const std::map<std::string, std::string>& names) {
-  const auto found = names.find(lower_case(node.name()));
-  if (found != names.end() && found->second != node.name()) node.set_name(found->second.c_str());
-  for (const pugi::xml_node child : node.children()) rename(child, names);
+void rename(const pugi::xml_node& top, const std::map<std::string, std::string>& names) {
+  for (pugi::xml_node node = top; node; node = internal::next_below(top, node)) {
+    const auto found = names.find(lower_case(node.name()));
+    if (found != names.end() && found->second != node.name()) node.set_name(found->second.c_str());
+  }
 }
 
 }  // namespace
 
 struct XmlFile::Document {
   pugi::xml_document xml;
+  std::vector<std::ptrdiff_t> line_ends;  // of the text, ascending
 };
 
-XmlFile::XmlFile(const std::string& path) : XmlFile(read_text_file(path), path) {}
+XmlFile::XmlFile(const std::string& path)
+    : XmlFile(read_file(path, limit_of(GuardedKind::kXml).bytes), path) {}
 
 XmlFile::XmlFile(std::string text, std::string path)
     : text_(std::move(text)), path_(std::move(path)), document_(std::make_unique<Document>()) {
+  guard_text(text_, path_, GuardedKind::kXml);
   const pugi::xml_parse_result result = document_->xml.load_buffer(text_.data(), text_.size());
   if (!result) throw DataError(path_, line_at(text_, result.offset), result.description());
+  for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
+    document_->line_ends.push_back(static_cast<std::ptrdiff_t>(at));
 }
 
 XmlFile::~XmlFile() = default;
@@ -63,7 +70,11 @@ void XmlFile::settle_case(const std::string& names) {
 
 std::string XmlFile::root_name() const { return root().name(); }
 
-int XmlFile::line(const pugi::xml_node& node) const { return line_at(text_, node.offset_debug()); }
+int XmlFile::line(const pugi::xml_node& node) const {
+  const std::vector<std::ptrdiff_t>& ends = document_->line_ends;
+  return 1 + static_cast<int>(std::lower_bound(ends.begin(), ends.end(), node.offset_debug()) -
+                              ends.begin());
+}
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
   throw DataError(path_, line(node), what);

@@ -161,6 +161,8 @@ void check_dof(const RobotDof& dof) {
 
 void check_robot(const RobotSpec& robot) {
   require(!robot.links.empty(), "robot '{}' has no link", robot.name);
+  require(robot.links.size() <= kMostLinks, "robot '{}' has {} links, more than {}", robot.name,
+          robot.links.size(), kMostLinks);
   require_own_names(robot.links, "link");
   require_own_names(robot.joints, "joint");
   require_own_names(robot.dofs, "degree of freedom");

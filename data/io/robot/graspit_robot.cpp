@@ -24,6 +24,8 @@ namespace fs = std::filesystem;
 using internal::Range;
 using internal::Unread;
 
+constexpr std::size_t kLongestDrive = 200;  // letters of a drive
+
 /// How many joints of its chain a link takes.
 const std::map<std::string, int> kJointsOfLink{
     {"Fixed", 0}, {"Revolute", 1}, {"Prismatic", 1}, {"Universal", 2}, {"Ball", 3}};
@@ -323,6 +325,9 @@ GraspitDrive parse_graspit_drive(const std::string& text) {
   static const std::regex plain(R"(\s*([+-]?)\s*)" + number + R"(\s*)");
   std::smatch part;
   GraspitDrive drive;
+  // Such expressions are matched by recursion, a step a letter.
+  require(text.size() <= kLongestDrive, "wanted a number or 'dK*ratio+offset', got {} letters",
+          text.size());
   const auto value = [&](std::size_t sign, std::size_t digits, double otherwise) {
     if (!part[digits].matched) return otherwise;
     return (part[sign] == "-" ? -1 : 1) * std::strtod(part[digits].str().c_str(), nullptr);

@@ -1,6 +1,7 @@
 #include "data/io/robot/import_warnings.h"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -23,14 +24,15 @@ int weight(const std::string& warning) {
 
 std::vector<std::string> by_weight(const std::vector<std::string>& warnings) {
   std::vector<std::string> once;
+  std::map<std::string, int> times;
   for (const std::string& warning : warnings)
-    if (std::find(once.begin(), once.end(), warning) == once.end()) once.push_back(warning);
+    if (++times[warning] == 1) once.push_back(warning);
   std::stable_sort(once.begin(), once.end(), [](const std::string& a, const std::string& b) {
     return weight(a) < weight(b);
   });
   for (std::string& warning : once)
-    if (const auto times = std::count(warnings.begin(), warnings.end(), warning); times > 1)
-      warning += fmt::format(" ({} times)", times);
+    if (const int count = times.at(warning); count > 1)
+      warning += fmt::format(" ({} times)", count);
   return once;
 }
 

@@ -77,13 +77,9 @@ std::string required_text(const XmlFile& file, const pugi::xml_node& node, const
 
 void Unread::note(const pugi::xml_node& node, const std::string& what) {
   const int line = file_.line(node);
-  const auto same = std::find_if(entries_.begin(), entries_.end(),
-                                 [&](const Entry& entry) { return entry.what == what; });
-  if (same == entries_.end()) {
-    entries_.push_back({what, {line}});
-  } else {
-    same->lines.push_back(line);
-  }
+  const auto [at, is_new] = by_what_.emplace(what, entries_.size());
+  if (is_new) entries_.push_back({what, {}});
+  entries_[at->second].lines.push_back(line);
 }
 
 std::vector<std::string> Unread::warnings() const {

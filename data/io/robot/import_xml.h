@@ -2,6 +2,7 @@
 
 /// Numbers in the attributes of XML, and what of a file was not read. Only sources include this.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,7 @@ class Unread {
   };
   const XmlFile& file_;
   std::vector<Entry> entries_;
+  std::map<std::string, std::size_t> by_what_;  // where each stands among the entries
 };
 
 }  // namespace thenar::internal

@@ -94,6 +94,8 @@ class BodyTree {
   }
 
   void add_body(const Part& part, const std::string& parent) {
+    if (robot_.links.size() >= kMostLinks)
+      source_.file.fail(part.node, fmt::format("wanted at most {} bodies, got more", kMostLinks));
     const std::string childclass =
         part.node.attribute("childclass").as_string(part.childclass.c_str());
     RobotLink link;

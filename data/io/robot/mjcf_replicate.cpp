@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "data/io/graspit/xml_walk.h"
 #include "data/io/robot/import_xml.h"
 
 namespace thenar::internal {
@@ -27,43 +28,41 @@ std::string kind_named_by(const std::string& attribute) {
 }
 
 long elements_in(const pugi::xml_node& node) {
-  long count = 0;
-  for (const pugi::xml_node child : node.children()) count += 1 + elements_in(child);
+  long count = -1;
+  for (pugi::xml_node at = node; at; at = next_below(node, at)) ++count;
   return count;
 }
 
 void collect_joints(const pugi::xml_node& node, std::set<std::string>& names) {
-  for (const pugi::xml_node child : node.children()) {
-    if (std::string(child.name()) == "joint") names.insert(child.attribute("name").value());
-    collect_joints(child, names);
-  }
+  for (pugi::xml_node at = node; at; at = next_below(node, at))
+    if (std::string(at.name()) == "joint") names.insert(at.attribute("name").value());
 }
 
 void append(pugi::xml_attribute attribute, const std::string& suffix) {
   if (attribute) attribute = (attribute.value() + suffix).c_str();
 }
 
-void rename(pugi::xml_node node, const std::string& suffix) {
-  append(node.attribute("name"), suffix);
-  for (const pugi::xml_node child : node.children()) rename(child, suffix);
+void rename(const pugi::xml_node& top, const std::string& suffix) {
+  for (pugi::xml_node node = top; node; node = next_below(top, node))
+    append(node.attribute("name"), suffix);
 }
 
-bool names_one_of(const pugi::xml_node& node, const Names& names) {
-  for (const pugi::xml_attribute attribute : node.attributes()) {
-    const auto kind = names.find(kind_named_by(attribute.name()));
-    if (kind != names.end() && kind->second.count(attribute.value()) > 0) return true;
-  }
-  for (const pugi::xml_node child : node.children())
-    if (names_one_of(child, names)) return true;
+bool names_one_of(const pugi::xml_node& top, const Names& names) {
+  for (pugi::xml_node node = top; node; node = next_below(top, node))
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const auto kind = names.find(kind_named_by(attribute.name()));
+      if (kind != names.end() && kind->second.count(attribute.value()) > 0) return true;
+    }
   return false;
 }
 
-void point_to_copies(pugi::xml_node node, const Names& names, const std::string& suffix) {
-  for (const pugi::xml_attribute attribute : node.attributes()) {
-    const auto kind = names.find(kind_named_by(attribute.name()));
-    if (kind != names.end() && kind->second.count(attribute.value()) > 0) append(attribute, suffix);
-  }
-  for (const pugi::xml_node child : node.children()) point_to_copies(child, names, suffix);
+void point_to_copies(const pugi::xml_node& top, const Names& names, const std::string& suffix) {
+  for (pugi::xml_node node = top; node; node = next_below(top, node))
+    for (const pugi::xml_attribute attribute : node.attributes()) {
+      const auto kind = names.find(kind_named_by(attribute.name()));
+      if (kind != names.end() && kind->second.count(attribute.value()) > 0)
+        append(attribute, suffix);
+    }
 }
 
 class Replicates {
@@ -92,11 +91,15 @@ class Replicates {
     return static_cast<int>(count);
   }
 
-  void copy(pugi::xml_node parent, pugi::xml_node node) {
-    const int count = count_of(node);
-    elements_ += (elements_in(node) + count) * count;
+  void count_elements(const pugi::xml_node& node, long each, std::size_t copies) {
+    elements_ += each * static_cast<long>(copies);
     if (elements_ > kMostElements)
       file_.fail(node, fmt::format("<replicate> makes more than {} elements", kMostElements));
+  }
+
+  void copy(pugi::xml_node parent, pugi::xml_node node) {
+    const int count = count_of(node);
+    count_elements(node, elements_in(node) + count, static_cast<std::size_t>(count));
     Names names;
     collect_joints(node, names["joint"]);
     names["joint"].erase("");
@@ -126,12 +129,13 @@ class Replicates {
     return frame;
   }
 
-  static void copy_references(pugi::xml_node section, Names& names,
-                              const std::vector<std::string>& suffixes, const std::string& kind) {
+  void copy_references(pugi::xml_node section, Names& names,
+                       const std::vector<std::string>& suffixes, const std::string& kind) {
     for (pugi::xml_node element = section.first_child(); element;) {
       const pugi::xml_node next = element.next_sibling();
       if (names_one_of(element, names)) {
         if (kind == "tendon") names[kind].insert(element.attribute("name").value());
+        count_elements(element, elements_in(element) + 1, suffixes.size());
         for (const std::string& suffix : suffixes) {
           pugi::xml_node copied = section.insert_copy_before(element, element);
           append(copied.attribute("name"), suffix);

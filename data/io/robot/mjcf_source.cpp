@@ -8,11 +8,14 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "data/io/graspit/xml_walk.h"
 
 namespace thenar::internal {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kDeepest = 128;  // elements around an <include>, as in a file at most
 
 /// All actuators share their defaults.
 std::string default_kind(const std::string& element) {
@@ -24,29 +27,31 @@ std::string default_kind(const std::string& element) {
   return element;
 }
 
-void expand(const XmlFile& file, pugi::xml_node node, std::set<std::string>& open) {
-  for (pugi::xml_node child = node.first_child(); child;) {
-    const pugi::xml_node next = child.next_sibling();
-    if (std::string(child.name()) == "include") {
-      const fs::path wanted =
-          fs::path(file.path()).parent_path() / required_text(file, child, "file");
-      const std::string path = wanted.lexically_normal().string();
-      if (!fs::is_regular_file(path)) file.fail(child, fmt::format("there is no file '{}'", path));
-      if (!open.insert(path).second) file.fail(child, fmt::format("'{}' is included twice", path));
-      const XmlFile included(path);
-      pugi::xml_node holder = node.insert_child_before("included", child);
-      for (const pugi::xml_node part : included.root().children()) holder.append_copy(part);
-      node.remove_child(child);
-      expand(file, holder, open);
-      while (const pugi::xml_node part = holder.first_child()) {
-        node.insert_move_before(part, holder);
-      }
-      node.remove_child(holder);
-    } else {
-      expand(file, child, open);
-    }
-    child = next;
+int depth_of(pugi::xml_node node) {
+  int depth = 0;
+  while ((node = node.parent())) ++depth;
+  return depth;
+}
+
+/// Puts the content of one included file in its place. @return where to go on
+pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
+                      std::set<std::string>& open) {
+  const fs::path wanted =
+      fs::path(file.path()).parent_path() / required_text(file, include, "file");
+  const std::string path = wanted.lexically_normal().string();
+  if (!fs::is_regular_file(path)) file.fail(include, fmt::format("there is no file '{}'", path));
+  if (!open.insert(path).second) file.fail(include, fmt::format("'{}' is included twice", path));
+  if (depth_of(include) > kDeepest)
+    file.fail(include, fmt::format("<include> stands more than {} elements deep", kDeepest));
+  const XmlFile included(path);
+  pugi::xml_node parent = include.parent(), first;
+  for (const pugi::xml_node part : included.root().children()) {
+    const pugi::xml_node copied = parent.insert_copy_before(part, include);
+    if (!first) first = copied;
   }
+  if (!first) first = parent.insert_child_before(pugi::node_pcdata, include);
+  parent.remove_child(include);
+  return first;
 }
 
 void read_compiler(MjcfCompiler& compiler, const XmlFile& file, Unread& unread,
@@ -94,33 +99,35 @@ Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string&
 }  // namespace
 
 void MjcfDefaults::read(const XmlFile& file, const pugi::xml_node& root) {
-  classes_[""];
   for (const pugi::xml_node node : root.children("default")) {
-    read_class(file, node, "", classes_[""]);
-    classes_[node.attribute("class").as_string("main")] = classes_[""];
+    read_class(file, node, 0);
+    by_name_[node.attribute("class").as_string("main")] = 0;
   }
 }
 
-void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node,
-                              const std::string& name, const Class& above) {
-  Class own = above;
+void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own) {
   for (const pugi::xml_node element : node.children())
-    for (const pugi::xml_attribute attribute : element.attributes())
-      own[default_kind(element.name())][attribute.name()] = attribute.value();
-  own.erase("default");
-  classes_[name] = own;
-  for (const pugi::xml_node nested : node.children("default"))
-    read_class(file, nested, required_text(file, nested, "class"), own);
+    if (std::string(element.name()) != "default")
+      for (const pugi::xml_attribute attribute : element.attributes())
+        classes_[own].values[{default_kind(element.name()), attribute.name()}] = attribute.value();
+  for (const pugi::xml_node nested : node.children("default")) {
+    const std::size_t index = classes_.size();
+    classes_.push_back({{}, own});
+    by_name_[required_text(file, nested, "class")] = index;
+    read_class(file, nested, index);
+  }
 }
 
 const std::string* MjcfDefaults::find(const std::string& name_of_class, const std::string& element,
                                       const std::string& attribute) const {
-  const auto in_class = classes_.find(name_of_class);
-  if (in_class == classes_.end()) return nullptr;
-  const auto of_element = in_class->second.find(default_kind(element));
-  if (of_element == in_class->second.end()) return nullptr;
-  const auto value = of_element->second.find(attribute);
-  return value == of_element->second.end() ? nullptr : &value->second;
+  const auto start = by_name_.find(name_of_class);
+  if (start == by_name_.end()) return nullptr;
+  const std::pair<std::string, std::string> wanted{default_kind(element), attribute};
+  for (std::size_t at = start->second; at != kNone; at = classes_[at].above) {
+    const auto value = classes_[at].values.find(wanted);
+    if (value != classes_[at].values.end()) return &value->second;
+  }
+  return nullptr;
 }
 
 bool makes_bodies(const pugi::xml_node& node) {
@@ -129,19 +136,22 @@ bool makes_bodies(const pugi::xml_node& node) {
 }
 
 bool lacks_joints(const pugi::xml_node& root) {
-  for (const pugi::xml_node node : root.children()) {
+  for (pugi::xml_node node = root; node; node = next_below(root, node)) {
     const std::string type = node.attribute("type").value();
     const bool other_joint =
         std::string(node.name()) == "freejoint" ||
         (std::string(node.name()) == "joint" && (type == "ball" || type == "free"));
-    if (other_joint || makes_bodies(node) || lacks_joints(node)) return true;
+    if (other_joint || makes_bodies(node)) return true;
   }
   return false;
 }
 
 void expand_includes(const XmlFile& file) {
   std::set<std::string> open{fs::path(file.path()).lexically_normal().string()};
-  expand(file, file.root(), open);
+  const pugi::xml_node root = file.root();
+  for (pugi::xml_node node = root; node;)
+    node = std::string(node.name()) == "include" && node != root ? expand(file, node, open)
+                                                                 : next_below(root, node);
 }
 
 MjcfCompiler read_compiler(const XmlFile& file, Unread& unread) {

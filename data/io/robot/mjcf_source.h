@@ -36,13 +36,18 @@ class MjcfDefaults {
   [[nodiscard]] const std::string* find(const std::string& name_of_class,
                                         const std::string& element,
                                         const std::string& attribute) const;
-  [[nodiscard]] bool has_class(const std::string& name) const { return classes_.count(name) > 0; }
+  [[nodiscard]] bool has_class(const std::string& name) const { return by_name_.count(name) > 0; }
 
  private:
-  using Class = std::map<std::string, std::map<std::string, std::string>>;
-  void read_class(const XmlFile& file, const pugi::xml_node& node, const std::string& name,
-                  const Class& above);
-  std::map<std::string, Class> classes_;
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  /// What a class says itself; the class around it says the rest.
+  struct Class {
+    std::map<std::pair<std::string, std::string>, std::string> values;  // by element and attribute
+    std::size_t above = kNone;                                          // among the classes
+  };
+  void read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own);
+  std::vector<Class> classes_{1};  // the outermost first
+  std::map<std::string, std::size_t> by_name_{{"", 0}};
 };
 
 struct MjcfSource {

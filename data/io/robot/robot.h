@@ -77,6 +77,9 @@ struct RobotApproach {
   Eigen::Vector3d direction{0, 0, 1};  // unit, in the base link (3)
 };
 
+/// A robot of more links is refused: checks of trees and couplings take the square of them.
+constexpr std::size_t kMostLinks = 1000;
+
 /// Joints stand parents before children; the first link is the base.
 struct RobotSpec {
   std::string name;

@@ -9,6 +9,9 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
+#include "data/io/graspit/xml_walk.h"
+#include "data/io/robot/robot.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -38,7 +41,7 @@ const std::map<std::string, std::set<std::string>> kRead{
     {"collision", {"origin", "geometry"}},
     {"geometry", {"box", "cylinder", "sphere", "mesh", "capsule"}}};
 
-void refuse_xacro(const XmlFile& file, pugi::xml_node node) {
+void refuse_xacro_at(const XmlFile& file, const pugi::xml_node& node) {
   if (std::string(node.name()).rfind("xacro:", 0) == 0)
     file.fail(node, fmt::format("<{}> is a xacro macro; expand it first: xacro IN > OUT.urdf",
                                 node.name()));
@@ -49,8 +52,11 @@ void refuse_xacro(const XmlFile& file, pugi::xml_node node) {
           node,
           fmt::format("'{}' is a xacro expression; expand it first: xacro IN > OUT.urdf", value));
   }
-  for (const pugi::xml_node child : node.children())
-    if (child.type() == pugi::node_element) refuse_xacro(file, child);
+}
+
+void refuse_xacro(const XmlFile& file, const pugi::xml_node& top) {
+  for (pugi::xml_node node = top; node; node = next_below(top, node))
+    if (node.type() == pugi::node_element) refuse_xacro_at(file, node);
 }
 
 void take_out_unread(Unread& unread, pugi::xml_node node) {
@@ -70,7 +76,7 @@ void take_out_unread(Unread& unread, pugi::xml_node node) {
   }
 }
 
-void check_numbers(const XmlFile& file, pugi::xml_node node) {
+void check_numbers_at(const XmlFile& file, const pugi::xml_node& node) {
   for (const Numbers& numbers : kNumbers) {
     const pugi::xml_attribute attribute = node.attribute(numbers.attribute);
     if (std::string(node.name()) != numbers.element || !attribute) continue;
@@ -80,7 +86,10 @@ void check_numbers(const XmlFile& file, pugi::xml_node node) {
       file.fail(node, fmt::format("{} wants {} number{}, got '{}'", what, numbers.count,
                                   numbers.count == 1 ? "" : "s", attribute.value()));
   }
-  for (const pugi::xml_node child : node.children()) check_numbers(file, child);
+}
+
+void check_numbers(const XmlFile& file, const pugi::xml_node& top) {
+  for (pugi::xml_node node = top; node; node = next_below(top, node)) check_numbers_at(file, node);
 }
 
 void set_default(pugi::xml_node node, const char* attribute, const char* value) {
@@ -209,6 +218,8 @@ std::string prepare_urdf(const XmlFile& file, Unread& unread) {
   check_numbers(file, robot);
   const std::set<std::string> links = unique_names(file, robot, "link");
   if (links.empty()) file.fail(robot, "<robot> has no <link>");
+  if (links.size() > kMostLinks)
+    file.fail(robot, fmt::format("wanted at most {} links, got {}", kMostLinks, links.size()));
   (void)unique_names(file, robot, "joint");
   for (const pugi::xml_node link : robot.children("link")) settle_link(file, unread, link);
   for (const pugi::xml_node joint : robot.children("joint"))
