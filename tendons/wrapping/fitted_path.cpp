@@ -127,16 +127,18 @@ std::vector<Index> digits(Index number, Index base, std::size_t count) {
 
 /// T_0..T_n and their derivatives at x.
 struct Basis {
-  VectorXd T, dT;
+  VectorXd T, dT, ddT;
 };
 Basis basis(int order, double x) {
-  Basis at{VectorXd::Ones(order + 1), VectorXd::Zero(order + 1)};
+  const VectorXd none = VectorXd::Zero(order + 1);
+  Basis at{VectorXd::Ones(order + 1), none, none};
   if (order == 0) return at;
   at.T[1] = x;
   at.dT[1] = 1;
   for (int k = 2; k <= order; ++k) {
     at.T[k] = 2 * x * at.T[k - 1] - at.T[k - 2];
     at.dT[k] = 2 * at.T[k - 1] + 2 * x * at.dT[k - 1] - at.dT[k - 2];
+    at.ddT[k] = 4 * at.dT[k - 1] + 2 * x * at.ddT[k - 1] - at.ddT[k - 2];
   }
   return at;
 }
@@ -260,16 +262,61 @@ FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t pa
   return fit;
 }
 
+namespace {
+
+/// Where a posture lies in a run's box, x in [-1, 1], and half the range of each coordinate.
+struct BoxPlace {
+  VectorXd x, half;
+};
+BoxPlace place_in_box(const FittedPath& path, const FittedRun& run, const VectorXd& q) {
+  const auto d = static_cast<Index>(run.coordinates.size());
+  BoxPlace place{VectorXd(d), VectorXd(d)};
+  for (Index i = 0; i < d; ++i) {
+    const int j = run.coordinates[static_cast<std::size_t>(i)];
+    place.half[i] = 0.5 * (path.box.upper[j] - path.box.lower[j]);
+    place.x[i] = (q[j] - path.box.lower[j]) / place.half[i] - 1;
+  }
+  return place;
+}
+
+/// A tensor contracted with one vector a coordinate.
+double contract(const FittedRun& run, const std::vector<const VectorXd*>& by) {
+  VectorXd part = run.c;
+  for (const VectorXd* vector : by) {
+    const Index n = vector->size();
+    part =
+        (Eigen::Map<const MatrixXd>(part.data(), n, part.size() / n).transpose() * *vector).eval();
+  }
+  return part[0];
+}
+
+}  // namespace
+
+MatrixXd arm_slopes(const FittedPath& path, const VectorXd& q) {
+  MatrixXd dR = MatrixXd::Zero(q.size(), q.size());
+  for (const FittedRun& run : path.runs) {
+    const std::size_t d = run.coordinates.size();
+    const BoxPlace place = place_in_box(path, run, q);
+    std::vector<Basis> bases;
+    std::vector<const VectorXd*> by;
+    for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
+    for (const Basis& at : bases) by.push_back(&at.T);
+    for (std::size_t i = 0; i < d; ++i)
+      for (std::size_t j = 0; j < d; ++j) {
+        std::vector<const VectorXd*> twice = by;
+        twice[i] = &bases[i].dT;
+        twice[j] = i == j ? &bases[i].ddT : &bases[j].dT;
+        const double scale = place.half[static_cast<Index>(i)] * place.half[static_cast<Index>(j)];
+        dR(run.coordinates[i], run.coordinates[j]) -= contract(run, twice) / scale;
+      }
+  }
+  return dR;
+}
+
 FittedLength fitted_length(const FittedPath& path, const VectorXd& q) {
   FittedLength sum{path.constant, RowVectorXd::Zero(q.size())};
   for (const FittedRun& run : path.runs) {
-    VectorXd x(static_cast<Index>(run.coordinates.size()));
-    VectorXd half(x.size());
-    for (Index i = 0; i < x.size(); ++i) {
-      const int j = run.coordinates[static_cast<std::size_t>(i)];
-      half[i] = 0.5 * (path.box.upper[j] - path.box.lower[j]);
-      x[i] = (q[j] - path.box.lower[j]) / half[i] - 1;
-    }
+    const auto [x, half] = place_in_box(path, run, q);
     const FittedLength part = evaluate(run, x);
     sum.length += part.length;
     for (Index i = 0; i < x.size(); ++i)

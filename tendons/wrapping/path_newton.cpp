@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -157,5 +158,57 @@ ChainFit straighten(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>&
   }
   return fit;
 }
+
+namespace internal {
+namespace {
+
+/// The part of the rates of two tangency conditions that rigid motion makes: of a run
+/// e = sign (end - other) / d  against n and b of an end that a surface carries.
+Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyRate& on, const Vector3d& other,
+                             const Vector3d& other_dot, double sign) {
+  const Vector3d run = sign * (end.p - other);
+  const double d = run.norm();
+  const Vector3d e = run / d, move = sign * (on.at(end.p) - other_dot);
+  const Vector3d e_dot = (move - e * e.dot(move)) / d;
+  return {e_dot.dot(end.n) + e.dot(on.w.cross(end.n)), e_dot.dot(end.b) + e.dot(on.w.cross(end.b))};
+}
+
+}  // namespace
+
+ChainTangent::ChainTangent(const Vector3d& a, const Vector3d& b, std::vector<ChainArc> chain)
+    : a_(a), b_(b), chain_(std::move(chain)) {
+  constexpr double kSingular = 1e-12;  // reciprocal condition
+  const System J = tangency(a_, b_, chain_).J;
+  if (!J.allFinite()) return;
+  factor_.compute(J);
+  regular_ = factor_.rcond() > kSingular;
+}
+
+std::vector<TouchRate> ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
+                                           const std::vector<BodyRate>& on) const {
+  const std::size_t m = chain_.size();
+  std::vector<ArcEnds> ends;
+  for (const ChainArc& link : chain_) ends.push_back(ends_of(link));
+  Unknowns f(4 * static_cast<Eigen::Index>(m));
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto row = 4 * static_cast<Eigen::Index>(i);
+    const Vector3d& before = i > 0 ? ends[i - 1].off.p : a_;
+    const Vector3d& after = i + 1 < m ? ends[i + 1].on.p : b_;
+    f.segment<2>(row) =
+        carried_rate(ends[i].on, on[i], before, i > 0 ? on[i - 1].at(before) : a_dot, 1);
+    f.segment<2>(row + 2) =
+        carried_rate(ends[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
+  }
+  const Unknowns x = -factor_.solve(f);
+  std::vector<TouchRate> rates;
+  for (std::size_t i = 0; i < m; ++i) {
+    const Eigen::Vector4d vary = x.segment<4>(4 * static_cast<Eigen::Index>(i));
+    rates.push_back({on[i].at(ends[i].on.p) + ends[i].on.dp * vary,
+                     on[i].at(ends[i].off.p) + ends[i].off.dp * vary});
+  }
+  return rates;
+}
+
+}  // namespace internal
 
 }  // namespace thenar

@@ -4,6 +4,9 @@
 
 #include <vector>
 
+#include <Eigen/LU>
+
+#include "tendons/wrapping/tree_rate.h"
 #include "tendons/wrapping/wrap_arc.h"
 
 namespace thenar {
@@ -33,5 +36,44 @@ struct ChainFit {
 /// @param chain   start of the iteration, changed in place to where it ends; at most kMostBends
 [[nodiscard]] ChainFit straighten(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                   std::vector<ChainArc>& chain);
+
+namespace internal {
+
+/// Velocities of the touch points of one arc, world [m/s] (3).
+struct TouchRate {
+  Eigen::Vector3d on, off;
+};
+
+/// A tangent chain, made linear: how its touch points follow what its ends and surfaces do.
+///
+/// The tangency conditions f(x, y) = 0, x the natural variations of all arcs and y the poses, stay
+/// fulfilled:  df/dx x' = -df/dy y'  (implicit function theorem).
+class ChainTangent {
+ public:
+  /// @param a, b   ends of the string, world [m] (3)
+  /// @param chain  tangent already, as straighten() leaves it; at most kMostBends
+  ChainTangent(const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::vector<ChainArc> chain);
+
+  /// Whether the touch points are determined: not where a free run has no length, nor for a string
+  /// half round a sphere.
+  [[nodiscard]] bool regular() const { return regular_; }
+
+  /// @param a_dot, b_dot  velocities of the ends [m/s] (3)
+  /// @param on            of the surfaces (arcs)
+  [[nodiscard]] std::vector<TouchRate> rates(const Eigen::Vector3d& a_dot,
+                                             const Eigen::Vector3d& b_dot,
+                                             const std::vector<BodyRate>& on) const;
+
+ private:
+  static constexpr int kMost = 4 * kMostBends;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+
+  Eigen::Vector3d a_, b_;
+  std::vector<ChainArc> chain_;
+  Eigen::PartialPivLU<System> factor_;
+  bool regular_ = false;
+};
+
+}  // namespace internal
 
 }  // namespace thenar

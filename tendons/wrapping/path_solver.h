@@ -57,7 +57,9 @@ struct [[nodiscard]] PathShape {
 /// that changes an answer; after the first posture it uses no heap.
 class PathSolver {
  public:
+  /// @param set  must outlive the solver
   explicit PathSolver(const PathSet& set);
+  explicit PathSolver(PathSet&& set) = delete;
 
   /// Tendons at the pose of their links.
   /// @return one shape a path, in the order of the set; overwritten by the next call

@@ -264,5 +264,9 @@ INSTANTIATE_TEST_SUITE_P(AnyShape, PathSolverLiftsOff,
                                          surface(SurfaceShape::kEllipsoid, {0.007, 0.005, 0.006})),
                          [](const auto& test) { return "Shape" + std::to_string(test.index); });
 
+// A solver points at its set, so it takes none that is about to vanish.
+static_assert(!std::is_constructible_v<PathSolver, PathSet>);
+static_assert(std::is_constructible_v<PathSolver, const PathSet&>);
+
 }  // namespace
 }  // namespace thenar

@@ -1,0 +1,232 @@
+#include "tendons/wrapping/arm_slopes.h"
+
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using internal::BodyRate;
+using internal::ChainTangent;
+using internal::TouchRate;
+using internal::TreeRate;
+using Column = Eigen::Ref<Eigen::VectorXd>;
+
+/// A direction, or a point, and its rate.
+struct Rated {
+  Vector3d at, dot;
+};
+
+/// A straight run with the velocities of its ends.
+struct SpanRate {
+  const PathSpan* span;
+  Vector3d a_dot, b_dot;
+  Rated u;            // unit, from a to b
+  double length_dot;  // [m/s]
+};
+
+SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_dot) {
+  const Vector3d u = direction(span), move = b_dot - a_dot;
+  const double stretch = u.dot(move);
+  Vector3d turn = Vector3d::Zero();
+  if (span.length > 0) turn = (move - stretch * u) / span.length;
+  return {&span, a_dot, b_dot, {u, turn}, stretch};
+}
+
+/// What one coordinate does to everything that a column of slopes is made of.
+struct Turn {
+  const Tree<double>& tree;
+  const TreeState<double>& state;
+  TreeRate rate;
+};
+
+/// Rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
+void add_span(const Turn& turn, const SpanRate& run, double scale, double scale_dot,
+              Column column) {
+  int a = run.span->link_a, b = run.span->link_b;
+  if (a == b) return;
+  const Vector3d u = scale * run.u.at, u_dot = scale * run.u.dot + scale_dot * run.u.at;
+  const Vector3d m = run.span->a.cross(u), m_dot = run.a_dot.cross(u) + run.span->a.cross(u_dot);
+  while (a != b) {
+    const bool climb_b = b > a;
+    const auto i = static_cast<std::size_t>(climb_b ? b : a);
+    const auto& at = turn.state[i];
+    const double pull = turn.rate.axis[i].dot(m - at.point.cross(u)) +
+                        at.axis.dot(m_dot - turn.rate.point[i].cross(u) - at.point.cross(u_dot));
+    column[turn.tree[i].coordinate] += turn.tree[i].ratio * (climb_b ? -pull : pull);
+    (climb_b ? b : a) = turn.tree[i].parent;
+  }
+}
+
+/// Rate of  w . dp/dq  of a point of a link.
+void add_motion(const Turn& turn, int link, const Rated& p, const Rated& w, Column column) {
+  for_each_hinge_to_base(turn.tree, link, [&](int hinge) {
+    const auto i = static_cast<std::size_t>(hinge);
+    const auto& at = turn.state[i];
+    const Vector3d lever = p.at - at.point;
+    column[turn.tree[i].coordinate] +=
+        turn.tree[i].ratio *
+        (w.dot.dot(at.axis.cross(lever)) + w.at.dot(turn.rate.axis[i].cross(lever)) +
+         w.at.dot(at.axis.cross(p.dot - turn.rate.point[i])));
+  });
+}
+
+/// Surfaces that one run of a path bends over, with the spans before the first and after the last.
+struct RunChain {
+  std::size_t first_arc;
+  std::vector<int> links;  // of the surfaces
+  ChainTangent tangent;
+};
+
+std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& set,
+                                const PathShape& shape) {
+  std::vector<RunChain> chains;
+  for (std::size_t i = 0; i < shape.arcs.size();) {
+    std::vector<ChainArc> arcs;
+    std::vector<int> links;
+    const std::size_t first = i;
+    do {
+      const PathArc& arc = shape.arcs[i];
+      const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
+      const Pose<double> X = surface.link < 0
+                                 ? surface.X
+                                 : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+      arcs.push_back({&surface, X, arc.arc});
+      links.push_back(surface.link);
+      ++i;
+    } while (i < shape.arcs.size() && shape.arcs[i].after == shape.arcs[i - 1].after + 1);
+    const auto before = static_cast<std::size_t>(shape.arcs[first].after);
+    const auto after = static_cast<std::size_t>(shape.arcs[i - 1].after) + 1;
+    chains.push_back({first, std::move(links),
+                      ChainTangent(shape.spans[before].a, shape.spans[after].b, std::move(arcs))});
+  }
+  return chains;
+}
+
+/// Where an origin lies on the carrier's run, with its rates.
+struct RideRate {
+  const std::vector<SpanRate>* carrier;
+  std::size_t span;         // of the carrier
+  double share, share_dot;  // of the way along the span
+  Vector3d x_dot;           // of the origin
+};
+
+/// The origin x = A + d v stays at a fixed length from the carrier's insertion: d is what is left
+/// of it after A, whose excursion is a column of the carrier's arms.
+RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
+                   double shortened_dot) {
+  const auto k = static_cast<std::size_t>(rider.ride_span);
+  const SpanRate& run = carrier[k];
+  const double l = run.span->length;
+  const double d = (rider.spans.back().b - run.span->a).dot(run.u.at);
+  return {&carrier, k, d / l, shortened_dot / l - d * run.length_dot / (l * l),
+          run.a_dot + shortened_dot * run.u.at + d * run.u.dot};
+}
+
+/// Rates of the terms of a riding origin; see path_arms.cpp.
+void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Column column) {
+  const SpanRate& run = (*ride.carrier)[ride.span];
+  const Rated &u = last.u, &v = run.u;
+  const double along = u.at.dot(v.at), along_dot = u.dot.dot(v.at) + u.at.dot(v.dot);
+  const Rated across{u.at - along * v.at, u.dot - along_dot * v.at - along * v.dot};
+  const double s = ride.share, s_dot = ride.share_dot;
+  const Rated on_a{-along * v.at - (1 - s) * across.at,
+                   -along_dot * v.at - along * v.dot + s_dot * across.at - (1 - s) * across.dot};
+  const Rated on_b{-s * across.at, -s_dot * across.at - s * across.dot};
+  add_motion(turn, run.span->link_a, {run.span->a, run.a_dot}, on_a, column);
+  add_motion(turn, run.span->link_b, {run.span->b, run.b_dot}, on_b, column);
+  for (std::size_t k = 0; k < ride.span; ++k)
+    add_span(turn, (*ride.carrier)[k], -along, -along_dot, column);
+}
+
+/// Velocities of the ends of all runs while one coordinate turns.
+std::vector<SpanRate> span_rates(const TreeRate& rate, const PathShape& shape,
+                                 const std::vector<RunChain>& chains, const Vector3d* origin_dot) {
+  std::vector<Vector3d> a_dot, b_dot;
+  for (const PathSpan& span : shape.spans) {
+    a_dot.push_back(rate.body(span.link_a).at(span.a));
+    b_dot.push_back(span.link_b == kRiding ? *origin_dot : rate.body(span.link_b).at(span.b));
+  }
+  for (const RunChain& chain : chains) {
+    const auto before = static_cast<std::size_t>(shape.arcs[chain.first_arc].after);
+    std::vector<BodyRate> on;
+    for (int link : chain.links) on.push_back(rate.body(link));
+    const std::vector<TouchRate> touch =
+        chain.tangent.rates(a_dot[before], b_dot[before + on.size()], on);
+    for (std::size_t i = 0; i < on.size(); ++i) {
+      b_dot[before + i] = touch[i].on;
+      a_dot[before + i + 1] = touch[i].off;
+    }
+  }
+  std::vector<SpanRate> rates;
+  for (std::size_t s = 0; s < shape.spans.size(); ++s)
+    rates.push_back(rated(shape.spans[s], a_dot[s], b_dot[s]));
+  return rates;
+}
+
+/// Whether all touch points are determined, and all runs between links have a direction.
+bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
+  if (shape.status != PathStatus::kTaut) return false;
+  for (const RunChain& chain : chains)
+    if (!chain.tangent.regular()) return false;
+  for (const PathSpan& span : shape.spans)
+    if (!(span.length > 0) && span.link_a != span.link_b) return false;
+  return true;
+}
+
+/// How far the carrier draws back before the run on which the origin lies: -d(length up to it).
+/// Touch points count as fixed: where a path is tangent, sliding them changes no length.
+double shortened(const TreeRate& rate, const std::vector<SpanRate>& carrier, std::size_t before) {
+  double sum = 0;
+  for (std::size_t k = 0; k < before; ++k) {
+    const PathSpan& span = *carrier[k].span;
+    sum -=
+        carrier[k].u.at.dot(rate.body(span.link_b).at(span.b) - rate.body(span.link_a).at(span.a));
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<ArmSlopes> arm_slopes(const Tree<double>& tree, const TreeState<double>& state,
+                                  const PathSet& set, const std::vector<PathShape>& shapes,
+                                  int coordinates) {
+  std::vector<ArmSlopes> slopes(shapes.size());
+  std::vector<std::vector<RunChain>> chains;
+  for (std::size_t k = 0; k < shapes.size(); ++k) {
+    chains.push_back(chains_of(state, set, shapes[k]));
+    const int carrier = set.paths[k].carrier;
+    slopes[k].exist = has_slopes(shapes[k], chains[k]) &&
+                      (carrier < 0 || slopes[static_cast<std::size_t>(carrier)].exist);
+    slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
+  }
+  for (int l = 0; l < coordinates; ++l) {
+    const Turn turn{tree, state, internal::turning_tree(tree, state, l)};
+    std::vector<std::vector<SpanRate>> runs(shapes.size());
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      if (!slopes[k].exist) continue;
+      const PathShape& shape = shapes[k];
+      RideRate ride{};
+      if (set.paths[k].carrier >= 0) {
+        const auto& carrier = runs[static_cast<std::size_t>(set.paths[k].carrier)];
+        ride = ride_rate(shape, carrier,
+                         shortened(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
+      }
+      runs[k] = span_rates(turn.rate, shape, chains[k], &ride.x_dot);
+      for (const SpanRate& run : runs[k]) {
+        if (run.span->link_b != kRiding) {
+          add_span(turn, run, 1, 0, slopes[k].dR.col(l));
+          continue;
+        }
+        add_motion(turn, run.span->link_a, {run.span->a, run.a_dot}, run.u, slopes[k].dR.col(l));
+        add_riding(turn, run, ride, slopes[k].dR.col(l));
+      }
+    }
+  }
+  return slopes;
+}
+
+}  // namespace thenar

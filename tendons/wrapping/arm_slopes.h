@@ -1,0 +1,30 @@
+#pragma once
+
+/// How moment arms of wrapped tendons change with posture: second derivatives of their lengths.
+///
+/// With touch points x that keep the path tangent, f(x, q) = 0, arms are R(x, q) and
+///   dR/dq = R_q - R_x f_x^-1 f_q      (implicit function theorem),
+/// which is -d2L/dq2 and symmetric. One-sided where a string just touches a surface: there the arms
+/// are continuous and their slopes jump. Derivation: docs/theory/wrapping.md.
+
+#include <vector>
+
+#include "tendons/wrapping/path_solver.h"
+
+namespace thenar {
+
+/// Of one path.
+struct [[nodiscard]] ArmSlopes {
+  bool exist = true;   // false: not taut, or touch points that nothing determines; dR is then zero
+  Eigen::MatrixXd dR;  // d R_j / d q_k  [m/rad^2] (coordinates, coordinates)
+};
+
+/// Slopes of the arms of path_arms(), of every path. An origin that rides on another tendon
+/// follows that tendon's excursion; where its carrier bends there (PathStatus::kRidesOnBend) its
+/// arms are no slopes of a length, and it has none.
+[[nodiscard]] std::vector<ArmSlopes> arm_slopes(const Tree<double>& tree,
+                                                const TreeState<double>& state, const PathSet& set,
+                                                const std::vector<PathShape>& shapes,
+                                                int coordinates);
+
+}  // namespace thenar
