@@ -1,5 +1,6 @@
 #include "tendons/feasible_force.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -86,7 +87,7 @@ LinearResult maximise(LoadProblem problem) {
       return result;
     }
   }
-  return {LinearStatus::kStalled, VectorXd(), kInfinity};
+  return {LinearStatus::kStalled, VectorXd(), kInfinity, VectorXd(), {}};
 }
 
 /// What a result says before, or instead of, an answer.
@@ -115,13 +116,27 @@ LargestForce largest_force(const TipStatics& statics, const Vector3d& direction,
 
   const LinearResult best = maximise({balance, balance.force_part * turned, {}});
   const ForceStatus status = internal::force_status(best.status);
-  LargestForce result{status, Vector3d::Zero(), amount_without_answer(status),
-                      VectorXd::Zero(balance.most.size()), VectorXd::Zero(balance.most.size())};
+  LargestForce result{status,
+                      Vector3d::Zero(),
+                      amount_without_answer(status),
+                      VectorXd::Zero(balance.most.size()),
+                      VectorXd::Zero(balance.most.size()),
+                      VectorXd::Zero(statics.J.cols()),
+                      {}};
   if (status != ForceStatus::kSolved) return result;
   result.force = balance.force_unit * (axes * best.x.head(axes.cols()));
   result.magnitude = balance.force_unit * best.x(0);
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
   result.activation = internal::activation(statics, result.tension);
+  result.torque_price =
+      balance.force_unit * best.prices.head(statics.J.cols()).cwiseProduct(balance.row_scale);
+  const Vector3d across = result.force - d * d.dot(result.force);
+  result.check = {balance.force_unit * best.certificate.gap,
+                  std::max(0.0, across.norm() - slope * result.magnitude),
+                  (statics.J.transpose() * result.force - statics.R.transpose() * result.tension -
+                   statics.tau_0)
+                      .cwiseAbs()
+                      .maxCoeff()};
   return result;
 }
 
@@ -148,9 +163,10 @@ LargestWrench largest_wrench(const TipStatics& statics, const Vector3d& moment,
   const LinearResult best = maximise({balance, load, {}});
   const ForceStatus status = internal::force_status(best.status);
   LargestWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
-                       VectorXd::Zero(balance.most.size())};
+                       VectorXd::Zero(balance.most.size()), LargestForceCheck::kUnknown};
   if (status != ForceStatus::kSolved) return result;
   result.multiple = unit * best.x(0);
+  result.gap = unit * best.certificate.gap;
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
   result.activation = internal::activation(statics, result.tension);
   return result;

@@ -2,6 +2,8 @@
 
 /// The largest static force or wrench of a fingertip, by linear programming.
 
+#include <limits>
+
 #include <Eigen/Core>
 
 #include "tendons/force_status.h"
@@ -9,12 +11,23 @@
 
 namespace thenar {
 
+/// What is left between an answer and the truth; not a number unless solved.
+struct LargestForceCheck {
+  double gap = kUnknown;        // no force in the cone exceeds magnitude by more         [N]
+  double outside = kUnknown;    // of the force beyond the cone, across the direction     [N]
+  double imbalance = kUnknown;  // largest of |J' f - R' t - tau_0|                       [N m]
+
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+};
+
 struct LargestForce {
-  ForceStatus status;          // read this first
-  Eigen::Vector3d force;       // of the tip on the world, world frame           [N] (3)
-  double magnitude;            // its component along the direction; infinite if unbounded [N]
-  Eigen::VectorXd tension;     // that makes it                                  [N] (m)
-  Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
+  ForceStatus status;            // read this first
+  Eigen::Vector3d force;         // of the tip on the world, world frame           [N] (3)
+  double magnitude;              // its component along the direction; infinite if unbounded [N]
+  Eigen::VectorXd tension;       // that makes it                                  [N] (m)
+  Eigen::VectorXd activation;    // tension / F0, 0 where F0 is infinite or zero   [1] (m)
+  Eigen::VectorXd torque_price;  // d magnitude / d tau_0; zero unless solved      [1/m] (n)
+  LargestForceCheck check;       // by weak duality and from J, R themselves
 };
 
 struct LargestForceOptions {
@@ -28,6 +41,8 @@ struct LargestForceOptions {
 /// Every joint torque is balanced; the tip carries no moment. With a tolerance the cone is met
 /// to 1e-10 of the force (or 1e-11 of what tendons make, if that is more) by cutting planes. A
 /// straight finger carries any force along itself: that is `kUnbounded`, not a large number.
+/// The planes hold the whole cone, so the dual bound of the last program bounds every force in it:
+/// that is `check.gap`.
 ///
 /// @param statics    one posture; W is not looked at
 /// @param direction  wanted direction of the force, any length but zero   3   [1]
@@ -43,6 +58,7 @@ struct LargestWrench {
   double multiple;             // of the wrench asked for; infinite if unbounded [1]
   Eigen::VectorXd tension;     // that makes it                                  [N] (m)
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)
+  double gap;                  // no multiple exceeds this one by more; NaN unless solved [1]
 };
 
 /// The largest multiple of a wrench that a tip can hold, all other components zero:

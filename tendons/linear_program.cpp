@@ -1,19 +1,28 @@
 #include "tendons/linear_program.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 
 #include <ClpSimplex.hpp>
 
 #include "base/error.h"
+#include "tendons/dense_simplex.h"
+#include "tendons/linear_certificate.h"
 
 namespace thenar {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
+using internal::Basis;
 
-constexpr double kFeasible = 1e-12;       // violation of a row that is asked for
-constexpr double kBarelyFeasible = 1e-9;  // violation that is accepted where that fails
-constexpr double kOptimal = 1e-9;         // of reduced costs
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kFeasible = 1e-12;       // violation of a row that CLP is asked for
+constexpr double kOptimal = 1e-11;        // of reduced costs, likewise
+constexpr double kBarelyFeasible = 1e-9;  // sum of violations that is rounding of the rows
 
 VectorXd clp_bounds(const VectorXd& bounds) {
   return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
@@ -34,7 +43,7 @@ void check(const LinearProgram& program) {
           "a bound is NaN");
 }
 
-void load(ClpSimplex& simplex, const LinearProgram& program, double tolerance) {
+void load(ClpSimplex& simplex, const LinearProgram& program) {
   const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
   const VectorXd row_lower = clp_bounds(program.row_lower);
   const VectorXd row_upper = clp_bounds(program.row_upper);
@@ -46,62 +55,174 @@ void load(ClpSimplex& simplex, const LinearProgram& program, double tolerance) {
   simplex.loadProblem(A, lower.data(), upper.data(), program.objective.data(), row_lower.data(),
                       row_upper.data());
   simplex.setOptimizationDirection(-1);  // maximise
-  simplex.setPrimalTolerance(tolerance);
+  simplex.scaling(0);  // its scales hide reduced costs of the wrong sign; ours are of order one
+  simplex.setPrimalTolerance(kFeasible);
   simplex.setDualTolerance(kOptimal);
   simplex.setPerturbation(100);  // none: the same program gives the same vertex
   simplex.setLogLevel(0);
 }
 
-bool feasible(LinearProgram program, double tolerance) {
-  ClpSimplex simplex;
-  program.objective.setZero();
-  load(simplex, program, tolerance);
-  simplex.primal();
-  return simplex.status() == 0;
+/// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
+struct Proposal {
+  internal::SimplexEnd end;
+  std::optional<Basis> basis;
+};
+
+/// The basis where CLP stopped; none if it does not have as many variables as there are rows.
+std::optional<Basis> basis_of(const ClpSimplex& simplex, const LinearProgram& program) {
+  const Index n = program.A.cols(), rows = program.A.rows();
+  Basis basis{{}, VectorXd::Zero(n + rows)};
+  const auto add = [&](Index k, ClpSimplex::Status status, double value, double lower,
+                       double upper) {
+    if (status == ClpSimplex::basic) {
+      basis.basic.push_back(k);
+      return;
+    }
+    const bool at_upper = std::abs(value - upper) < std::abs(value - lower);
+    const double nearest = at_upper ? upper : lower;
+    basis.at(k) = std::isfinite(nearest) ? nearest : value;
+  };
+  for (Index j = 0; j < n; ++j)
+    add(j, simplex.getColumnStatus(static_cast<int>(j)), simplex.primalColumnSolution()[j],
+        program.lower(j), program.upper(j));
+  for (Index i = 0; i < rows; ++i)
+    add(n + i, simplex.getRowStatus(static_cast<int>(i)), simplex.primalRowSolution()[i],
+        program.row_lower(i), program.row_upper(i));
+  if (static_cast<Index>(basis.basic.size()) != rows) return std::nullopt;
+  return basis;
 }
 
-LinearStatus status_of(const ClpSimplex& simplex, const LinearProgram& program, double tolerance) {
-  switch (simplex.status()) {
-    case 0:
-      return LinearStatus::kSolved;
-    case 1:
-      return LinearStatus::kInfeasible;
-    case 2:
-      return feasible(program, tolerance) ? LinearStatus::kUnbounded : LinearStatus::kInfeasible;
-    default:
-      return LinearStatus::kStalled;
+enum class Method { kClpPrimal, kClpDual, kDense };
+constexpr Method kMethods[] = {Method::kClpPrimal, Method::kClpDual, Method::kDense};
+
+Proposal propose(const LinearProgram& program, Method method) {
+  using internal::SimplexEnd;
+  if (method == Method::kDense) {
+    const internal::SimplexVertex vertex = internal::dense_simplex(program);
+    return {vertex.end, vertex.basis};
   }
+  ClpSimplex simplex;
+  load(simplex, program);
+  method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
+  const auto end = [&] {
+    switch (simplex.status()) {
+      case 0:
+        return SimplexEnd::kOptimal;
+      case 1:
+        return SimplexEnd::kInfeasible;
+      case 2:
+        return SimplexEnd::kUnbounded;
+      default:
+        return SimplexEnd::kStalled;
+    }
+  }();
+  return {end, basis_of(simplex, program)};
 }
 
-enum class Method { kPrimal, kDual };
+LinearResult unsolved(const LinearProgram& program, LinearStatus status) {
+  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+  return {status,
+          VectorXd::Zero(program.A.cols()),
+          kNaN,
+          VectorXd::Zero(program.A.rows()),
+          {kNaN, kNaN, kNaN}};
+}
 
-LinearResult solve_to(const LinearProgram& program, double tolerance, Method method) {
-  ClpSimplex simplex;
-  load(simplex, program, tolerance);
-  if (method == Method::kPrimal)
-    simplex.primal();
-  else
-    simplex.dual();
-  LinearResult result{status_of(simplex, program, tolerance),
-                      VectorXd::Zero(program.objective.size()),
-                      std::numeric_limits<double>::quiet_NaN()};
-  if (result.status != LinearStatus::kSolved) return result;
-  if (result.x.size() > 0)
-    result.x = Eigen::Map<const VectorXd>(simplex.primalColumnSolution(), result.x.size());
-  if (!result.x.allFinite()) result = {LinearStatus::kStalled, VectorXd::Zero(result.x.size()), 0};
-  result.x = result.x.cwiseMax(program.lower).cwiseMin(program.upper);
-  result.objective = program.objective.dot(result.x);
+/// The vertex of a basis, if its certificate holds.
+std::optional<LinearResult> certified(const LinearProgram& program, const Proposal& proposal) {
+  if (!proposal.basis) return std::nullopt;
+  const internal::PricedPoint point = internal::vertex_of(program, *proposal.basis);
+  const double objective = program.objective.dot(point.x);
+  const LinearCertificate certificate = internal::certify(program, point);
+  if (!internal::holds(certificate, objective)) return std::nullopt;
+  return LinearResult{LinearStatus::kSolved, point.x, objective, point.prices, certificate};
+}
+
+/// Every method in turn, until an answer is certified; for programs that have one.
+LinearResult optimum(const LinearProgram& program) {
+  for (const Method method : kMethods)
+    if (const auto result = certified(program, propose(program, method))) return *result;
+  return unsolved(program, LinearStatus::kStalled);
+}
+
+/// maximise  -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper:  it has an optimum
+/// always, and its prices are a Farkas ray where that is not zero.
+LinearProgram elastic(const LinearProgram& program) {
+  const Index n = program.A.cols(), rows = program.A.rows();
+  LinearProgram result = program;
+  result.A.resize(rows, n + 2 * rows);
+  result.A << program.A, MatrixXd::Identity(rows, rows), -MatrixXd::Identity(rows, rows);
+  result.objective = -VectorXd::Ones(n + 2 * rows);
+  result.objective.head(n).setZero();
+  result.lower = VectorXd::Zero(n + 2 * rows);
+  result.lower.head(n) = program.lower;
+  result.upper = VectorXd::Constant(n + 2 * rows, kInfinity);
+  result.upper.head(n) = program.upper;
   return result;
+}
+
+/// The directions in which the program never ends, no component longer than one.
+LinearProgram recession(LinearProgram program) {
+  const auto homogeneous = [](double bound) { return std::isfinite(bound) ? 0.0 : bound; };
+  program.row_lower = program.row_lower.unaryExpr(homogeneous);
+  program.row_upper = program.row_upper.unaryExpr(homogeneous);
+  program.lower = program.lower.unaryExpr(homogeneous).cwiseMax(-1);
+  program.upper = program.upper.unaryExpr(homogeneous).cwiseMin(1);
+  return program;
+}
+
+/// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
+LinearStatus find_feasible(LinearProgram& program, LinearResult& proof) {
+  proof = optimum(elastic(program));
+  if (proof.status != LinearStatus::kSolved) return LinearStatus::kStalled;
+  if (-proof.objective > kBarelyFeasible) return LinearStatus::kInfeasible;
+  const Index rows = program.A.rows();
+  const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
+  program.row_lower -= added;
+  program.row_upper += proof.x.tail(rows);
+  return LinearStatus::kSolved;
+}
+
+/// No method's optimum was certified: prove that there is none, or meet the rows to rounding.
+LinearResult without_optimum(LinearProgram program) {
+  LinearResult proof;
+  const LinearStatus feasible = find_feasible(program, proof);
+  if (feasible != LinearStatus::kSolved) {
+    LinearResult result = unsolved(program, feasible);
+    result.certificate = proof.certificate;
+    return result;
+  }
+  const LinearResult ray = optimum(recession(program));
+  if (ray.status == LinearStatus::kSolved && ray.objective > kBarelyFeasible) {
+    LinearResult result = unsolved(program, LinearStatus::kUnbounded);
+    result.certificate = ray.certificate;
+    return result;
+  }
+  return optimum(program);  // with rows relaxed
+}
+
+bool bounds_cross(const LinearProgram& program) {
+  return (program.lower.array() > program.upper.array()).any() ||
+         (program.row_lower.array() > program.row_upper.array()).any();
 }
 
 }  // namespace
 
 LinearResult solve(const LinearProgram& program) {
   check(program);
-  const LinearResult sharp = solve_to(program, kFeasible, Method::kPrimal);
-  if (sharp.status == LinearStatus::kSolved || sharp.status == LinearStatus::kUnbounded)
-    return sharp;
-  return solve_to(program, kBarelyFeasible, Method::kDual);  // feasible but for rounding?
+  if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
+
+  // A method that stops without an optimum ends the round: its word is proved or refuted below.
+  for (const Method method : kMethods) {
+    const Proposal proposal = propose(program, method);
+    if (const auto result = certified(program, proposal)) return *result;
+    if (proposal.end == internal::SimplexEnd::kInfeasible ||
+        proposal.end == internal::SimplexEnd::kUnbounded) {
+      const LinearResult result = without_optimum(program);
+      if (result.status != LinearStatus::kStalled) return result;
+    }
+  }
+  return without_optimum(program);
 }
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linear programs of a few dozen variables.
+/// Linear programs of a few dozen variables, each answer with a certificate of our own.
 
 #include <Eigen/Core>
 
@@ -15,26 +15,41 @@ struct LinearProgram {
   Eigen::VectorXd lower, upper;          // (n)
 };
 
+/// What tells how far x is from feasible, and how much more any feasible point could reach.
+struct LinearCertificate {
+  double violation;  // largest of a bound or row, over max(1, sum |a_ij x_j|)              [1]
+  double unpriced;   // largest price that no finite bound pays, over max(1, its terms)     [1]
+  double gap;        // upper bound of the optimum less objective' x: sum of price x slack
+};
+
 enum class LinearStatus {
-  kSolved,      // x is an optimal vertex
-  kInfeasible,  // no x obeys all bounds, within 1e-9 in the units of the rows
-  kUnbounded,   // the objective grows without limit
-  kStalled      // the simplex method gave up: numerical trouble or cycling
+  kSolved,      // x is an optimal vertex: its certificate holds
+  kInfeasible,  // no x obeys all bounds to 1e-9 in the units of the rows: a Farkas ray says so
+  kUnbounded,   // there is a feasible point, and a ray along which the objective grows for ever
+  kStalled      // no method found an answer whose certificate holds
 };
 
 struct LinearResult {
-  LinearStatus status;  // read this first
-  Eigen::VectorXd x;    // optimal vertex if solved, else zero (n)
-  double objective;     // there, else NaN
+  LinearStatus status;            // read this first
+  Eigen::VectorXd x;              // optimal vertex if solved, else zero                    (n)
+  double objective;               // there, else NaN
+  Eigen::VectorXd prices;         // of the rows: d objective / d row bound if solved, or 0 (r)
+  LinearCertificate certificate;  // of x and prices, or of what proves the status
 };
 
-/// Solves by the simplex method of CLP, whose answer is a vertex, exact to rounding.
+/// Solves by the simplex method and believes no solver.
 ///
-/// Rows and columns should be of order one. Rows are met to 1e-12; if that fails, to 1e-9.
+/// CLP proposes a basis. Its vertex and prices are computed again from the basis, with refined
+/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, prices have the sign
+/// of the bound that they stand at, and the gap is below 1e-11 of max(1, |objective|). If that
+/// fails, CLP's dual method, then a dense simplex method of our own are asked. Infeasible and
+/// unbounded are certified too: by the least sum of violations, and by a ray.
+/// Rows and columns should be of order one. Where rows cannot be met to 1e-12 but to 1e-9, they are
+/// relaxed by what is missing.
 ///
 /// @throws InputError if shapes disagree, an entry of A or the objective is not finite, or a bound
 ///         is NaN.
-/// Source: [Forrest2005].
+/// Source: [Forrest2005] for CLP, [Bland1977] for the rule that ends our own method.
 [[nodiscard]] LinearResult solve(const LinearProgram& program);
 
 }  // namespace thenar

@@ -74,6 +74,38 @@ TEST(LinearProgram, SolvesWithoutRows) {
   EXPECT_TRUE(matrix_near(solve(program).x, Vector2d(3, 7), 1e-12));
 }
 
+// With the second row out of the way, the first is worth 2 and the bound of x is worth 1:
+// 2 * 4 + 1 * 3 = 11 bounds the objective.
+TEST(LinearProgram, StatesItsPricesAndNoGap) {
+  LinearProgram program = textbook();
+  program.row_upper(1) = 9;
+  const LinearResult result = solve(program);
+  EXPECT_TRUE(matrix_near(result.prices, Vector2d(2, 0), 1e-15));
+  EXPECT_LE(result.certificate.gap, 1e-15);
+  EXPECT_LE(result.certificate.violation, 1e-15);
+  EXPECT_LE(result.certificate.unpriced, 1e-15);
+}
+
+// x + y = 1 and x + y = 1 + 1e-10 contradict each other within the rounding that rows may carry;
+// 1e-8 apart they do not agree any more.
+TEST(LinearProgram, RelaxesRowsThatRoundingSetsAtOdds) {
+  LinearProgram program = textbook();
+  program.A << 1, 1, 1, 1;
+  program.row_lower = program.row_upper = Vector2d(1, 1 + 1e-10);
+  const LinearResult result = solve(program);
+  EXPECT_EQ(result.status, LinearStatus::kSolved);
+  EXPECT_NEAR(result.objective, 3, 1e-9);
+  program.row_lower(1) = program.row_upper(1) = 1 + 1e-8;
+  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+}
+
+TEST(LinearProgram, CrossedBoundsAreInfeasible) {
+  LinearProgram program = textbook();
+  program.lower(1) = 8;
+  program.upper(1) = 7;
+  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+}
+
 TEST(LinearProgram, PrintsNothing) {
   testing::internal::CaptureStdout();
   (void)solve(textbook());
