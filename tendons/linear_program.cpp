@@ -206,12 +206,8 @@ bool bounds_cross(const LinearProgram& program) {
          (program.row_lower.array() > program.row_upper.array()).any();
 }
 
-}  // namespace
-
-LinearResult solve(const LinearProgram& program) {
-  check(program);
-  if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
-
+/// The program with prices and objective of order one.
+LinearResult solve_scaled(const LinearProgram& program) {
   // A method that stops without an optimum ends the round: its word is proved or refuted below.
   for (const Method method : kMethods) {
     const Proposal proposal = propose(program, method);
@@ -223,6 +219,23 @@ LinearResult solve(const LinearProgram& program) {
     }
   }
   return without_optimum(program);
+}
+
+}  // namespace
+
+LinearResult solve(const LinearProgram& program) {
+  check(program);
+  if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
+  const double size = program.objective.size() > 0 ? program.objective.cwiseAbs().maxCoeff() : 0;
+  if (size == 0) return solve_scaled(program);
+  LinearProgram scaled = program;
+  scaled.objective /= size;
+  LinearResult result = solve_scaled(scaled);
+  if (result.status != LinearStatus::kSolved) return result;
+  result.objective = program.objective.dot(result.x);
+  result.prices *= size;
+  result.certificate.gap *= size;
+  return result;
 }
 
 }  // namespace thenar

@@ -41,7 +41,8 @@ struct LinearResult {
 ///
 /// CLP proposes a basis. Its vertex and prices are computed again from the basis, with refined
 /// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, prices have the sign
-/// of the bound that they stand at, and the gap is below 1e-11 of max(1, |objective|). If that
+/// of the bound that they stand at, and the gap is below 1e-11 of the larger of |objective| and its
+/// largest coefficient. If that
 /// fails, CLP's dual method, then a dense simplex method of our own are asked. Infeasible and
 /// unbounded are certified too: by the least sum of violations, and by a ray.
 /// Rows and columns should be of order one. Where rows cannot be met to 1e-12 but to 1e-9, they are

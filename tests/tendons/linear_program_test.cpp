@@ -86,6 +86,18 @@ TEST(LinearProgram, StatesItsPricesAndNoGap) {
   EXPECT_LE(result.certificate.unpriced, 1e-15);
 }
 
+TEST(LinearProgram, UnitOfTheObjectiveDoesNotMatter) {
+  for (const double unit : {1e-12, 1e12}) {
+    LinearProgram program = textbook();
+    program.row_upper(1) = 9;
+    program.objective *= unit;
+    const LinearResult result = solve(program);
+    EXPECT_EQ(result.status, LinearStatus::kSolved);
+    EXPECT_TRUE(matrix_near(result.prices, unit * Vector2d(2, 0), 1e-14 * unit));
+    EXPECT_NEAR(result.objective, 11 * unit, 1e-14 * unit);
+  }
+}
+
 // x + y = 1 and x + y = 1 + 1e-10 contradict each other within the rounding that rows may carry;
 // 1e-8 apart they do not agree any more.
 TEST(LinearProgram, RelaxesRowsThatRoundingSetsAtOdds) {
