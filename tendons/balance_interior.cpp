@@ -56,7 +56,10 @@ BalanceInterior balance_interior(LinearProgram program) {
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
-      if (extreme.status != LinearStatus::kSolved) continue;
+      if (extreme.status != LinearStatus::kSolved) {  // the box bounds it and `any` is feasible
+        interior.status = LinearStatus::kStalled;
+        return interior;
+      }
       reached[end] = extreme.x(i);
       interior.z0 += extreme.x;
       ++points;

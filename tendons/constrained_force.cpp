@@ -115,7 +115,10 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
                           VectorXd::Zero(m),
                           0,
                           "the balance has no solution",
-                          0};
+                          0,
+                          FirstOrder{},
+                          FirstOrder::kUnknown};
+  if (interior.status == LinearStatus::kStalled) result.message = "a linear program stalled";
   if (interior.status != LinearStatus::kSolved) return result;
 
   NonlinearProgram program = internal::bounded_program(interior);
@@ -135,6 +138,10 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   result.excess = g.size() > 0 ? g.maxCoeff() : 0;
   result.message = best.message;
   result.iterations = best.iterations;
+  result.first_order = best.first_order;
+  result.first_order.stationarity *= balance.force_unit;
+  result.first_order.complementarity *= balance.force_unit;
+  result.imbalance = internal::imbalance(statics, result.force, result.tension);
   return result;
 }
 

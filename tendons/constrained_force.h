@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "base/nonlinear_program.h"
 #include "tendons/force_limits.h"
 #include "tendons/force_status.h"
 #include "tendons/tip_statics.h"
@@ -26,8 +27,11 @@ struct ConstrainedForce {
   Eigen::VectorXd tension;     // that makes it                                 [N] (m)
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero  [1] (m)
   double excess;               // largest g of all limits; <= 1e-8 if solved    [unit of g]
-  std::string message;         // the solver's own word for how it ended
+  std::string message;         // how it ended
   int iterations;              // of the interior-point method
+  FirstOrder first_order;      // complementarity [N]: with convex limits and no slope left, no
+                               // allowed force is larger by more
+  double imbalance;            // largest of |J' f - R' t - tau_0|, NaN without tensions [N m]
 };
 
 /// The largest force of a pinned tip along a direction, under further limits:
@@ -36,7 +40,10 @@ struct ConstrainedForce {
 ///
 /// Balance is kept exactly by parametrising its null space. With convex limits the answer is the
 /// global optimum to about 1e-7; otherwise it is a local one, found from the middle of the set that
-/// has no limits. Without limits largest_force() does the same exactly and a hundred times faster.
+/// has no limits. First-order conditions are checked in arithmetic of our own before a result is
+/// called solved; kInfeasible says that the search ended where limits are violated (`excess`),
+/// which proves that there is no allowed force only if limits are convex. Without limits
+/// largest_force() does the same exactly and a hundred times faster.
 ///
 /// @param statics    one posture; W is not looked at
 /// @param direction  any length but zero   3   [1]

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <set>
+#include <utility>
 
 #include <libqhull_r/libqhull_r.h>
 #include <Eigen/Geometry>
@@ -16,6 +18,8 @@ namespace thenar {
 namespace {
 
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double kContained = 1e-10;  // of the extent: how far a point may lie outside a plane
 
 /// Where Qhull writes its complaints.
 class MessageFile {
@@ -99,6 +103,60 @@ void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet
             [&](int a, int b) { return angle(a) < angle(b); });
 }
 
+/// Is every edge of every ring run through once each way, and does Euler's formula hold?
+bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
+  std::set<std::pair<int, int>> open;
+  std::set<int> corners;
+  std::size_t edges = 0;
+  for (const HullFacet& facet : facets) {
+    corners.insert(facet.ring.begin(), facet.ring.end());
+    if (d == 2) continue;
+    for (std::size_t k = 0; k < facet.ring.size(); ++k, ++edges) {
+      const std::pair<int, int> edge(facet.ring[k], facet.ring[(k + 1) % facet.ring.size()]);
+      if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
+    }
+  }
+  if (d == 2) return corners.size() == facets.size();  // a ring of as many edges as corners
+  return open.empty() && corners.size() + facets.size() == edges / 2 + 2;
+}
+
+/// Integral over the surface of x_k n_k dA, for each k alone: the volume, d times over.
+Eigen::VectorXd volumes(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
+  const Eigen::Index d = points.cols();
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(d);
+  const auto arm = [&](int row) -> Eigen::VectorXd {
+    return (points.row(row) - points.row(0)).transpose();
+  };
+  for (const HullFacet& facet : hull.facets) {
+    const Eigen::VectorXd first = arm(facet.ring[0]);
+    if (d == 2) {
+      const Eigen::VectorXd last = arm(facet.ring[1]);
+      sums += (last - first).norm() * facet.normal.cwiseProduct((first + last) / 2);
+      continue;
+    }
+    for (std::size_t k = 2; k < facet.ring.size(); ++k) {
+      const Eigen::Vector3d a = first, b = arm(facet.ring[k - 1]), c = arm(facet.ring[k]);
+      sums += ((b - a).cross(c - a) / 2).cwiseProduct((a + b + c) / 3);
+    }
+  }
+  return sums;
+}
+
+HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
+  HullCheck check;
+  for (const HullFacet& facet : hull.facets) {
+    const Eigen::VectorXd beyond =
+        (points * facet.normal).array() - facet.offset * facet.normal.norm();
+    check.outside = std::max(check.outside, beyond.maxCoeff());
+    for (const int row : facet.ring) check.outside = std::max(check.outside, -beyond(row));
+  }
+  check.closed = is_closed(hull.facets, points.cols());
+  const Eigen::VectorXd each = volumes(points, hull);
+  check.volume = each.mean();
+  check.volume_error = each.maxCoeff() - each.minCoeff();
+  return check;
+}
+
 }  // namespace
 
 ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
@@ -109,11 +167,18 @@ ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   require(points.allFinite(), "points of a hull must be finite");
 
   Qhull qhull(points);
-  ConvexHull hull{{}, qhull.failure()};
+  ConvexHull hull{{}, qhull.failure(), {}};
   if (!hull.failure.empty()) return hull;
   hull.facets = qhull.facets();
   if (d == 3)
     for (HullFacet& facet : hull.facets) sort_ring(points, facet);
+
+  hull.check = check_hull(points, hull);
+  const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  if (!(hull.check.outside <= kContained * extent))
+    return {{},
+            fmt::format("qhull: a point lies {:.2g} outside the hull", hull.check.outside),
+            hull.check};
   return hull;
 }
 

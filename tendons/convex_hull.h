@@ -16,15 +16,27 @@ struct HullFacet {
   std::vector<int> ring;   // rows of its corners, in order; d = 3: counterclockwise from outside
 };
 
+/// What a hull is held to, from points, planes and rings alone. Lengths in the unit of the points.
+struct HullCheck {
+  double outside = 0;   // farthest that a point lies outside a plane, or a corner inside its own
+  bool closed = false;  // every edge is run through once each way; d = 3: and V - E + F = 2
+  double volume = 0;    // by the divergence theorem; d = 2: area
+  double volume_error = 0;  // largest less least of the volumes by x, by y and by z alone
+};
+
 struct ConvexHull {
   std::vector<HullFacet> facets;  // coplanar ones merged; empty on failure
   std::string failure;            // why there is no hull; empty if there is one
+  HullCheck check;
 };
 
 /// Hull of points that span their space, by Quickhull, without joggling.
 ///
 /// Rounding is met by merging facets: a facet plane may lie 1e-14 of the size of the set off its
 /// points. Sets that are flat to that degree fail: bring their affine hull down first.
+/// Quickhull's word is not believed: a hull that a point leaves by more than 1e-10 of the extent is
+/// a failure. Merged facets may share a corner that is none of their rings'; `check.closed` then
+/// says that the surface has gaps, though all planes hold.
 ///
 /// @param points  one a row   k x d, d = 2 or 3
 /// @throws InputError if d is not 2 or 3, there are fewer than d + 1 points, or one is not finite.

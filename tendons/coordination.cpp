@@ -41,8 +41,8 @@ LinearProgram activation_program(const Task& task) {
 }
 
 Coordination report(const Task& task, ForceStatus status, const VectorXd& a, const Vector3d& force,
-                    const std::string& message) {
-  Coordination result{status, internal::tension(task.balance, a), {}, 0, force, {}, message};
+                    const std::string& message, double gap = FirstOrder::kUnknown) {
+  Coordination result{status, internal::tension(task.balance, a), {}, 0, force, {}, message, gap};
   result.activation = internal::activation(task.statics, result.tension);
   result.effort = result.activation.array().pow(task.p).sum();
   result.tau_left = task.statics.J.transpose() * task.wanted -
@@ -55,6 +55,17 @@ Coordination unsolved(const Task& task, LinearStatus status) {
   return report(task, internal::force_status(status), VectorXd::Zero(task.balance.most.size()),
                 Vector3d::Zero(), "a linear program stalled");
 }
+
+/// How far above its least value a convex objective is at most:  sum of price x distance to bounds,
+/// and the slope that is left times how far away the optimum can be.
+double convex_gap(const NonlinearResult& result, double radius) {
+  const double slope =
+      result.first_order.stationarity * std::sqrt(static_cast<double>(result.x.size()));
+  return result.first_order.complementarity + slope * radius;
+}
+
+/// Diameter of the box of m activations between 0 and 1.
+double diameter(Index m) { return std::sqrt(static_cast<double>(m)); }
 
 /// Effort as a function of y with exact second derivatives; |a|^p, so that a trial step beyond zero
 /// stays convex.
@@ -93,8 +104,10 @@ Coordination nearest(const Task& task) {
   everything.upper.tail(m) = balance.most;
   const internal::BalanceInterior interior = internal::balance_interior(everything);
   if (interior.status != LinearStatus::kSolved)
-    return report(task, internal::force_status(interior.status), VectorXd::Zero(m),
-                  Vector3d::Zero(), "no force at all balances the passive torque");
+    return report(
+        task, internal::force_status(interior.status), VectorXd::Zero(m), Vector3d::Zero(),
+        interior.status == LinearStatus::kStalled ? "a linear program stalled"
+                                                  : "no force at all balances the passive torque");
 
   const VectorXd aim = balance.U.transpose() * task.wanted / balance.force_unit;
   const MatrixXd Z = interior.Z.topRows(3);
@@ -110,9 +123,14 @@ Coordination nearest(const Task& task) {
   const NonlinearResult best = solve_ipopt(program, VectorXd::Zero(Z.cols()));
   const ForceStatus status = internal::force_status(best.status);
   const VectorXd z = interior.z0 + interior.Z * best.x;
-  return report(task, status == ForceStatus::kSolved ? ForceStatus::kInfeasible : status, z.tail(m),
-                balance.force_unit * (balance.U * z.head(3)),
-                "the wanted force is out of reach; this is the nearest");
+  const auto square = [](double value) { return value * value; };
+  // The optimum is no farther from the wanted force than this, so at most twice that from here.
+  return report(
+      task, status == ForceStatus::kSolved ? ForceStatus::kInfeasible : status, z.tail(m),
+      balance.force_unit * (balance.U * z.head(3)),
+      status == ForceStatus::kSolved ? "the wanted force is out of reach; this is the nearest"
+                                     : best.message,
+      square(balance.force_unit) * convex_gap(best, diameter(m) + 2 * miss(best.x).norm()));
 }
 
 }  // namespace
@@ -132,7 +150,7 @@ Coordination coordinate(const TipStatics& statics, const Vector3d& f,
     const LinearResult best = solve(linear);
     if (best.status == LinearStatus::kInfeasible) return nearest(task);
     if (best.status != LinearStatus::kSolved) return unsolved(task, best.status);
-    return report(task, ForceStatus::kSolved, best.x, f, "linear program");
+    return report(task, ForceStatus::kSolved, best.x, f, "linear program", best.certificate.gap);
   }
 
   const internal::BalanceInterior interior = internal::balance_interior(linear);
@@ -143,7 +161,7 @@ Coordination coordinate(const TipStatics& statics, const Vector3d& f,
   const NonlinearResult best =
       solve_ipopt(effort_program(interior, options.p), VectorXd::Zero(interior.Z.cols()), sharp);
   return report(task, internal::force_status(best.status), interior.z0 + interior.Z * best.x, f,
-                best.message);
+                best.message, convex_gap(best, diameter(interior.z0.size())));
 }
 
 }  // namespace thenar

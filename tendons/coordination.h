@@ -24,6 +24,8 @@ struct Coordination {
   Eigen::Vector3d force;       // made: the wanted one, or the nearest that can be made  [N] (3)
   Eigen::VectorXd tau_left;    // J' wanted - R' t - tau_0                               [N m] (n)
   std::string message;         // how it ended, in words
+  double gap;                  // how much less effort any other tensions could take, at most; if
+                               // infeasible, how much less |miss|^2 [N^2]; NaN if unknown
 };
 
 /// Tensions of least effort that make a wanted force of a pinned tip:
@@ -31,10 +33,11 @@ struct Coordination {
 ///   minimise sum (t_i / F0_i)^p  subject to  R' t + tau_0 = J' f,  0 <= t <= F0.
 ///
 /// p = 1 is a linear program, whose answer uses as few muscles as joints; p > 1 is strictly convex
-/// and its answer, unique, shares among synergists. Balance is exact; effort is least to about
-/// 1e-12, so a silent muscle shows an activation of up to 1e-13^(1/p): 3e-7 for p = 2, 5e-5 for p
-/// = 3. A force out of reach gives kInfeasible, the nearest force in reach and what is missing; if
-/// no force at all balances tau_0, `force` and tensions are zero.
+/// and its answer, unique, shares among synergists. Both are convex, so the prices of the bounds
+/// give a gap to the optimum, which is checked before a result is called solved. Balance is exact;
+/// effort is least to about 1e-12, so a silent muscle shows an activation of up to 1e-13^(1/p):
+/// 3e-7 for p = 2, 5e-5 for p = 3. A force out of reach gives kInfeasible, the nearest force in
+/// reach and what is missing; if no force at all balances tau_0, `force` and tensions are zero.
 ///
 /// @param statics  one posture; W is not looked at; every F0 finite. F0 = 0 takes a muscle out.
 /// @param f        wanted force of the tip on the world, world frame   3   [N]

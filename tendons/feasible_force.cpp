@@ -133,10 +133,7 @@ LargestForce largest_force(const TipStatics& statics, const Vector3d& direction,
   const Vector3d across = result.force - d * d.dot(result.force);
   result.check = {balance.force_unit * best.certificate.gap,
                   std::max(0.0, across.norm() - slope * result.magnitude),
-                  (statics.J.transpose() * result.force - statics.R.transpose() * result.tension -
-                   statics.tau_0)
-                      .cwiseAbs()
-                      .maxCoeff()};
+                  internal::imbalance(statics, result.force, result.tension)};
   return result;
 }
 

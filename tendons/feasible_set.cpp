@@ -24,16 +24,19 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kCertified = 1e-9;     // support may exceed a facet by this part of the extent
+constexpr double kAccepted = 1e-6;      // the same of a thin set, where rounding allows no less
 constexpr double kFlat = 1e-9;          // width, as part of the size, below which a set is flat
 constexpr double kNoForce = 1e-9;       // size, in force units, below which nothing is made
 constexpr double kSamePoint = 1e-10;    // of the extent: two support points are one
 constexpr double kStraightEdge = 1e-6;  // sine of an angle below which a corner is none
+constexpr double kVolume = 1e-9;        // by which volumes by x, y and z may differ
 constexpr int kMostRounds = 200;        // of hull growth; about 6 are needed
 
 /// A point of the set, and activations that make it.
 struct Point {
   VectorXd phi;  // coordinates along the first r columns of U, in force units (r)
   VectorXd a;    // (m)
+  double gap;    // by which the set may reach farther, in the unit of the direction asked for
 };
 
 /// Asks for the farthest point of the set in any direction.
@@ -58,7 +61,7 @@ class SupportOracle {
     program_.objective.head(r_) = direction;
     const LinearResult result = solve(program_);
     if (result.status != LinearStatus::kSolved) worst_ = result.status;
-    return {result.x.head(r_), result.x.tail(result.x.size() - r_)};
+    return {result.x.head(r_), result.x.tail(result.x.size() - r_), result.certificate.gap};
   }
 
  private:
@@ -172,23 +175,31 @@ bool same_plane(const HullFacet& a, const HullFacet& b) {
 }
 
 /// Grows the hull until the farthest point over every facet lies on it.
-ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points) {
+/// @param excess  by how much the set may exceed a facet that stayed, as part of the extent
+ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points,
+                double& excess) {
   std::vector<HullFacet> certified;
+  excess = 0;
   for (int round = 0; round < kMostRounds; ++round) {
     ConvexHull hull = convex_hull(local_points(frame, points));
     if (!hull.failure.empty()) return hull;
     bool grown = false;
+    double open = 0;  // of facets that are exceeded, though by no new point
     for (const HullFacet& facet : hull.facets) {
       const auto is_same = [&](const HullFacet& other) { return same_plane(facet, other); };
       if (std::any_of(certified.begin(), certified.end(), is_same)) continue;
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
-      const bool outside = facet.normal.dot(frame.local(beyond.phi)) > facet.offset + kCertified;
-      if (outside && add_new(frame, beyond, points)) grown = true;
-      if (!outside) certified.push_back(facet);
+      const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
+      if (over > kCertified && add_new(frame, beyond, points)) grown = true;
+      open = std::max(open, over);
+      if (over > kCertified) continue;
+      certified.push_back(facet);
+      excess = std::max(excess, over);
     }
+    excess = std::max(excess, grown ? 0.0 : open);
     if (!grown) return hull;
   }
-  return {{}, "the hull of feasible forces did not close"};
+  return {{}, "the hull of feasible forces did not close", {}};
 }
 
 /// Keeps the points where facets of d independent directions meet: true corners, not points
@@ -253,6 +264,8 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
     set.tension.row(i) = internal::tension(balance, point.a);
     set.activation.row(i) = internal::activation(statics, set.tension.row(i));
+    set.imbalance = std::max(set.imbalance,
+                             internal::imbalance(statics, set.vertices.row(i), set.tension.row(i)));
   }
 }
 
@@ -289,7 +302,7 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
                 SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
                 FeasibleForceSet& set) {
   std::vector<Point> points = distinct(frame, support);
-  ConvexHull hull = grow(oracle, frame, points);
+  ConvexHull hull = grow(oracle, frame, points, set.excess);
   if (hull.failure.empty()) {
     points = corners(hull, frame, points);
     hull = convex_hull(local_points(frame, points));
@@ -299,11 +312,18 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     set.failure = hull.failure.empty() ? "a linear program stalled" : hull.failure;
     return;
   }
+  if (!(set.excess <= kAccepted)) {
+    set.status = ForceStatus::kStalled;
+    set.failure = "a facet of the hull could not be certified";
+    return;
+  }
   if (set.dimension == 2) sort_ring(frame, points);
   write_points(statics, balance, points, set);
   if (set.dimension == 3) {
     write_facets(balance, frame, hull, set);
-    if (closed(set.triangles)) return;
+    const HullCheck& check = hull.check;
+    if (closed(set.triangles) && check.closed && check.volume_error <= kVolume * check.volume)
+      return;
     set.status = ForceStatus::kStalled;
     set.failure = "nearly flat facets leave a gap in the hull";
     return;
@@ -325,6 +345,8 @@ FeasibleForceSet empty_set(const TipStatics& statics, const internal::TipBalance
           MatrixXd(0, m),
           MatrixXd(0, m),
           balance.U.rightCols(3 - balance.rank),
+          0.0,
+          0.0,
           ""};
 }
 
@@ -346,9 +368,13 @@ FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   if (set.dimension == 0) write_points(statics, balance, {points.front()}, set);
   if (set.dimension == 1) {
     const VectorXd along = frame.axes.col(0);
-    write_points(statics, balance, {oracle.farthest(-along), oracle.farthest(along)}, set);
+    const Point low = oracle.farthest(-along), high = oracle.farthest(along);
+    write_points(statics, balance, {low, high}, set);
+    set.excess = std::max(low.gap, high.gap) / (2 * frame.half(0));
   }
   if (set.dimension >= 2) write_hull(statics, balance, oracle, frame, points, set);
+  // Every answer so far counts: also of those that found a width of nothing.
+  if (set.status == ForceStatus::kSolved) set.status = internal::force_status(oracle.worst());
   if (set.status == ForceStatus::kSolved) set.volume = measure(set);
   return set;
 }

@@ -23,6 +23,8 @@ struct FeasibleForceSet {
   Eigen::MatrixXd tension;     // one way to make each vertex                       [N] (k, m)
   Eigen::MatrixXd activation;  // tension / F0, 0 where F0 is 0                     [1] (k, m)
   Eigen::Matrix3Xd carried;    // directions the skeleton carries alone, orthonormal [1] (3, c)
+  double excess;               // by which forces may exceed a facet, part of the extent [1]
+  double imbalance;            // largest of |J' f - R' t - tau_0| at the vertices   [N m]
   std::string failure;         // why, if status is kStalled
 };
 
@@ -31,7 +33,9 @@ struct FeasibleForceSet {
 /// A straight or planar finger carries some directions without tendons (J' f = 0). The set is a
 /// line or plane along those; `carried` holds them and the vertices describe the part across them.
 /// Facets are certified: the largest force along each normal, by linear programming, exceeds the
-/// facet by less than 1e-9 of the set's extent. A set thinner than 1e-9 of its size is flat.
+/// facet by less than 1e-9 of the set's extent (1e-6 of a needle's); `excess` says by how much. The
+/// hull is closed, holds all its points, and has the
+/// same volume by x, by y and by z. A set thinner than 1e-9 of its size is flat.
 ///
 /// @param statics  one posture; W is not looked at. An infinite F0 gives kUnbounded wherever it
 ///                 leaves the set without end, and then no vertices.

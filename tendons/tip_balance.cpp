@@ -81,6 +81,13 @@ Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t) 
   return (F0.array() > 0).select(t.array() / F0.array().max(1e-300), 0);
 }
 
+double imbalance(const TipStatics& statics, const Eigen::Vector3d& force,
+                 const Eigen::VectorXd& tension) {
+  const Eigen::VectorXd left =
+      statics.J.transpose() * force - statics.R.transpose() * tension - statics.tau_0;
+  return left.cwiseAbs().maxCoeff();
+}
+
 Eigen::Matrix3Xd without_rounding(const Eigen::Matrix3Xd& unit_vectors) {
   return (unit_vectors.array().abs() > kUnitRounding).select(unit_vectors, 0);
 }

@@ -50,6 +50,10 @@ struct TipBalance {
 /// t / F0; zero where F0 is zero or infinite.  (m)
 [[nodiscard]] Eigen::VectorXd activation(const TipStatics& statics, const Eigen::VectorXd& t);
 
+/// Largest joint torque that force and tensions leave: max |J' f - R' t - tau_0|  [N m].
+[[nodiscard]] double imbalance(const TipStatics& statics, const Eigen::Vector3d& force,
+                               const Eigen::VectorXd& tension);
+
 /// `unit_vectors` (columns) with components below kUnitRounding set to zero.  (3, k)
 [[nodiscard]] Eigen::Matrix3Xd without_rounding(const Eigen::Matrix3Xd& unit_vectors);
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/first_order.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -69,6 +70,56 @@ TEST(NonlinearProgram, ExactHessianFindsTheSamePoint) {
   const NonlinearResult result = solve_ipopt(program, Vector2d(0.1, 0.1));
   EXPECT_EQ(result.status, NonlinearStatus::kSolved);
   EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1) / std::sqrt(5.0), kClose));
+}
+
+// At the optimum x* = (2, 1) / sqrt(5) the slope 2 (x* - (2, 1)) is met by y 2 x* with y = sqrt(5)
+// - 1.
+TEST(FirstOrder, VanishesAtTheOptimumAndNowhereElse) {
+  const Vector2d best = Vector2d(2, 1) / std::sqrt(5.0);
+  const VectorXd y = VectorXd::Constant(1, std::sqrt(5.0) - 1), none = Vector2d::Zero();
+  const FirstOrder at = first_order(nearest_in_disc(), best, y, none);
+  EXPECT_LT(at.violation, 1e-15);
+  EXPECT_LT(at.stationarity, 1e-15);
+  EXPECT_LT(at.complementarity, 1e-15);
+  // At zero the slope is (-4, -2); the price of the disc stands 1 away from its bound.
+  const FirstOrder off = first_order(nearest_in_disc(), none, y, none);
+  EXPECT_EQ(off.stationarity, 4);
+  EXPECT_NEAR(off.complementarity, y(0), 1e-15);
+  EXPECT_NEAR(first_order(nearest_in_disc(), Vector2d(2, 0), y, none).violation, 3, 1e-15);
+}
+
+// A price that pushes to where there is no bound cannot excuse a slope.
+TEST(FirstOrder, PricesOfInfiniteBoundsExcuseNothing) {
+  const FirstOrder at = first_order(nearest_to_2_1(), Vector2d(0, 1), VectorXd(0), Vector2d(4, 0));
+  EXPECT_EQ(at.stationarity, 4);
+  EXPECT_EQ(at.complementarity, 0);
+}
+
+TEST(NonlinearProgram, StatesWhatIsLeft) {
+  const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1));
+  EXPECT_LT(result.first_order.violation, 1e-9);
+  EXPECT_LT(result.first_order.stationarity, 1e-6);
+  EXPECT_LT(result.first_order.complementarity, 1e-9);
+}
+
+// Where nothing at all may be left, even Ipopt's best second run is refused.
+TEST(NonlinearProgram, RefusesPointsWhoseConditionsFail) {
+  NonlinearOptions strict;
+  strict.certified = 0;
+  strict.acceptable_tolerance = 0;
+  const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), strict);
+  EXPECT_EQ(result.status, NonlinearStatus::kStalled);
+  EXPECT_NE(result.message.find("first-order conditions do not hold"), std::string::npos);
+}
+
+// Nothing to vary and nothing obeyed.
+TEST(NonlinearProgram, ContradictionWithoutVariablesIsInfeasible) {
+  NonlinearProgram program = nearest_in_disc();
+  program.lower.resize(0);
+  program.upper.resize(0);
+  program.row_upper(0) = -1;
+  program.objective = [](const VectorXd&) { return 0.0; };
+  EXPECT_EQ(solve_ipopt(program, VectorXd(0)).status, NonlinearStatus::kInfeasible);
 }
 
 TEST(NonlinearProgram, ReportsContradiction) {

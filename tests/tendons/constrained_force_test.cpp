@@ -108,6 +108,14 @@ TEST(ConstrainedForce, FrictionBoundsWhatTheSkeletonCarries) {
   EXPECT_NEAR(result.magnitude, 10, 1e-4);
 }
 
+TEST(ConstrainedForce, StatesWhatIsLeft) {
+  const ConstrainedForce result =
+      constrained_force(published_index(), Vector3d(1, 0, 0), Aim::kAlong, {});
+  EXPECT_LT(result.first_order.stationarity, 1e-6 * result.magnitude);
+  EXPECT_LT(result.first_order.complementarity, 1e-6 * result.magnitude);
+  EXPECT_LT(result.imbalance, 1e-12);
+}
+
 TEST(ConstrainedForce, ImpossibleLimitIsInfeasible) {
   const ForceLimit never = [](const Vector3d& f, const VectorXd& t) {
     LimitValue value{VectorXd::Constant(1, 1 + f.squaredNorm()), 2 * f.transpose(),

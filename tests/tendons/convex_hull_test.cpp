@@ -44,6 +44,31 @@ TEST(ConvexHull, PlanesHoldAllPoints) {
     EXPECT_LE((points * facet.normal).maxCoeff(), facet.offset + 1e-14);
 }
 
+// Volume 1 by x, by y and by z; 8 - 12 + 6 = 2.
+TEST(ConvexHull, StatesWhatItIsHeldTo) {
+  const HullCheck check = convex_hull(cube()).check;
+  EXPECT_LE(check.outside, 1e-15);
+  EXPECT_TRUE(check.closed);
+  EXPECT_NEAR(check.volume, 1, 1e-15);
+  EXPECT_LE(check.volume_error, 1e-15);
+  const HullCheck square = convex_hull(cube().topLeftCorner(4, 2)).check;
+  EXPECT_TRUE(square.closed);
+  EXPECT_NEAR(square.volume, 1, 1e-15);
+  EXPECT_LE(square.volume_error, 1e-15);
+}
+
+// A box of 2 x 3 x 5 with one corner cut off at (1, 1, 1) along the edges: 30 - 1 / 6.
+TEST(ConvexHull, VolumeIsThatOfACutBox) {
+  MatrixXd points(10, 3);
+  for (int i = 1; i < 8; ++i) points.row(i - 1) << 2 * (i % 2), 3 * (i / 2 % 2), 5 * (i / 4);
+  points.bottomRows<3>().setIdentity();
+  const ConvexHull hull = convex_hull(points);
+  EXPECT_EQ(hull.facets.size(), 7U);
+  EXPECT_TRUE(hull.check.closed);
+  EXPECT_NEAR(hull.check.volume, 30 - 1.0 / 6, 1e-13);
+  EXPECT_LE(hull.check.volume_error, 1e-13);
+}
+
 TEST(ConvexHull, SquareHasFourEdges) {
   EXPECT_EQ(convex_hull(cube().topLeftCorner(4, 2)).facets.size(), 4U);
 }

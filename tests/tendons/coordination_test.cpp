@@ -97,6 +97,15 @@ TEST(Coordination, PublishedFingerMeetsOptimalityConditions) {
   }
 }
 
+TEST(Coordination, GapBoundsTheEffortThatCouldBeSaved) {
+  for (const double p : {1.0, 1.5, 2.0, 3.0, 6.0}) {
+    const Coordination result = coordinate(published_index(), Vector3d(10, 0, 0), {p});
+    ASSERT_EQ(result.status, ForceStatus::kSolved) << p << ": " << result.message;
+    EXPECT_GE(result.gap, 0);
+    EXPECT_LT(result.gap, 1e-6 * std::max(1.0, result.effort)) << p;
+  }
+}
+
 TEST(Coordination, BalancesThePublishedFinger) {
   const Coordination result = coordinate(published_index(), Vector3d(10, 0, 0));
   EXPECT_LT(result.tau_left.norm(), 1e-12);
