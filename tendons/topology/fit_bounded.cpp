@@ -11,13 +11,18 @@ constexpr double kSmallest = 1e-9;  // radius at which a fit gives up
 constexpr int kSweeps = 400;
 constexpr double kSettled = 1e-9;  // relative move of a sweep at which descent stops
 
-/// Minimum of the linearised problem within `radius` of here, in every unknown.
-Eigen::VectorXd trusted_step(const PricedFit& fit, const PricedResult& now, double radius) {
+constexpr double kRounding = 1e-6;  // gap of a linearised problem that no sweep lessens
+
+/// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
+Eigen::VectorXd trusted_step(const PricedFit& fit, PricedResult& now, double radius) {
   Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
   H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
   const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
-  return bounded_quadratic(H, g, (fit.lower - now.x).cwiseMax(-radius),
-                           (fit.upper - now.x).cwiseMin(radius));
+  const Eigen::VectorXd lower = (fit.lower - now.x).cwiseMax(-radius);
+  const Eigen::VectorXd upper = (fit.upper - now.x).cwiseMin(radius);
+  Eigen::VectorXd d = bounded_quadratic(H, g, lower, upper);
+  now.gap = quadratic_gap(H, g, lower, upper, d);
+  return d;
 }
 
 /// Cost of the linearised problem after a step, less the cost now.
@@ -46,6 +51,16 @@ Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorX
   return d;
 }
 
+double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                     const Eigen::VectorXd& d) {
+  const Eigen::VectorXd slope = 2 * H * d + g;
+  double gap = 0;
+  for (Eigen::Index i = 0; i < d.size(); ++i)
+    if (slope(i) != 0) gap += slope(i) * (d(i) - (slope(i) > 0 ? lower(i) : upper(i)));
+  return gap;
+}
+
 PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
                          const PricedFitOptions& options) {
   PricedResult now;
@@ -58,8 +73,9 @@ PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
   for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
     const Eigen::VectorXd d = trusted_step(fit, now, radius);
     const double foreseen = foreseen_change(fit, now, d);
-    now.converged = -foreseen < std::max(options.tolerance, options.relative * std::abs(now.cost));
-    if (now.converged) break;
+    const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
+    now.converged = -foreseen < small && now.gap <= std::max(small, kRounding);
+    if (-foreseen < small) break;
     const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
     PricedResiduals next = fit.residuals(x, Slopes::kWith);
     const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;

@@ -36,11 +36,14 @@ struct [[nodiscard]] PricedResult {
   Eigen::VectorXd x;
   PricedResiduals at;  // there
   double cost = 0;     // |r|^2 + price' x
+  double gap = 0;      // of the last linearised problem: what its minimum may still be lower
   int steps = 0;
 };
 
 /// By Gauss and Newton's steps in a box of trust, each the minimum of a bounded quadratic program
-/// found by coordinate descent. Steps to where the model has no answer are shortened.
+/// found by coordinate descent. Steps to where the model has no answer are shortened. Converged
+/// says that the linearised problem promises no more than the tolerance, and that its own minimum
+/// is found to that by quadratic_gap().
 /// @param x0  is moved between the bounds first (n)
 [[nodiscard]] PricedResult fit_bounded(const PricedFit& fit, Eigen::VectorXd x0,
                                        const PricedFitOptions& options = {});
@@ -49,5 +52,13 @@ struct [[nodiscard]] PricedResult {
 [[nodiscard]] Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                                 const Eigen::VectorXd& lower,
                                                 const Eigen::VectorXd& upper);
+
+/// How much lower than at d the minimum of the same is, at most: with the slope s = 2 H d + g,
+///   sum over i of  max(s_i (d_i - lower_i), s_i (d_i - upper_i)),
+/// as the tangent plane lies below a convex function. Infinite where a slope leads to no bound.
+/// Source: [Frank1956].
+[[nodiscard]] double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                                   const Eigen::VectorXd& d);
 
 }  // namespace thenar

@@ -41,6 +41,18 @@ TEST(BoundedQuadratic, StopsAtABound) {
   EXPECT_TRUE(matrix_near(d, Vector2d(1.5, 0), 1e-8));
 }
 
+// The same in a box of 2: at its minimum (1.5, 0) nothing is left; at (0, 0), where the function is
+// 0 and its minimum -4.5, the tangent plane falls by 12.
+TEST(BoundedQuadratic, GapBoundsWhatIsMissing) {
+  Matrix2d H;
+  H << 2, 1, 1, 2;
+  const Vector2d g(-6, 0), low(0, 0), high(2, 2);
+  EXPECT_EQ(quadratic_gap(H, g, low, high, Vector2d(1.5, 0)), 0);
+  EXPECT_EQ(quadratic_gap(H, g, low, high, Vector2d(0, 0)), 12);
+  const VectorXd found = bounded_quadratic(H, g, low, high);
+  EXPECT_LT(quadratic_gap(H, g, low, high, found), 1e-7);
+}
+
 // Each unknown alone: minimise (x - a)^2 + p x over x >= 0, so x = max(0, a - p / 2).
 TEST(FitBounded, ShrinksByHalfThePriceAndStopsAtZero) {
   PricedFit fit = distance_to({3, 0.4});
