@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "hand/tip_mobility.h"
 #include "tendons/published_map.h"
 #include "tendons/tendon_model.h"
 
@@ -33,7 +35,7 @@ DigitAtPosture digit_from_map(const Subject& subject, const std::string& digit,
   require(question.posture.empty() && question.frozen.empty(),
           "tip map '{}' stands for one posture of its own; leave out --posture and --frozen",
           map.name);
-  DigitAtPosture at{subject.name, digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}};
+  DigitAtPosture at{subject.name, digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}, {}, 1};
   at.built = fmt::format("published tip map '{}', in its own x, y, z", map.name);
   for (const std::string& moment : moment_rows(map)) at.rows.push_back(moment);
   at.statics = map_statics(subject, map);
@@ -60,6 +62,7 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
   warn_of_limits(digit.skeleton, q);
 
   const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const TipStatics statics = tip_statics(digit, q);
   const int link = digit.model.tip_link;
   const Eigen::Matrix3d turned =
       link < 0 ? Eigen::Matrix3d::Identity() : state[static_cast<std::size_t>(link)].X.R;
@@ -70,7 +73,9 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
           digit.names.coordinates,
           q,
           turned * digit.model.tip_axes,
-          tip_statics(digit, q)};
+          statics,
+          statics_slopes(digit, q),
+          tip_mobility(statics.J).condition};
 }
 
 }  // namespace
@@ -108,6 +113,34 @@ std::vector<std::string> unlimited_muscles(const TipStatics& statics) {
     if (std::isinf(statics.max_tension[static_cast<Eigen::Index>(i)]))
       names.push_back(statics.muscles[i]);
   return names;
+}
+
+std::string posture_note(const DigitAtPosture& at, double condition,
+                         const Eigen::VectorXd& change) {
+  if (condition < kNearlyStraight || change.size() == 0) return "";
+  Eigen::Index most = 0;
+  change.cwiseAbs().maxCoeff(&most);
+  const std::string& joint = at.rows[static_cast<std::size_t>(most)];
+  if (!std::isfinite(condition) || !std::isfinite(change[most]))
+    return "singular posture: forces along the bones have no limit, and change without limit as a "
+           "joint leaves it";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): one degree of {} changes the force by {:.3g} N, "
+      "to first order; goniometers err by several",
+      condition, joint, std::abs(change[most]) * kDegree);
+}
+
+std::string change_line(const DigitAtPosture& at, const Eigen::VectorXd& change) {
+  std::vector<Eigen::Index> order(static_cast<std::size_t>(change.size()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return std::abs(change[a]) > std::abs(change[b]);
+  });
+  std::string line = "N per degree of posture:";
+  for (const Eigen::Index i : order)
+    line += fmt::format("{} {} {:.3g}", i == order.front() ? "" : ",",
+                        at.rows[static_cast<std::size_t>(i)], change[i] * kDegree);
+  return line;
 }
 
 nlohmann::ordered_json json_header(const DigitAtPosture& at) {

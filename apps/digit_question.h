@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/io/subject.h"
+#include "tendons/posture_slopes.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -35,6 +36,8 @@ struct DigitAtPosture {
   Eigen::VectorXd q;                        // [rad] (joints); empty for a map
   std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
   TipStatics statics;
+  std::vector<StaticsSlope> slopes;  // by each joint; empty for a map
+  double condition;                  // of the tip's Jacobian [1]
 };
 
 /// Reads the subject and builds the digit; warns on stderr of angles outside their limits.
@@ -47,6 +50,15 @@ struct DigitAtPosture {
 
 /// "FDP", "FDS": muscles whose largest force the subject does not say.
 [[nodiscard]] std::vector<std::string> unlimited_muscles(const TipStatics& statics);
+
+/// What to beware of where the finger is nearly straight: its condition, and the joint on which the
+/// force hangs most. Empty below kNearlyStraight.
+/// @param change  of the force by each joint [N/rad] (n)
+[[nodiscard]] std::string posture_note(const DigitAtPosture& at, double condition,
+                                       const Eigen::VectorXd& change);
+
+/// "N per degree of posture: PIP2 0.31, DIP2 0.12", the most first.
+[[nodiscard]] std::string change_line(const DigitAtPosture& at, const Eigen::VectorXd& change);
 
 /// Subject, digit, posture and fidelity, as they open every JSON answer.
 [[nodiscard]] nlohmann::ordered_json json_header(const DigitAtPosture& at);

@@ -52,6 +52,7 @@ void run(const Options& options) {
   require_limits(at, options.question.subject);
 
   nlohmann::ordered_json json = json_header(at);
+  if (at.map.empty()) json["condition"] = at.condition;
   std::string text = text_header(at) + "\n";
   if (!options.direction.empty()) {
     const Eigen::Vector3d d(options.direction.data());
@@ -64,6 +65,13 @@ void run(const Options& options) {
     const WholeSet whole = whole_set(at, axes);
     json.update(json_of(axes, whole));
     text += text_of(axes, whole);
+    if (at.map.empty() && at.condition >= kNearlyStraight) {
+      const std::string note = fmt::format(
+          "nearly singular posture (condition {:.3g}): the set changes much within a degree",
+          at.condition);
+      if (!json.contains("note")) json["note"] = note;
+      text += "note: " + note + "\n";
+    }
   }
   fmt::print("{}\n", options.json ? json.dump(2) : text);
 }

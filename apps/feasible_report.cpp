@@ -4,9 +4,13 @@
 
 #include "apps/print_table.h"
 #include "apps/to_json.h"
+#include "base/angles.h"
+#include "tendons/posture_slopes.h"
 
 namespace thenar {
 namespace {
+
+constexpr double kNoForce = 1e-6;  // below the rounding of what the tendons make [N]
 
 /// What a status means to whoever asked for a force.
 std::string meaning(ForceStatus status) {
@@ -56,6 +60,14 @@ std::string name_of(ForceStatus status) {
   return "";
 }
 
+Eigen::VectorXd magnitude_change(const DigitAtPosture& at, const ForceAxes& axes,
+                                 const LargestForce& largest) {
+  if (largest.status != ForceStatus::kSolved || largest.magnitude < kNoForce || !at.map.empty())
+    return {};
+  return largest_force_slopes(at.statics, at.slopes, largest,
+                              axes.name == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld);
+}
+
 WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes) {
   WholeSet whole{feasible_force_set(at.statics), {}};
   for (int k = 0; k < 6; ++k)
@@ -66,12 +78,21 @@ WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes) {
 
 nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
                                const LargestForce& largest) {
-  return {{"status", name_of(largest.status)},
-          {"axes", axes.name},
-          {"force_N", to_json(axes.to_world.transpose() * largest.force)},
-          {"magnitude_N", largest.magnitude},
-          {"activation", to_json(at.statics.muscles, largest.activation)},
-          {"tension_N", to_json(at.statics.muscles, largest.tension)}};
+  nlohmann::ordered_json json{{"status", name_of(largest.status)},
+                              {"axes", axes.name},
+                              {"force_N", to_json(axes.to_world.transpose() * largest.force)},
+                              {"magnitude_N", largest.magnitude},
+                              {"certificate",
+                               {{"gap_N", largest.check.gap},
+                                {"outside_cone_N", largest.check.outside},
+                                {"imbalance_N_mm", 1e3 * largest.check.imbalance}}},
+                              {"activation", to_json(at.statics.muscles, largest.activation)},
+                              {"tension_N", to_json(at.statics.muscles, largest.tension)}};
+  const Eigen::VectorXd change = magnitude_change(at, axes, largest);
+  if (change.size() > 0) json["magnitude_change_N_per_deg"] = to_json(at.rows, change * kDegree);
+  const std::string note = posture_note(at, at.condition, change);
+  if (!note.empty()) json["note"] = note;
+  return json;
 }
 
 nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
@@ -86,13 +107,14 @@ nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
             {"volume", set.volume},
             {"vertices_N", to_json(set.vertices * axes.to_world)},
             {"triangles", to_json(set.triangles)},
+            {"excess", set.excess},
+            {"imbalance_N_mm", 1e3 * set.imbalance},
             {"carried_by_bones", to_json(set.carried.transpose() * axes.to_world)},
             {"largest_N", largest}}}};
 }
 
 std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const LargestForce& largest) {
   if (largest.status != ForceStatus::kSolved) return status_line(largest.status) + "\n";
-  constexpr double kNoForce = 1e-6;  // below the rounding of what the tendons make [N]
   if (largest.magnitude < kNoForce)
     return "Largest force: none; " + meaning(ForceStatus::kInfeasible) + "\n\n";
   const Eigen::Vector3d force = axes.to_world.transpose() * largest.force;
@@ -101,9 +123,15 @@ std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const Large
     muscles.rows.push_back({at.statics.muscles[static_cast<std::size_t>(i)],
                             shown(largest.activation[i], 4), shown(largest.tension[i], 2),
                             shown(at.statics.max_tension[i], 2)});
-  return fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n\n{}\n",
-                     shown(largest.magnitude, 3), fmt::join(axes.names, ", "),
-                     fmt::join(cells(force, 3), ", "), axes.name, aligned(muscles));
+  const Eigen::VectorXd change = magnitude_change(at, axes, largest);
+  const std::string note = posture_note(at, at.condition, change);
+  std::string text =
+      fmt::format("Largest force: {} N along the direction\nas ({}) = ({}) N in {} axes\n",
+                  shown(largest.magnitude, 3), fmt::join(axes.names, ", "),
+                  fmt::join(cells(force, 3), ", "), axes.name);
+  if (change.size() > 0) text += change_line(at, change) + "\n";
+  if (!note.empty()) text += "note: " + note + "\n";
+  return text + "\n" + aligned(muscles) + "\n";
 }
 
 std::string text_of(const ForceAxes& axes, const WholeSet& whole) {

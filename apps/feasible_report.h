@@ -25,6 +25,11 @@ struct WholeSet {
   std::vector<LargestForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
+/// Derivative of the largest force by each joint, the direction held in the axes that it was given
+/// in; empty unless there is such a force, and for a map [N/rad] (n).
+[[nodiscard]] Eigen::VectorXd magnitude_change(const DigitAtPosture& at, const ForceAxes& axes,
+                                               const LargestForce& largest);
+
 [[nodiscard]] WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes);
 
 /// "solved", "infeasible", "unbounded" or "stalled".

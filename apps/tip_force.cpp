@@ -13,7 +13,9 @@
 #include "apps/named_numbers.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
+#include "base/angles.h"
 #include "base/error.h"
+#include "tendons/posture_slopes.h"
 #include "tendons/tip_wrench.h"
 
 namespace thenar {
@@ -34,25 +36,36 @@ struct Answer {
   Eigen::Vector3d force, moment;  // of the tip on the world, world axes [N], [N m] (3)
   Eigen::VectorXd left;           // torque that nothing balances [N m] (rows)
   double condition;
-  std::string note;  // what to beware of; may be empty
+  Eigen::VectorXd change;  // size of the force's change by each joint [N/rad] (n); empty for a map
+  std::string note;        // what to beware of; may be empty
 };
+
+void add_note(const std::string& note, Answer& answer) {
+  if (!note.empty()) answer.note += (answer.note.empty() ? "" : "; ") + note;
+}
 
 Answer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
   const TipForce result = tip_force(at.statics, t);
-  Answer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, ""};
+  Answer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, {}, ""};
   if (result.rank < 3)
     answer.note = "singular posture: of the forces that balance, this is the least";
+  if (!at.map.empty()) return answer;
+  answer.change = tip_force_slopes(at.statics, at.slopes, t).colwise().norm();
+  if (result.rank == 3) add_note(posture_note(at, result.condition, answer.change), answer);
   return answer;
 }
 
 Answer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
   const TipWrench result = tip_wrench(at.statics, t, {length});
-  Answer answer{result.f_W, result.m_W, result.tau_left, result.condition, ""};
+  Answer answer{result.f_W, result.m_W, result.tau_left, result.condition, {}, ""};
+  answer.change =
+      tip_wrench_slopes(at.statics, at.slopes, t, {length}).bottomRows<3>().colwise().norm();
   if (result.minimum_norm)
     answer.note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "
         "this one has the least |force|^2 + |moment / {:.4g} mm|^2 (--hold-length)",
         at.q.size(), 1e3 * length);
+  add_note(posture_note(at, result.condition, answer.change), answer);
   return answer;
 }
 
@@ -70,6 +83,7 @@ void print_json(const Options& options, const DigitAtPosture& at, const Eigen::V
   if (at.map.empty()) {
     json["leftover_torque_N_mm"] = to_json(at.rows, answer.left / kNmm);
     json["condition"] = answer.condition;
+    json["force_change_N_per_deg"] = to_json(at.rows, answer.change * kDegree);
   } else {
     const std::vector<std::string> moments(at.rows.begin() + 3, at.rows.end());
     json["tip_moment_N_mm"] = to_json(moments, answer.left.tail(answer.left.size() - 3) / kNmm);
@@ -100,7 +114,9 @@ void print_text(const Options& options, const DigitAtPosture& at, const Answer& 
   print_table(at.map.empty() ? "Joint torque left over, that no tip load balances"
                              : "Moment at the tip, that the hold must carry",
               left);
-  if (at.map.empty()) fmt::print("condition: {:.4g}\n", answer.condition);
+  if (at.map.empty())
+    fmt::print("condition: {:.4g}\nsize of the force's change, {}\n", answer.condition,
+               change_line(at, answer.change));
   if (!answer.note.empty()) fmt::print("note: {}\n", answer.note);
 }
 

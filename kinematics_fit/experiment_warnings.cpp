@@ -4,11 +4,11 @@
 #include <cmath>
 
 #include "base/angles.h"
+#include "tendons/posture_slopes.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kNearlySingular = 1e6;  // a hundredth of a degree from straight [1]
 constexpr double kBeyond = 5 * kDegree;  // limits are of other hands: some slack [rad]
 constexpr double kTooStrong = 2;         // tension per largest force beyond any living muscle [1]
 
@@ -16,10 +16,10 @@ using Warnings = std::vector<std::string>;
 
 void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (std::size_t k = 0; k < plan.postures.size(); ++k) {
-    if (plan.condition[k] > kNearlySingular)
+    if (plan.condition[k] > kNearlyStraight)
       warnings.push_back(
-          fmt::format("posture '{}' is nearly singular (condition {:.1e}): its forces hang on "
-                      "angles that nobody can measure",
+          fmt::format("posture '{}' is nearly singular (condition {:.3g}): its forces hang on "
+                      "angles that nobody can measure well enough",
                       plan.posture_names[k], plan.condition[k]));
     for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
       const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];

@@ -280,6 +280,19 @@ TEST(FitProblem, SaysWhichAnglesAndTensionsNoFingerHas) {
                 "experiment 'synek2019_H01': FDS was pulled with 950.0 N, but can make 189.0 N"}));
 }
 
+// A fifth of a degree from straight at both joints: far from singular to rounding, and not to a
+// goniometer.
+TEST(FitProblem, SaysWhichPosturesAreNearlyStraight) {
+  FitSetup setup = middle_finger(kAxes);
+  auto& angles = setup.experiments.front().postures[1].angles;
+  angles["PIP3"] = angles["DIP3"] = 0.2 * kDegree;
+  const std::vector<std::string> warnings = setup.problem().warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("posture 'MajorFlex' is nearly singular (condition "),
+            std::string::npos)
+      << warnings[0];
+}
+
 TEST(FitProblem, RefusesAnExperimentOfAnotherDigit) {
   FitSetup setup = middle_finger(kAxes);
   setup.experiments.front().digit = "index";
