@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/shapes/mesh_edges.h"
 
 namespace thenar {
 namespace {
@@ -19,7 +19,17 @@ using Eigen::Vector3d, Eigen::Vector3i;
 constexpr std::size_t kHolesTold = 8;  // in words; more are counted
 
 using Edge = std::pair<int, int>;
-using Walks = std::map<Edge, int>;  // how many triangles walk an edge so
+
+/// Edges that triangles walk in one direction only, and only one does.
+std::vector<Edge> open_edges(const std::vector<MeshSide>& sides) {
+  std::vector<Edge> open;
+  for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {
+    if (last - first > 1 || first->low == first->high) return;
+    open.emplace_back(first->low, first->high);
+    if (!first->upwards) std::swap(open.back().first, open.back().second);
+  });
+  return open;
+}
 
 void check_entries(const TriangleMesh& mesh) {
   require(mesh.vertices.allFinite(), "a mesh has a coordinate that is not finite");
@@ -41,18 +51,6 @@ bool is_degenerate(const TriangleMesh& mesh, const Vector3i& t) {
   return !(area > 1e-10 * longest);
 }
 
-Walks walks_of(const TriangleMesh& mesh) {
-  Walks walks;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    for (int k = 0; k < 3; ++k) ++walks[{mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}];
-  return walks;
-}
-
-int times(const Walks& walks, const Edge& edge) {
-  const auto found = walks.find(edge);
-  return found == walks.end() ? 0 : found->second;
-}
-
 MeshHole hole_around(const TriangleMesh& mesh, std::vector<int> loop) {
   MeshHole hole;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -65,11 +63,10 @@ MeshHole hole_around(const TriangleMesh& mesh, std::vector<int> loop) {
 }
 
 /// Walks along open edges; where it comes back to a vertex the loop since then is a hole.
-std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const Walks& walks) {
-  std::multimap<int, int> open;  // edges of one triangle, by where they begin
-  for (const auto& [edge, count] : walks)
-    if (count == 1 && times(walks, {edge.second, edge.first}) == 0)
-      open.emplace(edge.first, edge.second);
+std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const std::vector<MeshSide>& sides) {
+  std::vector<Edge> edges = open_edges(sides);
+  std::sort(edges.begin(), edges.end());
+  std::multimap<int, int> open(edges.begin(), edges.end());  // by where they begin
   std::vector<MeshHole> holes;
   while (!open.empty()) {
     std::vector<int> way{open.begin()->first};
@@ -107,16 +104,16 @@ TriangleMesh with_triangles(const TriangleMesh& mesh, const std::vector<Vector3i
 
 /// Turns triangles until neighbours across each edge of two agree; returns how many.
 int make_agree(TriangleMesh& mesh) {
-  std::map<Edge, std::vector<int>> at;
+  const Eigen::Matrix3Xi across = neighbours_across(mesh);
   const auto count = static_cast<int>(mesh.triangles.cols());
-  const auto edge_of = [&](int t, int k) {
-    return Edge(mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t));
+  // Whether two that share an edge walk it in the same direction, as the mesh stands.
+  const auto same_way = [&](int t, int k, int other) {
+    const int from = mesh.triangles(k, t), to = mesh.triangles((k + 1) % 3, t);
+    for (int j = 0; j < 3; ++j)
+      if (mesh.triangles(j, other) == from && mesh.triangles((j + 1) % 3, other) == to) return true;
+    return false;
   };
-  for (int t = 0; t < count; ++t)
-    for (int k = 0; k < 3; ++k)
-      at[std::minmax(edge_of(t, k).first, edge_of(t, k).second)].push_back(t);
-  std::vector<bool> seen(count, false);
-  int turned = 0;
+  std::vector<bool> seen(count, false), to_turn(count, false);
   for (int first = 0; first < count; ++first) {
     std::vector<int> waiting;
     if (!seen[first]) waiting.push_back(first), seen[first] = true;
@@ -124,21 +121,19 @@ int make_agree(TriangleMesh& mesh) {
       const int t = waiting.back();
       waiting.pop_back();
       for (int k = 0; k < 3; ++k) {
-        const Edge edge = edge_of(t, k);
-        const std::vector<int>& both = at[std::minmax(edge.first, edge.second)];
-        if (both.size() != 2) continue;
-        const int other = both[0] == t ? both[1] : both[0];
-        if (seen[other]) continue;
+        const int other = across(k, t);
+        if (other < 0 || seen[other]) continue;
         seen[other] = true;
         waiting.push_back(other);
-        for (int j = 0; j < 3; ++j)
-          if (edge_of(other, j) == edge) {
-            std::swap(mesh.triangles(1, other), mesh.triangles(2, other));
-            ++turned;
-            break;
-          }
+        to_turn[other] = same_way(t, k, other) != to_turn[t];
       }
     }
+  }
+  int turned = 0;
+  for (int t = 0; t < count; ++t) {
+    if (!to_turn[t]) continue;
+    std::swap(mesh.triangles(1, t), mesh.triangles(2, t));
+    ++turned;
   }
   return turned;
 }
@@ -146,7 +141,7 @@ int make_agree(TriangleMesh& mesh) {
 /// A fan around the centre of each hole; returns how many.
 int close_holes(TriangleMesh& mesh) {
   int closed = 0;
-  for (const MeshHole& hole : holes_of(mesh, walks_of(mesh))) {
+  for (const MeshHole& hole : holes_of(mesh, sides_by_edge(mesh))) {
     if (hole.loop.size() < 3) continue;
     const auto centre = static_cast<int>(mesh.vertices.cols());
     const auto edges = static_cast<Eigen::Index>(hole.loop.size());
@@ -166,15 +161,15 @@ int close_holes(TriangleMesh& mesh) {
 MeshReport check_mesh(const TriangleMesh& mesh) {
   check_entries(mesh);
   MeshReport report;
-  const Walks walks = walks_of(mesh);
-  for (const auto& [edge, count] : walks) {
-    const int back = times(walks, {edge.second, edge.first});
-    if (count + back > 2 && (edge.first < edge.second || back == 0)) ++report.nonmanifold_edges;
-    if (count == 2 && back == 0) ++report.reversed_edges;
-  }
+  const std::vector<MeshSide> sides = sides_by_edge(mesh);
+  for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {
+    if (first->low == first->high) return;
+    if (last - first > 2) ++report.nonmanifold_edges;
+    if (last - first == 2 && first->upwards == first[1].upwards) ++report.reversed_edges;
+  });
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     report.degenerate += is_degenerate(mesh, mesh.triangles.col(t));
-  report.holes = holes_of(mesh, walks);
+  report.holes = holes_of(mesh, sides);
   if (report.holes.empty()) report.volume = volume_of(mesh);
   return report;
 }
@@ -202,13 +197,23 @@ std::string describe(const MeshReport& report) {
 MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
   check_entries(mesh);
   MeshRepair repair;
-  std::set<std::array<int, 3>> there;
+  // Triangles on the same three corners, next to each other.
+  const auto count = static_cast<std::size_t>(mesh.triangles.cols());
+  std::vector<std::array<int, 4>> by_corners(count);  // sorted corners, triangle
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    by_corners[t] = {v(0), v(1), v(2), static_cast<int>(t)};
+    std::sort(by_corners[t].begin(), by_corners[t].begin() + 3);
+  }
+  std::sort(by_corners.begin(), by_corners.end());
+  std::vector<bool> again(count, false);
+  for (std::size_t i = 1; i < count; ++i)
+    if (std::equal(by_corners[i].begin(), by_corners[i].begin() + 3, by_corners[i - 1].begin()))
+      again[static_cast<std::size_t>(by_corners[i][3])] = true;
   std::vector<Vector3i> kept;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
-    const Vector3i v = mesh.triangles.col(t);
-    std::array<int, 3> sorted{v(0), v(1), v(2)};
-    std::sort(sorted.begin(), sorted.end());
-    if (!is_degenerate(mesh, v) && there.insert(sorted).second)
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
+    if (!again[t] && !is_degenerate(mesh, v))
       kept.push_back(v);
     else
       ++repair.dropped;

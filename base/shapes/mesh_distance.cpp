@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 #include <vector>
 
+#include "base/shapes/mesh_edges.h"
 #include "base/shapes/nearest_grid.h"
 #include "base/shapes/triangle_tree.h"
 
@@ -31,26 +31,28 @@ double angle_at(const TriangleForm& form, int k) {
 std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
                                          const internal::TriangleTree& tree) {
   Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
-  std::map<std::pair<int, int>, Vector3d> at_edge;
-  const auto edge_of = [&](const Vector3i& v, int k) {
-    return std::pair<int, int>(std::minmax(v(k), v((k + 1) % 3)));
-  };
+  std::vector<Vector3d> of_triangle(tree.forms().size());
   for (std::size_t i = 0; i < tree.forms().size(); ++i) {
     const TriangleForm& form = tree.forms()[i];
     const Vector3i v = mesh.triangles.col(tree.order()[i]);
-    for (int k = 0; k < 3; ++k) {
-      at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
-      at_edge.emplace(edge_of(v, k), Vector3d::Zero()).first->second += form.normal;
-    }
+    of_triangle[static_cast<std::size_t>(tree.order()[i])] = form.normal;
+    for (int k = 0; k < 3; ++k) at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
   }
+  std::vector<int> place(tree.forms().size());  // of each of the mesh's triangles in the tree
+  for (std::size_t i = 0; i < place.size(); ++i)
+    place[static_cast<std::size_t>(tree.order()[i])] = static_cast<int>(i);
   std::vector<Pseudonormals> all(tree.forms().size());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const Vector3i v = mesh.triangles.col(tree.order()[i]);
-    for (int k = 0; k < 3; ++k) {
-      all[i].edge[k] = at_edge.at(edge_of(v, k));
-      all[i].corner[k] = at_vertex.col(v(k));
-    }
-  }
+  for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
+    Vector3d sum = Vector3d::Zero();
+    for (const MeshSide* side = first; side != last; ++side)
+      sum += of_triangle[static_cast<std::size_t>(side->triangle)];
+    for (const MeshSide* side = first; side != last; ++side)
+      all[static_cast<std::size_t>(place[static_cast<std::size_t>(side->triangle)])]
+          .edge[static_cast<std::size_t>(side->side)] = sum;
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      all[i].corner[k] = at_vertex.col(mesh.triangles(k, tree.order()[i]));
   return all;
 }
 

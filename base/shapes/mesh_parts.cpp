@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -12,32 +11,33 @@
 #include "base/angles.h"
 #include "base/error.h"
 #include "base/shapes/mesh_check.h"
+#include "base/shapes/mesh_edges.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
 
-/// Triangles at each edge, whichever way they walk it.
-std::map<std::pair<int, int>, std::vector<int>> triangles_at_edges(const TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, std::vector<int>> at;
-  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
-    for (int k = 0; k < 3; ++k)
-      at[std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)})].push_back(
-          static_cast<int>(t));
-  return at;
-}
-
-TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles) {
+/// @param number  of each vertex of the mesh, -1; left so
+TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
+                       std::vector<int>& number) {
   TriangleMesh part{{}, Eigen::Matrix3Xi(3, triangles.size())};
-  std::map<int, int> number;
+  std::vector<int> vertices;
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    for (int k = 0; k < 3; ++k)
-      part.triangles(k, static_cast<Eigen::Index>(i)) =
-          number.emplace(mesh.triangles(k, triangles[i]), static_cast<int>(number.size()))
-              .first->second;
-  part.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
-  for (const auto& [old, now] : number) part.vertices.col(now) = mesh.vertices.col(old);
+    for (int k = 0; k < 3; ++k) {
+      const int old = mesh.triangles(k, triangles[i]);
+      int& now = number[static_cast<std::size_t>(old)];
+      if (now < 0) {
+        now = static_cast<int>(vertices.size());
+        vertices.push_back(old);
+      }
+      part.triangles(k, static_cast<Eigen::Index>(i)) = now;
+    }
+  part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
+    number[static_cast<std::size_t>(vertices[i])] = -1;
+  }
   return part;
 }
 
@@ -132,8 +132,9 @@ TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
 }
 
 std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
-  const auto at = triangles_at_edges(mesh);
+  const Eigen::Matrix3Xi across = neighbours_across(mesh);
   std::vector<bool> seen(static_cast<std::size_t>(mesh.triangles.cols()), false);
+  std::vector<int> number(static_cast<std::size_t>(mesh.vertices.cols()), -1);
   std::vector<TriangleMesh> parts;
   for (std::size_t first = 0; first < seen.size(); ++first) {
     if (seen[first]) continue;
@@ -141,18 +142,15 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
     seen[first] = true;
     for (std::size_t i = 0; i < members.size(); ++i)
       for (int k = 0; k < 3; ++k) {
-        const int t = members[i];
-        const std::vector<int>& both =
-            at.at(std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}));
-        if (both.size() != 2) continue;
-        const int other = both[0] == t ? both[1] : both[0];
+        const int other = across(k, members[i]);
+        if (other < 0) continue;
         if (seen[static_cast<std::size_t>(other)]) continue;
         seen[static_cast<std::size_t>(other)] = true;
         members.push_back(other);
       }
     if (members.size() == seen.size()) return {mesh};
     std::sort(members.begin(), members.end());
-    parts.push_back(taken_out(mesh, members));
+    parts.push_back(taken_out(mesh, members, number));
   }
   return parts;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace thenar::internal {
 
@@ -17,6 +19,7 @@ constexpr double kAround = 1;      // cubes reach so far beyond the mesh, in its
 constexpr double kInVain = 0.7;    // of its candidates, what dividing must leave out
 constexpr std::size_t kFew = 32;   // candidates that need not be divided
 constexpr std::size_t kMost = 64;  // candidates that are not searched for by the tree
+constexpr int kSearched = 24;      // candidates looked through in the time of a search by the tree
 
 /// The edge of a smallest cube: about that of a triangle.
 double cell_of(const TriangleTree& tree) {
@@ -28,8 +31,8 @@ double cell_of(const TriangleTree& tree) {
 }
 
 FootPoint foot_on(const TriangleForm& form, const Vector3d& p) {
-  FootPoint foot{std::numeric_limits<double>::infinity(), {}, {}};
-  form.improve(p, foot);
+  FootPoint foot;
+  form.find_foot(p, std::numeric_limits<double>::infinity(), foot);
   return foot;
 }
 
@@ -49,13 +52,13 @@ NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share)
   cell_ = std::ldexp(whole, -levels_);
   inverse_ = 1 / cell_;
   origin_ = tree.bounds().center().array() - whole / 2;
-  std::vector<Candidate> every;
-  for (std::size_t i = 0; i < tree.forms().size(); ++i) every.push_back({0, static_cast<int>(i)});
+  every_.resize(tree.forms().size());
+  std::iota(every_.begin(), every_.end(), 0);
+  balls_.reserve(every_.size());
   for (const TriangleForm& form : tree.forms()) balls_.push_back(ball_of(form));
-  cells_.resize(1);
-  refine(0, {Vector3i::Zero(), levels_}, every, tree);
-  balls_ = {};
 }
+
+NearestGrid::~NearestGrid() = default;
 
 Vector3d NearestGrid::centre(const Block& block) const {
   return origin_ +
@@ -63,7 +66,7 @@ Vector3d NearestGrid::centre(const Block& block) const {
 }
 
 std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
-                                                      const std::vector<Candidate>& above,
+                                                      const std::vector<int>& above,
                                                       const TriangleTree& tree) const {
   const Vector3d middle = centre(block);
   const double reach = std::sqrt(3.0) / 2 * std::ldexp(cell_, block.level) * (1 + 1e-9);
@@ -71,13 +74,13 @@ std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
   here.reserve(above.size());
   double least = std::numeric_limits<double>::infinity();
   // What was near before is asked first, so that most of the rest can be left out unasked.
-  for (const Candidate& candidate : above) {
-    const Ball& ball = balls_[candidate.triangle];
+  for (const int triangle : above) {
+    const Ball& ball = balls_[triangle];
     const double most = least + 2 * reach + ball.radius;
     if ((ball.centre - middle).squaredNorm() > most * most) continue;
-    const double distance = std::sqrt(foot_on(tree.forms()[candidate.triangle], middle).squared);
+    const double distance = std::sqrt(foot_on(tree.forms()[triangle], middle).squared);
     least = std::min(least, distance);
-    if (distance <= least + 2 * reach) here.push_back({distance, candidate.triangle});
+    if (distance <= least + 2 * reach) here.push_back({distance, triangle});
   }
   const auto end = std::remove_if(here.begin(), here.end(), [&](const Candidate& candidate) {
     return candidate.distance > least + 2 * reach;
@@ -114,8 +117,13 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
     const Ball& ball = balls_[candidate.triangle];
     least.push_back(to_corners(ball.centre) - ball.radius);
     for (int c = 0; c < 8; ++c)
-      if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared)
-        tree.forms()[candidate.triangle].improve(corner.row(c).transpose(), best[c]);
+      if (least.back()(c) < 0 || least.back()(c) * least.back()(c) < best[c].squared) {
+        FootPoint foot;
+        if (tree.forms()[candidate.triangle].find_foot(corner.row(c).transpose(), best[c].squared,
+                                                       foot) &&
+            foot.squared < best[c].squared)
+          best[c] = foot;
+      }
   }
   std::array<PerCorner, 8> rival;
   for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].at) + rounding;
@@ -135,56 +143,76 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
   here.resize(kept);
 }
 
-void NearestGrid::refine(int at, const Block& block, const std::vector<Candidate>& above,
-                         const TriangleTree& tree) {
+bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<int>& above,
+                              const TriangleTree& tree) const {
+  const int asked = cell.asked.fetch_add(1, std::memory_order_relaxed);
+  if (asked < static_cast<int>(above.size()) / kSearched) return false;
+  const std::unique_lock lock(filling_, std::try_to_lock);
+  if (!lock.owns_lock()) return false;
+  if (cell.count.load(std::memory_order_relaxed) == kUnfilled) fill(cell, block, above, tree);
+  return true;
+}
+
+void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& above,
+                       const TriangleTree& tree) const {
   std::vector<Candidate> here = near(block, above, tree);
   const double edge = std::ldexp(cell_, block.level);
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
   if (block.level > 0 && here.size() > kFew && edge > share_ * far && !in_vain) {
-    const int first = static_cast<int>(cells_.size());
-    cells_[at] = {first, kDivided};
-    cells_.resize(cells_.size() + 8);
-    const int half = 1 << (block.level - 1);
-    for (int c = 0; c < 8; ++c)
-      refine(first + c,
-             {block.low + half * Vector3i(c & 1, c >> 1 & 1, c >> 2 & 1), block.level - 1}, here,
-             tree);
+    auto divided = std::make_unique<Divided>();
+    divided->triangles.reserve(here.size());
+    for (const Candidate& candidate : here) divided->triangles.push_back(candidate.triangle);
+    cell.divided = divided.get();
+    divided_.push_back(std::move(divided));
+    cell.count.store(kDivided, std::memory_order_release);
     return;
   }
   const bool listed = here.size() <= kMost;
   if (listed) std::sort(here.begin(), here.end(), nearer);
-  cells_[at] = {static_cast<int>(candidates_.size()),
-                listed ? static_cast<int>(here.size()) : kGuess};
-  candidates_.insert(candidates_.end(), here.begin(), listed ? here.end() : here.begin() + 1);
+  const std::size_t count = listed ? here.size() : 1;
+  candidates_.push_back(std::make_unique<Candidate[]>(count));
+  std::copy_n(here.begin(), count, candidates_.back().get());
+  cell.candidates = candidates_.back().get();
+  cell.count.store(listed ? static_cast<int>(count) : kGuess, std::memory_order_release);
 }
 
 NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree) const {
   NearestTriangle best;
-  best.foot.squared = std::numeric_limits<double>::infinity();
   const Vector3d scaled = inverse_ * (p - origin_);
   const double size = std::ldexp(1.0, levels_);
   const Vector3i at = scaled.cwiseMax(0.0).cwiseMin(size - 1).cast<int>();
+  const auto block_at = [&](int level) -> Block {
+    return {at.unaryExpr([level](int a) { return a >> level << level; }), level};
+  };
+  // Down to the smallest cube that is not divided.
   int level = levels_;
-  const Cell* cell = cells_.data();
-  while (cell->count == kDivided) {
-    --level;
-    const Vector3i side = at.unaryExpr([level](int a) { return a >> level & 1; });
-    cell = &cells_[cell->first + side.x() + 2 * side.y() + 4 * side.z()];
+  Cell* cell = &root_;
+  const std::vector<int>* above = &every_;
+  int count = cell->count.load(std::memory_order_acquire);
+  while (count < kGuess) {
+    if (count == kDivided) {
+      --level;
+      const Vector3i side = at.unaryExpr([level](int a) { return a >> level & 1; });
+      Divided& divided = *cell->divided;
+      above = &divided.triangles;
+      cell = &divided.cells[side.x() + 2 * side.y() + 4 * side.z()];
+    } else if (!fill_if_due(*cell, block_at(level), *above, tree)) {
+      tree.ask(above->front(), p, best);
+      return tree.nearest(p, best);
+    }
+    count = cell->count.load(std::memory_order_acquire);
   }
-  const Candidate* candidate = candidates_.data() + cell->first;
-  if (cell->count == kGuess || !(scaled.array() >= 0 && scaled.array() < size).all()) {
-    if (tree.forms()[candidate->triangle].improve(p, best.foot))
-      best.triangle = candidate->triangle;
+  const Candidate* candidate = cell->candidates;
+  if (count == kGuess || !(scaled.array() >= 0 && scaled.array() < size).all()) {
+    tree.ask(candidate->triangle, p, best);
     return tree.nearest(p, best);
   }
-  const Vector3i low = at.unaryExpr([level](int a) { return a >> level << level; });
-  const double off = (p - centre({low, level})).norm();
-  for (int i = 0; i < cell->count; ++i) {
+  const double off = (p - centre(block_at(level))).norm();
+  for (int i = 0; i < count; ++i) {
     const double bound = candidate[i].distance - off;
-    if (bound > 0 && bound * bound >= best.foot.squared) break;
-    if (tree.forms()[candidate[i].triangle].improve(p, best.foot))
-      best.triangle = candidate[i].triangle;
+    if (bound > 0 && bound * bound > best.limit) break;
+    tree.ask(candidate[i].triangle, p, best);
   }
   return best;
 }

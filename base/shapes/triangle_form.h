@@ -3,6 +3,7 @@
 /// A triangle as the search for nearest points wants it.
 
 #include <array>
+#include <limits>
 
 #include <Eigen/Core>
 
@@ -32,41 +33,41 @@ struct TriangleForm {
   [[nodiscard]] static TriangleForm of(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                        const Eigen::Vector3d& c);
 
-  /// Improves `best` if this triangle is nearer to p; true if so.
-  bool improve(const Eigen::Vector3d& p, FootPoint& best) const;
+  /// The point nearest to p. What it finds depends on p and the triangle alone, whatever `limit`
+  /// is.
+  /// @param limit  a squared distance beyond which it need not be found [m^2]
+  /// @return false: it lies beyond; `foot` may hold another point of the triangle
+  bool find_foot(const Eigen::Vector3d& p, double limit, FootPoint& foot) const;
 };
 
-inline bool TriangleForm::improve(const Eigen::Vector3d& p, FootPoint& best) const {
+inline bool TriangleForm::find_foot(const Eigen::Vector3d& p, double limit, FootPoint& foot) const {
   const Eigen::Vector3d from_first = p - corner[0];
-  const double height = normal.dot(from_first);
-  if (height * height >= best.squared) return false;
+  const double height = normal.dot(from_first), upright = height * height;
+  if (upright > limit) return false;
   // The nearest point is on the face, or on an edge that has p on its outer side.
-  bool over = true, better = false;
+  foot.squared = std::numeric_limits<double>::infinity();
+  bool over = true;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d arm = p - corner[k];
     const double out = across[k].dot(arm);
     if (out <= 0) continue;
     over = false;
-    if (out * out >= best.squared) return better;
+    if (upright + out * out > limit) return false;
     const Eigen::Vector3d edge = corner[(k + 1) % 3] - corner[k];
     const double share = edge.dot(arm) * inverse[k];
-    FootPoint foot;
     if (share <= 0) {
-      foot = {arm.squaredNorm(), corner[k], {Feature::kCorner, k}};
+      const double squared = arm.squaredNorm();
+      if (squared < foot.squared) foot = {squared, corner[k], {Feature::kCorner, k}};
     } else if (share >= 1) {
       const int next = (k + 1) % 3;
-      foot = {(p - corner[next]).squaredNorm(), corner[next], {Feature::kCorner, next}};
+      const double squared = (p - corner[next]).squaredNorm();
+      if (squared < foot.squared) foot = {squared, corner[next], {Feature::kCorner, next}};
     } else {
-      const Eigen::Vector3d at = corner[k] + share * edge;
-      foot = {(p - at).squaredNorm(), at, {Feature::kEdge, k}};
-    }
-    if (foot.squared < best.squared) {
-      best = foot;
-      better = true;
+      const double squared = (arm - share * edge).squaredNorm();
+      if (squared < foot.squared) foot = {squared, corner[k] + share * edge, {Feature::kEdge, k}};
     }
   }
-  if (!over) return better;
-  best = {height * height, p - height * normal, {Feature::kFace, 0}};
+  if (over) foot = {upright, p - height * normal, {Feature::kFace, 0}};
   return true;
 }
 

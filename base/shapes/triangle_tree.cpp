@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 namespace thenar::internal {
@@ -24,6 +25,19 @@ TriangleForm TriangleForm::of(const Vector3d& a, const Vector3d& b, const Vector
   return form;
 }
 
+namespace {
+
+/// Height over length.
+double thinness(const TriangleForm& form) {
+  const double longest = 1 / std::sqrt(*std::min_element(form.inverse.begin(), form.inverse.end()));
+  double height = longest;
+  for (int k = 0; k < 3; ++k)
+    height = std::min(height, form.across[k].dot(form.corner[k] - form.corner[(k + 2) % 3]));
+  return height / longest;
+}
+
+}  // namespace
+
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   const Eigen::Index count = mesh.triangles.cols();
   std::vector<Eigen::AlignedBox3d> boxes(count);
@@ -38,6 +52,14 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
     forms_.push_back(TriangleForm::of(mesh.vertices.col(mesh.triangles(0, t)),
                                       mesh.vertices.col(mesh.triangles(1, t)),
                                       mesh.vertices.col(mesh.triangles(2, t))));
+  // Distances are computed to some 1e-15 of the mesh's extent, and to as much of their own size;
+  // the normals of slivers are off by 1e-15 of their length over their height.
+  double thinnest = 1;
+  for (const TriangleForm& form : forms_) thinnest = std::min(thinnest, thinness(form));
+  const double extent =
+      std::max(bounds().min().cwiseAbs().maxCoeff(), bounds().max().cwiseAbs().maxCoeff());
+  relative_ = std::max(1e-9, std::min(1e-14 / thinnest, 1e-2));
+  absolute_ = std::pow(1e-14 * extent, 2) / relative_;
 }
 
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
@@ -78,16 +100,15 @@ NearestTriangle TriangleTree::nearest(const Vector3d& p, NearestTriangle guess) 
   stack[waiting++] = {0, nodes_[0].box.squaredExteriorDistance(p)};
   while (waiting > 0) {
     const Waiting next = stack[--waiting];
-    if (next.squared >= guess.foot.squared) continue;
+    if (next.squared > guess.limit) continue;
     const Node& node = nodes_[next.node];
-    for (int i = node.first; i < node.first + node.count; ++i)
-      if (forms_[i].improve(p, guess.foot)) guess.triangle = i;
+    for (int i = node.first; i < node.first + node.count; ++i) ask(i, p, guess);
     if (node.count > 0) continue;
     Waiting near{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};
     Waiting far{node.second, nodes_[node.second].box.squaredExteriorDistance(p)};
     if (far.squared < near.squared) std::swap(near, far);
-    if (far.squared < guess.foot.squared) stack[waiting++] = far;
-    if (near.squared < guess.foot.squared) stack[waiting++] = near;
+    if (far.squared <= guess.limit) stack[waiting++] = far;
+    if (near.squared <= guess.limit) stack[waiting++] = near;
   }
   return guess;
 }

@@ -2,6 +2,7 @@
 
 /// Triangles in boxes in boxes, for nearest-point searches anywhere.
 
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -11,10 +12,12 @@
 
 namespace thenar::internal {
 
-/// The nearest triangle, by its place in TriangleTree::order().
+/// The nearest triangle, by its place in TriangleTree::order(); of several at the same computed
+/// distance the first.
 struct NearestTriangle {
-  FootPoint foot;
+  FootPoint foot{std::numeric_limits<double>::infinity(), {}, {}};
   int triangle = -1;
+  double limit = std::numeric_limits<double>::infinity();  // beyond it nothing is nearer [m^2]
 };
 
 class TriangleTree {
@@ -22,8 +25,12 @@ class TriangleTree {
   /// @param mesh  triangles whose corners are not in line, at least one
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Improves on a first guess, whose distance may be infinite.
+  /// Improves on a first guess, whose distance may be infinite. Rounding does not decide what is
+  /// left out, so that the answer is the same whatever the guess was.
   [[nodiscard]] NearestTriangle nearest(const Eigen::Vector3d& p, NearestTriangle guess) const;
+
+  /// Puts triangle i in place of `best` if it is nearer.
+  void ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const;
 
   /// In the order of forms(): the mesh's triangle that stands there.
   [[nodiscard]] const std::vector<int>& order() const { return order_; }
@@ -40,9 +47,20 @@ class TriangleTree {
   };
   int build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes);
 
+  // How far above a squared distance another may be computed that is in truth below it.
+  double relative_ = 0;  // of it [1]
+  double absolute_ = 0;  // [m^2]
   std::vector<Node> nodes_;
   std::vector<int> order_;
   std::vector<TriangleForm> forms_;
 };
+
+inline void TriangleTree::ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const {
+  FootPoint foot;
+  if (!forms_[static_cast<std::size_t>(i)].find_foot(p, best.limit, foot)) return;
+  if (foot.squared > best.foot.squared || (foot.squared == best.foot.squared && i >= best.triangle))
+    return;
+  best = {foot, i, foot.squared * (1 + relative_) + absolute_};
+}
 
 }  // namespace thenar::internal

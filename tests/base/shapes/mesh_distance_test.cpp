@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
+#include "base/shapes/nearest_grid.h"
+#include "base/shapes/triangle_tree.h"
 #include "tests/base/shapes/random_points.h"
 #include "tests/base/shapes/sample_meshes.h"
 #include "tests/matrix_near.h"
@@ -150,6 +155,91 @@ TEST(MeshDistance, ChangesNoMoreThanTheWayGone) {
     EXPECT_LE(std::abs(shape->distance(p) - shape->distance(q)), (p - q).norm() + 1e-14);
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
+}
+
+/// Points around a surface, each five times near together so that cubes are asked for again.
+std::vector<Vector3d> points_about(const TriangleMesh& mesh, int count) {
+  std::mt19937 rng(5);
+  const Eigen::AlignedBox3d box = build_mesh_distance(mesh)->bounds();
+  std::vector<Vector3d> points;
+  for (int i = 0; i < count / 5; ++i) {
+    const Vector3d p = somewhere(mesh, box, i, rng);
+    for (int k = 0; k < 5; ++k) points.push_back(p + 1e-4 * k * random_in_cube(rng));
+  }
+  // And those at which several triangles are equally near, but for rounding.
+  for (Eigen::Index v = 0; v < mesh.vertices.cols() && v < count / 2; ++v) {
+    const Vector3d a = mesh.vertices.col(v), b = mesh.vertices.col((v + 1) % mesh.vertices.cols());
+    points.insert(points.end(), {a, (a + b) / 2, 1.1 * a, 0.9 * b, (0.3 * a + 0.7 * b)});
+  }
+  return points;
+}
+
+std::vector<double> answers(const Shape& shape, const std::vector<Vector3d>& points) {
+  std::vector<double> all;
+  for (const Vector3d& p : points) {
+    const NearestSurface near = shape.nearest(p);
+    all.insert(all.end(), {near.distance, near.normal.x(), near.normal.y(), near.normal.z()});
+    EXPECT_EQ(near.distance, shape.distance(p));
+  }
+  return all;
+}
+
+// A grid that was asked everything before, one that was asked backwards, one for each point alone.
+TEST(MeshDistance, HasTheSameBitsWhateverWasAskedBefore) {
+  for (const TriangleMesh& mesh : {mug(), ring(), handled_mug(0.006)}) {
+    std::vector<Vector3d> points = points_about(mesh, queries(2000));
+    const auto used = build_mesh_distance(mesh), backwards = build_mesh_distance(mesh);
+    const std::vector<double> first = answers(*used, points);
+    EXPECT_EQ(answers(*used, points), first);
+    std::reverse(points.begin(), points.end());
+    std::vector<double> last = answers(*backwards, points);
+    for (std::size_t i = 0; 2 * i + 4 < last.size(); i += 4)
+      std::swap_ranges(last.begin() + static_cast<std::ptrdiff_t>(i),
+                       last.begin() + static_cast<std::ptrdiff_t>(i + 4),
+                       last.end() - static_cast<std::ptrdiff_t>(i + 4));
+    EXPECT_EQ(last, first);
+  }
+}
+
+TEST(MeshDistance, HasTheSameBitsInSeveralThreads) {
+  const TriangleMesh mesh = handled_mug(0.006);
+  const std::vector<Vector3d> points = points_about(mesh, queries(2000));
+  const std::vector<double> alone = answers(*build_mesh_distance(mesh), points);
+  const auto shared = build_mesh_distance(mesh);
+  std::vector<std::vector<double>> found(4);
+  std::vector<std::thread> threads;
+  for (std::vector<double>& all : found)
+    threads.emplace_back([&] { all = answers(*shared, points); });
+  for (std::thread& thread : threads) thread.join();
+  for (const std::vector<double>& all : found) EXPECT_EQ(all, alone);
+}
+
+// The tree alone, from any first guess, finds what the cubes find.
+TEST(NearestGrid, FindsWhatTheTreeFinds) {
+  const TriangleMesh mesh = ring();
+  const internal::TriangleTree tree(mesh);
+  const internal::NearestGrid grid(tree);
+  const auto last = static_cast<int>(mesh.triangles.cols()) - 1;
+  for (int again = 0; again < 3; ++again)
+    for (const Vector3d& p : points_about(mesh, queries(2000))) {
+      internal::NearestTriangle guess;
+      tree.ask(last, p, guess);
+      const internal::NearestTriangle by_tree = tree.nearest(p, guess),
+                                      by_cubes = grid.nearest(p, tree);
+      EXPECT_EQ(by_tree.triangle, by_cubes.triangle);
+      EXPECT_EQ(by_tree.foot.squared, by_cubes.foot.squared);
+    }
+}
+
+// 100,000 triangles are ready for a first query, one part of them, in less than the 19 s that all
+// cubes would take: by far, so that no busy machine makes it fail.
+TEST(MeshDistance, FillsNoCubeThatNobodyAsksFor) {
+  const TriangleMesh fine = lathe({{0, -0.05}, {0.04, -0.05}, {0.04, 0.05}, {0, 0.05}}, 25000);
+  ASSERT_EQ(fine.triangles.cols(), 100000);
+  const std::clock_t start = std::clock();
+  const auto shape = build_mesh_distance(fine);
+  EXPECT_NEAR(shape->distance({0.05, 0, 0}), 0.01, 1e-9);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);  // [s]
 }
 
 }  // namespace
