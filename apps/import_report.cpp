@@ -5,9 +5,10 @@
 #include <fmt/format.h>
 
 #include "apps/to_json.h"
-#include "base/shapes/mass_properties.h"
+#include "base/error.h"
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
+#include "base/shapes/union_mass.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/world/body_mass.h"
 
@@ -141,13 +142,32 @@ double extent(const TriangleMesh& mesh) {
   return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).maxCoeff();
 }
 
-/// Whether its triangles, part for part, agree on what is inside.
-bool has_volume(const TriangleMesh& mesh) {
-  const std::vector<TriangleMesh> parts = connected_parts(mesh);
-  return std::all_of(parts.begin(), parts.end(), [](const TriangleMesh& part) {
-    const MeshReport found = check_mesh(part);
-    return found.holes.empty() && found.nonmanifold_edges == 0 && found.reversed_edges == 0;
-  });
+/// Of the union of its parts; nothing where they do not agree on what is inside.
+struct MeshMass {
+  bool closed = false;
+  double enclosed = 0;  // signed, each part counted [m^3]
+  UnionMass all;
+};
+
+MeshMass mass_of_parts(const TriangleMesh& mesh, const std::vector<TriangleMesh>& parts) {
+  MeshMass found;
+  for (const TriangleMesh& part : parts) {
+    const MeshReport report = check_mesh(part);
+    if (!report.holes.empty() || report.nonmanifold_edges > 0 || report.reversed_edges > 0)
+      return {};
+    found.enclosed += report.volume;
+  }
+  found.closed = true;
+  if (!(found.enclosed > 0)) return found;
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = mesh;
+  try {
+    found.all = union_mass({shape});
+  } catch (const InputError&) {
+    found.closed = false;  // as one of its parts is flat
+  }
+  return found;
 }
 
 constexpr double kNoise = 1e-12;  // of the trace, in an inertia of a symmetric solid [1]
@@ -246,17 +266,26 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
   if (across > kLargestMesh)
     warnings.push_back(
         fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across));
-  const bool closed = has_volume(mesh);
-  const MassProperties mass = closed ? signed_moments(mesh) : MassProperties{};
+  const std::vector<TriangleMesh> parts = connected_parts(mesh);
+  const MeshMass found_mass = mass_of_parts(mesh, parts);
+  const MassProperties& mass = found_mass.all.mass;
   const bool solid = mass.mass > 0;
-  if (closed && !solid)
-    warnings.push_back(mass.mass < 0 ? "inside out: the surface faces inwards, --repair turns it"
-                                     : "no volume: the surface is flat");
+  if (found_mass.closed && !solid)
+    warnings.push_back(found_mass.enclosed < 0
+                           ? "inside out: the surface faces inwards, --repair turns it"
+                           : "no volume: the surface is flat");
+  constexpr double kOverlap = 1e-6;  // of the volume, that parts may share by rounding [1]
+  if (solid && found_mass.enclosed > (1 + kOverlap) * mass.mass)
+    warnings.push_back(fmt::format(
+        "parts overlap: volume, centre and inertia are of their union{}; their volumes add up to "
+        "{:.3g} % more",
+        found_mass.all.error > 0 ? fmt::format(", to about {:.1g}", found_mass.all.error) : "",
+        100 * (found_mass.enclosed / mass.mass - 1)));
   return {{"name", name},
           {"kind", "mesh"},
           {"vertices", mesh.vertices.cols()},
           {"triangles", mesh.triangles.cols()},
-          {"parts", connected_parts(mesh).size()},
+          {"parts", parts.size()},
           {"watertight", found.watertight()},
           {"holes", holes},
           {"reversed_edges", found.reversed_edges},

@@ -1,7 +1,6 @@
 #include "grasp/scene.h"
 
 #include "base/error.h"
-#include "base/shapes/mass_properties.h"
 #include "data/io/nearest_name.h"
 #include "data/io/world/body_mass.h"
 
@@ -12,9 +11,8 @@ double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
   return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
 }
 
-/// Centre of the volume: exact for one shape; several may overlap, and are summed up.
-Eigen::Vector3d volume_centre(const BodySpec& body, const TriangleMesh& picture) {
-  if (body.shapes.size() == 1) return mass_properties(picture, 1).centre;
+/// Centre of the volume: of the union, if shapes or parts of meshes overlap.
+Eigen::Vector3d volume_centre(const BodySpec& body) {
   BodySpec even = body;
   even.density = 1;
   even.spread_mass = 0;
@@ -53,8 +51,7 @@ SceneBody build_body(const PlacedBody& placed) {
   body.material = placed.body.material.empty() ? kGuessedMaterial : placed.body.material;
   body.solid = solid_of(placed.body);
   body.X_WB = placed.X_WB;
-  body.com =
-      placed.body.mass ? placed.body.mass->com : volume_centre(placed.body, body.solid.picture);
+  body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
   body.reach = reach_of(body.solid.picture, body.com);
   body.box = body_box(body.solid.picture);
   return body;
