@@ -1,59 +1,295 @@
 #include "data/io/mesh/triangle_soup.h"
 
+#include <algorithm>
 #include <array>
-#include <map>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "base/error.h"
+#include "base/shapes/mesh_edges.h"
+#include "base/shapes/mesh_parts.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kFarthest = 1'000'000;  // of a corner; squares and products stay numbers [m]
+using Eigen::Vector3d, Eigen::Vector3i;
+
+constexpr double kNear = 1e-6;  // of the box: corners that are one but for rounding [1]
+
+struct HashNumbers {
+  template <typename T, std::size_t n>
+  std::size_t operator()(const std::array<T, n>& key) const {
+    std::uint64_t hash = 0;
+    for (const T& number : key) {
+      std::uint64_t bits = 0;
+      std::memcpy(&bits, &number, sizeof(T));
+      hash = (hash ^ bits) * 0x9E3779B97F4A7C15U;
+      hash ^= hash >> 29;
+    }
+    return hash;
+  }
+};
 
 /// Hands out one number for each place.
 class Vertices {
  public:
-  int index_of(const Eigen::Vector3d& p) {
+  int index_of(const Vector3d& p) {
     const std::array<double, 3> key{p.x() + 0.0, p.y() + 0.0, p.z() + 0.0};  // -0 is 0
     const auto [at, is_new] = index_.emplace(key, static_cast<int>(places_.size()));
     if (is_new) places_.push_back(p);
     return at->second;
   }
-  [[nodiscard]] const std::vector<Eigen::Vector3d>& places() const { return places_; }
+  [[nodiscard]] const std::vector<Vector3d>& places() const { return places_; }
 
  private:
-  std::map<std::array<double, 3>, int> index_;
-  std::vector<Eigen::Vector3d> places_;
+  std::unordered_map<std::array<double, 3>, int, HashNumbers> index_;
+  std::vector<Vector3d> places_;
 };
+
+/// Places of which those within `near` of an earlier one have its number.
+class NearPlaces {
+ public:
+  explicit NearPlaces(double near) : near_(near), cell_(64 * near) {}
+
+  /// @param number  for p, if it is not near another
+  int index_of(const Vector3d& p, int number) {
+    const Eigen::Array3d low = ((p.array() - near_) / cell_).floor();
+    const Eigen::Array3d high = ((p.array() + near_) / cell_).floor();
+    for (double x = low.x(); x <= high.x(); ++x)
+      for (double y = low.y(); y <= high.y(); ++y)
+        for (double z = low.z(); z <= high.z(); ++z) {
+          const auto found = cells_.find({x + 0.0, y + 0.0, z + 0.0});
+          if (found == cells_.end()) continue;
+          for (const auto& [place, index] : found->second)
+            if ((place - p).norm() <= near_) return index;
+        }
+    const Eigen::Array3d cell = (p.array() / cell_).floor() + 0.0;
+    cells_[{cell.x(), cell.y(), cell.z()}].push_back({p, number});
+    return number;
+  }
+
+ private:
+  double near_, cell_;  // [m]
+  std::unordered_map<std::array<double, 3>, std::vector<std::pair<Vector3d, int>>, HashNumbers>
+      cells_;
+};
+
+TriangleMesh mesh_of(const std::vector<Vector3d>& vertices,
+                     const std::vector<Vector3i>& triangles) {
+  TriangleMesh mesh{Eigen::Matrix3Xd(3, vertices.size()), Eigen::Matrix3Xi(3, triangles.size())};
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    mesh.vertices.col(static_cast<Eigen::Index>(i)) = vertices[i];
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    mesh.triangles.col(static_cast<Eigen::Index>(i)) = triangles[i];
+  return mesh;
+}
+
+using Corners = std::array<Vector3d, 3>;
+
+/// Corners at exactly the same place merged.
+TriangleMesh merged(const std::vector<Corners>& soup, const std::vector<std::size_t>& numbers) {
+  Vertices vertices;
+  std::vector<Vector3i> triangles;
+  for (const std::size_t i : numbers) {
+    Vector3i t;
+    for (int k = 0; k < 3; ++k) t(k) = vertices.index_of(soup[i][static_cast<std::size_t>(k)]);
+    if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0)) triangles.push_back(t);
+  }
+  return mesh_of(vertices.places(), triangles);
+}
+
+struct Defects {
+  int open = 0;     // edges of one triangle
+  int crowded = 0;  // of more than two
+};
+
+Defects defects_of(const TriangleMesh& mesh) {
+  Defects found;
+  for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
+    found.open += last - first == 1;
+    found.crowded += last - first > 2;
+  });
+  return found;
+}
+
+/// Corners on open edges that are one but for rounding made one, if that helps and harms nothing.
+TriangleMesh closed_up(TriangleMesh mesh, double near) {
+  const Defects before = defects_of(mesh);
+  if (before.open == 0 || !(near > 0)) return mesh;
+  std::vector<bool> loose(static_cast<std::size_t>(mesh.vertices.cols()), false);
+  for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
+    if (last - first == 1) loose[static_cast<std::size_t>(first->low)] = true;
+    if (last - first == 1) loose[static_cast<std::size_t>(first->high)] = true;
+  });
+  NearPlaces places(near);
+  std::vector<int> stands_for(loose.size());
+  for (std::size_t i = 0; i < loose.size(); ++i) {
+    const auto v = static_cast<int>(i);
+    stands_for[i] = loose[i] ? places.index_of(mesh.vertices.col(v), v) : v;
+  }
+  Vertices kept;
+  std::vector<Vector3i> triangles;
+  for (const auto& old : mesh.triangles.colwise()) {
+    const Vector3i t =
+        old.unaryExpr([&](int v) { return stands_for[static_cast<std::size_t>(v)]; });
+    if (t(0) == t(1) || t(1) == t(2) || t(2) == t(0)) continue;  // an edge shorter than `near`
+    triangles.push_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
+  }
+  if (triangles.empty()) return mesh;
+  TriangleMesh welded = mesh_of(kept.places(), triangles);
+  const Defects after = defects_of(welded);
+  return after.open < before.open && after.crowded <= before.crowded ? welded : mesh;
+}
+
+/// Which triangles are one part. The closed surfaces that a file tells apart by the numbers of its
+/// vertices, then those that triangles close which follow each other, then the rest.
+class PartFinder {
+ public:
+  /// @param near  within which corners count as one; 0: exactly the same place [m]
+  /// @param numbers  of the file's vertices, three a triangle; may be empty
+  PartFinder(const std::vector<Corners>& soup, const std::vector<int>& numbers, double near) {
+    Vertices vertices;
+    NearPlaces places(near);
+    std::vector<int> stands_for;  // of each vertex
+    for (const Corners& corners : soup)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const int v = vertices.index_of(corners[k]);
+        if (v == static_cast<int>(stands_for.size()))
+          stands_for.push_back(near > 0 ? places.index_of(corners[k], v) : v);
+        corners_.push_back(static_cast<std::uint64_t>(stands_for[static_cast<std::size_t>(v)]));
+      }
+    std::vector<std::size_t> rest;
+    for (std::vector<std::size_t>& group : groups_by(numbers, soup.size())) {
+      if (is_closed(group))
+        parts_.push_back(std::move(group));
+      else
+        rest.insert(rest.end(), group.begin(), group.end());
+    }
+    std::sort(rest.begin(), rest.end());
+    split_where_closed(rest);
+  }
+
+  /// Numbers of triangles.
+  [[nodiscard]] const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
+
+ private:
+  using OpenEdges = std::unordered_set<std::uint64_t>;  // of an odd number of triangles
+
+  void walk(std::size_t triangle, OpenEdges& open) const {
+    const std::uint64_t* v = &corners_[3 * triangle];
+    if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint64_t a = v[k], b = v[(k + 1) % 3];
+      const std::uint64_t edge = std::min(a, b) << 32U | std::max(a, b);
+      if (!open.insert(edge).second) open.erase(edge);
+    }
+  }
+
+  [[nodiscard]] bool is_closed(const std::vector<std::size_t>& triangles) const {
+    if (triangles.size() < 4) return false;
+    OpenEdges open;
+    for (const std::size_t t : triangles) walk(t, open);
+    return open.empty();
+  }
+
+  /// Triangles that hang together by the file's vertices; each by itself if it has none.
+  static std::vector<std::vector<std::size_t>> groups_by(const std::vector<int>& numbers,
+                                                         std::size_t count) {
+    std::vector<std::vector<std::size_t>> groups;
+    if (numbers.size() != 3 * count) {
+      for (std::size_t t = 0; t < count; ++t) groups.push_back({t});
+      return groups;
+    }
+    std::vector<int> above(static_cast<std::size_t>(
+        count == 0 ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1));
+    std::iota(above.begin(), above.end(), 0);
+    const auto top = [&](int v) {
+      for (auto i = static_cast<std::size_t>(v); above[i] != v; i = static_cast<std::size_t>(v))
+        v = above[i] = above[static_cast<std::size_t>(above[i])];
+      return v;
+    };
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      above[static_cast<std::size_t>(top(numbers[i]))] = top(numbers[i - i % 3]);
+    std::unordered_map<int, std::size_t> group_of;
+    for (std::size_t t = 0; t < count; ++t) {
+      const auto [at, is_new] = group_of.emplace(top(numbers[3 * t]), groups.size());
+      if (is_new) groups.emplace_back();
+      groups[at->second].push_back(t);
+    }
+    return groups;
+  }
+
+  void split_where_closed(const std::vector<std::size_t>& triangles) {
+    OpenEdges open;
+    std::vector<std::size_t> part;
+    for (const std::size_t t : triangles) {
+      walk(t, open);
+      part.push_back(t);
+      if (!open.empty() || part.size() < 4) continue;
+      parts_.push_back(std::move(part));
+      part.clear();
+    }
+    if (!part.empty()) parts_.push_back(std::move(part));
+  }
+
+  std::vector<std::uint64_t> corners_;  // three a triangle
+  std::vector<std::vector<std::size_t>> parts_;
+};
+
+/// Every part with vertices of its own.
+TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& numbers,
+                      double part_near, double near) {
+  std::vector<TriangleMesh> parts;
+  const PartFinder finder(soup, numbers, part_near);
+  for (const std::vector<std::size_t>& triangles : finder.parts()) {
+    TriangleMesh part = merged(soup, triangles);
+    if (!part.empty()) parts.push_back(closed_up(std::move(part), near));
+  }
+  return parts.empty() ? TriangleMesh{} : joined(parts);
+}
 
 }  // namespace
 
 TriangleMesh merge_corners(const TriangleSoup& soup, double scale, const std::string& path) {
-  Vertices vertices;
-  std::vector<Eigen::Vector3i> triangles;
+  std::vector<Corners> triangles;
+  Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3) {
-    Eigen::Vector3i t;
-    for (int k = 0; k < 3; ++k) {
-      const Eigen::Vector3d p = scale * soup.corners[i + static_cast<std::size_t>(k)];
-      if (!p.allFinite())
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = scale * soup.corners[i + k];
+      if (!corners[k].allFinite())
         throw DataError(path, 1, fmt::format("triangle {} has a corner that is not finite", i / 3));
-      if (p.cwiseAbs().maxCoeff() > kFarthest)
+      if (corners[k].cwiseAbs().maxCoeff() > kFarthest)
         throw DataError(path, 1,
                         fmt::format("triangle {} has a corner beyond {} m", i / 3, kFarthest));
-      t(k) = vertices.index_of(p);
+      box.extend(corners[k]);
     }
-    if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0)) triangles.push_back(t);
+    triangles.push_back(corners);
   }
-  if (triangles.empty()) throw DataError(path, 1, "wanted a surface, got a file without triangles");
-
-  TriangleMesh mesh;
-  mesh.vertices.resize(3, static_cast<Eigen::Index>(vertices.places().size()));
-  for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
-    mesh.vertices.col(i) = vertices.places()[static_cast<std::size_t>(i)];
-  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
-  for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i)
-    mesh.triangles.col(i) = triangles[static_cast<std::size_t>(i)];
-  return mesh;
+  const double near = triangles.empty() ? 0 : kNear * box.diagonal().norm();
+  // Parts by exact corners, else by near ones; else the whole, for a surface may go on from one
+  // that was closed before.
+  std::vector<std::size_t> all(triangles.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  TriangleMesh best;
+  int least = std::numeric_limits<int>::max();
+  for (int attempt = 0; attempt < 3 && least > 0 && near > 0; ++attempt) {
+    TriangleMesh mesh = attempt < 2
+                            ? in_parts(triangles, soup.vertices, attempt == 0 ? 0 : near, near)
+                            : closed_up(merged(triangles, all), near);
+    const int open = defects_of(mesh).open;
+    if (mesh.empty() || open >= least) continue;
+    best = std::move(mesh);
+    least = open;
+  }
+  if (best.empty()) throw DataError(path, 1, "wanted a surface, got a file without triangles");
+  return best;
 }
 
 }  // namespace thenar

@@ -23,6 +23,12 @@ constexpr std::size_t kMostTriangles = 2'000'000;
 
 /// The soup as a surface: corners at exactly the same place become one vertex, triangles of which
 /// two corners are the same vertex (and so without an area) are left out.
+///
+/// Parts stay apart where they only touch, as those of convex decompositions do: where triangles
+/// that follow each other in the file close a surface, its vertices are its own, unless merging all
+/// leaves fewer edges open. Where edges are open, corners on them that lie within 1e-6 of the box
+/// from each other become one, if that closes edges and puts no third triangle on any: files round
+/// their last digits. Nothing else is moved: what is still open, mend_mesh() mends, and says so.
 /// @param scale  [m] per unit of the soup
 /// @param path   names the file in messages
 /// @throws DataError if no triangle is left, or a coordinate is not finite or beyond 1e6 m.
