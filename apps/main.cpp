@@ -9,6 +9,7 @@
 
 #include "apps/commands.h"
 #include "apps/progress_bar.h"
+#include "base/cache.h"
 #include "base/error.h"
 #include "data/io/nearest_name.h"
 
@@ -30,6 +31,7 @@ void require_command(const CLI::App& app, int argc, char** argv) {
 }  // namespace thenar
 
 int main(int argc, char** argv) {
+  thenar::use_cache(thenar::cache_options_of_user());
   CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);

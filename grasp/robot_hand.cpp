@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "grasp/drive_torques.h"
 #include "grasp/robot_tips.h"
 
@@ -154,14 +155,18 @@ void RobotHand::add_drives(const RobotSpec& robot) {
 }
 
 void RobotHand::add_surfaces(const RobotSpec& robot) {
-  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+  std::vector<std::size_t> with_shapes;
+  for (std::size_t i = 0; i < robot.links.size(); ++i)
+    if (!robot.links[i].shapes.empty()) with_shapes.push_back(i);
+  surfaces_.resize(with_shapes.size());
+  in_parallel(with_shapes.size(), [&](std::size_t s) {
+    const std::size_t i = with_shapes[s];
     const RobotLink& link = robot.links[i];
-    if (link.shapes.empty()) continue;
     std::vector<ShapeSpec> shapes = link.shapes;
     for (ShapeSpec& shape : shapes) shape.X_BS = reference_[i] * shape.X_BS;
-    surfaces_.push_back(
-        {mover_of_[i], link.name, link.digit, link.material, surface_of(link.name, shapes)});
-  }
+    surfaces_[s] = {mover_of_[i], link.name, link.digit, link.material,
+                    surface_of(link.name, shapes)};
+  });
 }
 
 std::vector<Pose<double>> RobotHand::pose(const Eigen::VectorXd& q) const {

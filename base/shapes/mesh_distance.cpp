@@ -3,9 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
+#include <iterator>
+#include <mutex>
+#include <string>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "base/provenance.h"
 #include "base/shapes/mesh_edges.h"
 #include "base/shapes/nearest_grid.h"
 #include "base/shapes/triangle_tree.h"
@@ -95,10 +101,57 @@ class MeshDistance final : public Shape {
   std::vector<Pseudonormals> normals_;
 };
 
+/// All that distances depend on.
+std::string content_of(const TriangleMesh& mesh) {
+  std::string bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
+                    sizeof(double) * static_cast<std::size_t>(mesh.vertices.size()));
+  bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()),
+               sizeof(int) * static_cast<std::size_t>(mesh.triangles.size()));
+  return sha256(bytes) + std::to_string(mesh.vertices.cols());
+}
+
+/// Meshes in use, and the last ones that were: a hand is built several times from the same links.
+/// Sharing shows in time and memory alone, as distances are constant.
+class Recent {
+ public:
+  std::shared_ptr<const Shape> find(const std::string& content) {
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(content);
+    return found == known_.end() ? nullptr : found->second.lock();
+  }
+
+  void add(const std::string& content, const std::shared_ptr<const Shape>& shape,
+           Eigen::Index triangles) {
+    const std::lock_guard lock(mutex_);
+    for (auto at = known_.begin(); at != known_.end();)
+      at = at->second.expired() ? known_.erase(at) : std::next(at);
+    known_[content] = shape;
+    held_.push_back({shape, triangles});
+    triangles_ += triangles;
+    while (triangles_ > kMost) {
+      triangles_ -= held_.front().second;
+      held_.pop_front();
+    }
+  }
+
+ private:
+  static constexpr Eigen::Index kMost = 200'000;  // triangles held when nobody uses them, 0.1 GB
+
+  std::mutex mutex_;
+  std::unordered_map<std::string, std::weak_ptr<const Shape>> known_;  // by content
+  std::deque<std::pair<std::shared_ptr<const Shape>, Eigen::Index>> held_;
+  Eigen::Index triangles_ = 0;
+};
+
 }  // namespace
 
 std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
-  return std::make_shared<MeshDistance>(mesh);
+  static Recent recent;
+  const std::string content = content_of(mesh);
+  if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
+  auto shape = std::make_shared<MeshDistance>(mesh);
+  recent.add(content, shape, mesh.triangles.cols());
+  return shape;
 }
 
 }  // namespace thenar

@@ -16,6 +16,9 @@ namespace thenar {
 /// Up to one length of the mesh around it, cubes list the triangles that may be nearest; farther
 /// off, and where those would be many, a tree of boxes is searched from a first guess.
 ///
+/// Lists are filled as they are asked for, with the same answers whatever was asked before and from
+/// however many threads. Meshes of the same content share them within a process.
+///
 /// @param mesh  watertight, outward, no triangle of no area, its sheets nowhere through each other:
 ///              what build_solid() makes of meshes
 [[nodiscard]] std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh);

@@ -1,12 +1,18 @@
 #include "hand/skin/human_surfaces.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/parallel.h"
+#include "base/shapes/kept_mesh.h"
+#include "base/shapes/mesh_edges.h"
 #include "base/shapes/mesh_from_distance.h"
 #include "hand/skin/hand_anatomy.h"
 #include "hand/skin/skin_body.h"
@@ -45,15 +51,12 @@ const Segment& segment_named(const Subject& subject, const std::string& name) {
 
 /// Throws if an edge does not belong to two triangles that walk it in opposite ways.
 void require_closed(const TriangleMesh& mesh, const std::string& segment) {
-  std::map<std::pair<int, int>, int> edges;
-  for (const Eigen::Vector3i& corner : mesh.triangles.colwise())
-    for (int i = 0; i < 3; ++i) ++edges[{corner[i], corner[(i + 1) % 3]}];
   int open = 0, from = 0;
-  for (const auto& [edge, count] : edges) {
-    const auto back = edges.find({edge.second, edge.first});
-    if (back != edges.end() && back->second == count) continue;
-    if (open++ == 0) from = edge.first;
-  }
+  for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
+    const auto up = std::count_if(first, last, [](const MeshSide& side) { return side.upwards; });
+    if (2 * up == last - first) return;
+    if (open++ == 0) from = first->low;
+  });
   if (open == 0) return;
   const Vector3d p = mesh.vertices.col(from);
   throw InputError(fmt::format(
@@ -74,19 +77,25 @@ Solid solid_of(TriangleMesh mesh, const std::string& segment) {
   }
 }
 
+/// All that a body's skin depends on.
+std::string bytes_of(const SoftBody& body) {
+  std::string bytes;
+  for (const Lump& lump : body) {
+    for (const Vector3d& p : lump.core) append_bytes(bytes, p.data(), 3);
+    append_bytes(bytes, lump.radius.data(), lump.radius.size());
+    append_bytes(bytes, lump.flat.data(), 3);
+    append_bytes(bytes, &lump.aspect, 1);
+    append_bytes(bytes, &lump.blend, 1);
+    bytes += lump.sheet ? 't' : 'c';
+  }
+  return bytes;
+}
+
 /// Lays surfaces on the links of a skeleton.
 class SkinMaker {
  public:
   SkinMaker(const Skeleton& skeleton, const SkinOptions& options)
       : skeleton_(skeleton), options_(options) {}
-
-  void add(const std::string& digit, const std::string& segment, const SoftBody& body) {
-    if (options_.own.count(segment) > 0) return;
-    const int share = digit.empty() ? 2 : 1;  // the palm has ten times the area of a phalanx
-    TriangleMesh picture;
-    if (options_.drawn > 0) picture = skin_mesh(body, share * options_.drawn);
-    add(digit, segment, skin_mesh(body, share * options_.triangles), std::move(picture));
-  }
 
   /// @param picture  empty: the mesh itself
   void add(const std::string& digit, const std::string& segment, TriangleMesh mesh,
@@ -117,33 +126,59 @@ std::string digit_of(const HandAnatomy& hand, const std::string& segment) {
   return "";
 }
 
+/// The surface of a segment at the reference posture.
+struct Skin {
+  std::string digit, segment;
+  SoftBody body;
+  TriangleMesh mesh, picture;
+};
+
+/// Those of all segments that have links, but for the user's own.
+std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
+                           const SkinOptions& options) {
+  std::vector<Skin> skins;
+  for (const auto& [segment, body] : skin_bodies(hand))
+    if (skeleton.link_of_segment.count(segment) > 0 && options.own.count(segment) == 0)
+      skins.push_back({digit_of(hand, segment), segment, body, {}, {}});
+  std::mutex telling;
+  double done = 0;
+  in_parallel(skins.size(), [&](std::size_t i) {
+    Skin& skin = skins[i];
+    {
+      const std::lock_guard lock(telling);
+      options.progress(done++ / static_cast<double>(skins.size()), "skin of " + skin.segment);
+    }
+    const int share = skin.digit.empty() ? 2 : 1;  // the palm has ten times the area of a phalanx
+    if (options.drawn > 0) skin.picture = skin_mesh(skin.body, share * options.drawn);
+    skin.mesh = skin_mesh(skin.body, share * options.triangles);
+  });
+  return skins;
+}
+
 }  // namespace
 
 TriangleMesh skin_mesh(const SoftBody& body, int triangles) {
   require(triangles >= 100, "a link's skin wants at least 100 triangles, got {}", triangles);
-  const SoftShape shape(body);
-  // A body of this box has about the area of an ellipsoid in it; two triangles a cell.
-  const Vector3d size = shape.bounds().sizes();
-  const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
-  double cell = std::sqrt(2 * area / triangles);
-  for (;;) {
-    TriangleMesh mesh = mesh_from_distance(shape, cell);
-    if (mesh.triangles.cols() <= triangles) return mesh;
-    cell *= 1.02 * std::sqrt(static_cast<double>(mesh.triangles.cols()) / triangles);
-  }
+  return kept_mesh("skin mesh 1", fmt::format("{}\n", triangles) + bytes_of(body), [&] {
+    const SoftShape shape(body);
+    // A body of this box has about the area of an ellipsoid in it; two triangles a cell.
+    const Vector3d size = shape.bounds().sizes();
+    const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
+    double cell = std::sqrt(2 * area / triangles);
+    for (;;) {
+      TriangleMesh mesh = mesh_from_distance(shape, cell);
+      if (mesh.triangles.cols() <= triangles) return mesh;
+      cell *= 1.02 * std::sqrt(static_cast<double>(mesh.triangles.cols()) / triangles);
+    }
+  });
 }
 
 std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& skeleton,
                                         const SkinOptions& options) {
   const HandAnatomy hand = find_anatomy(subject);
+  const std::vector<Skin> skins = skins_of(hand, skeleton, options);
   SkinMaker maker(skeleton, options);
-  const std::map<std::string, SoftBody> bodies = skin_bodies(hand);
-  double done = 0;
-  for (const auto& [segment, body] : bodies) {
-    options.progress(done++ / static_cast<double>(bodies.size()), "skin of " + segment);
-    if (skeleton.link_of_segment.count(segment) > 0)
-      maker.add(digit_of(hand, segment), segment, body);
-  }
+  for (const Skin& skin : skins) maker.add(skin.digit, skin.segment, skin.mesh, skin.picture);
   for (const auto& [segment, mesh] : options.own)
     maker.add(digit_of(hand, segment), segment_named(subject, segment).name, mesh);
   return maker.take();

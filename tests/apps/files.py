@@ -1,7 +1,11 @@
 """A folder of its own for each test of a command."""
+import os
 import pathlib
 import tempfile
 import unittest
+
+# What earlier runs kept in the user's folder shall change no test.
+os.environ.setdefault("THENAR_CACHE", "off")
 
 
 class Files(unittest.TestCase):

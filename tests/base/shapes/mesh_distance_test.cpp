@@ -157,6 +157,13 @@ TEST(MeshDistance, ChangesNoMoreThanTheWayGone) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(1));
 }
 
+/// A vertex more, which no triangle has: another content, the same surface.
+std::shared_ptr<const Shape> unshared(TriangleMesh mesh) {
+  mesh.vertices.conservativeResize(3, mesh.vertices.cols() + 1);
+  mesh.vertices.rightCols(1).setZero();
+  return build_mesh_distance(mesh);
+}
+
 /// Points around a surface, each five times near together so that cubes are asked for again.
 std::vector<Vector3d> points_about(const TriangleMesh& mesh, int count) {
   std::mt19937 rng(5);
@@ -188,7 +195,7 @@ std::vector<double> answers(const Shape& shape, const std::vector<Vector3d>& poi
 TEST(MeshDistance, HasTheSameBitsWhateverWasAskedBefore) {
   for (const TriangleMesh& mesh : {mug(), ring(), handled_mug(0.006)}) {
     std::vector<Vector3d> points = points_about(mesh, queries(2000));
-    const auto used = build_mesh_distance(mesh), backwards = build_mesh_distance(mesh);
+    const auto used = build_mesh_distance(mesh), backwards = unshared(mesh);
     const std::vector<double> first = answers(*used, points);
     EXPECT_EQ(answers(*used, points), first);
     std::reverse(points.begin(), points.end());
@@ -204,7 +211,7 @@ TEST(MeshDistance, HasTheSameBitsWhateverWasAskedBefore) {
 TEST(MeshDistance, HasTheSameBitsInSeveralThreads) {
   const TriangleMesh mesh = handled_mug(0.006);
   const std::vector<Vector3d> points = points_about(mesh, queries(2000));
-  const std::vector<double> alone = answers(*build_mesh_distance(mesh), points);
+  const std::vector<double> alone = answers(*unshared(mesh), points);
   const auto shared = build_mesh_distance(mesh);
   std::vector<std::vector<double>> found(4);
   std::vector<std::thread> threads;
@@ -212,6 +219,14 @@ TEST(MeshDistance, HasTheSameBitsInSeveralThreads) {
     threads.emplace_back([&] { all = answers(*shared, points); });
   for (std::thread& thread : threads) thread.join();
   for (const std::vector<double>& all : found) EXPECT_EQ(all, alone);
+}
+
+TEST(MeshDistance, IsBuiltOnceForMeshesOfTheSameContent) {
+  TriangleMesh moved = mug();
+  EXPECT_EQ(build_mesh_distance(mug()), build_mesh_distance(mug()));
+  moved.vertices(0, 0) += 1e-15;
+  EXPECT_NE(build_mesh_distance(mug()), build_mesh_distance(moved));
+  EXPECT_NE(build_mesh_distance(mug()), unshared(mug()));
 }
 
 // The tree alone, from any first guess, finds what the cubes find.

@@ -1,0 +1,20 @@
+#pragma once
+
+/// Meshes that cost seconds, kept from one run to the next.
+
+#include <functional>
+#include <string>
+
+#include "base/shapes/triangle_mesh.h"
+
+namespace thenar {
+
+/// The mesh that was kept for an input (kept()), or else what `make` returns, which is kept.
+/// @param kind, input  as of kept()
+[[nodiscard]] TriangleMesh kept_mesh(const std::string& kind, const std::string& input,
+                                     const std::function<TriangleMesh()>& make);
+
+/// Numbers as they stand in memory, to be part of an input.
+void append_bytes(std::string& input, const double* numbers, std::size_t count);
+
+}  // namespace thenar
