@@ -197,6 +197,19 @@ class TipForce(Near):
         self.assertTrue(answer["note"].startswith("minimum norm: 4 joints leave the wrench"))
         self.near(answer["leftover_torque_N_mm"].values(), [0] * 4, 1e-9)
 
+    def test_nearly_straight_finger_says_what_a_degree_changes(self):
+        def force(pip, posture=("DIP2=0.1", "--tension", "FDP=10")):
+            return ask("tip-force", INDEX, "--posture", f"PIP2={pip}", *posture)
+        answer = force(0.1)
+        self.assertIn("nearly singular posture", answer["note"])
+        self.assertIn("one degree of PIP2", answer["note"])
+        step = 1e-4  # [deg]
+        change = [(b - a) / (2 * step) for a, b in
+                  zip(force(0.1 - step)["force_N"], force(0.1 + step)["force_N"])]
+        told = answer["force_change_N_per_deg"]["PIP2"]
+        self.assertAlmostEqual(math.hypot(*change) / told, 1, delta=1e-4)
+        self.assertNotIn("note", force(30, ("DIP2=20", "--tension", "FDP=10")))
+
     def test_map_is_a_matrix_product(self):
         answer = ask("tip-force", INDEX_MAPS, "--tension", "FDP=10", "DI=2")
         self.near(answer["force_N"], [-0.8941 + 2 * 0.2087, -0.4689, 0.6472 + 2 * 0.0568], 1e-12)
@@ -232,6 +245,15 @@ class FeasibleForce(Near):
         self.assertGreater(wide["magnitude_N"], narrow)
         x, y, z = wide["force_N"]
         self.assertLessEqual(math.degrees(math.atan2(math.hypot(x, z), y)), 10 + 1e-6)
+
+    def test_bent_finger_presses_ever_harder_in_wider_cones(self):
+        # By another simplex method, with cuts of its own.
+        for cone, certain in ((0, 30.396), (1, 30.47), (5, 30.77), (10, 31.15), (40, 31.26)):
+            answer = ask("feasible-force", INDEX, "--posture", "MCP2_FE=45", "PIP2=45", "DIP2=10",
+                         "--axes", "tip", "--direction", 0, -1, 0, "--tolerance-deg", cone)
+            self.assertAlmostEqual(answer["magnitude_N"], certain, delta=0.006)
+            self.assertLess(answer["certificate"]["gap_N"], 1e-9)
+            self.assertLess(answer["certificate"]["imbalance_N_mm"], 1e-9)
 
     def test_directions_in_tip_axes_are_world_directions_turned(self):
         posture = ("--posture", "MCP3_FE=40", "PIP3=50")  # 90 degrees in all: dorsal is -x
