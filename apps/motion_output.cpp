@@ -32,6 +32,10 @@ std::string name_of(MotionStatus status) {
       return "stopped";
     case MotionStatus::kStuck:
       return "stuck";
+    case MotionStatus::kNoProgress:
+      return "no progress";
+    case MotionStatus::kUnbalanced:
+      return "energy does not balance";
   }
   return "";
 }
@@ -60,6 +64,9 @@ ResultFile result_file(const MotionAnswer& motion) {
   file.add("energy", t.energy, "J", {"instant"});
   file.add("work", t.work, "J", {"instant"});
   file.add("lost", t.lost, "J", {"instant"});
+  file.add("energy_error", t.balance.error, "J");
+  file.add("turned_over", t.balance.turned_over, "J");
+  file.add("tolerance", t.tolerance, "1");
   int k = 0;
   for (const auto& [path, text] : motion.inputs) {
     const std::string key = fmt::format("inputs/{}", ++k);
@@ -121,8 +128,10 @@ void print_text(const MotionAnswer& motion) {
   print_table("Muscles", muscles);
   fmt::print("tip at the end: ({}) mm\n",
              fmt::join(cells(Eigen::Vector3d(t.tip.row(last).transpose() / kMm), 2), ", "));
-  fmt::print("work {:.4g} mJ, lost {:.4g} mJ, out of nothing {:.2g} mJ; {} steps\n",
-             1e3 * t.work[last], 1e3 * t.lost[last], 1e3 * energy_error(t), t.counts.steps);
+  fmt::print("work {:.4g} mJ, lost {:.4g} mJ; out of nothing {:.2g} mJ of {:.4g} mJ turned over\n",
+             1e3 * t.work[last], 1e3 * t.lost[last], 1e3 * t.balance.error,
+             1e3 * t.balance.turned_over);
+  fmt::print("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
   if (!t.trouble.empty()) fmt::print("trouble: {}\n", t.trouble);
 }
 
@@ -143,7 +152,9 @@ nlohmann::ordered_json json_of(const MotionAnswer& motion) {
                   {"tip_mm", to_json(t.tip.row(last).transpose() / kMm)}};
   json["work_J"] = t.work[last];
   json["lost_J"] = t.lost[last];
-  json["energy_error_J"] = energy_error(t);
+  json["energy_error_J"] = t.balance.error;
+  json["turned_over_J"] = t.balance.turned_over;
+  json["tolerance"] = t.tolerance;
   json["steps"] = t.counts.steps;
   json["slopes"] = t.counts.slopes;
   return json;

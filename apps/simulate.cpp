@@ -30,7 +30,7 @@ struct Options {
   std::string muscle = "rigid-tendon", hood;
   std::vector<double> gravity;
   double seconds = 1, sample_ms = 5, tolerance = 1e-6;
-  double damping = JointResistance().damping;
+  double damping = JointResistance().damping, blend = kBlend;
   bool json = false;
 };
 
@@ -103,6 +103,7 @@ Trajectory trajectory_of(const Options& options, const Subject& subject,
   MotionModel model{tendons, *contraction};
   model.gravity = gravity_of(options);
   model.resistance.damping = options.damping;
+  model.blend = options.blend;
 
   const MotionStart start{parse_posture(digit.skeleton, options.posture),
                           {},
@@ -114,6 +115,17 @@ Trajectory trajectory_of(const Options& options, const Subject& subject,
   how.tolerance = options.tolerance;
   how.progress = terminal_progress();
   return simulate(model, excitation_of(options, muscles), start, how);
+}
+
+/// Refuses what has been printed or written already, but must not be taken for the answer.
+void require_end(const Trajectory& trajectory) {
+  const EnergyBalance& balance = trajectory.balance;
+  require(trajectory.status != MotionStatus::kStuck, "the motion is stuck: {}", trajectory.trouble);
+  require(trajectory.status != MotionStatus::kNoProgress, "the motion does not get on: {}",
+          trajectory.trouble);
+  require(trajectory.status != MotionStatus::kUnbalanced,
+          "energy does not balance: {:.2g} mJ of {:.4g} mJ turned over came of nothing",
+          1e3 * balance.error, 1e3 * balance.turned_over);
 }
 
 void run(const Options& options) {
@@ -142,7 +154,7 @@ void run(const Options& options) {
   else
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
-  require(trajectory.status != MotionStatus::kStuck, "the motion is stuck: {}", trajectory.trouble);
+  require_end(trajectory);
   if (trajectory.status == MotionStatus::kStopped)
     throw Interrupted(fmt::format("stopped; all up to then is {}",
                                   options.output.empty() ? "above" : "in " + options.output));
@@ -160,6 +172,10 @@ void add_rungs(CLI::App& command, Options& options) {
   command
       .add_option("--damping", options.damping, "Of joints whose subject gives none [N m s/rad]")
       ->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--blend", options.blend,
+                  "Strain over which the bands of a net go from slack to taut")
+      ->check(CLI::PositiveNumber);
   command
       .add_option("--gravity", options.gravity,
                   "x y z of free fall in the subject's frame [m/s^2]; none if left out")

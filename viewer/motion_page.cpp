@@ -102,8 +102,10 @@ Json energy_section(const Trajectory& t) {
   return section(
       "energy", "Energy",
       fmt::format("Energy of motion, weights, springs and stops is what tendons put in less what "
-                  "joints take out; the integration made {:.2g} mJ of nothing, in {} steps.",
-                  1e3 * energy_error(t), t.counts.steps),
+                  "joints take out; the integration made {:.2g} mJ of nothing, of {:.4g} mJ turned "
+                  "over, in {} steps to a tolerance of {:.2g}.{}",
+                  1e3 * t.balance.error, 1e3 * t.balance.turned_over, t.counts.steps, t.tolerance,
+                  t.balance.holds() ? "" : " That is too much: do not believe this motion."),
       Json::array({lines("Energy gained, work of the tendons, and loss in the joints",
                          "energy [mJ]", t, {"gained", "work", "lost"}, 1e3 * energy)}));
 }

@@ -18,4 +18,8 @@ struct ActivationTimes {
 [[nodiscard]] double activation_rate(double excitation, double activation,
                                      const ActivationTimes& times);
 
+/// d activation_rate / d activation [1/s]; at a = e, where it has a corner, that of falling.
+[[nodiscard]] double activation_rate_slope(double excitation, double activation,
+                                           const ActivationTimes& times);
+
 }  // namespace thenar

@@ -17,6 +17,9 @@ class Bounds : public Contraction {
   double tension(int m, const MuscleState& state) const override {
     return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may pass below 0
   }
+  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
+    return {state.activation < 0 ? 0 : muscle(m).F0, 0, 0, 0};
+  }
   double reach_rate(int, const MuscleState&) const override { return 0; }
   double reach_at_rest(int, double, double) const override { return 0; }
   double fibre(int, const MuscleState&) const override { return 0; }
@@ -32,6 +35,9 @@ class RigidTendon : public Contraction {
   double tension(int m, const MuscleState& state) const override {
     return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
                                 state.velocity);
+  }
+  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
+    return rigid_tendon_slopes(muscle(m), options_, state.activation, state.length, state.velocity);
   }
   double reach_rate(int, const MuscleState&) const override { return 0; }
   double reach_at_rest(int, double, double) const override { return 0; }
@@ -52,6 +58,13 @@ class ElasticTendon : public Contraction {
   bool has_reach() const override { return true; }
   double tension(int m, const MuscleState& state) const override {
     return elastic_tendon_tension(muscle(m), options_, state.length, state.reach);
+  }
+  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
+    return elastic_tendon_slopes(muscle(m), options_, state.length, state.reach);
+  }
+  ReachRateSlopes reach_rate_slopes(int m, const MuscleState& state) const override {
+    return thenar::reach_rate_slopes(muscle(m), options_, state.activation, state.length,
+                                     state.reach);
   }
   double reach_rate(int m, const MuscleState& state) const override {
     return thenar::reach_rate(muscle(m), options_, state.activation, state.length, state.reach);

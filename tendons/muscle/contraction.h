@@ -41,6 +41,15 @@ class Contraction {
   /// Rate of the reach of muscle m [m/s]; 0 where it is no state.
   [[nodiscard]] virtual double reach_rate(int m, const MuscleState& state) const = 0;
 
+  /// Slopes of tension() by the state of muscle m.
+  [[nodiscard]] virtual TensionSlopes tension_slopes(int m, const MuscleState& state) const = 0;
+
+  /// Slopes of reach_rate() by the state of muscle m; 0 where it is no state.
+  [[nodiscard]] virtual ReachRateSlopes reach_rate_slopes(int /*m*/,
+                                                          const MuscleState& /*state*/) const {
+    return {};
+  }
+
   /// Reach of muscle m at rest [m]; 0 where it is no state.
   [[nodiscard]] virtual double reach_at_rest(int m, double activation, double length) const = 0;
 

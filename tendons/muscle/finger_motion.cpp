@@ -1,5 +1,7 @@
 #include "tendons/muscle/finger_motion.h"
 
+#include <cmath>
+
 #include "base/error.h"
 #include "tendons/muscle/excursion.h"
 
@@ -26,11 +28,15 @@ double weight_energy(const Skeleton& skeleton, const VectorXd& q, const Eigen::V
 
 FingerMotion::FingerMotion(const MotionModel& model)
     : model_(model),
+      blended_(model.tendons.blended(model.blend)),
       multibody_(model.tendons.digit().skeleton, Passive::kOff),
       damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
       net_feels_(model.contraction.feels_velocity() &&
                  model.tendons.digit().fidelity.hood == Hood::kFloatingNet),
+      tonus_(model.tendons.digit().fidelity.hood == Hood::kFloatingNet ? model.tonus : 0),
       muscles_(muscles_of(model)) {
+  require(model.tonus >= 0 && model.tonus < 1e3, "tonus must be >= 0, and little, got {} N",
+          model.tonus);
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
   const std::vector<Musculotendon>& muscles = model.contraction.muscles();
   require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),
@@ -50,7 +56,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
   const Excursion way =
-      excursion(model_.tendons, VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
+      excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string trouble = way.trouble.empty() ? "" : "on the way to the start: " + way.trouble;
   MotionState state{q, q_dot, activation, way.e, {}, {}, 0, 0};
   if (net_feels_) state.felt = tension(state, VectorXd::Zero(muscles));
@@ -72,23 +78,35 @@ VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocit
   return VectorXd::NullaryExpr(muscles_, [&](Index m) {
     MuscleState muscle = muscle_state(state, static_cast<int>(m));
     muscle.velocity = velocity[m];
-    return model_.contraction.tension(static_cast<int>(m), muscle);
+    return tonus_ + model_.contraction.tension(static_cast<int>(m), muscle);
   });
 }
 
+VectorXd FingerMotion::rested_under(const MotionState& state, const VectorXd& tension) const {
+  if (!net_feels_) return tension;
+  return state.felt.cwiseMax(tonus_ / 2);  // an integrator may pass below the tonus
+}
+
 MotionInstant FingerMotion::at(const MotionState& state) const {
-  const DigitTendons& tendons = model_.tendons;
+  const DigitTendons& tendons = this->tendons();
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
   if (net_feels_) {
-    const VectorXd felt = state.felt.cwiseMax(0);  // an integrator may pass below 0
+    const VectorXd felt = rested_under(state, {});
     now.pull = tendons.pull(state.q, felt, last_nodes_);
+    now.pull.R = tendons.mean_arms(state.q, felt, now.pull, kArmWidth);
     now.tension = tension(state, -now.pull.R * state.q_dot);
     now.pull.tau += now.pull.R.transpose() * (now.tension - felt);
   } else {
     const bool feels = model_.contraction.feels_velocity();
     now.tension = tension(
         state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
+    if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
+      const Index joints = state.q.size();
+      now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
+      now.pull.R = Eigen::MatrixXd::Zero(muscles_, joints);
+      return now;
+    }
     now.pull = tendons.pull(state.q, now.tension, last_nodes_);
   }
   now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
@@ -99,6 +117,8 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
 
 MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
   const MotionInstant now = at(state);
+  if (!now.pull.tau.allFinite() || !now.tension.allFinite())
+    return unpack(VectorXd::Constant(pack(state).size(), HUGE_VAL));
   const VectorXd damped = damping_.cwiseProduct(state.q_dot);
   const VectorXd tau = now.pull.tau +
                        holding_torque(model_.tendons.digit().skeleton, model_.resistance, state.q) -
@@ -126,9 +146,12 @@ std::string FingerMotion::accept(const MotionState& state) {
 
 double FingerMotion::energy(const MotionState& state) {
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
-  return multibody_.kinetic_energy({state.q, state.q_dot}) +
-         weight_energy(skeleton, state.q, model_.gravity) +
+  return kinetic_energy(state) + weight_energy(skeleton, state.q, model_.gravity) +
          holding_energy(skeleton, model_.resistance, state.q);
+}
+
+double FingerMotion::kinetic_energy(const MotionState& state) {
+  return multibody_.kinetic_energy({state.q, state.q_dot});
 }
 
 VectorXd FingerMotion::pack(const MotionState& state) const {

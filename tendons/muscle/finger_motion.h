@@ -10,6 +10,14 @@
 
 namespace thenar {
 
+/// Strain over which the bands of a net go from slack to taut in motion, a choice of ours [1]: see
+/// docs/theory/muscles.md for what it changes.
+inline constexpr double kBlend = 1e-3;
+
+/// Tension that every muscle of a digit with a net adds to its own in motion, and half the angle
+/// over which moment arms that tensions depend on are averaged; choices of ours [N], [rad].
+inline constexpr double kTonus = 5e-3, kArmWidth = 1e-3;
+
 /// Everything about a digit in motion that is constant.
 struct MotionModel {
   const DigitTendons& tendons;
@@ -17,6 +25,8 @@ struct MotionModel {
   JointResistance resistance{};
   ActivationTimes activation{};
   Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, base frame [m/s^2] (3)
+  double blend = kBlend;             // of a net's bands [1]
+  double tonus = kTonus;             // of the muscles of a digit with a net [N]
 };
 
 /// All states of a digit in motion.
@@ -74,6 +84,14 @@ class FingerMotion {
   /// @return rates of all states
   [[nodiscard]] MotionState slope(const MotionState& state, const Eigen::VectorXd& excitation);
 
+  /// Slopes of all rates by all states, packed alike:  J_ij = d slope_i / d y_j.
+  ///
+  /// Exact in what is stiff: muscles, resistance of joints, torque of tendons by posture and
+  /// tension. Moment arms by posture and tension and the multibody's terms by posture and speed are
+  /// differences, of functions that are smooth.
+  [[nodiscard]] Eigen::MatrixXd jacobian(const MotionState& state,
+                                         const Eigen::VectorXd& excitation);
+
   [[nodiscard]] MotionInstant at(const MotionState& state) const;
 
   /// Later searches start from here. @return why not to trust the tendons here; empty: nothing
@@ -81,6 +99,9 @@ class FingerMotion {
 
   /// Of motion, weights, springs and stops [J].
   [[nodiscard]] double energy(const MotionState& state);
+
+  /// Of motion alone [J].
+  [[nodiscard]] double kinetic_energy(const MotionState& state);
 
   /// All states in one column, and back.
   [[nodiscard]] Eigen::VectorXd pack(const MotionState& state) const;
@@ -92,12 +113,18 @@ class FingerMotion {
 
  private:
   MuscleState muscle_state(const MotionState& state, int m) const;
+  Eigen::VectorXd rested_under(const MotionState& state, const Eigen::VectorXd& tension) const;
+  [[nodiscard]] const DigitTendons& tendons() const {
+    return blended_ ? *blended_ : model_.tendons;
+  }
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
 
   MotionModel model_;
+  std::unique_ptr<DigitTendons> blended_;  // null: the model's own
   Multibody multibody_;
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
   bool net_feels_;           // the state has felt tensions
+  double tonus_;             // [N]
   Eigen::Index muscles_;
   Eigen::Matrix3Xd last_nodes_;  // [m] (3, nodes)
 };

@@ -19,6 +19,10 @@ double stop_torque(const JointResistance& stop, double d) {
   return d > 0 ? -torque : torque;
 }
 
+double stop_slope(const JointResistance& stop, double d) {
+  return -stop.stiffness * std::min(std::abs(d) / stop.toe, 1.0);
+}
+
 double stop_energy(const JointResistance& stop, double d) {
   const double toe = stop.toe, size = std::abs(d);
   if (size < toe) return stop.stiffness * size * size * size / (6 * toe);
@@ -33,6 +37,14 @@ VectorXd holding_torque(const Skeleton& skeleton, const JointResistance& resista
   for (Eigen::Index i = 0; i < q.size(); ++i)
     tau[i] += stop_torque(resistance, beyond(skeleton.limits[static_cast<std::size_t>(i)], q[i]));
   return tau;
+}
+
+VectorXd holding_slope(const Skeleton& skeleton, const JointResistance& resistance,
+                       const VectorXd& q) {
+  return VectorXd::NullaryExpr(q.size(), [&](Eigen::Index i) {
+    const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
+    return -limits.stiffness + stop_slope(resistance, beyond(limits, q[i]));
+  });
 }
 
 double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,

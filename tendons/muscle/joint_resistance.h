@@ -22,6 +22,11 @@ struct JointResistance {
                                              const JointResistance& resistance,
                                              const Eigen::VectorXd& q);
 
+/// d holding_torque / d q, diagonal [N m/rad] (coordinates).
+[[nodiscard]] Eigen::VectorXd holding_slope(const Skeleton& skeleton,
+                                            const JointResistance& resistance,
+                                            const Eigen::VectorXd& q);
+
 /// Energy stored in them; its slope is minus the torque [J].
 [[nodiscard]] double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,
                                     const Eigen::VectorXd& q);

@@ -47,10 +47,28 @@ struct HillOptions {
 [[nodiscard]] double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                                           double activation, double length, double velocity);
 
+/// Slopes of a tension; 0 where it is cut off.
+struct TensionSlopes {
+  double by_activation = 0;  // [N]
+  double by_length = 0;      // [N/m]
+  double by_velocity = 0;    // [N s/m]
+  double by_reach = 0;       // [N/m]
+};
+
+/// Of rigid_tendon_tension(), whose arguments they are.
+[[nodiscard]] TensionSlopes rigid_tendon_slopes(const Musculotendon& muscle,
+                                                const HillOptions& options, double activation,
+                                                double length, double velocity);
+
 /// Tension of an elastic tendon beside a fibre of this reach [m].
 /// @return [N]
 [[nodiscard]] double elastic_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                                             double length, double reach);
+
+/// Of elastic_tendon_tension(), whose arguments they are.
+[[nodiscard]] TensionSlopes elastic_tendon_slopes(const Musculotendon& muscle,
+                                                  const HillOptions& options, double length,
+                                                  double reach);
 
 /// Rate of the reach at which forces balance: the root of an increasing function, so there is one.
 /// Shortening fades out where the reach falls below a tenth of the optimal length: fibres beside a
@@ -58,6 +76,18 @@ struct HillOptions {
 /// @return [m/s]
 [[nodiscard]] double reach_rate(const Musculotendon& muscle, const HillOptions& options,
                                 double activation, double length, double reach);
+
+/// Slopes of a rate of the reach.
+struct ReachRateSlopes {
+  double by_activation = 0;  // [m/s]
+  double by_length = 0;      // [1/s]
+  double by_reach = 0;       // [1/s]
+};
+
+/// Of reach_rate(), whose arguments they are; by the implicit function theorem.
+[[nodiscard]] ReachRateSlopes reach_rate_slopes(const Musculotendon& muscle,
+                                                const HillOptions& options, double activation,
+                                                double length, double reach);
 
 /// The reach at which forces balance at rest; with a slack tendon, that at which it is just taut,
 /// or a twentieth of the optimal length if even this is too long [m].

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 
@@ -11,6 +12,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr double kFiner = 0.01;  // tolerance of the second integration over that of the first
+
 /// Instants that are kept, in a trajectory with room for all.
 class Recorder {
  public:
@@ -19,6 +22,7 @@ class Recorder {
         motion_(motion),
         sample_(options.sample),
         seconds_(options.seconds),
+        tolerance_(options.tolerance),
         room_(static_cast<Index>(std::floor(options.seconds / options.sample * (1 + 1e-12))) + 1) {
     const TendonDigit& digit = model.tendons.digit();
     kept_.joints = digit.names.coordinates;
@@ -68,9 +72,20 @@ class Recorder {
     kept_.trouble = fmt::format("{} (at {:.4g} s)", trouble, time);
   }
 
-  Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode) {
-    note(why, ode.time());
+  /// Why it ended comes before whatever was noted on the way.
+  void note_end(const std::string& why, double time) {
+    if (why.empty()) return;
+    const std::string before = std::exchange(kept_.trouble, "");
+    note(why, time);
+    if (!before.empty()) kept_.trouble += "; " + before;
+  }
+
+  Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
+                  const EnergyBalance& balance) {
+    note_end(why, ode.time());
     kept_.status = status;
+    kept_.balance = balance;
+    kept_.tolerance = tolerance_;
     kept_.counts = ode.counts();
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.lost})
       v->conservativeResize(next_);
@@ -79,6 +94,7 @@ class Recorder {
       m->conservativeResize(next_, Eigen::NoChange);
     kept_.slips.conservativeResize(next_, Eigen::NoChange);
     kept_.tip.conservativeResize(next_, Eigen::NoChange);
+    kept_.balance.error = std::max(balance.error, energy_error(kept_));
     if (model_.contraction.rung() == Muscle::kBounds) kept_.fibre.resize(0, 0);
     return std::move(kept_);
   }
@@ -86,21 +102,73 @@ class Recorder {
  private:
   const MotionModel& model_;
   FingerMotion& motion_;
-  double sample_, seconds_;
+  double sample_, seconds_, tolerance_;
   Index room_, next_ = 0;
   Trajectory kept_;
 };
 
 const char* reason(OdeStatus status) {
   switch (status) {
+    case OdeStatus::kStepped:
+      return "";
     case OdeStatus::kTooMany:
       return "more steps than allowed";
+    case OdeStatus::kTooStiff:
+      return "no step is short enough";
+    case OdeStatus::kNotFinite:
+      return "rates are not finite, however short the step";
+    case OdeStatus::kSingular:
+      return "the equations of a step are singular";
     case OdeStatus::kImpossible:
       return "the tolerance is below rounding";
-    default:
-      return "no step is short enough";
+    case OdeStatus::kFailed:
+      break;
   }
+  return "the integrator failed";
 }
+
+/// Adds up what became of energy from step to step.
+class Account {
+ public:
+  Account(FingerMotion& motion, const MotionState& first)
+      : motion_(motion), begin_(motion.energy(first)), work_(first.work) {
+    add(first);
+  }
+
+  void add(const MotionState& state) {
+    const double made = motion_.energy(state) - begin_ - state.work + state.lost;
+    error_ = std::max(error_, std::abs(made));
+    kinetic_ = std::max(kinetic_, motion_.kinetic_energy(state));
+    turned_ += std::abs(state.work - work_);
+    work_ = state.work;
+    lost_ = state.lost;
+  }
+
+  EnergyBalance balance() const { return {error_, kinetic_ + turned_ + lost_}; }
+
+ private:
+  FingerMotion& motion_;
+  double begin_, work_, lost_ = 0, error_ = 0, kinetic_ = 0, turned_ = 0;
+};
+
+/// Whether the last steps have got anywhere.
+class Patience {
+ public:
+  explicit Patience(int steps) : steps_(steps) {}
+
+  /// @return false: give up
+  bool go_on(double time) {
+    if (++count_ < steps_) return true;
+    const bool far = time - since_ >= kCreep;
+    since_ = time;
+    count_ = 0;
+    return far;
+  }
+
+ private:
+  int steps_, count_ = 0;
+  double since_ = 0;
+};
 
 void check(const SimulateOptions& options) {
   require(options.seconds > 0 && options.sample > 0 && options.tolerance > 0 &&
@@ -109,6 +177,60 @@ void check(const SimulateOptions& options) {
           options.sample, options.tolerance);
   require(options.seconds / options.sample < 1e7, "{} s in samples of {} s are too many",
           options.seconds, options.sample);
+  require(options.max_steps > 0 && options.patience > 0,
+          "wanted at least one step and some patience, got {} and {}", options.max_steps,
+          options.patience);
+}
+
+/// One integration.
+Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
+                     const MotionStart& start, const SimulateOptions& options) {
+  const ExcitationPiece* piece = &pieces.front();
+  FingerMotion motion(model);
+  const VectorXd still = VectorXd::Zero(start.q.size());
+  const auto [first, trouble] =
+      motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
+                   start.activation.size() > 0 ? start.activation : piece->first);
+  Recorder recorder(model, motion, options);
+  recorder.note(trouble, 0);
+  recorder.note(motion.accept(first), 0);
+  recorder.keep(first, piece->first);
+  Account account(motion, first);
+  Patience patience(options.patience);
+
+  const auto slope = [&](double time, const VectorXd& y) {
+    return motion.pack(motion.slope(motion.unpack(y), piece->at(time)));
+  };
+  const auto jacobian = [&](double time, const VectorXd& y) {
+    return motion.jacobian(motion.unpack(y), piece->at(time));
+  };
+  StiffOde ode(
+      slope, 0, motion.pack(first),
+      {options.tolerance, options.tolerance * motion.scale(), options.max_steps, jacobian});
+  const auto take = [&](MotionStatus status, const std::string& why) {
+    return recorder.take(status, why, ode, account.balance());
+  };
+
+  for (const ExcitationPiece& next : pieces) {
+    piece = &next;
+    if (piece->jumps) ode.restart();
+    while (ode.time() < piece->end) {
+      const OdeStatus status = ode.step(piece->end);
+      if (status != OdeStatus::kStepped) return take(MotionStatus::kStuck, reason(status));
+      for (; recorder.next() <= ode.time();)
+        recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
+      const MotionState now = motion.unpack(ode.state());
+      recorder.note(motion.accept(now), ode.time());
+      account.add(now);
+      options.progress(ode.time() / options.seconds, "simulating");
+      if (options.progress.stop()) return take(MotionStatus::kStopped, "");
+      if (!patience.go_on(ode.time()))
+        return take(MotionStatus::kNoProgress,
+                    fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
+                                options.patience, kCreep));
+    }
+  }
+  return take(MotionStatus::kDone, "");
 }
 
 }  // namespace
@@ -120,46 +242,26 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   require(excitation.value.cols() == muscles, "the digit has {} muscles, {} are excited", muscles,
           excitation.value.cols());
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
-  const ExcitationPiece* piece = &pieces.front();
 
-  FingerMotion motion(model);
-  const VectorXd still = VectorXd::Zero(start.q.size());
-  const auto [first, trouble] =
-      motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
-                   start.activation.size() > 0 ? start.activation : piece->first);
-  Recorder recorder(model, motion, options);
-  recorder.note(trouble, 0);
-  recorder.note(motion.accept(first), 0);
-  recorder.keep(first, piece->first);
+  Trajectory path = integrate(model, pieces, start, options);
+  if (path.status != MotionStatus::kDone || path.balance.holds()) return path;
+  SimulateOptions finer = options;
+  finer.tolerance *= kFiner;
+  Trajectory again = integrate(model, pieces, start, finer);
+  if (again.status == MotionStatus::kStopped) return again;
+  if (again.status == MotionStatus::kDone && again.balance.holds()) return again;
+  path.status = MotionStatus::kUnbalanced;
+  return path;
+}
 
-  const auto slope = [&](double time, const VectorXd& y) {
-    return motion.pack(motion.slope(motion.unpack(y), piece->at(time)));
-  };
-  StiffOde ode(slope, 0, motion.pack(first),
-               {options.tolerance, options.tolerance * motion.scale(), options.max_steps});
-
-  for (const ExcitationPiece& next : pieces) {
-    piece = &next;
-    if (piece->jumps) ode.restart();
-    while (ode.time() < piece->end) {
-      const OdeStatus status = ode.step(piece->end);
-      if (status != OdeStatus::kStepped)
-        return recorder.take(MotionStatus::kStuck, reason(status), ode);
-      for (; recorder.next() <= ode.time();)
-        recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
-      recorder.note(motion.accept(motion.unpack(ode.state())), ode.time());
-      options.progress(ode.time() / options.seconds, "simulating");
-      if (options.progress.stop()) return recorder.take(MotionStatus::kStopped, "", ode);
-    }
-  }
-  return recorder.take(MotionStatus::kDone, "", ode);
+VectorXd energy_made(const Trajectory& trajectory) {
+  if (trajectory.energy.size() == 0) return {};
+  return trajectory.energy.array() - trajectory.energy[0] -
+         (trajectory.work - trajectory.lost).array();
 }
 
 double energy_error(const Trajectory& trajectory) {
-  if (trajectory.energy.size() == 0) return 0;
-  const VectorXd made = trajectory.energy.array() - trajectory.energy[0] -
-                        (trajectory.work - trajectory.lost).array();
-  return made.cwiseAbs().maxCoeff();
+  return trajectory.energy.size() > 0 ? energy_made(trajectory).cwiseAbs().maxCoeff() : 0;
 }
 
 }  // namespace thenar

@@ -21,13 +21,41 @@ Eigen::Map<Eigen::VectorXd> values(N_Vector v) {
   return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
 }
 
+OdeStatus status_of(int flag) {
+  switch (flag) {
+    case CV_SUCCESS:
+    case CV_TSTOP_RETURN:
+    case CV_WARNING:
+      return OdeStatus::kStepped;
+    case CV_TOO_MUCH_WORK:
+      return OdeStatus::kTooMany;
+    case CV_ERR_FAILURE:
+    case CV_CONV_FAILURE:
+      return OdeStatus::kTooStiff;
+    case CV_RHSFUNC_FAIL:
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_UNREC_RHSFUNC_ERR:
+      return OdeStatus::kNotFinite;
+    case CV_LINIT_FAIL:
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL:
+      return OdeStatus::kSingular;
+    case CV_TOO_MUCH_ACC:
+    case CV_TOO_CLOSE:
+      return OdeStatus::kImpossible;
+    default:
+      return OdeStatus::kFailed;
+  }
+}
+
 void silent(int, const char*, const char*, char*, void*) {}
 
 }  // namespace
 
 struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(OdeSlope f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
-      : slope(std::move(f)), max_steps(o.max_steps), time(t) {
+      : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
     state = N_VNew_Serial(y.size(), context);
     scratch = N_VNew_Serial(y.size(), context);
@@ -39,6 +67,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     const bool ready = CVodeInit(cvode, &Parts::call, time, state) == CV_SUCCESS &&
                        CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
                        CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
+                       (!jacobian || CVodeSetJacFn(cvode, &Parts::turn) == CV_SUCCESS) &&
                        CVodeSetUserData(cvode, this) == CV_SUCCESS &&
                        CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
     require(ready, "CVODE could not be set up for {} states", y.size());
@@ -70,6 +99,22 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     }
   }
 
+  /// As call().
+  static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
+                  N_Vector) {
+    auto& parts = *static_cast<Parts*>(user);
+    try {
+      const Eigen::VectorXd at = values(y);
+      Eigen::Map<Eigen::MatrixXd> out(SUNDenseMatrix_Data(J), at.size(), at.size());
+      if (!at.allFinite()) return 1;
+      out = parts.jacobian(t, at);
+      return out.allFinite() ? 0 : 1;
+    } catch (...) {
+      parts.thrown = std::current_exception();
+      return -1;
+    }
+  }
+
   OdeCounts counts() const {
     long steps = 0, slopes = 0, by_jacobian = 0, jacobians = 0;
     CVodeGetNumSteps(cvode, &steps);
@@ -81,6 +126,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   }
 
   OdeSlope slope;
+  OdeJacobian jacobian;
   int max_steps;
   double time;
   std::exception_ptr thrown;
@@ -114,8 +160,7 @@ OdeStatus StiffOde::step(double stop) {
   CVodeSetStopTime(parts_->cvode, stop);
   const int flag = CVode(parts_->cvode, stop, parts_->state, &parts_->time, CV_ONE_STEP);
   if (parts_->thrown) std::rethrow_exception(std::exchange(parts_->thrown, nullptr));
-  if (flag == CV_TOO_MUCH_ACC) return OdeStatus::kImpossible;
-  return flag < 0 ? OdeStatus::kTooStiff : OdeStatus::kStepped;
+  return status_of(flag);
 }
 
 void StiffOde::restart() {

@@ -14,20 +14,29 @@ namespace thenar {
 /// @param time  [s]
 using OdeSlope = std::function<Eigen::VectorXd(double time, const Eigen::VectorXd& y)>;
 
+/// df/dy at (t, y) (n, n). It only steers the integrator's Newton steps: what a step is accepted by
+/// is f. One that is not finite makes the integrator try a shorter step.
+using OdeJacobian = std::function<Eigen::MatrixXd(double time, const Eigen::VectorXd& y)>;
+
 struct StiffOdeOptions {
   double relative = 1e-6;    // error of one step, of each state's size [1]
   Eigen::VectorXd absolute;  // error of one step below which no state is resolved; its units
   int max_steps = 1000000;   // over the whole life
+  OdeJacobian jacobian{};    // empty: by differences of f
 };
 
+/// What became of a step; every answer of CVODE is one of them.
 enum class OdeStatus {
-  kStepped,    // one step further
-  kTooMany,    // max_steps done
-  kTooStiff,   // no step is short enough: f jumps, or is not finite
-  kImpossible  // tolerances below rounding
+  kStepped,     // one step further
+  kTooMany,     // max_steps done
+  kTooStiff,    // no step is short enough: f jumps, or Newton's steps do not converge
+  kNotFinite,   // f is not finite, here or at every step that was tried
+  kSingular,    // the matrix of Newton's steps could not be set up or solved with
+  kImpossible,  // tolerances below rounding, or nothing left between here and `stop`
+  kFailed       // anything else
 };
 
-/// What the work was.
+/// What the work was; slopes are without those of Jacobians that are given.
 struct OdeCounts {
   long steps = 0, slopes = 0, jacobians = 0;
 };
@@ -43,7 +52,8 @@ class StiffOde {
   StiffOde(StiffOde&&) noexcept;
   StiffOde& operator=(StiffOde&&) noexcept;
 
-  /// One step, of whatever length the tolerances allow, but never beyond `stop` > time().
+  /// One step, of whatever length the tolerances allow, but never beyond `stop` > time(). Unless it
+  /// is kStepped, time() and state() are those before.
   [[nodiscard]] OdeStatus step(double stop);
 
   /// Starts anew from here, where f jumps.

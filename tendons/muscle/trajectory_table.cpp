@@ -36,6 +36,7 @@ TrajectoryTable trajectory_table(const Trajectory& t) {
   add(table, "energy_J", {""}, "", t.energy);
   add(table, "work_J", {""}, "", t.work);
   add(table, "lost_J", {""}, "", t.lost);
+  add(table, "energy_error_J", {""}, "", energy_made(t));
   return table;
 }
 

@@ -2,6 +2,8 @@
 
 /// Tension of a band that is pulled but never pushes.
 
+#include <cmath>
+
 namespace thenar {
 
 /// A band stretched to some length.
@@ -23,5 +25,12 @@ struct BandPull {
   const double past = e - 0.5 * toe;
   return {EA * slack * (0.5 * past * past + toe * toe / 24), EA * past, EA / slack};
 }
+
+/// The same law T of a strain that is never negative,
+///   p = (e + sqrt(e^2 + blend^2)) / 2,    tension = T(p(e)) - T(p(-1)):
+/// smooth, above 0 at any length above 0 and 0 at none. Taut, T(p) = EA e (1 + blend^2 / (2 e)^2);
+/// slack, EA blend^2 (1 / |e| - 1) / 4. The energy is its integral, by e = p - blend^2 / (4 p).
+[[nodiscard]] BandPull blended_pull(double length, double slack, double EA, double toe,
+                                    double blend);
 
 }  // namespace thenar

@@ -44,6 +44,8 @@ struct Net {
   std::vector<BoneSurface> surfaces;
   std::vector<std::string> muscles;  // that pull it
   double friction = 0;               // of nodes on bone (Coulomb); not 0: see net_friction.h [1]
+  double blend = 0;  // strain over which passive bands go from slack to taut (band_law.h), with
+                     // tension, though little, at any length; 0: at once [1]
 };
 
 /// How muscles drive the net.

@@ -121,6 +121,18 @@ MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeSta
          tension_by_drive(tangent, drive);
 }
 
+MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
+                           const NetDrive& drive, const NetEquilibrium& rest, int coordinates) {
+  const TangentNet tangent = tangent_at(net, state, drive, rest);
+  MatrixXd slope(coordinates, coordinates);
+  for (int l = 0; l < coordinates; ++l) {
+    const NetInput input = internal::turning(net, tree, state, l);
+    slope.col(l) = internal::torque_rate(tangent, tree, state, input,
+                                         internal::node_rates(tangent, input), coordinates);
+  }
+  return slope;
+}
+
 NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                const TreeState<double>& state, const NetDrive& drive,
                                const NetEquilibrium& rest, int coordinates) {

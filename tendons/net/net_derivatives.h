@@ -37,6 +37,14 @@ namespace thenar {
                                               const TreeState<double>& state, const NetDrive& drive,
                                               const NetEquilibrium& rest, int coordinates);
 
+/// d tau/dq while the net stays at rest: minus its stiffness at the joints, symmetric [N m/rad]
+/// (coordinates, coordinates).
+/// @throws InputError as of no_slopes().
+[[nodiscard]] Eigen::MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree,
+                                                const TreeState<double>& state,
+                                                const NetDrive& drive, const NetEquilibrium& rest,
+                                                int coordinates);
+
 /// Slopes of (x, tension, tau) by one group of inputs.
 struct NetSlopes {
   Eigen::MatrixXd x;        // of all nodes, stacked (3 nodes, inputs)

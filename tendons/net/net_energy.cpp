@@ -44,6 +44,13 @@ Chord grip_chord(double t, double grip, const Vector3d& hold, const Vector3d& a,
   return chord;
 }
 
+BandPull law(const Net& net, const NetScene& scene, int i, double L) {
+  if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
+  const NetBand& band = net.bands[i];
+  if (net.blend > 0) return blended_pull(L, scene.slack[i], band.EA, band.toe, net.blend);
+  return band_pull(L, scene.slack[i], band.EA, band.toe);
+}
+
 /// Stiffness that bands can set against a gripped node: sum EA / slack at both ends, and more.
 double grip_of(const Net& net, const NetScene& scene, int i) {
   const NetBand& band = net.bands[i];
@@ -102,10 +109,7 @@ BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3
   BandState out{band_chord(net, scene, i, a, b), {}};
   if (!out.chord.bent && gripped(scene, i, out.chord.length))
     out.chord = grip_chord(scene.pull[i], scene.grip[i], scene.hold[i], a, b);
-  if (scene.pull[i] >= 0)
-    out.pull = {scene.pull[i] * out.chord.length, scene.pull[i], 0};
-  else
-    out.pull = band_pull(out.chord.length, scene.slack[i], net.bands[i].EA, net.bands[i].toe);
+  out.pull = law(net, scene, i, out.chord.length);
   return out;
 }
 
@@ -170,18 +174,13 @@ void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
   if (at.slot >= 0) out.H.off[at.slot] += at.flip ? block(now, 1, 0) : block(now, 0, 1);
 }
 
-BandPull law(const NetPlan& plan, const NetScene& scene, int i, double L) {
-  if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
-  return band_pull(L, scene.slack[i], plan.net.bands[i].EA, plan.net.bands[i].toe);
-}
-
 /// Adds band i and returns its pull.
 BandPull add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
                   const Vector3d& b, NetEnergy& out) {
   BandRun run;
   const Bend bend = plan.net.bands[i].over < 0 ? Bend::kClear : bend_over(scene.bone[i], a, b, run);
   if (bend == Bend::kBent) {
-    const BandPull pull = law(plan, scene, i, run.length);
+    const BandPull pull = law(plan.net, scene, i, run.length);
     out.length[i] = run.length;
     if (pull.tension > 0) add_bent(plan.bands[i], run, pull.tension, pull.stiffness, out);
     return pull;
@@ -194,7 +193,7 @@ BandPull add_band(const NetPlan& plan, const NetScene& scene, int i, const Vecto
     add_odd(plan.bands[i], now, out);
     return now.pull;
   }
-  const BandPull pull = law(plan, scene, i, L);
+  const BandPull pull = law(plan.net, scene, i, L);
   out.length[i] = L;
   if (pull.tension > 0) add_straight(plan.bands[i], d / L, pull.tension, pull.stiffness, L, out);
   return pull;

@@ -1,5 +1,6 @@
 #include "tendons/net/net_tendons.h"
 
+#include <cmath>
 #include <utility>
 
 #include <fmt/ranges.h>
@@ -38,7 +39,8 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
   constexpr double kInside = 1e-8;  // deeper than the solver's rounding [m]
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
-    if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= 0) continue;
+    const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]
+    if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= slack) continue;
     const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
     const Pose<double> X = surface_pose(bone, state);
     for (int end : {band.a, band.b})
@@ -79,7 +81,7 @@ std::string net_trouble(const Net& net, const TreeState<double>& state,
   return buried_band(net, state, rest);
 }
 
-NetTendons::NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
+NetTendons::NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
                        const NetSolverOptions& options)
     : linear_(std::move(linear)),
       net_(std::move(net)),
@@ -90,6 +92,13 @@ NetTendons::NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
                            static_cast<Eigen::Index>(digit_.names.muscles.size()));
   for (std::size_t p = 0; p < net_.pulls.size(); ++p)
     shares_(static_cast<Eigen::Index>(p), net_.pulls[p].muscle) = net_.pulls[p].share;
+}
+
+std::unique_ptr<DigitTendons> NetTendons::blended(double strain) const {
+  require(strain >= 0 && std::isfinite(strain), "strain must be >= 0, got {}", strain);
+  BuiltNet net = net_;
+  net.net.blend = strain;
+  return std::make_unique<NetTendons>(linear_, std::move(net), options_);
 }
 
 NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
@@ -123,6 +132,63 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
 TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
                             const Eigen::Matrix3Xd& start) const {
   return pull_at(q, t, rest(q, t, start));
+}
+
+MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
+                                       const TendonPull& at) const {
+  const TendonModel<double>& model = digit_.model;
+  const TreeState<double> state = pose_tree(model.tree, q);
+  const NetDrive drive{shares_ * t, {}};
+  NetSolver solver(net_.net, options_);
+  const NetEquilibrium rest =
+      solver.solve(state, drive, at.nodes.cols() == 0 ? nullptr : &at.nodes);
+  if (!no_slopes(net_.net, rest).empty()) return DigitTendons::torque_by_posture(q, t, at);
+
+  MatrixXd slope =
+      thenar::torque_by_posture(net_.net, model.tree, state, drive, rest, model.coordinates);
+  constexpr double kStep = 1e-5;  // [rad]
+  const auto outside = [&](const VectorXd& there) {
+    return pull_outside(there, t, pose_tree(model.tree, there)).tau;
+  };
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const VectorXd step = kStep * VectorXd::Unit(q.size(), j);
+    slope.col(j) += (outside(q + step) - outside(q - step)) / (2 * kStep);
+  }
+  return slope;
+}
+
+MatrixXd NetTendons::mean_arms(const VectorXd& q, const VectorXd& t, const TendonPull& at,
+                               double width) const {
+  constexpr double kSnap = 1e-3;  // move of a knot within the width that is a jump [m]
+  const TendonModel<double>& model = digit_.model;
+  const NetDrive drive{shares_ * t, {}};
+  NetSolver solver(net_.net, options_);
+  const NetEquilibrium here =
+      solver.solve(pose_tree(model.tree, q), drive, at.nodes.cols() == 0 ? nullptr : &at.nodes);
+  const auto pulled = [&](const NetEquilibrium& rest) {
+    VectorXd length = VectorXd::Zero(shares_.rows());
+    for (std::size_t b = 0; b < net_.net.bands.size(); ++b)
+      if (net_.net.bands[b].muscle >= 0)
+        length[net_.net.bands[b].muscle] += rest.length[static_cast<Eigen::Index>(b)];
+    return length;
+  };
+  MatrixXd R = pull_outside(q, t, pose_tree(model.tree, q)).R;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    VectorXd change = VectorXd::Zero(shares_.rows());
+    double way = 0;
+    for (const double side : {-width, width}) {
+      const VectorXd there = q + side * VectorXd::Unit(q.size(), j);
+      const NetEquilibrium rest = solver.solve(pose_tree(model.tree, there), drive, &here.x);
+      if ((rest.x - here.x).colwise().norm().maxCoeff() > kSnap) continue;
+      change += (pulled(rest) - pulled(here)) / side;
+      way += 1;
+    }
+    if (way > 0)
+      R.col(j) -= shares_.transpose() * change / way;
+    else
+      R.col(j) = at.R.col(j);
+  }
+  return R;
 }
 
 TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,

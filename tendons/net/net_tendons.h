@@ -18,7 +18,7 @@ namespace thenar {
 class NetTendons : public DigitTendons {
  public:
   /// @param linear  all tendons, separate; its rung of paths is that of whole tendons
-  NetTendons(std::unique_ptr<DigitTendons> linear, BuiltNet net,
+  NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
              const NetSolverOptions& options = {});
 
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
@@ -30,6 +30,19 @@ class NetTendons : public DigitTendons {
   /// so.
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                   const Eigen::Matrix3Xd& start) const override;
+
+  /// Of the net by implicit differentiation, of what runs outside of it by central differences; all
+  /// by differences where the net has no slopes.
+  [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
+                                                  const Eigen::VectorXd& t,
+                                                  const TendonPull& at) const override;
+
+  /// Of the net by the change of the lengths that muscles pull, whose slopes they are.
+  [[nodiscard]] Eigen::MatrixXd mean_arms(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                          const TendonPull& at, double width) const override;
+
+  /// The same with Net::blend.
+  [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;
 
   /// The same where the net has come to rest already.
   [[nodiscard]] TendonPull pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
@@ -51,7 +64,7 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const TreeState<double>& state) const;
 
-  std::unique_ptr<DigitTendons> linear_;
+  std::shared_ptr<const DigitTendons> linear_;
   BuiltNet net_;
   NetSolverOptions options_;
   TendonDigit digit_;

@@ -26,7 +26,7 @@ class NetMotion : public testing::TestWithParam<const char*> {
     TendonOptions rungs;
     rungs.hood = Hood::kFloatingNet;
     const NetDescription net = read_net(THENAR_DATA_DIR "/nets/" + std::string(GetParam()));
-    tendons_ = build_net_tendons(subject, "index", rungs, net);
+    tendons_ = build_net_tendons(subject, "index", rungs, net)->blended(kBlend);
     contraction_ = build_contraction(musculotendons(subject, tendons_->digit(), Muscle::kBounds),
                                      Muscle::kBounds);
   }
@@ -77,6 +77,23 @@ class NetMotion : public testing::TestWithParam<const char*> {
     return work;
   }
 
+  void expect_balance(const Trajectory& path) const {
+    ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+    EXPECT_EQ(path.trouble, "");
+
+    std::vector<Stretched> at;
+    for (Index i = 0; i < path.time.size(); ++i)
+      at.push_back(stretched(path.angle.row(i), path.tension.row(i),
+                             i > 0 ? at.back().nodes : Eigen::Matrix3Xd()));
+    // Trapezoids of one and of two samples, extrapolated to none.
+    const double put_in = (4 * put_in_by(at, 1) - put_in_by(at, 2)) / 3;
+    const Index last = path.time.size() - 1;
+    const double stretch = at.back().strain - at.front().strain;
+    const double gained = path.energy[last] - path.energy[0] + stretch;
+    EXPECT_NEAR(gained, put_in - path.lost[last], 1e-6);  // as without a net [J]
+    EXPECT_GT(std::abs(stretch), 2e-5);                   // the net's share is not lost in that [J]
+  }
+
   std::unique_ptr<DigitTendons> tendons_;
   std::unique_ptr<Contraction> contraction_;
 };
@@ -93,21 +110,7 @@ TEST_P(NetMotion, BalancesEnergyWithTheStrainOfTheNet) {
   options.sample = 1e-4;
   Excitation rising{Eigen::Vector2d(0, 0.05), Eigen::MatrixXd(2, 7)};
   rising.value << kExcited.transpose(), 2 * kExcited.transpose();
-  const Trajectory path = simulate(model(), rising, {kStart, {}, {}}, options);
-  ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
-  EXPECT_EQ(path.trouble, "");
-
-  std::vector<Stretched> at;
-  for (Index i = 0; i < path.time.size(); ++i)
-    at.push_back(stretched(path.angle.row(i), path.tension.row(i),
-                           i > 0 ? at.back().nodes : Eigen::Matrix3Xd()));
-  // Trapezoids of one and of two samples, extrapolated to none.
-  const double put_in = (4 * put_in_by(at, 1) - put_in_by(at, 2)) / 3;
-  const Index last = path.time.size() - 1;
-  const double stretch = at.back().strain - at.front().strain;
-  const double gained = path.energy[last] - path.energy[0] + stretch;
-  EXPECT_NEAR(gained, put_in - path.lost[last], 1e-6);  // as without a net [J]
-  EXPECT_GT(std::abs(stretch), 2e-5);                   // the net's share is not lost in that [J]
+  expect_balance(simulate(model(), rising, {kStart, {}, {}}, options));
 }
 
 /// Torque of tendons, springs and stops [N m].

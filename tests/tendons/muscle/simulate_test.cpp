@@ -228,6 +228,52 @@ TEST(Simulate, SaysWhyItIsStuck) {
   EXPECT_EQ(path.trouble.rfind("more steps than allowed", 0), 0u) << path.trouble;
 }
 
+// A tolerance of a half lets energy in; the second integration, to a hundredth of it, does not.
+TEST(Simulate, IntegratesOnceMoreWhereEnergyDoesNotBalance) {
+  const Mover mover(sample::index_finger(), Muscle::kRigidTendon);
+  const auto move = [&](double tolerance) {
+    return simulate(mover.model(), constant_excitation(mover.excited(0.3)),
+                    {VectorXd::Constant(4, 0.2), {}, mover.excited(0)}, seconds(0.2, tolerance));
+  };
+  const Trajectory rough = move(0.1), fine = move(1e-6);
+  EXPECT_EQ(fine.status, MotionStatus::kDone);
+  EXPECT_EQ(fine.tolerance, 1e-6);
+  if (rough.status == MotionStatus::kDone) {
+    EXPECT_DOUBLE_EQ(rough.tolerance, 1e-3);
+    EXPECT_TRUE(rough.balance.holds());
+  } else {
+    EXPECT_EQ(rough.status, MotionStatus::kUnbalanced);
+    EXPECT_FALSE(rough.balance.holds());
+  }
+}
+
+// What is integrated to a tolerance of a thousand, and then of ten, is no motion.
+TEST(Simulate, NeverCallsDoneWhatMakesEnergyOfNothing) {
+  const Mover mover(sample::index_finger(), Muscle::kRigidTendon);
+  const Trajectory path =
+      simulate(mover.model(), constant_excitation(mover.excited(0.3)),
+               {VectorXd::Constant(4, 0.2), {}, mover.excited(0)}, seconds(0.2, 1e3));
+  EXPECT_NE(path.status, MotionStatus::kDone);
+  EXPECT_FALSE(path.balance.holds());
+  EXPECT_GT(path.balance.error, 1e-4 * path.balance.turned_over);
+}
+
+// Steps of at most 1e-9 s, as excitation jumps at every one, get nowhere.
+TEST(Simulate, GivesUpWhereItDoesNotGetOn) {
+  const Mover mover(Pendulum().subject(), Muscle::kBounds);
+  Excitation jumps{VectorXd(4000), Eigen::MatrixXd(4000, 1)};
+  for (int k = 0; k < 4000; ++k) {
+    jumps.time[k] = 1e-9 * (k / 2);
+    jumps.value(k, 0) = 0.1 * ((k + 1) / 2 % 2);
+  }
+  SimulateOptions options = seconds(1);
+  options.patience = 200;
+  const Trajectory path = simulate(mover.model(), jumps, {VectorXd::Zero(1), {}, {}}, options);
+  EXPECT_EQ(path.status, MotionStatus::kNoProgress);
+  EXPECT_EQ(path.trouble.rfind("200 steps took it less than", 0), 0u) << path.trouble;
+  EXPECT_EQ(path.angle.rows(), path.time.size());
+}
+
 TEST(Simulate, NeedsMassBeyondEveryJoint) {
   Subject subject = sample::index_finger();
   for (Segment& segment : subject.segments) segment.mass = segment.radius = 0;
@@ -264,7 +310,9 @@ TEST(FingerMotion, NetIsLinearAboutTheTensionItHasTakenUp) {
   const GrowingArm tendons(build_tendon_digit(subject, "index"));
   const auto contraction = build_contraction(
       musculotendons(subject, tendons.digit(), Muscle::kRigidTendon), Muscle::kRigidTendon);
-  FingerMotion motion({tendons, *contraction});
+  MotionModel model{tendons, *contraction};
+  model.tonus = 0;
+  FingerMotion motion(model);
   const VectorXd one = VectorXd::Ones(1);
   MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one).state;
   EXPECT_NEAR(state.felt[0], 25, 1e-12);  // a F0

@@ -27,19 +27,18 @@ Trajectory small() {
 }
 
 TEST(TrajectoryTable, NamesColumnsWithTheirUnits) {
-  const std::vector<std::string> wanted{"time_s",           "angle_PIP2_deg",  "speed_PIP2_deg_s",
-                                        "excitation_FDP",   "activation_FDP",  "tension_FDP_N",
-                                        "excursion_FDP_mm", "slip_central_N",  "slip_radial_N",
-                                        "slip_ulnar_N",     "slip_terminal_N", "tip_x_mm",
-                                        "tip_y_mm",         "tip_z_mm",        "energy_J",
-                                        "work_J",           "lost_J"};
+  const std::vector<std::string> wanted{
+      "time_s",          "angle_PIP2_deg",   "speed_PIP2_deg_s", "excitation_FDP", "activation_FDP",
+      "tension_FDP_N",   "excursion_FDP_mm", "slip_central_N",   "slip_radial_N",  "slip_ulnar_N",
+      "slip_terminal_N", "tip_x_mm",         "tip_y_mm",         "tip_z_mm",       "energy_J",
+      "work_J",          "lost_J",           "energy_error_J"};
   EXPECT_EQ(trajectory_table(small()).columns, wanted);
 }
 
 TEST(TrajectoryTable, TurnsNumbersToTheirUnits) {
   const TrajectoryTable table = trajectory_table(small());
-  Eigen::RowVectorXd row(17);
-  row << 0.5, 30, 90, 0.25, 0.25, 12, -4, 0, 0, 0, 0, 10, 10, 10, 1e-3, 1e-3, 1e-3;
+  Eigen::RowVectorXd row(18);
+  row << 0.5, 30, 90, 0.25, 0.25, 12, -4, 0, 0, 0, 0, 10, 10, 10, 1e-3, 1e-3, 1e-3, 1e-3;
   EXPECT_LT((table.values.row(1) - row).cwiseAbs().maxCoeff(), 1e-13);
 }
 

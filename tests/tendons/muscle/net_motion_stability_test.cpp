@@ -1,0 +1,107 @@
+// Where simulate() might break under a net: random excitations from rest, on every net of data/nets
+// and every rung of muscles. THENAR_MOTIONS asks for more than the few of every day.
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "tendons/muscle/simulate.h"
+#include "tendons/net/build_tendons.h"
+#include "tests/tendons/muscle/moving_samples.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+const char* const kNets[] = {"winslow", "dogadov2017", "chao_an"};
+const Muscle kRungs[] = {Muscle::kBounds, Muscle::kRigidTendon, Muscle::kElasticTendon};
+const char* const kEnds[] = {"done", "stopped", "stuck", "no progress", "unbalanced"};
+
+std::unique_ptr<DigitTendons> net_of(const Subject& subject, const std::string& net) {
+  TendonOptions rungs;
+  rungs.hood = Hood::kFloatingNet;
+  return build_net_tendons(subject, "index", rungs,
+                           read_net(THENAR_DATA_DIR "/nets/" + net + ".toml"));
+}
+
+/// One motion from muscles at rest.
+Trajectory motion_of(const DigitTendons& tendons, const Subject& subject, Muscle rung,
+                     const VectorXd& q, const VectorXd& excitation, double seconds) {
+  const auto contraction = build_contraction(musculotendons(subject, tendons.digit(), rung), rung);
+  SimulateOptions options;
+  options.seconds = seconds;
+  return simulate({tendons, *contraction}, constant_excitation(excitation),
+                  {q, {}, VectorXd::Zero(excitation.size())}, options);
+}
+
+/// Half of the muscles are excited, most of them a little. Every other start is a random posture.
+TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
+  const char* wanted = std::getenv("THENAR_MOTIONS");
+  const int count = wanted ? std::atoi(wanted) : 9;
+  const double seconds = wanted ? 0.2 : 0.03;
+  const Subject subject = sample::index_finger();
+  std::map<std::string, std::unique_ptr<DigitTendons>> nets;
+  for (const char* net : kNets) nets[net] = net_of(subject, net);
+
+  std::vector<double> cpu;
+  std::map<MotionStatus, int> ends;
+  double worst = 0;
+  for (int k = 0; k < count; ++k) {
+    const std::string net = kNets[k % 3];
+    const Muscle rung = kRungs[k / 3 % 3];
+    sample::Draw draw(1000 + static_cast<unsigned>(k));
+    VectorXd excitation(7);
+    for (double& e : excitation) e = draw.number(0, 1) < 0.5 ? 0 : std::pow(draw.number(0, 1), 2);
+    const VectorXd q =
+        k / 9 % 2 == 0 ? VectorXd::Zero(4) : draw.posture(nets[net]->digit().skeleton);
+    const std::clock_t start = std::clock();
+    const Trajectory path = motion_of(*nets[net], subject, rung, q, excitation, seconds);
+    cpu.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    ++ends[path.status];
+
+    SCOPED_TRACE(
+        fmt::format("motion {} of net {} on rung {}: {}", k, net, int(rung), path.trouble));
+    EXPECT_TRUE(path.angle.allFinite() && path.speed.allFinite() && path.tension.allFinite());
+    EXPECT_GE(path.tension.minCoeff(), 0);
+    if (path.status != MotionStatus::kDone) {
+      EXPECT_NE(path.trouble, "");
+      continue;
+    }
+    EXPECT_NEAR(path.time.tail<1>()[0], seconds, 1e-12);
+    EXPECT_LE(path.balance.error, 1e-4 * path.balance.turned_over + 1e-9);
+    worst = std::max(worst, path.balance.error / path.balance.turned_over);
+  }
+  std::sort(cpu.begin(), cpu.end());
+  fmt::print("{} motions of {} s; energy of nothing at most {:.2g} of what was turned over\n",
+             count, seconds, worst);
+  for (const auto& [end, motions] : ends)
+    fmt::print("  {} {}\n", motions, kEnds[static_cast<int>(end)]);
+  fmt::print("  {:.3g} s of a core in the median, {:.3g} s at most\n", cpu[cpu.size() / 2],
+             cpu.back());
+  EXPECT_GE(ends[MotionStatus::kDone], count * 9 / 10);
+}
+
+// With muscles at rest a net once made 16 mJ of 66, and 100 mJ, out of nothing; or it got nowhere.
+TEST(NetMotionStability, MusclesThatStartAtRestMakeNoEnergy) {
+  const Subject subject = sample::index_finger();
+  const auto of = [](double EDC, double FDP, double LU) {
+    VectorXd e = VectorXd::Zero(7);  // EDC, EIP, FDP, FDS, RI, LU, UI
+    e[0] = EDC, e[2] = FDP, e[5] = LU;
+    return e;
+  };
+  for (const VectorXd& excitation : {of(0.2, 0.2, 0), of(0.05, 0.02, 0.1)})
+    for (const char* net : {"chao_an", "winslow"}) {
+      const Trajectory path = motion_of(*net_of(subject, net), subject, Muscle::kRigidTendon,
+                                        VectorXd::Zero(4), excitation, 0.05);
+      EXPECT_EQ(path.status, MotionStatus::kDone) << net << " " << path.trouble;
+      EXPECT_LT(path.balance.error, 1e-5 * path.balance.turned_over) << net;
+      EXPECT_GT(path.balance.turned_over, 1e-6) << net;
+    }
+}
+
+}  // namespace
+}  // namespace thenar
