@@ -47,17 +47,35 @@ GraspOutcome judge_empty(const Approached& approached, const Scene& scene) {
   return blocked ? GraspOutcome::kBlocked : GraspOutcome::kEmpty;
 }
 
-/// Fills in the torsion of every contact of a surface with the object.
-void soften(ContactPatches& patches, int surface, const PosedHand& posed, const Scene& scene,
+/// Fills in the torsion of every contact of a patch with the object.
+void soften(ContactPatch& patch, const PosedHand& posed, const Scene& scene,
             const PadOptions& pads) {
+  const int surface = patch.contacts[0].surface;
   const LinkSurface& link = posed.touching.hand->surfaces()[surface];
   const PadBody object{scene.object.solid, scene.materials.at(scene.object.material), {}};
   const PadBody pad{*link.solid, scene.materials.at(link.material),
                     scene.object.X_WB.inverse() * posed.of_surface(surface)};
-  for (ContactPatch& patch : patches.patches) {
-    const double torsion = torsion_of(patch, pad, object, pads);
-    for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
+  const double torsion = torsion_of(patch, pad, object, pads);
+  for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
+}
+
+/// Adds a patch, in place of all before of its link that it meets: a link of several parts has no
+/// more force in one place than a link of one.
+void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const TouchingHand& hand,
+               const ContactPatchOptions& options) {
+  const auto link_of = [&](const ContactPatch& each) {
+    return hand.hand->surfaces()[each.contacts[0].surface].link;
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (patches[i].contacts[0].surface == patch.contacts[0].surface ||
+        link_of(patches[i]) != link_of(patch))
+      continue;
+    const std::optional<ContactPatch> one = joined(patches[i], patch, options);
+    if (!one) continue;
+    patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
+    return add_patch(patches, *one, hand, options);
   }
+  patches.push_back(std::move(patch));
 }
 
 }  // namespace
@@ -93,20 +111,23 @@ double fingertip_room(const TouchingHand& hand, const Pose<double>& X_WH, const 
 
 std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,
                                        const ContactPatchOptions& options, const PadOptions& pads) {
-  std::vector<HandContact> contacts;
+  std::vector<ContactPatch> patches;
   for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
     Gap gap{s, -1, &scene.object};
     if (ball_bound(gap, posed) > options.tolerance) continue;
     const LinkSurface& surface = posed.touching.hand->surfaces()[s];
     const double mu =
         scene.materials.between(surface.material, scene.object.material).static_coefficient;
-    ContactPatches patches = contact_patches(posed.touching.touch[s], posed.of_surface(s),
-                                             scene.object.solid, scene.object.X_WB, mu, options);
-    if (pads.contact != ContactModel::kHardPoint) soften(patches, s, posed, scene, pads);
-    const std::vector<HandContact> found = contacts_of(patches, s);
-    contacts.insert(contacts.end(), found.begin(), found.end());
+    ContactPatches found = contact_patches(posed.touching.touch[s], posed.of_surface(s),
+                                           scene.object.solid, scene.object.X_WB, mu, options);
+    for (ContactPatch& patch : found.patches) {
+      for (HandContact& contact : patch.contacts) contact.surface = s;
+      add_patch(patches, std::move(patch), posed.touching, options);
+    }
   }
-  return contacts;
+  if (pads.contact != ContactModel::kHardPoint)
+    for (ContactPatch& patch : patches) soften(patch, posed, scene, pads);
+  return contacts_of(patches);
 }
 
 Grasp grasp(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,

@@ -46,8 +46,9 @@ struct [[nodiscard]] Grasp {
   Epsilon quality;                    // about the object's centre of mass, torques over its reach
 };
 
-/// Where a posed hand touches the object, patch by patch; friction from the materials of both, and
-/// torsion from their soft layers, if contacts are soft fingers (torsion_of()).
+/// Where a posed hand touches the object, patch by patch, numbered in `Contact::patch`; friction
+/// from the materials of both, and torsion from their soft layers, if contacts are soft fingers
+/// (torsion_of()). Patches of one link that meet are one (joined()).
 /// @throws InputError if the scene has no friction for a pair of materials, or lacks one of them
 /// where contacts are soft.
 [[nodiscard]] std::vector<HandContact> find_contacts(const PosedHand& posed, const Scene& scene,

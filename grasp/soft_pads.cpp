@@ -112,8 +112,13 @@ std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBo
 std::vector<ContactPatch> regions_of(const std::vector<HandContact>& contacts) {
   std::vector<ContactPatch> regions;
   for (const HandContact& each : contacts) {
-    const bool goes_on = !regions.empty() && regions.back().contacts[0].surface == each.surface &&
-                         regions.back().normal.dot(each.contact.n) > kAlike;
+    const auto belongs = [&](const ContactPatch& region) {
+      const HandContact& first = region.contacts[0];
+      if (each.contact.patch >= 0 || first.contact.patch >= 0)
+        return first.contact.patch == each.contact.patch;
+      return first.surface == each.surface && region.normal.dot(each.contact.n) > kAlike;
+    };
+    const bool goes_on = !regions.empty() && belongs(regions.back());
     if (!goes_on) regions.push_back({{}, 0, 0, each.contact.n});
     regions.back().contacts.push_back(each);
   }

@@ -61,8 +61,9 @@ struct PadBody {
                                                         const PadBody& b,
                                                         const PadOptions& options = {});
 
-/// Contacts as contacts_of() lists them, patch by patch: those of one surface that follow each
-/// other and press in directions within 30 degrees. Only contacts and normals are filled in.
+/// Contacts that follow each other, patch by patch: those of one number, or without numbers those
+/// of one surface that press in directions within 30 degrees. Only contacts and normals are filled
+/// in.
 [[nodiscard]] std::vector<ContactPatch> regions_of(const std::vector<HandContact>& contacts);
 
 }  // namespace thenar

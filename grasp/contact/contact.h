@@ -16,6 +16,7 @@ struct Contact {
   Eigen::Vector3d n{0, 0, 1};  // unit, into the object: the direction a finger pushes (3)
   double friction = 0;         // Coulomb's coefficient [1]
   double torsion = 0;          // torque about n per normal force, soft fingers [m]; 0: a hard point
+  int patch = -1;  // points of one number >= 0 are one region of contact; -1: a region of its own
 };
 
 /// A contact of a hand.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/error.h"
@@ -64,6 +65,38 @@ Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::siz
   }
   region.ball = {box.center(), box.diagonal().norm() / 2};
   return region;
+}
+
+/// Points of contact in the plane across a normal (2, points) [m].
+Eigen::Matrix2Xd flat(const std::vector<HandContact>& contacts, const Vector3d& normal) {
+  const Tangents t = tangents(normal);
+  Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(contacts.size()));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    points.col(static_cast<Eigen::Index>(i)) << t.e1.dot(contacts[i].contact.p),
+        t.e2.dot(contacts[i].contact.p);
+  return points;
+}
+
+/// Width of the gap between two ranges of numbers; negative: they overlap.
+double between(const Eigen::RowVectorXd& x, const Eigen::RowVectorXd& y) {
+  return std::max(y.minCoeff() - x.maxCoeff(), x.minCoeff() - y.maxCoeff());
+}
+
+/// Distance of the convex hulls of points in a plane, 0 or less if they meet: the widest gap along
+/// lines between points and across them, as a corner and a corner or a side are nearest.
+double distance_of_hulls(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
+  Eigen::Matrix2Xd all(2, x.cols() + y.cols());
+  all << x, y;
+  double widest = -std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 0; i < all.cols(); ++i)
+    for (Eigen::Index j = 0; j < i; ++j) {
+      const Eigen::Vector2d along = all.col(i) - all.col(j);
+      if (along.isZero(0)) continue;
+      for (const Eigen::Vector2d& axis : {along, Eigen::Vector2d(-along.y(), along.x())})
+        widest =
+            std::max(widest, between(axis.transpose() * x, axis.transpose() * y) / axis.norm());
+    }
+  return std::isfinite(widest) ? widest : 0;  // all points are one
 }
 
 /// Patches in B's frame.
@@ -203,13 +236,42 @@ ContactPatches contact_patches(const TouchBody& a, const Pose<double>& X_WA, con
   return PatchFinder(a, X_WB.inverse() * X_WA, *b.shape, friction, options).run();
 }
 
-std::vector<HandContact> contacts_of(const ContactPatches& patches, int surface) {
+std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
+                                   const ContactPatchOptions& options) {
+  if (x.normal.dot(y.normal) < kCosTurn) return {};
+  const ContactPatch& nearer = x.gap <= y.gap ? x : y;
+  const Eigen::Matrix2Xd on_x = flat(x.contacts, nearer.normal),
+                         on_y = flat(y.contacts, nearer.normal);
+  const auto along_normal = [&](const ContactPatch& patch) {
+    Eigen::RowVectorXd heights(static_cast<Eigen::Index>(patch.contacts.size()));
+    for (std::size_t i = 0; i < patch.contacts.size(); ++i)
+      heights[static_cast<Eigen::Index>(i)] = nearer.normal.dot(patch.contacts[i].contact.p);
+    return heights;
+  };
+  if (between(along_normal(x), along_normal(y)) > options.resolution ||
+      distance_of_hulls(on_x, on_y) > options.resolution)
+    return {};
+
+  std::vector<HandContact> all = nearer.contacts;
+  const ContactPatch& other = &nearer == &x ? y : x;
+  all.insert(all.end(), other.contacts.begin(), other.contacts.end());
+  const ReducedPoints reduced =
+      reduce_points(flat(all, nearer.normal), options.merge, options.most_points);
+  ContactPatch one{{}, nearer.gap, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
+  for (const int i : reduced.kept) one.contacts.push_back(all[static_cast<std::size_t>(i)]);
+  return one;
+}
+
+std::vector<HandContact> contacts_of(const std::vector<ContactPatch>& patches) {
   std::vector<HandContact> contacts;
-  for (const ContactPatch& patch : patches.patches)
+  int number = 0;
+  for (const ContactPatch& patch : patches) {
     for (HandContact contact : patch.contacts) {
-      contact.surface = surface;
+      contact.contact.patch = number;
       contacts.push_back(contact);
     }
+    ++number;
+  }
   return contacts;
 }
 

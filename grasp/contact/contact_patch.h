@@ -2,6 +2,7 @@
 
 /// The contacts of two solids: patches, each reduced to a few points.
 
+#include <optional>
 #include <vector>
 
 #include "grasp/contact/contact.h"
@@ -11,7 +12,7 @@ namespace thenar {
 
 /// One connected region of contact.
 struct ContactPatch {
-  std::vector<HandContact> contacts;  // in B's frame; surface -1, torsion 0: for the caller to fill
+  std::vector<HandContact> contacts;  // in B's frame; surface, patch -1, torsion 0: for the caller
   double gap;                         // least distance in it, negative: overlap [m]
   double loss;  // no touching point is farther from the hull of the contacts; it changes a wrench
                 // of unit normal force by at most loss sqrt(1 + friction^2) of torque [m]
@@ -50,7 +51,13 @@ ContactPatches contact_patches(const TouchBody& a, const Pose<double>& X_WA, con
                                const Pose<double>& X_WB, double friction,
                                const ContactPatchOptions& options = {});
 
-/// All contacts of all patches, marked with the entry of Hand::surfaces() they belong to.
-[[nodiscard]] std::vector<HandContact> contacts_of(const ContactPatches& patches, int surface);
+/// One region in place of two of one body that meet on B: with normals within 30 degrees, and less
+/// than the resolution apart, as parts of a body do that lie flat upon or beside each other. The
+/// points of both are reduced anew. @returns none if they do not meet
+[[nodiscard]] std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
+                                                 const ContactPatchOptions& options = {});
+
+/// All contacts of all patches, marked with the number of their patch.
+[[nodiscard]] std::vector<HandContact> contacts_of(const std::vector<ContactPatch>& patches);
 
 }  // namespace thenar

@@ -8,6 +8,7 @@
 #include "base/spatial.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/quality/pyramid.h"
+#include "grasp/quality/regions.h"
 
 namespace thenar {
 namespace {
@@ -24,17 +25,34 @@ double normal(std::mt19937& rng) {
   return radius * std::cos(2 * kPi * uniform(rng));
 }
 
-Contact disturbed(Contact contact, const ContactUncertainty& uncertainty, std::mt19937& rng) {
-  const Tangents t = tangents(contact.n);
-  const double grip = std::exp(uncertainty.friction * normal(rng));
-  contact.friction *= grip;
-  contact.torsion *= grip;
+/// What befalls all points of a region alike.
+struct Disturbance {
+  double grip;          // factor of friction and torsion [1]
+  Eigen::Vector3d way;  // [m] (3)
+  Eigen::Matrix3d R;    // of normals
+};
+
+/// @param n  mean normal of the region, unit (3)
+Disturbance draw_disturbance(const Eigen::Vector3d& n, const ContactUncertainty& uncertainty,
+                             std::mt19937& rng) {
+  const Tangents t = tangents(n);
+  Disturbance drawn;
+  drawn.grip = std::exp(uncertainty.friction * normal(rng));
   const double right = normal(rng), up = normal(rng);
-  contact.p += uncertainty.place * (right * t.e1 + up * t.e2);
+  drawn.way = uncertainty.place * (right * t.e1 + up * t.e2);
   const double about_e1 = normal(rng), about_e2 = normal(rng);
   const Eigen::Vector3d turn = uncertainty.tilt * (about_e1 * t.e1 + about_e2 * t.e2);
   const double angle = turn.norm();
-  if (angle > 0) contact.n = (rotation_about<double>(turn / angle, angle) * contact.n).normalized();
+  drawn.R = Eigen::Matrix3d::Identity();
+  if (angle > 0) drawn.R = rotation_about<double>(turn / angle, angle);
+  return drawn;
+}
+
+Contact disturbed(Contact contact, const Disturbance& by) {
+  contact.friction *= by.grip;
+  contact.torsion *= by.grip;
+  contact.p += by.way;
+  contact.n = (by.R * contact.n).normalized();
   return contact;
 }
 
@@ -45,8 +63,19 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
   require(uncertainty.friction >= 0 && uncertainty.place >= 0 && uncertainty.tilt >= 0,
           "standard deviations must be >= 0, got {}, {}, {}", uncertainty.friction,
           uncertainty.place, uncertainty.tilt);
+  const std::vector<int> region = regions(contacts);
+  std::vector<Eigen::Vector3d> normals;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto number = static_cast<std::size_t>(region[i]);
+    if (number == normals.size()) normals.emplace_back(0, 0, 0);
+    normals[number] += contacts[i].n;
+  }
+  std::vector<Disturbance> drawn;
+  for (const Eigen::Vector3d& sum : normals)
+    drawn.push_back(draw_disturbance(sum.normalized(), uncertainty, rng));
   std::vector<Contact> result;
-  for (const Contact& contact : contacts) result.push_back(disturbed(contact, uncertainty, rng));
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    result.push_back(disturbed(contacts[i], drawn[static_cast<std::size_t>(region[i])]));
   return result;
 }
 

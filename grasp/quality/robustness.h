@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What is not known of contacts, each contact and quantity by itself.
+/// What is not known of contacts, each region of contact and each quantity by itself.
 struct ContactUncertainty {
   double friction = 0;  // standard deviation of log friction, also of log torsion [1]
   double place = 0;     // standard deviation along each tangent [m]
@@ -18,7 +18,8 @@ struct ContactUncertainty {
 };
 
 /// Contacts as they might be: friction log-normal, so never negative; places moved along the
-/// tangent plane; normals turned.
+/// tangent plane; normals turned. Points of one region (regions()) are one rigid face: they are
+/// moved and turned alike, and have the same factor of friction.
 [[nodiscard]] std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
                                              const ContactUncertainty& uncertainty,
                                              std::mt19937& rng);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/spatial.h"
+#include "grasp/quality/regions.h"
 
 namespace thenar {
 namespace {
@@ -50,6 +51,8 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
     require_sound(contacts[i], i);
     set.caps.push_back(wrench_cap(contacts[i], contacts[i].p - centre, torque_scale));
   }
+  const std::vector<int> region = regions(contacts);
+  for (std::size_t i = 0; i < contacts.size(); ++i) set.caps[i].contact = region[i];
   return set;
 }
 

@@ -18,21 +18,24 @@ using Wrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [
 struct WrenchCap {
   Wrench c;                                             // frictionless unit wrench (6)
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes (6, 0..3)
-  int contact = -1;  // caps of one number >= 0 share a contact's limit; -1: a contact of its own
+  int contact = -1;  // caps of one number >= 0 share the limit of a patch; -1: a patch of its own
 };
 
 /// All contacts of a grasp.
 struct WrenchSet {
-  std::vector<WrenchCap> caps;  // one a contact, or several of one number
+  std::vector<WrenchCap> caps;  // one a point of contact, or several of one number
 };
 
 /// How contact forces are limited together.
 enum class ForceLimit {
   kL1,   // the sum of normal forces is at most 1: the convex hull of the caps
-  kLinf  // each normal force is at most 1: the Minkowski sum of the caps joined with 0
+  kLinf  // the normal force of each patch, summed over its points, is at most 1: the Minkowski sum
+         // over patches of conv({0} + caps)
 };
 
-/// Caps of contacts about a centre, torques divided by `torque_scale`.
+/// Caps of contacts about a centre, torques divided by `torque_scale`; contacts of one region
+/// (regions()) share a number. How finely a patch is cut into points changes no set: the cap of a
+/// point between others of one normal and friction is a mixture of theirs.
 ///   c = (n, (p - centre) x n / scale),  semi-axes mu (t, (p - centre) x t / scale) for tangents
 ///   t = t1, t2, and (0, torsion n / scale).
 /// @throws InputError unless normals are unit, coefficients not negative, scale positive, all

@@ -168,9 +168,42 @@ TEST(ContactPatch, KeepsRegionsApart) {
       patches(touching({{block_mesh({0.1, 0.02, 0.02}), 0}}), at(0, 0, 0.02), posts);
   ASSERT_EQ(found.patches.size(), 2U);
   for (const ContactPatch& patch : found.patches) EXPECT_EQ(patch.contacts.size(), 4U);
-  const std::vector<HandContact> all = contacts_of(found, 3);
+  const std::vector<HandContact> all = contacts_of(found.patches);
   ASSERT_EQ(all.size(), 8U);
-  EXPECT_EQ(all.front().surface, 3);
+  EXPECT_EQ(all.front().contact.patch, 0);
+  EXPECT_EQ(all.back().contact.patch, 1);
+}
+
+/// A rectangle of contacts on the plane z = height, from (x, 0) to (x + 10, 10) mm.
+ContactPatch rectangle(double x, double height) {
+  ContactPatch patch{{}, -height, 0, {0, 0, -1}};
+  for (const auto& [dx, y] : {std::pair(0.0, 0.0), {0.01, 0.0}, {0.01, 0.01}, {0.0, 0.01}})
+    patch.contacts.push_back({{{x + dx, y, height}, {0, 0, -1}, 0.5, 0}, -1, 0});
+  return patch;
+}
+
+double area(const ContactPatch& patch) {
+  Eigen::AlignedBox3d box;
+  for (const HandContact& contact : patch.contacts) box.extend(contact.contact.p);
+  return box.sizes().x() * box.sizes().y();
+}
+
+// Upon each other, crossing, and side by side with 0.5 mm between them.
+TEST(ContactPatch, JoinsWhatMeets) {
+  for (const double x : {0.0, 0.006, 0.0105}) {
+    const auto one = joined(rectangle(0, 0), rectangle(x, 1e-4));
+    ASSERT_TRUE(one);
+    EXPECT_EQ(one->contacts.size(), 4U) << x;
+    EXPECT_NEAR(area(*one), 0.01 * (0.01 + x), 1e-12);
+  }
+}
+
+TEST(ContactPatch, LeavesWhatIsApart) {
+  EXPECT_FALSE(joined(rectangle(0, 0), rectangle(0.012, 0)));  // 2 mm beside
+  EXPECT_FALSE(joined(rectangle(0, 0), rectangle(0, 0.003)));  // on a step of 3 mm
+  ContactPatch other_side = rectangle(0, 0);
+  other_side.normal = {0, 0, 1};
+  EXPECT_FALSE(joined(rectangle(0, 0), other_side));
 }
 
 TEST(ContactPatch, ReportsTheDepthOfAnOverlap) {
