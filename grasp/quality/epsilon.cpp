@@ -9,6 +9,7 @@
 #include "grasp/quality/hull.h"
 #include "grasp/quality/min_norm.h"
 #include "grasp/quality/polish.h"
+#include "grasp/quality/reach_proof.h"
 
 namespace thenar {
 namespace {
@@ -20,8 +21,11 @@ using internal::span_of;
 using internal::Support;
 
 constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
-constexpr double kUndecided = 1e-9;    // an epsilon below this part of the size has no sign [1]
-constexpr int kPolishAt = 400;         // facets, and twice as many, ..: a lower bar leaves out more
+constexpr double kUndecided = 1e-9;  // an epsilon below this part of the size has no sign [1]
+constexpr int kPolishAt = 400;       // facets, and twice as many, ..: a lower bar leaves out more
+constexpr int kFewParts = 8,
+              kMostParts = 64;      // of the sphere in a proof, on the way and at the end
+constexpr double kProvable = 1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
 void require_sound(const WrenchSet& set, const EpsilonOptions& options) {
@@ -91,10 +95,13 @@ class Search {
       if (settled() || !hull.insert(reach.p, facet)) break;
       if (hull.facets() < next_polish) continue;
       polish();
+      if (prove(needed_gap(), kFewParts)) break;
       next_polish *= 2;
     }
     facets_ = hull.facets();
     polish();
+    for (const double gap : {needed_gap(), kProvable * support_.size()})
+      if (!settled() && prove(gap, kMostParts)) break;
     return true;
   }
 
@@ -120,6 +127,17 @@ class Search {
   /// Takes the upper bound down to the local minimum.
   void polish() {
     if (upper_ > kUndecided * support_.size()) (void)look(internal::polish(support_, worst_));
+  }
+
+  /// Two caps may be nearest along whole families of directions, whose facets grow with 1 / gap:
+  /// the lower bound is then had without facets.
+  bool prove(double gap, int most_parts) {
+    const double r = upper_ - support_.rounding() - 0.9 * gap;
+    if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
+    const internal::ReachProof proof = internal::prove_reach(support_, r, most_parts);
+    if (!proof.found) return false;
+    lower_ = r;
+    return settled();
   }
 
   Reach look(const Wrench& u) {

@@ -1,0 +1,97 @@
+// Tests for grasp/quality/reach_proof.cpp: pinches of two soft fingers are certified to 1e-9.
+
+#include "grasp/quality/reach_proof.h"
+
+#include <cmath>
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "grasp/quality/epsilon.h"
+#include "tests/grasp/quality/brute_epsilon.h"
+#include "tests/grasp/quality/known_sets.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kGap = 1e-9;
+
+Epsilon sharp(const WrenchSet& set) {
+  EpsilonOptions options;
+  options.gap = kGap;
+  return epsilon(set, options);
+}
+
+/// Two opposed soft fingers 1 from the centre, torsion e over the scale: docs/theory, "Grasps whose
+/// epsilon is a formula".
+double formula(double mu, double e) { return std::min(e, 1 / std::sqrt(1 + 2 / (mu * mu))); }
+
+WrenchSet pinch(double mu, double e) {
+  return wrench_set({{{1, 0, 0}, {-1, 0, 0}, mu, e}, {{-1, 0, 0}, {1, 0, 0}, mu, e}}, {0, 0, 0}, 1);
+}
+
+TEST(ReachProof, CertifiesSymmetricPinchesAtTheFormula) {
+  for (const double mu : {0.3, 1.0})
+    for (const double e : {0.05, 0.9}) {
+      const Epsilon found = sharp(pinch(mu, e));
+      EXPECT_TRUE(found.converged);
+      EXPECT_LE(found.upper - found.lower, kGap);
+      EXPECT_LE(found.lower, formula(mu, e));
+      EXPECT_GE(found.upper, formula(mu, e) - 1e-14);
+    }
+}
+
+int pinches() {
+  const char* many = std::getenv("THENAR_GRASPS");
+  return many == nullptr ? 4 : std::atoi(many) / 20;
+}
+
+/// Two soft fingers of any friction and torsion, the second one off the first's line, its normal up
+/// to 17 degrees off, and the centre not between them.
+WrenchSet crooked(std::mt19937& rng) {
+  const Eigen::Vector3d n = random_direction(rng), centre = 0.3 * random_direction(rng);
+  const auto finger = [&](const Eigen::Vector3d& p, const Eigen::Vector3d& inward) {
+    return Contact{centre + p, inward.normalized(), std::exp(uniform(rng, -1.6, 0.5)),
+                   std::exp(uniform(rng, -3, 0.7))};
+  };
+  const double r = std::exp(uniform(rng, -1, 0.3)), off = uniform(rng, 0, 0.3);
+  const Contact first = finger(-r * n, n);
+  return wrench_set(
+      {first, finger(r * n + 0.2 * random_direction(rng), -n + off * random_direction(rng))},
+      {0, 0, 0}, 1);
+}
+
+// The best of 10 descents that know no hull is never below, and none of those found is above.
+TEST(ReachProof, CertifiesCrookedPinches) {
+  std::mt19937 rng(5);
+  int closed = 0;
+  for (int i = 0; closed < pinches() && i < 10000; ++i) {
+    const WrenchSet set = crooked(rng);
+    const Epsilon found = sharp(set);
+    if (!found.force_closure) continue;
+    ++closed;
+    EXPECT_LE(found.upper - found.lower, kGap);
+    EXPECT_TRUE(found.converged);
+    const double met = BruteEpsilon(set, ForceLimit::kL1)(rng, 40, found.upper + 1e-9);
+    EXPECT_GE(met, found.lower - 1e-12);
+    EXPECT_LE(met, found.upper + 1e-6);  // a smoothed descent ends within its smoothing
+  }
+}
+
+// What is no lower bound is not proven, however little it is too large.
+TEST(ReachProof, ProvesNothingFalse) {
+  const double epsilon = formula(0.5, 0.3);
+  const internal::Support support(pinch(0.5, 0.3), ForceLimit::kL1);
+  EXPECT_TRUE(internal::prove_reach(support, epsilon - 1e-9, 4).found);
+  EXPECT_FALSE(internal::prove_reach(support, epsilon + 1e-9, 4).found);
+  EXPECT_FALSE(internal::prove_reach(support, 1.5 * epsilon, 4).found);
+}
+
+TEST(ReachProof, IsOfTwoCaps) {
+  std::mt19937 rng(1);
+  const WrenchSet three = wrench_set(random_contacts(rng, 3), {0, 0, 0}, 1);
+  EXPECT_FALSE(internal::prove_reach(internal::Support(three, ForceLimit::kL1), 1e-6, 4).found);
+}
+
+}  // namespace
+}  // namespace thenar
