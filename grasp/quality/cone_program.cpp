@@ -289,6 +289,32 @@ VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& z) {
       .solve(-p.c - p.G.transpose() * z);
 }
 
+/// How far parts of v lie outside of their cones.
+double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
+  double worst = 0;
+  Index row = 0;
+  for (const int size : cones) {
+    worst = std::max(worst, v.segment(row + 1, size - 1).norm() - v(row));
+    row += size;
+  }
+  return worst;
+}
+
+/// KKT conditions of the programme as it was asked, before anything was removed from it.
+double residual_of(const ConeProgram& p, const ConeResult& r) {
+  const auto over = [](double error, double size) { return error / (1 + size); };
+  VectorXd stationary = p.c + p.G.transpose() * r.z;
+  double equalities = 0;
+  if (p.A.size() > 0) {
+    stationary += p.A.transpose() * r.y;
+    equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
+  }
+  return std::max({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+                   over(stationary.norm(), p.c.norm()),
+                   over(outside_cones(r.z, p.cones), r.z.norm()),
+                   over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+}
+
 }  // namespace
 
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
@@ -318,6 +344,9 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   result.y = equality_multipliers(program, core.z);
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
+  result.residual = std::max(result.residual, residual_of(program, result));
+  if (result.status == ConeStatus::kSolved && !(result.residual <= 10 * options.acceptable))
+    result.status = ConeStatus::kStalled;
   return result;
 }
 

@@ -42,8 +42,9 @@ struct [[nodiscard]] ConeResult {
   Eigen::VectorXd z;  // multipliers of the cones, in K (m)
   double objective;   // c' x; +infinity: infeasible, -infinity: unbounded
   double dual;        // -b' y - h' z: a bound of the objective from below within `residual`
-  double residual;    // largest of the KKT conditions: feasibility, dual feasibility, gap, each
-                      // divided by 1 + the norm of what it is compared with [1]
+  double residual;    // largest of the KKT conditions of the programme as asked: feasibility, dual
+                      // feasibility, gap, each divided by 1 + the norm of what it is compared
+                      // with; computed anew from x, y and z. Above 10 `acceptable`: kStalled [1]
   int iterations;
 };
 
