@@ -5,35 +5,24 @@
 
 #include "apps/to_json.h"
 #include "grasp/quality/driven_motion.h"
+#include "grasp/quality/grasp_matrix.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
 namespace {
 
-/// What a contact's axes are made of, by which its wrenches are divided to unit components.
-struct UnitComponents {
-  Eigen::Matrix<double, 6, Eigen::Dynamic> G;  // wrenches (6, k)
-  Eigen::MatrixXd J;                           // velocities of the hand (k, coordinates)
-};
-
-UnitComponents unit_components(const std::vector<Contact>& contacts, const SceneBody& object,
-                               const Eigen::MatrixXd& T) {
-  UnitComponents unit{Eigen::MatrixXd(6, T.cols()), T.transpose()};
-  const WrenchSet set = wrench_set(contacts, object.com, object.reach);
-  Eigen::Index column = 0;
-  const auto add = [&](const Wrench& wrench, double size) {
-    unit.G.col(column) = wrench / size;
-    unit.J.row(column) /= size;
-    ++column;
-  };
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const WrenchCap& cap = set.caps[i];
-    add(cap.c, 1);
-    const Eigen::Index tangents = contacts[i].friction > 0 ? 2 : 0;
-    for (Eigen::Index k = 0; k < cap.A.cols(); ++k)
-      add(cap.A.col(k), k < tangents ? contacts[i].friction : contacts[i].torsion / object.reach);
+/// Velocities of the hand along unit components of contact forces (k, coordinates), torques over
+/// the object's reach: torque maps have friction and torsion in them.
+Eigen::MatrixXd unit_velocities(const std::vector<Contact>& contacts, const SceneBody& object,
+                                const Eigen::MatrixXd& T) {
+  Eigen::MatrixXd J = T.transpose();
+  Eigen::Index row = 0;
+  for (const Contact& contact : contacts) {
+    ++row;
+    for (int k = 0; k < 2 && contact.friction > 0; ++k) J.row(row++) /= contact.friction;
+    if (contact.torsion > 0) J.row(row++) *= object.reach / contact.torsion;
   }
-  return unit;
+  return J;
 }
 
 /// Of a drive by the first coordinate that it moves.
@@ -74,14 +63,15 @@ Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
 ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                            const std::vector<Contact>& contacts, const SceneBody& object,
                            const Eigen::MatrixXd& T) {
-  const UnitComponents unit = unit_components(contacts, object, T);
   const Eigen::MatrixXd ratios = drive_ratios(hand, q);
-  const DrivenMotion motion = driven_motion(unit.G, unit.J * ratios);
+  const DrivenMotion motion = driven_motion(grasp_matrix(contacts, object.com, object.reach),
+                                            unit_velocities(contacts, object, T) * ratios);
   Eigen::VectorXd speeds;
   if (motion.object.cols() > 0)
     speeds = Eigen::JacobiSVD<Eigen::MatrixXd>(motion.object).singularValues();
-  return {manipulability(motion.object), speeds, static_cast<int>(ratios.cols()),
-          unit_of(hand, q, ratios)};
+  const Manipulability found = manipulability(motion.object);
+  speeds.tail(speeds.size() - found.rank).setZero();  // rounding
+  return {found, speeds, static_cast<int>(ratios.cols()), unit_of(hand, q, ratios)};
 }
 
 nlohmann::ordered_json object_motion_json(const ObjectMotion& motion) {

@@ -12,6 +12,19 @@ constexpr double kRank = 1e-9;  // singular values of G below it of the largest 
 
 using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
+constexpr double kNoise = 1e-12;  // rounding of G'^+ J, in parts of |J| / (least of G) [1]
+
+/// Takes away what is no larger than rounding: its singular values become 0.
+void drop_rounding(Eigen::MatrixXd& M, double rounding) {
+  if (M.size() == 0) return;
+  const Svd svd(M, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::VectorXd sigma = svd.singularValues();
+  if (sigma(sigma.size() - 1) > rounding) return;
+  for (double& each : sigma)
+    if (each <= rounding) each = 0;
+  M = svd.matrixU() * sigma.asDiagonal() * svd.matrixV().transpose();
+}
+
 double largest_singular_value(const Eigen::MatrixXd& M) { return Svd(M).singularValues()(0); }
 
 }  // namespace
@@ -34,6 +47,7 @@ DrivenMotion driven_motion(const Eigen::Matrix<double, 6, Eigen::Dynamic>& G,
   DrivenMotion found;
   found.drives = beside.matrixV().rightCols(J.cols() - stuck);
   found.object = hand_object_jacobian(G, J * found.drives);
+  drop_rounding(found.object, kNoise * largest_singular_value(J) / sigma(5));
   return found;
 }
 

@@ -9,7 +9,8 @@ namespace thenar {
 /// Speeds of drives that contacts allow, and what they do to the object.
 struct DrivenMotion {
   Eigen::MatrixXd drives;  // orthonormal columns: a basis of allowed drive speeds (drives, k)
-  Eigen::MatrixXd object;  // the object's velocity at each of them (6, k)
+  Eigen::MatrixXd object;  // the object's velocity at each of them, exactly 0 where it is less than
+                           // rounding, 1e-12 |J| / (least singular value of G) (6, k)
 };
 
 /// Contacts that neither slip nor part ask for  G' nu = J s  with the object's velocity nu. Only

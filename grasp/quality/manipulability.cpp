@@ -13,7 +13,7 @@ Manipulability manipulability(const Eigen::MatrixXd& M) {
   const Eigen::VectorXd sigma = Eigen::JacobiSVD<Eigen::MatrixXd>(M).singularValues();
   const double largest = sigma(0);
   const int rank = static_cast<int>((sigma.array() > 1e-12 * largest).count());
-  if (largest == 0 || M.rows() > M.cols()) return {0, 0, 0, rank};
+  if (rank < M.rows()) return {0, 0, 0, rank};  // what is left is rounding
   const double least = sigma(sigma.size() - 1);
   return {sigma.prod(), least, least / largest, rank};
 }

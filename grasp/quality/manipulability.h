@@ -16,8 +16,8 @@ struct Manipulability {
 
 /// Of a Jacobian or a grasp map M (rows <= columns where it is to reach everything):
 ///   w = sqrt(det(M M')) = sigma_1 sigma_2 ... sigma_r,  1 / cond(M) = sigma_r / sigma_1.
-/// A map with more rows than columns, or none, reaches no volume: w = 0. Rows ought to have one
-/// unit: scale torques and rotations first.
+/// A map of a rank below its rows, or none, reaches no volume: w and the least value are 0. Rows
+/// ought to have one unit: scale torques and rotations first.
 /// @throws InputError if an entry is not finite
 /// Source: [Yoshikawa1985] for the volume, [Salisbury1982] for the isotropy.
 [[nodiscard]] Manipulability manipulability(const Eigen::MatrixXd& M);

@@ -2,6 +2,8 @@
 
 #include "grasp/quality/driven_motion.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -48,6 +50,21 @@ TEST(DrivenMotion, OfASlideIsItsRatio) {
   ASSERT_EQ(found.object.cols(), 1);
   EXPECT_TRUE(matrix_near((found.object * found.drives(0, 0)).eval(), along_y, kExact));
   EXPECT_EQ(manipulability(found.object).rank, 1);
+}
+
+// Drives of digits that do not touch have no speed at contacts but for rounding: they move nothing,
+// though they are as many as directions.
+TEST(DrivenMotion, RoundingIsNoMotion) {
+  Eigen::MatrixXd J =
+      1e-18 * Eigen::MatrixXd::NullaryExpr(8, 7, [](Eigen::Index i, Eigen::Index j) {
+        return std::sin(static_cast<double>(1 + 3 * i + 7 * j * j));
+      });
+  J.col(0) = together();
+  const DrivenMotion found = driven_motion(pinch_components(), J);
+  EXPECT_EQ(found.drives.cols(), 6);
+  EXPECT_TRUE(found.object.isZero(0));
+  EXPECT_EQ(manipulability(found.object).rank, 0);
+  EXPECT_EQ(manipulability(found.object).least, 0);
 }
 
 // A slide and jaws: the slide is kept, the jaws' closing is not, whatever the order.

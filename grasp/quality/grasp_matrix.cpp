@@ -1,0 +1,32 @@
+#include "grasp/quality/grasp_matrix.h"
+
+#include "grasp/quality/manipulability.h"
+#include "grasp/quality/wrench_set.h"
+
+namespace thenar {
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(const std::vector<Contact>& contacts,
+                                                      const Eigen::Vector3d& centre,
+                                                      double torque_scale) {
+  // Caps of unit coefficients have unit components for axes.
+  std::vector<Contact> unit = contacts;
+  for (Contact& contact : unit) {
+    if (contact.friction > 0) contact.friction = 1;
+    if (contact.torsion > 0) contact.torsion = torque_scale;
+  }
+  const WrenchSet set = wrench_set(unit, centre, torque_scale);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> G(6, 0);
+  for (const WrenchCap& cap : set.caps) {
+    G.conservativeResize(6, G.cols() + 1 + cap.A.cols());
+    G.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+  }
+  return G;
+}
+
+GraspMatrixMeasures grasp_matrix_measures(const Eigen::MatrixXd& G) {
+  const Manipulability of_G = manipulability(G);
+  return {of_G.rank, of_G.least, of_G.isotropy, of_G.volume,
+          static_cast<int>(G.cols()) - of_G.rank};
+}
+
+}  // namespace thenar
