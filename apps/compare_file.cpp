@@ -10,6 +10,7 @@
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "viewer/compare_words.h"
 
 namespace thenar {
 namespace {
@@ -163,9 +164,11 @@ Json digit_json(const DigitAbility& digit) {
 }
 
 Json abilities_json(const HandAbilities& hand) {
+  const bool places = is_kapandji(hand);
   Json out{{"hand", hand.hand},
            {"reach_m", hand.reach},
-           {"opposition", number_json(hand.opposition)},
+           {"kapandji_of_10", places ? number_json(hand.opposition) : Json(nullptr)},
+           {"tips_met_share", places ? Json(nullptr) : number_json(hand.opposition / 10)},
            {"opposition_scale", hand.opposition_scale},
            {"reached", hand.reached},
            {"overlap_m3", hand.overlap},

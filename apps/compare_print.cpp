@@ -65,11 +65,17 @@ Table outcome_table(const Comparison& comparison) {
 }
 
 Table hand_table(const Comparison& comparison) {
-  Table table{{"hand", "opposition", "met", "overlap_cm3", "grasp_types", "closing_force_N"}, {}};
+  // Two scales, two columns: Kapandji's places of a human thumb, and tips that any thumb meets.
+  Table table{{"hand", "kapandji_of_10", "tips_met_percent", "met", "overlap_cm3", "grasp_types",
+               "closing_force_N"},
+              {}};
   for (const HandAbilities& hand : comparison.abilities) {
     double force = NAN;
     for (const DigitAbility& digit : hand.digits) force = std::fmax(force, digit.closing_force);
-    table.rows.push_back({hand.hand, known(hand.opposition, 1), std::to_string(hand.reached.size()),
+    const bool places = is_kapandji(hand);
+    table.rows.push_back({hand.hand, places ? known(hand.opposition, 1) : "-",
+                          places ? "-" : known(10 * hand.opposition, 0),
+                          std::to_string(hand.reached.size()),
                           shown(1e6 * in_two_digits(hand.overlap), 0),
                           std::to_string(hand.types.size()), known(force)});
   }

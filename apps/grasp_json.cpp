@@ -37,7 +37,8 @@ Ordered contacts_json(const TouchingHand& touching, const std::vector<HandContac
                     {"position_m", to_json(found.contact.p)},
                     {"normal", to_json(found.contact.n)},
                     {"friction", found.contact.friction},
-                    {"torsion_m", found.contact.torsion}});
+                    {"torsion_m", found.contact.torsion},
+                    {"patch", found.contact.patch}});
   }
   return list;
 }
@@ -103,7 +104,9 @@ Ordered grasp_json(const GraspQuestion& question, const TouchingHand& touching,
   Ordered json{{"world", question.path},
                {"hand", question.hand.named.name},
                {"object", question.scene.object.name},
-               {"outcome", name_of(grasp.outcome)},
+               {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
+                               ? "touched"
+                               : name_of(grasp.outcome)},
                {"explanation", explanation(question, answer)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
     json.update(quality_json(grasp.quality));

@@ -51,10 +51,6 @@ const HandAbilities* abilities_of(const Comparison& comparison, const std::strin
   return nullptr;
 }
 
-bool is_kapandji(const HandAbilities& abilities) {
-  return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
-}
-
 Json glance_row(const Comparison& comparison, const std::string& hand) {
   std::vector<double> best, limited;
   int closures = 0, approaches = 0, held = 0;

@@ -128,4 +128,8 @@ std::string reading_words(const Comparison& comparison) {
       comparison.normalise_size ? "scaled with the reach of the hand" : "in their own size");
 }
 
+bool is_kapandji(const HandAbilities& abilities) {
+  return abilities.opposition_scale.rfind("Kapandji", 0) == 0;
+}
+
 }  // namespace thenar

@@ -13,6 +13,10 @@ namespace thenar {
 /// the one before.
 [[nodiscard]] std::vector<std::string> version_lines(const Comparison& comparison);
 
+/// Whether opposition is Kapandji's score of a human thumb; else it is the share of tips that a
+/// thumb meets, times 10.
+[[nodiscard]] bool is_kapandji(const HandAbilities& abilities);
+
 /// By which rule the loads of several grasps become one number.
 [[nodiscard]] std::string load_rule();
 

@@ -146,8 +146,9 @@ std::string outcome_words(const Grasp& grasp) {
   const Approached& way = grasp.approached;
   switch (grasp.outcome) {
     case GraspOutcome::kGrasped:
-      return fmt::format("grasped: {} contact{}, {}", grasp.contacts.size(),
-                         grasp.contacts.size() == 1 ? "" : "s",
+      return fmt::format("{}: {} contact{}, {}",
+                         grasp.quality.force_closure ? "grasped" : "touched, not grasped",
+                         grasp.contacts.size(), grasp.contacts.size() == 1 ? "" : "s",
                          grasp.quality.force_closure ? "force closure" : "no force closure");
     case GraspOutcome::kOverlaps:
       return "the hand begins in something: " +
