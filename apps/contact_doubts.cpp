@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "apps/contact_file.h"
+#include "grasp/quality/regions.h"
 
 namespace thenar {
 namespace {
@@ -82,6 +84,19 @@ std::vector<std::string> contact_doubts(const ContactFile& file) {
     doubts.push_back(
         "all normals point away from the centre of mass; they are to point into the object, were "
         "these outward ones?");
+
+  std::vector<Contact> places;
+  for (const Numbered& cone : cones) places.push_back(cone.contact->contact);
+  const std::vector<int> region = regions(places);
+  std::set<int> met;
+  std::vector<int> repeated;
+  for (std::size_t i = 0; i < cones.size(); ++i)
+    if (!met.insert(region[i]).second && places[i].patch < 0) repeated.push_back(cones[i].number);
+  if (!repeated.empty())
+    doubts.push_back(
+        fmt::format("the place and normal of another contact: {}; one limit counts, "
+                    "give each a patch if there are two",
+                    listed_contacts(repeated)));
 
   const std::vector<int> rough =
       those(cones, [](const FileContact& c) { return c.contact.friction > kLargestFriction; });

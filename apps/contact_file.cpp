@@ -26,11 +26,17 @@ constexpr std::size_t kLongestShown = 60;  // of a value in a message [character
 /// A value with the way to it, so that complaints can name its line.
 class JsonValue {
  public:
-  JsonValue(const std::string& path, const std::string& text, const json& value, JsonPath steps)
-      : path_(path), text_(text), value_(value), steps_(std::move(steps)) {}
+  /// @param first_line  number of the text's first line
+  JsonValue(const std::string& path, const std::string& text, const json& value, JsonPath steps,
+            int first_line)
+      : path_(path),
+        text_(text),
+        value_(value),
+        steps_(std::move(steps)),
+        first_line_(first_line) {}
 
   [[noreturn]] void fail(const std::string& complaint) const {
-    throw DataError(path_, line_of(text_, steps_), complaint);
+    throw DataError(path_, first_line_ - 1 + line_of(text_, steps_), complaint);
   }
   [[noreturn]] void fail_wanted(const std::string& what) const {
     std::string came = value_.dump(-1, ' ', false, json::error_handler_t::replace);
@@ -71,6 +77,30 @@ class JsonValue {
     return others;
   }
 
+  [[nodiscard]] std::size_t size() const { return value_.is_array() ? value_.size() : 0; }
+
+  /// A place or direction; of a plane two numbers, and 0.
+  [[nodiscard]] Eigen::Vector3d place(bool planar) const {
+    if (!planar) return vector<3>();
+    const Eigen::Vector2d flat = vector<2>();
+    return {flat.x(), flat.y(), 0};
+  }
+
+  /// Force and torque; of a plane f_x, f_y and the torque.
+  [[nodiscard]] Wrench wrench(bool planar) const {
+    if (!planar) return vector<6>();
+    const Eigen::Vector3d flat = vector<3>();
+    return (Wrench() << flat.x(), flat.y(), 0, 0, 0, flat.z()).finished();
+  }
+
+  /// An integer >= 0.
+  [[nodiscard]] int count() const {
+    constexpr int kMost = 1000000000;
+    if (!value_.is_number_integer() || value_.get<double>() < 0 || value_.get<double>() > kMost)
+      fail_wanted(fmt::format("an integer of 0 to {}", kMost));
+    return value_.get<int>();
+  }
+
   [[nodiscard]] double number(const char* what) const {
     if (!value_.is_number()) fail_wanted(what);
     return bounded(value_.get<double>());
@@ -96,7 +126,7 @@ class JsonValue {
   [[nodiscard]] JsonValue step(const json& value, const std::string& to) const {
     JsonPath steps = steps_;
     steps.push_back(to);
-    return {path_, text_, value, steps};
+    return {path_, text_, value, steps, first_line_};
   }
   [[nodiscard]] std::string name() const {
     return steps_.empty() ? "the file" : fmt::format("{}", fmt::join(steps_, "."));
@@ -106,6 +136,7 @@ class JsonValue {
   const std::string& text_;
   const json& value_;
   JsonPath steps_;
+  int first_line_;
 };
 
 double not_negative(const JsonValue& value) {
@@ -121,23 +152,23 @@ double positive(const JsonValue& value) {
   return number;
 }
 
-FileContact contact_with_wrenches(const JsonValue& value) {
+FileContact contact_with_wrenches(const JsonValue& value, bool planar) {
   FileContact result;
-  if (value.gives("position")) result.contact.p = value["position"].vector<3>();
-  if (value.gives("normal")) (void)value["normal"].vector<3>();
+  if (value.gives("position")) result.contact.p = value["position"].place(planar);
+  if (value.gives("normal")) (void)value["normal"].place(planar);
   if (value.gives("friction")) result.contact.friction = not_negative(value["friction"]);
   const JsonValue wrenches = value["wrenches"];
   for (const JsonValue& wrench : wrenches.entries("a list of wrenches"))
-    result.wrenches.push_back(wrench.vector<6>());
+    result.wrenches.push_back(wrench.wrench(planar));
   if (result.wrenches.empty()) wrenches.fail_wanted("at least one wrench");
   return result;
 }
 
-FileContact contact_with_cone(const JsonValue& value) {
+FileContact contact_with_cone(const JsonValue& value, bool planar) {
   FileContact result;
-  result.contact.p = value["position"].vector<3>();
+  result.contact.p = value["position"].place(planar);
   const JsonValue normal = value["normal"];
-  result.contact.n = normal.vector<3>();
+  result.contact.n = normal.place(planar);
   result.normal_length = result.contact.n.stableNorm();
   if (result.normal_length < 1 / kLargest) normal.fail_wanted("a direction");
   result.contact.n /= result.normal_length;
@@ -145,29 +176,65 @@ FileContact contact_with_cone(const JsonValue& value) {
   return result;
 }
 
-FileContact file_contact(const JsonValue& value) {
-  FileContact result =
-      value.gives("wrenches") ? contact_with_wrenches(value) : contact_with_cone(value);
+FileContact file_contact(const JsonValue& value, bool planar) {
+  FileContact result = value.gives("wrenches") ? contact_with_wrenches(value, planar)
+                                               : contact_with_cone(value, planar);
   if (value.gives("torsion")) result.contact.torsion = not_negative(value["torsion"]);
+  if (planar && result.contact.torsion > 0)
+    value["torsion"].fail("torsion is about the normal, which lies in the plane: leave it out");
+  if (value.gives("patch")) result.contact.patch = value["patch"].count();
   return result;
+}
+
+std::vector<Wrench> wrenches_in(const JsonValue& list, bool planar, const char* what) {
+  std::vector<Wrench> wrenches;
+  for (const JsonValue& each : list.entries(what)) wrenches.push_back(each.wrench(planar));
+  if (wrenches.empty()) list.fail_wanted(what);
+  return wrenches;
+}
+
+FileTask file_task(const JsonValue& value, bool planar, std::set<std::string>& ignored) {
+  const Names others = value.others_than({"loads", "box", "ellipsoid"});
+  ignored.insert(others.begin(), others.end());
+  const int given = (value.gives("loads") ? 1 : 0) + (value.gives("box") ? 1 : 0) +
+                    (value.gives("ellipsoid") ? 1 : 0);
+  if (given != 1) value.fail_wanted("one of loads, box and ellipsoid");
+  if (value.gives("loads"))
+    return {FileTask::Kind::kLoads, wrenches_in(value["loads"], planar, "a list of loads")};
+  if (value.gives("ellipsoid"))
+    return {FileTask::Kind::kEllipsoid,
+            wrenches_in(value["ellipsoid"], planar, "a list of semi-axes")};
+  const JsonValue box = value["box"];
+  FileTask task{FileTask::Kind::kBox, wrenches_in(box, planar, "two loads")};
+  if (task.loads.size() != 2 || (task.loads[0].array() > task.loads[1].array()).any())
+    box.fail_wanted("two loads, the lower and the upper end");
+  return task;
 }
 
 }  // namespace
 
 ContactFile read_contact_file(const std::string& path) {
-  const std::string text = read_text_file(path);
-  const json parsed = parse_json(path, text);
-  const JsonValue root(path, text, parsed, {});
+  return parse_contacts(path, read_text_file(path), 1);
+}
+
+ContactFile parse_contacts(const std::string& path, const std::string& text, int first_line) {
+  const json parsed = parse_json(path, text, first_line);
+  const JsonValue root(path, text, parsed, {}, first_line);
   const Names of_file =
-      root.others_than({"centre_of_mass", "torque_scale", "contacts", "name", "source"});
+      root.others_than({"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});
   std::set<std::string> ignored(of_file.begin(), of_file.end());
-  ContactFile file{root["centre_of_mass"].vector<3>(), positive(root["torque_scale"]), {}, {}};
+  const bool planar = root["centre_of_mass"].size() == 2;
+  ContactFile file;
+  file.planar = planar;
+  file.centre_of_mass = root["centre_of_mass"].place(planar);
+  file.torque_scale = positive(root["torque_scale"]);
   for (const JsonValue& contact : root["contacts"].entries("a list of contacts")) {
-    const Names of_contact =
-        contact.others_than({"position", "normal", "friction", "torsion", "wrenches", "name"});
+    const Names of_contact = contact.others_than(
+        {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
     ignored.insert(of_contact.begin(), of_contact.end());
-    file.contacts.push_back(file_contact(contact));
+    file.contacts.push_back(file_contact(contact, planar));
   }
+  if (root.gives("task")) file.task = file_task(root["task"], planar, ignored);
   if (!ignored.empty())
     file.warnings.push_back(
         fmt::format("ignored, as it is not known: {}", fmt::join(ignored, ", ")));

@@ -112,11 +112,12 @@ int line_of_depth(const std::string& text, int most) {
 /// recursion over values would end the program.
 class Strict {
  public:
-  Strict(const std::string& path, const std::string& text) : path_(path), text_(text) {}
+  Strict(const std::string& path, const std::string& text, int before)
+      : path_(path), text_(text), before_(before) {}
 
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
     if (depth > kDeepest)
-      throw DataError(path_, line_of_depth(text_, kDeepest),
+      throw DataError(path_, before_ + line_of_depth(text_, kDeepest),
                       fmt::format("wanted brackets at most {} deep", kDeepest));
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
@@ -124,7 +125,7 @@ class Strict {
     const auto name = parsed.get<std::string>();
     const int times = ++seen_[name];
     if (!open_.back().insert(name).second)
-      throw DataError(path_, line_of_member(text_, name, times),
+      throw DataError(path_, before_ + line_of_member(text_, name, times),
                       fmt::format("'{}' is given twice", name));
     return true;
   }
@@ -132,6 +133,7 @@ class Strict {
  private:
   const std::string& path_;
   const std::string& text_;
+  int before_;  // lines before the text
   std::vector<std::set<std::string>> open_;
   std::map<std::string, int> seen_;
 };
@@ -152,15 +154,17 @@ int line_of_quoted(const std::string& text, const std::string& message) {
 
 }  // namespace
 
-json parse_json(const std::string& path, const std::string& text) {
+json parse_json(const std::string& path, const std::string& text, int first_line) {
+  const int before = first_line - 1;
   try {
-    const Strict strict(path, text);
+    const Strict strict(path, text, before);
     return json::parse(text, strict);
   } catch (const json::parse_error& e) {
-    throw DataError(path, line_at(text, std::max<std::size_t>(e.byte, 1) - 1),
+    throw DataError(path, before + line_at(text, std::max<std::size_t>(e.byte, 1) - 1),
                     "wanted JSON: " + plain(e.what()));
   } catch (const json::exception& e) {
-    throw DataError(path, line_of_quoted(text, e.what()), "wanted JSON: " + plain(e.what()));
+    throw DataError(path, before + line_of_quoted(text, e.what()),
+                    "wanted JSON: " + plain(e.what()));
   }
 }
 

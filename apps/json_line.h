@@ -13,8 +13,10 @@ namespace thenar {
 using JsonPath = std::vector<std::string>;
 
 /// Parses strictly: no repeated members, no NaN or infinite numbers, no comments.
+/// @param first_line  number of the text's first line, for messages
 /// @throws DataError `path:line: ...` saying what was wanted and what came.
-[[nodiscard]] nlohmann::json parse_json(const std::string& path, const std::string& text);
+[[nodiscard]] nlohmann::json parse_json(const std::string& path, const std::string& text,
+                                        int first_line = 1);
 
 /// Line on which a value starts, counted from 1; of a value that is not there, the line of the
 /// innermost one around it that is.

@@ -171,8 +171,14 @@ class Quality(unittest.TestCase):
              "7: wanted a number > 0 as torque_scale, got 0"),
             (pretty(lambda c: c.update(torque_scale="1")),
              "7: wanted a number > 0 as torque_scale, got \"1\""),
-            (pretty(lambda c: c.update(centre_of_mass=[0, 0])),
-             "2: wanted 3 numbers as centre_of_mass, got [0,0]"),
+            (pretty(lambda c: c.update(centre_of_mass=[0])),
+             "2: wanted 3 numbers as centre_of_mass, got [0]"),
+            (pretty(lambda c: c.update(centre_of_mass=[0, 0])),  # a plane's, which the places are not
+             "9: wanted 2 numbers as contacts.0.position, got [-1,0,0]"),
+            (pretty(first(patch=-1)), "21: wanted an integer of 0 to 1000000000 as contacts.0.patch, got -1"),
+            (pretty(lambda c: c.update(task={})), "36: wanted one of loads, box and ellipsoid as task, got {}"),
+            (pretty(lambda c: c.update(task={"loads": []})),
+             "37: wanted a list of loads as task.loads, got []"),
             (pretty(lambda c: c.update(center_of_mass=[0, 0, 0])),
              "36: the file knows no 'center_of_mass', did you mean 'centre_of_mass'?"),
             (pretty(first(torsoin=1)), "21: contacts.0 knows no 'torsoin', did you mean 'torsion'?"),
@@ -219,12 +225,16 @@ class Quality(unittest.TestCase):
         for key in ("epsilon", "volume", "rank"):
             self.assertEqual(answer[key], plain[key])
 
-    # Contacts that stand twice under linf make a set of twice the size, 2^6 times the volume.
+    # Two faces in each place, as of two bodies one behind the other, make a set of twice the size, 2^6
+    # times the volume; a place written twice is one contact.
     def test_volumes_of_six_contacts_are_known(self):
         words = ("--norm", "linf", "--edges", "6")
         once = self.ask(THREE, *words)["volume"]
-        twice = self.ask(grasp(2 * THREE["contacts"]), *words)["volume"]
-        self.assertAlmostEqual(twice / once, 64, delta=64e-6)
+        faces = [{**c, "patch": k} for k, c in enumerate(2 * THREE["contacts"])]
+        self.assertAlmostEqual(self.ask(grasp(faces), *words)["volume"] / once, 64, delta=64e-6)
+        again = self.ask(grasp(2 * THREE["contacts"]), *words)
+        self.assertAlmostEqual(again["volume"] / once, 1, delta=1e-6)
+        self.assertIn("the place and normal of another contact: contacts 3, 4, 5", again["warnings"][0])
         ring = [contact([math.cos(k), math.sin(k), 0.1 * k], [-math.cos(k), -math.sin(k), 0], 0.5)
                 for k in range(6)]
         self.assertTrue(self.ask(grasp(ring), *words)["volume_complete"])
@@ -276,6 +286,107 @@ class Quality(unittest.TestCase):
             found = self.ask(up, "--edges", "4", "--first-edge", str(angle))["epsilon"]["lower"]
             self.assertAlmostEqual(found, 1 / math.sqrt(squares), delta=EXACT)
         self.assertEqual(self.run_on(THREE, "--first-edge", "3").returncode, 1)
+
+    # Jaws on a box: two faces of four corners. Corners written twice, or the middle of a face added,
+    # are the same faces; without patches eight hands would push.
+    def test_a_patch_has_one_limit_however_it_is_cut(self):
+        def faces(cut):
+            return grasp([contact([side, y, z], [-side, 0, 0], 0.5, patch=side + 1)
+                          for side in (-1, 1)
+                          for y, z in cut * ((1, 1), (1, -1), (-1, -1), (-1, 1)) + ((0, 0),) * (cut - 1)])
+        once, cut = (self.ask(faces(k), "--norm", "linf", "--no-volume")["epsilon"] for k in (1, 2))
+        self.assertLessEqual(cut["lower"], once["upper"])
+        self.assertLessEqual(once["lower"], cut["upper"])
+        free = grasp([{k: v for k, v in c.items() if k != "patch"} for c in faces(1)["contacts"]])
+        self.assertGreater(self.ask(free, "--norm", "linf", "--no-volume")["epsilon"]["lower"],
+                           2 * once["upper"])
+
+    def test_the_volume_may_be_left_out(self):
+        answer = self.ask(THREE, "--no-volume")
+        self.assertEqual([answer[k] for k in ("volume", "volume_bounds", "volume_complete")], 3 * [None])
+        self.assertEqual(answer["epsilon"], self.ask(THREE)["epsilon"])
+
+    # Two fingers of friction mu press with N each along x. A pull of 1 N across takes 2 mu N = 1, so a
+    # sum of 1 / mu; along x one finger of 1 N alone. With one limit a finger it is 1 / (2 mu).
+    def test_least_squeeze_of_loads(self):
+        loads = [[0, 1, 0, 0, 0, 0], [2, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 1, 0, 0]]
+        for norm, squeezes in (("l1", [2, 2, 0, None]), ("linf", [1, 2, 0, None])):
+            task = self.ask({**PINCH, "task": {"loads": loads}}, "--norm", norm)["task"]
+            for found, wanted in zip(task["squeezes_N"], squeezes):
+                self.assertEqual(found is None, wanted is None)
+                if wanted is not None:
+                    self.assertAlmostEqual(found, wanted, delta=1e-7)
+            self.assertEqual(task["margin"], {"lower": 0, "upper": 0})
+            self.assertEqual(task["worst_load"], loads[3])
+            held = self.ask({**PINCH, "task": {"loads": loads[:3]}}, "--norm", norm)["task"]
+            self.assertAlmostEqual(held["squeeze_N"], max(squeezes[:3]), delta=1e-7)
+        self.assertIn("not withstood", self.run_on({**PINCH, "task": {"loads": loads}}).stdout)
+
+    # A box of +-1 N across and +-1 N vertically: its corners pull by sqrt 2, so a sum of sqrt 2 / mu;
+    # the ball of 1 N across has 1 / mu.
+    def test_least_squeeze_of_boxes_and_ellipsoids(self):
+        box = {"box": [[0, -1, -1, 0, 0, 0], [0, 1, 1, 0, 0, 0]]}
+        task = self.ask({**PINCH, "task": box})["task"]
+        self.assertAlmostEqual(task["squeeze_N"], 2 * math.sqrt(2), delta=1e-6)
+        ball = {"ellipsoid": [[0, 1, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0]]}
+        margin = self.ask({**PINCH, "task": ball})["task"]["margin"]
+        self.assertLessEqual(margin["lower"], 0.5 + 1e-9)
+        self.assertGreaterEqual(margin["upper"], 0.5 - 1e-9)
+
+    # Forces along x of both fingers, squared singular value 2, along y and z 2, torques about y and z
+    # 2 at the distance 1, none about x.
+    def test_measures_of_the_grasp_matrix(self):
+        found = self.ask(PINCH)["grasp_matrix"]
+        self.assertEqual((found["rank"], found["internal_forces"], found["least_singular_value"]),
+                         (5, 1, 0))
+        soft = grasp([{**c, "torsion": 0.1} for c in PINCH["contacts"]])
+        found = self.ask(soft)["grasp_matrix"]
+        self.assertEqual((found["rank"], found["internal_forces"]), (6, 2))
+        for key, wanted in (("least_singular_value", math.sqrt(2)), ("isotropy", 1), ("volume", 8)):
+            self.assertAlmostEqual(found[key], wanted, delta=1e-12)
+        self.assertIsNone(self.ask(grasp([generators(CROSS)]))["grasp_matrix"])
+
+    # tests/grasp/quality/planar_test.cpp derives mu / sqrt(2 + mu^2).
+    def test_planar_grasps(self):
+        pinch = {"centre_of_mass": [0, 0], "torque_scale": 1,
+                 "contacts": [contact([-1, 0], [1, 0], 0.5), contact([1, 0], [-1, 0], 0.5)]}
+        answer = self.ask({**pinch, "task": {"loads": [[0, 1, 0]]}})
+        self.assertTrue(answer["planar"] and answer["force_closure"])
+        self.assertAlmostEqual(answer["epsilon"]["lower"], 0.5 / math.sqrt(2.25), delta=EXACT)
+        self.assertEqual((answer["rank"], len(answer["worst_wrench"])), (3, 3))
+        self.assertAlmostEqual(answer["task"]["squeeze_N"], 2, delta=1e-7)
+        self.assertEqual(answer["grasp_matrix"]["internal_forces"], 1)
+        self.assertIn("3 of 3", self.run_on(pinch).stdout)
+        smooth = {**pinch, "contacts": [{**c, "friction": 0} for c in pinch["contacts"]]}
+        answer = self.ask(smooth)
+        self.assertEqual((answer["force_closure"], answer["rank"], answer["epsilon"]["upper"]),
+                         (False, 1, 0))
+
+    # Each line has its answer, or its error by number; nothing stops the stream.
+    def test_a_stream_has_a_line_for_each(self):
+        lines = [json.dumps(PINCH), "{\"contacts\": 3", "", json.dumps(THREE),
+                 json.dumps({**THREE, "torque_scale": 0})]
+        result = subprocess.run([PROGRAM, "quality", "-", "--no-volume"], input="\n".join(lines),
+                                capture_output=True, text=True, check=False, timeout=60)
+        self.assertEqual(result.returncode, 1)
+        answers = [json.loads(line) for line in result.stdout.splitlines()]
+        self.assertEqual([a["line"] for a in answers], [1, 2, 4, 5])
+        self.assertEqual(["error" in a for a in answers], [False, True, False, True])
+        self.assertTrue(answers[2]["force_closure"])
+        self.assertTrue(answers[1]["error"].startswith("stdin:2: wanted JSON"), answers[1])
+        self.assertTrue(answers[3]["error"].startswith("stdin:5: wanted a number > 0"), answers[3])
+        self.assertEqual(result.stderr.count("\n"), 2)
+        self.assertEqual(self.run_on(PINCH, "-").returncode, 1)
+
+    # The commonest grasp, to 1e-9: min(e, 1 / sqrt(1 + 2 / mu^2)) at the distance of the scale.
+    def test_soft_pinches_are_certified(self):
+        for mu, e in ((0.5, 0.9), (0.5, 0.1)):
+            soft = grasp([{**c, "friction": mu, "torsion": e} for c in PINCH["contacts"]])
+            answer = self.ask(soft, "--gap", "1e-9", "--no-volume")
+            self.assertTrue(answer["converged"])
+            wanted = min(e, 1 / math.sqrt(1 + 2 / mu**2))
+            self.assertLessEqual(answer["epsilon"]["lower"], wanted)
+            self.assertAlmostEqual(answer["epsilon"]["lower"], wanted, delta=1e-9)
 
     def test_a_broken_file_hinders_no_other(self):
         broken = self.write("{", "broken.json")
