@@ -36,24 +36,37 @@ class Reader {
       const std::vector<const RobotJoint*> joints = joints_of(robot_, dof);
       if (at_ == numbers_.size()) return {};
       const double q = numbers_[at_++];
-      double broken = 0;
-      if (with_flags && dof.kind == RobotDofKind::kBreakaway) {
-        if (at_ == numbers_.size()) return {};
-        broken = numbers_[at_++];
-      }
-      if (broken != 0 && (broken != 1 || numbers_.size() - at_ < joints.size())) return {};
-      if (broken == 1) {
-        for (const RobotJoint* joint : joints)
-          set(joint->name, unit_of(*joint) * numbers_[at_++], joint->lower, joint->upper);
-      } else {
+      std::vector<double> values(joints.size(), q);
+      bool broken = false;
+      if (with_flags && dof.kind == RobotDofKind::kBreakaway)
+        for (double& value : values)
+          if (!read_flag(value, broken)) return {};
+      if (broken)
+        for (std::size_t j = 0; j < joints.size(); ++j) set_joint(*joints[j], values[j]);
+      else
         set(dof.name, (joints.empty() ? 1 : unit_of(*joints.front())) * q, dof.lower, dof.upper);
-      }
     }
     if (at_ != numbers_.size()) return {};
     return posture_;
   }
 
  private:
+  /// One joint's flag, with what follows it: a joint that has broken away stays behind its motor.
+  bool read_flag(double& value, bool& broken) {
+    if (at_ == numbers_.size()) return false;
+    const double flag = numbers_[at_++];
+    if (flag == 0) return true;
+    if (flag != 1 || at_ == numbers_.size()) return false;
+    value = std::min(value, numbers_[at_++]);
+    broken = true;
+    return true;
+  }
+
+  void set_joint(const RobotJoint& joint, double value) {
+    set(joint.name, joint.ratio * unit_of(joint) * value, joint.lower - joint.offset,
+        joint.upper - joint.offset);
+  }
+
   void set(const std::string& name, double value, double lower, double upper) {
     const double kept = std::clamp(value, lower, upper);
     if (std::abs(kept - value) > kFileRounding)

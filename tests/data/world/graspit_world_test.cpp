@@ -58,7 +58,7 @@ const std::string kWorld = R"(<?xml version="1.0" ?>
   </robot>
   <robot>
     <filename>models\hand.xml</filename>
-    <dofValues>+0.5 +0.6 +0 +0.3 +1 +0.25 +0.1 +0.2</dofValues>
+    <dofValues>+0.5 +0.6 +0 +0.3 +1 +0.25 +0 +0.2</dofValues>
     <transform><translation>0 0 1</translation></transform>
   </robot>
   <connection>
@@ -195,29 +195,52 @@ TEST_F(Graspit, WorldSetsSlidesInMetresAndBrokenAwayJointsAlone) {
   using Posture = std::map<std::string, double>;
   const WorldSpec read = world(kWorld).world;
   EXPECT_EQ(read.hands[0].posture, (Posture{{"d0", 0.03}, {"d1", -0.25}}));
-  // d0, d1 unbroken; d2 stopped with its joints at 0.25 and 0.1; d3.
-  EXPECT_EQ(
-      read.hands[1].posture,
-      (Posture{
-          {"d0", 0.5}, {"d1", 0.6}, {"chain1 joint3", 0.25}, {"chain1 joint4", 0.1}, {"d3", 0.2}}));
+  // d0; d1 held by its clutch; d2's motor at 0.3, which its first joint left at 0.25 and its second
+  // follows at half the way; d3.
+  EXPECT_EQ(read.hands[1].posture, (Posture{{"d0", 0.5},
+                                            {"d1", 0.6},
+                                            {"chain1 joint3", 0.25},
+                                            {"chain1 joint4", 0.15},
+                                            {"d3", 0.2}}));
 }
 
-TEST_F(Graspit, WorldReadsPosturesWithoutFlagsAndNamesWhatFitsNeither) {
-  const std::string values = "+0.5 +0.6 +0 +0.3 +1 +0.25 +0.1 +0.2";
-  const auto hand_with = [&](const std::string& to) {
-    const GraspitWorld read = world(replaced(kWorld, values, to));
+/// The posture of the world's hand with other <dofValues>, and whether a warning is about it.
+class GraspitPostures : public Graspit {
+ protected:
+  using Posture = std::map<std::string, double>;
+  [[nodiscard]] std::pair<Posture, bool> hand_with(const std::string& values) const {
+    const GraspitWorld read = world(replaced(kWorld, "+0.5 +0.6 +0 +0.3 +1 +0.25 +0 +0.2", values));
     const bool warned =
         std::any_of(read.warnings.begin(), read.warnings.end(), [](const std::string& warning) {
           return warning.find("robot 'hand': ") != std::string::npos;
         });
-    return std::pair(read.world.hands[1].posture, warned);
-  };
-  using Posture = std::map<std::string, double>;
+    return {read.world.hands[1].posture, warned};
+  }
+};
+
+// Three flags for the three joints of d1 and d2.
+TEST_F(GraspitPostures, HaveOneFlagForEveryJointOfABreakawayMotor) {
+  const Posture held{{"d0", 0.1}, {"d1", 0.2}, {"d2", 0.3}, {"d3", 0.4}};
+  EXPECT_EQ(hand_with("0.1 0.2 0 0.3 0 0 0.4"), std::pair(held, false));
+  // Both joints of d2 left it, at 0.25 and 0.2 of the motor: the second goes half as far.
+  EXPECT_EQ(hand_with("0.1 0.2 0 0.3 1 0.25 1 0.2 0.4"), std::pair(Posture{{"d0", 0.1},
+                                                                           {"d1", 0.2},
+                                                                           {"chain1 joint3", 0.25},
+                                                                           {"chain1 joint4", 0.1},
+                                                                           {"d3", 0.4}},
+                                                                   false));
+  // A motor that has gone back behind the place where its joint left it holds the joint again.
+  EXPECT_EQ(hand_with("0.1 0.2 1 0.6 0.3 0 0 0.4").first.at("chain1 joint2"), 0.2);
+  // Read one flag a motor, these would fit as well, and put the hand elsewhere.
+  EXPECT_EQ(hand_with("0.1 0.9 1 0.5 0 0 0 0").first.at("chain1 joint2"), 0.5);
+}
+
+TEST_F(GraspitPostures, AreReadWithoutFlagsAndNamedIfTheyFitNeither) {
   const Posture plain{{"d0", 0.1}, {"d1", 0.2}, {"d2", 0.3}, {"d3", 0.4}};
   EXPECT_EQ(hand_with("0.1 0.2 0.3 0.4"), std::pair(plain, false));
-  EXPECT_EQ(hand_with("0.1 0.2 0 0.3 0 0.4"), std::pair(plain, false));
   EXPECT_EQ(hand_with(""), std::pair(Posture{}, false));
-  for (const std::string wrong : {"0.1 0.2 0.3", "0 0.2 2 0.3 0 0.4", "0 0.2 0 0.3 1 0.4"})
+  for (const std::string wrong :
+       {"0.1 0.2 0.3", "0 0.2 2 0.3 0 0 0.4", "0 0.2 0 0.3 0 1 0.4", "0.1 0.2 0 0.3 0 0.4"})
     EXPECT_EQ(hand_with(wrong), std::pair(Posture{}, true)) << wrong;
   // A quarter turn in five digits is rounding, two radians are not.
   EXPECT_EQ(hand_with("1.5708 0 0 0").first.at("d0"), std::acos(0));
