@@ -223,7 +223,7 @@ Imported import_xml(const Options& options) {
     const GraspitWorld read = read_graspit_world(path);
     return import_world(read.world, "GraspIt! world", options, read.warnings);
   }
-  if (root == "robot" || root == "mujoco" || root == "mujocoinclude")
+  if (root == "robot" || root == "mujoco" || root == "mujocoinclude" || root == "sdf")
     return import_robot_file(path);
   const GraspitBody read = read_graspit_body(path);
   return import_body(read.body, "GraspIt! body", options, read.warnings);

@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "data/io/robot/link_poses.h"
+#include "grasp/closing_drives.h"
 #include "grasp/drive_torques.h"
 #include "grasp/robot_tips.h"
 
@@ -25,12 +27,6 @@ int index_of_dof(const RobotSpec& robot, const std::string& name) {
   for (std::size_t i = 0; i < robot.dofs.size(); ++i)
     if (robot.dofs[i].name == name) return static_cast<int>(i);
   return -1;
-}
-
-Pose<double> motion_of(const RobotJoint& joint, double value) {
-  if (joint.kind == RobotJointKind::kRevolute)
-    return {rotation_about(joint.axis, value), {0, 0, 0}};
-  return {Eigen::Matrix3d::Identity(), value * joint.axis};
 }
 
 /// An interval that others narrow.
@@ -66,6 +62,7 @@ RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs
   add_coordinates(robot);
   add_drives(robot);
   add_surfaces(robot);
+  set_open(robot);
   for (const RobotTip& tip : find_tips(robot, reference_)) {
     layout_.tips.push_back(tip.digit);
     layout_.tip_points.push_back({tip.digit, mover_of_[static_cast<std::size_t>(tip.link)], tip.p});
@@ -85,15 +82,15 @@ void RobotHand::add_movers(const RobotSpec& robot) {
     const std::size_t parent = index[joint.parent], child = index[joint.child];
     const Pose<double> X = reference_[parent] * joint.X_PJ;
     const bool moves = joint.kind != RobotJointKind::kFixed;
-    reference_[child] = X * (moves ? motion_of(joint, joint.offset) * joint.X_JC : joint.X_JC);
+    reference_[child] = X * (moves ? joint_motion(joint, joint.offset) * joint.X_JC : joint.X_JC);
     mover_of_[child] = mover_of_[parent];
     if (!moves) continue;
     mover_of_[child] = static_cast<int>(movers_.size());
     layout_.parents.push_back(mover_of_[parent]);
     movers_.push_back({mover_of_[parent], 0, index_of_dof(robot, joint.dof),
-                       joint.kind == RobotJointKind::kPrismatic, 1, joint.ratio,
+                       joint.kind == RobotJointKind::kPrismatic, false, 1, joint.ratio,
                        (X.R * joint.axis).normalized(), X.p, joint.stiffness,
-                       joint.rest - joint.offset});
+                       joint.rest - joint.offset, joint.curve});
   }
 }
 
@@ -107,6 +104,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
     const RobotDof* dof =
         mover.dof < 0 ? nullptr : &robot.dofs[static_cast<std::size_t>(mover.dof)];
     const bool rigid = dof != nullptr && dof->kind == RobotDofKind::kRigid;
+    mover.shared = rigid;
     if (rigid) mover.ratio = joint.ratio;
     mover.coordinate = rigid ? shared[static_cast<std::size_t>(mover.dof)] : -1;
     if (mover.coordinate < 0) {
@@ -116,8 +114,9 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
       if (rigid) shared[static_cast<std::size_t>(mover.dof)] = mover.coordinate;
     }
     Interval& limit = limits[static_cast<std::size_t>(mover.coordinate)];
-    limit.narrow((joint.lower - joint.offset) / mover.ratio,
-                 (joint.upper - joint.offset) / mover.ratio);
+    if (joint.curve.empty())  // else check_robot() has held it against its motor's range
+      limit.narrow((joint.lower - joint.offset) / mover.ratio,
+                   (joint.upper - joint.offset) / mover.ratio);
     if (dof != nullptr) {
       const double gear = rigid ? 1 : joint.ratio;
       limit.narrow(gear * dof->lower, gear * dof->upper);
@@ -154,6 +153,20 @@ void RobotHand::add_drives(const RobotSpec& robot) {
                                                   static_cast<Eigen::Index>(max_effort.size()));
 }
 
+/// The posture in which closing begins, where any motor says its own.
+void RobotHand::set_open(const RobotSpec& robot) {
+  if (std::none_of(robot.dofs.begin(), robot.dofs.end(),
+                   [](const RobotDof& dof) { return dof.open.has_value(); }))
+    return;
+  Eigen::VectorXd open = open_posture(layout_);
+  for (const Mover& mover : movers_) {
+    if (mover.dof < 0) continue;
+    const std::optional<double>& at = robot.dofs[static_cast<std::size_t>(mover.dof)].open;
+    if (at) open[mover.coordinate] = mover.shared ? *at : mover.dof_ratio * *at;
+  }
+  layout_.open = open.cwiseMax(layout_.lower).cwiseMin(layout_.upper);
+}
+
 void RobotHand::add_surfaces(const RobotSpec& robot) {
   std::vector<std::size_t> with_shapes;
   for (std::size_t i = 0; i < robot.links.size(); ++i)
@@ -169,12 +182,25 @@ void RobotHand::add_surfaces(const RobotSpec& robot) {
   });
 }
 
+double RobotHand::Mover::motion(double q) const {
+  double bent = 0;
+  for (auto c = curve.rbegin(); c != curve.rend(); ++c) bent = (bent + *c) * q;
+  return (ratio + bent) * q;
+}
+
+double RobotHand::Mover::slope(double q) const {
+  double bent = 0;
+  for (std::size_t k = curve.size(); k-- > 0;)
+    bent = (bent + static_cast<double>(k + 2) * curve[k]) * q;
+  return ratio + bent;
+}
+
 std::vector<Pose<double>> RobotHand::pose(const Eigen::VectorXd& q) const {
   require_posture(q);
   std::vector<Pose<double>> X(movers_.size());
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& mover = movers_[i];
-    const double value = mover.ratio * q[mover.coordinate];
+    const double value = mover.motion(q[mover.coordinate]);
     Pose<double> motion;
     if (mover.slides)
       motion.p = value * mover.direction;
@@ -196,7 +222,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
   for (int i = link; i >= 0; i = movers_[static_cast<std::size_t>(i)].parent) {
     const Mover& mover = movers_[static_cast<std::size_t>(i)];
     const Pose<double>& now = X[static_cast<std::size_t>(i)];
-    const Vector3d axis = mover.ratio * (now.R * mover.direction);
+    const Vector3d axis = mover.slope(q[mover.coordinate]) * (now.R * mover.direction);
     if (mover.slides) {
       J.col(mover.coordinate).tail<3>() += axis;
     } else {
@@ -210,9 +236,11 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
 Actuation RobotHand::actuation(const Eigen::VectorXd& q) const {
   require_posture(q);
   Eigen::VectorXd tau_0 = Eigen::VectorXd::Zero(q.size());
-  for (const Mover& mover : movers_)
+  for (const Mover& mover : movers_) {
+    const double at = q[mover.coordinate];
     tau_0[mover.coordinate] +=
-        mover.ratio * mover.stiffness * (mover.stretch - mover.ratio * q[mover.coordinate]);
+        mover.slope(at) * mover.stiffness * (mover.stretch - mover.motion(at));
+  }
   DriveTorques drives = drive_torques(layout_, q);
   return {drives.B, tau_0, -max_effort_, max_effort_, std::move(drives.reactions)};
 }
@@ -222,7 +250,8 @@ Eigen::VectorXd RobotHand::posture(const Eigen::VectorXd& dofs) const {
           dofs.size());
   Eigen::VectorXd q = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(layout_.coordinates.size()));
   for (const Mover& mover : movers_)
-    if (mover.dof >= 0) q[mover.coordinate] = mover.dof_ratio / mover.ratio * dofs[mover.dof];
+    if (mover.dof >= 0)
+      q[mover.coordinate] = mover.shared ? dofs[mover.dof] : mover.dof_ratio * dofs[mover.dof];
   return q;
 }
 
@@ -232,6 +261,12 @@ std::vector<Pose<double>> RobotHand::link_frames(const Eigen::VectorXd& q) const
   for (std::size_t i = 0; i < frames.size(); ++i)
     if (mover_of_[i] >= 0) frames[i] = X[static_cast<std::size_t>(mover_of_[i])] * frames[i];
   return frames;
+}
+
+Vector3d RobotHand::axis(const Eigen::VectorXd& q, int link) const {
+  const Mover& mover = movers_[static_cast<std::size_t>(link)];
+  if (mover.slides) return Vector3d::Zero();
+  return pose(q)[static_cast<std::size_t>(link)].R * mover.direction;
 }
 
 void RobotHand::require_posture(const Eigen::VectorXd& q) const {

@@ -43,6 +43,20 @@ class RobotHand final : public Hand {
 
   [[nodiscard]] const std::vector<std::string>& links() const { return links_; }
 
+  /// Axis of the joint that carries a link of the Hand, unit; zero of a slide. (3)
+  [[nodiscard]] Eigen::Vector3d axis(const Eigen::VectorXd& q, int link) const;
+
+  /// A point of that axis, at the reference posture [m] (3)
+  [[nodiscard]] Eigen::Vector3d axis_point(int link) const {
+    return movers_[static_cast<std::size_t>(link)].point;
+  }
+  [[nodiscard]] bool slides(int link) const {
+    return movers_[static_cast<std::size_t>(link)].slides;
+  }
+
+  /// Link of the Hand that a link of the robot belongs to; -1: the base.
+  [[nodiscard]] int mover_of(std::size_t link) const { return mover_of_[link]; }
+
  private:
   /// A joint that moves, in the base link at the reference posture.
   struct Mover {
@@ -50,18 +64,24 @@ class RobotHand final : public Hand {
     int coordinate;  // entry of q that drives it
     int dof;         // of the robot; -1: none
     bool slides;
-    double ratio;               // motion per unit of its coordinate
+    bool shared;                // its coordinate is that of a rigid degree of freedom
+    double ratio;               // motion per unit of its coordinate, but for the curve
     double dof_ratio;           // motion per unit of its degree of freedom
     Eigen::Vector3d direction;  // unit (3)
     Eigen::Vector3d point;      // of the axis [m] (3)
     double stiffness;           // of its spring [N m/rad] or [N/m]
     double stretch;             // rest - offset: motion at which the spring rests [rad] or [m]
+    std::vector<double> curve;  // RobotJoint::curve, of a rigid degree of freedom
+
+    [[nodiscard]] double motion(double q) const;
+    [[nodiscard]] double slope(double q) const;  // d motion / d q
   };
 
   void add_movers(const RobotSpec& robot);
   void add_coordinates(const RobotSpec& robot);
   void add_drives(const RobotSpec& robot);
   void add_surfaces(const RobotSpec& robot);
+  void set_open(const RobotSpec& robot);
   void require_posture(const Eigen::VectorXd& q) const;
 
   std::vector<Mover> movers_;

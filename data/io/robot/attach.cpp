@@ -86,6 +86,7 @@ void add_renamed(RobotSpec& robot, const RobotSpec& tool) {
     joint.dof = dof_name(joint.dof);
     robot.joints.push_back(std::move(joint));
   }
+  for (const auto& [a, b] : tool.joined) robot.joined.emplace_back(link_name(a), link_name(b));
   for (RobotDof dof : tool.dofs) {
     dof.name = dof_name(dof.name);
     robot.dofs.push_back(std::move(dof));
@@ -115,6 +116,8 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
 
   const Pose<double> X_BT = pose_at_zero(carrier, link) * X_LT;
   robot.approach = {X_BT * tool.approach.point, (X_BT.R * tool.approach.direction).normalized()};
+  robot.approach_stated = tool.approach_stated;
+  robot.open_loops.insert(robot.open_loops.end(), tool.open_loops.begin(), tool.open_loops.end());
   robot.warnings.insert(robot.warnings.end(), tool.warnings.begin(), tool.warnings.end());
   check_robot(robot);
   return robot;

@@ -6,6 +6,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "data/io/robot/link_poses.h"
 #include "data/io/robot/robot_parts.h"
 
 namespace thenar {
@@ -80,7 +81,28 @@ void check_tree(const RobotSpec& robot) {
     require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
 }
 
+constexpr int kAlong = 256;       // places of a motor's range at which a curve is looked at
+constexpr double kBeyond = 1e-6;  // how far a joint may leave its limits there [rad] or [m]
+
+/// A joint that follows its motor along a curve does so within its limits, all the way.
+void check_curve(const RobotJoint& joint, const RobotDof& dof) {
+  require(dof.kind == RobotDofKind::kRigid,
+          "joint '{}' follows '{}' along a curve: wanted a rigid "
+          "degree of freedom",
+          joint.name, dof.name);
+  for (int i = 0; i <= kAlong; ++i) {
+    const double u = dof.lower + (dof.upper - dof.lower) * i / kAlong;
+    const double value = joint_value(joint, u);
+    require(value >= joint.lower - kBeyond && value <= joint.upper + kBeyond,
+            "joint '{}' is at {:.6g} where '{}' is at {:.6g}: its limits are {:.6g} .. {:.6g}",
+            joint.name, value, dof.name, u, joint.lower, joint.upper);
+  }
+}
+
 void check_drives(const RobotSpec& robot) {
+  for (const RobotJoint& joint : robot.joints)
+    for (const RobotDof& dof : robot.dofs)
+      if (dof.name == joint.dof && !joint.curve.empty()) check_curve(joint, dof);
   for (const RobotJoint& joint : robot.joints)
     require(joint.dof.empty() ||
                 std::any_of(robot.dofs.begin(), robot.dofs.end(),
@@ -139,10 +161,12 @@ void check_joint(const RobotJoint& joint) {
   require_finite(joint.offset, whose, "offset");
   require_finite(joint.rest, whose, "rest");
   require_finite(joint.ratio, whose, "ratio");
-  require(joint.dof.empty() || joint.ratio != 0, "{} cannot follow '{}' with ratio 0", whose,
-          joint.dof);
+  require(joint.dof.empty() || joint.ratio != 0 || !joint.curve.empty(),
+          "{} cannot follow '{}' with ratio 0", whose, joint.dof);
   require(joint.dof.empty() || joint.kind != RobotJointKind::kFixed,
           "{} is fixed and cannot follow '{}'", whose, joint.dof);
+  for (const double coefficient : joint.curve) require_finite(coefficient, whose, "curve");
+  require(joint.curve.empty() || !joint.dof.empty(), "{} has a curve and follows nothing", whose);
   require_not_negative(joint.damping, whose, "damping");
   require_not_negative(joint.friction, whose, "friction");
   require_not_negative(joint.stiffness, whose, "stiffness");
@@ -152,6 +176,9 @@ void check_dof(const RobotDof& dof) {
   const std::string whose = fmt::format("degree of freedom '{}'", dof.name);
   require_limits(dof.lower, dof.upper, whose);
   require_finite(dof.speed, whose, "speed");
+  require(!dof.open || (*dof.open >= dof.lower && *dof.open <= dof.upper),
+          "{} begins closing at {}, its range is {:.6g} .. {:.6g}", whose, dof.open.value_or(0),
+          dof.lower, dof.upper);
   require_not_negative(dof.max_effort, whose, "effort");
   require_not_negative(dof.breakaway, whose, "breakaway torque");
   require_not_negative(dof.stiffness, whose, "stiffness");

@@ -54,7 +54,9 @@ class Translation {
     for (const pugi::xml_node node : top.children("dof")) add_dof(node);
     for (const pugi::xml_node node : top.children("chain")) add_chain(node);
     settle_dofs();
-    if (const pugi::xml_node approach = top.child("approachDirection")) set_approach(approach);
+    const pugi::xml_node approach = top.child("approachDirection");
+    robot_.approach_stated = approach && approach.child("direction");
+    if (approach) set_approach(approach);
     const std::vector<std::string> warnings = unread_.warnings();
     robot_.warnings.insert(robot_.warnings.end(), warnings.begin(), warnings.end());
   }
@@ -144,6 +146,11 @@ class Translation {
 
   void settle_dofs() {
     for (RobotDof& dof : robot_.dofs) {
+      if (dof.max_effort < 0) {
+        robot_.warnings.push_back(fmt::format("maxEffort of '{}' is {:.6g}: taken for unknown",
+                                              dof.name, dof.max_effort));
+        dof.max_effort = 0;
+      }
       bool turns = true, drives = false;
       for (const RobotJoint& joint : robot_.joints) {
         if (joint.dof != dof.name) continue;

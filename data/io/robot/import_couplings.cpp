@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "data/io/robot/link_poses.h"
 
 namespace thenar::internal {
 namespace {
@@ -17,6 +18,29 @@ const Coupling* coupling_of(const std::vector<Coupling>& couplings, const std::s
   return nullptr;
 }
 
+/// p(next(v)) in place of p(v).
+void through(Coupling& step, const Coupling& next) {
+  const auto coefficients = [](const Coupling& coupling) {
+    std::vector<double> c{coupling.offset, coupling.ratio};
+    c.insert(c.end(), coupling.curve.begin(), coupling.curve.end());
+    return c;
+  };
+  const std::vector<double> p = coefficients(step), inner = coefficients(next);
+  std::vector<double> sum{0};  // by Horner's rule
+  for (auto c = p.rbegin(); c != p.rend(); ++c) {
+    std::vector<double> product(sum.size() + inner.size() - 1, 0);
+    for (std::size_t i = 0; i < sum.size(); ++i)
+      for (std::size_t j = 0; j < inner.size(); ++j) product[i + j] += sum[i] * inner[j];
+    product[0] += *c;
+    sum = std::move(product);
+  }
+  while (sum.size() > 2 && sum.back() == 0) sum.pop_back();
+  sum.resize(std::max<std::size_t>(sum.size(), 2), 0);
+  step.offset = sum[0];
+  step.ratio = sum[1];
+  step.curve.assign(sum.begin() + 2, sum.end());
+}
+
 /// The coupling to the joint that follows none.
 Coupling to_root(const std::vector<Coupling>& couplings, Coupling step, const std::string& path) {
   std::set<std::string> met{step.joint};
@@ -25,8 +49,7 @@ Coupling to_root(const std::vector<Coupling>& couplings, Coupling step, const st
       throw DataError(
           path, step.line,
           fmt::format("joint '{}' follows itself, through {}", step.joint, fmt::join(met, ", ")));
-    step.offset += step.ratio * next->offset;
-    step.ratio *= next->ratio;
+    through(step, *next);
     step.master = next->master;
   }
   return step;
@@ -41,8 +64,10 @@ void follow(RobotSpec& robot, RobotJoint& joint, const Coupling& coupling,
                                 coupling.master));
   joint.ratio = coupling.ratio;
   joint.offset = coupling.offset;
-  if (root->kind == RobotJointKind::kFixed || coupling.ratio == 0) {
+  joint.curve = coupling.curve;
+  if (root->kind == RobotJointKind::kFixed || (coupling.ratio == 0 && coupling.curve.empty())) {
     joint.dof.clear();  // it stands still
+    joint.curve.clear();
     joint.ratio = 1;
     joint.lower = joint.upper = joint.offset;
   } else {
@@ -50,9 +75,37 @@ void follow(RobotSpec& robot, RobotJoint& joint, const Coupling& coupling,
   }
 }
 
+/// Values of a degree of freedom in its range that keep a joint which follows it along a curve
+/// within its limits: of the runs of such values the longest. It crosses itself if there is none.
+Range range_along(const RobotJoint& joint, const RobotDof& dof) {
+  constexpr int kPlaces = 1000;
+  const double slack = 1e-3 * (joint.upper - joint.lower);
+  const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kPlaces; };
+  Range best{1, 0};
+  for (int i = 0; i <= kPlaces; ++i) {
+    int end = i;
+    for (; end <= kPlaces; ++end) {
+      const double value = joint_value(joint, at(end));
+      if (value < joint.lower - slack || value > joint.upper + slack) break;
+    }
+    if (end > i && at(end - 1) - at(i) > best.upper - best.lower) best = {at(i), at(end - 1)};
+    i = std::max(i, end);
+  }
+  return best;
+}
+
+/// Limits that hold all of a curve.
+void widen(RobotJoint& joint, const RobotDof& dof) {
+  for (int i = 0; i <= 1000; ++i) {
+    const double value = joint_value(joint, dof.lower + (dof.upper - dof.lower) * i / 1000);
+    joint.lower = std::min(joint.lower, value);
+    joint.upper = std::max(joint.upper, value);
+  }
+}
+
 /// Tightens the range of a degree of freedom to what a follower can go along with.
 void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
-  const Range through = range_through(joint);
+  const Range through = joint.curve.empty() ? range_through(joint) : range_along(joint, dof);
   const double lower = std::max(dof.lower, through.lower),
                upper = std::min(dof.upper, through.upper);
   // Decimals of a file: 0.333 * 2.4 is no tighter limit than 0.8.
@@ -67,8 +120,7 @@ void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
     dof.upper = upper;
     return;
   }
-  const double a = joint.ratio * dof.lower + joint.offset,
-               b = joint.ratio * dof.upper + joint.offset;
+  const double a = joint_value(joint, dof.lower), b = joint_value(joint, dof.upper);
   robot.warnings.push_back(fmt::format(
       "limits of '{}' ({:.6g} to {:.6g}) leave '{}', which it follows, no way to move; they are "
       "taken as {:.6g} to {:.6g}",
@@ -116,6 +168,8 @@ void couple_joints(RobotSpec& robot, const std::vector<Coupling>& couplings,
   for (RobotJoint& joint : robot.joints)
     if (RobotDof* dof = find_dof(robot, joint.dof); dof != nullptr && dof->name != joint.name)
       tighten(robot, *dof, joint);
+  for (RobotJoint& joint : robot.joints)
+    if (!joint.curve.empty()) widen(joint, *find_dof(robot, joint.dof));
 }
 
 void order_tree(RobotSpec& robot, const std::string& path) {

@@ -9,13 +9,14 @@
 
 namespace thenar::internal {
 
-/// Value of `joint` = ratio * (value of `master`) + offset.
+/// Value of `joint` = offset + ratio v + curve_0 v^2 + .., with v the value of `master`.
 struct Coupling {
   std::string joint;
   std::string master;
-  double ratio = 1;   // [1], [m/rad] or [rad/m]
-  double offset = 0;  // [rad] or [m]
-  int line = 1;       // of the file that says so
+  double ratio = 1;           // [1], [m/rad] or [rad/m]
+  double offset = 0;          // [rad] or [m]
+  int line = 1;               // of the file that says so
+  std::vector<double> curve;  // empty: linear
 };
 
 /// Gives every moving joint that follows none a degree of freedom of its own name (rigid, speed 1),
@@ -31,7 +32,8 @@ struct Range {
   double lower, upper;  // [rad] or [m]
 };
 
-/// Values of the degree of freedom that keep one joint within its limits.
+/// Values of the degree of freedom that keep one joint, which follows it linearly, within its
+/// limits.
 [[nodiscard]] Range range_through(const RobotJoint& joint);
 
 /// The joint of that name, or none.

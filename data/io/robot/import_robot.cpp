@@ -32,8 +32,12 @@ RobotFileKind kind_of_xml(const XmlFile& file) {
       if (root.child(part)) return RobotFileKind::kGraspit;
     return RobotFileKind::kUrdf;
   }
-  file.fail(root, fmt::format("wanted <robot> (URDF, GraspIt!) or <mujoco>, got <{}>{}", name,
-                              name == "sdf" ? "; wanted the URDF that it was made of" : ""));
+  if (name == "sdf")
+    file.fail(
+        root,
+        "SDF is not read; wanted the URDF that it was made of, or MJCF. (gz sdf -p makes SDF of "
+        "URDF, nothing makes URDF of it)");
+  file.fail(root, fmt::format("wanted <robot> (URDF, GraspIt!) or <mujoco>, got <{}>", name));
 }
 
 RobotSpec read_kind(const std::string& path, RobotFileKind kind) {

@@ -13,7 +13,12 @@ namespace thenar {
 /// Values of degrees of freedom by name [rad] or [m]; those left out are at 0.
 using DofValues = std::map<std::string, double>;
 
-/// Value of a joint: ratio * (its degree of freedom) + offset; the offset alone if none drives it.
+/// Value of a joint where its degree of freedom is at u, and how it changes with u:
+///   offset + ratio u + curve_0 u^2 + curve_1 u^3 + ..
+[[nodiscard]] double joint_value(const RobotJoint& joint, double u);
+[[nodiscard]] double joint_slope(const RobotJoint& joint, double u);
+
+/// Value of a joint; the offset alone if nothing drives it.
 [[nodiscard]] double joint_value(const RobotJoint& joint, const DofValues& dofs);
 
 /// Motion of a joint by a value: a turn about its axis, or a way along it.

@@ -324,7 +324,7 @@ RobotSpec read_mjcf(const std::string& path) {
   source.defaults.read(file, file.root());
   RobotSpec robot;
   robot.name = file.root().attribute("model").value();
-  robot.closing_stated = false;
+  robot.closing_stated = robot.approach_stated = false;
   BodyTree tree(source, robot);
   tree.run();
   set_total_mass(robot, source.compiler.total_mass);

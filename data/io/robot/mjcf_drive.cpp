@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 #include "base/error.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
+#include "data/io/robot/mjcf_loops.h"
 
 namespace thenar::internal {
 namespace {
@@ -24,6 +26,8 @@ struct Term {
 struct FixedTendon {
   std::string name;
   std::vector<Term> terms;
+  int line = 1;
+  std::optional<Range> limits;  // of its length
 };
 
 struct Actuator {
@@ -32,10 +36,12 @@ struct Actuator {
   double effort = 0;          // [N m] or [N]; 0 if unknown
 };
 
+constexpr double kTight = 0.1;  // of the travel of a tendon that its limits leave to a coupling [1]
+
 class Drive {
  public:
   Drive(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot)
-      : source_(source), robot_(robot) {
+      : source_(source), robot_(robot), refs_(ref) {
     for (std::size_t i = 0; i < robot.joints.size(); ++i) ref_[robot.joints[i].name] = ref[i];
   }
 
@@ -43,6 +49,7 @@ class Drive {
     read_tendons();
     read_equalities();
     read_actuators();
+    keep_limited_tendons();
     hold_joints();
     couple_joints(robot_, couplings_, source_.file.path());
     for (const Actuator& actuator : actuators_)
@@ -50,6 +57,7 @@ class Drive {
     for (const Actuator& actuator : actuators_)
       if (!actuator.joint.empty()) drive_joint(actuator);
     name_shared();
+    close_loops(robot_, loops_, moved_);
     name_undriven();
   }
 
@@ -73,7 +81,13 @@ class Drive {
                                                 node.attribute("name").value()));
           continue;
         }
-        FixedTendon tendon{node.attribute("name").value(), {}};
+        FixedTendon tendon{node.attribute("name").value(), {}, source_.file.line(node), {}};
+        const MjcfElement element(source_, node, "");
+        const std::vector<double> range = element.numbers("range");
+        const std::string limited = element.text("limited", "auto");
+        if (range.size() == 2 &&
+            (limited == "true" || (limited == "auto" && source_.compiler.auto_limits)))
+          tendon.limits = Range{std::min(range[0], range[1]), std::max(range[0], range[1])};
         for (const pugi::xml_node term : node.children("joint")) {
           const std::string name = required_text(source_.file, term, "joint");
           if (!has_joint(term, name)) continue;
@@ -102,6 +116,9 @@ class Drive {
           couple(node, equality);
         } else if (kind == "tendon") {
           couple_through_tendon(node, equality);
+        } else if (kind == "connect" || kind == "weld") {
+          if (std::optional<LoopClosure> loop = read_loop(source_, node, robot_, refs_))
+            loops_.push_back(std::move(*loop));
         } else {
           source_.unread.note(
               node, fmt::format("<{}> between '{}' and '{}' is not kept: a robot here is a tree",
@@ -127,15 +144,23 @@ class Drive {
     const std::string second = node.attribute("joint2").value();
     if (!has_joint(node, first) || (!second.empty() && !has_joint(node, second))) return;
     if (second.empty()) {
-      held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line()});
+      held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line(), {}});
       return;
     }
-    if (a[2] != 0 || a[3] != 0 || a[4] != 0)
-      source_.unread.note(node, fmt::format("only the linear part of the equality of '{}' and '{}' "
-                                            "is kept",
-                                            first, second));
+    // The same polynomial of q2 itself, by Horner's rule.
+    std::vector<double> c{a[4]};
+    for (int k = 3; k >= 0; --k) {
+      std::vector<double> next(c.size() + 1, 0);
+      for (std::size_t i = 0; i < c.size(); ++i) {
+        next[i + 1] += c[i];
+        next[i] -= c[i] * ref_.at(second);
+      }
+      next[0] += a[static_cast<std::size_t>(k)];
+      c = std::move(next);
+    }
+    while (c.size() > 2 && c.back() == 0) c.pop_back();
     add_coupling(
-        {first, second, a[1], a[0] + ref_.at(first) - a[1] * ref_.at(second), equality.line()},
+        {first, second, c[1], c[0] + ref_.at(first), equality.line(), {c.begin() + 2, c.end()}},
         node);
   }
 
@@ -154,10 +179,68 @@ class Drive {
     if (follower.coefficient == 0) source_.file.fail(node, "a coefficient of the tendon is zero");
     const double ratio = -leader.coefficient / follower.coefficient;
     const double offset = (a.empty() ? 0 : a[0]) / follower.coefficient;
-    add_coupling(
-        {follower.joint, leader.joint, ratio,
-         offset + ref_.at(follower.joint) - ratio * ref_.at(leader.joint), equality.line()},
-        node);
+    add_coupling({follower.joint,
+                  leader.joint,
+                  ratio,
+                  offset + ref_.at(follower.joint) - ratio * ref_.at(leader.joint),
+                  equality.line(),
+                  {}},
+                 node);
+  }
+
+  /// Tendons without an actuator whose length may hardly change couple their two joints,
+  ///   c1 q1 + c2 q2 = middle of the limits;  others are named.
+  void keep_limited_tendons() {
+    for (const FixedTendon& tendon : tendons_) {
+      if (!tendon.limits) continue;
+      const double slack = tendon.limits->upper - tendon.limits->lower;
+      double travel = 0;
+      for (const Term& term : tendon.terms) {
+        const RobotJoint& joint = *find_joint(robot_, term.joint);
+        travel += std::abs(term.coefficient) * (joint.upper - joint.lower);
+      }
+      if (tendon.terms.size() != 2 || slack > kTight * travel || is_driven(tendon)) {
+        robot_.warnings.push_back(
+            fmt::format("limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: its joints move "
+                        "within their own",
+                        tendon.name, tendon.limits->lower, tendon.limits->upper));
+        continue;
+      }
+      couple_limited(tendon, slack);
+    }
+  }
+
+  void couple_limited(const FixedTendon& tendon, double slack) {
+    // The joint that an actuator drives leads.
+    const bool first_leads =
+        has_actuator(tendon.terms[0].joint) || !has_actuator(tendon.terms[1].joint);
+    const Term &leader = tendon.terms[first_leads ? 0 : 1],
+               &follower = tendon.terms[first_leads ? 1 : 0];
+    const bool again =
+        std::any_of(couplings_.begin(), couplings_.end(),
+                    [&](const Coupling& other) { return other.joint == follower.joint; });
+    if (follower.coefficient == 0 || again) return;
+    const double middle = (tendon.limits->lower + tendon.limits->upper) / 2;
+    couplings_.push_back({follower.joint,
+                          leader.joint,
+                          -leader.coefficient / follower.coefficient,
+                          middle / follower.coefficient,
+                          tendon.line,
+                          {}});
+    robot_.warnings.push_back(fmt::format(
+        "limits of tendon '{}' couple '{}' to '{}', which may differ by {:.3g} rad or m in the "
+        "file",
+        tendon.name, follower.joint, leader.joint, slack / 2 / std::abs(follower.coefficient)));
+  }
+
+  [[nodiscard]] bool has_actuator(const std::string& joint) const {
+    return std::any_of(actuators_.begin(), actuators_.end(),
+                       [&](const Actuator& actuator) { return actuator.joint == joint; });
+  }
+
+  [[nodiscard]] bool is_driven(const FixedTendon& tendon) const {
+    return std::any_of(actuators_.begin(), actuators_.end(),
+                       [&](const Actuator& actuator) { return actuator.tendon == tendon.name; });
   }
 
   void add_coupling(const Coupling& coupling, const pugi::xml_node& node) {
@@ -270,6 +353,14 @@ class Drive {
       by_dof_[dof.name].push_back(actuator.name);
       return;
     }
+    for (const RobotJoint& joint : robot_.joints)
+      if (!joint.curve.empty() && by_dof.count(joint.dof) > 0) {
+        robot_.warnings.push_back(fmt::format(
+            "tendon '{}' spans '{}', which '{}' follows along a curve: it is not read, and "
+            "actuator '{}' drives nothing",
+            tendon.name, joint.dof, joint.name, actuator.name));
+        return;
+      }
     for (const auto& [name, coefficient] : by_dof)
       if (moved_.count(name) > 0) {
         robot_.warnings.push_back(
@@ -331,7 +422,9 @@ class Drive {
 
   const MjcfSource& source_;
   RobotSpec& robot_;
+  const std::vector<double>& refs_;  // of each joint [rad] or [m]
   std::map<std::string, double> ref_;
+  std::vector<LoopClosure> loops_;
   std::vector<FixedTendon> tendons_;
   std::vector<Coupling> couplings_, held_;
   std::vector<Actuator> actuators_;

@@ -2,7 +2,9 @@
 
 /// A robot described once, as plain data: links, joints, and degrees of freedom apart from joints.
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,7 +30,8 @@ enum class RobotJointKind { kFixed, kRevolute, kPrismatic };
 /// "fixed", "revolute", "prismatic".
 [[nodiscard]] std::string name_of(RobotJointKind kind);
 
-/// Joint value = ratio * (its degree of freedom) + offset.
+/// Joint value = offset + ratio * u + curve[0] * u^2 + curve[1] * u^3 + .., with u its degree of
+/// freedom.
 /// Pose of the child in the parent = X_PJ * motion(axis, value) * X_JC.
 /// Limits are finite: a joint that turns without end goes from -pi to pi.
 struct RobotJoint {
@@ -44,6 +47,7 @@ struct RobotJoint {
   std::string dof;                // degree of freedom that drives it; empty: fixed or free
   double ratio = 1;               // [1], [m/rad] or [rad/m]
   double offset = 0;              // [rad] or [m]
+  std::vector<double> curve;      // of a linkage; empty: linear [rad/rad^2], [rad/rad^3] ..
   double damping = 0;             // [N m s/rad] or [N s/m]
   double friction = 0;            // Coulomb's [N m] or [N]
   double stiffness = 0;           // of a spring to `rest` [N m/rad] or [N/m]
@@ -69,6 +73,8 @@ struct RobotDof {
   double stiffness = 0;         // of a compliant coupling [N m/rad]
   bool backdrivable = true;     // false: a worm or brake, which holds whatever pushes it back
   bool nominal_effort = false;  // max_effort is a placeholder of a model, not a published figure
+  std::optional<double> open;   // where it stands before the hand closes [rad] or [m]; none: at the
+                                // limit it comes from, or, if speed is 0, at 0 or the limit next to
 };
 
 /// Which way a hand goes at an object.
@@ -90,7 +96,12 @@ struct RobotSpec {
   std::vector<RobotJoint> joints;
   std::vector<RobotDof> dofs;
   RobotApproach approach;
-  bool closing_stated = true;         // false: speeds say how fast drives run, not which way closes
+  bool closing_stated = true;   // false: speeds say how fast drives run, not which way closes
+  bool approach_stated = true;  // false: `approach` says nothing
+  std::vector<std::string> open_loops;  // what closes it to more than a tree and is not solved: it
+                                        // must not grasp
+  std::vector<std::pair<std::string, std::string>> joined;  // links that a solved loop holds
+                                                            // together; no file keeps them
   std::vector<std::string> warnings;  // what an importer met and did not understand
 };
 

@@ -59,6 +59,7 @@ void read_drive(TomlTable& table, RobotJoint& joint) {
   const Measures& in = measures_of(joint.kind);
   read_range(table, in.value, joint.lower, joint.upper);
   joint.offset = table.number_or(in.value, "offset", 0);
+  if (table.has("curve")) joint.curve = table.numbers(Dimension::kNumber, "curve");
   joint.rest = table.number_or(in.value, "rest", 0);
   joint.damping = table.number_or(in.damping, "damping", 0);
   joint.friction = table.number_or(in.effort, "friction", 0);
@@ -166,6 +167,7 @@ RobotDof read_robot_dof(TomlTable& table) {
   const Measures& in = slides ? kSliding : kTurning;
   read_range(table, in.value, dof.lower, dof.upper);
   dof.speed = table.number_or(Dimension::kNumber, "speed", 0);
+  if (table.has(in.value, "open")) dof.open = table.number(in.value, "open");
   dof.max_effort = table.number_or(in.effort, "max_effort", 0, Range::kNotNegative);
   dof.breakaway = table.number_or(in.effort, "breakaway", 0, Range::kNotNegative);
   dof.stiffness = table.number_or(in.stiffness, "stiffness", 0, Range::kNotNegative);

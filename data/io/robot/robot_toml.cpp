@@ -90,6 +90,7 @@ std::string joint_lines(const RobotJoint& joint) {
     add(text, fmt::format("range{} = {}", in.value,
                           toml_list(std::vector<double>{joint.lower, joint.upper})));
   add_number(text, std::string("offset") + in.value, joint.offset);
+  if (!joint.curve.empty()) add(text, "curve = " + toml_list(joint.curve));
   add_number(text, std::string("rest") + in.value, joint.rest);
   add_number(text, std::string("damping") + in.damping, joint.damping);
   add_number(text, std::string("friction") + in.effort, joint.friction);
@@ -111,7 +112,8 @@ bool slides(const RobotSpec& robot, const RobotDof& dof) {
   return false;
 }
 
-std::string dof_lines(const RobotDof& dof, const Units& in, bool closing_guessed) {
+std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& in,
+                      bool closing_guessed) {
   std::string text = "\n[[dof]]\nname = " + toml_quoted(dof.name) + "\n";
   add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
   add(text,
@@ -120,6 +122,9 @@ std::string dof_lines(const RobotDof& dof, const Units& in, bool closing_guessed
     add(text, "speed = " + toml_number(dof.speed) + mark(true));
   else
     add_number(text, "speed", dof.speed);
+  if (dof.open)
+    add(text, fmt::format("open{} = {}{}", in.value, toml_number(*dof.open),
+                          mark(dof.open != stated.open)));
   add_number(text, std::string("max_effort") + in.effort, dof.max_effort);
   add_number(text, std::string("breakaway") + in.effort, dof.breakaway);
   add_number(text, std::string("stiffness") + in.stiffness, dof.stiffness);
@@ -128,8 +133,9 @@ std::string dof_lines(const RobotDof& dof, const Units& in, bool closing_guessed
   return text;
 }
 
-std::string approach_lines(const RobotApproach& approach, const RobotApproach& stated) {
-  const bool guessed = approach.point != stated.point || approach.direction != stated.direction;
+std::string approach_lines(const RobotApproach& approach, const RobotSpec& stated) {
+  const bool guessed = !stated.approach_stated || approach.point != stated.approach.point ||
+                       approach.direction != stated.approach.direction;
   return fmt::format("\n[approach]{}\npoint_m = {}\ndirection = {}\n", mark(guessed),
                      toml_list(approach.point), toml_list(approach.direction));
 }
@@ -144,13 +150,15 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   add_text(text, "description", robot.description);
   add_text(text, "licence", robot.licence);
   if (!robot.warnings.empty()) add(text, "warnings = " + toml_list(robot.warnings));
+  if (!robot.open_loops.empty()) add(text, "open_loops = " + toml_list(robot.open_loops));
   if (!robot.closing_stated) add(text, "closing = \"unstated\"");
   text += source_lines(robot.source);
-  text += approach_lines(robot.approach, before.approach);
+  if (robot.approach_stated) text += approach_lines(robot.approach, before);
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     text += link_lines(robot.links[i], before.links[i]);
-  for (const RobotDof& dof : robot.dofs)
-    text += dof_lines(dof, slides(robot, dof) ? kSliding : kTurning, closing_guessed);
+  for (std::size_t i = 0; i < robot.dofs.size(); ++i)
+    text += dof_lines(robot.dofs[i], before.dofs[i],
+                      slides(robot, robot.dofs[i]) ? kSliding : kTurning, closing_guessed);
   for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
   return text;
 }

@@ -11,6 +11,7 @@ const std::string kUnstated = "unstated";
 
 void read_approach(TomlTable& top, RobotSpec& robot) {
   std::optional<TomlTable> table = top.table("approach");
+  robot.approach_stated = table.has_value();
   if (!table) return;
   robot.approach.point = table->vector_or(Dimension::kLength, "point", {0, 0, 0});
   robot.approach.direction = internal::read_unit(*table, "direction");
@@ -30,6 +31,7 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   robot.closing_stated =
       !top.has("closing") || top.choice("closing", {"stated", "unstated"}) == "stated";
   if (top.has("warnings")) robot.warnings = top.texts("warnings");
+  if (top.has("open_loops")) robot.open_loops = top.texts("open_loops");
   read_approach(top, robot);
   for (TomlTable& table : top.tables("link"))
     robot.links.push_back(internal::read_robot_link(table, path));

@@ -154,8 +154,12 @@ class Translation {
       ours.friction = joint.dynamics->friction;
     }
     if (joint.mimic && ours.kind != RobotJointKind::kFixed)
-      couplings_.push_back({joint.name, joint.mimic->joint_name, joint.mimic->multiplier,
-                            joint.mimic->offset, file_.line(node)});
+      couplings_.push_back({joint.name,
+                            joint.mimic->joint_name,
+                            joint.mimic->multiplier,
+                            joint.mimic->offset,
+                            file_.line(node),
+                            {}});
     robot_.joints.push_back(std::move(ours));
   }
 
@@ -188,6 +192,11 @@ class Translation {
     const urdf::Joint& joint = *model_.joints_.at(dof.name);
     if (!joint.limits) return;
     dof.max_effort = joint.limits->effort;
+    if (!(dof.max_effort >= 0)) {
+      robot_.warnings.push_back(fmt::format("effort of joint '{}' is {:.6g}: taken for unknown",
+                                            dof.name, dof.max_effort));
+      dof.max_effort = 0;
+    }
     if (joint.limits->velocity > 0) dof.speed = joint.limits->velocity;
     if (dof.upper <= 0 && dof.lower < 0) dof.speed = -dof.speed;
   }
@@ -209,7 +218,7 @@ RobotSpec read_urdf(const std::string& path) {
   robot.warnings = unread.warnings();
   const urdf::ModelInterfaceSharedPtr model = parse(text, file, robot.warnings);
   robot.name = model->getName();
-  robot.closing_stated = false;
+  robot.closing_stated = robot.approach_stated = false;
   Translation(*model, file, robot).run();
   return robot;
 }

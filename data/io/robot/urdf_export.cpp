@@ -13,6 +13,7 @@
 #include "base/shapes/solid.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/link_poses.h"
 
 namespace thenar {
 namespace {
@@ -91,6 +92,10 @@ class Export {
   }
 
   void name_unsaid_of_motors() {
+    leave_out("places where closing begins",
+              names_of(robot_.dofs, [](const RobotDof& dof) { return dof.open.has_value(); }));
+    for (const std::string& loop : robot_.open_loops)
+      out_.warnings.push_back("URDF has no loops, open as it is: " + loop);
     if (robot_.closing_stated)
       leave_out("direction of closing",
                 names_of(robot_.dofs, [](const RobotDof& dof) { return dof.speed != 0; }));
@@ -119,6 +124,13 @@ class Export {
         out_.warnings.push_back(fmt::format(
             "URDF has no {} couplings: '{}' is written as rigid",
             dof.kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant", dof.name));
+    for (const RobotJoint& joint : robot_.joints)
+      if (!joint.curve.empty())
+        out_.warnings.push_back(
+            fmt::format("URDF has no curved couplings: that of joint '{}' is written as a line, "
+                        "off by up to {:.3g} "
+                        "rad or m",
+                        joint.name, line_of(joint).off));
     for (const RobotJoint& joint : robot_.joints)
       if (joint.stiffness != 0)
         out_.warnings.push_back(
@@ -244,8 +256,8 @@ class Export {
     const RobotJoint* first = nullptr;
     for (const RobotJoint& joint : robot_.joints) {
       if (joint.dof != dof) continue;
-      if (joint.ratio == 1 && joint.offset == 0) return joint;
-      if (first == nullptr) first = &joint;
+      if (joint.ratio == 1 && joint.offset == 0 && joint.curve.empty()) return joint;
+      if (first == nullptr || (!first->curve.empty() && joint.curve.empty())) first = &joint;
     }
     return *first;
   }
@@ -278,8 +290,7 @@ class Export {
         velocity = std::abs(dof.speed * joint.ratio);
         if (&leader(dof.name) != &joint) continue;
         effort = dof.max_effort / std::abs(joint.ratio);
-        const double a = joint.ratio * dof.lower + joint.offset,
-                     b = joint.ratio * dof.upper + joint.offset;
+        const double a = joint_value(joint, dof.lower), b = joint_value(joint, dof.upper);
         lower = std::max(lower, std::min(a, b));
         upper = std::min(upper, std::max(a, b));
       }
@@ -290,15 +301,40 @@ class Export {
     set(limit, "velocity", velocity);
   }
 
+  struct Line {
+    double ratio, offset;
+    double off = 0;  // farthest from the curve [rad] or [m]
+  };
+
+  /// A joint's coupling; of one along a curve the line through its middle that leaves it least, in
+  /// the middle of what it is off the line through its ends.
+  [[nodiscard]] Line line_of(const RobotJoint& joint) const {
+    if (joint.curve.empty()) return {joint.ratio, joint.offset};
+    const auto dof = std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
+                                  [&](const RobotDof& each) { return each.name == joint.dof; });
+    const double span = dof->upper - dof->lower, at_lower = joint_value(joint, dof->lower);
+    const double ratio =
+        span > 0 ? (joint_value(joint, dof->upper) - at_lower) / span : joint.ratio;
+    double least = 0, most = 0;
+    for (int i = 0; i <= 100; ++i) {
+      const double u = dof->lower + span * i / 100;
+      const double off = joint_value(joint, u) - at_lower - ratio * (u - dof->lower);
+      least = std::min(least, off);
+      most = std::max(most, off);
+    }
+    return {ratio, at_lower - ratio * dof->lower + (least + most) / 2, (most - least) / 2};
+  }
+
   /// v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0) b_0.
   void append_mimic(pugi::xml_node& node, const RobotJoint& joint) const {
     const RobotJoint& first = leader(joint.dof);
     if (&first == &joint) return;
-    const double ratio = joint.ratio / first.ratio;
+    const Line line = line_of(joint);
+    const double ratio = line.ratio / first.ratio;
     pugi::xml_node mimic = node.append_child("mimic");
     set(mimic, "joint", first.name);
     set(mimic, "multiplier", ratio);
-    set(mimic, "offset", joint.offset - ratio * first.offset);
+    set(mimic, "offset", line.offset - ratio * first.offset);
   }
 
   const RobotSpec& robot_;

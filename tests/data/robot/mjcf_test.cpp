@@ -374,7 +374,7 @@ TEST_F(Mjcf, NamesWhatItDoesNotRead) {
            "<equality><connect body1='a' body2='c' anchor='0 0 0'/></equality>"
            "<tendon><spatial name='band'/></tendon><sensor/><contact/>");
   for (const std::string part :
-       {"<site>", "plane", "free joint of body 'palm'", "<connect> between 'a' and 'c'",
+       {"<site>", "plane", "free joint of body 'palm'", "<connect> of 'a' and 'c' is not kept",
         "<spatial> tendon 'band'", "<sensor>", "<contact>"})
     EXPECT_THAT(robot.warnings, Contains(HasSubstr(part)));
 }
