@@ -1,24 +1,53 @@
-// thenar pose SUBJECT [--digit D ...] [--posture JOINT=deg ...] [--frozen JOINT=deg ...] [--json]
+// thenar pose SUBJECT|ROBOT [--digit D ...] [--posture JOINT=deg ...] [--frozen JOINT=deg ...]
+// [--json]
 //
-// Where joints, segments and tips are at a posture, and how the tips can move from there.
+// Where joints, segments or links, and tips are at a posture; of a subject, how the tips can move
+// from there.
 
+#include <filesystem>
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "apps/commands.h"
+#include "apps/data_folder.h"
+#include "apps/hand_by_name.h"
 #include "apps/pose_report.h"
 #include "apps/posture_options.h"
+#include "apps/robot_pose.h"
 #include "base/error.h"
+#include "data/io/file_kind.h"
+#include "data/io/robot/import_robot.h"
 
 namespace thenar {
 namespace {
 
 struct Options {
-  std::string subject;
+  std::string subject, data;
   std::vector<std::string> digits, posture, frozen;
   bool json = false;
 };
 
+/// The robot that a name or a file stands for; empty: it is no robot, but a subject.
+std::string robot_of(const Options& options) {
+  namespace fs = std::filesystem;
+  if (!fs::is_regular_file(options.subject))
+    return robot_file(options.subject, data_folders(options.data));
+  if (fs::path(options.subject).extension() != ".toml") return options.subject;
+  return find_file_kind(options.subject) == FileKind::kRobot ? options.subject : "";
+}
+
+void run_robot(const std::string& file, const Options& options) {
+  require(options.digits.empty() && options.frozen.empty(),
+          "--digit and --frozen are for subjects, '{}' is a robot", file);
+  const RobotPose pose = pose_robot(import_robot(file), options.posture);
+  for (const std::string& warning : pose.warnings)
+    fmt::print(stderr, "thenar: warning: {}\n", warning);
+  options.json ? print_json(pose) : print_text(pose);
+}
+
 void run(const Options& options) {
+  if (const std::string robot = robot_of(options); !robot.empty()) return run_robot(robot, options);
   const Subject subject = read_subject(options.subject);
   require(!subject.joints.empty(),
           "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
@@ -36,12 +65,17 @@ void run(const Options& options) {
 
 void add_pose(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("pose", "Joints, segments and tips at a posture");
-  command->add_option("subject", options->subject, "Subject file (TOML)")->required();
+  CLI::App* command =
+      app.add_subcommand("pose", "Joints, segments or links, and tips at a posture");
+  command
+      ->add_option("subject", options->subject, "Subject file (TOML), or a robot: a name or a file")
+      ->required();
   command->add_option("--digit", options->digits, "Digits to keep; all if left out");
   command->add_option("--posture", options->posture,
-                      "JOINT=degrees ..., or degrees in joint order; others stay at 0");
+                      "JOINT=degrees ..., or degrees in joint order; others stay at 0. Of a robot "
+                      "degrees of freedom or joints, slides in mm");
   command->add_option("--frozen", options->frozen, "JOINT=degrees ...: joints welded there");
+  command->add_option("--data", options->data, kDataHelp);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });
 }

@@ -28,9 +28,10 @@ namespace thenar {
 [[nodiscard]] RobotSpec graspable(RobotSpec robot);
 
 /// Names the digit of links with shapes: a digit is a branch of moving joints that ends in a leaf,
-/// as far back as no other branches off; links that nothing moves against each other are one, and
-/// branches without any shape do not count. It is called after the finger that a link of it is
-/// named after, else "finger N". @return how many digits there are
+/// as far back as no other branches off; branches that a loop holds together are one; links that
+/// nothing moves against each other are one, and branches without any shape do not count. It is
+/// called after the finger that a link of it is named after, else "finger N". @return how many
+/// digits there are
 int guess_digits(RobotSpec& robot);
 
 }  // namespace thenar

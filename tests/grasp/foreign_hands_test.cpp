@@ -1,0 +1,177 @@
+// Hands of files that say nothing of digits, closing and approach hold a ball with what opposes.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <random>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include "base/write_file.h"
+#include "data/io/robot/import_robot.h"
+#include "data/io/robot/urdf_export.h"
+#include "grasp/grasp.h"
+#include "grasp/guess_hand.h"
+#include "grasp/robot_hand.h"
+#include "tests/grasp/made_up_hands.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kBall = 0.035;  // radius [m]
+
+/// Links that touch the ball, each with a normal into it; several contacts are several entries.
+using Touches = std::vector<std::pair<std::string, Eigen::Vector3d>>;
+
+/// A ball of 70 mm, grasped along the hand's own approach from 300 mm away.
+Touches touches(const RobotSpec& robot) {
+  const RobotHand hand(robot);
+  const PalmApproach& approach = hand.layout().approach;
+  const Eigen::Vector3d at = approach.point + 0.3 * approach.direction;
+  GraspOptions options;
+  options.way = 0.6;
+  const Grasp done = grasp(
+      touching_hand(hand), {}, open_posture(hand.layout()),
+      sample::scene({sample::placed("ball", sample::shape(ShapeKind::kSphere, {kBall, 0, 0}), at)}),
+      options);
+  Touches found;
+  for (const HandContact& contact : done.contacts)
+    found.emplace_back(hand.surfaces()[static_cast<std::size_t>(contact.surface)].name,
+                       contact.contact.n);
+  if (std::getenv("PROBE") != nullptr) {
+    fmt::print(stderr, "{}: {} steps {}\n", robot.name, name_of(done.outcome), done.closed.steps);
+    for (std::size_t j = 0; j < done.closed.stopped.size(); ++j)
+      fmt::print(stderr, " {}:{:.2f}({})", hand.layout().coordinates[j],
+                 done.closed.q[static_cast<Eigen::Index>(j)], name_of(done.closed.stopped[j]));
+    for (const Overlap& own : done.closed.own)
+      fmt::print(stderr, " own {}/{}", own.surface, own.other);
+    fmt::print(stderr, "\n");
+  }
+  return found;
+}
+
+/// The best opposition of links of one set and of another: the least cosine between their normals.
+double opposition(const Touches& touches, const std::set<std::string>& one,
+                  const std::set<std::string>& others) {
+  double least = 1;
+  for (const auto& [a, n] : touches)
+    for (const auto& [b, m] : touches)
+      if (one.count(a) > 0 && others.count(b) > 0) least = std::min(least, n.dot(m));
+  return least;
+}
+
+class ForeignHands : public TemporaryFolder {
+ protected:
+  /// The robot of the library as another program would write it: without digits, closing, approach.
+  [[nodiscard]] RobotSpec as_urdf(const std::string& name) const {
+    const RobotSpec own = import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml");
+    (void)write_urdf(path(name + ".urdf"), own);
+    return import_robot(path(name + ".urdf"));
+  }
+
+  /// Links by digits as the library names them.
+  static std::map<std::string, std::set<std::string>> digits(const std::string& name) {
+    std::map<std::string, std::set<std::string>> digits;
+    const RobotSpec own = import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml");
+    for (const RobotLink& link : own.links)
+      if (!link.digit.empty()) digits[link.digit].insert(link.name);
+    return digits;
+  }
+};
+
+class LibraryHands : public ForeignHands, public testing::WithParamInterface<const char*> {};
+
+TEST_P(LibraryHands, HoldABallWithThumbAndFingersWhenTheyComeAsUrdf) {
+  const std::string name = GetParam();
+  std::map<std::string, std::set<std::string>> own = digits(name);
+  const RobotSpec robot = graspable(as_urdf(name));
+  const Touches found = touches(robot);
+  if (std::getenv("PROBE") != nullptr) {
+    for (const std::string& warning : robot.warnings)
+      fmt::print(stderr, "  {}\n", warning.substr(0, 400));
+    std::map<std::string, int> counts;
+    for (const auto& [link, n] : found) ++counts[link];
+    fmt::print(stderr, "  touching {}\n", fmt::join(counts, " "));
+  }
+  if (own.count("thumb") > 0) {
+    std::set<std::string> fingers;
+    for (const auto& [digit, links] : own)
+      if (digit != "thumb") fingers.insert(links.begin(), links.end());
+    EXPECT_LT(opposition(found, own["thumb"], fingers), 0) << name;
+    return;
+  }
+  for (const auto& [digit, links] : own) {
+    const auto of_digit = [&links = links](const auto& touch) {
+      return links.count(touch.first) > 0;
+    };
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), of_digit)) << name << " " << digit;
+  }
+}
+
+TEST_P(LibraryHands, HoldABallWithThumbAndFingersAsTheyAre) {
+  const std::string name = GetParam();
+  std::map<std::string, std::set<std::string>> own = digits(name);
+  const Touches found =
+      touches(graspable(import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml")));
+  if (own.count("thumb") == 0) return;
+  std::set<std::string> fingers;
+  for (const auto& [digit, links] : own)
+    if (digit != "thumb") fingers.insert(links.begin(), links.end());
+  EXPECT_LT(opposition(found, own["thumb"], fingers), 0) << name;
+}
+
+class MadeUpHands : public testing::TestWithParam<int> {};
+
+sample::MadeUpHand made_up(int number) {
+  sample::MadeUpHand how;
+  how.left = number % 2 == 1;
+  how.thumb = number % 3;
+  how.one_motor_a_finger = number % 4 >= 2;
+  how.negative = number % 5 == 4;
+  how.meshes = number % 5 == 3;
+  how.arched = number % 7 == 5;
+  how.scale = number % 8 == 7 ? 1.3 : 1;
+  std::mt19937 rng(static_cast<unsigned>(number));
+  if (number % 3 == 1)
+    for (int k = 0; k < 3; ++k) how.turn[k] = static_cast<double>(rng()) / 4294967296.0 * 4 - 2;
+  return how;
+}
+
+/// Their palm's normal is z before the base frame is turned.
+TEST_P(MadeUpHands, HoldABallWithThumbAndFingersAlongThePalmsNormal) {
+  const sample::MadeUpHand how = made_up(GetParam());
+  const RobotSpec robot = graspable(sample::HandMaker(how).hand());
+  const Touches found = touches(robot);
+  std::set<std::string> thumb, fingers;
+  for (const RobotLink& link : robot.links)
+    (link.name.rfind("opposer", 0) == 0 ? thumb : fingers).insert(link.name);
+  fingers.erase("base");
+  if (std::getenv("PROBE") != nullptr) {
+    for (const std::string& warning : robot.warnings)
+      fmt::print(stderr, "  {}\n", warning.substr(0, 400));
+    for (const auto& [link, n] : found) fmt::print(stderr, " {} ", link);
+  }
+  EXPECT_LT(opposition(found, thumb, fingers), 0);
+  const Eigen::Vector3d normal =
+      how.turn.norm() > 0
+          ? Eigen::Vector3d(Eigen::AngleAxisd(how.turn.norm(), how.turn.normalized()) *
+                            Eigen::Vector3d::UnitZ())
+          : Eigen::Vector3d::UnitZ();
+  EXPECT_GT(robot.approach.direction.dot(normal), std::cos(0.15));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MadeUpHands, testing::Range(0, 24));
+
+INSTANTIATE_TEST_SUITE_P(All, LibraryHands,
+                         testing::Values("allegro", "leap", "shadow", "dlr", "robonaut", "rutgers",
+                                         "barrett", "barrett_bh8_280", "robotiq_3f", "franka_hand",
+                                         "robotiq_2f85", "parallel_jaw"),
+                         [](const auto& hand) { return std::string(hand.param); });
+
+}  // namespace
+}  // namespace thenar
