@@ -1,5 +1,7 @@
 #include "apps/grasp_answer.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "apps/schedule.h"
@@ -81,10 +83,29 @@ double cpu_since(std::clock_t start) {
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
+namespace {
+
+/// Whether a hand with a thumb holds the object without it.
+bool thumb_is_idle(const GraspQuestion& question, const Grasp& grasp) {
+  const Hand& hand = *question.hand.named.hand;
+  const std::vector<std::string>& tips = hand.layout().tips;
+  if (grasp.outcome != GraspOutcome::kGrasped ||
+      std::find(tips.begin(), tips.end(), "thumb") == tips.end())
+    return false;
+  return std::none_of(
+      grasp.contacts.begin(), grasp.contacts.end(), [&](const HandContact& contact) {
+        return hand.surfaces()[static_cast<std::size_t>(contact.surface)].digit == "thumb";
+      });
+}
+
+}  // namespace
+
 std::vector<std::string> warnings_of(const GraspQuestion& question, const GraspAnswer& answer) {
   std::vector<std::string> warnings = question.hand.named.warnings;
   const std::string own = own_overlap_words(answer.grasp.closed);
   if (!own.empty()) warnings.insert(warnings.begin(), own);
+  if (thumb_is_idle(question, answer.grasp))
+    warnings.emplace_back("the thumb touches nothing: fingers hold the object against the palm");
   return warnings;
 }
 

@@ -78,8 +78,10 @@ RobotSpec with_guesses(const RobotSpec& robot) {
   try {
     RobotSpec guessed = graspable(robot);
     return is_hand(guessed) ? guessed : robot;
-  } catch (const InputError&) {
-    return robot;  // it can be told and written, but not grasp
+  } catch (const InputError& error) {
+    RobotSpec kept = robot;  // it can be told and written, but not grasp
+    kept.warnings.push_back(fmt::format("how it grasps is not guessed: {}", error.what()));
+    return kept;
   }
 }
 

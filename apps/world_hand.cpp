@@ -107,6 +107,7 @@ void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
   const PlacedHand& last = world.hands[parts.back()];
   std::vector<std::string> locked;
   RobotSpec robot = locked_where_unknown(import_robot(file_of(world, last, data)), locked);
+  require_closed_loops(robot);
   NamedHand& hand = mounted.named;
   hand.name = world.hands[parts.front()].name + " on " + last.name;
   hand.file = file_of(world, world.hands[parts.front()], data);

@@ -31,7 +31,22 @@ double spread(int i, double irrational) {
   return x - std::floor(x);
 }
 
-/// Points spread over triangles by their area. (3, points)
+/// Corners of a mesh: all of a few, else the outermost along each axis, so that its box is kept.
+Matrix3Xd outermost(const Matrix3Xd& corners) {
+  constexpr Eigen::Index kFew = 12;
+  if (corners.cols() <= kFew) return corners;
+  Matrix3Xd points(3, 6);
+  for (int k = 0; k < 3; ++k) {
+    Eigen::Index least = 0, most = 0;
+    corners.row(k).minCoeff(&least);
+    corners.row(k).maxCoeff(&most);
+    points.col(2 * k) = corners.col(least);
+    points.col(2 * k + 1) = corners.col(most);
+  }
+  return points;
+}
+
+/// Points spread over triangles by their area, and outermost() corners. (3, points)
 Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   std::vector<double> area(static_cast<std::size_t>(mesh.triangles.cols()) + 1, 0);
   const auto corner = [&](Eigen::Index t, int k) -> Vector3d {
@@ -51,7 +66,10 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
     const double side = root * spread(i, 0.5698402909980532);
     points.col(i) = (1 - root) * corner(t, 0) + (root - side) * corner(t, 1) + side * corner(t, 2);
   }
-  return points;
+  const Matrix3Xd corners = outermost(mesh.vertices);
+  Matrix3Xd all(3, count + corners.cols());
+  all << points, corners;
+  return all;
 }
 
 /// Points of all shapes of a link, in its frame.

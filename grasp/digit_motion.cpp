@@ -21,6 +21,7 @@ constexpr double kDoubtful = 0.35;    // difference of ranges up to which the ot
 constexpr std::size_t kRow = 3;  // fingers that make a palm, which things come at along its normal
 constexpr double kOpposition = 0.6;  // range from which a turning motor may oppose [rad]
 constexpr double kFarther = 1.4;     // how much farther than the others' [1]
+constexpr double kAsFar = 0.85;      // of the way of a tip, from which another goes as far [1]
 // Cosines to an axis of the hand's frame that is taken for it [1]: the palm's normal, and the way
 // from the palm to half-closed ends, which says less.
 constexpr double kSnapNormal = 0.9925, kSnapAhead = 0.96;
@@ -313,7 +314,7 @@ double DigitMotion::turn_range(const Digit& digit) const {
 bool DigitMotion::spreads(std::size_t drive, const Digit& digit) const {
   const double own = way(drive, digit).norm();
   return std::any_of(digits_.begin(), digits_.end(), [&](const Digit& other) {
-    return &other != &digit && way(drive, other).norm() > own / 2;
+    return &other != &digit && way(drive, other).norm() > kAsFar * own;
   });
 }
 

@@ -161,16 +161,18 @@ class Search {
   }
 
   ClosingGuess guess_of(const Candidate& best) const {
-    ClosingGuess guess{robot_, ball_, {}, {}, {}};
+    ClosingGuess guess{robot_, ball_, {}, {}, {}, {}};
+    const DigitRoles roles = motion_.roles(best.option);
+    if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
+      guess.thumb = thumbs.front();
     const std::vector<Drive> drives = motion_.drives(best.option);
     const std::vector<Pose<double>> links = grip_.hand().pose(best.open);
     GripBall ball{{}, ball_};
     std::set<std::string> touching;
     if (place(best, links, ball)) {
-      for (const GripContact& contact :
-           grip_.close(drives, best.open, ball, kFine, opposed(motion_.roles(best.option))))
+      for (const GripContact& contact : grip_.close(drives, best.open, ball, kFine, opposed(roles)))
         touching.insert(grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
-      if (!known_.approach && motion_.roles(best.option).palm)
+      if (!known_.approach && roles.palm)
         guess.robot.approach.point = ball.centre - ball.radius * best.direction;
     }
     for (const std::string& digit : motion_.digits())

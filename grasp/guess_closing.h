@@ -20,6 +20,7 @@ struct ClosingGuess {
   RobotSpec robot;
   double ball = 0;                   // radius of the ball that it was tried on [m]
   std::vector<std::string> idle;     // digits that do not touch it
+  std::string thumb;                 // the one digit that is opposed to three or more; empty: none
   std::vector<std::string> closing;  // motors that close, each with its way: "d1 upwards"
   std::vector<std::string> set;      // motors that stand elsewhere than at 0 as closing begins
 };

@@ -1,6 +1,7 @@
 #include "grasp/guess_hand.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,9 +20,38 @@ bool any_speed(const RobotSpec& robot) {
                      [](const RobotDof& dof) { return dof.speed != 0; });
 }
 
+/// Calls the digit that is opposed to the others the thumb, unless links say what it is.
+void name_thumb(ClosingGuess& guess) {
+  const auto called = [&](const std::string& name) {
+    return std::any_of(guess.robot.links.begin(), guess.robot.links.end(),
+                       [&](const RobotLink& link) { return link.digit == name; });
+  };
+  const std::string thumb = guess.thumb;
+  if (thumb.rfind("finger ", 0) != 0 || called("thumb")) return;
+  for (RobotLink& link : guess.robot.links)
+    if (link.digit == thumb) link.digit = "thumb";
+  std::replace(guess.idle.begin(), guess.idle.end(), thumb, std::string("thumb"));
+}
+
+void tell_digits(RobotSpec& robot) {
+  std::vector<std::string> names;
+  std::set<std::string> digits;
+  for (const RobotLink& link : robot.links) {
+    if (link.digit.empty()) continue;
+    names.push_back(fmt::format("{} of {}", link.name, link.digit));
+    digits.insert(link.digit);
+  }
+  robot.warnings.push_back(
+      fmt::format("no digits are stated: {} guessed: {}", digits.size(), fmt::join(names, ", ")));
+}
+
 /// Says what guess_closing() found, in the robot's warnings.
-RobotSpec with_closing(const RobotSpec& robot, const ClosingKnown& known) {
+RobotSpec with_closing(const RobotSpec& robot, const ClosingKnown& known, bool digits_guessed) {
   ClosingGuess guess = guess_closing(robot, known);
+  if (digits_guessed) {
+    name_thumb(guess);
+    tell_digits(guess.robot);
+  }
   std::vector<std::string>& warnings = guess.robot.warnings;
   if (!known.closing)
     warnings.push_back(fmt::format(
@@ -48,18 +78,6 @@ RobotSpec with_closing(const RobotSpec& robot, const ClosingKnown& known) {
 bool states_digits(const RobotSpec& robot) {
   return std::any_of(robot.links.begin(), robot.links.end(),
                      [](const RobotLink& link) { return !link.digit.empty(); });
-}
-
-/// guess_digits() with a warning. @return whether there are any
-bool name_digits(RobotSpec& robot) {
-  const int digits = guess_digits(robot);
-  if (digits == 0) return false;
-  std::vector<std::string> names;
-  for (const RobotLink& link : robot.links)
-    if (!link.digit.empty()) names.push_back(fmt::format("{} of {}", link.name, link.digit));
-  robot.warnings.push_back(
-      fmt::format("no digits are stated: {} guessed: {}", digits, fmt::join(names, ", ")));
-  return true;
 }
 
 void name_nominal(RobotSpec& robot) {
@@ -100,14 +118,15 @@ RobotSpec graspable(RobotSpec robot) {
   require_closed_loops(robot);
   robot = with_materials(std::move(robot));
   name_nominal(robot);
-  if (!states_digits(robot) && !robot.approach_stated) {
-    if (!name_digits(robot)) return robot;
+  const bool guess_them = !states_digits(robot) && !robot.approach_stated;
+  if (guess_them) {
+    if (guess_digits(robot) == 0) return robot;
     robot.closing_stated = false;
   }
   if (!states_digits(robot)) return robot;
   if (!any_speed(robot)) robot.closing_stated = robot.dofs.empty();
   if (robot.closing_stated && robot.approach_stated) return robot;
-  return with_closing(robot, {robot.closing_stated, robot.approach_stated});
+  return with_closing(robot, {robot.closing_stated, robot.approach_stated}, guess_them);
 }
 
 }  // namespace thenar

@@ -179,6 +179,62 @@ class ImportedHands(Files):
         self.assertIn("no material is stated of body 'ball': plastic is taken",
                       " ".join(told["warnings"]))
 
+    def test_are_refused_while_their_loops_are_open(self):
+        text = JAWS_MJCF.replace("<equality>", '<equality><connect body1="left" body2="right" '
+                                 'anchor="0 0 0.08"/>')
+        done = subprocess.run([PROGRAM, "grasp", self.world("loop.xml", text)], capture_output=True,
+                              text=True, timeout=60)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("cannot grasp: its parts form loops that are not solved", done.stderr)
+        self.assertIn("<connect> of 'left' and 'right'", done.stderr)
+        self.thenar("import", self.path("loop.xml"), "--out", self.path("loop.toml"))
+        self.assertIn("open_loops = [", pathlib.Path(self.path("loop.toml")).read_text())
+
+    def test_name_a_description_that_is_not_read(self):
+        done = subprocess.run([PROGRAM, "import", self.path("a.sdf", "<sdf version='1.6'><model/></sdf>")],
+                              capture_output=True, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a.sdf:1: SDF is not read", done.stderr)
+
+
+class PosedRobots(Files):
+    """Forward kinematics; numbers are worked out by hand."""
+
+    def pose(self, *arguments, code=0):
+        done = subprocess.run([PROGRAM, "pose", *arguments, "--json"], capture_output=True, text=True,
+                              timeout=60)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return json.loads(done.stdout) if code == 0 else done.stderr
+
+    def link(self, told, name):
+        return next(link for link in told["links"] if link["name"] == name)
+
+    # The curl by 90 deg about y turns the finger from z to x: its far link's frame is 55 mm along x.
+    def test_by_degrees_of_freedom(self):
+        told = self.pose(self.path("fingers.urdf", FINGERS_URDF), "--posture", "thumb curl=90")
+        for got, wanted in zip(self.link(told, "thumb far")["position_mm"], [105, 0, 30]):
+            self.assertAlmostEqual(got, wanted, places=9)
+        self.assertIn("outside", told["warnings"][0])
+        self.assertEqual({tip["digit"] for tip in told["tips"]}, {"thumb", "finger 1", "finger 2"})
+
+    def test_by_joints_that_follow_others(self):
+        told = self.pose(self.path("jaws.urdf", JAWS_URDF), "--posture", "right slide=20")
+        self.assertAlmostEqual(self.link(told, "left")["position_mm"][0], 20, places=9)
+        self.assertAlmostEqual(self.link(told, "right")["position_mm"][0], -20, places=9)
+        values = {joint["name"]: joint for joint in told["joints"]}
+        self.assertAlmostEqual(values["left slide"]["value_mm"], 20, places=9)
+
+    def test_of_the_library_by_name(self):
+        told = self.pose("parallel_jaw")
+        self.assertEqual(told["robot"], "parallel_jaw")
+
+    def test_names_what_there_is_not(self):
+        path = self.path("jaws.urdf", JAWS_URDF)
+        self.assertIn("no degree of freedom or moving joint 'lefd slide'", self.pose(path, "--posture",
+                                                                                  "lefd slide=2", code=1))
+        self.assertIn("cannot stand at", self.pose(path, "--posture", "left slide=2", "right slide=3",
+                                                   code=1))
+
 
 if __name__ == "__main__":
     if len(sys.argv) > 1:

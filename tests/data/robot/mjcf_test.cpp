@@ -253,6 +253,28 @@ TEST_F(Mjcf, CouplesJointsByTheEqualityOfATendon) {
   EXPECT_EQ(robot.joints[2].ratio, 1);
 }
 
+// 0.00705 q3 - 0.00805 q2 within +-0.001, a fifth of a degree or so off the coupling that is meant.
+TEST_F(Mjcf, CouplesJointsByATendonWithoutMuchRoom) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<tendon><fixed name='t' limited='true' range='-0.001 0.001'>"
+           "<joint joint='3' coef='0.00705'/><joint joint='2' coef='-0.00805'/></fixed></tendon>"
+           "<actuator><position joint='1'/><position joint='2'/></actuator>");
+  EXPECT_THAT(names(robot.dofs), ElementsAre("1", "2"));
+  EXPECT_EQ(robot.joints[2].dof, "2");
+  EXPECT_NEAR(robot.joints[2].ratio, 0.00805 / 0.00705, kRounding);
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("limits of tendon 't' couple '3' to '2'")));
+}
+
+TEST_F(Mjcf, NamesLimitsOfTendonsThatItDoesNotKeep) {
+  const RobotSpec robot =
+      palm(kFinger,
+           "<tendon><fixed name='t' range='0 0.01'><joint joint='3' coef='0.007'/>"
+           "<joint joint='2' coef='0.008'/></fixed></tendon>");
+  EXPECT_THAT(names(robot.dofs), ElementsAre("1", "2", "3"));
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("limits of tendon 't' (0 to 0.01) are not kept")));
+}
+
 TEST_F(Mjcf, TakesEffortsFromForceRangesOrMotorsGears) {
   const RobotSpec robot =
       palm(kFinger,

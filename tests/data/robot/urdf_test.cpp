@@ -96,6 +96,14 @@ TEST_F(Urdf, TurnsInertiaIntoTheLink) {
   EXPECT_TRUE(matrix_near(base.inertia, Eigen::Vector3d(0.003, 0.002, 0.004).asDiagonal(), 1e-17));
 }
 
+TEST_F(Urdf, TakesNegativeEffortsForUnknown) {
+  const RobotSpec robot =
+      read(two_links("<joint name='j' type='revolute'>" + std::string(kEnds) +
+                     "<limit lower='0' upper='1' effort='-1' velocity='1'/></joint>"));
+  EXPECT_EQ(robot.dofs[0].max_effort, 0);
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("effort of joint 'j' is -1: taken for unknown")));
+}
+
 TEST_F(Urdf, TakesCollisionShapesAndVisualOnesWhereThereAreNone) {
   const RobotSpec robot = read(kGripper);
   ASSERT_EQ(robot.links[0].shapes.size(), 1U);
