@@ -19,9 +19,11 @@ constexpr double kHardlyNear = 1e-3;  // difference of nearness that says nothin
 constexpr double kAgainst = 0.4;      // weight of ranges that speak against a way of closing [1]
 constexpr double kDoubtful = 0.35;    // difference of ranges up to which the other way is tried [1]
 constexpr std::size_t kRow = 3;  // fingers that make a palm, which things come at along its normal
-constexpr double kOpposition = 0.6;  // range from which a turning motor may oppose [rad]
-constexpr double kFarther = 1.4;     // how much farther than the others' [1]
-constexpr double kAsFar = 0.85;      // of the way of a tip, from which another goes as far [1]
+constexpr double kOpposition = 0.6;    // range from which a turning motor may oppose [rad]
+constexpr double kFarther = 1.4;       // how much farther than the others' [1]
+constexpr double kClearlyNear = 0.05;  // difference of nearness that leaves no doubt [1]
+constexpr double kBack = 0.6;          // farthest that fingers bend backwards to open [rad]
+constexpr double kAsFar = 0.85;        // of the way of a tip, from which another goes as far [1]
 // Cosines to an axis of the hand's frame that is taken for it [1]: the palm's normal, and the way
 // from the palm to half-closed ends, which says less.
 constexpr double kSnapNormal = 0.9925, kSnapAhead = 0.96;
@@ -220,7 +222,7 @@ double DigitMotion::apart(const VectorXd& q) const {
 void DigitMotion::find_options() {
   const HandLayout& layout = grip_.hand().layout();
   const int groups = group_.empty() ? 0 : *std::max_element(group_.begin(), group_.end()) + 1;
-  std::vector<double> by_range, by_nearness, more;
+  std::vector<double> by_range, by_nearness, more, nearer;
   for (int g = 0; g < groups; ++g) {
     double up = 0, down = 0;
     std::vector<double> closing(drives_.size(), 0), opening(drives_.size(), 0);
@@ -241,6 +243,7 @@ void DigitMotion::find_options() {
     const bool range_speaks = std::abs(ranges) > kUndecided,
                nearness_speaks = std::abs(nearness) > kHardlyNear;
     more.push_back(ranges);
+    nearer.push_back(nearness);
     by_range.push_back(range_speaks || !nearness_speaks ? (ranges < 0 ? -1 : 1)
                                                         : (nearness < 0 ? -1 : 1));
     by_nearness.push_back(nearness_speaks || !range_speaks ? (nearness < 0 ? -1 : 1)
@@ -248,7 +251,8 @@ void DigitMotion::find_options() {
   }
   std::vector<std::vector<double>> ways{by_range, by_nearness};
   for (int g = 0; g < groups; ++g) {
-    if (std::abs(more[static_cast<std::size_t>(g)]) > kDoubtful) continue;
+    const auto at = static_cast<std::size_t>(g);
+    if (std::abs(more[at]) > kDoubtful || std::abs(nearer[at]) > kClearlyNear) continue;
     ways.push_back(by_range);
     ways.back()[static_cast<std::size_t>(g)] *= -1;
   }
@@ -308,6 +312,12 @@ double DigitMotion::turn_range(const Digit& digit) const {
     if (!spreads(static_cast<std::size_t>(d), digit))
       largest = std::max(largest, range(static_cast<std::size_t>(d)));
   return largest;
+}
+
+/// Whether a drive turns any digit, and does not slide it.
+bool DigitMotion::turns(std::size_t drive) const {
+  return std::any_of(digits_.begin(), digits_.end(),
+                     [&](const Digit& digit) { return spin(drive, digit).norm() > kNothing; });
 }
 
 /// Whether a drive turns other digits about as far as this one.
@@ -374,8 +384,15 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
   for (std::size_t d = 0; d < drives_.size(); ++d)
     for (const Driven& driven : drives_[d].moves) {
       const double rate = options_[option].speed[d] * driven.ratio;
-      if (rate != 0)
-        open[driven.coordinate] = (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+      if (rate == 0) continue;
+      const Eigen::Index c = driven.coordinate;
+      const double from = (rate > 0 ? layout.lower : layout.upper)[c],
+                   to = (rate > 0 ? layout.upper : layout.lower)[c];
+      open[c] = from;
+      // Fingers that bend backwards as well are not opened so far that they lie behind the palm.
+      if (!only_one && turns(d) &&
+          std::min(std::abs(from - rest_[c]), std::abs(to - rest_[c])) > kBack)
+        open[c] = rest_[c] + (rate > 0 ? -kBack : kBack);
     }
   std::vector<VectorXd> openings{open};
   if (only_one) return openings;

@@ -68,6 +68,7 @@ class DigitMotion {
   [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;
   [[nodiscard]] double turn_range(const Digit& digit) const;
   [[nodiscard]] double range(std::size_t drive) const;
+  [[nodiscard]] bool turns(std::size_t drive) const;
   [[nodiscard]] bool spreads(std::size_t drive, const Digit& digit) const;
 
   const BallGrip& grip_;

@@ -196,14 +196,21 @@ class Search {
         if (dof.speed != 0) {
           guess.closing.push_back(
               fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
-          continue;
         }
         const Driven& first = drives[d].moves.front();
         const double at = open[first.coordinate] / first.ratio;
-        if (std::abs(open[first.coordinate] - motion_.rest()[first.coordinate]) < 1e-9) continue;
+        if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;
         dof.open = std::min(std::max(at, dof.lower), dof.upper);
         guess.set.push_back(fmt::format("{} at {:.4g}", dof.name, *dof.open));
       }
+  }
+
+  /// Where a coordinate begins without RobotDof::open.
+  [[nodiscard]] double unsaid_open(const Driven& driven, double speed) const {
+    const HandLayout& layout = grip_.hand().layout();
+    const double rate = speed * driven.ratio;
+    if (rate == 0) return motion_.rest()[driven.coordinate];
+    return (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
   }
 
   const RobotSpec& robot_;
