@@ -42,7 +42,7 @@ StrandPoint read_strand_point(TomlTable& table) {
   StrandPoint at;
   at.strands = table.texts("strand");
   const double point = table.number(Dimension::kNumber, "point");
-  if (point != std::floor(point))
+  if (point != std::floor(point) || std::abs(point) > 1e6)
     table.fail(fmt::format("wanted 'point' to be a whole number, got {}", point), "point");
   at.point = static_cast<int>(point);
   return at;

@@ -28,8 +28,8 @@ extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-i
 namespace thenar {
 namespace {
 
-void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
-  const rlimit both{most, most};
+void limit(decltype(RLIMIT_CPU) what, rlim_t most, rlim_t beyond = 0) {
+  const rlimit both{most, most + beyond};
   (void)setrlimit(what, &both);
 }
 
@@ -43,7 +43,8 @@ rlim_t mapped() {
 
 void set_limits() {
   const MeshReaderLimits limits;
-  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds));
+  // A second more before SIGKILL follows SIGXCPU, which tells what the trouble was.
+  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);  // writes no file
 #ifndef __SANITIZE_ADDRESS__

@@ -77,7 +77,9 @@ int XmlFile::line(const pugi::xml_node& node) const {
 }
 
 void XmlFile::fail(const pugi::xml_node& node, const std::string& what) const {
-  throw DataError(path_, line(node), what);
+  constexpr std::size_t kLongest = 1000;  // what a message quotes may be a whole file
+  throw DataError(path_, line(node),
+                  what.size() > kLongest ? what.substr(0, kLongest) + " .." : what);
 }
 
 std::string XmlFile::text(const pugi::xml_node& node) const {

@@ -33,7 +33,7 @@ std::vector<fs::path> reader_places() {
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (!folder.empty()) places.push_back(fs::path(folder) / kProgram);
+    if (fs::path(folder).is_absolute()) places.push_back(fs::path(folder) / kProgram);
   return places;
 }
 

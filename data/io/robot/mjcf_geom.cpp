@@ -1,5 +1,6 @@
 #include "data/io/robot/mjcf_geom.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -56,15 +57,17 @@ bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlace
   if (corners.empty() || faces.empty()) return false;
   if (corners.size() % 3 != 0 || faces.size() % 3 != 0)
     mesh.fail("vertex and face want three numbers each");
+  const auto is_vertex = [&](double face) {
+    return face >= 0 && face < static_cast<double>(corners.size() / 3);
+  };
+  if (!std::all_of(faces.begin(), faces.end(), is_vertex))
+    mesh.fail("a face names a vertex that is not there");
   shape.kind = ShapeKind::kMesh;
   shape.mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
       corners.data(), 3, static_cast<Eigen::Index>(corners.size() / 3));
   shape.mesh.triangles = Eigen::Map<const Eigen::Matrix3Xd>(
                              faces.data(), 3, static_cast<Eigen::Index>(faces.size() / 3))
                              .cast<int>();
-  if (shape.mesh.triangles.minCoeff() < 0 ||
-      shape.mesh.triangles.maxCoeff() >= static_cast<int>(shape.mesh.vertices.cols()))
-    mesh.fail("a face names a vertex that is not there");
   shape.mesh.vertices = (placement.A * shape.mesh.vertices).colwise() + placement.b;
   if (placement.A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
   return true;

@@ -166,7 +166,7 @@ class Reader {
     const pugi::xml_node child = node.child(name);
     if (!child) file_.fail(node, fmt::format("<connection> needs a <{}>", name));
     const double number = file_.numbers(child, 1)[0];
-    if (number != static_cast<int>(number) || number < 0 || number >= below)
+    if (number < 0 || number >= below || number != static_cast<int>(number))
       file_.fail(child, fmt::format("wanted <{}> in 0..{}, got {}", name, below - 1, number));
     return static_cast<int>(number);
   }

@@ -1,5 +1,6 @@
 // No crafted mesh file ends the program, eats the machine or tells of files elsewhere.
 
+#include <cstdlib>
 #include <filesystem>
 
 #include <gmock/gmock.h>
@@ -112,6 +113,15 @@ TEST_F(HostileMesh, SaysWhatIsMissingWithoutItsReader) {
   EXPECT_THAT(refusal("a.dae", cube), HasSubstr("broke off"));
   ASSERT_EQ(unsetenv("THENAR_MESH_READER"), 0);
   EXPECT_EQ(read_mesh(path("a.dae")).triangles.cols(), 12);
+}
+
+// Nodes without a triangle, each used ten times a level: nothing but time tells.
+TEST_F(HostileMesh, EndsWithItsTime) {
+  if (std::getenv("THENAR_SLOW_MESHES") == nullptr) GTEST_SKIP() << "takes 8 s: ./run long";
+#ifdef THENAR_HAS_COIN
+  EXPECT_THAT(refusal("endless.wrl", tenfold_vrml(14, "")),
+              HasSubstr("the program that reads it took too long"));
+#endif
 }
 
 // A polygon that is not convex is cut along its inside: the area of an L is 3, that of its
