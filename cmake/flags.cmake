@@ -10,17 +10,26 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g")
 
 option(THENAR_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+option(THENAR_FUZZ "Build fuzzers of the readers with clang's libFuzzer" OFF)
 option(THENAR_TIDY "Run clang-tidy on every file" OFF)
 
 add_library(thenar_warnings INTERFACE)
-target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
-  # gcc 12 at -O3 raises these falsely inside fmt and Eigen
-  -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds -Wno-maybe-uninitialized)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(thenar_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Werror
+    # gcc 12 at -O3 raises these falsely inside fmt and Eigen
+    -Wno-stringop-overflow -Wno-use-after-free -Wno-array-bounds -Wno-maybe-uninitialized)
+endif()
 
 if(THENAR_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=address,undefined)
+endif()
+if(THENAR_FUZZ)
+  # Every library tells libFuzzer where it has been.
+  add_compile_options(-fsanitize=fuzzer-no-link,address,bounds,float-cast-overflow
+                      -fno-sanitize-recover=all -O1)
+  add_link_options(-fsanitize=address,bounds,float-cast-overflow)
 endif()
 if(THENAR_TIDY)
   # It reads gcc's command lines, and does not know all of gcc's warnings.

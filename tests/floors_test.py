@@ -24,7 +24,7 @@ MAY_SEE |= {
     "apps": LIBRARIES + ["viewer/"],
     "python": LIBRARIES,
     "bench": LIBRARIES + ["tests/", "viewer/"],  # the sample scenes; charts
-    "tests": LIBRARIES + ["viewer/"],
+    "tests": LIBRARIES + ["viewer/", "apps/contact_file.h", "apps/compare_file.h"],
 }
 
 # Third parties, and the only files that may include them. A folder's name allows the folder.
