@@ -51,7 +51,7 @@ FENCES = {
     r"toml(\+\+|\.hpp).*": ["data/io/toml_node.cpp"],
     r"openssl/.*": ["base/provenance.cpp"],
     r"unsupported/Eigen/FFT": ["sampling/diagnostics/autocovariance.cpp"],
-    r"unsupported/Eigen/SpecialFunctions": ["sampling/diagnostics/special_functions.cpp"],
+    r"unsupported/Eigen/SpecialFunctions": ["base/special_functions.cpp"],
     r"nlohmann/.*": ["viewer/", "apps/", "tests/"],
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/special_functions.h"
 #include "sampling/diagnostics/chain_parts.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/order_statistics.h"
-#include "sampling/diagnostics/special_functions.h"
 
 namespace thenar {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "sampling/diagnostics/special_functions.h"
+#include "base/special_functions.h"
 
 namespace thenar {
 

@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/special_functions.h"
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/effective_size.h"
 #include "sampling/diagnostics/order_statistics.h"
-#include "sampling/diagnostics/special_functions.h"
 #include "tests/matrix_near.h"
 #include "tests/sampling/diagnostics/reference_chains.h"
 

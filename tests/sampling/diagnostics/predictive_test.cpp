@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "sampling/diagnostics/special_functions.h"
+#include "base/special_functions.h"
 #include "sampling/random_stream.h"
 
 namespace thenar {

@@ -1,6 +1,6 @@
-// Tests for sampling/diagnostics/special_functions.cpp.
+// Tests for base/special_functions.cpp.
 
-#include "sampling/diagnostics/special_functions.h"
+#include "base/special_functions.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "sampling/diagnostics/special_functions.h"
+#include "base/special_functions.h"
 
 #include <limits>
 
