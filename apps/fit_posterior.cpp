@@ -64,10 +64,10 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
                     const Ranks& ranks) try {
   return sample_posterior(inputs, settings, ranks);
 } catch (const CheckpointError& refusal) {
-  throw InputError(
-      fmt::format("{}\nThe same command as before would go on with it; --fresh "
-                  "forgets it and begins anew.",
-                  refusal.what()));
+  const bool damaged = refusal.kind() == CheckpointError::Kind::kDamaged;
+  throw InputError(fmt::format(
+      "{}\n{} --fresh forgets it and begins anew.", refusal.what(),
+      damaged ? "No command can go on with it." : "The command that began it can go on with it;"));
 }
 
 /// Of the first rank: the file, and what was learnt.

@@ -63,18 +63,20 @@ RunIdentity identity_of(const Eigen::MatrixXd& starts, const RunOptions& options
 std::optional<RunFolder> open_folder(const Eigen::MatrixXd& starts, const RunOptions& options,
                                      const Ranks& ranks) {
   std::optional<RunFolder> folder;
-  std::string refusal;  // after '!' if it is of the checkpoint
+  std::string refusal;  // after '!' if the checkpoint is of another run, after '#' if it is damaged
   if (ranks.rank() == 0 && !options.folder.empty()) try {
       const Eigen::Index rows = rows_of_draw(starts.rows()) * options.walkers;
       folder.emplace(options.folder, identity_of(starts, options),
                      std::vector<Eigen::Index>(static_cast<std::size_t>(options.groups), rows));
     } catch (const CheckpointError& error) {
-      refusal = std::string("!") + error.what();
+      const bool damaged = error.kind() == CheckpointError::Kind::kDamaged;
+      refusal = std::string(damaged ? "#" : "!") + error.what();
     } catch (const std::exception& error) {
       refusal = error.what();
     }
   refusal = gather_bytes(ranks, refusal).front();
-  if (refusal[0] == '!') throw CheckpointError(refusal.substr(1));
+  if (refusal[0] == '!') throw CheckpointError(CheckpointError::Kind::kOtherRun, refusal.substr(1));
+  if (refusal[0] == '#') throw CheckpointError(CheckpointError::Kind::kDamaged, refusal.substr(1));
   if (!refusal.empty()) throw InputError(refusal);
   return folder;
 }

@@ -15,7 +15,15 @@ namespace thenar {
 /// The folder of a run holds the checkpoint of another one, or a damaged one.
 class CheckpointError : public InputError {
  public:
-  using InputError::InputError;
+  enum class Kind {
+    kOtherRun,  // sound, but of a run with other data or options: that one can go on with it
+    kDamaged    // nothing can go on with it
+  };
+  CheckpointError(Kind kind, const std::string& message) : InputError(message), kind_(kind) {}
+  [[nodiscard]] Kind kind() const { return kind_; }
+
+ private:
+  Kind kind_;
 };
 
 struct RunOptions {

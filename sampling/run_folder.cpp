@@ -56,14 +56,17 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
   const std::string path = folder + "/run.txt";
   if (!fs::exists(path)) {
     if (fs::exists(folder + "/state.bin"))
-      throw CheckpointError(fmt::format("folder '{}' has a checkpoint but no run.txt", folder));
+      throw CheckpointError(CheckpointError::Kind::kDamaged,
+                            fmt::format("folder '{}' has a checkpoint but no run.txt", folder));
     replace_file(path, text_of(identity));
     return;
   }
   const std::string differing = differences(identity_of(content_of(path)), identity);
   if (!differing.empty())
-    throw CheckpointError(fmt::format(
-        "the checkpoint in '{}' belongs to another run; what differs: {}", folder, differing));
+    throw CheckpointError(
+        CheckpointError::Kind::kOtherRun,
+        fmt::format("the checkpoint in '{}' belongs to another run; what differs: {}", folder,
+                    differing));
 }
 
 }  // namespace
@@ -85,7 +88,7 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
       streams_.back().resume(columns_);
     }
   } catch (const InputError& damage) {
-    throw CheckpointError(damage.what());
+    throw CheckpointError(CheckpointError::Kind::kDamaged, damage.what());
   }
 }
 
