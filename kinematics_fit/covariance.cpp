@@ -4,10 +4,13 @@
 #include <numeric>
 
 #include <fmt/format.h>
-#include <Eigen/Eigenvalues>
+
+#include "kinematics_fit/arrow_factor.h"
 
 namespace thenar {
 namespace {
+
+constexpr double kNullCurvature = 1e-9;  // of data, per prior curvature: nothing is learnt [1]
 
 /// Names a direction by its largest components, at most three.
 std::string describe(const Eigen::VectorXd& direction, const std::vector<std::string>& names) {
@@ -30,6 +33,7 @@ std::string describe(const Eigen::VectorXd& direction, const std::vector<std::st
 /// Turns a basis of a null space so that as many coordinates as possible stand alone in it:
 /// Gauss-Jordan with full pivoting, each row scaled to unit length.
 Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
+  if (rows.rows() == 0) return rows;
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
     Eigen::Index pivot_row = 0, pivot_column = 0;
     rows.bottomRows(rows.rows() - k).cwiseAbs().maxCoeff(&pivot_row, &pivot_column);
@@ -43,28 +47,55 @@ Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
 
 }  // namespace
 
-Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
-  constexpr double kNull = 1e-9;  // data curvature per prior curvature
-  const Residuals at = problem.evaluate(z, WithJacobian::kYes);
-  const Eigen::MatrixXd data = at.J.topRows(problem.data_rows());
-  const Eigen::MatrixXd H = data.transpose() * data;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(H);
-  const Eigen::VectorXd& lambda = eigen.eigenvalues();
-  const Eigen::MatrixXd& V = eigen.eigenvectors();
+namespace {
 
-  Covariance out;
-  const Eigen::VectorXd shrink = (1 + lambda.array().max(0)).inverse();
-  out.C = V * shrink.asDiagonal() * V.transpose();
-  out.effective_parameters = (lambda.array().max(0) * shrink.array()).sum();
+/// Layout of z, and the rows of data alone at z.
+struct DataRows {
+  ArrowLayout layout;
+  std::vector<ArrowRows> rows;
+};
 
-  const std::vector<std::string> names = problem.names();
-  const auto nulls = (lambda.array() < kNull).count();
-  const Eigen::MatrixXd N = V.leftCols(nulls);  // eigenvalues are sorted
-  if (nulls > 0) {
-    const Eigen::MatrixXd basis = sparse_basis(N.transpose());
-    for (Eigen::Index k = 0; k < nulls; ++k)
-      out.nulls.push_back({describe(basis.row(k).transpose(), names), basis.row(k).transpose()});
+DataRows data_rows(const FitProblem& problem, const Eigen::VectorXd& z) {
+  const int specimens = static_cast<int>(problem.specimens().size());
+  const int shared = problem.population_entries(), own = problem.deviations();
+  DataRows out{{shared, own, own > 0 ? specimens : 0}, {}};
+  for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
+    const Eigen::MatrixXd J = problem.data_residuals(z, e, WithJacobian::kYes).J;
+    out.rows.push_back(
+        {own > 0 ? problem.specimen_of(e) : -1, J.leftCols(shared), J.rightCols(own)});
   }
+  return out;
+}
+
+/// Priors: every coordinate is standard normal.
+std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
+  using Eigen::MatrixXd;
+  std::vector<ArrowRows> rows{{-1, MatrixXd::Identity(layout.shared, layout.shared), {}}};
+  for (int b = 0; b < layout.blocks; ++b)
+    rows.push_back(
+        {b, MatrixXd::Zero(layout.own, layout.shared), MatrixXd::Identity(layout.own, layout.own)});
+  return rows;
+}
+
+}  // namespace
+
+Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
+  // Data and priors together; the factor of J keeps digits that J'J would lose.
+  const DataRows data = data_rows(problem, z);
+  std::vector<ArrowRows> all = prior_rows(data.layout);
+  all.insert(all.end(), data.rows.begin(), data.rows.end());
+  Covariance out;
+  out.C = ArrowFactor(data.layout, all).inverse();
+  out.effective_parameters = static_cast<double>(z.size()) - out.C.trace();
+
+  // What the data leave open, by singular values of their own rows.
+  const double least = std::sqrt(kNullCurvature);
+  const Eigen::MatrixXd N = arrow_null_space(data.layout, data.rows, least);
+  const std::vector<std::string> names = problem.names();
+  const Eigen::MatrixXd basis = sparse_basis(N.transpose());
+  for (Eigen::Index k = 0; k < basis.rows(); ++k)
+    out.nulls.push_back({describe(basis.row(k).transpose(), names), basis.row(k).transpose()});
+
   constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound =

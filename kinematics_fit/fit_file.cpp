@@ -83,7 +83,8 @@ void add_provenance(const Fit& fit, ResultFile& file) {
 
 SolveStatus status_of(const std::string& name) {
   for (const SolveStatus status :
-       {SolveStatus::kConverged, SolveStatus::kLimit, SolveStatus::kStopped, SolveStatus::kFailed})
+       {SolveStatus::kConverged, SolveStatus::kLimit, SolveStatus::kStopped, SolveStatus::kFailed,
+        SolveStatus::kStalled})
     if (name_of(status) == name) return status;
   throw InputError(fmt::format("no solver status '{}'", name));
 }

@@ -1,3 +1,5 @@
+#include <vector>
+
 #include <ceres/ceres.h>
 
 #include "kinematics_fit/least_squares.h"
@@ -5,29 +7,42 @@
 namespace thenar::internal {
 namespace {
 
-/// All residuals as one block, with their exact Jacobian.
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Some of the residuals, with their exact Jacobian by the shared coordinates and by one block.
 class Cost final : public ceres::CostFunction {
  public:
-  Cost(const LeastSquares& problem, int rows, int& evaluations)
-      : problem_(problem), evaluations_(evaluations) {
+  Cost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
+      : part_(part), layout_(layout), evaluations_(evaluations) {
     set_num_residuals(rows);
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(problem.lower.size()));
+    mutable_parameter_block_sizes()->push_back(layout.shared);
+    if (part.block >= 0) mutable_parameter_block_sizes()->push_back(layout.own);
   }
 
   bool Evaluate(double const* const* parameters, double* residuals,
                 double** jacobians) const override {
-    const Eigen::Map<const Eigen::VectorXd> z(parameters[0], problem_.lower.size());
-    const bool want = jacobians != nullptr && jacobians[0] != nullptr;
-    const Residuals out = problem_.residuals(z, want ? WithJacobian::kYes : WithJacobian::kNo);
+    // Entries of other blocks are not looked at.
+    const bool own = part_.block >= 0;
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(layout_.size());
+    z.head(layout_.shared) = Eigen::Map<const Eigen::VectorXd>(parameters[0], layout_.shared);
+    if (own)
+      z.segment(layout_.first(part_.block), layout_.own) =
+          Eigen::Map<const Eigen::VectorXd>(parameters[1], layout_.own);
+    const Residuals out =
+        part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
     ++evaluations_;
     Eigen::Map<Eigen::VectorXd>(residuals, out.r.size()) = out.r;
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    if (want) Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), out.J.cols()) = out.J;
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), layout_.shared) =
+          out.J.leftCols(layout_.shared);
+    if (jacobians != nullptr && own && jacobians[1] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[1], out.J.rows(), layout_.own) = out.J.rightCols(layout_.own);
     return out.r.allFinite();  // a step into nonsense is shortened, not taken
   }
 
  private:
-  const LeastSquares& problem_;
+  const ResidualPart& part_;
+  const ArrowLayout& layout_;
   int& evaluations_;
 };
 
@@ -60,24 +75,70 @@ SolveStatus status_of(const ceres::Solver::Summary& summary) {
 
 }  // namespace
 
+namespace {
+
+/// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
+void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
+  constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
+  std::vector<int> held;
+  for (int i = 0; i < count; ++i) {
+    const double lower = problem.lower[first + i], upper = problem.upper[first + i];
+    if (upper - lower <= kRoom) {
+      held.push_back(i);
+      continue;
+    }
+    if (std::isfinite(lower)) ceres.SetParameterLowerBound(z, i, lower);
+    if (std::isfinite(upper)) ceres.SetParameterUpperBound(z, i, upper);
+  }
+  if (static_cast<int>(held.size()) == count)
+    ceres.SetParameterBlockConstant(z);
+  else if (!held.empty())
+    ceres.SetManifold(z, new ceres::SubsetManifold(count, held));
+}
+
+/// The blocks of a problem; an ordinary one is a single part that knows all coordinates.
+struct Blocks {
+  ArrowLayout layout;
+  std::vector<ResidualPart> parts;
+};
+Blocks blocks_of(const LeastSquares& problem) {
+  if (!problem.parts.empty()) return {problem.layout, problem.parts};
+  return {{static_cast<int>(problem.lower.size())}, {{-1, problem.residuals}}};
+}
+
+}  // namespace
+
 Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
                      const SolveOptions& options) {
-  const int rows = static_cast<int>(problem.residuals(start, WithJacobian::kNo).r.size());
+  const Blocks blocks = blocks_of(problem);
+  const ArrowLayout& layout = blocks.layout;
   Solution solution;
   solution.z = start;
 
+  // Each part of the residuals sees the shared coordinates and those of its block.
   ceres::Problem ceres_problem;
-  ceres_problem.AddResidualBlock(new Cost(problem, rows, solution.evaluations), nullptr,
-                                 solution.z.data());
-  for (int i = 0; i < static_cast<int>(start.size()); ++i) {
-    if (std::isfinite(problem.lower[i]))
-      ceres_problem.SetParameterLowerBound(solution.z.data(), i, problem.lower[i]);
-    if (std::isfinite(problem.upper[i]))
-      ceres_problem.SetParameterUpperBound(solution.z.data(), i, problem.upper[i]);
+  double* z = solution.z.data();
+  int calls = 0;
+  for (const ResidualPart& part : blocks.parts) {
+    const auto rows = static_cast<int>(part.residuals(start, WithJacobian::kNo).r.size());
+    std::vector<double*> of{z};
+    if (part.block >= 0) of.push_back(z + layout.first(part.block));
+    ceres_problem.AddResidualBlock(new Cost(part, layout, rows, calls), nullptr, of);
   }
+  bound(problem, 0, layout.shared, z, ceres_problem);
+  for (int b = 0; b < layout.blocks; ++b)
+    bound(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
 
+  // Blocks are eliminated one by one; what is left is as large as what they share.
   ceres::Solver::Options settings;
-  settings.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
+  settings.linear_solver_type =
+      layout.blocks > 0 ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;
+  if (layout.blocks > 0) {
+    auto* order = new ceres::ParameterBlockOrdering;
+    order->AddElementToGroup(z, 1);
+    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first(b), 0);
+    settings.linear_solver_ordering.reset(order);
+  }
   settings.max_num_iterations = options.max_evaluations > 0 ? options.max_evaluations : 500;
   settings.function_tolerance = options.tolerance;
   settings.parameter_tolerance = 1e-12;
@@ -88,6 +149,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   ceres::Solver::Summary summary;
   ceres::Solve(settings, &ceres_problem, &summary);
 
+  solution.evaluations = calls / static_cast<int>(blocks.parts.size());
   solution.cost = summary.final_cost;
   solution.status = status_of(summary);
   solution.message = summary.message;

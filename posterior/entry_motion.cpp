@@ -42,6 +42,19 @@ void move_spread(const CoordinateEntry& entry, Index i, Index p, double k, Entry
   if (std::isfinite(entry.upper)) out.by_spread(i, p) -= entry.sd * image.by_upper * entry.upper;
 }
 
+/// An entry whose bounds count from its population's, at one point. @param k  its spread factor
+void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, EntryMotion& out) {
+  const CoordinateEntry& entry = parts.entries.coordinates[i];
+  const double centre = out.y(entry.centre, p), x = out.x(i, p);
+  SpecimenDeviation own{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
+  if (std::isfinite(k) && std::isfinite(centre) && std::isfinite(x))
+    own = specimen_deviation(parts.problem.entries(entry.coordinate), centre, x, k);
+  out.y(i, p) = own.u;
+  out.by_x(i, p) = own.by_x;
+  out.by_centre(i, p) = own.by_population;
+  if (entry.spread >= 0) out.by_spread(i, p) = own.by_log_factor;
+}
+
 }  // namespace
 
 EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
@@ -53,6 +66,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
                   LaneRows(n, x.cols()),
                   LaneRows(n, x.cols()),
                   LaneRows(kinds > 0 ? n : 0, x.cols()),
+                  LaneRows(parts.entries.has_centres() ? n : 0, x.cols()),
                   Eigen::MatrixXd::Zero(experiments, x.cols()),
                   Eigen::MatrixXd(kinds, x.cols())};
   for (Index p = 0; p < x.cols(); ++p) {
@@ -63,6 +77,11 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
   }
   for (Index i = 0; i < n; ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
+    if (entry.centre >= 0) {
+      for (Index p = 0; p < x.cols(); ++p)
+        move_about_centre(parts, i, p, entry.spread < 0 ? 1 : out.spread(entry.spread, p), out);
+      continue;
+    }
     for (Index b = 0; b < out.x.blocks() && entry.spread < 0; ++b) {
       if (entry.table)
         entry.table->at_lanes(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));

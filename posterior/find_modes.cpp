@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -15,18 +16,31 @@ namespace {
 // Purposes of random streams.
 constexpr std::uint32_t kSearchStream = 0x6d6f6465, kDispersedStream = 0x73746172;
 
-/// J'J of the coordinates that bounds leave free, in its own directions.
+/// J'J of the coordinates that bounds leave free: in its own directions, or by blocks.
 struct Curvature {
-  std::vector<int> free;   // indices in z
-  Eigen::MatrixXd axes;    // orthonormal columns (free, free)
-  Eigen::VectorXd lambda;  // 1 / variance, > 0 (free)
+  std::vector<int> free;              // indices in z
+  Eigen::MatrixXd axes;               // orthonormal columns (free, free)
+  Eigen::VectorXd lambda;             // 1 / variance, > 0 (free)
+  std::optional<ArrowFactor> blocks;  // instead of both, where residuals come in blocks
 };
+
+/// The factor of J'J where residuals come in blocks; priors give it full rank.
+ArrowFactor block_curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  CostSlopes slopes = cost_slopes(problem, z);
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (problem.lower[i] >= problem.upper[i]) hold_coordinate(slopes, i);
+  return {slopes.layout, slopes.rows};
+}
 
 Curvature curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
   constexpr double kUnknown = 1e-12;  // of the largest curvature: neither data nor priors
   Curvature found;
   for (int i = 0; i < static_cast<int>(z.size()); ++i)
     if (problem.lower[i] < problem.upper[i]) found.free.push_back(i);
+  if (!problem.parts.empty()) {
+    found.blocks = block_curvature(problem, z);
+    return found;
+  }
   const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, found.free);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
   const double largest = found.free.empty() ? 0 : eigen.eigenvalues().maxCoeff();
@@ -36,6 +50,7 @@ Curvature curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
 }
 
 double squared_distance(const Curvature& at, const Eigen::VectorXd& apart) {
+  if (at.blocks) return at.blocks->squared_norm(apart);
   return (at.axes.transpose() * apart(at.free)).cwiseAbs2().dot(at.lambda);
 }
 
@@ -45,9 +60,16 @@ Mode mode_at(const Solution& solution, const Curvature& at) {
   mode.cost = solution.cost;
   mode.status = solution.status;
   mode.covariance = Eigen::MatrixXd::Zero(mode.z.size(), mode.z.size());
-  mode.covariance(at.free, at.free) =
-      at.axes * at.lambda.cwiseInverse().asDiagonal() * at.axes.transpose();
+  if (at.blocks)
+    mode.covariance(at.free, at.free) = at.blocks->inverse()(at.free, at.free);
+  else
+    mode.covariance(at.free, at.free) =
+        at.axes * at.lambda.cwiseInverse().asDiagonal() * at.axes.transpose();
   return mode;
+}
+
+double log_determinant(const Curvature& at) {
+  return at.blocks ? at.blocks->log_determinant() : at.lambda.array().log().sum();
 }
 
 void check(const LeastSquares& problem, const ModeSearch& search) {
@@ -140,7 +162,7 @@ void gather(const LeastSquares& problem, const ModeSearch& search, FoundModes& f
     if (m == at.size()) {
       at.push_back(curvature(problem, end.z));
       found.modes.push_back(mode_at(end, at.back()));
-      found.modes.back().laplace_mass = -end.cost - 0.5 * at.back().lambda.array().log().sum();
+      found.modes.back().laplace_mass = -end.cost - 0.5 * log_determinant(at.back());
     }
     ++found.modes[m].hits;
     found.mode_of_search[i] = static_cast<int>(m);

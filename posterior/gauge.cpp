@@ -26,7 +26,7 @@ int own_coordinate(const FitParameters& parameters, int parameter) {
 /// differ between specimens where their tilts do.
 bool takes_up(const FitProblem& problem, int point, int along, int tilt) {
   if (point < 0) return false;
-  const CoordinateEntries a = problem.entries(along), b = problem.entries(point);
+  const CoordinateEntries &a = problem.entries(along), &b = problem.entries(point);
   const bool differ = a.deviation >= 0 || (tilt >= 0 && problem.entries(tilt).deviation >= 0);
   return (a.population < 0 || b.population >= 0) && (!differ || b.deviation >= 0);
 }
@@ -39,12 +39,11 @@ double tilt(const FitParameters& parameters, int parameter, const Eigen::VectorX
 /// Displacements of the population (-1) or of a specimen, before the share of the former is taken.
 Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::VectorXd& z,
                                     int specimen) {
+  if (specimen >= 0) return problem.displacements(z, specimen);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
   for (int c = 0; c < static_cast<int>(u.size()); ++c) {
-    const CoordinateEntries of = problem.entries(c);
-    if (of.population >= 0) u[c] += of.population_sd * z[of.population];
-    if (of.deviation >= 0 && specimen >= 0)
-      u[c] += of.deviation_sd * z[of.deviation + specimen * problem.deviations()];
+    const CoordinateEntries& of = problem.entries(c);
+    if (of.population >= 0) u[c] = of.population_sd * z[of.population];
   }
   return u;
 }
@@ -84,17 +83,23 @@ Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gaug
     const auto shift = [&](const Eigen::VectorXd& u, int k) {
       return -u[gauge.along] * tilt(parameters, gauge.tilt[k], u);
     };
-    const CoordinateEntries along = problem.entries(gauge.along);
+    const CoordinateEntries& along = problem.entries(gauge.along);
     if (along.population >= 0) z[along.population] = 0;
     for (int s = 0; s < specimens && along.deviation >= 0; ++s)
       z[along.deviation + s * problem.deviations()] = 0;
     for (int k = 0; k < 2 && gauge.point[k] >= 0; ++k) {
-      const CoordinateEntries point = problem.entries(gauge.point[k]);
-      const double common = point.population >= 0 ? shift(population, k) : 0;
-      if (point.population >= 0) z[point.population] += common / point.population_sd;
-      for (int s = 0; s < specimens && point.deviation >= 0; ++s)
-        z[point.deviation + s * problem.deviations()] +=
-            (shift(whole_displacements(problem, before, s), k) - common) / point.deviation_sd;
+      const int c = gauge.point[k];
+      const CoordinateEntries& point = problem.entries(c);
+      double common = 0;
+      if (point.population >= 0) {
+        common = population[c] + shift(population, k);
+        z[point.population] = common / point.population_sd;
+      }
+      for (int s = 0; s < specimens && point.deviation >= 0; ++s) {
+        const Eigen::VectorXd u = whole_displacements(problem, before, s);
+        z[point.deviation + s * problem.deviations()] =
+            deviation_entry(point, common, u[c] + shift(u, k) - common);
+      }
     }
   }
   return z;

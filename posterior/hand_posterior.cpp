@@ -28,6 +28,8 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
         if (entry.specimen < 0 || entry.specimen == static_cast<int>(s))
           by_y += by_u[s](entry.coordinate, p);
       gradient(at, p) += by_y * motion.by_x(at, p);
+      if (entry.centre >= 0)
+        gradient(entry.centre, p) += by_y * motion.by_centre(at, p) * motion.by_x(entry.centre, p);
       if (entry.spread >= 0)
         gradient(parts.entries.spread_at() + entry.spread, p) +=
             parts.options.spread_sd * by_y * motion.by_spread(at, p);
@@ -55,13 +57,15 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
   if (wanted) by_u[s] += kernel.pull_back(recorded, by_force);
 }
 
-/// u of each specimen where bounds hold some coordinates and all others are at their means.
-std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const std::vector<int>& held) {
+/// u of each specimen where bounds hold some coordinates; zero where an entry of x moves it.
+std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
-  for (const int i : held) z[i] = problem.lower()[i];
+  for (const int i : entries.held) z[i] = problem.lower()[i];
   std::vector<Eigen::VectorXd> rest;
-  for (std::size_t s = 0; s < problem.specimens().size(); ++s)
+  for (std::size_t s = 0; s < problem.specimens().size(); ++s) {
     rest.push_back(problem.displacements(z, static_cast<int>(s)));
+    for (const CoordinateEntry& entry : entries.coordinates) rest.back()[entry.coordinate] = 0;
+  }
   return rest;
 }
 
@@ -96,7 +100,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
         observed_forces(fit.digit(), fit.plans()[e], fit.experiments()[e], parts.model));
     parts.kernels.emplace_back(fit.digit(), fit.parameters(), parts.data.back().plan);
   }
-  parts.rest = resting(fit, parts.entries.held);
+  parts.rest = resting(fit, parts.entries);
 }
 
 HandPosterior::~HandPosterior() = default;

@@ -26,6 +26,7 @@ struct EntryMotion {
   LaneRows y;                 // [SI] (coordinate entries, points)
   LaneRows by_x;              // dy/dx [SI] (coordinate entries, points)
   LaneRows by_spread;         // dy/d log k [SI]; empty without spreads (the same, points)
+  LaneRows by_centre;         // dy/dy of the centre [1]; empty without centres (the same, points)
   Eigen::MatrixXd log_noise;  // log of the factors [1] (experiments, points)
   Eigen::MatrixXd spread;     // factors k [1] (kinds, points)
 };

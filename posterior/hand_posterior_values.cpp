@@ -31,6 +31,15 @@ double entry_image(const CoordinateEntry& entry, double k, double x) {
   return bounds ? bounds->at(x).z : x;
 }
 
+/// z of an entry whose bounds count from its population's, where the latter's z is set already.
+double centred_entry(const internal::PosteriorParts& parts, const CoordinateEntry& entry, double k,
+                     const VectorXd& z, double x) {
+  const CoordinateEntries& of = parts.problem.entries(entry.coordinate);
+  const double population = of.population_sd * z[of.population];
+  if (k == 1) return x;
+  return deviation_entry(of, population, specimen_deviation(of, population, x, k).u);
+}
+
 /// Finds x of an entry from what it adds to its coordinate.
 double entry_from(const CoordinateEntry& entry, double k, double y) {
   const double z = y / (k * entry.sd);
@@ -80,7 +89,9 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
         entry.spread < 0
             ? 1
             : std::exp(parts_->options.spread_sd * x[entries.spread_at() + entry.spread]);
-    z[entry.z] = k * entry_image(entry, k, x[static_cast<Index>(i)]);
+    const double own = x[static_cast<Index>(i)];
+    z[entry.z] = entry.centre < 0 ? k * entry_image(entry, k, own)
+                                  : centred_entry(*parts_, entry, k, z, own);
   }
   return z;
 }
@@ -93,7 +104,8 @@ VectorXd HandPosterior::from_fit(const VectorXd& z) const {
   VectorXd x = VectorXd::Zero(size());
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
-    x[static_cast<Index>(i)] = entry_from(entry, 1, entry.sd * at[entry.z]);
+    x[static_cast<Index>(i)] =
+        entry.centre < 0 ? entry_from(entry, 1, entry.sd * at[entry.z]) : at[entry.z];
   }
   return x;
 }

@@ -21,6 +21,7 @@ class EntryLister {
     }
     std::sort(out_.coordinates.begin(), out_.coordinates.end(),
               [](const CoordinateEntry& a, const CoordinateEntry& b) { return a.z < b.z; });
+    for (CoordinateEntry& entry : out_.coordinates) find_centre(entry);
   }
 
   PosteriorEntries take() { return std::move(out_); }
@@ -35,7 +36,9 @@ class EntryLister {
   void add(int z, int c, int specimen, double sd) {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
     constexpr double kRoom = 1e-12;  // less is rounding [prior sds]
-    CoordinateEntry entry{z, c, specimen, sd, problem_.lower()[z], problem_.upper()[z], {}, -1};
+    const CoordinateEntries& of = problem_.entries(c);
+    if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is held, too
+    CoordinateEntry entry{z, c, specimen, sd, problem_.lower()[z], problem_.upper()[z], {}, -1, -1};
     if (entry.upper - entry.lower <= kRoom) {
       out_.held.push_back(z);
       return;
@@ -43,6 +46,18 @@ class EntryLister {
     if (specimen >= 0 && learn_spread_) entry.spread = spread_of(c);
     if (entry.spread < 0 && entry.bounds(1)) entry.table = table_of(entry);
     out_.coordinates.push_back(std::move(entry));
+  }
+
+  /// The population's entry, where a specimen's sum with it is bounded.
+  void find_centre(CoordinateEntry& entry) const {
+    const CoordinateEntries& of = problem_.entries(entry.coordinate);
+    if (entry.specimen < 0 || (std::isinf(of.lower) && std::isinf(of.upper))) return;
+    const auto population = std::find_if(
+        out_.coordinates.begin(), out_.coordinates.end(), [&](const CoordinateEntry& other) {
+          return other.specimen < 0 && other.coordinate == entry.coordinate;
+        });
+    if (population != out_.coordinates.end())
+      entry.centre = static_cast<int>(population - out_.coordinates.begin());
   }
 
   /// One table for all entries of the same bounds.

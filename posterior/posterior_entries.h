@@ -2,18 +2,20 @@
 
 /// How the entries of a posterior's x move the coordinates of a fit.
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "posterior/bounded_normal.h"
+#include "posterior/bounded_table.h"
 #include "posterior/gauge.h"
 
 namespace thenar {
 
 /// One entry of x that stands for one of z: it adds to coordinate c of one or all specimens
-///   k sd z(x; lower / k, upper / k),    k the spread factor of its kind, or 1.
+///   k sd z(x; lower / k, upper / k),    k the spread factor of its kind, or 1;
+/// a specimen's whose sum with its population is bounded adds specimen_deviation().
 struct CoordinateEntry {
   int z;                                      // entry of z
   int coordinate;                             // of u
@@ -23,6 +25,7 @@ struct CoordinateEntry {
   std::shared_ptr<const BoundedTable> table;  // of their map where they are fixed and not too far;
                                               // shared by entries of the same bounds
   int spread = -1;                            // index of the spread factor; -1: none
+  int centre = -1;  // entry of x of the population that bounds count from; -1: none
 
   /// The map of bounds, where the spread factor is k; absent: z = x.
   [[nodiscard]] std::optional<BoundedNormal> bounds(double k) const;
@@ -45,6 +48,11 @@ struct PosteriorEntries {
   std::vector<ParameterKind> spreads;  // of each spread factor
   int noises = 0;                      // number of noise factors, of experiments in turn
 
+  /// Does any entry count its bounds from another?
+  [[nodiscard]] bool has_centres() const {
+    return std::any_of(coordinates.begin(), coordinates.end(),
+                       [](const CoordinateEntry& entry) { return entry.centre >= 0; });
+  }
   [[nodiscard]] int noise_at() const { return static_cast<int>(coordinates.size()); }
   [[nodiscard]] int spread_at() const { return noise_at() + noises; }
   [[nodiscard]] int size() const { return spread_at() + static_cast<int>(spreads.size()); }

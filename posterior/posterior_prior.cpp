@@ -42,13 +42,12 @@ class TiltTerm {
     double by_log_spread = 2 - 2 * density_.by_log_concentration;
     for (int k = 0; k < 2; ++k) {
       const int i = pair_.x[k], centre = pair_.centre[k];
-      gradient(i, point_) += (density_.by_tilt[k] + z_[k] / scale_) * motion_.by_x(i, point_);
+      const double by_own = density_.by_tilt[k] + z_[k] / scale_;
+      gradient(i, point_) += by_own * motion_.by_x(i, point_);
       if (centre >= 0)
         gradient(centre, point_) +=
             (density_.by_tilt[k] + density_.by_centre[k]) * motion_.by_x(centre, point_);
-      if (spread >= 0)
-        by_log_spread +=
-            (density_.by_tilt[k] + z_[k] / scale_) * motion_.by_spread(i, point_) - z_[k] * z_[k];
+      if (spread >= 0) by_log_spread += by_own * motion_.by_spread(i, point_) - z_[k] * z_[k];
     }
     if (spread >= 0) gradient(entries_.spread_at() + spread, point_) += spread_sd * by_log_spread;
   }

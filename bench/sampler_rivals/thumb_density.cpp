@@ -18,7 +18,7 @@ ThumbDensity::ThumbDensity(const FitProblem& problem)
       unit_(&kernel::units().back()),
       lower_(problem.lower()),
       upper_(problem.upper()),
-      scale_(problem.displacement_jacobian(0).diagonal()),
+      scale_(problem.displacement_jacobian(Eigen::VectorXd::Zero(problem.size()), 0).diagonal()),
       measured_(problem.plans().front().force.reshaped()),
       precision_(problem.plans().front().sd.cwiseInverse().reshaped()),
       u_(problem.size()),

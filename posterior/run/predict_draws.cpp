@@ -33,14 +33,13 @@ Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& p
   return factor;
 }
 
-/// A stranger's deviation in coordinate c [SI]: none in what x leaves out as a gauge, and within
-/// the bounds of what belongs to a specimen alone.
-double stranger(const Parameter& leader, double sd, RandomStream& random) {
-  constexpr int kMostTries = 1000;  // bounds enclose the mean, so that one soon falls inside
+/// A stranger's deviation from the population [SI], drawn until their sum is within the bounds of
+/// the parameter.
+double stranger(const Parameter& leader, double population, double sd, RandomStream& random) {
+  constexpr int kMaxTries = 1000;  // bounds enclose the population, so that one soon falls inside
+  const double mean = leader.mean + population;
   double u = sd * random.normal();
-  if (leader.sd > 0) return u;
-  for (int k = 0;
-       k < kMostTries && !(leader.lower <= leader.mean + u && leader.mean + u <= leader.upper); ++k)
+  for (int k = 0; k < kMaxTries && !(leader.lower <= mean + u && mean + u <= leader.upper); ++k)
     u = sd * random.normal();
   return u;
 }
@@ -63,7 +62,7 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const std::vector<int> moving = run.posterior->moving_parameters();
   for (int c = 0; c < known && specimen < 0; ++c)
     if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))
-      u[c] += stranger(leader(c), factor[c] * sd[c], random);
+      u[c] += stranger(leader(c), u[c], factor[c] * sd[c], random);
   for (int c = known; c < parameters.coordinates(); ++c)
     u[c] = factor[c] * leader(c).between_sd * random.normal();
   return u;

@@ -178,7 +178,7 @@ TEST(FitProblem, OneSpecimenIsTheTwoLevelProblemSummedUp) {
 TEST(FitProblem, UnseenVarianceAddsUpToThePrior) {
   const FitSetup setup = middle_finger(kAxes);
   const FitProblem problem = setup.problem();
-  const Eigen::MatrixXd J = problem.displacement_jacobian(-1);
+  const Eigen::MatrixXd J = problem.displacement_jacobian(VectorXd::Zero(problem.size()), -1);
   const VectorXd variance = (J * J.transpose()).diagonal() + problem.unseen_variance();
   EXPECT_TRUE(matrix_near(
       variance,
@@ -210,6 +210,106 @@ TEST(FitProblem, BoundsHoldWhereOnlySpecimensDiffer) {
   ASSERT_EQ(problem.size(), 2);
   EXPECT_TRUE(matrix_near(problem.lower(), Eigen::Vector2d(-2, -2), 1e-12));
   EXPECT_TRUE(matrix_near(problem.upper(), Eigen::Vector2d(2, 2), 1e-12));
+}
+
+const std::string kFriction = R"(
+[[parameter]]
+match = "friction/FDP"
+state = "free"
+mean = 0.1
+sd = 0.05
+between_sd = 0.08
+lower = 0
+upper = 0.5
+)";
+
+// The sum of population and deviation is bounded, which no box about either could do.
+TEST(FitProblem, BoundsHoldForSpecimensOfAPopulation) {
+  FitSetup setup = middle_finger(kFriction);
+  setup.experiments.push_back(sample::experiment("H02"));
+  const FitProblem problem = setup.problem();
+  ASSERT_EQ(problem.size(), 3);
+  for (const double population : {problem.lower()[0], -1.0, 0.0, 2.0, problem.upper()[0]})
+    for (const double own : {-20.0, -3.0, 0.0, 3.0, 20.0}) {
+      const double friction =
+          0.1 + problem.displacements(Eigen::Vector3d(population, own, 0), 0)[0];
+      EXPECT_GE(friction, -1e-15) << population << " " << own;
+      EXPECT_LE(friction, 0.5 + 1e-15) << population << " " << own;
+    }
+}
+
+// A standard normal entry is the normal deviation cut off at the bounds: with the population at
+// 0.1 and bounds 1.25 sds below and 5 above, the median of the deviation is that of the rest.
+TEST(FitProblem, DeviationsKeepTheirPriorWithinBounds) {
+  FitSetup setup = middle_finger(kFriction);
+  setup.experiments.push_back(sample::experiment("H02"));
+  const FitProblem problem = setup.problem();
+  const auto below = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
+  const double u = problem.displacements(Eigen::Vector3d::Zero(), 0)[0] / 0.08;
+  EXPECT_NEAR((below(u) - below(-1.25)) / (below(5) - below(-1.25)), 0.5, 1e-14);
+}
+
+TEST(FitProblem, SlopesOfSpecimensNearBoundsAreThoseOfDifferences) {
+  FitSetup setup = middle_finger(kFriction + kAxes);
+  setup.experiments.push_back(sample::experiment("H02"));
+  const FitProblem problem = setup.problem();
+  std::mt19937 rng(8);
+  VectorXd z = sample::normal(problem.size(), rng);
+  const Residuals at = problem.evaluate(z, WithJacobian::kYes);
+  constexpr double kStep = 1e-5;
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    const VectorXd step = kStep * VectorXd::Unit(z.size(), i);
+    const VectorXd slope = (problem.evaluate(z + step, WithJacobian::kNo).r -
+                            problem.evaluate(z - step, WithJacobian::kNo).r) /
+                           (2 * kStep);
+    EXPECT_TRUE(matrix_near(at.J.col(i), slope, 1e-7 * std::max(1.0, slope.cwiseAbs().maxCoeff())));
+  }
+}
+
+// What no force can tell does not hang on how exactly forces were measured.
+TEST(PosteriorCovariance, FindsTheSameNullsWhateverTheNoise) {
+  FitSetup setup = middle_finger(
+      "[[parameter]]\nmatch='axis/*'\nstate='free'\n[[parameter]]\n"
+      "match='path/*'\nstate='free'\n");
+  std::vector<std::size_t> nulls;
+  for (const double sd : {0.15, 1e-4}) {
+    setup.experiments.front().sd_floor = sd;
+    setup.experiments.front().sd_relative = 0;
+    const FitProblem problem = setup.problem();
+    const VectorXd z = VectorXd::Zero(problem.size());
+    nulls.push_back(posterior_covariance(problem, z).nulls.size());
+    const Eigen::MatrixXd J =
+        problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
+    const VectorXd sigma = J.bdcSvd().singularValues();
+    EXPECT_EQ(nulls.back(), z.size() - (sigma.array() > 3.2e-5).count());
+  }
+  EXPECT_GT(nulls[0], 0U);
+}
+
+// Blocks of specimens are another order of the same sums.
+TEST(FitProblem, BlocksHaveTheDenseAnswer) {
+  FitSetup setup = middle_finger(kAxesAndPaths + kFriction);
+  setup.experiments.push_back(sample::experiment("H02"));
+  setup.experiments.push_back(sample::experiment("B01"));
+  const FitProblem problem = setup.problem();
+  LeastSquares blocks = least_squares(problem), dense = blocks;
+  ASSERT_FALSE(blocks.parts.empty());
+  dense.parts.clear();
+  SolveOptions options;
+  options.tolerance = 1e-15;
+  const VectorXd start = VectorXd::Zero(problem.size());
+  const Solution a = solve(blocks, start, options), b = solve(dense, start, options);
+  EXPECT_EQ(a.status, SolveStatus::kConverged) << a.message;
+  EXPECT_NEAR(a.cost, b.cost, 1e-10 * b.cost);
+  EXPECT_TRUE(matrix_near(a.z, b.z, 1e-4));
+  EXPECT_LT(a.newton_step, 0.01);
+  const CostSlopes one = cost_slopes(blocks, a.z), other = cost_slopes(dense, a.z);
+  EXPECT_NEAR(one.cost, other.cost, 1e-11 * other.cost);
+  EXPECT_TRUE(matrix_near(one.gradient, other.gradient, 1e-8));
+  const Eigen::MatrixXd J = problem.evaluate(a.z, WithJacobian::kYes).J;
+  const Covariance covariance = posterior_covariance(problem, a.z);
+  EXPECT_TRUE(matrix_near(covariance.C * (J.transpose() * J),
+                          Eigen::MatrixXd::Identity(J.cols(), J.cols()), 1e-7));
 }
 
 // Unseen people drawn from the prior lie within the 95 % intervals 95 % of the time.

@@ -49,6 +49,39 @@ LeastSquares distance_to(const VectorXd& target, double lower, double upper) {
   return problem;
 }
 
+/// Rosenbrock's valley, 1/2 (100 (y - x^2)^2 + (1 - x)^2), with its least value at (1, 1).
+LeastSquares valley() {
+  LeastSquares problem;
+  problem.lower = Vector2d(-5, -5);
+  problem.upper = Vector2d(5, 5);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    Residuals out{Vector2d(10 * (z[1] - z[0] * z[0]), 1 - z[0]), Eigen::MatrixXd(2, 2)};
+    out.J << -20 * z[0], 10, -1, 0;
+    return out;
+  };
+  return problem;
+}
+
+// A search without derivatives that may stop when the cost falls by 3 % does so half-way along the
+// valley, and calls it success.
+TEST(Solve, DoesNotBelieveASolverThatStopsShort) {
+  SolveOptions options;
+  options.method = FitMethod::kNloptLocal;
+  options.tolerance = 0.03;
+  const Solution fit = solve(valley(), Vector2d(-1.2, 1), options);
+  ASSERT_GT((fit.z - Vector2d(1, 1)).norm(), 0.5) << "it went all the way";
+  EXPECT_EQ(fit.status, SolveStatus::kStalled) << fit.message;
+  // The step left, by hand: J is square, so that the Gauss-Newton step takes r to zero.
+  EXPECT_NEAR(fit.newton_step, std::sqrt(2 * fit.cost), 1e-9);
+}
+
+TEST(Solve, CertifiesWhatHasConverged) {
+  const Solution fit = solve(valley(), Vector2d(-1.2, 1));
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_LT(fit.newton_step, 1e-3);
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 1), 1e-4));
+}
+
 TEST_P(EveryMethod, RespectsBounds) {
   const LeastSquares problem = distance_to(Vector2d(3, 0.2), -1, 1);
   const Solution fit = solve(problem, VectorXd::Zero(2), options());

@@ -7,7 +7,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
-#include "posterior/bounded_normal.h"
+#include "posterior/bounded_table.h"
 #include "posterior/hand_posterior.h"
 #include "posterior/tilt_density.h"
 #include "tests/kinematics_fit/fit_samples.h"

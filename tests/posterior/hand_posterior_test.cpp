@@ -8,7 +8,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
-#include "posterior/bounded_normal.h"
+#include "posterior/bounded_table.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"
 #include "tests/posterior/thumb_scene.h"
@@ -225,6 +225,40 @@ TEST(HandPosterior, SpreadScalesDeviationsOfItsKind) {
   EXPECT_NEAR(values.specimens[0](row, 0), std::exp(1.0) * 4 * kDegree, 1e-12);
   EXPECT_EQ(values.specimens[1](row, 0), 0);
   EXPECT_EQ(values.population(row, 0), 0);
+}
+
+// Where a population has bounds, so has every specimen of it, whatever the spread; and what moves
+// the population moves them with it, as the gradient knows.
+TEST(HandPosterior, BoundsHoldForSpecimensOfAPopulation) {
+  FitSetup setup = middle_finger(R"(
+[[parameter]]
+match = "friction/FDP"
+state = "free"
+mean = 0.1
+sd = 0.05
+between_sd = 0.08
+lower = 0
+upper = 0.5
+)");
+  setup.experiments.push_back(sample::experiment("H02"));
+  const HandPosterior posterior(setup.problem());
+  for (const double far : {-30.0, -6.0, -1.0, 1.0, 6.0, 30.0})
+    for (const double spread : {-2.0, 0.0, 2.0}) {
+      VectorXd x = VectorXd::Constant(posterior.size(), far);
+      x.tail(1).setConstant(spread);
+      const PosteriorValues values = posterior.values(x);
+      for (const MatrixXd& specimen : values.specimens) {
+        EXPECT_GE(specimen(0, 0), -1e-15);
+        EXPECT_LE(specimen(0, 0), 0.5 + 1e-15);
+      }
+    }
+  for (const unsigned seed : {1U, 2U, 3U})
+    EXPECT_LT(difference_error(posterior, some_point(posterior, seed, 1.5)), 1e-7);
+  // The kernel sees what people read.
+  const VectorXd x = some_point(posterior, 4, 1.5);
+  EXPECT_TRUE(matrix_near(
+      posterior.forces(x, 1).reshaped(3, 24),
+      posterior.problem().predict(posterior.fit_coordinates(x), 1, WithJacobian::kNo).force, 1e-9));
 }
 
 // A specimen-only parameter stays within its bounds whatever the spread.

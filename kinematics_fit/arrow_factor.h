@@ -1,0 +1,58 @@
+#pragma once
+
+/// Least squares in which blocks of coordinates meet only through shared ones.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// How coordinates are laid out: `shared` ones first, then `blocks` times `own` of one block each.
+/// An ordinary dense problem has shared coordinates alone.
+struct ArrowLayout {
+  int shared = 0, own = 0, blocks = 0;
+
+  [[nodiscard]] int size() const { return shared + own * blocks; }
+  [[nodiscard]] int first(int block) const { return shared + own * block; }  // index of its own
+};
+
+/// Rows of a Jacobian that hang on the shared coordinates and on those of one block.
+struct ArrowRows {
+  int block = -1;          // -1: shared coordinates alone
+  Eigen::MatrixXd shared;  // (rows, shared)
+  Eigen::MatrixXd own;     // (rows, own); unused without a block
+};
+
+/// The factor of  J'J = R'R,  R upper triangular, by one QR factorisation a block and one of what
+/// is left for the shared coordinates: its cost grows in proportion to the number of blocks, where
+/// a dense factorisation grows with their cube. Working on J and not on J'J keeps all digits.
+/// Source: [Bjorck1996] section 6.3, block angular problems.
+class ArrowFactor {
+ public:
+  /// J must have full column rank, as it has where every coordinate has a prior.
+  ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
+
+  /// R^-T g, so that |whiten(g)|^2 = g' (J'J)^-1 g  (size).
+  [[nodiscard]] Eigen::VectorXd whiten(const Eigen::VectorXd& g) const;
+  [[nodiscard]] Eigen::MatrixXd inverse() const;                      // (J'J)^-1 (size, size)
+  [[nodiscard]] double log_determinant() const;                       // of J'J
+  [[nodiscard]] double squared_norm(const Eigen::VectorXd& v) const;  // |J v|^2
+
+ private:
+  struct Block {
+    Eigen::MatrixXd R, S;  // rows (R, S) of the factor: own and shared columns
+  };
+  ArrowLayout layout_;
+  std::vector<Block> blocks_;
+  Eigen::MatrixXd shared_;  // upper triangular (shared, shared)
+};
+
+/// Directions v, |v| = 1, along which rows say nothing: |J v| < tolerance. One orthonormal column
+/// a direction. `rows` are those of data; blocks without rows are all null.
+/// @param tolerance  singular values below it count as zero; at least rounding of the largest
+[[nodiscard]] Eigen::MatrixXd arrow_null_space(const ArrowLayout& layout,
+                                               const std::vector<ArrowRows>& rows,
+                                               double tolerance);
+
+}  // namespace thenar
