@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "base/error.h"
@@ -51,23 +52,50 @@ class Temporary {
   std::FILE* file_ = nullptr;
 };
 
-Temporary beside(const std::string& path) {
+/// What a path stands for when links are followed, whether it is there or not.
+std::string behind_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  fs::path place(path);
+  std::error_code error;
+  for (int i = 0; fs::is_symlink(place, error); ++i) {
+    require(i < kMostLinks, "cannot write '{}': its links lead in a circle", path);
+    const fs::path target = fs::read_symlink(place, error);
+    require(!error, "cannot write '{}': {}", path, error.message());
+    place = place.parent_path() / target;
+  }
+  return place.string();
+}
+
+/// A place for a file, with its folder. @param path  without links
+const std::string& ready(const std::string& path) {
   std::error_code error;
   require(!fs::exists(path, error) || fs::is_regular_file(path, error),
           "cannot write '{}': it is not a file but a folder or a device", path);
   const fs::path folder = fs::path(path).parent_path();
   if (!folder.empty()) fs::create_directories(folder, error);
-  return Temporary(path);
+  return path;
 }
 
 }  // namespace
 
-void require_writable(const std::string& path) { (void)beside(path); }
+void require_writable(const std::string& path) { const Temporary file(ready(behind_links(path))); }
 
 void write_file(const std::string& path, const std::string& content) {
-  Temporary file = beside(path);
+  const std::string place = behind_links(path);
+  Temporary file(ready(place));
   file.write(content);
-  file.rename(path);
+  file.rename(place);
+}
+
+void write_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  std::vector<std::string> places;
+  std::vector<std::unique_ptr<Temporary>> written;  // removed where one of them fails
+  for (const auto& [path, content] : files) {
+    places.push_back(behind_links(path));
+    written.push_back(std::make_unique<Temporary>(ready(places.back())));
+    written.back()->write(content);
+  }
+  for (std::size_t i = 0; i < written.size(); ++i) written[i]->rename(places[i]);
 }
 
 }  // namespace thenar

@@ -108,5 +108,44 @@ TEST_F(WriteFile, KeepsTheOldFileOnAFullDisk) {
   EXPECT_FALSE(fs::exists(path("a") + ".tmp"));
 }
 
+// The link was replaced by a file, and what it stood for stayed as it was.
+TEST_F(WriteFile, WritesThroughLinks) {
+  write_file(path("folder/a"), "old");
+  fs::create_symlink("folder/a", path("relative"));
+  fs::create_symlink(path("relative"), path("link"));
+  write_file(path("link"), "new");
+  EXPECT_EQ(content(path("folder/a")), "new");
+  EXPECT_TRUE(fs::is_symlink(path("link")) && fs::is_symlink(path("relative")));
+  fs::create_symlink(path("not there yet"), path("dangling"));
+  write_file(path("dangling"), "new");
+  EXPECT_EQ(content(path("not there yet")), "new");
+  fs::create_symlink(path("circle"), path("circle"));
+  EXPECT_THROW(write_file(path("circle"), "text"), InputError);
+  EXPECT_THROW(require_writable(path("circle")), InputError);
+}
+
+/// Ends the process: 0 if files that belong together are refused where one may not be written.
+[[noreturn]] void exit_refused_together(const std::string& folder) {
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit limit{4096, 4096};
+  (void)setrlimit(RLIMIT_FSIZE, &limit);
+  try {
+    write_files({{folder + "/part", "small"}, {folder + "/whole", std::string(10'000, 'x')}});
+  } catch (const InputError&) {
+    std::exit(0);
+  }
+  std::exit(1);
+}
+
+TEST_F(WriteFile, WritesAllOfSeveralFilesOrNone) {
+  write_file(path("part"), "old");
+  EXPECT_EXIT(exit_refused_together(path("")), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(content(path("part")), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 1) << "no temporary is left";
+  write_files({{path("part"), "new"}, {path("folder/whole"), "all"}});
+  EXPECT_EQ(content(path("part")), "new");
+  EXPECT_EQ(content(path("folder/whole")), "all");
+}
+
 }  // namespace
 }  // namespace thenar

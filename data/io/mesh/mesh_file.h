@@ -26,7 +26,11 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// coordinate is not finite.
 [[nodiscard]] TriangleMesh read_mesh(const std::string& path, double scale = 1);
 
-/// Writes an OBJ, STL (binary), PLY or OFF, by the ending of its name.
+/// An OBJ, STL (binary), PLY or OFF, by the ending of `path`, which is not touched.
+/// @throws InputError for another ending, and for a mesh without triangles or with broken ones.
+[[nodiscard]] std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh);
+
+/// Writes these bytes.
 void write_mesh(const std::string& path, const TriangleMesh& mesh);
 
 }  // namespace thenar

@@ -73,20 +73,20 @@ std::string stl(const TriangleMesh& mesh) {
 
 }  // namespace
 
-void write_mesh(const std::string& path, const TriangleMesh& mesh) {
+std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh) {
   require(!mesh.empty() && mesh.vertices.allFinite(),
           "wanted a mesh of triangles with finite corners to write to '{}'", path);
   require(mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < mesh.vertices.cols(),
           "a triangle of the mesh for '{}' has a corner that does not exist", path);
   switch (mesh_format(path)) {
     case MeshFormat::kObj:
-      return write_file(path, obj(mesh));
+      return obj(mesh);
     case MeshFormat::kStl:
-      return write_file(path, stl(mesh));
+      return stl(mesh);
     case MeshFormat::kPly:
-      return write_file(path, ply(mesh));
+      return ply(mesh);
     case MeshFormat::kOff:
-      return write_file(path, off(mesh));
+      return off(mesh);
     case MeshFormat::kGltf:
     case MeshFormat::kCollada:
     case MeshFormat::kVrml:
@@ -94,6 +94,10 @@ void write_mesh(const std::string& path, const TriangleMesh& mesh) {
       break;
   }
   throw InputError(fmt::format("meshes are written as .obj, .stl, .ply or .off, not '{}'", path));
+}
+
+void write_mesh(const std::string& path, const TriangleMesh& mesh) {
+  write_file(path, mesh_bytes(path, mesh));
 }
 
 }  // namespace thenar

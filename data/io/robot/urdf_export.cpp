@@ -361,9 +361,13 @@ UrdfText robot_urdf(const RobotSpec& robot, const std::string& mesh_prefix) {
 std::vector<std::string> write_urdf(const std::string& path, const RobotSpec& robot) {
   const std::filesystem::path file(path);
   const UrdfText urdf = robot_urdf(robot, file.stem().string() + "_");
-  write_file(path, urdf.text);
-  for (const auto& [name, mesh] : urdf.meshes)
-    write_mesh((file.parent_path() / name).string(), mesh);
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& [name, mesh] : urdf.meshes) {
+    const std::string mesh_path = (file.parent_path() / name).string();
+    files.emplace_back(mesh_path, mesh_bytes(mesh_path, mesh));
+  }
+  files.emplace_back(path, urdf.text);  // last, since it names the others
+  write_files(files);
   return urdf.warnings;
 }
 

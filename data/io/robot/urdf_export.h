@@ -29,7 +29,7 @@ struct UrdfText {
 /// @throws InputError as check_robot().
 [[nodiscard]] UrdfText robot_urdf(const RobotSpec& robot, const std::string& mesh_prefix);
 
-/// Writes the URDF and its meshes beside it. @return the warnings
+/// Writes the URDF and its meshes beside it: all of them, or none. @return the warnings
 [[nodiscard]] std::vector<std::string> write_urdf(const std::string& path, const RobotSpec& robot);
 
 }  // namespace thenar
