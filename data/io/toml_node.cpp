@@ -3,6 +3,7 @@
 #include "data/io/toml_node.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/read_file.h"
@@ -29,6 +30,7 @@ TomlNode convert(const toml::node& from);  // NOLINT(misc-no-recursion): as deep
 TomlNode convert_array(const toml::array& array) {
   TomlNode node;
   node.kind = TomlKind::kArray;
+  node.items.reserve(array.size());
   for (const toml::node& item : array) node.items.push_back(convert(item));
   return node;
 }
@@ -36,6 +38,7 @@ TomlNode convert_array(const toml::array& array) {
 TomlNode convert_table(const toml::table& table) {
   // toml++ sorts keys by name; a reader wants them as they were written.
   std::vector<std::pair<toml::source_position, std::pair<std::string, TomlNode>>> found;
+  found.reserve(table.size());
   for (const auto& [key, value] : table) {
     TomlNode member = convert(value);
     if (!value.is_table() && !value.is_array()) member.line = line_of(key.source());
@@ -46,7 +49,13 @@ TomlNode convert_table(const toml::table& table) {
            std::make_pair(b.first.line, b.first.column);
   });
   TomlNode node;
+  node.members.reserve(found.size());
   for (auto& entry : found) node.members.push_back(std::move(entry.second));
+  node.by_name.resize(node.members.size());
+  std::iota(node.by_name.begin(), node.by_name.end(), 0);
+  std::sort(node.by_name.begin(), node.by_name.end(), [&](std::size_t a, std::size_t b) {
+    return node.members[a].first < node.members[b].first;
+  });
   return node;
 }
 
@@ -75,29 +84,37 @@ TomlNode convert(const toml::node& from) {
   return node;
 }
 
-/// The line at which the parser gives up: the first whose end it cannot reach.
-int line_given_up(const std::string& text) {
-  int line = 0;
-  for (std::size_t end = 0; end != std::string::npos;) {
-    end = text.find('\n', end == 0 ? 0 : end + 1);
-    ++line;
-    try {
-      (void)toml::parse(text.substr(0, end));
-    } catch (const toml::parse_error&) {
-      continue;  // a statement that goes on in the next line
-    } catch (const ParserGaveUp&) {
-      return line;
-    }
+bool gives_up_within(std::string_view text) {
+  try {
+    (void)toml::parse(text);
+  } catch (const toml::parse_error&) {
+    return false;  // perhaps a statement that goes on in the next line
+  } catch (const ParserGaveUp&) {
+    return true;
   }
-  return line;
+  return false;
+}
+
+/// The line at which the parser gives up: the first whose end it cannot reach, found by halving,
+/// since it does not get beyond that place however much follows.
+int line_given_up(const std::string& text) {
+  std::vector<std::size_t> ends;
+  for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
+    ends.push_back(at);
+  ends.push_back(text.size());
+  const auto first = std::partition_point(ends.begin(), ends.end() - 1, [&](std::size_t end) {
+    return !gives_up_within(std::string_view(text).substr(0, end));
+  });
+  return 1 + static_cast<int>(first - ends.begin());
 }
 
 }  // namespace
 
 const TomlNode* TomlNode::find(const std::string& key) const {
-  for (const auto& [name, node] : members)
-    if (name == key) return &node;
-  return nullptr;
+  const auto at = std::lower_bound(
+      by_name.begin(), by_name.end(), key,
+      [&](std::size_t place, const std::string& wanted) { return members[place].first < wanted; });
+  return at != by_name.end() && members[*at].first == key ? &members[*at].second : nullptr;
 }
 
 TomlNode parse_toml(const std::string& text, const std::string& path) {

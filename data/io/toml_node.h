@@ -20,8 +20,9 @@ struct TomlNode {
   bool flag = false;                                      // of kFlag
   std::vector<TomlNode> items;                            // of kArray
   std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
+  std::vector<std::size_t> by_name;                       // places of members, sorted by name
 
-  /// The member of that name, or null.
+  /// The member of that name, or null; found by halving.
   [[nodiscard]] const TomlNode* find(const std::string& key) const;
 };
 

@@ -47,6 +47,53 @@ std::string range_name(Range range) {
   return "in 0..1";
 }
 
+/// The largest size of a quantity that a file may state [SI]: far beyond any hand, robot or object,
+/// near enough that no formula overflows and a wrong unit (120 m for 120 mm) is noticed.
+double largest(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::kNumber:
+      return 1e12;  // as of contacts: beyond it products lose all digits
+    case Dimension::kLength:
+      return 10;  // reach of a large arm: 3 m
+    case Dimension::kAngle:
+      return 1e4;  // wheels that turn without end
+    case Dimension::kMass:
+      return 1e4;  // a mobile robot: 300 kg
+    case Dimension::kForce:
+      return 1e6;  // a quadriceps: 1e4 N
+    case Dimension::kMoment:
+      return 1e6;
+    case Dimension::kArea:
+      return 1;  // physiological cross-section of a large muscle: 0.03 m2
+    case Dimension::kInertia:
+      return 1e5;
+    case Dimension::kStress:
+      return 1e13;  // Young's modulus of diamond: 1.2e12 Pa
+    case Dimension::kAcceleration:
+      return 1e4;
+    case Dimension::kDensity:
+      return 1e5;  // osmium: 2.3e4 kg/m3
+    case Dimension::kAngularStiffness:
+    case Dimension::kAngularDamping:
+      return 1e6;
+    case Dimension::kLinearStiffness:
+    case Dimension::kLinearDamping:
+      break;
+  }
+  return 1e12;
+}
+
+/// In SI, for messages: "10 m".
+std::string with_si_unit(double value, Dimension dimension) {
+  for (const Unit& unit : units_of(dimension))
+    if (unit.to_si == 1) return fmt::format("{:g} {}", value, unit.suffix);
+  return fmt::format("{:g}", value);
+}
+
+bool contains(const std::set<std::string>& names, const std::string& name) {
+  return names.count(name) == 1;
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -104,7 +151,7 @@ bool TomlTable::has(Dimension dimension, const std::string& base) {
 
 double TomlTable::number(Dimension dimension, const std::string& base, Range range) {
   const Found found = need(dimension, base);
-  return value(*found.node, found.key, range) * found.to_si;
+  return in_si(*found.node, found, value(*found.node, found.key, range), dimension);
 }
 
 double TomlTable::number_or(Dimension dimension, const std::string& base, double fallback,
@@ -116,7 +163,7 @@ std::vector<double> TomlTable::numbers(Dimension dimension, const std::string& b
                                        Range range) {
   const Found found = need(dimension, base);
   std::vector<double> result = values(*found.node, found.key, count, range);
-  for (double& entry : result) entry *= found.to_si;
+  for (double& entry : result) entry = in_si(*found.node, found, entry, dimension);
   return result;
 }
 
@@ -164,7 +211,8 @@ std::map<std::string, double> TomlTable::named(Dimension dimension, const std::s
     fail(fmt::format("wanted '{}' as a table, got {}", found->key, kind_name(found->node->kind)),
          found->key);
   for (const auto& [name, node] : found->node->members)
-    result[name] = value(node, fmt::format("{}.{}", found->key, name), range) * found->to_si;
+    result[name] =
+        in_si(node, *found, value(node, fmt::format("{}.{}", found->key, name), range), dimension);
   return result;
 }
 
@@ -204,7 +252,8 @@ void TomlTable::done() const {
   for (const Quantity& wanted : asked_) refuse_wrong_unit(wanted);
   for (const auto& [key, node] : node_->members)
     if (!contains(known_, key))
-      fail_at(node.line, fmt::format("unknown key '{}'{}", key, did_you_mean(key, known_)));
+      fail_at(node.line, fmt::format("unknown key '{}'{}", key,
+                                     did_you_mean(key, {known_.begin(), known_.end()})));
 }
 
 void TomlTable::fail(const std::string& what, const std::string& key) const {
@@ -261,6 +310,16 @@ double TomlTable::value(const TomlNode& node, const std::string& key, Range rang
                                    "the top of the file",
                                    key));
   return node.number;
+}
+
+/// A number times its unit, which must be of a size that hands, robots and objects have.
+double TomlTable::in_si(const TomlNode& node, const Found& found, double value,
+                        Dimension dimension) const {
+  const double si = value * found.to_si, most = largest(dimension);
+  if (!(std::abs(si) <= most))
+    fail_at(node.line, fmt::format("wanted '{}' of at most {} in size, got {:g}", found.key,
+                                   with_si_unit(most, dimension), value));
+  return si;
 }
 
 std::vector<double> TomlTable::values(const TomlNode& node, const std::string& key, int count,

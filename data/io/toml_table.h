@@ -9,6 +9,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -73,7 +74,7 @@ class TomlTable {
   [[nodiscard]] const std::string& title() const { return title_; }
   [[nodiscard]] int line() const { return node_->line; }
   [[nodiscard]] std::string source() const;  // citation keys in force, "A, B"
-  void ignore(const std::string& key) { known_.push_back(key); }
+  void ignore(const std::string& key) { known_.insert(key); }
 
   /// @throws DataError for the first key that no getter asked for.
   void done() const;
@@ -97,6 +98,8 @@ class TomlTable {
   [[nodiscard]] double value(const TomlNode& node, const std::string& key, Range range) const;
   [[nodiscard]] std::vector<double> values(const TomlNode& node, const std::string& key, int count,
                                            Range range) const;
+  [[nodiscard]] double in_si(const TomlNode& node, const Found& found, double value,
+                             Dimension dimension) const;
   [[nodiscard]] TomlTable inner(const TomlNode& node, const std::string& title) const;
   void refuse_misspelt(const std::string& wanted) const;
   void refuse_wrong_unit(const Quantity& wanted) const;
@@ -106,8 +109,8 @@ class TomlTable {
   const TomlNode* node_;
   std::string title_;
   std::vector<std::string> sources_;
-  std::vector<std::string> known_;  // keys asked for so far
-  std::vector<Quantity> asked_;     // quantities asked for so far
+  std::set<std::string> known_;  // keys asked for so far
+  std::vector<Quantity> asked_;  // quantities asked for so far
 };
 
 }  // namespace thenar

@@ -2,6 +2,8 @@
 
 #include "data/io/toml_table.h"
 
+#include <ctime>
+
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
@@ -190,6 +192,47 @@ TEST(NearestName, CountsEdits) {
 TEST(Sources, ReadsTheKeysOfBibtex) {
   EXPECT_EQ(citation_keys("% @x{No}\n@article{A1,\n title = {B}}\n@book{C2, year = {1}}"),
             (std::vector<std::string>{"A1", "C2"}));
+}
+
+// A box of 120 m for one of 120 mm; 1e308 mm, whose square is infinite.
+TEST(TomlTable, RefusesSizesThatNothingHas) {
+  EXPECT_EQ(refusal(kSource + "radius_m = 120", kReadRadius),
+            "a.toml:2: wanted 'radius_m' of at most 10 m in size, got 120");
+  EXPECT_EQ(refusal(kSource + "radius_mm = -1e308", kReadRadius),
+            "a.toml:2: wanted 'radius_mm' of at most 10 m in size, got -1e+308");
+  EXPECT_EQ(refusal(kSource + "mass_g = 1e308", kReadMass),
+            "a.toml:2: wanted 'mass_g' of at most 10000 kg in size, got 1e+308");
+  EXPECT_EQ(length_in("radius_m = 10"), 10);
+}
+
+/// Processor time of a call [s].
+template <typename Call>
+double cpu_seconds(const Call& call) {
+  const std::clock_t start = std::clock();
+  call();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+// Each key was sought among all others: 60,000 took minutes.
+TEST(TomlTable, ManyKeysTakeTimeInProportion) {
+  std::string text = kSource;
+  for (int i = 0; i < 60'000; ++i) text += fmt::format("key{}_mm = 1\n", i);
+  EXPECT_LT(cpu_seconds([&] {
+              const auto read = [](TomlTable& top) { (void)top.all(Dimension::kLength); };
+              EXPECT_EQ(refusal(text, read), "");
+            }),
+            5);
+}
+
+// What the parser's assertions refuse was parsed again line by line.
+TEST(TomlTable, ALateSyntaxErrorTakesNoTimeOfItsOwn) {
+  std::string text;
+  for (int i = 0; i < 20'000; ++i) text += fmt::format("key{} = 1\n", i);
+  EXPECT_LT(cpu_seconds([&] {
+              const std::string said = refusal(text + "a = \x01[", kReadNothing);
+              EXPECT_EQ(said.substr(0, 14), "a.toml:20001: ");
+            }),
+            5);
 }
 
 }  // namespace
