@@ -10,6 +10,7 @@
 #include "apps/digit_question.h"
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
+#include "apps/read_source.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/result_file.h"
@@ -34,6 +35,7 @@ Explanation explain_subject_file(const Options& options) {
 
 Explanation explain_fit_file(const std::string& path) {
   Explanation explanation = explain(read_fit(path));
+  warn_unchecked(path);
   Section section{"versions", "Written by", {}, {{"program", "version"}, {}}};
   const std::string prefix = "provenance/versions/";
   for (const auto& [key, texts] : read_result(path).texts)

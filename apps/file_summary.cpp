@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/print_table.h"
+#include "apps/read_source.h"
 #include "base/shapes/solid.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
@@ -126,6 +127,7 @@ std::string counted(std::size_t count, const std::string& thing) {
 }
 
 std::string summarise_file(const std::string& path) {
+  warn_unchecked(path);
   switch (find_file_kind(path)) {
     case FileKind::kSubject:
       return summary(read_subject(path));

@@ -12,6 +12,7 @@
 #include "apps/print_prediction.h"
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
+#include "apps/read_source.h"
 #include "base/write_file.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
@@ -31,6 +32,7 @@ struct Options {
 
 void summary(const Options& options) {
   const PosteriorRun run = read_posterior(options.posterior);
+  warn_unchecked(options.posterior);
   if (options.json)
     fmt::print("{}\n", summary_json(run).dump(2));
   else
@@ -50,6 +52,7 @@ void plot(const Options& options) {
   require_ending(options.output, {".html"});
   require_writable(options.output);
   const PosteriorRun run = read_posterior(options.posterior);
+  warn_unchecked(options.posterior);
   std::string title;
   for (const std::string& specimen : run.posterior->problem().specimens())
     title += (title.empty() ? "" : ", ") + specimen;
@@ -64,6 +67,7 @@ void plot(const Options& options) {
 
 void predict(const Options& options) {
   const PosteriorRun run = read_posterior(options.posterior);
+  warn_unchecked(options.posterior);
   nlohmann::json out = nlohmann::json::array();
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);

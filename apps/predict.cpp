@@ -28,6 +28,7 @@ void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n",
 
 void run(const Options& options) {
   const Fit fit = read_fit(options.fit);
+  warn_unchecked(options.fit);
   if (fit.solution.status != SolveStatus::kConverged)
     warn(fmt::format("the fit in '{}' did not converge: {}", options.fit,
                      name_of(fit.solution.status)));

@@ -4,12 +4,18 @@
 
 #include "base/error.h"
 #include "base/write_file.h"
+#include "data/io/checked_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
 
 SourceText read_source(const std::string& path) { return {path, read_text_file(path)}; }
+
+void warn_unchecked(const std::string& path) {
+  if (has_hdf5_start(path) && !has_checksum(path))
+    fmt::print(stderr, "{}: warning: it has no checksum, so that damage cannot be noticed\n", path);
+}
 
 void require_result_path(const std::string& path) {
   const auto is_result = [&] {

@@ -1,11 +1,11 @@
 #include "sampling/run_folder.h"
 
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "base/read_file.h"
 #include "sampling/run_chains.h"
 #include "sampling/state_bytes.h"
 
@@ -23,11 +23,12 @@ std::string text_of(const RunIdentity& identity) {
 }
 
 std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  require(file.good(), "cannot read '{}'", path);
-  return content.str();
+  constexpr std::size_t kMost = 1'000'000'000;  // state of thousands of chains [bytes]
+  try {
+    return read_file(path, kMost);
+  } catch (const DataError& error) {
+    throw InputError(error.what());
+  }
 }
 
 RunIdentity identity_of(const std::string& text) {

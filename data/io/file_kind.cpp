@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "base/error.h"
+#include "data/io/checked_file.h"
+#include "data/io/file_guard.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
 namespace {
-
-/// The first bytes of every HDF5 file.
-const std::string kHdf5 = "\x89HDF\r\n\x1a\n";
 
 bool has_any(const TomlNode& table, const std::vector<std::string>& keys) {
   return std::any_of(keys.begin(), keys.end(),
@@ -59,9 +58,8 @@ std::string name_of(FileKind kind) {
 }
 
 FileKind find_file_kind(const std::string& path) {
-  const std::string text = read_text_file(path);
-  if (text.compare(0, kHdf5.size(), kHdf5) == 0) return FileKind::kResult;
-  const TomlNode top = parse_toml(text, path);
+  if (has_hdf5_start(path)) return FileKind::kResult;
+  const TomlNode top = parse_toml(read_guarded(path, GuardedKind::kToml), path);
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;
   if (has_any(top, {"protocol", "trials", "posture", "noise"})) return FileKind::kExperiment;
   if (has_proportions(top)) return FileKind::kProportions;

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "base/provenance.h"
 #include "base/write_file.h"
+#include "data/io/checked_file.h"
 
 namespace thenar {
 namespace {
@@ -176,7 +177,7 @@ void write_inference(const InferenceFile& file, const std::string& path) {
   check(nc_create_mem("inference", NC_NETCDF4, 0, &id), "make a file in memory");
   NC_memio image{};
   try {
-    put_text(id, NC_GLOBAL, kProgram, "thenar");
+    put_text(id, NC_GLOBAL, kProgram, kCheckedProgram);
     for (const auto& [name, text] : file.attributes) put_text(id, NC_GLOBAL, name, text);
     const auto attributes = group_attributes(file);
     for (const auto& [name, group] : file.groups) put_group(id, name, group, attributes);
@@ -185,9 +186,9 @@ void write_inference(const InferenceFile& file, const std::string& path) {
     throw;
   }
   check(nc_close_memio(id, &image), "complete a file");
-  const std::string bytes(static_cast<const char*>(image.memory), image.size);
+  std::string bytes(static_cast<const char*>(image.memory), image.size);
   std::free(image.memory);  // NOLINT: netCDF gave it away
-  write_file(path, bytes);
+  write_file(path, with_checksum(std::move(bytes)));
 }
 
 }  // namespace thenar

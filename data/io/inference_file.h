@@ -32,14 +32,14 @@ struct InferenceFile {
   std::map<std::string, std::string> attributes;  // of the whole: provenance, inputs
 };
 
-/// Writes to a temporary beside `path` and renames when complete. `az.from_netcdf(path)` opens it.
+/// Writes beside `path` and renames; ends with a checksum. `az.from_netcdf(path)` opens it.
 /// Every group also gets the attributes that ArviZ notes: created_at (that of the file, or now),
 /// creation_library, inference_library and its version.
 /// @throws InputError if shapes disagree, an array of integers or bools holds something else, an
 /// attribute is named "program" (which marks the file as ours), or the file cannot be written.
 void write_inference(const InferenceFile& file, const std::string& path);
 
-/// @throws DataError if there is no such file, or it is not one of ours.
+/// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
 [[nodiscard]] InferenceFile read_inference(const std::string& path);
 
 }  // namespace thenar

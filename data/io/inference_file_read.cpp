@@ -1,11 +1,12 @@
-#include <fstream>
-#include <sstream>
-
 #include <netcdf.h>
 #include <netcdf_mem.h>
 
 #include "base/error.h"
+#include "data/io/checked_file.h"
+#include "data/io/file_guard.h"
+#include "data/io/hdf5_guard.h"
 #include "data/io/inference_file.h"
+#include "data/io/trial_run.h"
 
 namespace thenar {
 namespace {
@@ -19,35 +20,54 @@ void check(int status, const std::string& what) {
 /// An open file in memory.
 class Reading {
  public:
-  explicit Reading(std::string bytes) : bytes_(std::move(bytes)) {
+  explicit Reading(std::string& bytes) : bytes_(bytes), left_(bytes.size()) {
     check(nc_open_mem("inference", NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "open it");
   }
   ~Reading() { (void)nc_close(file_); }
   Reading(const Reading&) = delete;
   Reading& operator=(const Reading&) = delete;
   [[nodiscard]] int file() const { return file_; }
+  [[nodiscard]] std::size_t size() const { return bytes_.size(); }  // [bytes]
+
+  /// Holds what is about to be taken against the file: nothing in it stands there twice.
+  void take(std::size_t bytes, const std::string& what) {
+    require(bytes <= left_, "{} promises more bytes than are left of the file's {}", what,
+            bytes_.size());
+    left_ -= bytes;
+  }
+
+  /// One text, whose memory netCDF gives away. @param get  netCDF's call that puts it there
+  template <typename Get>
+  std::string text(const std::string& what, const Get& get) {
+    char* chars = nullptr;
+    check(get(&chars), "read " + what);
+    const std::string found = chars == nullptr ? "" : chars;
+    (void)nc_free_string(1, &chars);
+    take(found.size(), what);
+    return found;
+  }
 
  private:
-  std::string bytes_;
+  std::string& bytes_;
+  std::size_t left_;  // of the file, for texts [bytes]
   int file_ = 0;
 };
 
 /// Text of an attribute; "" if there is none.
-std::string get_text(int group, int variable, const std::string& name) {
+std::string get_text(Reading& reading, int group, int variable, const std::string& name) {
   nc_type type = NC_CHAR;
   std::size_t length = 0;
   if (nc_inq_att(group, variable, name.c_str(), &type, &length) != NC_NOERR) return {};
+  const std::string what = fmt::format("attribute '{}'", name);
   if (type == NC_CHAR) {
+    reading.take(length, what);
     std::string text(length, '\0');
-    check(nc_get_att_text(group, variable, name.c_str(), text.data()), "read attribute " + name);
+    check(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
     return text;
   }
-  require(type == NC_STRING && length == 1, "attribute '{}' is no text", name);
-  char* chars = nullptr;
-  check(nc_get_att_string(group, variable, name.c_str(), &chars), "read attribute " + name);
-  const std::string text = chars;
-  (void)nc_free_string(1, &chars);
-  return text;
+  require(type == NC_STRING && length == 1, "{} is no text", what);
+  return reading.text(
+      what, [&](char** to) { return nc_get_att_string(group, variable, name.c_str(), to); });
 }
 
 std::string name_of_dimension(int group, int dimension) {
@@ -56,43 +76,76 @@ std::string name_of_dimension(int group, int dimension) {
   return name;
 }
 
-std::vector<std::string> get_labels(int group, int variable, std::size_t length) {
-  std::vector<char*> chars(length, nullptr);
-  if (length > 0) check(nc_get_var_string(group, variable, chars.data()), "read labels");
-  const std::vector<std::string> labels(chars.begin(), chars.end());
-  if (length > 0) (void)nc_free_string(length, chars.data());
+/// The shape and the type of a variable.
+struct VariableShape {
+  std::string name;
+  nc_type type = NC_DOUBLE;
+  std::vector<std::string> dimensions;
+};
+
+VariableShape get_shape(int group, int variable) {
+  char name[NC_MAX_NAME + 1];
+  VariableShape shape;
+  int rank = 0;
+  check(nc_inq_var(group, variable, name, &shape.type, &rank, nullptr, nullptr), "read a variable");
+  shape.name = name;
+  std::vector<int> over(static_cast<std::size_t>(rank));
+  check(nc_inq_vardimid(group, variable, over.data()), "read a variable");
+  for (const int dimension : over) shape.dimensions.push_back(name_of_dimension(group, dimension));
+  return shape;
+}
+
+/// Names along a dimension: a variable that is named like it need not lie along it.
+std::vector<std::string> get_labels(Reading& reading, int group, int variable,
+                                    const VariableShape& shape, std::size_t length) {
+  require(shape.dimensions.size() == 1 && shape.dimensions[0] == shape.name,
+          "the coordinate '{}' lies along '{}', not along its own dimension", shape.name,
+          fmt::join(shape.dimensions, "', '"));
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < length; ++i)
+    labels.push_back(reading.text("the names of " + shape.name, [&](char** to) {
+      return nc_get_var1_string(group, variable, &i, to);
+    }));
   return labels;
 }
 
-void get_variable(int group, int variable, InferenceGroup& out) {
-  char name[NC_MAX_NAME + 1];
-  nc_type type = NC_DOUBLE;
-  int rank = 0;
-  check(nc_inq_var(group, variable, name, &type, &rank, nullptr, nullptr), "read a variable");
-  std::vector<int> over(static_cast<std::size_t>(rank));
-  check(nc_inq_vardimid(group, variable, over.data()), "read a variable");
-  if (out.lengths.count(name) == 1) {
-    if (type == NC_STRING)
-      out.coordinates[name] = get_labels(group, variable, out.lengths.at(name));
-    return;
-  }
-  InferenceArray array;
+/// Number of values, which the file must have in bytes at least.
+std::size_t size_of(const VariableShape& shape, const InferenceGroup& group, std::size_t most) {
   std::size_t size = 1;
-  for (const int dimension : over) {
-    array.dimensions.push_back(name_of_dimension(group, dimension));
-    size *= out.lengths.at(array.dimensions.back());
+  for (const std::string& dimension : shape.dimensions) {
+    const auto found = group.lengths.find(dimension);
+    require(found != group.lengths.end(),
+            "'{}' lies along '{}', which is no dimension of its group", shape.name, dimension);
+    if (found->second == 0) return 0;
+    require(size <= most / found->second, "'{}' promises more values than the file has bytes, {}",
+            shape.name, most);
+    size *= found->second;
   }
-  array.unit = get_text(group, variable, "units");
-  array.description = get_text(group, variable, "long_name");
-  array.boolean = type == NC_BYTE;
-  array.integer = type == NC_INT64;
-  array.values.resize(size);
-  if (size > 0)
-    check(nc_get_var_double(group, variable, array.values.data()), std::string("read ") + name);
-  out.arrays[name] = std::move(array);
+  return size;
 }
 
-InferenceGroup get_group(int group) {
+void get_variable(Reading& reading, int group, int variable, InferenceGroup& out) {
+  const VariableShape shape = get_shape(group, variable);
+  if (const auto found = out.lengths.find(shape.name); found != out.lengths.end()) {
+    if (shape.type == NC_STRING)
+      out.coordinates[shape.name] = get_labels(reading, group, variable, shape, found->second);
+    return;
+  }
+  require(shape.type == NC_DOUBLE || shape.type == NC_INT64 || shape.type == NC_BYTE,
+          "wanted '{}' as numbers of 64 bits or as bytes, got something else", shape.name);
+  InferenceArray array;
+  array.dimensions = shape.dimensions;
+  array.unit = get_text(reading, group, variable, "units");
+  array.description = get_text(reading, group, variable, "long_name");
+  array.boolean = shape.type == NC_BYTE;
+  array.integer = shape.type == NC_INT64;
+  array.values.resize(size_of(shape, out, reading.size()));
+  if (!array.values.empty())
+    check(nc_get_var_double(group, variable, array.values.data()), "read " + shape.name);
+  out.arrays[shape.name] = std::move(array);
+}
+
+InferenceGroup get_group(Reading& reading, int group) {
   InferenceGroup out;
   int count = 0;
   check(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
@@ -104,39 +157,28 @@ InferenceGroup get_group(int group) {
     out.lengths[name_of_dimension(group, dimension)] = length;
   }
   check(nc_inq_nvars(group, &count), "list variables");
-  for (int variable = 0; variable < count; ++variable) get_variable(group, variable, out);
+  for (int variable = 0; variable < count; ++variable) get_variable(reading, group, variable, out);
   return out;
 }
 
-std::map<std::string, std::string> get_attributes(int file) {
+std::map<std::string, std::string> get_attributes(Reading& reading) {
+  const int file = reading.file();
   int count = 0;
   check(nc_inq_natts(file, &count), "list attributes");
   std::map<std::string, std::string> attributes;
   for (int i = 0; i < count; ++i) {
     char name[NC_MAX_NAME + 1];
     check(nc_inq_attname(file, NC_GLOBAL, i, name), "list attributes");
-    attributes[name] = get_text(file, NC_GLOBAL, name);
+    attributes[name] = get_text(reading, file, NC_GLOBAL, name);
   }
   return attributes;
 }
 
-std::string bytes_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << file.rdbuf();
-  if (!file || bytes.str().compare(0, 4, "\x89HDF") != 0)
-    throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
-  return bytes.str();
-}
-
-}  // namespace
-
-InferenceFile read_inference(const std::string& path) try {
-  const Reading reading(bytes_of(path));
+InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& path) {
   InferenceFile out;
-  out.attributes = get_attributes(reading.file());
-  if (out.attributes[kProgram] != "thenar")
-    throw DataError(path, 1, "wanted an inference file of thenar, got another netCDF file");
+  out.attributes = get_attributes(reading);
+  require_ours(out.attributes[kProgram], checksum, path,
+               "an inference file of thenar, got another netCDF file");
   out.attributes.erase(kProgram);
   int count = 0;
   check(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
@@ -145,11 +187,31 @@ InferenceFile read_inference(const std::string& path) try {
   for (const int group : groups) {
     char name[NC_MAX_NAME + 1];
     check(nc_inq_grpname(group, name), "list groups");
-    out.groups[name] = get_group(group);
+    out.groups[name] = get_group(reading, group);
   }
   return out;
-} catch (const InputError& error) {
-  throw DataError(path, 1, error.what());
+}
+
+/// @param bytes  of a file; the libraries want to be able to change them, and do not
+InferenceFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
+  (void)guard_hdf5(bytes, path);  // netCDF-4 is HDF5
+  try {
+    Reading reading(bytes);
+    return read_open(reading, checksum, path);
+  } catch (const InputError& error) {
+    throw DataError(path, 1, error.what());
+  }
+}
+
+}  // namespace
+
+InferenceFile read_inference(const std::string& path) {
+  if (!has_hdf5_start(path))
+    throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
+  std::string bytes = read_guarded(path, GuardedKind::kInference);
+  const Checksum checksum = take_checksum(bytes, path);
+  try_first(path, [&] { (void)read_image(bytes, checksum, path); });
+  return read_image(bytes, checksum, path);
 }
 
 }  // namespace thenar

@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <numeric>
-#include <set>
 
 #include <hdf5.h>
 #include <hdf5_hl.h>
 
 #include "base/error.h"
 #include "base/write_file.h"
+#include "data/io/checked_file.h"
+#include "data/io/file_guard.h"
+#include "data/io/hdf5_guard.h"
+#include "data/io/trial_run.h"
 
 namespace thenar {
 namespace {
@@ -52,15 +55,43 @@ void write_attribute(hid_t object, const char* name, const std::string& text) {
   require(H5Awrite(attribute, type, &chars) >= 0, "HDF5 could not write attribute {}", name);
 }
 
-std::string read_attribute(hid_t object, const char* name) {
+/// Takes one variable-length text out of an attribute or array, and gives its memory back. Many
+/// may point to the same bytes of the file: together they may not be longer than it.
+class TextReader {
+ public:
+  explicit TextReader(std::size_t most) : left_(most) {}
+
+  /// @param read  puts a pointer to a new text into its argument; false: it could not
+  template <typename Read>
+  std::string one(const std::string& what, const Read& read) {
+    char* chars = nullptr;
+    require(read(static_cast<void*>(&chars)), "HDF5 could not read {}", what);
+    std::string text = chars == nullptr ? "" : chars;
+    (void)H5free_memory(chars);
+    require(text.size() <= left_, "the texts are longer than the file, up to {}", what);
+    left_ -= text.size();
+    return text;
+  }
+
+ private:
+  std::size_t left_;  // [bytes]
+};
+
+/// A text of variable length is a pointer in memory, one for each entry.
+bool is_text(hid_t type) {
+  return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
+}
+
+std::string read_attribute(hid_t object, const char* name, TextReader& texts) {
   if (H5Aexists(object, name) <= 0) return {};
+  const std::string what = fmt::format("attribute '{}'", name);
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open " + what);
+  const Handle space(H5Aget_space(attribute), H5Sclose, "read the shape of " + what);
+  const Handle stored(H5Aget_type(attribute), H5Tclose, "read the type of " + what);
+  require(is_text(stored) && H5Sget_simple_extent_npoints(space) == 1,
+          "wanted {} as one text of variable length, got something else", what);
   const Handle type = string_type();
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open an attribute");
-  char* chars = nullptr;
-  if (H5Aread(attribute, type, &chars) < 0 || chars == nullptr) return {};
-  std::string text = chars;
-  H5free_memory(chars);
-  return text;
+  return texts.one(what, [&](void* to) { return H5Aread(attribute, type, to) >= 0; });
 }
 
 /// Group part of a key, "" for the root.
@@ -81,10 +112,9 @@ void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std
     const Handle scale(
         H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
         H5Dclose, "add dimension " + name);
-    require(
-        H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()) >= 0 &&
-            H5DSset_scale(scale, label.c_str()) >= 0,
-        "HDF5 could not write dimension {}", name);
+    require(H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()) >= 0 &&
+                H5DSset_scale(scale, label.c_str()) >= 0,
+            "HDF5 could not write dimension {}", name);
   }
   const Handle scale(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open " + name);
   require(H5DSattach_scale(dataset, scale, axis) >= 0, "HDF5 could not label dimension {}", name);
@@ -122,41 +152,53 @@ void write_texts(hid_t file, const std::string& key, const std::vector<std::stri
           "HDF5 could not write {}", key);
 }
 
-void read_dataset(hid_t file, const std::string& key, ResultFile& out) {
+/// A list of texts, one after the other, so that none is read beyond what the file can hold.
+std::vector<std::string> read_texts(hid_t dataset, hid_t space, const std::string& key,
+                                    TextReader& reader) {
+  const auto count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
+  const Handle memory = string_type();
+  const Handle one(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
+  std::vector<std::string> texts;
+  for (hsize_t i = 0; i < count; ++i) {
+    const hsize_t length = 1;
+    if (H5Sget_simple_extent_ndims(space) == 1)
+      require(H5Sselect_hyperslab(space, H5S_SELECT_SET, &i, nullptr, &length, nullptr) >= 0,
+              "HDF5 could not find an entry of {}", key);
+    texts.push_back(reader.one(
+        key, [&](void* to) { return H5Dread(dataset, memory, one, space, H5P_DEFAULT, to) >= 0; }));
+  }
+  return texts;
+}
+
+/// @throws InputError for anything but numbers or a list of texts.
+void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultFile& out) {
   const Handle dataset(H5Dopen2(file, key.c_str(), H5P_DEFAULT), H5Dclose, "open " + key);
   if (H5DSis_scale(dataset) > 0) return;
   const Handle space(H5Dget_space(dataset), H5Sclose, "read the shape of " + key);
   const Handle type(H5Dget_type(dataset), H5Tclose, "read the type of " + key);
-  std::vector<hsize_t> shape(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
-  const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
-
-  if (H5Tget_class(type) == H5T_STRING) {
-    const Handle memory = string_type();
-    std::vector<char*> chars(size, nullptr);
-    require(
-        size == 0 || H5Dread(dataset, memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, chars.data()) >= 0,
-        "HDF5 could not read {}", key);
-    std::vector<std::string> texts(chars.begin(), chars.end());
-    if (size > 0) H5Dvlen_reclaim(memory, space, H5P_DEFAULT, chars.data());
-    out.texts[key] = std::move(texts);
+  const int rank = H5Sget_simple_extent_ndims(space);
+  require(rank >= 0 && rank <= 3, "'{}' has {} dimensions, wanted at most 3", key, rank);
+  if (is_text(type)) {
+    require(rank <= 1, "the texts '{}' have {} dimensions, wanted a list", key, rank);
+    out.texts[key] = read_texts(dataset, space, key, texts);
     return;
   }
+  require(H5Tget_class(type) == H5T_FLOAT && H5Tget_size(type) == sizeof(double),
+          "wanted '{}' as numbers of 64 bits or as texts, got something else", key);
+  require(H5Sget_simple_extent_type(space) != H5S_NULL, "'{}' holds nothing", key);
+  // The guard held the shape against the file's size; what was never written has no size there.
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  H5Sget_simple_extent_dims(space, shape.data(), nullptr);
+  const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
+  require(size == 0 || H5Dget_storage_size(dataset) > 0, "'{}' was never written", key);
   ResultArray array{std::vector<double>(size),
                     {shape.begin(), shape.end()},
-                    read_attribute(dataset, "units"),
+                    read_attribute(dataset, "units", texts),
                     {}};
   require(
       H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) >= 0,
       "HDF5 could not read {}", key);
   out.arrays[key] = std::move(array);
-}
-
-/// Called for every object of the file; errors wait in the list, since this runs inside C.
-herr_t visit(hid_t /*root*/, const char* name, const H5O_info_t* info, void* data) {
-  if (info->type == H5O_TYPE_DATASET)
-    static_cast<std::vector<std::string>*>(data)->emplace_back(name);
-  return 0;
 }
 
 /// A file that lives in memory only. HDF5 cannot recover from a full disk: it crashes at exit.
@@ -179,8 +221,28 @@ std::string image(hid_t file) {
   return bytes;
 }
 
+/// The library neither copies the bytes of a file in memory, nor frees them.
+constexpr unsigned kImageIsOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
+
 /// The library prints its own stack of errors unless told not to.
 void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
+/// @param bytes  of a file; HDF5 wants to be able to change them, and does not
+ResultFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
+  const std::vector<std::string> keys = guard_hdf5(bytes, path);
+  try {
+    const Handle h5(H5LTopen_file_image(bytes.data(), bytes.size(), kImageIsOurs), H5Fclose,
+                    "open it");
+    TextReader texts(bytes.size());
+    require_ours(read_attribute(h5, "program", texts), checksum, path,
+                 "a result file of thenar, got another HDF5 file");
+    ResultFile out;
+    for (const std::string& key : keys) read_dataset(h5, key, texts, out);
+    return out;
+  } catch (const InputError& error) {
+    throw DataError(path, 1, error.what());
+  }
+}
 
 }  // namespace
 
@@ -239,26 +301,20 @@ void write_result(const ResultFile& file, const std::string& path) {
   be_quiet();
   require_writable(path);
   const Handle h5 = memory_file(path);
-  write_attribute(h5, "program", "thenar");
+  write_attribute(h5, "program", kCheckedProgram);
   for (const auto& [key, array] : file.arrays) write_array(h5, key, array);
   for (const auto& [key, texts] : file.texts) write_texts(h5, key, texts);
-  write_file(path, image(h5));
+  write_file(path, with_checksum(image(h5)));
 }
 
 ResultFile read_result(const std::string& path) {
   be_quiet();
-  if (H5Fis_hdf5(path.c_str()) <= 0)
+  if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted a result file (HDF5) of thenar, got none or another format");
-  const Handle h5(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose,
-                  "open '" + path + "'");
-  if (read_attribute(h5, "program") != "thenar")
-    throw DataError(path, 1, "wanted a result file of thenar, got another HDF5 file");
-  std::vector<std::string> keys;
-  require(H5Ovisit2(h5, H5_INDEX_NAME, H5_ITER_NATIVE, visit, &keys, H5O_INFO_BASIC) >= 0,
-          "HDF5 could not list '{}'", path);
-  ResultFile out;
-  for (const std::string& key : keys) read_dataset(h5, key, out);
-  return out;
+  std::string bytes = read_guarded(path, GuardedKind::kResult);
+  const Checksum checksum = take_checksum(bytes, path);
+  try_first(path, [&] { (void)read_image(bytes, checksum, path); });
+  return read_image(bytes, checksum, path);
 }
 
 }  // namespace thenar

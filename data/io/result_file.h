@@ -38,11 +38,11 @@ struct ResultFile {
 };
 
 /// Writes to `path + ".tmp"` and renames when complete, so that nothing half-written is left.
-/// Dimensions become HDF5 dimension scales, so that xarray opens the file.
+/// Dimensions become HDF5 dimension scales, as xarray wants them; a checksum stands at the end.
 /// @throws InputError if the file cannot be written.
 void write_result(const ResultFile& file, const std::string& path);
 
-/// @throws DataError if there is no such file, or it is not one of ours.
+/// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
 [[nodiscard]] ResultFile read_result(const std::string& path);
 
 }  // namespace thenar

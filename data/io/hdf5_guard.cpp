@@ -1,0 +1,173 @@
+#include "data/io/hdf5_guard.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <hdf5.h>
+#include <hdf5_hl.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kDeepest = 8;                    // groups within groups; ours need 4
+constexpr int kMostDimensions = 8;             // of an array; ours need 3
+constexpr int kMostAttributes = 1000;          // of one object; each is sought among all
+constexpr std::size_t kMostObjects = 100'000;  // groups, datasets and their attributes
+
+/// Closes what HDF5 opened.
+class Hdf5Object {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Hdf5Object(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
+    require(id >= 0, "HDF5 could not open {}", what);
+  }
+  ~Hdf5Object() { (void)close_(id_); }
+  Hdf5Object(const Hdf5Object&) = delete;
+  Hdf5Object& operator=(const Hdf5Object&) = delete;
+  operator hid_t() const { return id_; }  // NOLINT: handles are passed to C all the time
+
+ private:
+  hid_t id_;
+  Close close_;
+};
+
+using Names = std::vector<std::string>;
+
+/// Called for every link of a group; soft and external ones lead elsewhere and are left alone.
+herr_t list_link(hid_t /*group*/, const char* name, const H5L_info_t* info, void* data) {
+  auto& names = *static_cast<Names*>(data);
+  if (info->type == H5L_TYPE_HARD) names.emplace_back(name);
+  return names.size() > kMostObjects ? -1 : 0;
+}
+
+/// The walk, with what is left of the file's bytes.
+class Hdf5Walk {
+ public:
+  Hdf5Walk(hid_t file, std::size_t bytes) : file_(file), size_(bytes), left_(bytes) {}
+
+  Names datasets() {
+    Names found;
+    std::vector<std::pair<std::string, int>> groups{{"/", 0}};  // with their depth
+    while (!groups.empty()) {
+      const auto [group, depth] = groups.back();
+      groups.pop_back();
+      require(depth <= kDeepest, "groups nest deeper than {}", kDeepest);
+      for (const std::string& name : links_of(group)) {
+        const std::string key = group == "/" ? name : group + "/" + name;
+        const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, key);
+        const H5I_type_t type = H5Iget_type(object);
+        if (type == H5I_GROUP) groups.emplace_back(key, depth + 1);
+        if (type == H5I_DATASET) {
+          check_dataset(object, key);
+          found.push_back(key);
+        }
+        check_attributes(object, key);
+      }
+    }
+    const Hdf5Object root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "the root");
+    check_attributes(root, "/");
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+ private:
+  Names links_of(const std::string& key) {
+    const Hdf5Object group(H5Gopen2(file_, key.c_str(), H5P_DEFAULT), H5Gclose, key);
+    Names names;
+    require(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, list_link, &names) >= 0,
+            "HDF5 could not list '{}'", key);
+    take_objects(names.size());
+    return names;
+  }
+
+  void check_dataset(hid_t dataset, const std::string& key) {
+    const Hdf5Object space(H5Dget_space(dataset), H5Sclose, "the shape of " + key);
+    const Hdf5Object type(H5Dget_type(dataset), H5Tclose, "the type of " + key);
+    const Hdf5Object made(H5Dget_create_plist(dataset), H5Pclose, "the layout of " + key);
+    const std::size_t entry = std::max<std::size_t>(1, H5Tget_size(type));
+    take(space, entry, key);
+    const H5D_layout_t layout = H5Pget_layout(made);
+    require(layout == H5D_CONTIGUOUS || layout == H5D_COMPACT || layout == H5D_CHUNKED,
+            "'{}' does not lie in the file", key);
+    require(H5Pget_external_count(made) <= 0, "'{}' does not lie in the file", key);
+    if (layout == H5D_CHUNKED) check_chunk(made, entry, key);
+  }
+
+  /// A piece of an array is unpacked as a whole, whatever is asked of it.
+  void check_chunk(hid_t made, std::size_t entry, const std::string& key) const {
+    hsize_t lengths[H5S_MAX_RANK];
+    const int rank = H5Pget_chunk(made, H5S_MAX_RANK, lengths);
+    require(rank >= 0, "HDF5 could not tell the pieces of '{}'", key);
+    constexpr std::size_t kUsual = 4u << 20;  // what netCDF takes for arrays that can grow [bytes]
+    (void)product(lengths, rank, entry, std::max(size_, kUsual), "a piece of '" + key + "'");
+  }
+
+  void check_attributes(hid_t object, const std::string& key) {
+    const int count = H5Aget_num_attrs(object);
+    require(count >= 0 && count <= kMostAttributes, "'{}' has {} attributes, wanted at most {}",
+            key, count, kMostAttributes);
+    take_objects(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+      const std::string what = fmt::format("attribute {} of '{}'", i + 1, key);
+      const Hdf5Object attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_NATIVE,
+                                                static_cast<hsize_t>(i), H5P_DEFAULT, H5P_DEFAULT),
+                                 H5Aclose, what);
+      const Hdf5Object space(H5Aget_space(attribute), H5Sclose, "the shape of " + what);
+      const Hdf5Object type(H5Aget_type(attribute), H5Tclose, "the type of " + what);
+      take(space, std::max<std::size_t>(1, H5Tget_size(type)), what);
+    }
+  }
+
+  void take_objects(std::size_t count) {
+    objects_ += count;
+    require(objects_ <= kMostObjects, "wanted at most {} groups, arrays and attributes, got more",
+            kMostObjects);
+  }
+
+  /// Holds entries against what is left of the file.
+  void take(hid_t space, std::size_t entry, const std::string& what) {
+    hsize_t lengths[H5S_MAX_RANK];
+    const int rank = H5Sget_simple_extent_ndims(space);
+    require(rank >= 0 && rank <= kMostDimensions, "'{}' has {} dimensions, wanted at most {}", what,
+            rank, kMostDimensions);
+    if (H5Sget_simple_extent_type(space) == H5S_NULL) return;
+    require(H5Sget_simple_extent_dims(space, lengths, nullptr) == rank,
+            "HDF5 could not tell the shape of '{}'", what);
+    left_ -= product(lengths, rank, entry, left_, "'" + what + "'");
+  }
+
+  /// entry * lengths[0] * ..., which must not exceed `most`; safe where the product overflows.
+  std::size_t product(const hsize_t* lengths, int rank, std::size_t entry, std::size_t most,
+                      const std::string& what) const {
+    if (std::find(lengths, lengths + rank, 0) != lengths + rank) return 0;
+    std::size_t all = entry;
+    for (int i = 0; i < rank; ++i) {
+      require(lengths[i] <= most / all, "{} promises more bytes than are left of the file's {}",
+              what, size_);
+      all *= static_cast<std::size_t>(lengths[i]);
+    }
+    require(all <= most, "{} promises more bytes than are left of the file's {}", what, size_);
+    return all;
+  }
+
+  hid_t file_;
+  std::size_t size_, left_;  // of the file [bytes]
+  std::size_t objects_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path) try {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the library prints its errors unless told not to
+  // Not copied, not freed by the library, and not changed, since it is opened to be read.
+  constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
+  const Hdf5Object file(H5LTopen_file_image(bytes.data(), bytes.size(), kOurs), H5Fclose,
+                        "the file");
+  return Hdf5Walk(file, bytes.size()).datasets();
+} catch (const InputError& error) {
+  throw DataError(path, 1, error.what());
+}
+
+}  // namespace thenar

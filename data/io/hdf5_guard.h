@@ -1,0 +1,20 @@
+#pragma once
+
+/// What an HDF5 file may hold before its arrays are read: the library itself takes memory for
+/// whatever a file promises, and follows its links wherever they lead.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// Walks over every object of a file and holds it against the file's size: groups nest at most 8
+/// deep; arrays have at most 8 dimensions, lie in the file itself, and together with attributes
+/// promise no more bytes than it has. No value is read, no memory is taken for any.
+/// @param bytes  of the file
+/// @param path   only names it in messages
+/// @return keys of all datasets: "group/array", in order of their names
+/// @throws DataError naming the object that does not fit.
+[[nodiscard]] std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path);
+
+}  // namespace thenar
