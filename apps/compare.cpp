@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,8 @@
 #include "apps/data_folder.h"
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
+#include "base/error.h"
+#include "base/file_lock.h"
 #include "base/write_file.h"
 #include "grasp/compare/compare.h"
 
@@ -37,6 +40,18 @@ bool holds(const Comparison& comparison, const HandOnObject& wanted) {
   });
 }
 
+/// Postures of a file are of as many joints as the hands have.
+void require_postures(const std::vector<HandOnObject>& cells, const std::vector<NamedHand>& named,
+                      const std::string& path) {
+  for (const HandOnObject& cell : cells)
+    for (const NamedHand& hand : named)
+      for (const BestGrasp& best : cell.best)
+        if (hand.name == cell.hand && best.q.size() != hand.hand->layout().lower.size())
+          throw DataError(path, 1,
+                          fmt::format("a posture of '{}' has {} angles, wanted {}", cell.hand,
+                                      best.q.size(), hand.hand->layout().lower.size()));
+}
+
 /// With what an earlier run left and this one did not come to.
 Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) {
   for (const HandOnObject& cell : done)
@@ -47,11 +62,17 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
 Comparison run_comparison(const Options& options, const Json& inputs,
                           const std::vector<NamedHand>& named, const Progress& progress) {
   std::vector<HandOnObject> done;
-  if (!options.output.empty()) done = read_cells(options.output, inputs);
+  std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
+  if (!options.output.empty()) {
+    lock.emplace(options.output);
+    done = read_cells(options.output, inputs);
+    require_postures(done, named, options.output);
+  }
   const auto save = [&](const Comparison& comparison) {
     if (options.output.empty()) return;
     Json file = comparison_json(joined(comparison, done));
     file["inputs"] = inputs;
+    file["sha256"] = comparison_checksum(file);
     write_file(options.output, file.dump(1) + "\n");
   };
   CompareOptions settings = options_of(options.question);

@@ -10,6 +10,7 @@
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "base/provenance.h"
 #include "viewer/compare_words.h"
 
 namespace thenar {
@@ -37,6 +38,13 @@ Eigen::VectorXd vector(const nlohmann::json& list) {
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.size()));
   for (std::size_t i = 0; i < list.size(); ++i) out[static_cast<Eigen::Index>(i)] = number(list[i]);
   return out;
+}
+
+/// Three numbers, as every place and direction has.
+Eigen::Vector3d vector3(const nlohmann::json& list) {
+  const Eigen::VectorXd read = vector(list);
+  if (read.size() != 3) throw InputError(fmt::format("wanted 3 numbers, got {}", list.dump()));
+  return read;
 }
 
 Json margin_json(const std::map<std::string, double>& margins) {
@@ -72,8 +80,8 @@ Json contact_json(const HandContact& contact) {
 
 HandContact contact_of(const nlohmann::json& json) {
   HandContact contact;
-  contact.contact.p = vector(json.at("position_m"));
-  contact.contact.n = vector(json.at("normal"));
+  contact.contact.p = vector3(json.at("position_m"));
+  contact.contact.n = vector3(json.at("normal"));
   contact.contact.friction = json.at("friction");
   contact.contact.torsion = json.at("torsion_m");
   contact.surface = json.at("surface");
@@ -105,8 +113,8 @@ BestGrasp best_of(const nlohmann::json& json) {
   best.hand_epsilon = number(json.at("hand_epsilon_N"));
   best.margin = margins_of(json.at("margin"));
   best.reasons = json.at("reasons").get<std::map<std::string, std::string>>();
-  for (int i = 0; i < 3; ++i) best.X_WH.R.row(i) = vector(json.at("rotation").at(i)).transpose();
-  best.X_WH.p = vector(json.at("position_m"));
+  for (int i = 0; i < 3; ++i) best.X_WH.R.row(i) = vector3(json.at("rotation").at(i)).transpose();
+  best.X_WH.p = vector3(json.at("position_m"));
   best.q = vector(json.at("q"));
   for (const auto& contact : json.at("contacts")) best.contacts.push_back(contact_of(contact));
   return best;
@@ -205,11 +213,21 @@ Json comparison_json(const Comparison& comparison) {
   return out;
 }
 
+std::string comparison_checksum(const nlohmann::json& file) {
+  nlohmann::json rest = file;
+  rest.erase("sha256");
+  return sha256(rest.dump());
+}
+
 std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs) {
   if (!std::filesystem::exists(path)) return {};
   const nlohmann::json file = parse_json(path, read_source(path).text);
   require(file.is_object() && file.contains("inputs") && file.contains("cells"),
           "'{}' is no comparison of hands: name another file", path);
+  if (const auto sum = file.find("sha256"); sum == file.end())
+    fmt::print(stderr, "{}: warning: it has no checksum, so that damage cannot be noticed\n", path);
+  else if (*sum != comparison_checksum(file))
+    throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");
   for (const auto& [name, value] : inputs.items()) {
     const bool same =
         file["inputs"].contains(name) && file["inputs"][name] == nlohmann::json(value);
@@ -220,6 +238,8 @@ std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs
   try {
     for (const auto& cell : file["cells"]) cells.push_back(cell_of(cell));
   } catch (const nlohmann::json::exception& error) {
+    throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
+  } catch (const InputError& error) {
     throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
   }
   return cells;

@@ -17,9 +17,12 @@ namespace thenar {
 /// A task with the unit of its load: "hold_weights", "pull_N", "turn_Nm"; "force_closure" has none.
 [[nodiscard]] std::string load_key(GraspTask task);
 
+/// SHA-256 of everything in a comparison but this checksum itself, which its member "sha256" keeps.
+[[nodiscard]] std::string comparison_checksum(const nlohmann::json& file);
+
 /// Cells that an earlier run left in a file; none if there is no such file.
 /// @param inputs  that it must have come from, by name: another value is refused by that name
-/// @throws DataError, InputError if the file holds something else.
+/// @throws DataError, InputError if the file holds something else, or its checksum does not hold.
 [[nodiscard]] std::vector<HandOnObject> read_cells(const std::string& path,
                                                    const nlohmann::ordered_json& inputs);
 
