@@ -10,8 +10,8 @@
 #include "apps/contact_doubts.h"
 #include "apps/json_line.h"
 #include "base/error.h"
+#include "data/io/file_guard.h"
 #include "data/io/nearest_name.h"
-#include "data/io/toml_node.h"
 
 namespace thenar {
 namespace {
@@ -19,9 +19,10 @@ namespace {
 using nlohmann::json;
 using Names = std::vector<std::string>;
 
-constexpr int kMisspelt = 2;               // letters that differ
-constexpr double kLargest = 1e12;          // of any number: beyond it wrenches lose all digits
-constexpr std::size_t kLongestShown = 60;  // of a value in a message [characters]
+constexpr int kMisspelt = 2;                 // letters that differ
+constexpr double kLargest = 1e12;            // of any number: beyond it wrenches lose all digits
+constexpr std::size_t kMostContacts = 1000;  // a palm full of points; hulls take minutes beyond
+constexpr std::size_t kLongestShown = 60;    // of a value in a message [characters]
 
 /// A value with the way to it, so that complaints can name its line.
 class JsonValue {
@@ -214,7 +215,7 @@ FileTask file_task(const JsonValue& value, bool planar, std::set<std::string>& i
 }  // namespace
 
 ContactFile read_contact_file(const std::string& path) {
-  return parse_contacts(path, read_text_file(path), 1);
+  return parse_contacts(path, read_guarded(path, GuardedKind::kJson), 1);
 }
 
 ContactFile parse_contacts(const std::string& path, const std::string& text, int first_line) {
@@ -228,7 +229,11 @@ ContactFile parse_contacts(const std::string& path, const std::string& text, int
   file.planar = planar;
   file.centre_of_mass = root["centre_of_mass"].place(planar);
   file.torque_scale = positive(root["torque_scale"]);
-  for (const JsonValue& contact : root["contacts"].entries("a list of contacts")) {
+  const JsonValue contacts = root["contacts"];
+  const std::size_t count = parsed.contains("contacts") ? parsed["contacts"].size() : 0;
+  if (count > kMostContacts)
+    contacts.fail(fmt::format("wanted at most {} contacts, got {}", kMostContacts, count));
+  for (const JsonValue& contact : contacts.entries("a list of contacts")) {
     const Names of_contact = contact.others_than(
         {"position", "normal", "friction", "torsion", "wrenches", "patch", "name"});
     ignored.insert(of_contact.begin(), of_contact.end());

@@ -41,8 +41,9 @@ void check(const Options& options) {
   require(options.way > 0, "wanted --way above 0, got {}", options.way);
   require(options.random >= 0, "wanted --random of 0 or more, got {}", options.random);
   require(options.robustness >= 0, "wanted --robustness of 0 or more, got {}", options.robustness);
-  require(options.edges == 0 || options.edges >= 3, "wanted --edges of 3 or more, got {}",
-          options.edges);
+  constexpr int kMostEdges = 100;  // finer ones change nothing and take seconds that no signal ends
+  require(options.edges == 0 || (options.edges >= 3 && options.edges <= kMostEdges),
+          "wanted --edges of 3 to {}, got {}", kMostEdges, options.edges);
   require(options.approach || options.random == 0,
           "starts of --random are clear of the object: they want the approach");
   require_ending(options.out, {".html"});

@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "data/io/file_guard.h"
 
 namespace thenar {
 namespace {
 
 using nlohmann::json;
-
-constexpr int kDeepest = 32;  // brackets within brackets
 
 int line_at(const std::string& text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
@@ -94,31 +93,13 @@ int line_of_member(const std::string& text, const std::string& name, int n) {
   return line_at(text, at);
 }
 
-/// Line on which brackets first nest deeper than so many.
-int line_of_depth(const std::string& text, int most) {
-  bool in_string = false;
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const char c = text[i];
-    if (in_string && c == '\\') ++i;
-    if (c == '"') in_string = !in_string;
-    if (!in_string && (c == '[' || c == '{') && ++depth > most) return line_at(text, i);
-    if (!in_string && (c == ']' || c == '}')) --depth;
-  }
-  return 1;
-}
-
-/// Refuses members that stand twice in an object: which one was meant? And depths at which
-/// recursion over values would end the program.
+/// Refuses members that stand twice in an object: which one was meant?
 class Strict {
  public:
   Strict(const std::string& path, const std::string& text, int before)
       : path_(path), text_(text), before_(before) {}
 
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    if (depth > kDeepest)
-      throw DataError(path_, before_ + line_of_depth(text_, kDeepest),
-                      fmt::format("wanted brackets at most {} deep", kDeepest));
+  bool operator()(int /*depth*/, json::parse_event_t event, const json& parsed) {
     if (event == json::parse_event_t::object_start) open_.emplace_back();
     if (event == json::parse_event_t::object_end) open_.pop_back();
     if (event != json::parse_event_t::key) return true;
@@ -156,6 +137,7 @@ int line_of_quoted(const std::string& text, const std::string& message) {
 
 json parse_json(const std::string& path, const std::string& text, int first_line) {
   const int before = first_line - 1;
+  guard_text(text, path, GuardedKind::kJson, first_line);
   try {
     const Strict strict(path, text, before);
     return json::parse(text, strict);

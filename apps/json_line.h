@@ -12,7 +12,8 @@ namespace thenar {
 /// Steps from the root of a JSON text to a value: names of members, numbers of entries.
 using JsonPath = std::vector<std::string>;
 
-/// Parses strictly: no repeated members, no NaN or infinite numbers, no comments.
+/// Parses strictly: no repeated members, no NaN or infinite numbers, no comments; within the limits
+/// of data/io/file_guard.h.
 /// @param first_line  number of the text's first line, for messages
 /// @throws DataError `path:line: ...` saying what was wanted and what came.
 [[nodiscard]] nlohmann::json parse_json(const std::string& path, const std::string& text,

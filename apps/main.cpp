@@ -1,7 +1,11 @@
 // thenar: the human hand, fitted to forces. `thenar --help` lists the subcommands.
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
 #include <exception>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -27,44 +31,57 @@ void require_command(const CLI::App& app, int argc, char** argv) {
           did_you_mean(name, names));
 }
 
-}  // namespace
-}  // namespace thenar
+/// What was printed must have arrived: a full disk may show only now. @return the exit code
+int after_output(int code) {
+  std::cout.flush();
+  errno = 0;
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  if (written) return code;
+  const char* why = errno == 0 ? "is the disk full?" : std::strerror(errno);
+  fmt::print(stderr, "thenar: cannot write to standard output: {}\n", why);
+  return code == 0 ? 1 : code;
+}
 
-int main(int argc, char** argv) {
-  thenar::use_cache(thenar::cache_options_of_user());
+int run_command(int argc, char** argv) {
+  use_cache(cache_options_of_user());
   CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);
-  thenar::add_validate(app);
-  thenar::add_explain(app);
-  thenar::add_pose(app);
-  thenar::add_tip_force(app);
-  thenar::add_feasible_force(app);
-  thenar::add_tendon(app);
-  thenar::add_simulate(app);
-  thenar::add_study(app);
-  thenar::add_fit(app);
-  thenar::add_predict(app);
-  thenar::add_posterior(app);
-  thenar::add_quality(app);
-  thenar::add_grasp(app);
-  thenar::add_close(app);
-  thenar::add_compare(app);
-  thenar::add_import(app);
-  thenar::add_demo(app);
+  add_validate(app);
+  add_explain(app);
+  add_pose(app);
+  add_tip_force(app);
+  add_feasible_force(app);
+  add_tendon(app);
+  add_simulate(app);
+  add_study(app);
+  add_fit(app);
+  add_predict(app);
+  add_posterior(app);
+  add_quality(app);
+  add_grasp(app);
+  add_close(app);
+  add_compare(app);
+  add_import(app);
+  add_demo(app);
   try {
-    thenar::require_command(app, argc, argv);
+    require_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::RuntimeError& silent) {
     return silent.get_exit_code();
-  } catch (const thenar::Interrupted& e) {
+  } catch (const Interrupted& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
-    return thenar::exit_code_of_interruption();
+    return exit_code_of_interruption();
   } catch (const std::exception& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return 1;
   }
   return 0;
 }
+
+}  // namespace
+}  // namespace thenar
+
+int main(int argc, char** argv) { return thenar::after_output(thenar::run_command(argc, argv)); }

@@ -33,7 +33,7 @@ constexpr const char* kOtherKinds =
 
 bool is_own_kind(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
-  return !std::filesystem::exists(path) || ending == ".toml" || ending == ".h5" ||
+  return !std::filesystem::is_regular_file(path) || ending == ".toml" || ending == ".h5" ||
          ending == ".hdf5";
 }
 

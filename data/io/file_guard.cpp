@@ -29,8 +29,8 @@ constexpr std::array<FileLimit, 8> kLimits{{
 /// Counts nesting and values along a text, and refuses at the first place beyond a limit.
 class Counter {
  public:
-  Counter(std::string_view text, const std::string& path, const FileLimit& limit)
-      : text_(text), path_(path), limit_(limit) {}
+  Counter(std::string_view text, const std::string& path, const FileLimit& limit, int first_line)
+      : text_(text), path_(path), limit_(limit), first_line_(first_line) {}
 
   void deeper(std::size_t at, int levels = 1) {
     depth_ += levels;
@@ -49,13 +49,14 @@ class Counter {
  private:
   [[noreturn]] void refuse(std::size_t at, const std::string& what) const {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at, text_.size()));
-    const auto line = 1 + std::count(text_.begin(), end, '\n');
+    const auto line = first_line_ + std::count(text_.begin(), end, '\n');
     throw DataError(path_, static_cast<int>(line), what);
   }
 
   std::string_view text_;
   const std::string& path_;
   const FileLimit& limit_;
+  int first_line_;
   int depth_ = 0;
   std::size_t values_ = 0;
 };
@@ -228,13 +229,13 @@ std::string read_guarded(const std::string& path, GuardedKind kind) {
   return text;
 }
 
-void guard_text(std::string_view text, const std::string& path, GuardedKind kind) {
+void guard_text(std::string_view text, const std::string& path, GuardedKind kind, int first_line) {
   const FileLimit& limit = limit_of(kind);
   if (text.size() > limit.bytes)
     throw DataError(
-        path, 1,
+        path, first_line,
         fmt::format("wanted {} of at most {} bytes, got {}", limit.name, limit.bytes, text.size()));
-  Counter counter(text, path, limit);
+  Counter counter(text, path, limit, first_line);
   if (kind == GuardedKind::kToml) TomlNesting(text, counter).count();
   if (kind == GuardedKind::kJson) count_brackets(text, counter, false);
   if (kind == GuardedKind::kScene) count_brackets(text, counter, true);

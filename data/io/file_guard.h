@@ -39,8 +39,10 @@ struct FileLimit {
 
 /// Holds a text that is in memory already against the limits of its kind. One pass, no recursion,
 /// no memory beyond one number for each open bracket. The text need not be well-formed.
-/// @param path  only names it in messages
+/// @param path        only names it in messages
+/// @param first_line  number of the text's first line, for messages
 /// @throws DataError at the line on which a limit is passed.
-void guard_text(std::string_view text, const std::string& path, GuardedKind kind);
+void guard_text(std::string_view text, const std::string& path, GuardedKind kind,
+                int first_line = 1);
 
 }  // namespace thenar

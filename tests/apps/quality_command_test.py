@@ -164,7 +164,7 @@ class Quality(unittest.TestCase):
             ("", "1: wanted JSON: "),
             ("[]", "1: wanted an object, got []"),
             ("{\"contacts\":\n" + 100000 * "[" + 100000 * "]" + "}",
-             "2: wanted brackets at most 32 deep"),
+             "2: wanted JSON that nests at most 32 deep, got more"),
             ("{\"torque_scale\": 1,\n\"torque_scale\": 2}", "2: 'torque_scale' is given twice"),
             (pretty(lambda c: c.pop("torque_scale")), "1: the file has no 'torque_scale'"),
             (pretty(lambda c: c.update(torque_scale=0)),
