@@ -3,10 +3,16 @@
 /// What an HDF5 file may hold before its arrays are read: the library itself takes memory for
 /// whatever a file promises, and follows its links wherever they lead.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace thenar {
+
+/// How long reading a file of this size may take: a hundred times what it does [s of processor].
+[[nodiscard]] inline int seconds_to_read(std::size_t bytes) {
+  return 1 + static_cast<int>(bytes / (20 * 1000 * 1000));
+}
 
 /// Walks over every object of a file and holds it against the file's size: groups nest at most 8
 /// deep; arrays have at most 8 dimensions, lie in the file itself, and together with attributes

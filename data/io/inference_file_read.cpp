@@ -210,7 +210,7 @@ InferenceFile read_inference(const std::string& path) {
     throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kInference);
   const Checksum checksum = take_checksum(bytes, path);
-  try_first(path, [&] { (void)read_image(bytes, checksum, path); });
+  try_first(path, seconds_to_read(bytes.size()), [&] { (void)read_image(bytes, checksum, path); });
   return read_image(bytes, checksum, path);
 }
 

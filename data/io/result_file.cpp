@@ -313,7 +313,7 @@ ResultFile read_result(const std::string& path) {
     throw DataError(path, 1, "wanted a result file (HDF5) of thenar, got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kResult);
   const Checksum checksum = take_checksum(bytes, path);
-  try_first(path, [&] { (void)read_image(bytes, checksum, path); });
+  try_first(path, seconds_to_read(bytes.size()), [&] { (void)read_image(bytes, checksum, path); });
   return read_image(bytes, checksum, path);
 }
 

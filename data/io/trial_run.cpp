@@ -16,7 +16,6 @@
 namespace thenar {
 namespace {
 
-constexpr rlim_t kSeconds = 10;                 // of processor time
 constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // beyond what this process has [bytes]
 
 /// Address space of this process [bytes].
@@ -34,12 +33,12 @@ void lower_limit(int resource, rlim_t value) {
 }
 
 /// What the copy does: nothing of it is seen outside but how it ends.
-[[noreturn]] void run_limited(rlim_t memory, const std::function<void()>& work) {
+[[noreturn]] void run_limited(rlim_t memory, int seconds, const std::function<void()>& work) {
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGINT, SIGTERM})
     (void)std::signal(signal, SIG_DFL);
   lower_limit(RLIMIT_CORE, 0);
-  lower_limit(RLIMIT_CPU, kSeconds);
+  lower_limit(RLIMIT_CPU, static_cast<rlim_t>(seconds));
 #ifndef __SANITIZE_ADDRESS__  // whose shadow takes more than all memory
   lower_limit(RLIMIT_AS, memory + kMemory);
 #else
@@ -55,11 +54,11 @@ void lower_limit(int resource, rlim_t value) {
 
 }  // namespace
 
-void try_first(const std::string& path, const std::function<void()>& work) {
+void try_first(const std::string& path, int seconds, const std::function<void()>& work) {
   const rlim_t memory = memory_in_use();
   const pid_t copy = fork();
   require(copy >= 0, "no process to read '{}' in: {}", path, std::strerror(errno));
-  if (copy == 0) run_limited(memory, work);
+  if (copy == 0) run_limited(memory, seconds, work);
   int status = 0;
   while (waitpid(copy, &status, 0) < 0)
     require(errno == EINTR, "no news of the process that reads '{}': {}", path,
