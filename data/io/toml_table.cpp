@@ -54,15 +54,15 @@ double largest(Dimension dimension) {
     case Dimension::kNumber:
       return 1e12;  // as of contacts: beyond it products lose all digits
     case Dimension::kLength:
-      return 10;  // reach of a large arm: 3 m
+      return 100;  // way of a mobile base
     case Dimension::kAngle:
-      return 1e4;  // wheels that turn without end
+      return 1e9;  // joints without end, as other programs state their range
     case Dimension::kMass:
       return 1e4;  // a mobile robot: 300 kg
     case Dimension::kForce:
-      return 1e6;  // a quadriceps: 1e4 N
+      return 1e9;  // drives without limit, as other programs state them
     case Dimension::kMoment:
-      return 1e6;
+      return 1e9;
     case Dimension::kArea:
       return 1;  // physiological cross-section of a large muscle: 0.03 m2
     case Dimension::kInertia:

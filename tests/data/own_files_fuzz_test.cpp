@@ -190,7 +190,7 @@ TEST_F(OwnFilesFuzz, DamagedFilesWithoutChecksumDoNotCrash) {
   ASSERT_TRUE(readable([&] { return read_result(path("a")); }));
   put(posterior);
   ASSERT_TRUE(readable([&] { return read_inference(path("a")); }));
-  for (int i = 0; i < mutations(100); ++i) {
+  for (int i = 0; i < mutations(40); ++i) {
     std::string bytes = i % 2 == 0 ? result : posterior;
     damage(bytes, rng_);
     put(bytes);

@@ -197,12 +197,12 @@ TEST(Sources, ReadsTheKeysOfBibtex) {
 // A box of 120 m for one of 120 mm; 1e308 mm, whose square is infinite.
 TEST(TomlTable, RefusesSizesThatNothingHas) {
   EXPECT_EQ(refusal(kSource + "radius_m = 120", kReadRadius),
-            "a.toml:2: wanted 'radius_m' of at most 10 m in size, got 120");
+            "a.toml:2: wanted 'radius_m' of at most 100 m in size, got 120");
   EXPECT_EQ(refusal(kSource + "radius_mm = -1e308", kReadRadius),
-            "a.toml:2: wanted 'radius_mm' of at most 10 m in size, got -1e+308");
+            "a.toml:2: wanted 'radius_mm' of at most 100 m in size, got -1e+308");
   EXPECT_EQ(refusal(kSource + "mass_g = 1e308", kReadMass),
             "a.toml:2: wanted 'mass_g' of at most 10000 kg in size, got 1e+308");
-  EXPECT_EQ(length_in("radius_m = 10"), 10);
+  EXPECT_EQ(length_in("radius_m = 100"), 100);
 }
 
 /// Processor time of a call [s].
