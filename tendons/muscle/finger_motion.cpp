@@ -91,6 +91,9 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   const DigitTendons& tendons = this->tendons();
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
+  now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
+    return model_.contraction.fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
+  });
   if (net_feels_) {
     const VectorXd felt = rested_under(state, {});
     now.pull = tendons.pull(state.q, felt, last_nodes_);
@@ -109,9 +112,6 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
     }
     now.pull = tendons.pull(state.q, now.tension, last_nodes_);
   }
-  now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
-    return model_.contraction.fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
-  });
   return now;
 }
 

@@ -258,6 +258,16 @@ TEST(Simulate, NeverCallsDoneWhatMakesEnergyOfNothing) {
   EXPECT_GT(path.balance.error, 1e-4 * path.balance.turned_over);
 }
 
+// A tolerance that accepts any step ends in a status, whatever the numbers have become.
+TEST(Simulate, EndsWithAStatusWhereTensionsAreNotFinite) {
+  const Mover mover(sample::index_finger(), Muscle::kRigidTendon);
+  VectorXd excitation = mover.excited(0);
+  excitation[2] = 0.3;  // FDP
+  const Trajectory path = simulate(mover.model(), constant_excitation(excitation),
+                                   {VectorXd::Zero(4), {}, mover.excited(0)}, seconds(0.1, 1e3));
+  EXPECT_NE(path.status, MotionStatus::kDone);
+}
+
 // Steps of at most 1e-9 s, as excitation jumps at every one, get nowhere.
 TEST(Simulate, GivesUpWhereItDoesNotGetOn) {
   const Mover mover(Pendulum().subject(), Muscle::kBounds);
