@@ -547,7 +547,7 @@ class Validate(Near):
     def test_absent_file_is_an_error(self):
         result = run("validate", "/nowhere.toml")
         self.assertEqual((result.returncode, result.stdout),
-                         (1, "/nowhere.toml:1: cannot be read\n"))
+                         (1, "/nowhere.toml:1: cannot be read: No such file or directory\n"))
 
 
 class Explain(Near):

@@ -61,7 +61,12 @@ TEST(FitStability, NearlyStraightFingerIsWarnedOf) {
                                  "singular (condition "),
       0U)
       << problem.warnings()[0];
-  expect_sound(problem, fit(problem));
+  // A microradian from straight one newton is a million sds away: Ceres ends where its step falls
+  // below the rounding of z, far from what the slopes ask for, and is not believed.
+  const Solution found = fit(problem);
+  EXPECT_EQ(found.status, SolveStatus::kStalled) << found.message;
+  EXPECT_GT(found.newton_step, 1);
+  EXPECT_TRUE(found.z.allFinite());
   // Forces are those of the same formulas in extended precision, to the digits that are there.
   const VectorXd u = VectorXd::Zero(problem.parameters().coordinates());
   const auto exact =

@@ -129,6 +129,9 @@ class Linkage {
   /// Goes from a posture to the closed one of least spring energy near it.
   /// @return none if the search does not get there, or springs leave a freedom
   [[nodiscard]] std::optional<VectorXd> close(double u, VectorXd y) const {
+    // Where the motor moves every joint, the loop closes by itself or not at all.
+    if (passives_.empty())
+      return gaps(u, y).cwiseAbs().maxCoeff() < kClosed ? std::optional<VectorXd>(y) : std::nullopt;
     for (int iteration = 0; iteration < 200; ++iteration) {
       const VectorXd c = gaps(u, y);
       const MatrixXd J = slopes(u, y);
@@ -249,7 +252,7 @@ Track follow(const Linkage& linkage, const RobotDof& motor, double start, const 
       u = std::clamp(u + way * step, motor.lower, motor.upper);
       const std::optional<VectorXd> next = linkage.close(u, y);
       // A jump is another branch of the linkage.
-      if (!next || (*next - y).cwiseAbs().maxCoeff() > 0.5) break;
+      if (!next || (*next - y).lpNorm<Eigen::Infinity>() > 0.5) break;
       y = *next;
       track.u.insert(way > 0 ? track.u.end() : track.u.begin(), u);
       track.y.insert(way > 0 ? track.y.end() : track.y.begin(), y);

@@ -18,7 +18,7 @@ inline Pose<double> random_pose(std::mt19937& rng) {
   const Eigen::Vector3d axis =
       Eigen::Vector3d(odd_number(rng, 1), odd_number(rng, 1), 1).normalized();
   return {rotation_about<double>(axis, odd_number(rng, 6)),
-          {odd_number(rng, 1), odd_number(rng, 1e-3), odd_number(rng, 1e3)}};
+          {odd_number(rng, 1), odd_number(rng, 1e-3), odd_number(rng, 30)}};
 }
 
 inline RobotLink random_link(std::mt19937& rng, const std::string& name) {
@@ -42,7 +42,7 @@ inline RobotJoint random_joint(std::mt19937& rng, const std::string& name, Robot
   joint.upper = std::abs(odd_number(rng, 2));
   joint.damping = std::abs(odd_number(rng, 1e-9));
   joint.friction = std::abs(odd_number(rng, 1));
-  joint.stiffness = std::abs(odd_number(rng, 1e17));
+  joint.stiffness = std::abs(odd_number(rng, 1e5));
   joint.rest = odd_number(rng, 1);
   return joint;
 }
