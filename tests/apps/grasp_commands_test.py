@@ -340,7 +340,7 @@ class GraspOfJaws(unittest.TestCase):
 
     def test_zeros_have_no_sign_and_time_counts_all(self):
         world = self.world(kind="box", size="size_mm = [20, 20, 20]")
-        words = ("grasp", world, "--no-approach", "--robustness", "30", "--json")
+        words = ("grasp", world, "--no-approach", "--robustness", "600", "--json")
         text = self.run_it(*words).stdout
         self.assertIsNone(re.search(r"-0\.0\b(?!\d)", text))
         few = json.loads(self.run_it("grasp", world, "--no-approach", "--json").stdout)
