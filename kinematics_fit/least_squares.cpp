@@ -158,7 +158,8 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   solution.newton_step = std::nan("");
-  if (problem.residuals(solution.z, WithJacobian::kYes).J.size() == 0 && problem.parts.empty())
+  // Residuals in blocks always have slopes; the dense Jacobian is asked for only without them.
+  if (problem.parts.empty() && problem.residuals(solution.z, WithJacobian::kYes).J.size() == 0)
     return;
   const CostSlopes slopes = cost_slopes(problem, solution.z);
   const bool constrained = problem.constraints && options.method == FitMethod::kIpopt;
