@@ -1,5 +1,7 @@
 #include "grasp/gaps.h"
 
+#include <cmath>
+
 namespace thenar {
 namespace {
 
@@ -28,8 +30,8 @@ Separation measure(Gap& gap, const PosedHand& posed, double tolerance, double cu
                                ? separation(touch, X, gap.body->solid, gap.body->X_WB, options)
                                : separation(touch, X, *surface_of(posed, gap.other).solid,
                                             posed.of_surface(gap.other), options);
-  // Beyond the cutoff the distance is a bound itself.
-  gap.bound = found.distance > cutoff ? found.distance : found.distance - found.error;
+  // A bound itself has an infinite error; a distance beyond the cutoff may be less exact than that.
+  gap.bound = std::isfinite(found.error) ? found.distance - found.error : found.distance;
   gap.nearest = found.triangle;
   return found;
 }

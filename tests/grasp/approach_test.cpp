@@ -2,8 +2,12 @@
 
 #include "grasp/approach.h"
 
+#include <cmath>
+#include <random>
+
 #include <gmock/gmock.h>
 
+#include "grasp/gaps.h"
 #include "grasp/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
 
@@ -46,6 +50,37 @@ TEST(Approach, DoesNotStartFromWithin) {
   const Approached stuck = go(sample::scene({sample::placed("block", kBlock, {0, 0.03, 0})}), 0.5);
   EXPECT_EQ(stuck.overlaps.size(), 2u);
   EXPECT_EQ(stuck.X_WH.p.y(), 0);
+}
+
+constexpr double kFacets = 2e-5;  // that stand for a round surface [m]
+
+/// From a cylinder about z, of radius and half length 9 and 22.5 mm, to a ball at c [m].
+double cylinder_to_ball(const Eigen::Vector3d& c, double radius) {
+  return std::hypot(std::max(0.0, std::hypot(c.x(), c.y()) - 0.009),
+                    std::max(0.0, std::abs(c.z()) - 0.0225)) -
+         radius;
+}
+
+// A gap is crossed without another look: what is roughly measured may not be farther than it is.
+TEST(Gaps, AreBoundedFromBelowWhateverTheCutoff) {
+  RobotSpec robot = sample::pincer(0.06);
+  robot.links[1].shapes = {sample::shape(ShapeKind::kCylinder, {0.009, 0.045, 0})};
+  const RobotHand hand(robot);
+  const TouchingHand touching = touching_hand(hand);
+  const std::vector<Pose<double>> links = hand.pose(Eigen::VectorXd::Zero(2));
+  const Scene scene = sample::scene(
+      {sample::placed("ball", sample::shape(ShapeKind::kSphere, {0.035, 0, 0}), {0, 0, 0})});
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> u(-0.1, 0.1), cutoff(1e-4, 0.1);
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d c(u(random), u(random), u(random));
+    const double exact = cylinder_to_ball(-c - Eigen::Vector3d(-0.03, 0, 0), 0.035);
+    if (exact < 0) continue;
+    const PosedHand posed{touching, {Eigen::Matrix3d::Identity(), c}, links};
+    Gap gap{0, -1, &scene.object};
+    (void)measure(gap, posed, 2.5e-5, cutoff(random));
+    EXPECT_LE(gap.bound, exact + kFacets);
+  }
 }
 
 }  // namespace
