@@ -396,6 +396,8 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
     }
   std::vector<VectorXd> openings{open};
   if (only_one) return openings;
+  if (!roles.palm)
+    for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.size(); ++i)
     for (const int d : digits_[i].turns)
@@ -421,6 +423,22 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
     openings = std::move(next);
   }
   return openings;
+}
+
+/// Where digits curl at each other, their ends meet before their middles hold anything, unless
+/// outer joints are opened as far as they go.
+VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
+  const HandLayout& layout = grip_.hand().layout();
+  for (const Digit& digit : digits_)
+    for (std::size_t i = 1; i < digit.curls.size(); ++i) {
+      const auto d = static_cast<std::size_t>(digit.curls[i]);
+      for (const Driven& driven : drives_[d].moves) {
+        const double rate = options_[option].speed[d] * driven.ratio;
+        if (rate != 0)
+          open[driven.coordinate] = (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+      }
+    }
+  return open;
 }
 
 PalmApproach DigitMotion::ahead(std::size_t option) const {

@@ -65,6 +65,7 @@ class DigitMotion {
   [[nodiscard]] bool moves_alike(std::size_t drive) const;
   [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
   [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::VectorXd outer_open(std::size_t option, Eigen::VectorXd open) const;
   [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;
   [[nodiscard]] double turn_range(const Digit& digit) const;
   [[nodiscard]] double range(std::size_t drive) const;

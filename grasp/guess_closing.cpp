@@ -116,12 +116,13 @@ class Search {
            candidate.against;
   }
 
-  /// How digits face each other across the ball.
+  /// How digits face each other across the ball, and the palm where they stand round it.
   [[nodiscard]] double facing(const std::vector<GripContact>& contacts,
                               const DigitRoles& roles) const {
     const std::vector<std::string>& digits = motion_.digits();
     const auto count = static_cast<Eigen::Index>(digits.size());
-    Eigen::MatrixXd faces = Eigen::MatrixXd::Zero(count, count);
+    const Eigen::Index others = roles.palm ? count : count + 1;  // the last one: no digit
+    Eigen::MatrixXd faces = Eigen::MatrixXd::Zero(count, others);
     const auto digit_of = [&](const GripContact& contact) {
       return std::find(digits.begin(), digits.end(),
                        grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit) -
@@ -130,7 +131,7 @@ class Search {
     for (const GripContact& a : contacts)
       for (const GripContact& b : contacts) {
         const auto i = digit_of(a), j = digit_of(b);
-        if (i < count && j < count && i != j)
+        if (i < count && j < others && i != j)
           faces(i, j) = std::max(faces(i, j), -a.normal.dot(b.normal));
       }
     double sum =
@@ -149,8 +150,13 @@ class Search {
     const std::vector<Pose<double>> links = grip_.hand().pose(candidate.open);
     double sum = 0;
     for (const double size : {1.0, 0.8, 1.2})
-      sum += score(candidate, links, roles, size * ball_, kFine, opposed(roles)) / 3;
+      sum += score(candidate, links, roles, size * ball_, kFine, standing(roles)) / 3;
     return sum;
+  }
+
+  /// Digits that others may stop: those that are opposed, or all where they curl at each other.
+  [[nodiscard]] std::vector<std::string> standing(const DigitRoles& roles) const {
+    return roles.palm ? opposed(roles) : motion_.digits();
   }
 
   [[nodiscard]] std::vector<std::string> opposed(const DigitRoles& roles) const {
@@ -170,7 +176,8 @@ class Search {
     GripBall ball{{}, ball_};
     std::set<std::string> touching;
     if (place(best, links, ball)) {
-      for (const GripContact& contact : grip_.close(drives, best.open, ball, kFine, opposed(roles)))
+      for (const GripContact& contact :
+           grip_.close(drives, best.open, ball, kFine, standing(roles)))
         touching.insert(grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
       if (!known_.approach && roles.palm)
         guess.robot.approach.point = ball.centre - ball.radius * best.direction;

@@ -34,7 +34,8 @@ struct ClosingGuess {
 /// other digits; where ranges and nearness disagree both are tried. Digits whose tips go the same
 /// way are the fingers; others, and one that turns much farther than the rest, are opposed to them:
 /// their turning motors are tried over their whole ranges, and stand at the best place
-/// (RobotDof::open). All other motors stand still.
+/// (RobotDof::open). All other motors stand still. Where digits curl at each other, outer joints
+/// may begin as far open as they go, so that ends do not meet first.
 ///
 /// The hand goes at things along the way of its fingers' tips as they begin to curl, which is the
 /// normal of its palm; or, where digits stand round a palm and curl against each other, from the
@@ -42,8 +43,9 @@ struct ClosingGuess {
 ///
 /// The score of a way of closing is
 ///   mean over digits of  max over others of  -n_i . n_j,  n the normals where they touch the ball
-/// plus that of the best pair of a finger and an opposed digit, for three sizes of the ball, less
-/// what speaks against it in the ranges. Surfaces are points (BallGrip): no solids are built.
+/// (others: digits, and the palm where digits curl at each other), plus that of the best pair of a
+/// finger and an opposed digit, for three sizes of the ball, less what speaks against it in the
+/// ranges. Surfaces are points (BallGrip): no solids are built.
 /// @param robot  with digits, at least one
 [[nodiscard]] ClosingGuess guess_closing(const RobotSpec& robot, const ClosingKnown& known);
 

@@ -1,6 +1,7 @@
 // Hands of files that say nothing of digits, closing and approach hold a ball with what opposes.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -122,7 +123,10 @@ TEST_P(LibraryHands, HoldABallWithThumbAndFingersAsTheyAre) {
 
 /// Three fingers round a palm, straight up, that may curl either way alike, as some for valves
 /// have.
-RobotSpec three_fingers() {
+/// @param lengths  of their links [m]
+/// @param range    of their outer two joints, either way [rad]
+RobotSpec three_fingers(const std::array<double, 3>& lengths = {0.045, 0.045, 0.045},
+                        double range = 1.4) {
   RobotSpec robot;
   robot.name = "three";
   robot.closing_stated = robot.approach_stated = false;
@@ -131,21 +135,22 @@ RobotSpec three_fingers() {
   robot.links[0].shapes = {sample::shape(ShapeKind::kCylinder, {0.055, 0.02, 0}, {0, 0, -0.01})};
   for (int f = 0; f < 3; ++f) {
     std::string parent = "palm";
-    for (int j = 0; j < 3; ++j) {
+    for (std::size_t j = 0; j < 3; ++j) {
       RobotLink link;
       link.name = fmt::format("f{}{}", f, j);
-      link.shapes = {sample::shape(ShapeKind::kBox, {0.012, 0.016, 0.04}, {0, 0, 0.02})};
+      link.shapes = {sample::shape(ShapeKind::kBox, {0.012, 0.016, lengths[j] - 0.005},
+                                   {0, 0, lengths[j] / 2 - 0.0025})};
       RobotJoint joint;
       joint.name = joint.dof = fmt::format("j{}{}", f, j);
       joint.parent = parent;
       joint.child = link.name;
-      joint.X_PJ.p = {0, 0, j == 0 ? 0 : 0.045};
+      joint.X_PJ.p = {0, 0, j == 0 ? 0 : lengths[j - 1]};
       if (j == 0)
         joint.X_PJ = {
             rotation_about<double>(Eigen::Vector3d::UnitZ(), 2 * kPi / 3 * f),
             0.05 * Eigen::Vector3d(std::cos(2 * kPi / 3 * f), std::sin(2 * kPi / 3 * f), 0)};
       joint.axis = j == 0 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
-      joint.lower = j == 0 ? -0.5 : -1.4;
+      joint.lower = j == 0 ? -0.5 : -range;
       joint.upper = -joint.lower;
       RobotDof dof;
       dof.name = joint.dof;
@@ -167,6 +172,15 @@ TEST(GuessClosing, CurlsFingersOfOneKindOneWay) {
   for (const RobotDof& dof : robot.dofs)
     EXPECT_EQ(dof.speed, dof.name[2] == '0' ? 0 : -1) << dof.name;
   EXPECT_EQ(robot.approach.direction, Eigen::Vector3d::UnitZ());
+}
+
+// Turned alike from straight, the tips would meet above the ball before anything holds it.
+TEST(GuessClosing, HoldsABallBetweenThreeFingersThatCurlAtEachOther) {
+  const RobotSpec found = graspable(three_fingers({0.028, 0.07, 0.055}, 2));
+  std::set<char> digits;
+  for (const auto& [link, normal] : touches(found))
+    if (link[0] == 'f') digits.insert(link[1]);
+  EXPECT_EQ(digits.size(), 3u);
 }
 
 // As GraspIt! hands have it: motors say how they close, the file has no approach direction.
