@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <cstring>
-#include <optional>
 
 #include "base/cache.h"
 
@@ -10,6 +9,8 @@ namespace thenar {
 namespace {
 
 using Counts = std::uint64_t[2];  // of vertices and triangles
+
+}  // namespace
 
 std::string bytes_of(const TriangleMesh& mesh) {
   const Counts counts{static_cast<std::uint64_t>(mesh.vertices.cols()),
@@ -23,7 +24,6 @@ std::string bytes_of(const TriangleMesh& mesh) {
   return bytes;
 }
 
-/// Nothing if these are not the bytes of a mesh.
 std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
   Counts counts{};
   if (bytes.size() < sizeof(Counts)) return std::nullopt;
@@ -42,8 +42,6 @@ std::optional<TriangleMesh> mesh_of(const std::string& bytes) {
                      mesh.vertices.allFinite();
   return sound ? std::optional<TriangleMesh>(std::move(mesh)) : std::nullopt;
 }
-
-}  // namespace
 
 TriangleMesh kept_mesh(const std::string& kind, const std::string& input,
                        const std::function<TriangleMesh()>& make) {

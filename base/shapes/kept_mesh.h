@@ -3,6 +3,7 @@
 /// Meshes that cost seconds, kept from one run to the next.
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/shapes/triangle_mesh.h"
@@ -13,6 +14,12 @@ namespace thenar {
 /// @param kind, input  as of kept()
 [[nodiscard]] TriangleMesh kept_mesh(const std::string& kind, const std::string& input,
                                      const std::function<TriangleMesh()>& make);
+
+/// All of a mesh, to be part of an input or a result.
+[[nodiscard]] std::string bytes_of(const TriangleMesh& mesh);
+
+/// The mesh of bytes_of(); nothing if these are not the bytes of a mesh.
+[[nodiscard]] std::optional<TriangleMesh> mesh_of(const std::string& bytes);
 
 /// Numbers as they stand in memory, to be part of an input.
 void append_bytes(std::string& input, const double* numbers, std::size_t count);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 #include <vector>
@@ -12,8 +13,10 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include "base/cache.h"
 #include "base/error.h"
 #include "base/shapes/hull_mesh.h"
+#include "base/shapes/kept_mesh.h"
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
 
@@ -245,12 +248,8 @@ bool is_solid(const TriangleMesh& mesh) {
   }
 }
 
-}  // namespace
-
-MendedMesh mend_mesh(const TriangleMesh& mesh) {
-  require(!mesh.empty(), "a mesh has no triangle");
-  (void)check_mesh(mesh);
-  if (is_solid(mesh)) return {mesh, ""};
+/// A mesh that bounds no solid, whatever it takes.
+MendedMesh mended(const TriangleMesh& mesh) {
   const TriangleMesh merged = best_welded(mesh);
   if (merged.empty()) return hull_of(mesh);
   Done merging;
@@ -272,6 +271,25 @@ MendedMesh mend_mesh(const TriangleMesh& mesh) {
   for (MendedMesh& mended : tries)
     if (is_solid(mended.mesh)) return std::move(mended);
   return hull_of(mesh);
+}
+
+}  // namespace
+
+MendedMesh mend_mesh(const TriangleMesh& mesh) {
+  require(!mesh.empty(), "a mesh has no triangle");
+  (void)check_mesh(mesh);
+  if (is_solid(mesh)) return {mesh, ""};
+  constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
+  if (mesh.triangles.cols() < kMany) return mended(mesh);
+  const std::string input = bytes_of(mesh), kind = "mended mesh 1";
+  if (const std::optional<std::string> entry = kept(kind, input)) {
+    const std::size_t end = std::min(entry->find('\n'), entry->size() - 1);
+    if (std::optional<TriangleMesh> known = mesh_of(entry->substr(end + 1)))
+      return {std::move(*known), entry->substr(0, end)};
+  }
+  MendedMesh now = mended(mesh);
+  keep(kind, input, now.done + "\n" + bytes_of(now.mesh));
+  return now;
 }
 
 MendedMesh watertight_mesh(const TriangleMesh& mesh) {

@@ -4,13 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include "base/cache.h"
 #include "base/shapes/hull_mesh.h"
+#include "base/shapes/kept_mesh.h"
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_parts.h"
 #include "base/shapes/solid.h"
 #include "tests/base/shapes/enclosed_volume.h"
 #include "tests/base/shapes/sample_meshes.h"
 #include "tests/message_of.h"
+#include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
@@ -196,6 +199,40 @@ TEST(MeshReport, TellsOfEightHolesAndCountsTheRest) {
   const std::string told = describe(check_mesh(joined(open)));
   EXPECT_EQ(told.find("10 hole(s): 3 edges"), 0U);
   EXPECT_EQ(told.substr(told.size() - 11), " and 2 more");
+}
+
+class KeptMending : public TemporaryFolder {
+ protected:
+  void SetUp() override { use_cache({path("cache")}); }
+  void TearDown() override { use_cache({}); }
+
+  static bool same(const TriangleMesh& a, const TriangleMesh& b) {
+    return bytes_of(a) == bytes_of(b);
+  }
+};
+
+TEST_F(KeptMending, IsThatOfTheFirstTime) {
+  const TriangleMesh open = loose(mug(600), 0, 1);
+  use_cache({});
+  const MendedMesh anew = mend_mesh(open);
+  use_cache({path("cache")});
+  const MendedMesh first = mend_mesh(open), second = mend_mesh(open);
+  EXPECT_NE(anew.done, "");
+  EXPECT_EQ(first.done, anew.done);
+  EXPECT_EQ(second.done, anew.done);
+  EXPECT_TRUE(same(first.mesh, anew.mesh));
+  EXPECT_TRUE(same(second.mesh, anew.mesh));
+}
+
+TEST_F(KeptMending, IsNotDoneAgainUnlessWhatWasKeptIsBroken) {
+  const TriangleMesh open = loose(mug(600), 0, 1);
+  const std::string mended = mend_mesh(open).done;
+  keep("mended mesh 1", bytes_of(open), "as kept\n" + bytes_of(box_at({0, 0, 0})));
+  EXPECT_EQ(mend_mesh(open).done, "as kept");
+  for (const std::string broken : {"", "as kept", "as kept\n", "as kept\nno mesh"}) {
+    keep("mended mesh 1", bytes_of(open), broken);
+    EXPECT_EQ(mend_mesh(open).done, mended);
+  }
 }
 
 }  // namespace
