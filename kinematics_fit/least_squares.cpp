@@ -137,6 +137,16 @@ Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& 
   return {0, z.size()};
 }
 
+/// Orthonormal directions that the rows of A leave, which may hang on each other.
+Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
+  if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
+  constexpr double kDependent = 1e-9;  // of the largest pivot: a row that the others hold [1]
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
+  qr.setThreshold(kDependent);
+  const Eigen::MatrixXd Q = qr.householderQ();
+  return Q.rightCols(A.cols() - qr.rank());
+}
+
 /// The same where constraints are: within what the active ones leave.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
                         const CostSlopes& slopes) {
@@ -146,11 +156,8 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   const Eigen::VectorXd gradient = slopes.gradient(free);
   const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
-  Eigen::MatrixXd basis = Eigen::MatrixXd::Identity(J.cols(), J.cols());
-  if (A.rows() > 0) {
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(A.transpose());
-    basis = (qr.householderQ() * basis).eval().rightCols(J.cols() - A.rows());
-  }
+  const Eigen::MatrixXd basis = null_basis(A);
+  if (basis.cols() == 0) return 0;
   const ArrowLayout layout{static_cast<int>(basis.cols())};
   return ArrowFactor(layout, {{-1, J * basis, {}}}).whiten(basis.transpose() * gradient).norm();
 }

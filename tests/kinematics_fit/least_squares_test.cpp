@@ -91,6 +91,43 @@ TEST_P(EveryMethod, RespectsBounds) {
   EXPECT_NEAR(fit.cost, 2, 1e-6);
 }
 
+/// x <= 1, asked `times` times over.
+void cap_first(LeastSquares& problem, int times) {
+  const Eigen::Index n = problem.lower.size();
+  problem.c_lower = VectorXd::Constant(times, -10);
+  problem.c_upper = VectorXd::Constant(times, 1);
+  problem.constraints = [times, n](const VectorXd& z) {
+    ConstraintValues out{VectorXd::Constant(times, z[0]), Eigen::MatrixXd::Zero(times, n)};
+    out.C.col(0).setOnes();
+    return out;
+  };
+}
+
+TEST(Solve, CertifiesWhereMoreConstraintsAreActiveThanCoordinatesFree) {
+  LeastSquares problem = distance_to(VectorXd::Constant(1, 3), -5, 5);
+  cap_first(problem, 2);
+  SolveOptions options;
+  options.method = FitMethod::kIpopt;
+  const Solution fit = solve(problem, VectorXd::Zero(1), options);
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_NEAR(fit.z[0], 1, 1e-5);
+  EXPECT_EQ(fit.newton_step, 0);
+}
+
+// At (1, -1) the constraint x <= 1 holds x, so that a step of 1.2 along y is left.
+TEST(Solve, CountsAConstraintOnceThatIsAskedTwice) {
+  for (int times = 1; times <= 3; ++times) {
+    LeastSquares problem = distance_to(Vector2d(3, 0.2), -kInfinity, kInfinity);
+    cap_first(problem, times);
+    SolveOptions options;
+    options.method = FitMethod::kIpopt;
+    options.progress.stop_requested = [] { return true; };
+    const Solution start = solve(problem, Vector2d(1, -1), options);
+    ASSERT_TRUE(matrix_near(start.z, Vector2d(1, -1), 1e-12)) << start.message;
+    EXPECT_NEAR(start.newton_step, 1.2, 1e-12) << times;
+  }
+}
+
 TEST_P(EveryMethod, BringsTheStartWithinBounds) {
   const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -1, 1);
   const Solution fit = solve(problem, Vector2d(50, -50), options());
