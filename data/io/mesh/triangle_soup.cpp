@@ -53,31 +53,42 @@ class Vertices {
 };
 
 /// Places of which those within `near` of an earlier one have its number.
+///
+/// Places that are kept lie further than `near` apart, so that a cell of 4 near holds fewer than
+/// 200 of them (spheres of near / 2 do not overlap), however many come.
 class NearPlaces {
  public:
-  explicit NearPlaces(double near) : near_(near), cell_(64 * near) {}
+  /// @param corner  from which cells are counted, below all places: within 1e6 near of them [m]
+  NearPlaces(double near, const Vector3d& corner)
+      : near_(near), cell_(4 * near), corner_(corner) {}
 
   /// @param number  for p, if it is not near another
   int index_of(const Vector3d& p, int number) {
-    const Eigen::Array3d low = ((p.array() - near_) / cell_).floor();
-    const Eigen::Array3d high = ((p.array() + near_) / cell_).floor();
-    for (double x = low.x(); x <= high.x(); ++x)
-      for (double y = low.y(); y <= high.y(); ++y)
-        for (double z = low.z(); z <= high.z(); ++z) {
-          const auto found = cells_.find({x + 0.0, y + 0.0, z + 0.0});
+    const Eigen::Array3d from_corner = (p - corner_).array();
+    const Cell low = cell_at(from_corner - near_), high = cell_at(from_corner + near_);
+    for (int x = low[0]; x <= high[0]; ++x)
+      for (int y = low[1]; y <= high[1]; ++y)
+        for (int z = low[2]; z <= high[2]; ++z) {
+          const auto found = cells_.find({x, y, z});
           if (found == cells_.end()) continue;
           for (const auto& [place, index] : found->second)
             if ((place - p).norm() <= near_) return index;
         }
-    const Eigen::Array3d cell = (p.array() / cell_).floor() + 0.0;
-    cells_[{cell.x(), cell.y(), cell.z()}].push_back({p, number});
+    cells_[cell_at(from_corner)].push_back({p, number});
     return number;
   }
 
  private:
+  using Cell = std::array<int, 3>;
+
+  [[nodiscard]] Cell cell_at(const Eigen::Array3d& from_corner) const {
+    const Eigen::Array3i cell = (from_corner / cell_).floor().cast<int>();
+    return {cell.x(), cell.y(), cell.z()};
+  }
+
   double near_, cell_;  // [m]
-  std::unordered_map<std::array<double, 3>, std::vector<std::pair<Vector3d, int>>, HashNumbers>
-      cells_;
+  Vector3d corner_;
+  std::unordered_map<Cell, std::vector<std::pair<Vector3d, int>>, HashNumbers> cells_;
 };
 
 TriangleMesh mesh_of(const std::vector<Vector3d>& vertices,
@@ -127,7 +138,7 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
     if (last - first == 1) loose[static_cast<std::size_t>(first->low)] = true;
     if (last - first == 1) loose[static_cast<std::size_t>(first->high)] = true;
   });
-  NearPlaces places(near);
+  NearPlaces places(near, mesh.vertices.rowwise().minCoeff());
   std::vector<int> stands_for(loose.size());
   for (std::size_t i = 0; i < loose.size(); ++i) {
     const auto v = static_cast<int>(i);
@@ -153,9 +164,11 @@ class PartFinder {
  public:
   /// @param near  within which corners count as one; 0: exactly the same place [m]
   /// @param numbers  of the file's vertices, three a triangle; may be empty
-  PartFinder(const std::vector<Corners>& soup, const std::vector<int>& numbers, double near) {
+  /// @param corner  of the box around the soup [m]
+  PartFinder(const std::vector<Corners>& soup, const std::vector<int>& numbers, double near,
+             const Vector3d& corner) {
     Vertices vertices;
-    NearPlaces places(near);
+    NearPlaces places(near, corner);
     std::vector<int> stands_for;  // of each vertex
     for (const Corners& corners : soup)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -244,9 +257,9 @@ class PartFinder {
 
 /// Every part with vertices of its own.
 TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& numbers,
-                      double part_near, double near) {
+                      double part_near, double near, const Vector3d& corner) {
   std::vector<TriangleMesh> parts;
-  const PartFinder finder(soup, numbers, part_near);
+  const PartFinder finder(soup, numbers, part_near, corner);
   for (const std::vector<std::size_t>& triangles : finder.parts()) {
     TriangleMesh part = merged(soup, triangles);
     if (!part.empty()) parts.push_back(closed_up(std::move(part), near));
@@ -281,7 +294,7 @@ TriangleMesh merge_corners(const TriangleSoup& soup, double scale, const std::st
   int least = std::numeric_limits<int>::max();
   for (int attempt = 0; attempt < 3 && least > 0 && near > 0; ++attempt) {
     TriangleMesh mesh = attempt < 2
-                            ? in_parts(triangles, soup.vertices, attempt == 0 ? 0 : near, near)
+                            ? in_parts(triangles, soup.vertices, attempt == 0 ? 0 : near, near, box.min())
                             : closed_up(merged(triangles, all), near);
     const int open = defects_of(mesh).open;
     if (mesh.empty() || open >= least) continue;

@@ -2,6 +2,8 @@
 // parted.
 
 #include <cmath>
+#include <ctime>
+#include <random>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,6 +66,31 @@ UnionMass mass_of(const TriangleMesh& mesh) {
   shape.kind = ShapeKind::kMesh;
   shape.mesh = mesh;
   return union_mass({shape});
+}
+
+/// The corner of a cube far from the origin whose edges its coordinates hardly tell apart.
+TEST(MergeCorners, EndsWhereATriangleIsTinyAndFarAway) {
+  const double x = 999999, step = std::nextafter(x, 2 * x) - x;  // 1e-10 m
+  const Vector3d a(x, 0, 0), b(x + 10 * step, 0, 0), c(x, 1e-9, 0), d(x, 0, 1e-9);
+  const TriangleMesh mesh = merge_corners({{a, c, b, a, b, d}, {}}, 1, "tiny.obj");
+  EXPECT_EQ(mesh.vertices.cols(), 4);
+  EXPECT_EQ(mesh.triangles.cols(), 2);
+  const Vector3d e(1, 0, 0), f(std::nextafter(1.0, 2.0), 0, 0), g(1, 1e-16, 0);
+  EXPECT_EQ(merge_corners({{e, f, g}, {}}, 1, "tinier.obj").triangles.cols(), 1);
+}
+
+// Every corner lies within 1e-6 of the box from none, but within 64e-6 of it from all others:
+// comparing all with all would take 10^10 comparisons.
+TEST(MergeCorners, TakesTimeInProportionToLooseTriangles) {
+  std::mt19937 rng(7);
+  std::uniform_real_distribution<double> along(0, 64e-6);
+  TriangleSoup soup;
+  for (int i = 0; i < 3 * 80'000; ++i) soup.corners.emplace_back(along(rng), along(rng), along(rng));
+  soup.corners.insert(soup.corners.end(), {{0.5, 0, 0}, {0.5, 0.2, 0}, {0.5, 0, 0.2}});
+  const std::clock_t begin = std::clock();
+  const TriangleMesh mesh = merge_corners(soup, 1, "loose.obj");
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 5);  // 0.5 s; all: > 50 s
+  EXPECT_GT(mesh.triangles.cols(), 0);
 }
 
 class MeshPartsFile : public TemporaryFolder {};
