@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <vector>
 
 #include "base/error.h"
@@ -240,6 +241,17 @@ void guard_text(std::string_view text, const std::string& path, GuardedKind kind
   if (kind == GuardedKind::kJson) count_brackets(text, counter, false);
   if (kind == GuardedKind::kScene) count_brackets(text, counter, true);
   if (kind == GuardedKind::kXml || kind == GuardedKind::kCollada) count_tags(text, counter);
+}
+
+bool is_in_folder_of(const std::string& path, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), none);
+  if (none) return false;
+  const fs::path real = fs::weakly_canonical(fs::absolute(file), none);
+  if (none) return false;
+  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
+         folder.end();
 }
 
 }  // namespace thenar

@@ -94,7 +94,7 @@ class OneFolder : public Assimp::IOSystem {
  private:
   [[nodiscard]] bool is_served(const std::string& file) const {
     if (file == path_) return true;
-    return mesh_format(path_) == MeshFormat::kGltf && is_in_folder_of(path_, file);
+    return mesh_format(path_) == MeshFormat::kGltf && is_file_beside(path_, file);
   }
 
   std::string path_;

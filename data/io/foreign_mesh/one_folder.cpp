@@ -1,6 +1,5 @@
 #include "data/io/foreign_mesh/one_folder.h"
 
-#include <algorithm>
 #include <filesystem>
 
 #include <sys/resource.h>
@@ -9,8 +8,6 @@
 
 namespace thenar {
 namespace {
-
-namespace fs = std::filesystem;
 
 /// How many more files may be open: none, or as many as the system allows.
 void set_open_files(bool any) {
@@ -33,14 +30,9 @@ std::string read_one(const std::string& path) {
   return text;
 }
 
-bool is_in_folder_of(const std::string& path, const std::string& file) {
+bool is_file_beside(const std::string& path, const std::string& file) {
   std::error_code none;
-  const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), none);
-  if (none) return false;
-  const fs::path real = fs::canonical(file, none);
-  if (none || !fs::is_regular_file(real, none)) return false;
-  return std::mismatch(folder.begin(), folder.end(), real.begin(), real.end()).first ==
-         folder.end();
+  return is_in_folder_of(path, file) && std::filesystem::is_regular_file(file, none);
 }
 
 }  // namespace thenar

@@ -15,6 +15,6 @@ void open_nothing();
 [[nodiscard]] std::string read_one(const std::string& path);
 
 /// Whether `file` is a regular file in the folder of `path` or below it, wherever links lead.
-[[nodiscard]] bool is_in_folder_of(const std::string& path, const std::string& file);
+[[nodiscard]] bool is_file_beside(const std::string& path, const std::string& file);
 
 }  // namespace thenar

@@ -18,14 +18,25 @@ const Coupling* coupling_of(const std::vector<Coupling>& couplings, const std::s
   return nullptr;
 }
 
+/// What a polynomial of a polynomial may come to: one of degree 4, as files may state, of another.
+constexpr std::size_t kHighestDegree = 16;
+
 /// p(next(v)) in place of p(v).
-void through(Coupling& step, const Coupling& next) {
+/// @throws DataError if the degree of that is too high: it multiplies along a chain of joints.
+void through(Coupling& step, const Coupling& next, const std::string& path) {
   const auto coefficients = [](const Coupling& coupling) {
     std::vector<double> c{coupling.offset, coupling.ratio};
     c.insert(c.end(), coupling.curve.begin(), coupling.curve.end());
     return c;
   };
   const std::vector<double> p = coefficients(step), inner = coefficients(next);
+  const std::size_t degree = (p.size() - 1) * (inner.size() - 1);
+  if (degree > kHighestDegree)
+    throw DataError(path, step.line,
+                    fmt::format("joint '{}' follows '{}' through '{}' along a polynomial of degree "
+                                "{}, more than {}: let it follow '{}' along one of its own",
+                                step.joint, next.master, next.joint, degree, kHighestDegree,
+                                next.master));
   std::vector<double> sum{0};  // by Horner's rule
   for (auto c = p.rbegin(); c != p.rend(); ++c) {
     std::vector<double> product(sum.size() + inner.size() - 1, 0);
@@ -49,7 +60,7 @@ Coupling to_root(const std::vector<Coupling>& couplings, Coupling step, const st
       throw DataError(
           path, step.line,
           fmt::format("joint '{}' follows itself, through {}", step.joint, fmt::join(met, ", ")));
-    through(step, *next);
+    through(step, *next, path);
     step.master = next->master;
   }
   return step;

@@ -219,7 +219,14 @@ class Drive {
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
                     [&](const Coupling& other) { return other.joint == follower.joint; });
-    if (follower.coefficient == 0 || again) return;
+    if (follower.coefficient == 0 || again) {
+      robot_.warnings.push_back(fmt::format(
+          "limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: {}", tendon.name,
+          tendon.limits->lower, tendon.limits->upper,
+          again ? fmt::format("joint '{}' follows another already", follower.joint)
+                : fmt::format("its coefficient of joint '{}' is zero", follower.joint)));
+      return;
+    }
     const double middle = (tendon.limits->lower + tendon.limits->upper) / 2;
     couplings_.push_back({follower.joint,
                           leader.joint,

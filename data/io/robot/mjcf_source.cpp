@@ -8,6 +8,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "data/io/file_guard.h"
 #include "data/io/graspit/xml_walk.h"
 
 namespace thenar::internal {
@@ -36,9 +37,13 @@ int depth_of(pugi::xml_node node) {
 /// Puts the content of one included file in its place. @return where to go on
 pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
                       std::set<std::string>& open) {
-  const fs::path wanted =
-      fs::path(file.path()).parent_path() / required_text(file, include, "file");
+  const std::string name = required_text(file, include, "file");
+  const fs::path wanted = fs::path(file.path()).parent_path() / name;
   const std::string path = wanted.lexically_normal().string();
+  if (!is_in_folder_of(file.path(), wanted.string()))
+    file.fail(include, fmt::format("'{}' is outside of the model's folder, from which nothing is "
+                                   "included: copy it there",
+                                   name));
   if (!fs::is_regular_file(path)) file.fail(include, fmt::format("there is no file '{}'", path));
   if (!open.insert(path).second) file.fail(include, fmt::format("'{}' is included twice", path));
   if (depth_of(include) > kDeepest)

@@ -2,6 +2,8 @@
 
 #include "data/io/robot/mjcf.h"
 
+#include <filesystem>
+
 #include <gmock/gmock.h>
 
 #include "base/angles.h"
@@ -266,6 +268,47 @@ TEST_F(Mjcf, CouplesJointsByATendonWithoutMuchRoom) {
   EXPECT_THAT(robot.warnings, Contains(HasSubstr("limits of tendon 't' couple '3' to '2'")));
 }
 
+// Joint 3 follows joint 2 by the first; neither can what says how it follows be kept, nor what says
+// nothing of the follower.
+TEST_F(Mjcf, NamesLimitedTendonsWhoseJointFollowsAlready) {
+  const auto limited = [](const std::string& name, const std::string& leader,
+                          const std::string& coefficient) {
+    return "<fixed name='" + name + "' limited='true' range='-0.001 0.001'><joint joint='" + leader +
+           "' coef='1'/><joint joint='3' coef='" + coefficient + "'/></fixed>";
+  };
+  const RobotSpec robot = palm(kFinger, "<tendon>" + limited("t", "2", "-1") +
+                                            limited("u", "1", "-1") + "</tendon>");
+  EXPECT_EQ(robot.joints[2].dof, "2");
+  EXPECT_THAT(robot.warnings,
+              Contains(HasSubstr("limits of tendon 'u' (-0.001 to 0.001) are not kept: joint '3' "
+                                 "follows another already")));
+  const RobotSpec zero = palm(kFinger, "<tendon>" + limited("t", "2", "0") + "</tendon>");
+  EXPECT_THAT(zero.warnings, Contains(HasSubstr("limits of tendon 't' (-0.001 to 0.001) are not "
+                                                "kept: its coefficient of joint '3' is zero")));
+}
+
+// v^4 of v^4 is of degree 16, of that once more of degree 64.
+TEST_F(Mjcf, FollowsPolynomialsOfPolynomialsToABound) {
+  const auto follows = [](int joint, int master) {
+    return "<joint joint1='" + std::to_string(joint) + "' joint2='" + std::to_string(master) +
+           "' polycoef='0 0 0 0 1'/>";
+  };
+  const RobotSpec robot =
+      palm(kFinger, "<equality>" + follows(2, 1) + follows(3, 2) + "</equality>");
+  ASSERT_EQ(robot.joints[2].curve.size(), 15U);
+  EXPECT_EQ(robot.joints[2].curve.back(), 1);
+  std::string chain = "<mujoco><worldbody><body name='b0'>", equalities = "<equality>";
+  for (int i = 1; i <= 12; ++i) {
+    chain += "<body name='b" + std::to_string(i) + "'><joint name='" + std::to_string(i) +
+             "' range='-60 60'/>";
+    if (i > 1) equalities += follows(i, i - 1);
+  }
+  for (int i = 0; i <= 12; ++i) chain += "</body>";
+  EXPECT_THAT(refusal(chain + "</worldbody>" + equalities + "</equality></mujoco>"),
+              HasSubstr("joint '4' follows '1' through '2' along a polynomial of degree 64, more "
+                        "than 16: let it follow '1' along one of its own"));
+}
+
 TEST_F(Mjcf, NamesLimitsOfTendonsThatItDoesNotKeep) {
   const RobotSpec robot =
       palm(kFinger,
@@ -388,6 +431,27 @@ TEST_F(Mjcf, IncludesFilesWithinFiles) {
   EXPECT_THAT(names(robot.links), ElementsAre("hand", "tip"));
   EXPECT_THAT(refusal("<mujoco>\n<include file='model.xml'/></mujoco>"),
               AllOf(HasSubstr(":2: "), HasSubstr("included twice")));
+}
+
+// By a path upwards, by a whole path, by a link: of none does a message say a word.
+TEST_F(Mjcf, IncludesNothingFromOutsideOfItsFolder) {
+  const std::string secret = "<mujocoinclude><body name='secret'/></mujocoinclude>";
+  write_file(path("secret.xml"), secret);
+  write_file(path("in/sub/part.xml"), "<mujocoinclude><body name='part'/></mujocoinclude>");
+  std::filesystem::create_symlink("../secret.xml", path("in/link.xml"));
+  std::filesystem::create_symlink("..", path("in/up"));
+  const auto refusal_of = [&](const std::string& name) {
+    write_file(path("in/model.xml"),
+               "<mujoco><worldbody>\n<include file='" + name + "'/></worldbody></mujoco>");
+    return message_of<DataError>([&] { (void)read_mjcf(path("in/model.xml")); });
+  };
+  for (const std::string& name : {std::string("../secret.xml"), path("secret.xml"),
+                                  std::string("link.xml"), std::string("up/secret.xml"),
+                                  std::string("../nothing.xml"), std::string("/etc/passwd")}) {
+    const std::string said = refusal_of(name);
+    EXPECT_THAT(said, HasSubstr("in/model.xml:2: '" + name + "' is outside of the model's folder"));
+  }
+  EXPECT_EQ(refusal_of("sub/part.xml"), "nothing was thrown");
 }
 
 TEST_F(Mjcf, NamesWhatItDoesNotRead) {
