@@ -1,10 +1,12 @@
-// thenar-mesh-reader FILE
+// thenar-mesh-reader FILE [SECONDS]
 //
 // The triangles of a glTF, Collada, VRML or Inventor file on the standard output, as
 // data/io/mesh/reader_answer.h has them. thenar runs it for each such file: parsers of others run
 // here alone, under limits of memory and time, and can open nothing but what they are given.
 
+#include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <new>
 
@@ -41,10 +43,12 @@ rlim_t mapped() {
   return count * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-void set_limits() {
+/// @param seconds  of the processor, if fewer than the limit are left
+void set_limits(int seconds) {
   const MeshReaderLimits limits;
   // A second more before SIGKILL follows SIGXCPU, which tells what the trouble was.
-  limit(RLIMIT_CPU, static_cast<rlim_t>(limits.processor_seconds), 1);
+  const int most = std::clamp(seconds, 1, limits.processor_seconds);
+  limit(RLIMIT_CPU, static_cast<rlim_t>(most), 1);
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, 0);  // writes no file
 #ifndef __SANITIZE_ADDRESS__
@@ -87,13 +91,14 @@ bool write_all(int file, const std::string& text) {
 
 int main(int argc, char** argv) {
   thenar::end_with_parent();
-  if (argc != 2) {
-    (void)std::fputs("thenar-mesh-reader FILE: run by thenar for meshes of other programs\n",
+  if (argc != 2 && argc != 3) {
+    (void)std::fputs("thenar-mesh-reader FILE [SECONDS]: run by thenar for meshes of other programs\n",
                      stderr);
     return 2;
   }
   const int output = thenar::keep_output();
-  thenar::set_limits();
+  constexpr int kAll = 1000;
+  thenar::set_limits(argc == 3 ? std::atoi(argv[2]) : kAll);
   // No destructors: scenes of others take long, or crash, to take down.
   _exit(thenar::write_all(output, thenar::answer(argv[1])) ? 0 : 1);
 }

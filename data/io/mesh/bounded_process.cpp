@@ -11,6 +11,7 @@
 #include <poll.h>
 #include <spawn.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -77,6 +78,10 @@ pid_t start(const std::vector<std::string>& command, int output) {
   return process;
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 /// Reads until the other end is closed, or a limit is met.
 void read_all(int pipe, double seconds, std::size_t most, ProcessEnd& end) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
@@ -108,6 +113,7 @@ std::string ProcessEnd::trouble() const {
 }
 
 ProcessEnd run_bounded(const std::vector<std::string>& command, double seconds, std::size_t most) {
+  const auto begin = Clock::now();
   Pipe pipe;
   const pid_t process = start(command, pipe.end(1));
   pipe.close_end(1);
@@ -116,8 +122,11 @@ ProcessEnd run_bounded(const std::vector<std::string>& command, double seconds, 
   if (end.too_long || end.too_much) (void)kill(process, SIGKILL);
   pipe.close_end(0);
   int status = 0;
-  while (waitpid(process, &status, 0) < 0)
+  rusage used{};
+  while (wait4(process, &status, 0, &used) < 0)
     if (errno != EINTR) return end;  // children are not waited for here: the output must tell
+  end.clock = std::chrono::duration<double>(Clock::now() - begin).count();
+  end.processor = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
   if (WIFSIGNALED(status)) end.signal = WTERMSIG(status);
   return end;

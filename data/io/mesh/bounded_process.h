@@ -15,6 +15,8 @@ struct ProcessEnd {
   int signal = 0;         // that ended it
   bool too_long = false;  // it was ended at the limit of time
   bool too_much = false;  // or of output
+  double clock = 0;       // how long it ran [s]
+  double processor = 0;   // what it took of the processor [s]
 
   /// How it ended in words: "crashed (Segmentation fault)"; empty if it exited with 0.
   [[nodiscard]] std::string trouble() const;

@@ -1,6 +1,7 @@
 #include "data/io/mesh/foreign_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -19,6 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kProgram = "thenar-mesh-reader";
+constexpr double kNoTime = 0.05;   // less is not worth a start [s]
+constexpr double kMegabyte = 0.2;  // of the processor, that one more brings along [s]
+constexpr double kQuick = 0.5;     // what takes less of the processor waits for others at most [s]
 
 /// Where the program may be, best first.
 std::vector<fs::path> reader_places() {
@@ -137,9 +141,13 @@ std::string find_mesh_reader() {
   return "";
 }
 
-TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format) {
+TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshTime& left) {
   const MeshReaderLimits limits;
   guard(path, format);
+  if (left.processor <= kNoTime || left.clock <= kNoTime)
+    throw DataError(path, 1,
+                    "is not read: the meshes before it took all the time that those of one file "
+                    "may take");
   const std::string program = find_mesh_reader();
   if (program.empty())
     throw DataError(path, 1,
@@ -147,15 +155,20 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format) {
                                 "which is not there: install it beside the command, or name it "
                                 "with THENAR_MESH_READER",
                                 kProgram));
-  const ProcessEnd end =
-      run_bounded({program, path}, limits.clock_seconds, kMostTriangles * 36 + 1000);
+  left.processor += kMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
+  const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
+  const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},
+                                     std::min(limits.clock_seconds, left.clock),
+                                     kMostTriangles * 36 + 1000);
+  left.processor -= end.processor;
+  if (end.too_long || end.processor > kQuick) left.clock -= end.clock;
   // An answer says more than how the program ended, which may be by a crash behind it.
   const std::string trouble = end.trouble();
   if (!trouble.empty())
     throw DataError(path, 1,
                     fmt::format("cannot be read: the program that reads it {}; it may take {} s "
                                 "of the processor and {} MB",
-                                trouble, limits.processor_seconds, limits.memory >> 20));
+                                trouble, seconds, limits.memory >> 20));
   return parse_answer(end.output, path);
 }
 

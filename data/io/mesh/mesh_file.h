@@ -2,8 +2,11 @@
 
 /// Surfaces from mesh files.
 
+#include <map>
 #include <string>
+#include <utility>
 
+#include "base/error.h"
 #include "base/shapes/triangle_mesh.h"
 
 namespace thenar {
@@ -25,6 +28,32 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// @throws DataError if the file cannot be read, its kind is unknown, it holds no triangle, or a
 /// coordinate is not finite.
 [[nodiscard]] TriangleMesh read_mesh(const std::string& path, double scale = 1);
+
+/// Time that is left to those meshes of one file which other programs' parsers read. Each megabyte
+/// brings 0.2 s of the processor along; the clock runs while one takes more than half a second.
+struct MeshTime {
+  double processor = 10;  // [s]
+  double clock = 12;      // [s]
+};
+
+/// The meshes that one robot or world names. Each file is read once, also where that fails, and
+/// together they have a limit of time and of triangles.
+class MeshReader {
+ public:
+  /// As read_mesh().
+  /// @throws DataError also if meshes before have taken all time, or with this one there are more
+  /// than kMostTogether triangles.
+  [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1);
+
+  static constexpr Eigen::Index kMostTogether = 4'000'000;  // triangles
+
+ private:
+  MeshTime left_;
+  Eigen::Index triangles_ = 0;  // of all that were given
+  using Key = std::pair<std::string, double>;  // file and scale
+  std::map<Key, TriangleMesh> meshes_;
+  std::map<Key, DataError> failures_;
+};
 
 /// An OBJ, STL (binary), PLY or OFF, by the ending of `path`, which is not touched.
 /// @throws InputError for another ending, and for a mesh without triangles or with broken ones.

@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-TriangleSoup read_soup(const std::string& path) {
+TriangleSoup read_soup(const std::string& path, MeshTime& left) {
   const auto text = [&] { return read_guarded(path, GuardedKind::kMesh); };
   switch (mesh_format(path)) {
     case MeshFormat::kObj:
@@ -30,14 +30,38 @@ TriangleSoup read_soup(const std::string& path) {
     case MeshFormat::kInventor:
       break;
   }
-  return read_foreign_mesh(path, mesh_format(path));
+  return read_foreign_mesh(path, mesh_format(path), left);
+}
+
+TriangleMesh read_in(const std::string& path, double scale, MeshTime& left) {
+  require(scale > 0 && std::isfinite(scale), "a mesh is scaled by a number > 0, got {}", scale);
+  return merge_corners(read_soup(path, left), scale, path);
 }
 
 }  // namespace
 
 TriangleMesh read_mesh(const std::string& path, double scale) {
-  require(scale > 0 && std::isfinite(scale), "a mesh is scaled by a number > 0, got {}", scale);
-  return merge_corners(read_soup(path), scale, path);
+  MeshTime time;
+  return read_in(path, scale, time);
+}
+
+TriangleMesh MeshReader::read(const std::string& path, double scale) {
+  const auto key = std::make_pair(path, scale);
+  if (const auto failed = failures_.find(key); failed != failures_.end()) throw failed->second;
+  auto found = meshes_.find(key);
+  try {
+    if (found == meshes_.end()) found = meshes_.emplace(key, read_in(path, scale, left_)).first;
+    if (found->second.triangles.cols() > kMostTogether - triangles_)
+      throw DataError(path, 1,
+                      fmt::format("is not read: with it the meshes of one file have more than {} "
+                                  "triangles",
+                                  kMostTogether));
+  } catch (const DataError& error) {
+    failures_.emplace(key, error);
+    throw;
+  }
+  triangles_ += found->second.triangles.cols();
+  return found->second;
 }
 
 }  // namespace thenar

@@ -117,8 +117,8 @@ class Translation {
     const internal::MeshPlacement placement{body.geometry_scale * Eigen::Matrix3d::Identity(),
                                             {0, 0, 0}};
     shape.X_BS = body.X_LG;
-    if (internal::try_mesh(shape, fs::absolute(body.geometry_file), placement, file_.path(),
-                           link.name, robot_.warnings))
+    if (internal::try_mesh(shape, fs::absolute(body.geometry_file), placement,
+                           {file_.path(), meshes_}, link.name, robot_.warnings))
       link.shapes.push_back(std::move(shape));
   }
 
@@ -320,6 +320,7 @@ class Translation {
   int chains_ = 0;
   std::string carrier_;     // link that the next joint hangs on
   Pose<double> X_carrier_;  // of the chain in the palm, until its first joint has it
+  MeshReader meshes_;
 };
 
 }  // namespace

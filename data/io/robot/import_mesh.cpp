@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "data/io/mesh/mesh_file.h"
 
 namespace thenar::internal {
 namespace {
@@ -51,35 +50,36 @@ std::string find_mesh(const std::string& name, const std::string& robot_file) {
   return "";
 }
 
-ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement) {
+ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement,
+                     MeshReader& reader) {
   const Eigen::Matrix3d& A = placement.A;
   const double scale = A(0, 0);
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   if (scale > 0 && A == Eigen::Matrix3d(scale * Eigen::Matrix3d::Identity()) &&
       placement.b.isZero(0)) {
-    shape.mesh = read_mesh(file, scale);
+    shape.mesh = reader.read(file, scale);
     shape.mesh_file = file;
     shape.mesh_scale = scale;
     return shape;
   }
-  shape.mesh = read_mesh(file);
+  shape.mesh = reader.read(file);
   shape.mesh.vertices = (A * shape.mesh.vertices).colwise() + placement.b;
   if (A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
   return shape;
 }
 
 bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& placement,
-              const std::string& robot_file, const std::string& link,
+              const NamedMeshes& from, const std::string& link,
               std::vector<std::string>& warnings) {
-  const std::string file = find_mesh(name, robot_file);
+  const std::string file = find_mesh(name, from.robot_file);
   if (file.empty()) {
     warnings.push_back(fmt::format("MISSING MESH '{}': link '{}' goes without it", name, link));
     return false;
   }
   try {
     const Pose<double> X_BS = shape.X_BS;
-    shape = mesh_shape(file, placement);
+    shape = mesh_shape(file, placement, from.reader);
     shape.X_BS = X_BS;
   } catch (const DataError& error) {
     warnings.push_back(

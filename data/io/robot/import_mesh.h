@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/shapes/shape_spec.h"
+#include "data/io/mesh/mesh_file.h"
 
 namespace thenar::internal {
 
@@ -22,15 +23,22 @@ struct MeshPlacement {
   Eigen::Vector3d b{0, 0, 0};                       // [m] (3)
 };
 
+/// What reads the meshes that a robot file names.
+struct NamedMeshes {
+  const std::string& robot_file;
+  MeshReader& reader;
+};
+
 /// @param file  as find_mesh() gives it
 /// @throws DataError if the file cannot be read.
-[[nodiscard]] ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement);
+[[nodiscard]] ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement,
+                                   MeshReader& reader);
 
 /// mesh_shape() of a mesh by the name that a robot file gives it, put into `shape`.
 /// @return false if there is no such file or it cannot be read; `warnings` then says that `link`
 /// goes without it.
 [[nodiscard]] bool try_mesh(ShapeSpec& shape, const std::string& name,
-                            const MeshPlacement& placement, const std::string& robot_file,
+                            const MeshPlacement& placement, const NamedMeshes& from,
                             const std::string& link, std::vector<std::string>& warnings);
 
 }  // namespace thenar::internal

@@ -319,7 +319,8 @@ RobotSpec read_mjcf(const std::string& path) {
   internal::expand_replicates(file);
   Unread unread(file);
   note_sections(file, unread);
-  MjcfSource source{file, unread, internal::read_compiler(file, unread), {}, false};
+  MeshReader meshes;
+  MjcfSource source{file, unread, internal::read_compiler(file, unread), {}, false, meshes};
   source.incomplete = internal::lacks_joints(file.root());
   source.defaults.read(file, file.root());
   RobotSpec robot;

@@ -105,7 +105,7 @@ bool set_mesh(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mesh
   std::filesystem::path file = mesh.text("file");
   if (source.compiler.strip_path) file = file.filename();
   const std::string path = (std::filesystem::path(source.compiler.mesh_folder) / file).string();
-  return try_mesh(shape, path, placement, source.file.path(), body, warnings);
+  return try_mesh(shape, path, placement, {source.file.path(), source.meshes}, body, warnings);
 }
 
 bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& meshes,

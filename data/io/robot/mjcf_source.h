@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "base/spatial.h"
+#include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_xml.h"
 
 namespace thenar::internal {
@@ -56,6 +57,7 @@ struct MjcfSource {
   MjcfCompiler compiler;
   MjcfDefaults defaults;
   bool incomplete;  // joints that the file names may be none here
+  MeshReader& meshes;
 };
 
 /// Whether an element stands for bodies that are not read: <attach>, <composite>, <flexcomp>.
@@ -65,7 +67,8 @@ struct MjcfSource {
 [[nodiscard]] bool lacks_joints(const pugi::xml_node& root);
 
 /// Puts the content of included files in the place of <include file="..">.
-/// @throws DataError if a file is missing or includes itself.
+/// @throws DataError if a file is missing, includes itself, or is outside of the model's folder,
+/// wherever links lead.
 void expand_includes(const XmlFile& file);
 
 [[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, Unread& unread);

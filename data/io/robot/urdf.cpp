@@ -138,7 +138,7 @@ class Translation {
       return true;
     }
     return internal::try_mesh(shape, mesh.filename, {vector_of(mesh.scale).asDiagonal(), {0, 0, 0}},
-                              file_.path(), link.name, robot_.warnings);
+                              {file_.path(), meshes_}, link.name, robot_.warnings);
   }
 
   void add_joint(const urdf::Joint& joint, pugi::xml_node node) {
@@ -206,6 +206,7 @@ class Translation {
   RobotSpec& robot_;
   std::vector<Coupling> couplings_;
   std::vector<std::string> shown_;  // links that only have visual shapes
+  MeshReader meshes_;
 };
 
 }  // namespace

@@ -8,19 +8,18 @@
 
 #include "base/error.h"
 #include "data/io/graspit/graspit_transform.h"
-#include "data/io/mesh/mesh_file.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
 
-ShapeSpec mesh_shape(const std::string& path, double scale) {
+ShapeSpec mesh_shape(const std::string& path, double scale, MeshReader& meshes) {
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh_file = fs::absolute(path).lexically_normal().string();
   shape.mesh_scale = scale;
-  shape.mesh = read_mesh(path, scale);
+  shape.mesh = meshes.read(path, scale);
   return shape;
 }
 
@@ -58,7 +57,8 @@ double scale_of(const XmlFile& file, const pugi::xml_node& geometry) {
   return scale;
 }
 
-ShapeSpec read_geometry(const XmlFile& file, std::vector<std::string>& warnings) {
+ShapeSpec read_geometry(const XmlFile& file, MeshReader& meshes,
+                        std::vector<std::string>& warnings) {
   const pugi::xml_node geometry = file.root().child("geometryFile");
   if (!geometry)
     file.fail(file.root(),
@@ -69,7 +69,7 @@ ShapeSpec read_geometry(const XmlFile& file, std::vector<std::string>& warnings)
       (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
   if (!fs::is_regular_file(path))
     file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
-  ShapeSpec shape = mesh_shape(path, scale_of(file, geometry));
+  ShapeSpec shape = mesh_shape(path, scale_of(file, geometry), meshes);
   if (const pugi::xml_node offset = file.root().child("geometryOffset"))
     shape.X_BS = graspit_transform(file, offset, warnings);
   return shape;
@@ -106,10 +106,15 @@ std::string read_material(const XmlFile& file, std::vector<std::string>& warning
 }  // namespace
 
 GraspitBody read_graspit_body(const std::string& path) {
+  MeshReader meshes;
+  return read_graspit_body(path, meshes);
+}
+
+GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes) {
   GraspitBody read;
   read.body.name = fs::path(path).stem().string();
   if (fs::path(path).extension() != ".xml") {
-    read.body.shapes.push_back(mesh_shape(path, kGraspitLength));
+    read.body.shapes.push_back(mesh_shape(path, kGraspitLength, meshes));
     return read;
   }
   const XmlFile file(path);
@@ -121,7 +126,7 @@ GraspitBody read_graspit_body(const std::string& path) {
       read.warnings.push_back(file.not_understood(node));
   read.body.material = read_material(file, read.warnings);
   read_mass(file, read.body);
-  read.body.shapes.push_back(read_geometry(file, read.warnings));
+  read.body.shapes.push_back(read_geometry(file, meshes, read.warnings));
   return read;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "data/io/mesh/mesh_file.h"
 #include "data/io/world/world.h"
 
 namespace thenar {
@@ -23,5 +24,7 @@ struct GraspitBody {
 /// @throws DataError if it is no body, or its mesh cannot be read.
 /// Source: [GraspItWorld] for the format.
 [[nodiscard]] GraspitBody read_graspit_body(const std::string& path);
+/// The same, of a world with other meshes.
+[[nodiscard]] GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes);
 
 }  // namespace thenar

@@ -113,7 +113,7 @@ class Reader {
     check(node, {"filename", "transform"});
     const std::optional<std::string> path = named_file(node, "BODY");
     if (!path) return;
-    GraspitBody found = read_graspit_body(*path);
+    GraspitBody found = read_graspit_body(*path, meshes_);
     auto& bodies = read_.world.bodies;
     found.body.name = new_name(found.body.name, [&](const std::string& name) {
       return std::any_of(bodies.begin(), bodies.end(),
@@ -232,6 +232,7 @@ class Reader {
   };
 
   XmlFile file_;
+  MeshReader meshes_;
   GraspitWorld read_;
   std::vector<std::optional<Placed>> robots_;  // in the file's order; none: left out
 };

@@ -115,6 +115,49 @@ TEST_F(HostileMesh, SaysWhatIsMissingWithoutItsReader) {
   EXPECT_EQ(read_mesh(path("a.dae")).triangles.cols(), 12);
 }
 
+/// A program in the place of the one that reads.
+void put_reader(const std::string& path, const std::string& script) {
+  write_file(path, "#!/bin/sh\n" + script);
+  ASSERT_EQ(chmod(path.c_str(), 0700), 0);
+  ASSERT_EQ(setenv("THENAR_MESH_READER", path.c_str(), 1), 0);
+}
+
+// What one mesh takes is not there for the next.
+TEST_F(HostileMesh, SharesItsTimeWithThoseOfTheSameFile) {
+  write_file(path("a.dae"), cube_collada());
+  put_reader(path("reader"), "exec sleep 20");
+  MeshTime left{10, 0.2};
+  const auto said = [&] {
+    return message_of<DataError>(
+        [&] { (void)read_foreign_mesh(path("a.dae"), MeshFormat::kCollada, left); });
+  };
+  EXPECT_THAT(said(), HasSubstr("took too long"));
+  EXPECT_LT(left.clock, 0.01);
+  EXPECT_THAT(said(), HasSubstr("the meshes before it took all the time"));
+  // A second of the processor, in a program that waits for nothing.
+  put_reader(path("reader"), "ulimit -t 1\nwhile :; do :; done");
+  left = {1, 10};
+  EXPECT_THAT(said(), HasSubstr("took too long"));
+  EXPECT_LT(left.processor, 0.1);
+  EXPECT_THAT(said(), HasSubstr("the meshes before it took all the time"));
+  ASSERT_EQ(unsetenv("THENAR_MESH_READER"), 0);
+}
+
+TEST_F(HostileMesh, IsReadOnceByOneReader) {
+  write_file(path("a.dae"), cube_collada());
+  write_file(path("b.obj"), cube_obj());
+  put_reader(path("reader"), "echo once >> " + path("count") + "\nexit 1");
+  MeshReader reader;
+  for (int i = 0; i < 3; ++i)
+    EXPECT_THAT(message_of<DataError>([&] { (void)reader.read(path("a.dae")); }),
+                HasSubstr("a.dae:1: cannot be read: the program that reads it ended with status"));
+  EXPECT_EQ(std::filesystem::file_size(path("count")), 5U);
+  EXPECT_EQ(reader.read(path("b.obj")).triangles.cols(), 12);
+  std::filesystem::remove(path("b.obj"));
+  EXPECT_EQ(reader.read(path("b.obj")).triangles.cols(), 12);
+  ASSERT_EQ(unsetenv("THENAR_MESH_READER"), 0);
+}
+
 // Nodes without a triangle, each used ten times a level: nothing but time tells.
 TEST_F(HostileMesh, EndsWithItsTime) {
   if (std::getenv("THENAR_SLOW_MESHES") == nullptr) GTEST_SKIP() << "takes 8 s: ./run long";

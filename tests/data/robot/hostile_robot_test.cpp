@@ -1,11 +1,15 @@
 // No crafted robot file ends the program, or takes more than seconds and some memory.
 
+#include <algorithm>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+#include <sys/stat.h>
 
 #include "base/write_file.h"
 #include "data/io/graspit/graspit_link.h"
@@ -79,6 +83,28 @@ TEST_F(HostileRobot, MayNotNestDeeplyOverFiles) {
               HasSubstr("<include> stands more than 128 elements deep"));
   EXPECT_THAT(refusal("b.xml", "<mujoco><worldbody><include file='b.xml'/></worldbody></mujoco>"),
               HasSubstr("included twice"));
+}
+
+// Links that name one mesh that cannot be read: tried once, said for each.
+TEST_F(HostileRobot, ReadsAMeshOfManyLinksOnce) {
+  const std::string script = written("reader", "#!/bin/sh\necho once >> " + path("count") + "\n");
+  ASSERT_EQ(chmod(script.c_str(), 0700), 0);
+  ASSERT_EQ(setenv("THENAR_MESH_READER", script.c_str(), 1), 0);
+  (void)written("a.dae", "<COLLADA/>");
+  std::string text = "<robot name='a'><link name='l0'/>";
+  for (int i = 1; i <= 20; ++i)
+    text += tag("link name='l", i, "'>") +
+            "<collision><geometry><mesh filename='a.dae'/></geometry></collision></link>" +
+            tag("joint name='j", i, "' type='fixed'><parent link='l0'/>") +
+            tag("child link='l", i, "'/></joint>");
+  const RobotSpec robot = import_robot(written("a.urdf", text + "</robot>"));
+  ASSERT_EQ(unsetenv("THENAR_MESH_READER"), 0);
+  EXPECT_EQ(std::filesystem::file_size(path("count")), 5U);
+  EXPECT_EQ(std::count_if(robot.warnings.begin(), robot.warnings.end(),
+                          [](const std::string& warning) {
+                            return warning.find("UNREADABLE MESH") != std::string::npos;
+                          }),
+            20);
 }
 
 // A class takes no more memory than it says itself, whatever stands around it.
