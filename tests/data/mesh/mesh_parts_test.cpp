@@ -79,7 +79,7 @@ TEST(MergeCorners, EndsWhereATriangleIsTinyAndFarAway) {
   EXPECT_EQ(merge_corners({{e, f, g}, {}}, 1, "tinier.obj").triangles.cols(), 1);
 }
 
-// Every corner lies within 1e-6 of the box from none, but within 64e-6 of it from all others:
+// All corners but three lie within 64e-6 of the box from each other, many of them not within 1e-6:
 // comparing all with all would take 10^10 comparisons.
 TEST(MergeCorners, TakesTimeInProportionToLooseTriangles) {
   std::mt19937 rng(7);
