@@ -45,8 +45,7 @@ TEST(TrialRun, TellsWhatTheWorkThrew) {
 }
 
 TEST(TrialRun, SaysWhereItCrashes) {
-  EXPECT_EQ(said_of([] { std::abort(); }),
-            "a.h5:1: it is damaged: reading it crashes (Aborted)");
+  EXPECT_EQ(said_of([] { std::abort(); }), "a.h5:1: it is damaged: reading it crashes (Aborted)");
 }
 
 }  // namespace

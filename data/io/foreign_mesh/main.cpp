@@ -92,8 +92,8 @@ bool write_all(int file, const std::string& text) {
 int main(int argc, char** argv) {
   thenar::end_with_parent();
   if (argc != 2 && argc != 3) {
-    (void)std::fputs("thenar-mesh-reader FILE [SECONDS]: run by thenar for meshes of other programs\n",
-                     stderr);
+    (void)std::fputs(
+        "thenar-mesh-reader FILE [SECONDS]: run by thenar for meshes of other programs\n", stderr);
     return 2;
   }
   const int output = thenar::keep_output();

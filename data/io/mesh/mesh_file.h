@@ -49,7 +49,7 @@ class MeshReader {
 
  private:
   MeshTime left_;
-  Eigen::Index triangles_ = 0;  // of all that were given
+  Eigen::Index triangles_ = 0;                 // of all that were given
   using Key = std::pair<std::string, double>;  // file and scale
   std::map<Key, TriangleMesh> meshes_;
   std::map<Key, DataError> failures_;

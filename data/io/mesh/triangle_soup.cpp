@@ -59,8 +59,7 @@ class Vertices {
 class NearPlaces {
  public:
   /// @param corner  from which cells are counted, below all places: within 1e6 near of them [m]
-  NearPlaces(double near, const Vector3d& corner)
-      : near_(near), cell_(4 * near), corner_(corner) {}
+  NearPlaces(double near, const Vector3d& corner) : near_(near), cell_(4 * near), corner_(corner) {}
 
   /// @param number  for p, if it is not near another
   int index_of(const Vector3d& p, int number) {
@@ -293,9 +292,9 @@ TriangleMesh merge_corners(const TriangleSoup& soup, double scale, const std::st
   TriangleMesh best;
   int least = std::numeric_limits<int>::max();
   for (int attempt = 0; attempt < 3 && least > 0 && near > 0; ++attempt) {
-    TriangleMesh mesh = attempt < 2
-                            ? in_parts(triangles, soup.vertices, attempt == 0 ? 0 : near, near, box.min())
-                            : closed_up(merged(triangles, all), near);
+    TriangleMesh mesh =
+        attempt < 2 ? in_parts(triangles, soup.vertices, attempt == 0 ? 0 : near, near, box.min())
+                    : closed_up(merged(triangles, all), near);
     const int open = defects_of(mesh).open;
     if (mesh.empty() || open >= least) continue;
     best = std::move(mesh);

@@ -32,11 +32,11 @@ void through(Coupling& step, const Coupling& next, const std::string& path) {
   const std::vector<double> p = coefficients(step), inner = coefficients(next);
   const std::size_t degree = (p.size() - 1) * (inner.size() - 1);
   if (degree > kHighestDegree)
-    throw DataError(path, step.line,
-                    fmt::format("joint '{}' follows '{}' through '{}' along a polynomial of degree "
-                                "{}, more than {}: let it follow '{}' along one of its own",
-                                step.joint, next.master, next.joint, degree, kHighestDegree,
-                                next.master));
+    throw DataError(
+        path, step.line,
+        fmt::format("joint '{}' follows '{}' through '{}' along a polynomial of degree "
+                    "{}, more than {}: let it follow '{}' along one of its own",
+                    step.joint, next.master, next.joint, degree, kHighestDegree, next.master));
   std::vector<double> sum{0};  // by Horner's rule
   for (auto c = p.rbegin(); c != p.rend(); ++c) {
     std::vector<double> product(sum.size() + inner.size() - 1, 0);

@@ -23,8 +23,8 @@ struct Coupling {
 /// and lets those that follow it, also through others, share it. Where a follower would leave its
 /// limits the range becomes the tightest one, and a warning says so; where nothing would be left
 /// the follower's limits are widened instead.
-/// @throws DataError with `path` for couplings to unknown joints, round in a ring, or through others
-/// along a polynomial of a degree above 16.
+/// @throws DataError with `path` for couplings to unknown joints, round in a ring, or through
+/// others along a polynomial of a degree above 16.
 void couple_joints(RobotSpec& robot, const std::vector<Coupling>& couplings,
                    const std::string& path);
 

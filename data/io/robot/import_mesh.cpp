@@ -50,8 +50,7 @@ std::string find_mesh(const std::string& name, const std::string& robot_file) {
   return "";
 }
 
-ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement,
-                     MeshReader& reader) {
+ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, MeshReader& reader) {
   const Eigen::Matrix3d& A = placement.A;
   const double scale = A(0, 0);
   ShapeSpec shape;

@@ -85,7 +85,8 @@ TEST(MergeCorners, TakesTimeInProportionToLooseTriangles) {
   std::mt19937 rng(7);
   std::uniform_real_distribution<double> along(0, 64e-6);
   TriangleSoup soup;
-  for (int i = 0; i < 3 * 80'000; ++i) soup.corners.emplace_back(along(rng), along(rng), along(rng));
+  for (int i = 0; i < 3 * 80'000; ++i)
+    soup.corners.emplace_back(along(rng), along(rng), along(rng));
   soup.corners.insert(soup.corners.end(), {{0.5, 0, 0}, {0.5, 0.2, 0}, {0.5, 0, 0.2}});
   const std::clock_t begin = std::clock();
   const TriangleMesh mesh = merge_corners(soup, 1, "loose.obj");

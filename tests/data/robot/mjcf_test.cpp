@@ -273,11 +273,11 @@ TEST_F(Mjcf, CouplesJointsByATendonWithoutMuchRoom) {
 TEST_F(Mjcf, NamesLimitedTendonsWhoseJointFollowsAlready) {
   const auto limited = [](const std::string& name, const std::string& leader,
                           const std::string& coefficient) {
-    return "<fixed name='" + name + "' limited='true' range='-0.001 0.001'><joint joint='" + leader +
-           "' coef='1'/><joint joint='3' coef='" + coefficient + "'/></fixed>";
+    return "<fixed name='" + name + "' limited='true' range='-0.001 0.001'><joint joint='" +
+           leader + "' coef='1'/><joint joint='3' coef='" + coefficient + "'/></fixed>";
   };
-  const RobotSpec robot = palm(kFinger, "<tendon>" + limited("t", "2", "-1") +
-                                            limited("u", "1", "-1") + "</tendon>");
+  const RobotSpec robot =
+      palm(kFinger, "<tendon>" + limited("t", "2", "-1") + limited("u", "1", "-1") + "</tendon>");
   EXPECT_EQ(robot.joints[2].dof, "2");
   EXPECT_THAT(robot.warnings,
               Contains(HasSubstr("limits of tendon 'u' (-0.001 to 0.001) are not kept: joint '3' "
@@ -445,9 +445,9 @@ TEST_F(Mjcf, IncludesNothingFromOutsideOfItsFolder) {
                "<mujoco><worldbody>\n<include file='" + name + "'/></worldbody></mujoco>");
     return message_of<DataError>([&] { (void)read_mjcf(path("in/model.xml")); });
   };
-  for (const std::string& name : {std::string("../secret.xml"), path("secret.xml"),
-                                  std::string("link.xml"), std::string("up/secret.xml"),
-                                  std::string("../nothing.xml"), std::string("/etc/passwd")}) {
+  for (const std::string& name :
+       {std::string("../secret.xml"), path("secret.xml"), std::string("link.xml"),
+        std::string("up/secret.xml"), std::string("../nothing.xml"), std::string("/etc/passwd")}) {
     const std::string said = refusal_of(name);
     EXPECT_THAT(said, HasSubstr("in/model.xml:2: '" + name + "' is outside of the model's folder"));
   }
