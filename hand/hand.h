@@ -21,6 +21,14 @@ struct Reactions {
   std::vector<int> held;  // coordinates whose drive cannot be driven back: worms
 };
 
+/// How far to believe what a hand says of its torques, from good to bad.
+enum class ActuationStatus {
+  kExact,       // torque is linear in the efforts
+  kLinearised,  // it is not: B is exact at u = 0 and at one working effort, see the hand
+  kDoubtful,    // a tendon is where its model does not hold: see `trouble`
+  kUnbalanced   // a part of the torque is that of no balance, and not to be used: see `trouble`
+};
+
 /// The joint torques a hand can make at a posture:
 ///   { B u + R r + tau_0 : lower <= u <= upper, least <= r <= most }.
 /// For tendons B is the transposed moment-arm matrix and u are tensions; for motors B is the
@@ -31,6 +39,16 @@ struct Actuation {
   Eigen::VectorXd lower;  // of u (actuators)
   Eigen::VectorXd upper;  // of u, infinite if unknown (actuators)
   Reactions reactions{};  // none if empty
+  ActuationStatus status = ActuationStatus::kExact;
+  std::string trouble{};  // what a status beyond kLinearised stands for, in words
+};
+
+/// The torque that one effort makes, exactly.
+struct Effort {
+  Eigen::VectorXd tau;                               // passive torque included [N m] (coordinates)
+  Eigen::MatrixXd B;                                 // d tau/du there (coordinates, actuators)
+  ActuationStatus status = ActuationStatus::kExact;  // never kLinearised
+  std::string trouble{};
 };
 
 /// What happens to the other coordinates of a drive when one is blocked by a contact.
@@ -110,6 +128,13 @@ class Hand {
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const = 0;
 
   [[nodiscard]] virtual Actuation actuation(const Eigen::VectorXd& q) const = 0;
+
+  /// What one effort does, without the linearisation that actuation() may have.
+  /// @param u  (actuators)
+  [[nodiscard]] virtual Effort effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+    Actuation actuation = this->actuation(q);
+    return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.trouble};
+  }
 
   /// What can touch; empty: a hand of bones without surfaces.
   [[nodiscard]] virtual const std::vector<LinkSurface>& surfaces() const = 0;

@@ -2,14 +2,37 @@
 
 /// What tendon tensions do to one digit, whatever the rungs of path and hood.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
 #include <Eigen/Core>
 
+#include "base/error.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
+
+/// How far to believe what tendons do, from good to bad.
+enum class TendonStatus {
+  kSound,       // paths are taut, a net is at rest at a minimum
+  kRough,       // fitted arms may be off by more than 1 mm/rad, or an origin rides on a bend
+  kBuried,      // a band in tension ends inside the bone over which it bends
+  kDrawnIn,     // a muscle has drawn a knot into its exit: the net does not hold it
+  kOutOfRange,  // fitted paths are asked outside of their joints' ranges, where they run wild
+  kAstray,      // a wrapped path is not taut, has a point in bone or went round the far side
+  kUnstable,    // a net at a saddle: the least push moves it elsewhere
+  kUnbalanced   // a net without rest: its torques are those of no balance
+};
+
+/// Whether numbers may be built upon: up to kBuried.
+[[nodiscard]] constexpr bool trusted(TendonStatus status) {
+  return status < TendonStatus::kDrawnIn;
+}
+
+[[nodiscard]] constexpr TendonStatus worse(TendonStatus a, TendonStatus b) {
+  return std::max(a, b);
+}
 
 /// Tension in the slips of the extensor hood [N].
 struct SlipTension {
@@ -23,7 +46,15 @@ struct [[nodiscard]] TendonPull {
                            // coordinates) [m/rad]
   SlipTension slips;       // zero without a hood
   Eigen::Matrix3Xd nodes;  // of a net at rest, world; hand it on as the next start [m] (3, nodes)
-  std::string trouble;     // why not to trust this; empty: nothing
+  std::string trouble;     // why not to trust this, in words; empty: nothing
+  TendonStatus status = TendonStatus::kSound;  // the same, for decisions
+};
+
+/// How linear tendons change with posture.
+struct [[nodiscard]] TendonSlopes {
+  bool exist = true;           // false: a path has no slopes here; the rest is then not set
+  Eigen::MatrixXd by_posture;  // d tau/dq at given tensions [N m/rad] (coordinates, coordinates)
+  Eigen::VectorXd length;      // of each muscle's line, but for a constant [m] (muscles)
 };
 
 /// One digit with its tendons. Linear rungs have  tau = R' t; a net has not.
@@ -63,6 +94,15 @@ class DigitTendons {
   /// @throws InputError if it is negative or not finite.
   [[nodiscard]] virtual std::unique_ptr<DigitTendons> blended(double /*strain*/) const {
     return nullptr;
+  }
+
+  /// Slopes and lengths of tendons without a net, analytically. A muscle's length is that of its
+  /// strands, each weighted with the share of tension that it carries; friction in sheaths is left
+  /// out of it. Where shares are constant and sheaths smooth,  d length/dq = -R.
+  /// @throws InputError as pull(), or if these tendons have none.
+  [[nodiscard]] virtual TendonSlopes slopes(const Eigen::VectorXd& /*q*/,
+                                            const Eigen::VectorXd& /*t*/) const {
+    throw InputError("these tendons tell no slopes by posture");
   }
 
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {

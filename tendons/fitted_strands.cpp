@@ -43,14 +43,29 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
                                 const Eigen::VectorXd& q) const override {
-    StrandArms arms{constant_, worst_fit_};
+    StrandArms arms{constant_, worst_fit_,
+                    worst_fit_.empty() ? TendonStatus::kSound : TendonStatus::kRough};
     for (std::size_t k = 0; k < paths_.size(); ++k)
       arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
     for (Eigen::Index j = 0; j < q.size(); ++j)
-      if (q[j] < box_.lower[j] || q[j] > box_.upper[j])
+      if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
+        arms.status = TendonStatus::kOutOfRange;
         arms.trouble = fmt::format("joint '{}' is outside the range that paths were fitted over",
                                    names_[static_cast<std::size_t>(j)]);
+      }
     return arms;
+  }
+
+  [[nodiscard]] StrandSlopes slopes(const TreeState<double>& /*state*/,
+                                    const Eigen::VectorXd& q) const override {
+    StrandSlopes slopes{true, -constant_ * q, {}};
+    slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),
+                     Eigen::MatrixXd::Zero(q.size(), q.size()));
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+      slopes.length[row_[k]] = fitted_length(paths_[k], q).length;
+      slopes.dR[static_cast<std::size_t>(row_[k])] = arm_slopes(paths_[k], q);
+    }
+    return slopes;
   }
 
  private:

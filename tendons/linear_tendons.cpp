@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "tendons/path_slopes.h"
 #include "tendons/strand_paths.h"
 
 namespace thenar {
@@ -31,12 +32,54 @@ class StraightStrands : public StrandPaths {
     model_.friction.setZero();
   }
   [[nodiscard]] StrandArms arms(const TreeState<double>& state, const VectorXd& q) const override {
-    return {strand_arms(model_, state, q), ""};
+    return {strand_arms(model_, state, q), "", TendonStatus::kSound};
+  }
+  [[nodiscard]] StrandSlopes slopes(const TreeState<double>& state,
+                                    const VectorXd& q) const override {
+    StrandSlopes slopes{true, -model_.constant_arms * q, {}};
+    for (std::size_t s = 0; s < model_.paths.size(); ++s) {
+      slopes.dR.push_back(arm_slopes(model_.tree, state, model_.paths[s], model_.coordinates));
+      if (!model_.paths[s].empty())
+        slopes.length[static_cast<Eigen::Index>(s)] = path_length(state, model_.paths[s]);
+    }
+    return slopes;
   }
 
  private:
   TendonModel<double> model_;
 };
+
+/// d(strand tensions)/d(knuckle angle) when muscles pull with t (strands) [N/rad]: a share c of the
+/// central slip moves by  slope c (1 - c).
+VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const VectorXd& t) {
+  VectorXd rate = VectorXd::Zero(static_cast<Eigen::Index>(model.paths.size()));
+  if (!model.hood) return rate;
+  for (const HoodShare<double>& share : model.hood_shares) {
+    const double by = share.slope * (knuckle_angle(model, q) - kHoodAngle);
+    const double c = shift_fraction(share.to_central, by);
+    const double more = share.into_hood * share.slope * c * (1 - c) * t[share.muscle];
+    const double radial = share.side == HoodSide::kRadial  ? more
+                          : share.side == HoodSide::kUlnar ? 0
+                                                           : 0.5 * more;
+    rate[model.hood->central_slip] += more;
+    rate[model.hood->radial_band] -= radial;
+    rate[model.hood->ulnar_band] -= more - radial;
+    rate[model.hood->terminal_slip] -= more;
+  }
+  return rate;
+}
+
+/// d(bending up to each coordinate)/dq, of what tension_left() sums [1] (coordinates, coordinates).
+MatrixXd bend_rate(const TendonModel<double>& model, const VectorXd& q) {
+  MatrixXd rate = MatrixXd::Zero(model.coordinates, model.coordinates);
+  for (const SheathBend& bend : model.bends) {
+    const int k = bend.angle.coordinate;
+    if (k < 0) continue;
+    const double slope = bend.angle.ratio * angle_at(bend.angle, q) / bend_size(bend.angle, q);
+    for (int j = bend.felt_from; j < model.coordinates; ++j) rate(j, k) += slope;
+  }
+  return rate;
+}
 
 /// Linear in the tensions, whatever the paths.
 class LinearTendons : public DigitTendons {
@@ -60,7 +103,32 @@ class LinearTendons : public DigitTendons {
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
     pull.trouble = arms.trouble;
+    pull.status = arms.status;
     return pull;
+  }
+
+  /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
+  [[nodiscard]] TendonSlopes slopes(const VectorXd& q, const VectorXd& t) const override {
+    check(digit_, q, t);
+    const TendonModel<double>& model = digit_.model;
+    const TreeState<double> state = pose_tree(model.tree, q);
+    const MatrixXd S = strand_matrix(model, q), R = paths_->arms(state, q).R;
+    const StrandSlopes strands = paths_->slopes(state, q);
+    TendonSlopes out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
+                     S.transpose() * strands.length};
+    if (!out.exist) return out;
+    const VectorXd f = S * t, f_rate = hood_rate(model, q, t);
+    const MatrixXd bending = bend_rate(model, q);
+    for (Eigen::Index s = 0; s < f.size(); ++s) {
+      const double mu = model.friction[s];
+      const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : tension_left(model, q, mu);
+      const VectorXd arm = left.cwiseProduct(R.row(s).transpose());
+      out.by_posture += f[s] * (left.asDiagonal() * strands.dR[static_cast<std::size_t>(s)] -
+                                mu * MatrixXd(arm.asDiagonal() * bending));
+      if (model.knuckle.coordinate >= 0)
+        out.by_posture.col(model.knuckle.coordinate) += model.knuckle.ratio * f_rate[s] * arm;
+    }
+    return out;
   }
 
  private:

@@ -4,15 +4,24 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "tendons/tendon_model.h"
+#include "tendons/digit_tendons.h"
 
 namespace thenar {
 
 /// Moment arms at one posture, before friction in sheaths.
 struct [[nodiscard]] StrandArms {
-  Eigen::MatrixXd R;    // flexion + (strands, coordinates) [m/rad]
-  std::string trouble;  // why not to trust them; empty: nothing
+  Eigen::MatrixXd R;                           // flexion + (strands, coordinates) [m/rad]
+  std::string trouble;                         // why not to trust them, in words; empty: nothing
+  TendonStatus status = TendonStatus::kSound;  // the worst of all strands
+};
+
+/// Lengths and slopes of arms at one posture, before friction in sheaths.
+struct [[nodiscard]] StrandSlopes {
+  bool exist = true;                // false: a strand has no slopes here
+  Eigen::VectorXd length;           // [m]; of strands with constant arms  -R q (strands)
+  std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)
 };
 
 /// The paths of a digit's strands on one rung.
@@ -21,6 +30,8 @@ class StrandPaths {
   virtual ~StrandPaths() = default;
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
+  [[nodiscard]] virtual StrandSlopes slopes(const TreeState<double>& state,
+                                            const Eigen::VectorXd& q) const = 0;
 };
 
 /// Geodesics over the subject's surfaces; strands without a path keep their constant arms.

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "tendons/strand_paths.h"
+#include "tendons/wrapping/arm_slopes.h"
 #include "tendons/wrapping/path_arms.h"
 
 namespace thenar {
@@ -16,10 +17,19 @@ std::string trouble_of(const PathShape& shape, const std::string& name) {
     case PathStatus::kPointInside:
       return fmt::format("a point of strand '{}' is {:.3g} mm inside a surface", name,
                          1e3 * shape.depth);
+    case PathStatus::kCrossed:
+      return fmt::format(
+          "a point of strand '{}' went round the far side of its cylinder, where its length jumps",
+          name);
     case PathStatus::kStalled:
       return fmt::format("the path of strand '{}' is not taut: {:.3g} rad", name, shape.error);
   }
   return "";
+}
+
+TendonStatus status_of(PathStatus status) {
+  if (status == PathStatus::kTaut) return TendonStatus::kSound;
+  return status == PathStatus::kRidesOnBend ? TendonStatus::kRough : TendonStatus::kAstray;
 }
 
 class WrappedStrands : public StrandPaths {
@@ -40,14 +50,34 @@ class WrappedStrands : public StrandPaths {
     const std::vector<PathShape>& shapes = solver.solve(state);
     Eigen::MatrixXd R(shapes.size(), q.size());
     path_arms(tree_, state, set_, shapes, R);
-    StrandArms arms{constant_, ""};
+    StrandArms arms{constant_, "", TendonStatus::kSound};
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       if (path_of_[s] < 0) continue;
       arms.R.row(static_cast<Eigen::Index>(s)) = R.row(path_of_[s]);
       const auto path = static_cast<std::size_t>(path_of_[s]);
-      if (arms.trouble.empty()) arms.trouble = trouble_of(shapes[path], set_.paths[path].name);
+      const TendonStatus status = status_of(shapes[path].status);
+      if (status > arms.status) arms.trouble = trouble_of(shapes[path], set_.paths[path].name);
+      arms.status = worse(arms.status, status);
     }
     return arms;
+  }
+
+  [[nodiscard]] StrandSlopes slopes(const TreeState<double>& state,
+                                    const Eigen::VectorXd& q) const override {
+    PathSolver solver(set_);
+    const std::vector<PathShape>& shapes = solver.solve(state);
+    std::vector<ArmSlopes> paths =
+        arm_slopes(tree_, state, set_, shapes, static_cast<int>(q.size()));
+    StrandSlopes slopes{true, -constant_ * q, {}};
+    for (std::size_t s = 0; s < path_of_.size(); ++s) {
+      slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
+      if (path_of_[s] < 0) continue;
+      const auto path = static_cast<std::size_t>(path_of_[s]);
+      slopes.exist = slopes.exist && paths[path].exist;
+      slopes.dR.back() = std::move(paths[path].dR);
+      slopes.length[static_cast<Eigen::Index>(s)] = shapes[path].length;
+    }
+    return slopes;
   }
 
  private:

@@ -45,8 +45,9 @@ bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
 
 /// Path rung that the digit's strands can stand on.
 TendonOptions tendon_options(const Subject& subject, const std::string& digit,
-                             const std::map<std::string, double>& frozen) {
+                             const std::map<std::string, double>& frozen, Path path) {
   TendonOptions options;
+  options.path = path;
   for (const auto& [joint, angle] : frozen)
     for (const JointAxis& each : subject.joints)
       if (each.name == joint) options.frozen[joint] = angle;
@@ -75,12 +76,12 @@ std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::str
 enum class Extensors { kLinear, kNet };
 
 HandTendons hand_tendons(const Subject& subject, Extensors extensors,
-                         const std::map<std::string, double>& frozen,
+                         const std::map<std::string, double>& frozen, Path path,
                          std::vector<std::string>& warnings) {
   HandTendons tendons;
   std::vector<std::string> muscles;
   for (const Digit& digit : subject.digits) {
-    const TendonOptions options = tendon_options(subject, digit.name, frozen);
+    const TendonOptions options = tendon_options(subject, digit.name, frozen, path);
     tendons.digits.push_back(extensors == Extensors::kNet
                                  ? net_or_less(subject, digit.name, options, warnings)
                                  : build_digit_tendons(subject, digit.name, options));
@@ -112,17 +113,18 @@ const std::map<std::string, std::pair<double, double>>& default_strength() {
     const auto frozen = frozen_joints(human, {});
     std::vector<std::string> unheard;
     return named_strength(build_skeleton(human, {{}, frozen}),
-                          hand_tendons(human, Extensors::kNet, frozen, unheard));
+                          hand_tendons(human, Extensors::kNet, frozen, Path::kViaPoint, unheard));
   }();
   return strength;
 }
 
 TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           const Skeleton& skeleton, const std::map<std::string, double>& frozen,
-                          std::vector<std::string>& warnings) {
+                          Path path, std::vector<std::string>& warnings) {
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
-      own = named_strength(skeleton, hand_tendons(subject, Extensors::kNet, frozen, warnings));
+      own =
+          named_strength(skeleton, hand_tendons(subject, Extensors::kNet, frozen, path, warnings));
     } catch (const InputError& error) {
       warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
     }
@@ -173,7 +175,8 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   const auto frozen = frozen_joints(subject, options.frozen);
   const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
   HumanHand human;
-  human.contact = tier < HumanTier::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
+  human.contact =
+      tier < HumanTier::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;
@@ -181,20 +184,23 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   if (tier == HumanTier::kTendonNet) {
     require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
             subject.name);
-    HandTendons tendons = hand_tendons(subject, Extensors::kNet, frozen, human.warnings);
+    HandTendons tendons =
+        hand_tendons(subject, Extensors::kNet, frozen, options.path, human.warnings);
     for (std::size_t i = 0; i < subject.digits.size(); ++i)
       require(!tendons.digits[i]->digit().names.muscles.empty(),
               "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
               subject.name, subject.digits[i].name);
     std::vector<std::string> unheard;
-    const TendonHand straight(skeleton, hand_tendons(subject, Extensors::kLinear, frozen, unheard));
+    const TendonHand straight(
+        skeleton, hand_tendons(subject, Extensors::kLinear, frozen, options.path, unheard));
     HandUse use = tendon_use(anatomy, subject, skeleton, straight.layout().actuators,
                              straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
     human.hand = std::make_unique<TendonHand>(skeleton, std::move(tendons), std::move(surfaces),
                                               std::move(use));
     return human;
   }
-  TorqueLimits limits = motor_limits(subject, anatomy, skeleton, frozen, human.warnings);
+  TorqueLimits limits =
+      motor_limits(subject, anatomy, skeleton, frozen, options.path, human.warnings);
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
                                               motor_use(anatomy, subject, skeleton));
   return human;

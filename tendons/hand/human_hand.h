@@ -35,6 +35,7 @@ enum class Cover {
 struct HumanHandOptions {
   Cover cover = Cover::kSkin;
   SkinOptions skin;
+  Path path = Path::kViaPoint;           // of tendons; subjects with arms alone have these
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
 };
 

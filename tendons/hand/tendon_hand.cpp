@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "tendons/hand/hand_actuator.h"
 
 namespace thenar {
 namespace {
@@ -53,10 +54,52 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
   max_force_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
 }
 
-TendonPull TendonHand::pull(std::size_t digit, const Eigen::VectorXd& q) const {
-  const Place& place = places_[digit];
-  return digits_[digit]->pull(q(place.coordinates), working_share_ * max_force_(place.actuators));
+namespace {
+
+ActuationStatus status_of(TendonStatus status) {
+  if (status == TendonStatus::kSound || status == TendonStatus::kRough)
+    return ActuationStatus::kExact;
+  return status < TendonStatus::kAstray ? ActuationStatus::kDoubtful : ActuationStatus::kUnbalanced;
 }
+
+/// Long steps to a single posture: who asks for one does not ask for small snaps on the way.
+constexpr NetWalkOptions kHandWalk{2e-3};
+
+/// One digit of a hand at a posture, its tendons as a secant.
+struct DigitSecant {
+  Eigen::MatrixXd B;      // (coordinates, actuators)
+  Eigen::VectorXd tau_0;  // [N m] (coordinates)
+  ActuationStatus status;
+  std::string trouble;
+};
+
+DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                   const Eigen::VectorXd& t) {
+  const auto* net = dynamic_cast<const NetTendons*>(&tendons);
+  if (net == nullptr) {
+    const TendonPull pull = tendons.pull(q, t);
+    return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
+            pull.trouble};
+  }
+  TendonActuator slackened(tendons, kHandWalk), pulled(tendons, kHandWalk);
+  const TendonAction& at = pulled.act(q, t);
+  const TendonAction& slack = slackened.act(q, Eigen::VectorXd::Zero(t.size()));
+  DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.trouble};
+  if (out.status == ActuationStatus::kExact) out.status = ActuationStatus::kLinearised;
+  const Eigen::VectorXd pulls = net->shares().colwise().sum().transpose();
+  const Eigen::VectorXd w = (pulls.array() > 0).select(t, 0);
+  if (w.squaredNorm() > 0)
+    out.B += (at.tau - slack.tau - out.B * t) * w.transpose() / w.squaredNorm();
+  return out;
+}
+
+void note(ActuationStatus status, const std::string& trouble, ActuationStatus& worst,
+          std::string& all) {
+  worst = std::max(worst, status);
+  if (!trouble.empty()) all += (all.empty() ? "" : "; ") + trouble;
+}
+
+}  // namespace
 
 Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   Actuation actuation = bones_.actuation(q);  // tau_0 has the passive torque
@@ -67,29 +110,23 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Place& place = places_[i];
     if (place.actuators.empty()) continue;  // a digit without muscles
-    const TendonPull here = pull(i, q);
-    const Eigen::VectorXd t = working_share_ * max_force_(place.actuators);
-    const Eigen::VectorXd rest = here.tau - here.R.transpose() * t;
-    for (std::size_t row = 0; row < place.coordinates.size(); ++row) {
-      const auto r = static_cast<Eigen::Index>(row);
-      actuation.tau_0[place.coordinates[row]] += rest[r];
-      for (std::size_t column = 0; column < place.actuators.size(); ++column)
-        actuation.B(place.coordinates[row], place.actuators[column]) +=
-            here.R(static_cast<Eigen::Index>(column), r);
-    }
+    const DigitSecant here =
+        secant(*digits_[i], q(place.coordinates), working_share_ * max_force_(place.actuators));
+    note(here.status, here.trouble, actuation.status, actuation.trouble);
+    actuation.tau_0(place.coordinates) += here.tau_0;
+    actuation.B(place.coordinates, place.actuators) += here.B;
   }
   return actuation;
 }
 
-std::string TendonHand::trouble(const Eigen::VectorXd& q) const {
-  (void)bones_.pose(q);  // refuses a posture of the wrong length
-  std::string all;
-  for (std::size_t i = 0; i < digits_.size(); ++i) {
-    if (places_[i].actuators.empty()) continue;
-    const std::string one = pull(i, q).trouble;
-    if (!one.empty()) all += (all.empty() ? "" : "; ") + one;
-  }
-  return all;
+Effort TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  HandActuator actuator(*this, kHandWalk);
+  const HandAction& action = actuator.act(q, u);
+  Effort effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
+  for (const TendonAction* digit : action.digits)
+    if (digit != nullptr)
+      note(status_of(digit->status), digit->trouble, effort.status, effort.trouble);
+  return effort;
 }
 
 }  // namespace thenar

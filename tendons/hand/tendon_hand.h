@@ -21,10 +21,14 @@ struct HandTendons {
 
 /// A skeleton as a Hand with actuators that can only pull: u = tendon tensions, 0 <= u <= F0.
 ///
-/// Digits with linear tendons:  B = R', tau_0 = passive joint torque. A floating net's torque is
-/// not linear in the tensions; it is taken by its tangent at t* = working_share F0:
-///   tau(t) = tau(t*) + R(t*)' (t - t*),  so  B = R(t*)',  tau_0 = tau(t*) - R(t*)' t* + passive.
-/// Where a net finds no rest its slopes count all the same; trouble() tells.
+/// Digits with linear tendons:  B = R', tau_0 = passive joint torque. A floating net's torque
+/// tau(t) is not linear in the tensions. actuation() takes the secant through no tension and t* =
+/// working_share F0 that is nearest to the tangent R at t*:
+///   tau_0 = tau(0) + passive,   B = R(t*)' + (tau(t*) - tau(0) - R(t*)' t*) w' / (w' t*),
+/// w being t* of the muscles that pull the net, else 0: exact at both. effort() is exact
+/// everywhere. Nets rest as TendonActuator has them from the straight finger, so both agree with
+/// `thenar tendon solve`. Where a net finds no rest the status says so.
+/// Both are for single postures; who goes on from one to the next takes a HandActuator.
 /// A muscle that crosses joints of two digits is one actuator; its arms about one digit are those
 /// with the other at its reference posture.
 class TendonHand final : public Hand {
@@ -43,23 +47,29 @@ class TendonHand final : public Hand {
     return bones_.jacobian(q, link, p);
   }
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
+  /// @param u  tensions, each >= 0 [N] (actuators)
+  /// @throws InputError if a length is wrong, or a tension negative or not finite.
+  [[nodiscard]] Effort effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const override;
   [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override {
     return bones_.surfaces();
   }
 
-  /// What the tendons have to say at a posture; empty: nothing.
-  [[nodiscard]] std::string trouble(const Eigen::VectorXd& q) const;
-
   /// Largest tensions (actuators) [N].
   [[nodiscard]] const Eigen::VectorXd& max_force() const { return max_force_; }
 
- private:
   /// Rows and columns of one digit within the hand.
   struct Place {
     std::vector<int> coordinates, actuators;
   };
-  [[nodiscard]] TendonPull pull(std::size_t digit, const Eigen::VectorXd& q) const;
+  [[nodiscard]] const std::vector<std::unique_ptr<DigitTendons>>& digits() const { return digits_; }
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
 
+  /// Torque of passive joints [N m] (coordinates).
+  [[nodiscard]] Eigen::VectorXd passive(const Eigen::VectorXd& q) const {
+    return bones_.actuation(q).tau_0;
+  }
+
+ private:
   SkeletonHand bones_;
   std::vector<std::unique_ptr<DigitTendons>> digits_;
   std::vector<Place> places_;

@@ -5,13 +5,12 @@
 namespace thenar {
 namespace {
 
-constexpr int kWayIn = 10;  // postures between the straight finger and the first one
-
-/// The net at rest at the first posture, by way of the straight finger.
+/// The net at rest at the first posture, by way of the straight finger; whether it snapped on the
+/// way in is not part of the question.
 SweepPoint sweep_in(const NetTendons& net, const Eigen::VectorXd& q, const Eigen::VectorXd& t) {
-  SweepPoint point =
-      sweep_net(net, postures_between(net.net().frame.straight, q, kWayIn), t).back();
-  point.snapped = false;  // on the way in is not part of the question
+  SweepPoint point;
+  point.q = q;
+  point.rest = walk_from_straight(net, q, t).rest;
   return point;
 }
 

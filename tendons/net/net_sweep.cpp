@@ -1,6 +1,7 @@
 #include "tendons/net/net_sweep.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "tendons/net/net_statics.h"
@@ -9,7 +10,7 @@ namespace thenar {
 namespace {
 
 /// Fills in how far knots and bones went between two points.
-void compare_places(const Net& net, const SweepPoint& before, double snap, SweepPoint& point) {
+void compare_places(const Net& net, const SweepPoint& before, SweepPoint& point) {
   const auto& loose = point.rest.loose;
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
@@ -22,15 +23,13 @@ void compare_places(const Net& net, const SweepPoint& before, double snap, Sweep
       point.mover = static_cast<int>(i);
     }
   }
-  point.snapped = point.moved > snap * point.carried && point.carried > 0;
 }
 
-/// The net at rest, from where its nodes start.
 SweepPoint point_at(const NetTendons& tendons, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                    const Eigen::Matrix3Xd& start) {
+                    NetEquilibrium rest) {
   SweepPoint point;
   point.q = q;
-  point.rest = tendons.rest(q, t, start);
+  point.rest = std::move(rest);
   point.slips = slip_tension(tendons.net(), point.rest);
   point.tau = tendons.torque(q, t, point.rest);
   return point;
@@ -49,32 +48,30 @@ std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
 
 std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                   const std::vector<Eigen::VectorXd>& postures,
-                                  const Eigen::VectorXd& t, const NetSweepOptions& options,
+                                  const Eigen::VectorXd& t, const NetWalkOptions& options,
                                   Eigen::Matrix3Xd start) {
   std::vector<SweepPoint> points;
   for (const Eigen::VectorXd& q : postures)
-    points.push_back(points.empty() ? point_at(tendons, q, t, start)
+    points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
                                     : sweep_on(tendons, &points.back(), q, t, options));
   return points;
 }
 
 SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
-                    const Eigen::VectorXd& t, const NetSweepOptions& options) {
-  if (before == nullptr) return point_at(tendons, q, t, {});
-  SweepPoint point = point_at(tendons, q, t, before->rest.x);
-  compare_places(tendons.net().net, *before, options.snap, point);
+                    const Eigen::VectorXd& t, const NetWalkOptions& options) {
+  if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
+  NetWalk walk = walk_net(tendons, before->rest, before->q, t, q, t, options);
+  SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
+  point.snapped = walk.snaps > 0;
+  compare_places(tendons.net().net, *before, point);
   return point;
 }
 
 Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons, const Eigen::VectorXd& q,
-                                     const Eigen::VectorXd& t, int steps) {
+                                     const Eigen::VectorXd& t) {
   const auto* with_net = dynamic_cast<const NetTendons*>(&tendons);
   if (with_net == nullptr) return {};
-  Eigen::Matrix3Xd start;
-  for (const Eigen::VectorXd& on_the_way :
-       postures_between(with_net->net().frame.straight, q, steps))
-    start = with_net->rest(on_the_way, t, start).x;
-  return start;
+  return walk_from_straight(*with_net, q, t).rest.x;
 }
 
 double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, int coordinate) {

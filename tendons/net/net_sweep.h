@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "tendons/net/net_tendons.h"
+#include "tendons/net/net_walk.h"
 
 namespace thenar {
 
@@ -17,41 +17,36 @@ struct SweepPoint {
   double moved = 0;      // furthest way of a floating node since the point before [m]
   double carried = 0;    // furthest way of a point of the bones that holds the net [m]
   int mover = -1;        // node that moved furthest; -1: none
-  bool snapped = false;  // see NetSweepOptions::snap
-};
-
-struct NetSweepOptions {
-  /// A net has snapped if a knot that its bands hold moves this many times further than any point
-  /// of the bones that they end on. Between, knots follow smoothly at a few times that speed.
-  double snap = 4;
+  bool snapped = false;  // a knot has jumped since the point before: walk_net()
 };
 
 /// Postures between two, both included, evenly spaced.  @param steps  intervals, > 0
 [[nodiscard]] std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
                                                             const Eigen::VectorXd& to, int steps);
 
-/// Brings the net to rest at one posture after another, each time from where it lay before: the
-/// equilibrium found is the one that a finger moved this way would have.
+/// Brings the net to rest at one posture after another, each time by walk_net() from where it lay
+/// before: the equilibrium found is the one that a finger moved this way would have, and neither it
+/// nor its snaps depend on how close the postures are.
 /// @param t      tension of each muscle [N] (muscles)
 /// @param start  nodes to start from at the first posture; empty: each with its link
 /// @throws InputError as DigitTendons::pull().
 [[nodiscard]] std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
                                                 const std::vector<Eigen::VectorXd>& postures,
                                                 const Eigen::VectorXd& t,
-                                                const NetSweepOptions& options = {},
+                                                const NetWalkOptions& options = {},
                                                 Eigen::Matrix3Xd start = {});
 
 /// One step of such a sweep.
 /// @param before  the point before, from which the net comes; null: it comes from its links
 [[nodiscard]] SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before,
                                   const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                  const NetSweepOptions& options = {});
+                                  const NetWalkOptions& options = {});
 
-/// Nodes to start from at q, reached from the straight finger under the same tensions; empty for
-/// tendons without a net (3, nodes).
+/// Nodes to start from at q: those of walk_from_straight(); empty for tendons without a net
+/// (3, nodes).
 [[nodiscard]] Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons,
                                                    const Eigen::VectorXd& q,
-                                                   const Eigen::VectorXd& t, int steps = 10);
+                                                   const Eigen::VectorXd& t);
 
 /// Moment arm of one band about a coordinate,  -dL/dq  at fixed floating nodes, flexion positive
 /// [m/rad].

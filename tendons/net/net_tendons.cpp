@@ -9,6 +9,7 @@
 #include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
+#include "tendons/path_slopes.h"
 
 namespace thenar {
 namespace {
@@ -63,6 +64,40 @@ SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
           sum_of(rest.tension, net.ulnar), sum_of(rest.tension, net.terminal)};
 }
 
+TendonStatus net_status(const Net& net, const TreeState<double>& state,
+                        const NetEquilibrium& rest) {
+  switch (rest.status) {
+    case NetStatus::kStalled:
+    case NetStatus::kWoundRound:
+      return TendonStatus::kUnbalanced;
+    case NetStatus::kUnstable:
+      return TendonStatus::kUnstable;
+    case NetStatus::kDrawnIn:
+      return TendonStatus::kDrawnIn;
+    case NetStatus::kBalanced:
+      break;
+  }
+  return buried_band(net, state, rest).empty() ? TendonStatus::kSound : TendonStatus::kBuried;
+}
+
+NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& options,
+                                    const TreeState<double>& state, const NetDrive& drive,
+                                    const Eigen::Matrix3Xd* start) {
+  std::unique_ptr<NetSolver> solver;
+  {
+    const std::lock_guard<std::mutex> hold(lock_);
+    if (!idle_.empty()) {
+      solver = std::move(idle_.back());
+      idle_.pop_back();
+    }
+  }
+  if (!solver) solver = std::make_unique<NetSolver>(net, options);
+  NetEquilibrium rest = solver->solve(state, drive, start);
+  const std::lock_guard<std::mutex> hold(lock_);
+  idle_.push_back(std::move(solver));
+  return rest;
+}
+
 std::string net_trouble(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
   switch (rest.status) {
@@ -105,9 +140,28 @@ NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                                 const Eigen::Matrix3Xd& start) const {
   require(start.cols() == 0 || start.cols() == static_cast<Eigen::Index>(net_.net.nodes.size()),
           "start has {} nodes, net '{}' {}", start.cols(), net_.net.name, net_.net.nodes.size());
-  NetSolver solver(net_.net, options_);
-  return solver.solve(pose_tree(digit_.model.tree, q), {shares_ * t, {}},
-                      start.cols() == 0 ? nullptr : &start);
+  return solvers_.solve(net_.net, options_, pose_tree(digit_.model.tree, q), {shares_ * t, {}},
+                        start.cols() == 0 ? nullptr : &start);
+}
+
+TendonPull NetTendons::pull_outside(const VectorXd& q, const VectorXd& t) const {
+  return pull_outside(q, t, pose_tree(digit_.model.tree, q));
+}
+
+TendonSlopes NetTendons::slopes_outside(const VectorXd& q, const VectorXd& t) const {
+  const TendonModel<double>& model = digit_.model;
+  VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
+  for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
+  TendonSlopes slopes = linear_->slopes(q, whole.cwiseProduct(t));
+  if (!slopes.exist) return slopes;
+  const TreeState<double> state = pose_tree(model.tree, q);
+  slopes.length = whole.cwiseProduct(slopes.length);
+  for (const NetMuscle& m : net_.muscles) {
+    slopes.by_posture +=
+        m.to_net * t[m.muscle] * arm_slopes(model.tree, state, m.own, model.coordinates);
+    slopes.length[m.muscle] += m.to_net * path_length(state, m.own);
+  }
+  return slopes;
 }
 
 TendonPull NetTendons::pull_outside(const VectorXd& q, const VectorXd& t,
@@ -200,6 +254,7 @@ TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
   add_trouble(net_trouble(net_.net, state, rest), pull);
+  pull.status = worse(pull.status, net_status(net_.net, state, rest));
   if (!no_slopes(net_.net, rest).empty()) {
     add_trouble("moment arms are without the net", pull);
     return pull;

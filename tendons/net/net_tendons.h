@@ -3,12 +3,27 @@
 /// One digit whose extensor mechanism is a floating net.
 
 #include <memory>
+#include <mutex>
+#include <vector>
 
 #include "tendons/digit_tendons.h"
 #include "tendons/net/build_net.h"
 #include "tendons/net/solve_net.h"
 
 namespace thenar {
+
+/// Solvers of one net that threads take turns with, as building one costs more than solving with
+/// it. They hold nothing that changes an answer.
+class NetSolverPool {
+ public:
+  [[nodiscard]] NetEquilibrium solve(const Net& net, const NetSolverOptions& options,
+                                     const TreeState<double>& state, const NetDrive& drive,
+                                     const Eigen::Matrix3Xd* start);
+
+ private:
+  std::mutex lock_;
+  std::vector<std::unique_ptr<NetSolver>> idle_;
+};
 
 /// Muscles of the net pull it where it leaves their own paths, with their share of the tension:
 ///   tau = tau_net(q, D t) + R_own' diag(to_net) t + R' diag(1 - to_net) t,
@@ -59,6 +74,16 @@ class NetTendons : public DigitTendons {
   /// Tension of each muscle of the net [N] (pulls).
   [[nodiscard]] Eigen::VectorXd drive(const Eigen::VectorXd& t) const { return shares_ * t; }
 
+  /// D (pulls, muscles) [1].
+  [[nodiscard]] const Eigen::MatrixXd& shares() const { return shares_; }
+
+  /// Torque, arms and status of all that the net leaves to runs of its own.
+  [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
+
+  /// Slopes of the same, with the lengths of the muscles outside of the net.
+  [[nodiscard]] TendonSlopes slopes_outside(const Eigen::VectorXd& q,
+                                            const Eigen::VectorXd& t) const;
+
  private:
   /// Torque and moment arms of all that the net leaves to runs of its own, with their trouble.
   [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
@@ -67,6 +92,7 @@ class NetTendons : public DigitTendons {
   std::shared_ptr<const DigitTendons> linear_;
   BuiltNet net_;
   NetSolverOptions options_;
+  mutable NetSolverPool solvers_;
   TendonDigit digit_;
   Eigen::MatrixXd shares_;  // D (pulls, muscles)
 };
@@ -74,7 +100,11 @@ class NetTendons : public DigitTendons {
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
-/// Why not to trust an equilibrium; empty: nothing.
+/// How far to believe an equilibrium.
+[[nodiscard]] TendonStatus net_status(const Net& net, const TreeState<double>& state,
+                                      const NetEquilibrium& rest);
+
+/// The same in words; empty: nothing.
 [[nodiscard]] std::string net_trouble(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 

@@ -57,4 +57,11 @@ std::optional<FlatWrap> wrap_circle(double r, const Vector2d& a, const Vector2d&
   return wrap;
 }
 
+bool crossed_far_side(const Vector2d& side, const Vector2d& was, const Vector2d& is) {
+  const bool left_before = cross(side, was) > 0, left_now = cross(side, is) > 0;
+  if (left_before == left_now) return false;
+  // Counted over the side, from the right one to the left one: more than half a turn?
+  return (left_before ? cross(is, was) : cross(was, is)) < 0;
+}
+
 }  // namespace thenar

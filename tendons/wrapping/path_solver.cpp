@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "tendons/wrapping/bead_string.h"
+#include "tendons/wrapping/flat_wrap.h"
 
 namespace thenar {
 namespace {
@@ -100,8 +101,21 @@ void nudge(std::vector<ChainArc>& chain, int attempt) {
 }  // namespace
 
 PathSolver::PathSolver(const PathSet& set)
-    : set_(&set), X_(set.surfaces.size()), shapes_(set.paths.size()) {
+    : set_(&set), X_(set.surfaces.size()), far_(set.paths.size()), shapes_(set.paths.size()) {
   for (const WrappedPath& path : set.paths) rigid_.push_back(rigid_lengths(path));
+  for (std::size_t p = 0; p < set.paths.size(); ++p) {
+    const WrappedPath& path = set.paths[p];
+    for (std::size_t k = 0; k < path.bends.size(); ++k)
+      for (const Bend& bend : path.bends[k]) {
+        const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(bend.surface)];
+        if (surface.shape != SurfaceShape::kCylinder) continue;
+        for (const std::size_t point : {k, k + 1}) {
+          if (path.points[point].link == surface.link) continue;  // it never moves round it
+          const Vector3d at = surface.X.inverse() * path.points[point].p;
+          far_[p].push_back({point, bend.surface, at.head<2>(), bend.side_S.head<2>()});
+        }
+      }
+  }
   slots_.reserve(kMostBends);
   chain_.reserve(kMostBends);
   rest_.reserve(kMostBends);
@@ -116,6 +130,17 @@ const std::vector<PathShape>& PathSolver::solve(const TreeState<double>& state) 
   }
   for (std::size_t k = 0; k < shapes_.size(); ++k) solve_path(k, state);
   return shapes_;
+}
+
+/// Joints turn by less than half a turn, so the reference posture tells which way a point came.
+bool PathSolver::has_crossed(std::size_t path, const TreeState<double>& state) const {
+  for (const FarSide& far : far_[path]) {
+    const WrapPoint& point = set_->paths[path].points[far.point];
+    const Pose<double>& X = X_[static_cast<std::size_t>(far.surface)];
+    const Vector3d p = X.R.transpose() * (moved(state, point.link, point.p) - X.p);
+    if (crossed_far_side(far.side, far.reference, p.head<2>())) return true;
+  }
+  return false;
 }
 
 void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
@@ -149,6 +174,7 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
     a = b;
   }
   if (!std::isfinite(shape.length)) shape.error = 1;
+  if (has_crossed(k, state)) shape.status = PathStatus::kCrossed;
   if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
   if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
 }

@@ -16,6 +16,8 @@ enum class PathStatus {
   kTaut,         // tangent everywhere to 1e-11 rad
   kRidesOnBend,  // the origin has come where its carrier bends: arms leave its sliding across out
   kPointInside,  // a point has moved into a surface beside it: see `depth`
+  kCrossed,      // a point has gone round the far side of a cylinder beside it, over the half plane
+                 // opposite to the path's side, where the length jumps
   kStalled       // Newton's method did not get there, or leaves a run through bone: see `error`
 };
 
@@ -79,6 +81,12 @@ class PathSolver {
     ChainArc link;
     Eigen::Vector3d touch_a, touch_b;  // world [m] (3)
   };
+  struct FarSide {  // of one cylinder and one point beside it
+    std::size_t point;
+    int surface;
+    Eigen::Vector2d reference, side;  // across the axis, at the reference posture (2)
+  };
+  [[nodiscard]] bool has_crossed(std::size_t path, const TreeState<double>& state) const;
   void solve_path(std::size_t path, const TreeState<double>& state);
   void add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape);
   bool add_round(const Bend& bend, const PathEnds& ends, PathShape& shape);
@@ -100,6 +108,7 @@ class PathSolver {
   const PathSet* set_;
   std::vector<Pose<double>> X_;             // X_WS of each surface
   std::vector<std::vector<double>> rigid_;  // length of each run of each path; negative: it changes
+  std::vector<std::vector<FarSide>> far_;   // of each path
   std::vector<PathShape> shapes_;
   std::vector<Slot> slots_;
   std::vector<ChainArc> chain_;   // those that touch

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 
+#include "base/angles.h"
 #include "base/error.h"
+#include "tendons/wrapping/flat_wrap.h"
 #include "tendons/wrapping/path_solver.h"
 
 namespace thenar {
@@ -34,7 +37,54 @@ void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface
           path.name, 1e3 * depth, surface.name);
 }
 
-void check(const WrappedPath& path, const PathSet& set) {
+/// Coordinates of the hinges between two links.
+std::vector<int> between(const Tree<double>& tree, int a, int b) {
+  std::set<int> crossed;
+  while (a != b) {
+    const auto i = static_cast<std::size_t>(std::max(a, b));
+    crossed.insert(tree[i].coordinate);
+    (b > a ? b : a) = tree[i].parent;
+  }
+  return {crossed.begin(), crossed.end()};
+}
+
+/// Within the limits of the joints between them, at their ends and middles, no point may get to a
+/// cylinder's half plane opposite to the path's side, where the length jumps. Joints without a
+/// range stand still.
+void check_sides(const WrappedPath& path, std::size_t k, const Bend& bend,
+                 const BoneSurface& surface, const Skeleton& skeleton) {
+  if (surface.shape != SurfaceShape::kCylinder) return;
+  for (const std::size_t end : {k, k + 1}) {
+    const WrapPoint& point = path.points[end];
+    const Vector3d was = surface.X.inverse() * point.p;
+    const std::vector<int> joints = between(skeleton.tree, point.link, surface.link);
+    int postures = 1;
+    for (std::size_t i = 0; i < joints.size(); ++i) postures *= 3;
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
+    for (int n = 0; n < postures; ++n) {
+      int rest = n;
+      for (int j : joints) {
+        const auto& limit = skeleton.limits[static_cast<std::size_t>(j)];
+        const bool ranges = limit.upper - limit.lower < 2 * kPi - 1e-9;
+        q[j] = ranges ? limit.lower + 0.5 * (rest % 3) * (limit.upper - limit.lower) : 0;
+        rest /= 3;
+      }
+      const TreeState<double> state = pose_tree(skeleton.tree, q);
+      const Vector3d base_p = moved(state, point.link, point.p);
+      const Pose<double> X = surface.link < 0
+                                 ? surface.X
+                                 : state[static_cast<std::size_t>(surface.link)].X * surface.X;
+      const Vector3d is = X.inverse() * base_p;
+      require(
+          !crossed_far_side(bend.side_S.head<2>(), was.head<2>(), is.head<2>()),
+          "point {} of strand '{}' goes round the far side of surface '{}' within the ranges of "
+          "its joints, where its length jumps: choose another side, or narrower ranges",
+          end + 1, path.name, surface.name);
+    }
+  }
+}
+
+void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton) {
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     const WrapPoint &a = path.points[k], &b = path.points[k + 1];
     require(a.link == b.link || (a.p - b.p).norm() > 1e-9,
@@ -46,6 +96,7 @@ void check(const WrappedPath& path, const PathSet& set) {
     for (const Bend& bend : path.bends[k]) {
       check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
       check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
+      check_sides(path, k, bend, set.surfaces[static_cast<std::size_t>(bend.surface)], skeleton);
     }
   }
 }
@@ -133,7 +184,7 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
     if (!wanted(strand)) continue;
     WrappedPath path = kept_path(strand, skeleton, set);
     if (path.points.size() < 2 || !crosses_a_joint(path)) continue;
-    check(path, set);
+    check(path, set, skeleton);
     if (!strand.path.back().rides_on.empty() &&
         skeleton.link_of_segment.count(strand.path.back().segment) > 0)
       set_ride(path, strand.path.back().rides_on, set, skeleton);

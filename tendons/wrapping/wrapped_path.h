@@ -43,7 +43,8 @@ struct PathSet {
 
 /// Paths of all strands that cross a joint of the skeleton, in file order.
 /// @throws InputError if a point next to a surface lies inside it (naming strand, point, surface
-/// and depth), a run has more than kMostBends surfaces or no length across a joint, or an origin
+/// and depth) or can go round the far side of a cylinder within its joints' ranges, a run has more
+/// than kMostBends surfaces or no length across a joint, or an origin
 /// rides on a strand that is absent or farther than 1 mm off.
 [[nodiscard]] PathSet build_paths(const Subject& subject, const Skeleton& skeleton);
 

@@ -148,8 +148,9 @@ TEST(HumanHand, CarriesNetsOnAllFingers) {
   const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
   for (const std::string& warning : human.warnings)
     EXPECT_THAT(warning, testing::Not(HasSubstr("no net")));
-  const auto& tendons = dynamic_cast<const TendonHand&>(*human.hand);
-  EXPECT_EQ(tendons.trouble(Eigen::VectorXd::Zero(20)), "");
+  const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
+  EXPECT_EQ(actuation.status, ActuationStatus::kLinearised);
+  EXPECT_EQ(actuation.trouble, "");
 }
 
 TEST(HumanHand, TouchesWithSkinOrBones) {

@@ -264,6 +264,28 @@ INSTANTIATE_TEST_SUITE_P(AnyShape, PathSolverLiftsOff,
                                          surface(SurfaceShape::kEllipsoid, {0.007, 0.005, 0.006})),
                          [](const auto& test) { return "Shape" + std::to_string(test.index); });
 
+// Held on the side +x, a string whose end goes on over the half plane opposite jumps to the other
+// way round, from 3.6 rad to 2.6 apart. It says so, on all of the far side, and not
+// where the same place is reached over the side.
+TEST(PathSolver, SaysWhereAPointWentRoundTheFarSide) {
+  const Tree<double> tree{{-1, 0, 1, 0, Vector3d::UnitZ(), {0, 0, 0}}};
+  PathSet set = sample::string_over({{"pulley", -1, SurfaceShape::kCylinder, {0.008, 1, 0}, {}}},
+                                    {0.02 * std::cos(1.0), 0.02 * std::sin(1.0), 0},
+                                    {0.02 * std::cos(-0.5), 0.02 * std::sin(-0.5), 0}, {1, 0, 0});
+  set.paths[0].points[0].link = 0;
+  PathSolver solver(set);
+  const auto at = [&](double angle) -> const PathShape& {
+    return solver.solve(pose_tree(tree, Eigen::VectorXd::Constant(1, angle - 1)))[0];
+  };
+  const double before = at(3.1).length;
+  EXPECT_EQ(at(3.1).status, PathStatus::kTaut);
+  EXPECT_LT(at(3.2).length, before - 0.005);
+  EXPECT_EQ(at(3.2).status, PathStatus::kCrossed);
+  EXPECT_EQ(at(3.9).status, PathStatus::kCrossed);
+  EXPECT_EQ(at(-1.0).status, PathStatus::kTaut);
+  EXPECT_EQ(at(-2.0).status, PathStatus::kTaut);
+}
+
 // A solver points at its set, so it takes none that is about to vanish.
 static_assert(!std::is_constructible_v<PathSolver, PathSet>);
 static_assert(std::is_constructible_v<PathSolver, const PathSet&>);

@@ -39,6 +39,21 @@ TEST(WrappedPath, NamesThePointInsideASurface) {
   }
 }
 
+// A knuckle that bent by 172 degrees would take the extensor's next point round the far side.
+TEST(WrappedPath, RefusesRangesThatTakeAPointRoundTheFarSide) {
+  Subject subject = hand();
+  for (JointAxis& joint : subject.joints)
+    if (joint.name == "MCP3_FE") joint.upper = 3;
+  try {
+    (void)build_paths(subject, build_skeleton(subject));
+    FAIL() << "expected InputError";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("goes round the far side of surface 'MCP3_head'"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(WrappedPath, RefusesAnOriginOffItsCarrier) {
   Subject subject = hand();
   for (Strand& strand : subject.strands)

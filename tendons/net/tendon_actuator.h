@@ -1,0 +1,79 @@
+#pragma once
+
+/// The tendons of one digit as something that moves joints: a state that goes on from call to call.
+///
+/// What a call costs: docs/theory/extensor_net.md, section "As an actuator".
+
+#include "tendons/net/net_walk.h"
+
+namespace thenar {
+
+/// What tendons do at a posture under tensions, and how that changes.
+struct [[nodiscard]] TendonAction {
+  TendonStatus status = TendonStatus::kUnbalanced;  // the worst of all parts: read this first
+  TendonStatus paths = TendonStatus::kSound;        // of tendons outside of a net
+  TendonStatus hood = TendonStatus::kSound;         // of the net; sound where there is none
+  double residual = 0;                              // largest out-of-balance force of a knot [N]
+  bool snapped = false;                             // a knot has jumped since the state before
+  bool slopes = false;     // R, K and length are whole; else R and K lack what has no slopes, and K
+                           // and length may be empty
+  Eigen::VectorXd tau;     // joint torque of the tendons [N m] (coordinates)
+  Eigen::MatrixXd R;       // (d tau/dt)', moment arms [m/rad] (muscles, coordinates)
+  Eigen::MatrixXd K;       // d tau/dq at constant tensions [N m/rad] (coordinates, coordinates)
+  Eigen::VectorXd length;  // of each muscle's line but for a constant; its changes are excursions
+                           // [m] (muscles)
+  SlipTension slips;       // zero without a hood
+  std::string trouble;     // what `status` stands for, in words
+};
+
+/// One digit's tendons, of whatever rung. Torque is exact at (q, t): at no tension it is that of
+/// the net's own bands alone. A net's muscle has the length
+///   dE*/dt = sum of its bands' lengths + its own paths,   so that   d length/dq = -R
+/// while tensions stay (envelope theorem).
+///
+/// The first call, and the first after reset(), comes from the straight finger as
+/// walk_from_straight() does, and so finds what `thenar tendon solve` finds. Later ones start from
+/// the state before, moved by its slopes; where that strays by more than NetWalkOptions::stray the
+/// way is halved, so that a long step ends where many short ones do.
+/// For one thread; the tendons must outlive it.
+class TendonActuator {
+ public:
+  explicit TendonActuator(const DigitTendons& tendons, const NetWalkOptions& options = {});
+
+  /// Moves the state to (q, t).
+  /// @param q  posture [rad] (coordinates);  @param t  tensions, each >= 0 [N] (muscles)
+  /// @return what the tendons do there; overwritten by the next call
+  /// @throws InputError as DigitTendons::pull()
+  const TendonAction& act(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
+
+  /// Nodes of the net in the present state; empty: none, or no state yet [m] (3, nodes).
+  [[nodiscard]] const Eigen::Matrix3Xd& nodes() const { return rest_.x; }
+
+  /// Takes the net to be where these nodes come to rest at (q, t), whatever it was before: to go on
+  /// from a state that was kept. @throws InputError as DigitTendons::pull()
+  const TendonAction& start_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                               const Eigen::Matrix3Xd& nodes);
+
+  /// Forgets the state.
+  void reset() { known_ = false; }
+
+  /// Jumps of knots since the actuator was built.
+  [[nodiscard]] int snaps() const { return snaps_; }
+
+ private:
+  void move_net(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
+  void add_net(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
+  void answer(const Eigen::VectorXd& q, const Eigen::VectorXd& t);
+
+  const DigitTendons& tendons_;
+  const NetTendons* net_;  // the same, if it has a net
+  NetWalkOptions options_;
+  TendonAction action_;
+  bool known_ = false;          // there is a state:
+  Eigen::VectorXd q_, t_;       // [rad], [N]
+  NetEquilibrium rest_;         // of the net
+  Eigen::MatrixXd by_posture_;  // of its nodes, stacked (3 nodes, coordinates) [m/rad]
+  int snaps_ = 0;
+};
+
+}  // namespace thenar
