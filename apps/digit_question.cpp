@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 
+#include "apps/path_option.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/error.h"
 #include "hand/tip_mobility.h"
+#include "tendons/linear_tendons.h"
 #include "tendons/published_map.h"
 #include "tendons/tendon_model.h"
 
@@ -32,9 +35,10 @@ bool has_bones(const Subject& subject, const std::string& digit) {
 DigitAtPosture digit_from_map(const Subject& subject, const std::string& digit,
                               const DigitQuestion& question) {
   const TipMap& map = find_tip_map(subject, digit, question.map);
-  require(question.posture.empty() && question.frozen.empty(),
-          "tip map '{}' stands for one posture of its own; leave out --posture and --frozen",
-          map.name);
+  require(
+      question.posture.empty() && question.frozen.empty() && question.path.empty(),
+      "tip map '{}' stands for one posture of its own; leave out --posture, --frozen and --path",
+      map.name);
   DigitAtPosture at{subject.name, digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}, {}, 1};
   at.built = fmt::format("published tip map '{}', in its own x, y, z", map.name);
   for (const std::string& moment : moment_rows(map)) at.rows.push_back(moment);
@@ -54,15 +58,23 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
                                 const DigitQuestion& question) {
   TendonOptions options;
   options.frozen = parse_frozen(subject, question.frozen);
-  const TendonDigit digit = build_tendon_digit(subject, name, options);
+  options.path = path_meant(question.path);
+  const std::unique_ptr<DigitTendons> tendons = build_linear_tendons(subject, name, options);
+  const TendonDigit& digit = tendons->digit();
   require(!digit.names.muscles.empty(),
           "no muscle of subject '{}' crosses a free joint of digit '{}'; digits with muscles: {}",
           subject.name, name, listed(digits_with_tendons(subject)));
   const Eigen::VectorXd q = parse_posture(digit.skeleton, question.posture);
   warn_of_limits(digit.skeleton, q);
+  warn_of_collapse(*tendons, q);
+  const TendonPull pull = tendons->pull(
+      q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
+  require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.trouble);
+  if (!pull.trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", pull.trouble);
+  TipStatics statics = tip_statics(digit, q);
+  statics.R = pull.R;
 
   const TreeState<double> state = pose_tree(digit.model.tree, q);
-  const TipStatics statics = tip_statics(digit, q);
   const int link = digit.model.tip_link;
   const Eigen::Matrix3d turned =
       link < 0 ? Eigen::Matrix3d::Identity() : state[static_cast<std::size_t>(link)].X.R;
@@ -86,6 +98,7 @@ void add_options(CLI::App& command, DigitQuestion& question) {
   command.add_option("--posture", question.posture,
                      "JOINT=degrees ..., or degrees in joint order; others stay at 0");
   command.add_option("--frozen", question.frozen, "JOINT=degrees ...: joints welded there");
+  add_path_option(command, question.path);
   command.add_option("--map", question.map, "A published tip map instead of bones and tendons");
 }
 

@@ -21,6 +21,7 @@ struct DigitQuestion {
   std::string digit;                 // empty: the only one that the subject has
   std::vector<std::string> posture;  // JOINT=degrees, or degrees in joint order
   std::vector<std::string> frozen;   // JOINT=degrees
+  std::string path;                  // of tendons: via, fitted or wrapped; empty: via
   std::string map;                   // a published tip map; empty: the bones, or the first map
 };
 

@@ -10,6 +10,7 @@
 #include "apps/digit_question.h"
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
+#include "apps/path_option.h"
 #include "apps/read_source.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
@@ -20,7 +21,7 @@ namespace thenar {
 namespace {
 
 struct Options {
-  std::string file, digit, settings;
+  std::string file, digit, settings, path;
   bool json = false;
 };
 
@@ -30,7 +31,7 @@ Explanation explain_subject_file(const Options& options) {
   const SourceText settings = options.settings.empty()
                                   ? built_in_settings(digit)
                                   : SourceText{options.settings, read_text_file(options.settings)};
-  return explain(subject, digit, settings);
+  return explain(subject, digit, settings, path_meant(options.path));
 }
 
 Explanation explain_fit_file(const std::string& path) {
@@ -48,8 +49,8 @@ Explanation explain_fit_file(const std::string& path) {
 Explanation explain_file(const Options& options) {
   const FileKind kind = find_file_kind(options.file);
   if (kind == FileKind::kSubject) return explain_subject_file(options);
-  require(options.digit.empty() && options.settings.empty(),
-          "--digit and --settings explain subjects; '{}' is of kind: {}", options.file,
+  require(options.digit.empty() && options.settings.empty() && options.path.empty(),
+          "--digit, --settings and --path explain subjects; '{}' is of kind: {}", options.file,
           name_of(kind));
   if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));
   if (kind == FileKind::kResult) return explain_fit_file(options.file);
@@ -85,6 +86,7 @@ void add_explain(CLI::App& app) {
                    "Subject, experiment, net, fit, robot, object, world or materials")
       ->required();
   command->add_option("--digit", options->digit, "Digit of a subject to explain");
+  add_path_option(*command, options->path);
   command->add_option("--settings", options->settings, "Fit settings instead of the built-in ones");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run(*options); });

@@ -7,6 +7,7 @@
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
 #include "tendons/explain_digit.h"
+#include "tendons/linear_tendons.h"
 
 namespace thenar {
 namespace {
@@ -104,7 +105,8 @@ Explanation explain_maps(const Subject& subject, const std::string& digit) {
 
 }  // namespace
 
-Explanation explain(const Subject& subject, const std::string& digit, const SourceText& settings) {
+Explanation explain(const Subject& subject, const std::string& digit, const SourceText& settings,
+                    Path path) {
   Section header{"subject", fmt::format("{} of subject '{}'", digit, subject.name), {}, {}};
   header.lines = {subject.description,
                   fmt::format("{} hand; the base, {}, does not move", subject.side, subject.base)};
@@ -117,8 +119,10 @@ Explanation explain(const Subject& subject, const std::string& digit, const Sour
     return explanation;
   }
 
-  const TendonOptions options;
-  const TendonDigit built = build_tendon_digit(subject, digit, options);
+  TendonOptions options;
+  options.path = path;
+  const auto tendons = build_linear_tendons(subject, digit, options);
+  const TendonDigit& built = tendons->digit();
   const DigitExplanation says = explain_digit(subject, digit, options, built);
   explanation.push_back(explain_kept(says));
   explanation.push_back(explain_dropped(says));

@@ -28,8 +28,9 @@ struct Section {
 using Explanation = std::vector<Section>;
 
 /// One digit of a subject: what is built, what it costs, what can be asked, what a fit may move.
+/// @param path  rung of tendon paths
 [[nodiscard]] Explanation explain(const Subject& subject, const std::string& digit,
-                                  const SourceText& settings);
+                                  const SourceText& settings, Path path = Path::kViaPoint);
 [[nodiscard]] Explanation explain(const Experiment& experiment);
 [[nodiscard]] Explanation explain(const Fit& fit);
 /// An extensor net: its nodes, bands, muscles and surfaces, and what a hood that is a net assumes.

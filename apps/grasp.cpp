@@ -95,6 +95,18 @@ void add_measures(const Options& options, const GraspQuestion& question,
       robustness_of(question, touching, found, asked, schedule.next(kDraw * options.robustness)));
 }
 
+/// Loads and efforts are no better than what the hand says of its torques.
+void warn_of_tendons(const GraspAnswer& found, NamedHand& hand) {
+  if (found.grasp.outcome != GraspOutcome::kGrasped) return;
+  const Actuation here = hand.hand->actuation(found.grasp.closed.q);
+  if (here.status < ActuationStatus::kDoubtful) return;
+  hand.warnings.push_back(fmt::format(
+      "{} of this posture, and the loads and efforts that follow from them: {}",
+      here.status == ActuationStatus::kDoubtful ? "doubtful are the joint torques"
+                                                : "not to be used are the joint torques",
+      here.trouble));
+}
+
 void run(const Options& options) {
   check(options);
   Schedule schedule(terminal_progress(), seconds(options));
@@ -120,6 +132,7 @@ void run(const Options& options) {
   } catch (const Interrupted&) {  // what was found until then is told
   }
   found.cpu = cpu_since(start);
+  warn_of_tendons(found, question.hand.named);
   if (!options.out.empty() && !interrupted()) {
     schedule.next(kPage)(0, options.out);
     write_grasp_report(question, touching, found, options.out);

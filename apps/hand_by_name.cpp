@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/data_folder.h"
+#include "apps/path_option.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
@@ -50,26 +51,31 @@ NamedHand robot(const std::string& name, const std::string& file) {
 }
 
 /// Of a file with or without a tier. @throws InputError if it is neither a subject nor a robot
-HandSource file_source(const std::string& file, const std::string& tier) {
+HandSource file_source(const std::string& file, const std::string& tier, const std::string& path) {
   require(
       !is_mesh_file(file),
       "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
       file);
   if (fs::path(file).extension() == ".toml") {
     const FileKind kind = find_file_kind(file);
-    if (kind == FileKind::kSubject) return {true, file, tier.empty() ? "tier2" : tier};
+    if (kind == FileKind::kSubject) return {true, file, tier.empty() ? "tier2" : tier, path};
     require(kind == FileKind::kRobot, "'{}' is a file of kind '{}': wanted a robot or a subject",
             file, name_of(kind));
   }
   require(tier.empty(), "'{}' is a robot and has no {}", file, tier);
-  return {false, file, ""};
+  return {false, file, "", ""};
 }
 
-/// Before and after the last colon; nothing after it if it has no tier.
-std::pair<std::string, std::string> split_tier(const std::string& name) {
-  const std::size_t colon = name.rfind(":tier");
-  if (colon == std::string::npos) return {name, ""};
-  return {name.substr(0, colon), name.substr(colon + 1)};
+/// A name, its tier and its tendon paths; the last two may be empty.
+struct HandName {
+  std::string base, tier, path;
+};
+HandName split_name(const std::string& name) {
+  const std::size_t tier = name.rfind(":tier");
+  if (tier == std::string::npos) return {name, "", ""};
+  const std::size_t path = name.find(':', tier + 1);
+  if (path == std::string::npos) return {name.substr(0, tier), name.substr(tier + 1), ""};
+  return {name.substr(0, tier), name.substr(tier + 1, path - tier - 1), name.substr(path + 1)};
 }
 
 }  // namespace
@@ -80,11 +86,12 @@ std::string robot_file(const std::string& name, const std::vector<std::string>& 
 }
 
 HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
-  const auto [base, tier] = split_tier(name);
-  if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier};
-  if (fs::is_regular_file(base)) return file_source(base, tier);
+  const auto [base, tier, path] = split_name(name);
+  (void)path_meant(path);  // refuses others
+  if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier, path};
+  if (fs::is_regular_file(base)) return file_source(base, tier, path);
   const std::string library = robot_file(base, places);
-  if (!library.empty()) return file_source(library, tier);
+  if (!library.empty()) return file_source(library, tier, path);
   std::vector<std::string> known = names_in(places, "robots");
   for (const char* each : {"human:tier1", "human:tier2", "human:tier3", "human:tier4"})
     known.push_back(each);
@@ -98,7 +105,9 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   const HandSource source = find_hand(name, places);
   if (!source.human) return robot(name, source.file);
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
-  NamedHand hand = human(name, subject, source.tier, options);
+  HumanHandOptions human_options = options;
+  human_options.path = path_meant(source.path);
+  NamedHand hand = human(name, subject, source.tier, human_options);
   hand.file = source.file;
   return hand;
 }

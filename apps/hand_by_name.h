@@ -29,12 +29,15 @@ struct HandSource {
   bool human = false;  // of a subject; else a robot
   std::string file;    // empty: the built-in human
   std::string tier;    // of a human hand: "tier1" .. "tier4"
+  std::string path;    // of its tendons: "via", "fitted" or "wrapped"; empty: via
 };
 
 /// The hand called
 ///   "human:tier1" .. "human:tier4"  a version of default_human(); "human" is tier 4
 ///   "FILE.toml:tier1" ..            the same of a subject file; without a tier it is tier 2, which
 ///                                   needs no tendons
+///   "human:tier4:wrapped" ..        the same on another model of tendon paths: via (if left out),
+///                                   fitted or wrapped
 ///   "barrett"                       robots/barrett.toml of the first place that has it
 ///   a path                          a robot of any kind that import_robot() reads
 /// @param places  folders with robots/, as data_folders()

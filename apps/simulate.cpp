@@ -14,6 +14,7 @@
 #include "apps/motion_output.h"
 #include "apps/named_numbers.h"
 #include "apps/net_file.h"
+#include "apps/path_option.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
@@ -27,7 +28,7 @@ namespace {
 struct Options {
   std::string subject, digit, net, excitation_file, output;
   std::vector<std::string> posture, frozen, excitation, tendon_slack;
-  std::string muscle = "rigid-tendon", hood;
+  std::string muscle = "rigid-tendon", hood, path;
   std::vector<double> gravity;
   double seconds = 1, sample_ms = 5, tolerance = 1e-6;
   double damping = JointResistance().damping, blend = kBlend;
@@ -71,6 +72,7 @@ std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& 
   else if (!options.hood.empty())
     rungs.hood = kHoods.at(options.hood);
   rungs.frozen = parse_frozen(subject, options.frozen);
+  rungs.path = path_meant(options.path);
   const std::string digit = choose_digit(subject, options.digit);
   if (name.empty()) return build_digit_tendons(subject, digit, rungs);
   const NetDescription net = find_net(name);
@@ -165,6 +167,7 @@ void add_rungs(CLI::App& command, Options& options) {
       ->check(CLI::IsMember(names_of(kMuscles)));
   command.add_option("--hood", options.hood, "separate, fractions (default) or net")
       ->check(CLI::IsMember(names_of(kHoods)));
+  add_path_option(command, options.path);
   command.add_option("--net", options.net,
                      "Name or file (TOML) of a net, winslow if left out; means --hood net");
   command.add_option("--tendon-slack", options.tendon_slack,

@@ -14,6 +14,7 @@
 #include "apps/commands.h"
 #include "apps/net_file.h"
 #include "apps/output_ending.h"
+#include "apps/path_option.h"
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
@@ -33,7 +34,7 @@ namespace {
 
 struct Options {
   std::string experiment, subject, output;
-  std::string net = "winslow";
+  std::string net = "winslow", path;
   std::string method = "sparse";
   int propose = 3;
   unsigned seed = 1;
@@ -65,6 +66,7 @@ Case read_case(const Options& options) {
   const Subject subject = parse_subject(person.text, person.path);
   TendonOptions tendons;
   tendons.hood = Hood::kFloatingNet;
+  tendons.path = path_meant(options.path);
   const NetDescription net = parse_net(bands.text, bands.path);
   const auto built = build_digit_tendons(subject, at.experiment.digit, tendons, &net);
   const auto& netted = dynamic_cast<const NetTendons&>(*built);
@@ -254,6 +256,7 @@ void add_tendon_infer(CLI::App& tendon) {
   command->add_option("experiment", options->experiment, "Experiment file")->required();
   command->add_option("--subject", options->subject, "Subject file")->required();
   command->add_option("--net", options->net, "Net of all candidate bands: name or file");
+  add_path_option(*command, options->path);
   command->add_option("--method", options->method, "sparse or explore");
   command->add_option("--propose", options->propose, "Tests to propose");
   command->add_option("--seed", options->seed, "Of the search");

@@ -3,6 +3,7 @@
 #include "apps/digit_question.h"
 #include "apps/named_numbers.h"
 #include "apps/net_file.h"
+#include "apps/path_option.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
@@ -15,11 +16,21 @@ namespace {
 const std::map<std::string, Hood> kHoods{
     {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
 
+/// The same digit without a net.
+TendonOptions whole_tendons(const Subject& subject, const TendonQuestion& question) {
+  TendonOptions options;
+  options.hood = Hood::kSeparate;
+  options.path = path_meant(question.path);
+  options.frozen = parse_frozen(subject, question.frozen);
+  return options;
+}
+
 std::unique_ptr<DigitTendons> build(const Subject& subject, const std::string& digit,
                                     const TendonQuestion& question) {
   TendonOptions options;
   const std::string hood = question.hood.empty() ? "net" : question.hood;
   options.hood = kHoods.at(hood);
+  options.path = path_meant(question.path);
   options.frozen = parse_frozen(subject, question.frozen);
   const std::string name = net_meant(hood, question.net);
   if (name.empty()) return build_digit_tendons(subject, digit, options);
@@ -34,6 +45,7 @@ void add_options(CLI::App& command, TendonQuestion& question) {
   command.add_option("--digit", question.digit, "thumb, index, middle, ring or little");
   command.add_option("--hood", question.hood, "separate, fractions or net (default)")
       ->check(CLI::IsMember({"separate", "fractions", "net"}));
+  add_path_option(command, question.path);
   command.add_option(
       "--net", question.net,
       "Extensor net: " + listed(known_nets()) + ", or a file (TOML); winslow if left out");
@@ -54,6 +66,7 @@ TendonCase find_tendons(const TendonQuestion& question) {
           subject.name, at.digit);
   at.q = parse_posture(at.bones().skeleton, question.posture);
   warn_of_limits(at.bones().skeleton, at.q);
+  warn_of_collapse(*build_digit_tendons(subject, at.digit, whole_tendons(subject, question)), at.q);
   at.t = in_order(parse_named_numbers(question.tension, "MUSCLE=newton"), muscles, "muscle");
   for (Eigen::Index i = 0; i < at.t.size(); ++i)
     require(at.t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
@@ -78,6 +91,28 @@ std::string text_header(const TendonCase& at) {
   return fmt::format("{} of {}{} N\nmodel: {}{}\n", at.digit, at.subject,
                      pulled.empty() ? " at 0" : " under" + pulled, describe(at.bones().fidelity),
                      at.net == nullptr ? "" : ", net " + at.net->net().net.name);
+}
+
+std::string name_of(TendonStatus status) {
+  switch (status) {
+    case TendonStatus::kSound:
+      return "sound";
+    case TendonStatus::kRough:
+      return "rough";
+    case TendonStatus::kBuried:
+      return "buried";
+    case TendonStatus::kDrawnIn:
+      return "drawn in";
+    case TendonStatus::kOutOfRange:
+      return "out of range";
+    case TendonStatus::kAstray:
+      return "astray";
+    case TendonStatus::kUnstable:
+      return "unstable";
+    case TendonStatus::kUnbalanced:
+      return "unbalanced";
+  }
+  return "";
 }
 
 std::string name_of(NetStatus status) {

@@ -19,6 +19,7 @@ struct TendonQuestion {
   std::string subject;               // path of the subject file
   std::string digit;                 // empty: the only one that the subject has
   std::string hood;                  // separate, fractions or net; empty: net
+  std::string path;                  // of tendons outside of the net: via, fitted or wrapped
   std::string net;                   // name or path; empty: winslow if the hood is a net
   std::vector<std::string> posture;  // JOINT=degrees, or degrees in joint order
   std::vector<std::string> frozen;   // JOINT=degrees
@@ -51,5 +52,8 @@ struct TendonCase {
 
 /// "balanced", "unstable", "drawn in" or "stalled".
 [[nodiscard]] std::string name_of(NetStatus status);
+
+/// "sound", "rough", .. "unbalanced".
+[[nodiscard]] std::string name_of(TendonStatus status);
 
 }  // namespace thenar

@@ -42,8 +42,8 @@ void run(const Options& options) {
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
 
   const std::string trouble = trouble_of(point);
-  require(at.net == nullptr || point.rest.status == NetStatus::kBalanced,
-          "the net is not to be trusted here: {}", trouble);
+  require(trusted(point.pull.status), "the tendons are not to be trusted here ({}): {}",
+          name_of(point.pull.status), trouble);
   if (!trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", trouble);
 }
 

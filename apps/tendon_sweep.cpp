@@ -71,16 +71,17 @@ void warn_of(const TendonCase& at, const VariedJoints& varied,
   }
 }
 
-/// @throws InputError naming the first posture at which the search for balance failed.
-void refuse_stalled(const TendonCase& at, const VariedJoints& varied,
-                    const std::vector<DigitPoint>& points) {
-  if (at.net == nullptr) return;
-  const auto stalled = [](const DigitPoint& p) { return p.rest.status == NetStatus::kStalled; };
-  const auto first = std::find_if(points.begin(), points.end(), stalled);
+/// The rule of `tendon solve`, posture by posture.
+/// @throws InputError naming the first posture at which the tendons are not to be trusted.
+void refuse_untrusted(const TendonCase& at, const VariedJoints& varied,
+                      const std::vector<DigitPoint>& points) {
+  const auto refused = [](const DigitPoint& p) { return !trusted(p.pull.status); };
+  const auto first = std::find_if(points.begin(), points.end(), refused);
   if (first == points.end()) return;
-  throw InputError(fmt::format("the net is stalled at {} of {} postures, first at {}: {}",
-                               std::count_if(first, points.end(), stalled), points.size(),
-                               angles_in_words(at, varied, first->q), trouble_of(*first)));
+  throw InputError(fmt::format(
+      "the tendons are not to be trusted at {} of {} postures, first at {} ({}): {}",
+      std::count_if(first, points.end(), refused), points.size(),
+      angles_in_words(at, varied, first->q), name_of(first->pull.status), trouble_of(*first)));
 }
 
 void run(const Options& options) {
@@ -102,7 +103,7 @@ void run(const Options& options) {
   if (points.size() < varied.postures.size())
     throw Interrupted(fmt::format("stopped after {} of {} postures; they are kept", points.size(),
                                   varied.postures.size()));
-  refuse_stalled(at, varied, points);
+  refuse_untrusted(at, varied, points);
 }
 
 }  // namespace

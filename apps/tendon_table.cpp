@@ -80,9 +80,12 @@ std::string quoted(const std::string& text) {
   return cell + "\"";
 }
 
-/// What a net alone has: how its search ended, and whether it snapped.
-std::string net_cells(const DigitPoint& point) {
-  return fmt::format("{},{},", name_of(point.rest.status), point.snapped ? 1 : 0);
+/// How the search of a net ended; where it ended well, or there is none, how far to believe the
+/// rest.
+std::string status_of(const TendonCase& at, const DigitPoint& point) {
+  const bool net = at.net != nullptr && (point.rest.status != NetStatus::kBalanced ||
+                                         point.pull.status == TendonStatus::kSound);
+  return net ? name_of(point.rest.status) : name_of(point.pull.status);
 }
 
 }  // namespace
@@ -91,12 +94,13 @@ std::string csv_of(const TendonCase& at, const std::vector<DigitPoint>& points) 
   const std::vector<Field> angles = posture_fields(at.bones().names), numbers = number_fields(at);
   std::string text;
   for (const Field& field : angles) text += field.name + ",";
-  text += at.net == nullptr ? "trouble" : "status,snapped,trouble";
+  text += at.net == nullptr ? "status,trouble" : "status,snapped,trouble";
   for (const Field& field : numbers) text += "," + field.name;
   text += "\n";
   for (const DigitPoint& point : points) {
     for (const Field& field : angles) text += fmt::format("{:.10g},", field.value(point));
-    if (at.net != nullptr) text += net_cells(point);
+    text += status_of(at, point) + ",";
+    if (at.net != nullptr) text += point.snapped ? "1," : "0,";
     text += quoted(trouble_of(point));
     for (const Field& field : numbers) text += fmt::format(",{:.10g}", field.value(point));
     text += "\n";
@@ -109,10 +113,8 @@ nlohmann::ordered_json json_of(const TendonCase& at, const std::vector<DigitPoin
   std::vector<Field> fields = posture_fields(at.bones().names);
   for (Field& field : number_fields(at)) fields.push_back(std::move(field));
   for (const DigitPoint& point : points) {
-    if (at.net != nullptr) {
-      json["status"].push_back(name_of(point.rest.status));
-      json["snapped"].push_back(point.snapped);
-    }
+    json["status"].push_back(status_of(at, point));
+    if (at.net != nullptr) json["snapped"].push_back(point.snapped);
     json["trouble"].push_back(trouble_of(point));
     for (const Field& field : fields) json[field.name].push_back(field.value(point));
   }

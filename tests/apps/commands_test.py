@@ -423,23 +423,51 @@ class Tendon(Near):
                  "--vary", "MCP3_FE=-20:80:50", "--vary", "DIP3=0:80:40")
         with tempfile.TemporaryDirectory() as folder:
             page, table = pathlib.Path(folder) / "net.html", pathlib.Path(folder) / "net.csv"
-            for path in (page, table):
-                self.assertEqual(run(*words, "-o", path).returncode, 0)
+            for path in (page, table):  # refused as `tendon solve` refuses, but written
+                result = run(*words, "-o", path)
+                self.assertEqual(result.returncode, 1)
+                self.assertIn("not to be trusted at", result.stderr)
             with table.open(newline="") as file:
                 rows = list(csv.DictReader(file))
             text = page.read_text()
         self.assertEqual({row["status"] for row in rows}, {"balanced", "drawn in"})
         for row in rows:
             self.assertEqual("has drawn in" in row["trouble"], row["status"] == "drawn in")
-        self.assertEqual([row["trouble"] for row in rows], ask(*words)["trouble"])
+        self.assertEqual([row["trouble"] for row in rows],
+                         json.loads(run(*words, "--json").stdout)["trouble"])
         troubled = sum(row["trouble"] != "" for row in rows)
         self.assertIn(f"{troubled} of {len(rows)} postures, first", text)
 
     def test_sweep_without_a_net_has_no_status_of_one(self):
         answer = ask("tendon", "sweep", MIDDLE, "--hood", "separate", "--tension", "FDP=2",
                      "--vary", "PIP3=0:20:20")
-        self.assertNotIn("status", answer)
+        self.assertEqual(answer["status"], ["sound", "sound"])
         self.assertEqual(answer["trouble"], ["", ""])
+        self.assertNotIn("snapped", answer)
+
+    # One rule for both: a sweep fails if and only if solving one of its postures does.
+    def test_sweep_refuses_what_solve_refuses(self):
+        words = (SUBJECTS / "mirakhorlo2016.toml", "--digit", "little", "--net", "dogadov2017",
+                 "--tension", "EDC4=2.9")
+        for angle in (0, 70):
+            solved = run("tendon", "solve", *words, "--posture", f"MCP5_FE={angle}")
+            swept = run("tendon", "sweep", *words, "--vary", f"MCP5_FE={angle}:{angle}:1")
+            self.assertEqual(solved.returncode, swept.returncode, solved.stderr + swept.stderr)
+
+    def test_paths_can_be_chosen_and_are_told(self):
+        words = (SUBJECTS / "mirakhorlo2016.toml", "--digit", "middle", "--posture", "MCP3_FE=60",
+                 "PIP3=60", "--tension", "EDC3=10")
+        answers = {path: ask("tip-force", *words, "--path", path) for path in ("via", "wrapped")}
+        self.assertIn("via points", answers["via"]["fidelity"])
+        self.assertIn("wrapped paths", answers["wrapped"]["fidelity"])
+        self.assertNotAlmostEqual(answers["via"]["magnitude_N"],
+                                  answers["wrapped"]["magnitude_N"], 3)
+
+    def test_collapsing_arm_is_told(self):
+        words = ("tip-force", SUBJECTS / "mirakhorlo2016.toml", "--digit", "index", "--tension",
+                 "FDP2=10", "--posture")
+        self.assertIn("FDP2 at PIP2: 0.64 mm", run(*words, "PIP2=90").stderr)
+        self.assertEqual(run(*words, "PIP2=45").stderr, "")
 
     def test_a_report_is_written(self):
         with tempfile.TemporaryDirectory() as folder:
