@@ -71,9 +71,7 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
   require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.trouble);
   if (!pull.trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", pull.trouble);
-  TipStatics statics = tip_statics(digit, q);
-  statics.R = pull.R;
-
+  const TipStatics statics = tip_statics(*tendons, q);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const int link = digit.model.tip_link;
   const Eigen::Matrix3d turned =
@@ -86,7 +84,7 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
           q,
           turned * digit.model.tip_axes,
           statics,
-          statics_slopes(digit, q),
+          statics_slopes(*tendons, q),
           tip_mobility(statics.J).condition};
 }
 

@@ -49,11 +49,18 @@ VectorXd torque_slope(const StaticsSlope& slope, const VectorXd& t) {
 
 }  // namespace
 
-std::vector<StaticsSlope> statics_slopes(const TendonDigit& digit, const VectorXd& q) {
+TipStatics tip_statics(const DigitTendons& tendons, const VectorXd& q) {
+  TipStatics statics = tip_statics(tendons.digit(), q);
+  const auto muscles = static_cast<Index>(tendons.digit().names.muscles.size());
+  statics.R = tendons.pull(q, VectorXd::Zero(muscles)).R;
+  return statics;
+}
+
+std::vector<StaticsSlope> statics_slopes(const DigitTendons& tendons, const VectorXd& q) {
   std::vector<StaticsSlope> slopes;
   for (Index k = 0; k < q.size(); ++k) {
     const auto at = [&](double steps) {
-      return tip_statics(digit, q + steps * kStep * VectorXd::Unit(q.size(), k));
+      return tip_statics(tendons, q + steps * kStep * VectorXd::Unit(q.size(), k));
     };
     const TipStatics a = at(1), b = at(-1), c = at(2), d = at(-2);
     const auto slope = [&](auto member) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "tendons/digit_tendons.h"
 #include "tendons/feasible_force.h"
 #include "tendons/tendon_model.h"
 #include "tendons/tip_wrench.h"
@@ -17,6 +18,10 @@ namespace thenar {
 /// straight.
 inline constexpr double kNearlyStraight = 300;
 
+/// tip_statics() with the moment arms of these tendons, whatever their rung of paths.
+/// @param tendons  without a net;  @param q  (n) [rad]
+[[nodiscard]] TipStatics tip_statics(const DigitTendons& tendons, const Eigen::VectorXd& q);
+
 /// Derivative of TipStatics by one coordinate of the posture.
 struct StaticsSlope {
   Eigen::Matrix3Xd J, W;  // (3, n)  [m/rad^2], [1/rad]
@@ -27,8 +32,9 @@ struct StaticsSlope {
 /// By central differences of fourth order over 0.001 rad, accurate to about 1e-11 of the statics:
 /// these are smooth whatever the condition is. What is ill-conditioned is left to closed forms
 /// below.
-/// @param q  (n) [rad];  @return one for each coordinate (n)
-[[nodiscard]] std::vector<StaticsSlope> statics_slopes(const TendonDigit& digit,
+/// @param tendons  without a net;  @param q  (n) [rad]
+/// @return one for each coordinate (n)
+[[nodiscard]] std::vector<StaticsSlope> statics_slopes(const DigitTendons& tendons,
                                                        const Eigen::VectorXd& q);
 
 /// Derivative of tip_force() by every coordinate, tensions held. With B = J', f = B+ tau and

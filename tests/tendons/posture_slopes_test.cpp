@@ -3,6 +3,7 @@
 #include "tendons/posture_slopes.h"
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include "base/angles.h"
 #include "data/io/subject.h"
 #include "hand/tip_mobility.h"
+#include "tendons/linear_tendons.h"
 #include "tendons/tip_force.h"
 #include "tests/matrix_near.h"
 
@@ -20,8 +22,13 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-TendonDigit finger() {
-  return build_tendon_digit(read_subject(THENAR_DATA_DIR "/subjects/an_chao_index.toml"), "index");
+std::unique_ptr<DigitTendons> finger(const std::string& subject = "an_chao_index",
+                                     Path path = Path::kViaPoint) {
+  TendonOptions options;
+  options.path = path;
+  return build_linear_tendons(
+      read_subject(std::string(THENAR_DATA_DIR "/subjects/") + subject + ".toml"), "index",
+      options);
 }
 
 /// MCP flexion and abduction, PIP, DIP.
@@ -54,28 +61,35 @@ MatrixXd differences(const VectorXd& q, double step, const Answer& answer) {
   return result;
 }
 
+// On every rung of paths: arms that wrap or are fitted change otherwise than via points' do.
 TEST(PostureSlopes, PinnedForceAgreesWithDifferences) {
-  const TendonDigit digit = finger();
-  const VectorXd q = bent(digit, 40, 20), t = pulls(digit);
-  const MatrixXd slopes = tip_force_slopes(tip_statics(digit, q), statics_slopes(digit, q), t);
-  const MatrixXd wanted = differences(
-      q, 1e-3, [&](const VectorXd& at) { return tip_force(tip_statics(digit, at), t).f_W; });
-  EXPECT_TRUE(matrix_near(slopes, wanted, 1e-8 * wanted.norm()));
+  for (const Path path : {Path::kViaPoint, Path::kFitted, Path::kWrapped}) {
+    const auto tendons = finger("mirakhorlo2016", path);
+    const VectorXd q = bent(tendons->digit(), 40, 20), t = pulls(tendons->digit());
+    const MatrixXd slopes =
+        tip_force_slopes(tip_statics(*tendons, q), statics_slopes(*tendons, q), t);
+    const MatrixXd wanted = differences(
+        q, 1e-3, [&](const VectorXd& at) { return tip_force(tip_statics(*tendons, at), t).f_W; });
+    EXPECT_TRUE(matrix_near(slopes, wanted, 1e-7 * wanted.norm())) << static_cast<int>(path);
+  }
 }
 
 TEST(PostureSlopes, HeldWrenchAgreesWithDifferences) {
-  const TendonDigit digit = finger();
+  const auto tendons = finger();
+  const TendonDigit& digit = tendons->digit();
   const VectorXd q = bent(digit, 40, 20), t = pulls(digit);
-  const MatrixXd slopes = tip_wrench_slopes(tip_statics(digit, q), statics_slopes(digit, q), t);
+  const MatrixXd slopes =
+      tip_wrench_slopes(tip_statics(*tendons, q), statics_slopes(*tendons, q), t);
   const MatrixXd wanted = differences(q, 1e-3, [&](const VectorXd& at) {
-    const TipWrench wrench = tip_wrench(tip_statics(digit, at), t);
+    const TipWrench wrench = tip_wrench(tip_statics(*tendons, at), t);
     return (VectorXd(6) << wrench.m_W, wrench.f_W).finished();
   });
   EXPECT_TRUE(matrix_near(slopes, wanted, 1e-8 * wanted.norm()));
 }
 
 TEST(PostureSlopes, LargestForceAgreesWithDifferences) {
-  const TendonDigit digit = finger();
+  const auto tendons = finger();
+  const TendonDigit& digit = tendons->digit();
   const VectorXd q = bent(digit, 40, 20);
   const auto direction = [&](DirectionFrame frame, const VectorXd& at) -> Vector3d {
     if (frame == DirectionFrame::kWorld) return {0.2, 1, 0.1};
@@ -86,13 +100,13 @@ TEST(PostureSlopes, LargestForceAgreesWithDifferences) {
   for (const DirectionFrame frame : {DirectionFrame::kWorld, DirectionFrame::kTip})
     for (const double cone : {0.0, radians(10)}) {
       const auto largest = [&](const VectorXd& at) {
-        return largest_force(tip_statics(digit, at), direction(frame, at), {cone});
+        return largest_force(tip_statics(*tendons, at), direction(frame, at), {cone});
       };
       const LargestForce now = largest(q);
       ASSERT_EQ(now.status, ForceStatus::kSolved);
       ASSERT_GT(now.magnitude, 1);
       const VectorXd slopes =
-          largest_force_slopes(tip_statics(digit, q), statics_slopes(digit, q), now, frame);
+          largest_force_slopes(tip_statics(*tendons, q), statics_slopes(*tendons, q), now, frame);
       const MatrixXd wanted = differences(q, 2e-4, [&](const VectorXd& at) {
         return VectorXd(VectorXd::Constant(1, largest(at).magnitude));
       });
@@ -102,25 +116,27 @@ TEST(PostureSlopes, LargestForceAgreesWithDifferences) {
 
 // Near straight the force grows as 1 / angle, so a degree changes it by about force / angle.
 TEST(PostureSlopes, NearlyStraightFingerHangsOnItsAngles) {
-  const TendonDigit digit = finger();
+  const auto tendons = finger();
+  const TendonDigit& digit = tendons->digit();
   const VectorXd q = bent(digit, 0.1, 0.1);
-  const TipStatics statics = tip_statics(digit, q);
+  const TipStatics statics = tip_statics(*tendons, q);
   VectorXd t = VectorXd::Zero(statics.R.rows());
   t[0] = 10;
   EXPECT_GT(tip_mobility(statics.J).condition, kNearlyStraight);
-  const Eigen::Matrix3Xd slopes = tip_force_slopes(statics, statics_slopes(digit, q), t);
+  const Eigen::Matrix3Xd slopes = tip_force_slopes(statics, statics_slopes(*tendons, q), t);
   const double force = tip_force(statics, t).f_W.norm();
   EXPECT_GT(force, 50);                                            // [N] from 10 N
   EXPECT_GT(slopes.colwise().norm().maxCoeff() * kDegree, force);  // [N/deg]
 }
 
 TEST(PostureSlopes, AreInfiniteInAStraightFinger) {
-  const TendonDigit digit = finger();
+  const auto tendons = finger();
+  const TendonDigit& digit = tendons->digit();
   const VectorXd q = bent(digit, 0, 0);
-  const TipStatics statics = tip_statics(digit, q);
+  const TipStatics statics = tip_statics(*tendons, q);
   ASSERT_LT(tip_mobility(statics.J).rank, 3);
   EXPECT_TRUE(
-      std::isinf(tip_force_slopes(statics, statics_slopes(digit, q), pulls(digit)).maxCoeff()));
+      std::isinf(tip_force_slopes(statics, statics_slopes(*tendons, q), pulls(digit)).maxCoeff()));
 }
 
 }  // namespace
