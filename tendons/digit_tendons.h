@@ -52,7 +52,7 @@ struct [[nodiscard]] TendonPull {
 
 /// How linear tendons change with posture.
 struct [[nodiscard]] TendonSlopes {
-  bool exist = true;           // false: a path has no slopes here; the rest is then not set
+  bool exist = true;           // false: a path or net has no slopes here; the rest is not set
   Eigen::MatrixXd by_posture;  // d tau/dq at given tensions [N m/rad] (coordinates, coordinates)
   Eigen::VectorXd length;      // of each muscle's line, but for a constant [m] (muscles)
 };
@@ -72,8 +72,8 @@ class DigitTendons {
   virtual TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                           const Eigen::Matrix3Xd& start) const = 0;
 
-  /// d tau / d q at these tensions, by central differences of pull(), whose moment arms are smooth;
-  /// a net knows better [N m/rad] (coordinates, coordinates).
+  /// d tau / d q at these tensions: slopes() where there are some, else central differences of
+  /// pull() [N m/rad] (coordinates, coordinates).
   /// @param at  pull() there
   [[nodiscard]] virtual Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                           const Eigen::VectorXd& t,
@@ -99,10 +99,10 @@ class DigitTendons {
   /// Slopes and lengths of tendons without a net, analytically. A muscle's length is that of its
   /// strands, each weighted with the share of tension that it carries; friction in sheaths is left
   /// out of it. Where shares are constant and sheaths smooth,  d length/dq = -R.
-  /// @throws InputError as pull(), or if these tendons have none.
+  /// @throws InputError as pull().
   [[nodiscard]] virtual TendonSlopes slopes(const Eigen::VectorXd& /*q*/,
                                             const Eigen::VectorXd& /*t*/) const {
-    throw InputError("these tendons tell no slopes by posture");
+    return {false, {}, {}};
   }
 
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const {

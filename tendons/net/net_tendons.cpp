@@ -192,49 +192,34 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                        const TendonPull& at) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  const NetDrive drive{shares_ * t, {}};
-  NetSolver solver(net_.net, options_);
-  const NetEquilibrium rest =
-      solver.solve(state, drive, at.nodes.cols() == 0 ? nullptr : &at.nodes);
-  if (!no_slopes(net_.net, rest).empty()) return DigitTendons::torque_by_posture(q, t, at);
-
-  MatrixXd slope =
-      thenar::torque_by_posture(net_.net, model.tree, state, drive, rest, model.coordinates);
-  constexpr double kStep = 1e-5;  // [rad]
-  const auto outside = [&](const VectorXd& there) {
-    return pull_outside(there, t, pose_tree(model.tree, there)).tau;
-  };
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const VectorXd step = kStep * VectorXd::Unit(q.size(), j);
-    slope.col(j) += (outside(q + step) - outside(q - step)) / (2 * kStep);
-  }
-  return slope;
+  const NetEquilibrium rest = this->rest(q, t, at.nodes);
+  const TendonSlopes outside = slopes_outside(q, t);
+  if (!outside.exist || !no_slopes(net_.net, rest).empty())
+    return DigitTendons::torque_by_posture(q, t, at);
+  return outside.by_posture + thenar::torque_by_posture(net_.net, model.tree, state, {drive(t), {}},
+                                                        rest, model.coordinates);
 }
 
 MatrixXd NetTendons::mean_arms(const VectorXd& q, const VectorXd& t, const TendonPull& at,
                                double width) const {
   constexpr double kSnap = 1e-3;  // move of a knot within the width that is a jump [m]
-  const TendonModel<double>& model = digit_.model;
-  const NetDrive drive{shares_ * t, {}};
-  NetSolver solver(net_.net, options_);
-  const NetEquilibrium here =
-      solver.solve(pose_tree(model.tree, q), drive, at.nodes.cols() == 0 ? nullptr : &at.nodes);
-  const auto pulled = [&](const NetEquilibrium& rest) {
+  const NetEquilibrium here = rest(q, t, at.nodes);
+  const auto pulled = [&](const NetEquilibrium& of) {
     VectorXd length = VectorXd::Zero(shares_.rows());
     for (std::size_t b = 0; b < net_.net.bands.size(); ++b)
       if (net_.net.bands[b].muscle >= 0)
-        length[net_.net.bands[b].muscle] += rest.length[static_cast<Eigen::Index>(b)];
+        length[net_.net.bands[b].muscle] += of.length[static_cast<Eigen::Index>(b)];
     return length;
   };
-  MatrixXd R = pull_outside(q, t, pose_tree(model.tree, q)).R;
+  MatrixXd R = pull_outside(q, t).R;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     VectorXd change = VectorXd::Zero(shares_.rows());
     double way = 0;
     for (const double side : {-width, width}) {
       const VectorXd there = q + side * VectorXd::Unit(q.size(), j);
-      const NetEquilibrium rest = solver.solve(pose_tree(model.tree, there), drive, &here.x);
-      if ((rest.x - here.x).colwise().norm().maxCoeff() > kSnap) continue;
-      change += (pulled(rest) - pulled(here)) / side;
+      const NetEquilibrium next = rest(there, t, here.x);
+      if ((next.x - here.x).colwise().norm().maxCoeff() > kSnap) continue;
+      change += (pulled(next) - pulled(here)) / side;
       way += 1;
     }
     if (way > 0)

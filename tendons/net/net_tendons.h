@@ -46,8 +46,8 @@ class NetTendons : public DigitTendons {
   TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                   const Eigen::Matrix3Xd& start) const override;
 
-  /// Of the net by implicit differentiation, of what runs outside of it by central differences; all
-  /// by differences where the net has no slopes.
+  /// By implicit differentiation of the net and slopes() of what runs outside of it; by differences
+  /// where either has none.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
                                                   const TendonPull& at) const override;
