@@ -39,7 +39,7 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingPull& pull, const Ei
                              const Free& free) {
   const HandLayout& layout = hand.layout();
   require_pull(layout, pull, free);
-  const Eigen::MatrixXd B = hand.actuation(q).B;
+  const Eigen::MatrixXd B = hand.effort(q, pull.u).B;
   const Eigen::VectorXd torque = B * pull.u;
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(q.size());
   for (const Drive& drive : layout.drives) {

@@ -11,14 +11,15 @@ namespace thenar {
 
 /// How tendons close a hand.
 struct ClosingPull {
-  Eigen::VectorXd u;          // share of tension of each actuator, >= 0 [1] (actuators)
+  Eigen::VectorXd u;          // tension of each actuator, >= 0 [N] (actuators)
   Eigen::VectorXd stiffness;  // of joints, > 0; only ratios count [N m/rad] (coordinates)
   double excursion = 0.01;    // of the tendons of a drive of speed 1, weighted with u [m/s]
 };
 
 /// Rates of coordinates under rising tension at a posture: a free coordinate turns by
-///   dq = K^-1 B(q) u,  scaled for each drive so that its tendons run in at  u' B' dq / |u|_1 =
-///   excursion Drive::speed,  |u|_1 over the tendons that pull on the drive.
+///   dq = K^-1 B u,  scaled for each drive so that its tendons run in at  u' B' dq / |u|_1 =
+///   excursion Drive::speed,  |u|_1 over the tendons that pull on the drive; B of Hand::effort() at
+/// (q, u). Where torque is linear in tensions only their ratios count.
 /// A blocked joint takes none, so that the others of its drive turn faster, in the same ratio.
 /// Joints that the pull would extend stay: K stands for what holds them. Drives of speed 0 stay,
 /// too.
@@ -32,8 +33,8 @@ struct ClosingPull {
 /// tendon_rates() for CloseOptions::rates, joints equally stiff (an assumption: most subjects state
 /// no stiffness of joints), tendons of a drive of speed 1 running in at 10 mm/s. The hand must
 /// outlive what is returned.
-/// @param pull  tension of each actuator, of which only ratios count [N] (actuators); of a human
-///   hand flexor_pull() of tendons/hand/hand_use.h
+/// @param pull  tension of each actuator [N] (actuators); of a human hand flexor_pull() of
+///   tendons/hand/hand_use.h
 /// @throws InputError if the length is wrong, a tension negative, or all are zero.
 [[nodiscard]] ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull);
 
