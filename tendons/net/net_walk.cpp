@@ -42,6 +42,10 @@ Matrix3Xd node_velocity(const NetTendons& tendons, const NetEquilibrium& rest, c
 /// Whether a knot may be asked where it is.
 bool settled(const Net& net, const NetEquilibrium& rest) { return no_slopes(net, rest).empty(); }
 
+bool unbalanced(const NetEquilibrium& rest) {
+  return rest.status == NetStatus::kStalled || rest.status == NetStatus::kWoundRound;
+}
+
 /// Whether a muscle pulls the net, so that its knots have a place.
 bool pulled(const NetTendons& tendons, const VectorXd& t) {
   constexpr double kSlack = 1e-6;  // [N]
@@ -100,6 +104,14 @@ NetWalk walk_net(const NetTendons& tendons, const NetEquilibrium& rest, const Ve
         continue;
       }
       if (off > options.stray) ++walk.snaps;
+      if (unbalanced(next)) {
+        NetEquilibrium cold = tendons.rest(q + end * turn, t + end * load, {});
+        ++walk.solves;
+        if (!unbalanced(cold)) {
+          next = std::move(cold);
+          ++walk.snaps;
+        }
+      }
       walk.rest = std::move(next);
       step = 2 * (end - done);
       done = end;

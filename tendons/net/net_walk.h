@@ -24,7 +24,8 @@ struct [[nodiscard]] NetWalk {
   int solves = 0;  // searches for rest
 };
 
-/// Follows a net from rest at (q, t).
+/// Follows a net from rest at (q, t). Where it finds no balance in the neighbourhood it is sought
+/// from scratch; what is found then counts as a snap.
 /// Where the net has no slopes, see no_slopes(), or no muscle pulls it at either end, so that
 /// nothing decides where its knots are, it is taken on in one step and no snap is judged.
 /// @param rest   at `q` and `t`, as found before

@@ -2,6 +2,9 @@
 
 #include "tendons/net/tendon_actuator.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
@@ -197,18 +200,22 @@ TEST(TendonActuator, GoesFarInOneStep) {
 // Refused by solving, so refused here: a net without balance has a status, and its torque none.
 TEST(TendonActuator, SaysWhereANetDoesNotBalance) {
   const auto tendons = finger("mirakhorlo2016", "little", "dogadov2017");
-  VectorXd q = VectorXd::Zero(4);
-  q[0] = 70 * kDegree;
   const std::vector<std::string>& muscles = tendons->digit().names.muscles;
   VectorXd t = VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()));
-  for (std::size_t m = 0; m < muscles.size(); ++m)
-    if (muscles[m].rfind("ED", 0) == 0) t[static_cast<Eigen::Index>(m)] = 50;
-  TendonActuator actuator(*tendons);
-  const TendonAction& action = actuator.act(q, t);
-  const DigitPoint point = sweep_digit(*tendons, {q}, t).front();
-  EXPECT_EQ(action.status, point.pull.status);
-  EXPECT_EQ(trusted(action.status), point.rest.status == NetStatus::kBalanced);
-  EXPECT_EQ(action.trouble.empty(), action.status == TendonStatus::kSound);
+  t[std::find(muscles.begin(), muscles.end(), "ADM") - muscles.begin()] = 20;
+  int refused = 0;
+  for (const double angle : {0.0, 60.0, 65.0}) {
+    const VectorXd q = angle * kDegree * VectorXd::Unit(4, 0);
+    TendonActuator actuator(*tendons);
+    const TendonAction& action = actuator.act(q, t);
+    const DigitPoint point = sweep_digit(*tendons, {q}, t).front();
+    EXPECT_EQ(action.status, point.pull.status);
+    EXPECT_EQ(trusted(action.status), point.rest.status == NetStatus::kBalanced);
+    EXPECT_EQ(action.trouble.empty(), action.status == TendonStatus::kSound);
+    if (!trusted(action.status)) ++refused;
+    EXPECT_EQ(action.residual > 1, !trusted(action.status)) << angle;  // [N]
+  }
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace
