@@ -101,9 +101,8 @@ void warn_of_tendons(const GraspAnswer& found, NamedHand& hand) {
   const Actuation here = hand.hand->actuation(found.grasp.closed.q);
   if (here.status < ActuationStatus::kDoubtful) return;
   hand.warnings.push_back(fmt::format(
-      "{} of this posture, and the loads and efforts that follow from them: {}",
-      here.status == ActuationStatus::kDoubtful ? "doubtful are the joint torques"
-                                                : "not to be used are the joint torques",
+      "the joint torques of this posture, and the loads and efforts that follow from them, {}: {}",
+      here.status == ActuationStatus::kDoubtful ? "are doubtful" : "must not be used",
       here.trouble));
 }
 

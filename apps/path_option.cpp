@@ -39,10 +39,9 @@ void warn_of_collapse(const DigitTendons& linear, const Eigen::VectorXd& q) {
   if (arms.empty()) return;
   const bool via = linear.digit().fidelity.path == Path::kViaPoint;
   fmt::print(
-      stderr,
-      "thenar: warning: straight runs of tendons cut through the joint here: arms of {}; {}\n",
+      stderr, "thenar: warning: tendons run too close to a joint here: arms of {}; {}\n",
       fmt::join(arms, "; "),
-      via ? "--path wrapped helps where the subject has a surface there"
+      via ? "straight runs cut through it, and --path wrapped helps where the subject has a surface"
           : "the subject has no surface there");
 }
 

@@ -11,6 +11,10 @@ bool flexes(const std::string& joint) {
 
 }  // namespace
 
+bool is_long_flexor(const std::string& muscle) {
+  return muscle.rfind("FDS", 0) == 0 || muscle.rfind("FDP", 0) == 0 || muscle.rfind("FPL", 0) == 0;
+}
+
 std::vector<CollapsedArm> collapsed_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
   constexpr int kPlaces = 13;      // on a joint's range
   constexpr double kLeast = 3e-3;  // arm of a flexor [m/rad]
@@ -31,10 +35,11 @@ std::vector<CollapsedArm> collapsed_arms(const DigitTendons& tendons, const Eige
       there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
       most = most.cwiseMax(tendons.pull(there, t).R.col(j));
     }
-    for (Eigen::Index m = 0; m < most.size(); ++m)
-      if (most[m] > kLeast && here(m, j) < kShare * most[m])
-        found.push_back(
-            {digit.names.muscles[static_cast<std::size_t>(m)], joint, here(m, j), most[m]});
+    for (Eigen::Index m = 0; m < most.size(); ++m) {
+      const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
+      if (is_long_flexor(muscle) && most[m] > kLeast && here(m, j) < kShare * most[m])
+        found.push_back({muscle, joint, here(m, j), most[m]});
+    }
   }
   return found;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "tendons/collapsed_arms.h"
 #include "tendons/hand/name_ending.h"
 
 namespace thenar {
@@ -79,10 +80,6 @@ PalmApproach palm_approach(const HandAnatomy& hand) {
   return {bone.distal - bone.radius * bone.dorsal, -bone.dorsal};
 }
 
-bool is_flexor(const std::string& muscle) {
-  return muscle.rfind("FDS", 0) == 0 || muscle.rfind("FDP", 0) == 0 || muscle.rfind("FPL", 0) == 0;
-}
-
 /// Replaces the ratios of a drive by those of the torques of the flexors; leaves it where there
 /// are none.
 void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
@@ -125,7 +122,7 @@ Eigen::VectorXd flexor_pull(const std::vector<std::string>& actuators, const Act
           "{} names for {} actuators", actuators.size(), actuation.upper.size());
   Eigen::VectorXd t = actuation.upper;
   for (std::size_t i = 0; i < actuators.size(); ++i)
-    if (!is_flexor(actuators[i])) t[static_cast<Eigen::Index>(i)] = 0;
+    if (!is_long_flexor(actuators[i])) t[static_cast<Eigen::Index>(i)] = 0;
   return t;
 }
 
