@@ -93,8 +93,8 @@ TEST(ArmSlopes, AreThoseOfATriangleAndOfAPulley) {
   const Tree<double> tree{{-1, 0, 1, 0, Vector3d::UnitZ(), {0, 0, 0}}};
   const double a = 0.03, b = 0.02, r = 0.008;
   PathSet set = sample::string_over({{"pulley", -1, SurfaceShape::kCylinder, {r, 1, 0}, {}}},
-                                    {0, a, 0}, {0, b, 0}, {1, 0, 0});
-  set.paths[0].points[0].link = 0;
+                                    {0, a, 0}, {0, b, 0}, {-1, 0, 0});
+  set.paths[0].points[0].link = 0;             // turns over to -x
   const double wrapped = 2.5, straight = 0.6;  // angles between the points [rad]
   const ArmSlopes over = slopes_at(tree, set, VectorXd::Constant(1, wrapped))[0];
   ASSERT_TRUE(over.exist);
