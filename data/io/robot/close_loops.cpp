@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -12,6 +11,7 @@
 #include "base/angles.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
+#include "data/io/robot/linkage.h"
 
 namespace thenar::internal {
 namespace {
@@ -19,22 +19,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kGape = 5e-5;        // farthest that a solved loop may gape [m]
-constexpr double kWell = 1e-7;        // gape that asks for no higher degree [m]
-constexpr double kClosed = 1e-11;     // of the search [m]
-constexpr double kLength = 0.05;      // by which directions of welds are weighed [m]
-constexpr double kStep = 0.1;         // longest step of the search [rad] or [m]
-constexpr double kDifference = 1e-6;  // of derivatives [rad] or [m]
-constexpr double kRank = 1e-7;       // singular values below this share of the largest are none [1]
+constexpr double kGape = 5e-5;       // farthest that a solved loop may gape [m]
+constexpr double kWell = 1e-7;       // gape that asks for no higher degree [m]
 constexpr double kStill = 1e-7;      // way of a joint that stands still [rad] or [m]
 constexpr double kLeastRange = 0.2;  // of the motor's range that must remain [1]
 constexpr int kNodes = 40, kChecks = 500, kHighestDegree = 12;
-
-/// Loops that share motors or passive joints.
-struct Group {
-  std::vector<LoopClosure> closures;
-  std::set<std::string> dofs;
-};
 
 /// The joints from a link to the base.
 std::set<std::string> joints_below(const RobotSpec& robot, std::string link) {
@@ -58,10 +47,10 @@ std::set<std::string> dofs_between(RobotSpec& robot, const LoopClosure& closure)
   return dofs;
 }
 
-std::vector<Group> groups_of(RobotSpec& robot, const std::vector<LoopClosure>& closures) {
-  std::vector<Group> groups;
+std::vector<LoopGroup> groups_of(RobotSpec& robot, const std::vector<LoopClosure>& closures) {
+  std::vector<LoopGroup> groups;
   for (const LoopClosure& closure : closures) {
-    Group joined{{closure}, dofs_between(robot, closure)};
+    LoopGroup joined{{closure}, dofs_between(robot, closure)};
     if (joined.dofs.empty()) continue;  // nothing moves them against each other
     for (auto group = groups.begin(); group != groups.end();) {
       const bool shared = std::any_of(joined.dofs.begin(), joined.dofs.end(),
@@ -78,162 +67,6 @@ std::vector<Group> groups_of(RobotSpec& robot, const std::vector<LoopClosure>& c
   }
   return groups;
 }
-
-/// A passive degree of freedom.
-struct Passive {
-  std::string name;
-  double lower, upper, stiffness, rest;  // stiffness 0: no spring
-};
-
-/// Closes the loops of one group at values of its motor.
-class Linkage {
- public:
-  Linkage(const RobotSpec& robot, const Group& group, std::string motor)
-      : robot_(robot), group_(group), motor_(std::move(motor)) {
-    for (std::size_t i = 0; i < robot.links.size(); ++i) index_[robot.links[i].name] = i;
-    for (const RobotDof& dof : robot.dofs) {
-      if (group.dofs.count(dof.name) == 0 || dof.name == motor_) continue;
-      Passive passive{dof.name, dof.lower, dof.upper, 0, 0};
-      for (const RobotJoint& joint : robot.joints)
-        if (joint.dof == dof.name && joint.name == dof.name) {
-          passive.stiffness = joint.stiffness;
-          passive.rest = joint.rest;
-        }
-      passives_.push_back(passive);
-    }
-  }
-
-  [[nodiscard]] const std::vector<Passive>& passives() const { return passives_; }
-
-  /// How far places that are one lie apart; of welds their turn by kLength, too [m].
-  [[nodiscard]] VectorXd gaps(double u, const VectorXd& y) const {
-    DofValues values{{motor_, u}};
-    for (std::size_t i = 0; i < passives_.size(); ++i)
-      values[passives_[i].name] = y[static_cast<Eigen::Index>(i)];
-    return gaps(link_poses(robot_, values));
-  }
-
-  [[nodiscard]] VectorXd gaps(const std::vector<Pose<double>>& links) const {
-    std::vector<double> all;
-    for (const LoopClosure& closure : group_.closures) {
-      const Pose<double> A = links[index_.at(closure.a)] * closure.X_A,
-                         B = links[index_.at(closure.b)] * closure.X_B;
-      for (int k = 0; k < 3; ++k) all.push_back(A.p[k] - B.p[k]);
-      if (!closure.welded) continue;
-      const Eigen::AngleAxisd turn(Eigen::Matrix3d(A.R.transpose() * B.R));
-      for (int k = 0; k < 3; ++k) all.push_back(kLength * turn.angle() * turn.axis()[k]);
-    }
-    return Eigen::Map<const VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
-  }
-
-  /// Goes from a posture to the closed one of least spring energy near it.
-  /// @return none if the search does not get there, or springs leave a freedom
-  [[nodiscard]] std::optional<VectorXd> close(double u, VectorXd y) const {
-    // Where the motor moves every joint, the loop closes by itself or not at all.
-    if (passives_.empty())
-      return gaps(u, y).cwiseAbs().maxCoeff() < kClosed ? std::optional<VectorXd>(y) : std::nullopt;
-    for (int iteration = 0; iteration < 200; ++iteration) {
-      const VectorXd c = gaps(u, y);
-      const MatrixXd J = slopes(u, y);
-      bool decided = true;
-      VectorXd d = step(c, J, y, decided);
-      if (c.cwiseAbs().maxCoeff() < kClosed && d.cwiseAbs().maxCoeff() < 1e-10)
-        return decided ? std::optional<VectorXd>(y) : std::nullopt;
-      const double longest = d.cwiseAbs().maxCoeff();
-      if (longest > kStep) d *= kStep / longest;
-      y += d;
-      for (std::size_t i = 0; i < passives_.size(); ++i) {
-        double& each = y[static_cast<Eigen::Index>(i)];
-        each = std::clamp(each, passives_[i].lower, passives_[i].upper);
-      }
-    }
-    return {};
-  }
-
- private:
-  [[nodiscard]] MatrixXd slopes(double u, const VectorXd& y) const {
-    MatrixXd J;
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const VectorXd e = kDifference * VectorXd::Unit(y.size(), i);
-      const VectorXd column = (gaps(u, y + e) - gaps(u, y - e)) / (2 * kDifference);
-      if (i == 0) J.resize(column.size(), y.size());
-      J.col(i) = column;
-    }
-    return J;
-  }
-
-  /// One step of sequential quadratic programming; bounds that it would cross are held one by one.
-  [[nodiscard]] VectorXd step(const VectorXd& c, const MatrixXd& J, const VectorXd& y,
-                              bool& decided) const {
-    const auto count = static_cast<std::size_t>(y.size());
-    std::vector<bool> held(count, false);
-    VectorXd d = VectorXd::Zero(y.size());
-    for (std::size_t round = 0; round <= count; ++round) {
-      free_step(c, J, y, held, d, decided);
-      std::size_t worst = count;
-      double most = 1e-13;
-      for (std::size_t i = 0; i < count; ++i) {
-        if (held[i]) continue;
-        const double at = y[static_cast<Eigen::Index>(i)] + d[static_cast<Eigen::Index>(i)];
-        const double beyond = std::max(passives_[i].lower - at, at - passives_[i].upper);
-        if (beyond <= most) continue;
-        most = beyond;
-        worst = i;
-      }
-      if (worst == count) break;
-      const auto i = static_cast<Eigen::Index>(worst);
-      held[worst] = true;
-      d[i] =
-          (y[i] + d[i] < passives_[worst].lower ? passives_[worst].lower : passives_[worst].upper) -
-          y[i];
-    }
-    return d;
-  }
-
-  /// Least spring energy with J d = -c, entries of d that are held as they are.
-  void free_step(const VectorXd& c, const MatrixXd& J, const VectorXd& y,
-                 const std::vector<bool>& held, VectorXd& d, bool& decided) const {
-    std::vector<Eigen::Index> free;
-    VectorXd wanted = -c;
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      const auto at = static_cast<Eigen::Index>(i);
-      if (held[i])
-        wanted -= d[at] * J.col(at);
-      else
-        free.push_back(at);
-    }
-    if (free.empty()) return;
-    MatrixXd A(J.rows(), static_cast<Eigen::Index>(free.size()));
-    for (std::size_t f = 0; f < free.size(); ++f)
-      A.col(static_cast<Eigen::Index>(f)) = J.col(free[f]);
-    Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
-    svd.setThreshold(kRank);
-    const VectorXd least = svd.solve(wanted);
-    const MatrixXd Z = svd.matrixV().rightCols(A.cols() - svd.rank());
-    VectorXd x = least;
-    decided = true;
-    if (Z.cols() > 0) {
-      VectorXd k(A.cols()), pull(A.cols());
-      for (std::size_t f = 0; f < free.size(); ++f) {
-        const Passive& passive = passives_[static_cast<std::size_t>(free[f])];
-        const auto at = static_cast<Eigen::Index>(f);
-        k[at] = passive.stiffness;
-        pull[at] = passive.stiffness * (passive.rest - y[free[f]] - least[at]);
-      }
-      const MatrixXd H = Z.transpose() * k.asDiagonal() * Z;
-      const Eigen::FullPivLU<MatrixXd> lu(H);
-      decided = H.cwiseAbs().maxCoeff() > 0 && lu.rank() == Z.cols();
-      if (decided) x += Z * lu.solve(Z.transpose() * pull);
-    }
-    for (std::size_t f = 0; f < free.size(); ++f) d[free[f]] = x[static_cast<Eigen::Index>(f)];
-  }
-
-  const RobotSpec& robot_;
-  const Group& group_;
-  std::string motor_;
-  std::vector<Passive> passives_;
-  std::map<std::string, std::size_t> index_;
-};
 
 /// Closed postures along the motor's range.
 struct Track {
@@ -319,7 +152,7 @@ double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& mo
 
 class Closing {
  public:
-  Closing(RobotSpec& robot, const Group& group, const std::set<std::string>& driven)
+  Closing(RobotSpec& robot, const LoopGroup& group, const std::set<std::string>& driven)
       : robot_(robot), group_(group) {
     for (const std::string& dof : group.dofs)
       if (driven.count(dof) > 0) motors_.push_back(dof);
@@ -435,7 +268,7 @@ class Closing {
   }
 
   RobotSpec& robot_;
-  const Group& group_;
+  const LoopGroup& group_;
   std::vector<std::string> motors_, followers_;
   double gape_ = 0;  // [m]
 };
@@ -444,7 +277,7 @@ class Closing {
 
 void close_loops(RobotSpec& robot, const std::vector<LoopClosure>& closures,
                  const std::set<std::string>& driven) {
-  for (const Group& group : groups_of(robot, closures)) Closing(robot, group, driven).run();
+  for (const LoopGroup& group : groups_of(robot, closures)) Closing(robot, group, driven).run();
 }
 
 }  // namespace thenar::internal

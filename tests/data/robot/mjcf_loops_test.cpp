@@ -29,6 +29,7 @@ constexpr double kGape = 5e-5;  // [m]
 /// Four bars in the plane of y and z: hinges A and B on the palm, P and Q on what they carry [m].
 struct FourBar {
   Eigen::Vector2d A{0.03, 0.055}, B{0.012, 0.06}, P{0.06, 0.1}, Q{0.042, 0.105};  // a parallelogram
+  Eigen::Vector2d C{0.02, 0.01};  // of an adaptive one: from A to the coupler's hinge [m]
 
   /// Turn of B's crank and of the carried link PQ where A's crank has turned by u, from the
   /// crossing of two circles: P on A's circle, Q at |BQ| from B and |PQ| from P.
@@ -89,14 +90,14 @@ std::string adaptive(const std::string& name, const FourBar& bar, int side) {
       "<body name='{0} finger' pos='0 {7} {8}'><joint name='{0} finger' axis='{10} 0 0' range='-2 "
       "2'/>"
       "<geom type='box' size='0.01 0.004 0.02' pos='0 {9} 0.02'/></body></body>",
-      name, side * bar.A.x(), bar.A.y(), side * 0.02, 0.01, side * bar.B.x(), bar.B.y(),
+      name, side * bar.A.x(), bar.A.y(), side * bar.C.x(), bar.C.y(), side * bar.B.x(), bar.B.y(),
       side * (bar.Q.x() - bar.B.x()), bar.Q.y() - bar.B.y(), -side * 0.02, side, "-1.57 0", 2.6);
 }
 
 /// Where the coupler of the adaptive one holds the finger: at P.
 std::string connect_adaptive(const std::string& name, const FourBar& bar, int side) {
   return fmt::format("<connect body1='{0} coupler' body2='{0} finger' anchor='0 {1} {2}'/>", name,
-                     side * (bar.P.x() - bar.A.x() - 0.02), bar.P.y() - bar.A.y() - 0.01);
+                     side * (bar.P - bar.A - bar.C).x(), (bar.P - bar.A - bar.C).y());
 }
 
 class Loops : public TemporaryFolder {
@@ -179,6 +180,30 @@ TEST_F(Loops, OfAnAdaptiveGripperAreDecidedByItsSpring) {
       EXPECT_LT(std::abs(turn(robot, side + " finger", u)), kParallel) << side << u;
       EXPECT_NEAR(turn(robot, side + " coupler", u), (side == "left" ? 1 : -1) * u, 1e-6);
     }
+}
+
+// The spring pulls its crank and the finger far beyond their limits, but the coupler meets its stop
+// first, and holds them. Bars of about 57 mm that are not quite
+// parallel: turns by the crossing of circles.
+TEST_F(Loops, OfAnAdaptiveGripperMeetTheStopThatComesFirst) {
+  FourBar bar;
+  bar.A = {0.0306, 0.0549}, bar.P = {0.0682, 0.0984};
+  bar.B = {0.0132, 0.0609}, bar.Q = {0.0502, 0.1049}, bar.C = {0.0315, -0.0041};
+  std::string fingers = adaptive("left", bar, 1) + adaptive("right", bar, -1);
+  for (std::size_t at; (at = fingers.find("-2 2' stiffness")) != std::string::npos;)
+    fingers.replace(at, 4, "-0.3 0.8");
+  for (std::size_t at; (at = fingers.find("'-2 2'")) != std::string::npos;)
+    fingers.replace(at, 6, "'-0.87 0.87'");
+  const RobotSpec robot =
+      gripper(fingers, connect_adaptive("left", bar, 1) + connect_adaptive("right", bar, -1));
+  EXPECT_THAT(robot.open_loops, IsEmpty());
+  ASSERT_THAT(names(robot.dofs), ElementsAre("left driver"));
+  for (double u = 0; u <= 0.7; u += 0.05) {
+    const Eigen::Vector2d wanted = bar.turns(u);
+    EXPECT_NEAR(turn(robot, "left spring", u), wanted[0], 1e-5) << u;
+    EXPECT_NEAR(turn(robot, "left finger", u), wanted[1], 1e-5) << u;
+    EXPECT_NEAR(turn(robot, "right finger", u), -wanted[1], 1e-5) << u;
+  }
 }
 
 TEST_F(Loops, ThatNothingDecidesAreOpen) {

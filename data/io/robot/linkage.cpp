@@ -1,0 +1,175 @@
+#include "data/io/robot/linkage.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "data/io/robot/link_poses.h"
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kClosed = 1e-11;     // of the search [m]
+constexpr double kLength = 0.05;      // by which directions of welds are weighed [m]
+constexpr double kStep = 0.1;         // longest step of the search [rad] or [m]
+constexpr double kDifference = 1e-6;  // of derivatives [rad] or [m]
+constexpr double kRank = 1e-7;  // singular values below this share of the largest are none [1]
+
+}  // namespace
+
+Linkage::Linkage(const RobotSpec& robot, const LoopGroup& group, std::string motor)
+    : robot_(robot), group_(group), motor_(std::move(motor)) {
+  for (std::size_t i = 0; i < robot.links.size(); ++i) index_[robot.links[i].name] = i;
+  for (const RobotDof& dof : robot.dofs) {
+    if (group.dofs.count(dof.name) == 0 || dof.name == motor_) continue;
+    Passive passive{dof.name, dof.lower, dof.upper, 0, 0};
+    for (const RobotJoint& joint : robot.joints)
+      if (joint.dof == dof.name && joint.name == dof.name) {
+        passive.stiffness = joint.stiffness;
+        passive.rest = joint.rest;
+      }
+    passives_.push_back(passive);
+  }
+}
+
+VectorXd Linkage::gaps(double u, const VectorXd& y) const {
+  DofValues values{{motor_, u}};
+  for (std::size_t i = 0; i < passives_.size(); ++i)
+    values[passives_[i].name] = y[static_cast<Eigen::Index>(i)];
+  return gaps(link_poses(robot_, values));
+}
+
+VectorXd Linkage::gaps(const std::vector<Pose<double>>& links) const {
+  std::vector<double> all;
+  for (const LoopClosure& closure : group_.closures) {
+    const Pose<double> A = links[index_.at(closure.a)] * closure.X_A,
+                       B = links[index_.at(closure.b)] * closure.X_B;
+    for (int k = 0; k < 3; ++k) all.push_back(A.p[k] - B.p[k]);
+    if (!closure.welded) continue;
+    const Eigen::AngleAxisd turn(Eigen::Matrix3d(A.R.transpose() * B.R));
+    for (int k = 0; k < 3; ++k) all.push_back(kLength * turn.angle() * turn.axis()[k]);
+  }
+  return Eigen::Map<const VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
+  // Where the motor moves every joint, the loop closes by itself or not at all.
+  if (passives_.empty())
+    return gaps(u, y).cwiseAbs().maxCoeff() < kClosed ? std::optional<VectorXd>(y) : std::nullopt;
+  std::vector<Stop> stops(passives_.size(), Stop::kNone);
+  for (int iteration = 0; iteration < 400; ++iteration) {
+    const VectorXd c = gaps(u, y);
+    const MatrixXd J = slopes(u, y);
+    bool decided = true;
+    VectorXd d = free_step(c, J, y, stops, decided);
+    if (c.cwiseAbs().maxCoeff() < kClosed && d.cwiseAbs().maxCoeff() < 1e-10) {
+      if (release(J, y, stops)) continue;
+      return decided ? std::optional<VectorXd>(y) : std::nullopt;
+    }
+    // On a stop that leaves no way to close, the search is at its end.
+    if (d.isZero(0) && !release(J, y, stops)) return {};
+    const double longest = d.cwiseAbs().maxCoeff();
+    if (longest > kStep) d *= kStep / longest;
+    go(y, d, stops);
+  }
+  return {};
+}
+
+MatrixXd Linkage::slopes(double u, const VectorXd& y) const {
+  MatrixXd J;
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const VectorXd e = kDifference * VectorXd::Unit(y.size(), i);
+    const VectorXd column = (gaps(u, y + e) - gaps(u, y - e)) / (2 * kDifference);
+    if (i == 0) J.resize(column.size(), y.size());
+    J.col(i) = column;
+  }
+  return J;
+}
+
+/// Goes as far as the first limit, and rests on it.
+void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<Stop>& stops) const {
+  double share = 1;
+  std::size_t first = stops.size();
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(i);
+    if (stops[i] != Stop::kNone || d[at] == 0) continue;
+    const double limit = d[at] < 0 ? passives_[i].lower : passives_[i].upper;
+    const double until = std::max(0.0, (limit - y[at]) / d[at]);
+    if (until >= share) continue;
+    share = until;
+    first = i;
+  }
+  y += share * d;
+  if (first == stops.size()) return;
+  const auto at = static_cast<Eigen::Index>(first);
+  stops[first] = d[at] < 0 ? Stop::kLower : Stop::kUpper;
+  y[at] = d[at] < 0 ? passives_[first].lower : passives_[first].upper;
+}
+
+/// Frees the joint that springs pull off its limit most, if any.
+bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<Stop>& stops) const {
+  // Forces of the loop, least of those that balance the springs of free joints.
+  VectorXd pull(y.size());
+  MatrixXd balance = J.transpose();
+  for (Eigen::Index i = 0; i < y.size(); ++i) {
+    const Passive& passive = passives_[static_cast<std::size_t>(i)];
+    pull[i] = passive.stiffness * (passive.rest - y[i]);
+    if (stops[static_cast<std::size_t>(i)] != Stop::kNone) balance.row(i).setZero();
+  }
+  Eigen::JacobiSVD<MatrixXd> svd(balance, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(kRank);
+  VectorXd free = pull;
+  for (Eigen::Index i = 0; i < y.size(); ++i)
+    if (stops[static_cast<std::size_t>(i)] != Stop::kNone) free[i] = 0;
+  const VectorXd left = pull - J.transpose() * svd.solve(free);  // on each joint [N m] or [N]
+  std::size_t worst = stops.size();
+  double most = 1e-9 * pull.cwiseAbs().maxCoeff();
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const double off = (stops[i] == Stop::kLower ? 1 : -1) * left[static_cast<Eigen::Index>(i)];
+    if (stops[i] == Stop::kNone || off <= most) continue;
+    most = off;
+    worst = i;
+  }
+  if (worst == stops.size()) return false;
+  stops[worst] = Stop::kNone;
+  return true;
+}
+
+/// Least spring energy with J d = -c, joints on limits staying there.
+VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd& y,
+                            const std::vector<Stop>& stops, bool& decided) const {
+  std::vector<Eigen::Index> free;
+  VectorXd d = VectorXd::Zero(y.size());
+  for (std::size_t i = 0; i < stops.size(); ++i)
+    if (stops[i] == Stop::kNone) free.push_back(static_cast<Eigen::Index>(i));
+  if (free.empty()) return d;
+  MatrixXd A(J.rows(), static_cast<Eigen::Index>(free.size()));
+  for (std::size_t f = 0; f < free.size(); ++f)
+    A.col(static_cast<Eigen::Index>(f)) = J.col(free[f]);
+  Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
+  svd.setThreshold(kRank);
+  const VectorXd least = svd.solve(VectorXd(-c));
+  const MatrixXd Z = svd.matrixV().rightCols(A.cols() - svd.rank());
+  VectorXd x = least;
+  if (Z.cols() > 0) {
+    VectorXd k(A.cols()), pull(A.cols());
+    for (std::size_t f = 0; f < free.size(); ++f) {
+      const Passive& passive = passives_[static_cast<std::size_t>(free[f])];
+      const auto at = static_cast<Eigen::Index>(f);
+      k[at] = passive.stiffness;
+      pull[at] = passive.stiffness * (passive.rest - y[free[f]] - least[at]);
+    }
+    const MatrixXd H = Z.transpose() * k.asDiagonal() * Z;
+    const Eigen::FullPivLU<MatrixXd> lu(H);
+    decided = H.cwiseAbs().maxCoeff() > 0 && lu.rank() == Z.cols();
+    if (decided) x += Z * lu.solve(Z.transpose() * pull);
+  }
+  for (std::size_t f = 0; f < free.size(); ++f) d[free[f]] = x[static_cast<Eigen::Index>(f)];
+  return d;
+}
+
+}  // namespace thenar::internal
