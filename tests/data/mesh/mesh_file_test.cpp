@@ -162,6 +162,21 @@ TEST_F(MeshFile, TessellatesBallsOfInventor) {
   EXPECT_GT(enclosed_volume(mesh), 0.9 * 36 * M_PI);
 }
 
+TEST_F(MeshFile, HasNoNeedOfTexturesThatAreNotThere) {
+  testing::internal::CaptureStderr();
+  std::string inventor = cube_vrml1("#Inventor V2.1 ascii");
+  inventor.insert(inventor.find("Coordinate3"), "Texture2 { filename \"lost.png\" }\n");
+  expect_cube("textured.iv", inventor, 10);
+  std::string vrml = cube_vrml1();
+  vrml.insert(vrml.find("Coordinate3"), "Texture2 { filename \"lost.rgb\" }\n");
+  expect_cube("textured.wrl", vrml, 10);
+  std::string vrml2 = cube_vrml2();
+  vrml2.insert(vrml2.find("geometry"),
+               "appearance Appearance { texture ImageTexture { url \"lost.jpg\" } }\n");
+  expect_cube("textured2.wrl", vrml2, 10);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(MeshFile, NamesTheLineOfBrokenInventor) {
   testing::internal::CaptureStderr();
   EXPECT_THAT(refusal("bad.iv", "#Inventor V2.1 ascii\nSeparator {\n  Cube { width x }\n}\n"),

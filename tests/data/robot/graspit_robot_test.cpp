@@ -126,6 +126,32 @@ TEST_F(GraspitRobot, ReadsMotors) {
   EXPECT_TRUE(matrix_near(robot.approach.direction, Eigen::Vector3d(0, 0.6, 0.8), kRounding));
 }
 
+// Some files have -1 for efforts that nobody knows.
+TEST_F(GraspitRobot, TakesNegativeEffortsForUnknown) {
+  std::string dofs = kDofs;
+  dofs.replace(dofs.find("2.5e9"), 5, "-1");
+  const RobotSpec robot = read(dofs + "<chain>" + hinge("d0", "1", "0") + hinge("d1", "1", "0") +
+                               "<link>link.xml</link><link>link.xml</link></chain>");
+  EXPECT_EQ(robot.dofs[1].max_effort, 0);
+  EXPECT_FALSE(robot.dofs[1].nominal_effort);
+  EXPECT_NEAR(robot.dofs[0].max_effort, 5, kRounding);
+  EXPECT_THAT(robot.warnings, Contains(AllOf(HasSubstr("maxEffort of 'd1' is -1"),
+                                             HasSubstr("taken for unknown"))));
+}
+
+// What it is then is guessed of the closing hand; a place without a way says nothing either.
+TEST_F(GraspitRobot, KnowsWhetherAnApproachIsStated) {
+  const std::string chain = kDofs + "<chain>" + hinge("d0", "1", "0") + hinge("d1", "1", "0") +
+                            "<link>link.xml</link><link>link.xml</link></chain>";
+  const std::string place = "<referenceLocation>0 0 20</referenceLocation>";
+  EXPECT_FALSE(read(chain).approach_stated);
+  EXPECT_FALSE(
+      read(chain + "<approachDirection>" + place + "</approachDirection>").approach_stated);
+  EXPECT_TRUE(read(chain + "<approachDirection>" + place +
+                   "<direction>0 0 1</direction></approachDirection>")
+                  .approach_stated);
+}
+
 // 5e7 units of force are 50 N; lengths in mm; the turn stands before the slide.
 TEST_F(GraspitRobot, DoesNotHeedTheCaseOfElements) {
   std::string chain = kDofs + "<chain>" + hinge("d1", "30", "0") + "<link>link.xml</link></chain>";

@@ -6,6 +6,7 @@
 
 #include "base/angles.h"
 #include "base/shapes/mass_properties.h"
+#include "base/shapes/solid.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
@@ -210,6 +211,25 @@ TEST_F(Urdf, MendsALeakyMeshAndNamesItsLink) {
   EXPECT_EQ(robot.links[1].shapes[0].mesh_file, "");
   const RobotSpec again = parse_robot(robot_toml(robot), path("again.toml"));
   EXPECT_EQ(again.links[1].shapes[0].mesh.vertices, robot.links[1].shapes[0].mesh.vertices);
+}
+
+// Two triangles without area beside the four of a wedge, and a scale that makes the shape a surface
+// of its own: what is written is read back and built.
+TEST_F(Urdf, WritesMeshesWithTrianglesWithoutAreaSoThatTheyAreReadBack) {
+  write_file(
+      path("thin.off"),
+      "OFF\n6 6 0\n0 0 0\n20 0 0\n0 10 0\n0 0 5\n10 0 0\n15 0 0\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 "
+      "3\n3 0 4 1\n3 4 5 1\n");
+  std::string text = with_mesh("thin.off");
+  text.replace(text.find("0.001 0.001 0.001"), 17, "0.001 0.001 0.002");
+  write_file(path("r.urdf"), text);
+  const RobotSpec robot = import_robot(path("r.urdf"));
+  ASSERT_EQ(robot.links[1].shapes.size(), 1U);
+  const RobotSpec again = parse_robot(robot_toml(robot), path("again.toml"));
+  ASSERT_EQ(again.links[1].shapes.size(), 1U);
+  // 20 x 10 x 10 / 6 mm^3.
+  EXPECT_NEAR(mass_properties(again.links[1].shapes[0].mesh, 1).mass, 2e-6 / 6, 1e-18);
+  EXPECT_LT(build_solid(again.links[1].shapes).shape->distance({0.002, 0.001, 0.001}), 0);
 }
 
 TEST_F(Urdf, LeavesOutAFlatMeshAndSaysSo) {
