@@ -125,6 +125,7 @@ ForceSet free_forces(const WrenchSet& set) {
     forces.wrench.middleCols(column + 1, cap.A.cols()) = cap.A;
     forces.normals(column) = 1;
     forces.cones.push_back(1 + static_cast<int>(cap.A.cols()));
+    forces.patch.push_back(cap.contact);
     column += 1 + cap.A.cols();
   }
   return forces;

@@ -31,7 +31,9 @@ struct ForceSet {
   std::vector<int> cones;                           // rows of each: those of contacts first
   Eigen::RowVectorXd normals;                       // sums the normal forces of y (n)
   std::vector<int> borne;                           // contact of each entry of p
-  Eigen::VectorXd effort_unit;                      // of each actuator (actuators)
+  std::vector<int> patch;       // of each contact: those of one number >= 0 are points of one face,
+                                // -1: of its own
+  Eigen::VectorXd effort_unit;  // of each actuator (actuators)
   int contacts = 0;
 };
 

@@ -8,6 +8,7 @@
 #include "base/spatial.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/quality/force_set.h"
+#include "grasp/quality/hold_force.h"
 #include "grasp/quality/regions.h"
 #include "grasp/quality/robustness.h"
 #include "grasp/quality/volume.h"
@@ -183,6 +184,38 @@ TEST(PatchLimit, LoadsHaveTheSameLimit) {
         largest_load(unit_forces(set_of(contacts), ForceLimit::kLinf), Wrench::Unit(1));
     EXPECT_NEAR(reach.value, 1, 1e-8);
   }
+}
+
+// A weight of 1 N across: each face bears half of it by friction, and so presses 1 N, however it is
+// cut; point by point its corners share that, 0.25 N each.
+TEST(PatchLimit, HoldsNeedTheSameForceOfAPatch) {
+  std::mt19937 rng(6);
+  for (const std::vector<Contact>& contacts :
+       {jaws(0.5), twice(jaws(0.5)), subdivided(jaws(0.5), rng)}) {
+    const HoldForce hold =
+        smallest_hold(free_forces(set_of(contacts)), Wrench::Unit(1), Squeeze::kLargest);
+    EXPECT_NEAR(hold.squeeze, 1, 1e-8);
+  }
+}
+
+// Whatever forces of at most 1 N withstand k times a load, 1 / k of them withstand the load: the
+// least squeeze and the largest load are two programmes for one number, of points and of patches.
+TEST(PatchLimit, HoldsAndLoadsAreOneNumber) {
+  std::mt19937 rng(7);
+  for (const std::vector<Contact>& contacts :
+       {jaws(0.5), subdivided(jaws(0.8), rng), random_contacts(rng, 5)})
+    for (int i = 0; i < 10; ++i) {
+      const WrenchSet set = set_of(contacts);
+      const Wrench load = Wrench::NullaryExpr([&] { return uniform(rng, -1, 1); });
+      for (const auto& [limit, squeeze] : {std::pair(ForceLimit::kL1, Squeeze::kSum),
+                                           std::pair(ForceLimit::kLinf, Squeeze::kLargest)}) {
+        const Reach most = largest_load(unit_forces(set, limit), load);
+        const HoldForce hold = smallest_hold(free_forces(set), load, squeeze);
+        if (most.value < 1e-6) continue;  // not held at all
+        ASSERT_EQ(hold.status, ConeStatus::kSolved);
+        EXPECT_NEAR(hold.squeeze * most.value, 1, 1e-7);
+      }
+    }
 }
 
 // A rigid face that is off is off as a whole.
