@@ -136,13 +136,14 @@ std::optional<GraspMatrixMeasures> matrix_of(const ContactFile& file) {
 
 /// Each load by itself; the margin is the least of them.
 TaskAnswer answer_loads(const ForceSet& forces, const std::vector<Wrench>& loads, double largest) {
-  TaskAnswer found{{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero()}, {}};
+  TaskAnswer found{{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero(), 0}, {}};
   for (const Wrench& load : loads) {
     if (load.isZero(0)) {
       found.squeezes.push_back(0);
       continue;
     }
     const Reach reach = largest_load(forces, load);
+    found.margin.residual = std::max(found.margin.residual, reach.residual);
     if (reach.status != ConeStatus::kSolved) {
       found.squeezes.push_back(std::numeric_limits<double>::quiet_NaN());
       found.margin.status = reach.status;
@@ -150,9 +151,9 @@ TaskAnswer answer_loads(const ForceSet& forces, const std::vector<Wrench>& loads
     }
     const double k = reach.value * load.norm() < kNothing * largest ? 0 : reach.value;
     found.squeezes.push_back(1 / k);
-    if (k >= found.margin.upper) continue;
-    found.margin.lower = found.margin.upper = k;
-    found.margin.worst_load = load;
+    if (k < found.margin.lower) found.margin.worst_load = load;
+    found.margin.lower = std::min(found.margin.lower, k);
+    found.margin.upper = std::min(found.margin.upper, k == 0 ? 0 : reach.bound);
   }
   return found;
 }
@@ -165,7 +166,7 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
   const ForceSet forces = unit_forces(set, question.limit);
   TaskAnswer found;
   if (set.caps.empty()) {
-    found.margin = {ConeStatus::kSolved, 0, 0, loads[0]};
+    found.margin = {ConeStatus::kSolved, 0, 0, loads[0], 0};
     if (file.task.kind == FileTask::Kind::kLoads) found.squeezes.assign(loads.size(), kInfinity);
   } else if (file.task.kind == FileTask::Kind::kLoads) {
     found = answer_loads(forces, loads, largest_wrench(set));
@@ -206,7 +207,8 @@ Json task_json(const TaskAnswer& task, bool planar) {
           {"squeeze_N", known ? finite(1 / task.margin.lower) : Json(nullptr)},
           {"squeezes_N", squeezes},
           {"worst_load", wrench_json(task.margin.worst_load, planar)},
-          {"solved", known}};
+          {"solved", known},
+          {"residual", task.margin.residual}};
 }
 
 Json matrix_json(const GraspMatrixMeasures& m) {

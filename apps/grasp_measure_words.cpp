@@ -22,6 +22,7 @@ void put(Ordered& json, Ordered& reasons, const char* key, const Measured<Value>
 Ordered ball_json(const InscribedBall& ball) {
   return {{"lower", ball.lower},
           {"upper", ball.upper},
+          {"residual", ball.residual},
           {"worst_load", to_json(ball.worst_load)},
           {"worst_load_words", direction_words(ball.worst_load)}};
 }

@@ -30,8 +30,11 @@ class Search {
 
   InscribedBall run() {
     // Most sets hold the zero wrench, whose neighbourhood is what counts.
-    if (smallest_hold(forces_, Wrench::Zero(), Squeeze::kSum).status == ConeStatus::kSolved)
+    const HoldForce none = smallest_hold(forces_, Wrench::Zero(), Squeeze::kSum);
+    if (none.status == ConeStatus::kSolved) {
       points_.caps.push_back({Wrench::Zero(), {}});
+      result_.residual = none.residual;
+    }
     ++result_.programs;
     for (int i = 0; i < 6 && ok(); ++i)
       for (const double sign : {1.0, -1.0}) (void)look(sign * Wrench::Unit(i));
@@ -55,8 +58,9 @@ class Search {
       result_.status = reach.status;
       return false;
     }
-    if (reach.value < result_.upper) {
-      result_.upper = reach.value;
+    result_.residual = std::max(result_.residual, reach.residual);
+    if (reach.bound < result_.upper) {
+      result_.upper = reach.bound;
       result_.worst_load = -u;
     }
     const bool is_new =
@@ -84,8 +88,12 @@ class Search {
   WrenchSet points_;
   double size_ = 0;
   bool exhausted_ = false;
-  InscribedBall result_{ConeStatus::kSolved, -std::numeric_limits<double>::infinity(),
-                        std::numeric_limits<double>::infinity(), Wrench::Zero(), 0};
+  InscribedBall result_{ConeStatus::kSolved,
+                        -std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::infinity(),
+                        Wrench::Zero(),
+                        0,
+                        0};
 };
 
 }  // namespace
@@ -106,7 +114,7 @@ InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options)
           options.strength, options.most_programs);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (is_unlimited(forces, 6))
-    return {ConeStatus::kUnbounded, kInfinity, kInfinity, Wrench::Zero(), 12};
+    return {ConeStatus::kUnbounded, kInfinity, kInfinity, Wrench::Zero(), 12, 0};
   return Search(forces, options).run();
 }
 

@@ -16,16 +16,18 @@ struct BallOptions {
 struct [[nodiscard]] InscribedBall {
   ConeStatus status;  // kSolved, kInfeasible: no force is possible, kStalled: gave up early,
                       // kUnbounded: every wrench can be made, bounds are infinite
-  double lower;       // [N], rounding of the programmes (1e-10 of their size) aside
-  double upper;       // [N]
+  double lower;       // [N]: the radius is in [lower, upper], each to within `residual` times 1 N
+  double upper;       // and the largest wrench that was met
   Wrench worst_load;  // unit: the load withstood least (6)
   int programs;       // cone programmes solved
+  double residual;    // the largest of them: of their KKT conditions, computed anew [1]
 };
 
 /// epsilon = min over |u| = 1 of h(u), h the support function of the set, a cone programme for
-/// each direction. Points found by the programmes span a hull inside the set, whose nearest facet
-/// bounds it from below and is the next direction to ask: see epsilon().
-/// Zero or negative: some load is not withstood, however small. Infinite: is_unlimited().
+/// each direction, whose multipliers bound it from above. Points found by the programmes span a
+/// hull inside the set, whose nearest facet bounds it from below and is the next direction to ask:
+/// see epsilon(). Zero or negative: some load is not withstood, however small. Infinite:
+/// is_unlimited().
 /// @throws InputError if a setting is not positive
 /// Source: [Krug2017] for wrench sets bounded by actuators.
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options = {});

@@ -1,5 +1,6 @@
 #include "grasp/quality/task_wrenches.h"
 
+#include <algorithm>
 #include <limits>
 
 #include <Eigen/QR>
@@ -53,15 +54,17 @@ ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>
 }  // namespace
 
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<Wrench>& loads) {
-  TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero()};
+  TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero(), 0};
   for (const Wrench& load : loads) {
     if (load.isZero(0)) continue;
     const Reach reach = largest_load(forces, load);
-    const bool known =
-        reach.status == ConeStatus::kSolved || reach.status == ConeStatus::kUnbounded;
-    if (known && !(reach.value < margin.upper)) continue;
-    margin = {known ? ConeStatus::kSolved : reach.status, reach.value, reach.value, load};
-    if (!known) break;
+    if (reach.status == ConeStatus::kUnbounded) continue;
+    margin.residual = std::max(margin.residual, reach.residual);
+    if (reach.status != ConeStatus::kSolved)
+      return {reach.status, reach.value, reach.bound, load, margin.residual};
+    if (reach.value < margin.lower) margin.worst_load = load;
+    margin.lower = std::min(margin.lower, reach.value);
+    margin.upper = std::min(margin.upper, reach.bound);
   }
   return margin;
 }
@@ -94,16 +97,15 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
           qr.rank());
   ForceSet sliced = slice_along(forces, qr);
   if (is_unlimited(sliced, static_cast<int>(Q.cols())))
-    return {ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero()};
+    return {ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero(), 0};
   if (Q.cols() < 6) {
-    sliced.h.conservativeResize(sliced.h.size());
     const Reach any = farthest_wrench(sliced, Wrench::Unit(0));
     const double width = any.status == ConeStatus::kSolved ? any.value : options.strength;
     add_box(sliced, 6 - Q.cols(), 2 * std::max(width, 1e-3));
   }
   const InscribedBall ball = inscribed_ball(sliced, options);
   return {ball.status, std::max(0.0, ball.lower), std::max(0.0, ball.upper),
-          Q * ball.worst_load.head(Q.cols())};
+          Q * ball.worst_load.head(Q.cols()), ball.residual};
 }
 
 }  // namespace thenar

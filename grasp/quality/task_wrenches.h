@@ -11,12 +11,14 @@ namespace thenar {
 /// The largest k for which every load of k T is withstood, T the loads of a task.
 struct [[nodiscard]] TaskMargin {
   ConeStatus status;  // of the programme that failed, else kSolved
-  double lower;       // certified: the true k is in [lower, upper]
+  double lower;       // the true k is in [lower, upper], each to within `residual` of 1 + itself
   double upper;       // infinite where nothing limits the forces
   Wrench worst_load;  // of T, or on its boundary: the first that is not withstood (6)
+  double residual;    // the largest of its programmes: of their KKT conditions, computed anew [1]
 };
 
-/// T a list of loads: k = min over loads of largest_load(), one programme each. As the wrenches
+/// T a list of loads: k = min over loads of largest_load(), one programme each, between the forces
+/// that it found and the bound of its multipliers. As the wrenches
 /// are convex, k T is withstood with all that lies between its loads and zero. No load: k infinite.
 /// Source: [Pollard1994] for task wrench sets.
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<Wrench>& loads);

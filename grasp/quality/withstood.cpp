@@ -74,10 +74,14 @@ void judge_leverage(const ConeProgram& program, double way, ConeResult& solution
 /// The value is minus the objective.
 Reach reach_of(const ForceSet& forces, const ConeResult& solution) {
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  Reach reach{solution.status, std::numeric_limits<double>::quiet_NaN(), forces.wrench * y,
-              contact_forces(forces, y), solution.residual};
-  if (solution.status == ConeStatus::kSolved) reach.value = -solution.objective;
-  if (solution.status == ConeStatus::kUnbounded) reach.value = kInfinity;
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  Reach reach{solution.status,  kNone, kNone, forces.wrench * y, contact_forces(forces, y),
+              solution.residual};
+  if (solution.status == ConeStatus::kSolved) {
+    reach.value = -solution.objective;
+    reach.bound = std::max(reach.value, -solution.dual);
+  }
+  if (solution.status == ConeStatus::kUnbounded) reach.value = reach.bound = kInfinity;
   if (solution.status != ConeStatus::kSolved) reach.wrench.setZero();
   return reach;
 }

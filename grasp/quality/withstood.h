@@ -10,6 +10,7 @@ namespace thenar {
 struct [[nodiscard]] Reach {
   ConeStatus status;     // read this first
   double value;          // infinite where unbounded, NaN where infeasible or stalled
+  double bound;          // from above, by the multipliers: >= value; like value unless solved
   Wrench wrench;         // made there, zero unless solved (6)
   ContactForces forces;  // that make it
   double residual;       // of the KKT conditions [1]

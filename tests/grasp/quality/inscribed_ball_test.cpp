@@ -50,6 +50,24 @@ TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
   EXPECT_LE(ball.upper - ball.lower, 0.01 * ball.upper + kSolved);
 }
 
+// What is between the bounds, widened by the residual, holds the closed form: the cross-polytope's
+// 1 / sqrt 6, and 12 mu of two motors of 6 N.
+TEST(InscribedBall, StatesTheResidualOfItsProgrammes) {
+  const InscribedBall ball = inscribed_ball(unit_forces(axes(), ForceLimit::kL1));
+  EXPECT_GT(ball.residual, 0);
+  EXPECT_LT(ball.residual, 1e-9);
+  EXPECT_LE(ball.lower - 2 * ball.residual, 1 / std::sqrt(6.0));
+  EXPECT_GE(ball.upper + 2 * ball.residual, 1 / std::sqrt(6.0));
+
+  const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
+  const TaskMargin margin = margin_of_loads(hand, {Wrench::Unit(2), Wrench::Unit(1)});
+  EXPECT_GT(margin.residual, 0);
+  EXPECT_LT(margin.residual, 1e-9);
+  EXPECT_LE(margin.lower, margin.upper);
+  EXPECT_LE(margin.lower - 4 * margin.residual, 3);
+  EXPECT_GE(margin.upper + 4 * margin.residual, 3);
+}
+
 // Hard fingers leave a twist: no ball, however strong the motors.
 TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
