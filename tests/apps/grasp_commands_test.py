@@ -338,6 +338,42 @@ class GraspOfJaws(unittest.TestCase):
             self.assertEqual(drawn["starts"]["force_closures"], cell["closures"])
             self.assertAlmostEqual(drawn["epsilon"]["lower"], max(cell["epsilon"]), delta=1e-12)
 
+    # An L of 32 cm^3 from overlapping boxes of 16 and 24 in one mesh: its centre is at 25, 0, 15 mm and its farthest
+    # corner sqrt(15^2 + 10^2 + 35^2) mm off. To count the overlap twice would give 26, 0, 12 mm and another epsilon.
+    def test_overlapping_boxes_are_grasped_and_compared_about_the_centre_of_their_union(self):
+        text, first = "", 1
+        for low, high in [((0, -10, -10), (40, 10, 10)), ((20, -10, -10), (40, 10, 50))]:
+            for i in range(8):
+                text += "v {} {} {}\n".format(*[(high if i >> k & 1 else low)[k] for k in range(3)])
+            for face in [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]:
+                text += "f " + " ".join(str(first + corner) for corner in face) + "\n"
+            first += 8
+        (self.folder / "ell.obj").write_text(text)
+        (self.folder / "ell.toml").write_text(
+            'name = "ell"\ndescription = "Two boxes"\nsource = "Own"\nmaterial = "wood"\nmass_g = 20\n[sources]\n'
+            'Own = "Arranged for this test"\n[[shape]]\nkind = "mesh"\nfile = "ell.obj"\nscale = 0.001\n')
+        world = self.folder / "parcel.toml"
+        world.write_text(PARCEL.format(data=self.folder).replace("/objects/box.toml", "/ell.toml"))
+        seed = ("--seed", "2")
+        drawn = self.ask("grasp", str(world), "--hand", "parallel_jaw", "--random", "12", *seed)
+        cell = self.ask("compare", "--hands", "parallel_jaw", "--objects", str(self.folder / "ell.toml"),
+                        "--approaches", "12", "--best", "0", *seed)["cells"][0]
+        self.assertGreater(cell["closures"], 0)
+        self.assertEqual(drawn["starts"]["force_closures"], cell["closures"])
+        self.assertAlmostEqual(drawn["epsilon"]["lower"], max(cell["epsilon"]), delta=1e-12)
+
+        def about(centre, reach):
+            contacts = [{"position": c["position_m"], "normal": c["normal"], "friction": c["friction"],
+                         "torsion": c["torsion_m"], "patch": c["patch"]} for c in drawn["contacts"]]
+            path = self.folder / "contacts.json"
+            path.write_text(json.dumps({"centre_of_mass": centre, "torque_scale": reach, "contacts": contacts}))
+            return self.ask("quality", str(path), "--no-volume", "--gap", "1e-6")["epsilon"]
+        union = about([0.025, 0, 0.015], math.sqrt(1550) * 1e-3)
+        twice = about([0.026, 0, 0.012], math.sqrt(14**2 + 10**2 + 38**2) * 1e-3)
+        self.assertLessEqual(drawn["epsilon"]["lower"], union["upper"] + EXACT)
+        self.assertGreaterEqual(drawn["epsilon"]["upper"], union["lower"] - EXACT)
+        self.assertGreater(abs(twice["lower"] - union["lower"]), 0.01)  # the two can be told apart
+
     def test_zeros_have_no_sign_and_time_counts_all(self):
         world = self.world(kind="box", size="size_mm = [20, 20, 20]")
         words = ("grasp", world, "--no-approach", "--robustness", "600", "--json")
