@@ -29,7 +29,8 @@ struct GraspMatrixMeasures {
 
 /// @param G  (3 or 6, k), finite
 /// @throws InputError if an entry is not finite
-/// Source: [RoaSuarez2015], section 2.1, for the measures; [Murray1994] for internal forces.
+/// Source: [RoaSuarez2015] for the measures, those of algebraic properties of G; [Murray1994] for
+/// internal forces.
 [[nodiscard]] GraspMatrixMeasures grasp_matrix_measures(const Eigen::MatrixXd& G);
 
 }  // namespace thenar
