@@ -23,8 +23,10 @@ using internal::Support;
 constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
 constexpr double kUndecided = 1e-9;  // an epsilon below this part of the size has no sign [1]
 constexpr int kPolishAt = 400;       // facets, and twice as many, ..: a lower bar leaves out more
-constexpr int kFewParts = 8,
-              kMostParts = 64;      // of the sphere in a proof, on the way and at the end
+constexpr int kProveAgain = 64;      // times as many facets, after a proof that was not found
+constexpr int kFewParts = 8, kMostParts = 64;  // of the sphere in a proof, on the way, at the end
+constexpr int kLinfParts = 4;                  // of Linf at any time: a part takes 20 to 100 ms
+constexpr int kMostTries = 20;                 // of a proof, each from a lower bound from above
 constexpr double kProvable = 1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
@@ -81,6 +83,7 @@ class Search {
     Hull hull(simplex.points);
     lower_ = -support_.size();
     int next_polish = kPolishAt;
+    int next_proof = kPolishAt;
     while (upper_ > 0 && hull.facets() <= options_.most_facets) {
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
@@ -95,13 +98,16 @@ class Search {
       if (settled() || !hull.insert(reach.p, facet)) break;
       if (hull.facets() < next_polish) continue;
       polish();
-      if (prove(needed_gap(), kFewParts)) break;
+      if (hull.facets() >= next_proof) {
+        if (prove(needed_gap(), linf() ? kLinfParts : kFewParts)) break;
+        next_proof *= kProveAgain;
+      }
       next_polish *= 2;
     }
     facets_ = hull.facets();
     polish();
     for (const double gap : {needed_gap(), kProvable * support_.size()})
-      if (!settled() && prove(gap, kMostParts)) break;
+      if (!settled() && prove(gap, linf() ? kLinfParts : kMostParts)) break;
     return true;
   }
 
@@ -132,12 +138,18 @@ class Search {
   /// Two caps may be nearest along whole families of directions, whose facets grow with 1 / gap:
   /// the lower bound is then had without facets.
   bool prove(double gap, int most_parts) {
-    const double r = upper_ - support_.rounding() - 0.9 * gap;
-    if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
-    const internal::ReachProof proof = internal::prove_reach(support_, r, most_parts);
-    if (!proof.found) return false;
-    lower_ = r;
-    return settled();
+    for (int tries = 0; tries < kMostTries; ++tries) {
+      const double r = upper_ - support_.rounding() - 0.9 * gap;
+      if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
+      const internal::ReachProof proof = internal::prove_reach(support_, r, most_parts);
+      if (proof.found) {
+        lower_ = r;
+        return settled();
+      }
+      if (!proof.below) return false;
+      (void)look(*proof.below);
+    }
+    return false;
   }
 
   Reach look(const Wrench& u) {
@@ -149,6 +161,8 @@ class Search {
     }
     return reach;
   }
+
+  [[nodiscard]] bool linf() const { return support_.limit() == ForceLimit::kLinf; }
 
   /// The gap that also settles the sign.
   [[nodiscard]] double needed_gap() const {

@@ -8,19 +8,21 @@ namespace thenar::internal {
 Support::Support(const WrenchSet& set, ForceLimit limit) : limit_(limit) {
   // Caps of one contact side by side, in the order of their first.
   std::vector<bool> taken(set.caps.size(), false);
+  int contacts = 0;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     double largest = 0;
     for (std::size_t j = i; j < set.caps.size() && !taken[i]; ++j) {
       const WrenchCap& cap = set.caps[j];
       if (j != i && (taken[j] || cap.contact < 0 || cap.contact != set.caps[i].contact)) continue;
-      caps_.push_back(
-          {cap.c, Eigen::Matrix<double, 6, 3>::Zero(), static_cast<int>(cap.A.cols()), false});
+      caps_.push_back({cap.c, Eigen::Matrix<double, 6, 3>::Zero(), static_cast<int>(cap.A.cols()),
+                       contacts, false});
       caps_.back().A.leftCols(cap.A.cols()) = cap.A;
       largest = std::max(largest, cap.c.norm() + cap.A.norm());
       if (j != i) taken[j] = true;
     }
     if (taken[i]) continue;
     caps_.back().last_of_contact = true;
+    ++contacts;
     size_ = limit == ForceLimit::kL1 ? std::max(size_, largest) : size_ + largest;
   }
   rounding_ = 32 * std::numeric_limits<double>::epsilon() * size_;

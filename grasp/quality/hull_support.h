@@ -21,6 +21,7 @@ class Support {
     Wrench c;
     Eigen::Matrix<double, 6, 3> A;
     int axes;              // columns of A in use; the others are 0
+    int contact;           // number, 0, 1, ..
     bool last_of_contact;  // of the caps that share one limit
   };
 

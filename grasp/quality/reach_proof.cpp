@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "grasp/quality/matrix_inequality.h"
+#include "grasp/quality/polish.h"
 
 namespace thenar::internal {
 namespace {
@@ -18,7 +19,9 @@ using Eigen::VectorXd;
 
 constexpr double kEnough = 1e-12;  // least eigenvalue asked of F, the set's size being 1 [1]
 constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
-constexpr Index kDimensions = 7, kTime = 6;  // of x = (u, t), and the place of t
+constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the most being 1 [1]
+constexpr Index kTime = 6;            // place of t in x = (u, t, levels)
+constexpr double kSame = 1e-14;  // caps that differ by less are one, the set's size being 1 [1]
 
 /// Points x with  l'x >= |Z x|; without rows of Z  l'x >= 0.
 struct Cone {
@@ -33,32 +36,79 @@ MatrixXd rows_of(const Cone& cone) {
 
 MatrixXd symmetric(const MatrixXd& X) { return (X + X.transpose()) / 2; }
 
-/// Where no cap reaches r; all sizes divided by that of the set.
-std::vector<Cone> cones_of(const Support& support, double r) {
-  std::vector<Cone> cones;
+/// Caps of which none is written down twice: of L1 and of one patch the second one adds nothing; of
+/// Linf patches of the same single cap reach as one of their sum.
+std::vector<Support::Cap> distinct_caps(const Support& support) {
+  const bool linf = support.limit() == ForceLimit::kLinf;
+  std::vector<Support::Cap> kept, first;  // the first of equal ones, as it was
+  std::vector<int> patch_size(support.caps().size(), 0);
+  for (const Support::Cap& cap : support.caps())
+    ++patch_size[static_cast<std::size_t>(cap.contact)];
+  const auto alone = [&](const Support::Cap& cap) {
+    return patch_size[static_cast<std::size_t>(cap.contact)] == 1;
+  };
   for (const Support::Cap& cap : support.caps()) {
-    Cone cone{(r / support.size()) * VectorXd::Unit(kDimensions, kTime),
-              MatrixXd::Zero(cap.axes, kDimensions)};
-    cone.l.head<6>() -= cap.c / support.size();
-    cone.Z.leftCols<6>() = cap.A.leftCols(cap.axes).transpose() / support.size();
+    const auto same = std::find_if(first.begin(), first.end(), [&](const Support::Cap& other) {
+      const bool joined = !linf || other.contact == cap.contact || (alone(other) && alone(cap));
+      return joined && other.axes == cap.axes &&
+             (other.c - cap.c).norm() + (other.A - cap.A).norm() <= kSame * support.size();
+    });
+    if (same == first.end()) {
+      kept.push_back(cap);
+      first.push_back(cap);
+    } else if (linf && same->contact != cap.contact) {
+      Support::Cap& sum = kept[static_cast<std::size_t>(same - first.begin())];
+      sum.c += cap.c;
+      sum.A += cap.A;
+    }
+  }
+  return kept;
+}
+
+/// What every cap may reach where the set does not reach r: of L1  r t; of Linf levels >= 0, one a
+/// contact, that sum up to  r t.
+std::vector<VectorXd> levels_of(const std::vector<Support::Cap>& caps, double r, ForceLimit limit) {
+  const VectorXd all = r * VectorXd::Unit(kTime + 1, kTime);
+  if (limit == ForceLimit::kL1) return std::vector<VectorXd>(caps.size(), all);
+  const bool two = caps.size() > 1 && caps[0].contact != caps[1].contact;
+  if (!two) return std::vector<VectorXd>(caps.size(), all);
+  const VectorXd level = VectorXd::Unit(kTime + 2, kTime + 1);
+  return {level, r * VectorXd::Unit(kTime + 2, kTime) - level};
+}
+
+/// Where the set does not reach r; all sizes divided by that of the set.
+std::vector<Cone> cones_of(const std::vector<Support::Cap>& caps, const Support& support,
+                           double r) {
+  // What distinct_caps() took for the same may reach less by its rounding.
+  const double margin = kSame * static_cast<double>(support.caps().size());
+  const std::vector<VectorXd> levels =
+      levels_of(caps, r / support.size() + margin, support.limit());
+  const Index d = levels[0].size();
+  std::vector<Cone> cones;
+  for (std::size_t i = 0; i < caps.size(); ++i) {
+    Cone cone{levels[i], MatrixXd::Zero(caps[i].axes, d)};
+    cone.l.head<6>() -= caps[i].c / support.size();
+    cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.size();
     cones.push_back(std::move(cone));
   }
+  if (d > kTime + 1)
+    for (const VectorXd& level : levels) cones.push_back({level, MatrixXd(0, d)});
   return cones;
 }
 
 /// The forms that F is made of, with what their weights must obey.
 class Problem {
  public:
-  explicit Problem(const std::vector<Cone>& cones) {
+  explicit Problem(const std::vector<Cone>& cones) : d_(cones[0].l.size()) {
     for (const Cone& cone : cones)
       if (cone.Z.rows() > 0) add_weight(cone.Z.transpose() * cone.Z - cone.l * cone.l.transpose());
     for (std::size_t i = 0; i < cones.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) add_product(cones[i], cones[j]);
-    // Cuts of the sphere also with (u, t) itself, |u| <= t.
-    const Cone ball{VectorXd::Unit(kDimensions, kTime), MatrixXd::Identity(6, kDimensions)};
+    // Half spaces also with (u, t) itself, |u| <= t.
+    const Cone ball{VectorXd::Unit(d_, kTime), MatrixXd::Identity(6, d_)};
     for (const Cone& cone : cones)
       if (cone.Z.rows() == 0) add_product(cone, ball);
-    VectorXd sphere = VectorXd::Zero(kDimensions);
+    VectorXd sphere = VectorXd::Zero(d_);
     sphere.head<6>().setOnes();
     sphere(kTime) = -1;
     forms_.emplace_back(sphere.asDiagonal());
@@ -67,23 +117,30 @@ class Problem {
   /// Weights for which F is positive definite, or as far as it goes.
   Raised find() const {
     const int least = static_cast<int>(forms_.size());  // the unknown below all eigenvalues of F
-    MatrixInequality F{MatrixXd::Zero(kDimensions, kDimensions), {}};
+    MatrixInequality F{MatrixXd::Zero(d_, d_), {}};
     for (int k = 0; k < least; ++k) F.terms.emplace_back(k, forms_[static_cast<std::size_t>(k)]);
-    F.terms.emplace_back(least, -MatrixXd::Identity(kDimensions, kDimensions));
-    MatrixInequality sum{MatrixXd::Ones(1, 1), {}};
+    F.terms.emplace_back(least, -MatrixXd::Identity(d_, d_));
+    // F by a factor proves the same: the sum of weights is kept of order 1, so that F that is not
+    // positive definite does not shrink to 0 in place of ending below it.
+    MatrixInequality sum{MatrixXd::Ones(1, 1), {}}, some{-kSomeWeight * MatrixXd::Ones(1, 1), {}};
     std::vector<MatrixInequality> all{F};
+    const auto add_to_sum = [&](int k) {
+      sum.terms.emplace_back(k, -MatrixXd::Ones(1, 1));
+      some.terms.emplace_back(k, MatrixXd::Ones(1, 1));
+    };
     VectorXd y = VectorXd::Zero(least + 1);
     for (const int k : weights_) {
       all.push_back({MatrixXd::Zero(1, 1), {{k, MatrixXd::Ones(1, 1)}}});
-      sum.terms.emplace_back(k, -MatrixXd::Ones(1, 1));
+      add_to_sum(k);
       y(k) = 0.5 / static_cast<double>(weights_.size() + products_.size());
     }
     for (const Product& each : products_) {
       all.push_back(bound_of(each));
-      sum.terms.emplace_back(each.kappa, -MatrixXd::Ones(1, 1));
+      add_to_sum(each.kappa);
       y(each.kappa) = 0.5 / static_cast<double>(weights_.size() + products_.size());
     }
     all.push_back(sum);
+    all.push_back(some);
     y(least) = smallest_eigenvalue(form(y)) - 0.5;
     return raise(all, std::move(y), least, kEnough);
   }
@@ -103,7 +160,7 @@ class Problem {
   }
 
   [[nodiscard]] MatrixXd form(const VectorXd& y) const {
-    MatrixXd F = MatrixXd::Zero(kDimensions, kDimensions);
+    MatrixXd F = MatrixXd::Zero(d_, d_);
     for (std::size_t k = 0; k < forms_.size(); ++k) F += y(static_cast<Index>(k)) * forms_[k];
     return F;
   }
@@ -156,35 +213,57 @@ class Problem {
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(X, Eigen::EigenvaluesOnly).eigenvalues()(0);
   }
 
+  Index d_;                      // of x
   std::vector<MatrixXd> forms_;  // one an unknown
   std::vector<int> weights_;     // unknowns that are >= 0
   std::vector<Product> products_;
 };
 
-/// Across the directions that F, with its barrier, leaves in doubt: their mean and the way they lie
-/// farthest apart from (F - least I)^-1, which is their second moment.
-Cone cut_of(const MatrixXd& F, double least) {
-  const MatrixXd one = MatrixXd::Identity(kDimensions, kDimensions);
+/// Second moment of the points x that F, with its barrier, leaves in doubt; that of t is 1.
+MatrixXd doubts_of(const MatrixXd& F, double least) {
+  const MatrixXd one = MatrixXd::Identity(F.rows(), F.cols());
   const MatrixXd moment = (F - least * one).ldlt().solve(one);
-  const Wrench mean = moment.col(kTime).head<6>() / moment(kTime, kTime);
-  const Eigen::Matrix<double, 6, 6> spread =
-      moment.topLeftCorner<6, 6>() / moment(kTime, kTime) - mean * mean.transpose();
-  const Wrench w =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>>(spread).eigenvectors().col(5);
-  Cone cut{VectorXd::Zero(kDimensions), MatrixXd(0, kDimensions)};
-  cut.l.head<6>() = w;
-  cut.l(kTime) = -w.dot(mean);
+  return moment / moment(kTime, kTime);
+}
+
+/// Across the points in doubt where they lie farthest apart, through their mean.
+Cone cut_of(const MatrixXd& doubts) {
+  const Index d = doubts.rows();
+  const VectorXd mean = doubts.col(kTime);
+  const MatrixXd spread = doubts - mean * mean.transpose();
+  const VectorXd w = Eigen::SelfAdjointEigenSolver<MatrixXd>(spread).eigenvectors().col(d - 1);
+  Cone cut{w, MatrixXd(0, d)};
+  cut.l(kTime) = w(kTime) - w.dot(mean);
   return cut;
+}
+
+/// The direction in doubt in which the set reaches least: the mean, and the main ones both ways.
+Wrench least_of(const Support& support, const MatrixXd& doubts) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> main(
+      doubts.topLeftCorner<6, 6>());
+  std::vector<Wrench> ways{doubts.col(kTime).head<6>()};
+  for (const int k : {5, 4})
+    for (const double sign : {1.0, -1.0}) ways.emplace_back(sign * main.eigenvectors().col(k));
+  Wrench best = Wrench::Unit(0);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Wrench& way : ways) {
+    if (!(way.norm() > 0) || !way.allFinite()) continue;
+    const Wrench u = polish(support, way.normalized());
+    if (const double h = support(u).h; h < least) {
+      least = h;
+      best = u;
+    }
+  }
+  return best;
 }
 
 }  // namespace
 
 ReachProof prove_reach(const Support& support, double r, int most_parts) {
-  ReachProof proof{false, 0, std::numeric_limits<double>::infinity()};
-  const std::size_t caps = support.caps().size();
-  if (support.limit() != ForceLimit::kL1 || caps == 0 || caps > kMostProofCaps || !(r > 0))
-    return proof;
-  std::vector<std::vector<Cone>> parts{cones_of(support, r)};
+  ReachProof proof{false, 0, std::numeric_limits<double>::infinity(), {}};
+  const std::vector<Support::Cap> caps = distinct_caps(support);
+  if (caps.empty() || caps.size() > kMostProofCaps || !(r > 0)) return proof;
+  std::vector<std::vector<Cone>> parts{cones_of(caps, support, r)};
   while (!parts.empty()) {
     if (++proof.parts > most_parts) return proof;
     const std::vector<Cone> part = std::move(parts.back());
@@ -196,8 +275,13 @@ ReachProof prove_reach(const Support& support, double r, int most_parts) {
       proof.residual = std::min(proof.residual, least);
       continue;
     }
-    const Cone cut = cut_of(problem.form(raised.y), raised.y(raised.y.size() - 1));
-    if (!cut.l.allFinite()) return proof;
+    const MatrixXd doubts = doubts_of(problem.form(raised.y), raised.y(raised.y.size() - 1));
+    if (!doubts.allFinite()) return proof;
+    if (const Wrench u = least_of(support, doubts); support(u).h + support.rounding() < r) {
+      proof.below = u;
+      return proof;
+    }
+    const Cone cut = cut_of(doubts);
     for (const double side : {1.0, -1.0}) {
       parts.push_back(part);
       parts.back().push_back({side * cut.l, cut.Z});

@@ -2,6 +2,8 @@
 
 /// A proof that a wrench set of two caps reaches far enough in every direction.
 
+#include <optional>
+
 #include "grasp/quality/hull_support.h"
 
 namespace thenar::internal {
@@ -10,6 +12,7 @@ struct ReachProof {
   bool found;       // h(u) >= r for all |u| = 1, proven
   int parts;        // of the sphere that were looked at
   double residual;  // least eigenvalue of all forms F below, the set's size being 1: > 0 if found
+  std::optional<Wrench> below;  // h(u) < r for this unit u: there is no proof
 };
 
 /// Whether  h(u) >= r  for every unit u, by sums of products of cones.
@@ -19,15 +22,17 @@ struct ReachProof {
 /// anything are >= 0 there (the last is 0). If a combination of them with weights >= 0,
 ///   F(u, t) = sum mu_i (|z_i|^2 - l_i^2) + sum (z_i' K_ij z_j - kappa_ij l_i l_j)
 ///             + nu (|u|^2 - t^2),
-/// is a positive definite form, there is no such u. Weights are sought by raise(), and F, kappa and
-/// K are then computed anew and checked with their rounding. Where none are found
-/// the sphere is cut in two, across the direction in which the unproven u lie farthest apart, and
-/// the products of  +-(w'u - b t) >= 0  with all others help in each half.
+/// is a positive definite form, there is no such u. Under kLinf the caps of two contacts have
+/// levels s >= 0 and r t - s >= 0 in place of r t, and s is one more unknown of F. Weights are
+/// sought by raise(), and F, kappa and K are then computed anew and checked with their rounding.
+/// Where none are found, polish() goes down from the directions that F leaves in doubt; if it does
+/// not end below r, the sphere is cut in two, across the direction in which the unproven u lie
+/// farthest apart, and the products of  +-(w'u - b t) >= 0  with all others help in each half.
 ///
 /// A family of nearest directions, as any symmetric pinch has, costs no more than a single one.
 /// @param r  less than the least h(u) by what counts, as it is not found at the least itself
 /// @param most_parts  of the sphere
-/// @return not found where there are more than kMostProofCaps caps, or the limit is not kL1
+/// @return not found where there are more than kMostProofCaps different caps
 /// Source: [BurerAnstreicher2013] for products of second-order cones.
 [[nodiscard]] ReachProof prove_reach(const Support& support, double r, int most_parts);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -39,6 +40,59 @@ TEST(ReachProof, CertifiesSymmetricPinchesAtTheFormula) {
       EXPECT_LE(found.lower, formula(mu, e));
       EXPECT_GE(found.upper, formula(mu, e) - 1e-14);
     }
+}
+
+// With single limits, both arms as long as the torque scale: docs/theory, the same table.
+TEST(ReachProof, CertifiesSymmetricPinchesWithSingleLimitsAtTheFormula) {
+  EpsilonOptions options;
+  options.limit = ForceLimit::kLinf;
+  options.gap = kGap;
+  for (const double mu : {0.3, 1.0})
+    for (const double e : {0.05, 0.9}) {
+      const double expected = std::min(2 * e / std::hypot(e, 1), 2 / std::sqrt(4 + 2 / (mu * mu)));
+      const Epsilon found = epsilon(pinch(mu, e), options);
+      EXPECT_LE(found.upper - found.lower, kGap);
+      EXPECT_LE(found.lower, expected);
+      EXPECT_GE(found.upper, expected - 1e-14);
+    }
+}
+
+// A contact written down twice in another patch brings its force again under Linf, so both twice
+// double epsilon; under L1 it brings nothing.
+TEST(ReachProof, CountsCapsThatAreWrittenDownTwice) {
+  WrenchSet twice = pinch(0.4, 0.3);
+  for (const int i : {0, 1}) {
+    twice.caps.push_back(twice.caps[static_cast<std::size_t>(i)]);
+    twice.caps.back().contact = 2 + i;
+  }
+  EpsilonOptions options;
+  options.gap = kGap;
+  for (const auto& [limit, expected] :
+       {std::pair(ForceLimit::kL1, formula(0.4, 0.3)),
+        std::pair(ForceLimit::kLinf,
+                  2 * std::min(0.6 / std::hypot(0.3, 1), 2 / std::sqrt(4 + 2 / 0.16)))}) {
+    options.limit = limit;
+    const Epsilon found = epsilon(twice, options);
+    EXPECT_LE(found.upper - found.lower, kGap);
+    EXPECT_LE(found.lower, expected);
+    EXPECT_GE(found.upper, expected - 1e-14);
+  }
+}
+
+// Polishing from the hull's best direction ends in a local minimum 0.0135 above epsilon, which no
+// proof can reach: what the form leaves in doubt leads to the global one, in a few parts.
+TEST(ReachProof, LeavesLocalMinima) {
+  const double mu = 0.17511496994795656, e = 0.09337683165635116, s = 0.567877405651143;
+  const double r = std::hypot(0.8599648192823305, 0.3526648961390066, 0.3992165154484186);
+  const WrenchSet set =
+      wrench_set({{{r, 0, 0}, {-1, 0, 0}, mu, e}, {{-r, 0, 0}, {1, 0, 0}, mu, e}}, {0, 0, 0}, s);
+  const double expected =
+      std::min(e / s, 1 / std::sqrt(1 + 1 / (mu * mu) + s * s / (mu * mu * r * r)));
+  const internal::Support support(set, ForceLimit::kL1);
+  const internal::ReachProof proof = internal::prove_reach(support, expected + 0.0135, 8);
+  EXPECT_FALSE(proof.found);
+  ASSERT_TRUE(proof.below.has_value());
+  EXPECT_NEAR(support(*proof.below).h, expected, 1e-9);
 }
 
 int pinches() {
