@@ -79,14 +79,12 @@ class DigitTendons {
                                                           const Eigen::VectorXd& t,
                                                           const TendonPull& at) const;
 
-  /// Moment arms averaged over +-width of each joint in turn. Those of a net jump where a node
-  /// meets a bone or a band begins to bend over one; their averages are continuous.
+  /// How far tendons give at this posture, -d length / d tension, symmetric, with no negative
+  /// eigenvalue; 0 but for a net, whose bands stretch [m/N] (muscles, muscles).
   /// @param at  pull() there
-  /// @return [m/rad] (muscles, coordinates)
-  [[nodiscard]] virtual Eigen::MatrixXd mean_arms(const Eigen::VectorXd& /*q*/,
-                                                  const Eigen::VectorXd& /*t*/,
-                                                  const TendonPull& at, double /*width*/) const {
-    return at.R;
+  [[nodiscard]] virtual Eigen::MatrixXd give(const Eigen::VectorXd& /*q*/, const Eigen::VectorXd& t,
+                                             const TendonPull& /*at*/) const {
+    return Eigen::MatrixXd::Zero(t.size(), t.size());
   }
 
   /// The same digit with bands of a net that go from slack to taut over this strain, so that its

@@ -25,30 +25,6 @@ class Bounds : public Contraction {
   double fibre(int, const MuscleState&) const override { return 0; }
 };
 
-class RigidTendon : public Contraction {
- public:
-  RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
-      : Contraction(std::move(muscles)), options_(options) {}
-  Muscle rung() const override { return Muscle::kRigidTendon; }
-  bool feels_velocity() const override { return true; }
-  bool has_reach() const override { return false; }
-  double tension(int m, const MuscleState& state) const override {
-    return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
-                                state.velocity);
-  }
-  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
-    return rigid_tendon_slopes(muscle(m), options_, state.activation, state.length, state.velocity);
-  }
-  double reach_rate(int, const MuscleState&) const override { return 0; }
-  double reach_at_rest(int, double, double) const override { return 0; }
-  double fibre(int m, const MuscleState& state) const override {
-    return fibre_length(muscle(m), state.length - muscle(m).slack);
-  }
-
- private:
-  HillOptions options_;
-};
-
 class ElasticTendon : public Contraction {
  public:
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
@@ -74,6 +50,37 @@ class ElasticTendon : public Contraction {
   }
   double fibre(int m, const MuscleState& state) const override {
     return fibre_length(muscle(m), state.reach);
+  }
+
+ private:
+  HillOptions options_;
+};
+
+class RigidTendon : public Contraction {
+ public:
+  RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
+      : Contraction(std::move(muscles)), options_(options) {}
+  Muscle rung() const override { return Muscle::kRigidTendon; }
+  bool feels_velocity() const override { return true; }
+  bool has_reach() const override { return false; }
+  double tension(int m, const MuscleState& state) const override {
+    return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
+                                state.velocity);
+  }
+  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
+    return rigid_tendon_slopes(muscle(m), options_, state.activation, state.length, state.velocity);
+  }
+  double reach_rate(int, const MuscleState&) const override { return 0; }
+  double reach_at_rest(int, double, double) const override { return 0; }
+  double fibre(int m, const MuscleState& state) const override {
+    return fibre_length(muscle(m), state.length - muscle(m).slack);
+  }
+  std::unique_ptr<Contraction> softened(double strain) const override {
+    std::vector<Musculotendon> short_ones = muscles();
+    for (Musculotendon& m : short_ones) m.slack = m.optimal;
+    HillOptions options = options_;
+    options.tendon_strain = strain;
+    return std::make_unique<ElasticTendon>(std::move(short_ones), options);
   }
 
  private:

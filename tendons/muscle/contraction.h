@@ -53,6 +53,12 @@ class Contraction {
   /// Reach of muscle m at rest [m]; 0 where it is no state.
   [[nodiscard]] virtual double reach_at_rest(int m, double activation, double length) const = 0;
 
+  /// The same fibres on a short tendon, as long as a fibre, that stretches by `strain` at F0, so
+  /// that tension is a function of states alone; null where it does not depend on velocity.
+  [[nodiscard]] virtual std::unique_ptr<Contraction> softened(double /*strain*/) const {
+    return nullptr;
+  }
+
   /// Length of the fibre over its optimal length [1]; 0 where there are no fibres.
   [[nodiscard]] virtual double fibre(int m, const MuscleState& state) const = 0;
 

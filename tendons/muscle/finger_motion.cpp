@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/LU>
+
 #include "base/error.h"
 #include "tendons/muscle/excursion.h"
 
@@ -13,6 +15,10 @@ using Eigen::VectorXd;
 
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());
+}
+
+bool has_net(const MotionModel& model) {
+  return model.tendons.digit().fidelity.hood == Hood::kFloatingNet;
 }
 
 double weight_energy(const Skeleton& skeleton, const VectorXd& q, const Eigen::Vector3d& gravity) {
@@ -29,11 +35,10 @@ double weight_energy(const Skeleton& skeleton, const VectorXd& q, const Eigen::V
 FingerMotion::FingerMotion(const MotionModel& model)
     : model_(model),
       blended_(model.tendons.blended(model.blend)),
+      softened_(has_net(model) ? model.contraction.softened(kRigidStrain) : nullptr),
       multibody_(model.tendons.digit().skeleton, Passive::kOff),
       damping_(joint_damping(model.tendons.digit().skeleton, model.resistance)),
-      net_feels_(model.contraction.feels_velocity() &&
-                 model.tendons.digit().fidelity.hood == Hood::kFloatingNet),
-      tonus_(model.tendons.digit().fidelity.hood == Hood::kFloatingNet ? model.tonus : 0),
+      tonus_(has_net(model) ? model.tonus : 0),
       muscles_(muscles_of(model)) {
   require(model.tonus >= 0 && model.tonus < 1e3, "tonus must be >= 0, and little, got {} N",
           model.tonus);
@@ -58,18 +63,17 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string trouble = way.trouble.empty() ? "" : "on the way to the start: " + way.trouble;
-  MotionState state{q, q_dot, activation, way.e, {}, {}, 0, 0};
-  if (net_feels_) state.felt = tension(state, VectorXd::Zero(muscles));
-  if (!model_.contraction.has_reach()) return {state, trouble};
+  MotionState state{q, q_dot, activation, way.e, {}, 0, 0};
+  if (!contraction().has_reach()) return {state, trouble};
   VectorXd reach(muscles);
   for (int m = 0; m < muscles; ++m)
-    reach[m] = model_.contraction.reach_at_rest(m, activation[m], muscle_state(state, m).length);
+    reach[m] = contraction().reach_at_rest(m, activation[m], muscle_state(state, m).length);
   state.reach = reach;
   return {state, trouble};
 }
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
-  const Musculotendon& muscle = model_.contraction.muscles()[static_cast<std::size_t>(m)];
+  const Musculotendon& muscle = contraction().muscles()[static_cast<std::size_t>(m)];
   const double reach = state.reach.size() > 0 ? state.reach[m] : 0;
   return {state.activation[m], optimal_length(muscle) + state.excursion[m], 0, reach};
 }
@@ -78,13 +82,8 @@ VectorXd FingerMotion::tension(const MotionState& state, const VectorXd& velocit
   return VectorXd::NullaryExpr(muscles_, [&](Index m) {
     MuscleState muscle = muscle_state(state, static_cast<int>(m));
     muscle.velocity = velocity[m];
-    return tonus_ + model_.contraction.tension(static_cast<int>(m), muscle);
+    return tonus_ + contraction().tension(static_cast<int>(m), muscle);
   });
-}
-
-VectorXd FingerMotion::rested_under(const MotionState& state, const VectorXd& tension) const {
-  if (!net_feels_) return tension;
-  return state.felt.cwiseMax(tonus_ / 2);  // an integrator may pass below the tonus
 }
 
 MotionInstant FingerMotion::at(const MotionState& state) const {
@@ -92,27 +91,43 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
   now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
-    return model_.contraction.fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
+    return contraction().fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
   });
-  if (net_feels_) {
-    const VectorXd felt = rested_under(state, {});
-    now.pull = tendons.pull(state.q, felt, last_nodes_);
-    now.pull.R = tendons.mean_arms(state.q, felt, now.pull, kArmWidth);
-    now.tension = tension(state, -now.pull.R * state.q_dot);
-    now.pull.tau += now.pull.R.transpose() * (now.tension - felt);
-  } else {
-    const bool feels = model_.contraction.feels_velocity();
-    now.tension = tension(
-        state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
-    if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
-      const Index joints = state.q.size();
-      now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
-      now.pull.R = Eigen::MatrixXd::Zero(muscles_, joints);
-      return now;
-    }
-    now.pull = tendons.pull(state.q, now.tension, last_nodes_);
+  const bool feels = contraction().feels_velocity();
+  now.tension = tension(
+      state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
+  if (!now.tension.allFinite()) {  // a trial of the integrator far off: it takes a shorter step
+    const Index joints = state.q.size();
+    now.pull.tau = VectorXd::Constant(joints, HUGE_VAL);
+    now.pull.R = Eigen::MatrixXd::Zero(muscles_, joints);
+    return now;
   }
+  now.pull = tendons.pull(state.q, now.tension, last_nodes_);
   return now;
+}
+
+FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
+                                                     const MotionInstant& now,
+                                                     const VectorXd& excitation) const {
+  TensionRate out;
+  out.excursion = -now.pull.R * state.q_dot;
+  if (!has_net(model_)) return out;
+  VectorXd by_length(muscles_), rest(muscles_);
+  for (Index i = 0; i < muscles_; ++i) {
+    const int m = static_cast<int>(i);
+    const MuscleState muscle = muscle_state(state, m);
+    const TensionSlopes slopes = contraction().tension_slopes(m, muscle);
+    by_length[i] = slopes.by_length;
+    rest[i] = slopes.by_activation *
+                  activation_rate(excitation[i], state.activation[i], model_.activation) +
+              slopes.by_reach * contraction().reach_rate(m, muscle);
+  }
+  out.G = tendons().give(state.q, now.tension, now.pull);
+  out.A = out.G * by_length.asDiagonal();
+  out.A.diagonal().array() += 1;
+  out.excursion = out.A.partialPivLu().solve(out.excursion - out.G * rest);
+  out.tension = by_length.cwiseProduct(out.excursion) + rest;
+  return out;
 }
 
 MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
@@ -126,13 +141,11 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
   MotionState rate = state;
   rate.q = state.q_dot;
   rate.q_dot = multibody_.forward_dynamics({state.q, state.q_dot}, tau, {model_.gravity, {}});
-  rate.excursion = -now.pull.R * state.q_dot;
   for (int m = 0; m < excitation.size(); ++m) {
     rate.activation[m] = activation_rate(excitation[m], state.activation[m], model_.activation);
-    if (rate.reach.size() > 0)
-      rate.reach[m] = model_.contraction.reach_rate(m, muscle_state(state, m));
+    if (rate.reach.size() > 0) rate.reach[m] = contraction().reach_rate(m, muscle_state(state, m));
   }
-  if (net_feels_) rate.felt = (now.tension - state.felt) / kNetLag;
+  rate.excursion = tension_rate(state, now, excitation).excursion;
   rate.work = now.pull.tau.dot(state.q_dot);
   rate.lost = damped.dot(state.q_dot);
   return rate;
@@ -155,10 +168,8 @@ double FingerMotion::kinetic_energy(const MotionState& state) {
 }
 
 VectorXd FingerMotion::pack(const MotionState& state) const {
-  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.reach.size() +
-             state.felt.size() + 2);
-  y << state.q, state.q_dot, state.activation, state.excursion, state.reach, state.felt, state.work,
-      state.lost;
+  VectorXd y(2 * state.q.size() + 2 * state.activation.size() + state.reach.size() + 2);
+  y << state.q, state.q_dot, state.activation, state.excursion, state.reach, state.work, state.lost;
   return y;
 }
 
@@ -174,8 +185,7 @@ MotionState FingerMotion::unpack(const VectorXd& y) const {
   state.q_dot = take(joints);
   state.activation = take(muscles);
   state.excursion = take(muscles);
-  state.reach = take(model_.contraction.has_reach() ? muscles : 0);
-  state.felt = take(net_feels_ ? muscles : 0);
+  state.reach = take(contraction().has_reach() ? muscles : 0);
   state.work = y[next];
   state.lost = y[next + 1];
   return state;
@@ -184,9 +194,8 @@ MotionState FingerMotion::unpack(const VectorXd& y) const {
 VectorXd FingerMotion::scale() const {
   const Index joints = damping_.size(), muscles = muscles_;
   const VectorXd one = VectorXd::Ones(joints), each = VectorXd::Ones(muscles);
-  const VectorXd reach = model_.contraction.has_reach() ? VectorXd(0.01 * each) : VectorXd();
-  const VectorXd felt = net_feels_ ? each : VectorXd();
-  return pack({one, one, each, 0.01 * each, reach, felt, 1e-3, 1e-3});
+  const VectorXd reach = contraction().has_reach() ? VectorXd(0.01 * each) : VectorXd();
+  return pack({one, one, each, 0.01 * each, reach, 1e-3, 1e-3});
 }
 
 }  // namespace thenar

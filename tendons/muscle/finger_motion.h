@@ -14,9 +14,12 @@ namespace thenar {
 /// docs/theory/muscles.md for what it changes.
 inline constexpr double kBlend = 1e-3;
 
-/// Tension that every muscle of a digit with a net adds to its own in motion, and half the angle
-/// over which moment arms that tensions depend on are averaged; choices of ours [N], [rad].
-inline constexpr double kTonus = 5e-3, kArmWidth = 1e-3;
+/// Tension that every muscle of a digit with a net adds to its own in motion, a choice of ours [N].
+inline constexpr double kTonus = 5e-3;
+
+/// Stretch at F0 of the tendon that stands for a rigid one under a net, over the optimal length of
+/// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
+inline constexpr double kRigidStrain = 0.01;
 
 /// Everything about a digit in motion that is constant.
 struct MotionModel {
@@ -36,14 +39,9 @@ struct MotionState {
   Eigen::VectorXd activation;  // [1] (muscles)
   Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (muscles)
   Eigen::VectorXd reach;       // of the fibres [m] (muscles; empty where it is no state)
-  Eigen::VectorXd felt;        // tensions that a net has come to rest under [N] (muscles; empty
-                               // where moment arms ignore tension, or tension velocity)
   double work = 0;             // of the tendons on the joints [J]
   double lost = 0;             // in the dampers of the joints [J]
 };
-
-/// How fast a net takes up the change of a tension [s]; a choice of ours, short for a finger.
-inline constexpr double kNetLag = 1e-3;
 
 /// Where a motion begins.
 struct [[nodiscard]] MotionOnset {
@@ -60,15 +58,15 @@ struct MotionInstant {
 
 /// States change by
 ///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
-///   a' by activation_rate,  excursion' = -R q',  reach' by the contraction,
+///   a' by activation_rate,  excursion' = -R q' - G t',  reach' by the contraction,
 ///   work' = tau_tendons . q',  lost' = q' . damping q'.
 /// A muscle and its tendon are optimal_length + excursion long: by a choice of ours every fibre is
 /// at its optimal length at the subject's reference posture, as no subject says better.
 ///
 /// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
-/// the last accepted state. Where tension depends on velocity and velocity, by a net's moment arms,
-/// on tension, the net rests under tensions that follow those of the muscles within kNetLag, and is
-/// linear about them:  tau = tau(q, felt) + R' (t - felt),  felt' = (t - felt) / kNetLag.
+/// the last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
+/// moment arms, on tension; under a net they are softened by kRigidStrain, so that the reach of the
+/// fibres is a state and tension follows from states alone.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -108,22 +106,34 @@ class FingerMotion {
   [[nodiscard]] MotionState unpack(const Eigen::VectorXd& y) const;
 
   /// Size below which no state is resolved at a relative tolerance of 1: 1 rad, 1 rad/s, 1, 1 cm,
-  /// 1 cm, 1 N, 1 mJ, 1 mJ. Packed.
+  /// 1 cm, 1 mJ, 1 mJ. Packed.
   [[nodiscard]] Eigen::VectorXd scale() const;
 
  private:
   MuscleState muscle_state(const MotionState& state, int m) const;
-  Eigen::VectorXd rested_under(const MotionState& state, const Eigen::VectorXd& tension) const;
   [[nodiscard]] const DigitTendons& tendons() const {
     return blended_ ? *blended_ : model_.tendons;
   }
+  [[nodiscard]] const Contraction& contraction() const {
+    return softened_ ? *softened_ : model_.contraction;
+  }
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
+
+  /// How excursions and tensions change. Under a net  excursion' = -R q' - G t',  with t' in turn
+  /// by excursion':  A excursion' = -R q' - G (t' at excursion' = 0),  A = 1 + G dt/dexcursion.
+  struct TensionRate {
+    Eigen::VectorXd excursion;  // [m/s] (muscles)
+    Eigen::VectorXd tension;    // under a net [N/s] (muscles)
+    Eigen::MatrixXd G, A;       // under a net [m/N], [1] (muscles, muscles)
+  };
+  [[nodiscard]] TensionRate tension_rate(const MotionState& state, const MotionInstant& now,
+                                         const Eigen::VectorXd& excitation) const;
 
   MotionModel model_;
   std::unique_ptr<DigitTendons> blended_;  // null: the model's own
+  std::unique_ptr<Contraction> softened_;  // null: the model's own
   Multibody multibody_;
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
-  bool net_feels_;           // the state has felt tensions
   double tonus_;             // [N]
   Eigen::Index muscles_;
   Eigen::Matrix3Xd last_nodes_;  // [m] (3, nodes)

@@ -1,4 +1,5 @@
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 #include "tendons/muscle/finger_motion.h"
 
@@ -11,40 +12,38 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// How moment arms change: d(R q')/d. and (dR/d.)' t, one column a posture angle or tension.
+/// How moment arms and what tendons give change: d(R q' + G t')/d. at fixed q' and t', one column a
+/// posture angle or tension.
 struct ArmSlopes {
-  MatrixXd speed_by_q, speed_by_t;    // (muscles, coordinates) [m/s/rad], (muscles, muscles)
-  MatrixXd torque_by_q, torque_by_t;  // (coordinates, coordinates), (coordinates, muscles)
+  MatrixXd by_q, by_t;  // (muscles, coordinates) [m/s/rad], (muscles, muscles) [m/s/N]
 };
 
-/// Differences of moment arms, which are themselves slopes.
-/// @param t        tensions that a net rests under [N] (muscles)
-/// @param t_more   that the arms pass on beside those [N] (muscles)
+/// Differences of what is itself a slope.
+/// @param t      tensions [N] (muscles)
+/// @param t_dot  their rates [N/s] (muscles)
 ArmSlopes arm_slopes(const DigitTendons& tendons, const MotionState& state, const VectorXd& t,
-                     const VectorXd& t_more, const TendonPull& here, bool averaged) {
+                     const VectorXd& t_dot, const TendonPull& here) {
   constexpr double kStep = 1e-5;                 // of an angle [rad]
   constexpr double kPart = 1e-3, kLeast = 0.01;  // of a tension and [N]
   const Index joints = state.q.size(), muscles = t.size();
-  const auto arms = [&](const VectorXd& q, const VectorXd& at) {
-    const TendonPull pull = tendons.pull(q, at, here.nodes);
-    return averaged ? tendons.mean_arms(q, at, pull, kArmWidth) : pull.R;
-  };
   const bool net = tendons.digit().fidelity.hood == Hood::kFloatingNet;
-  ArmSlopes out{MatrixXd(muscles, joints), MatrixXd::Zero(muscles, muscles),
-                MatrixXd(joints, joints), MatrixXd::Zero(joints, muscles)};
+  const auto rate = [&](const VectorXd& q, const VectorXd& at, const TendonPull& pull) {
+    VectorXd v = pull.R * state.q_dot;
+    if (net) v += tendons.give(q, at, pull) * t_dot;
+    return v;
+  };
+  const VectorXd v = rate(state.q, t, here);
+  ArmSlopes out{MatrixXd(muscles, joints), MatrixXd::Zero(muscles, muscles)};
   for (Index j = 0; j < joints; ++j) {
     VectorXd q = state.q;
     q[j] += kStep;
-    const MatrixXd dR = (arms(q, t) - here.R) / kStep;
-    out.speed_by_q.col(j) = dR * state.q_dot;
-    out.torque_by_q.col(j) = dR.transpose() * t_more;
+    out.by_q.col(j) = (rate(q, t, tendons.pull(q, t, here.nodes)) - v) / kStep;
   }
   for (Index m = 0; net && m < muscles; ++m) {
     VectorXd more = t;
     more[m] += kPart * (t[m] + kLeast);
-    const MatrixXd dR = (arms(state.q, more) - here.R) / (more[m] - t[m]);
-    out.speed_by_t.col(m) = dR * state.q_dot;
-    out.torque_by_t.col(m) = dR.transpose() * t_more;
+    const TendonPull pull = tendons.pull(state.q, more, here.nodes);
+    out.by_t.col(m) = (rate(state.q, more, pull) - v) / (more[m] - t[m]);
   }
   return out;
 }
@@ -53,54 +52,58 @@ ArmSlopes arm_slopes(const DigitTendons& tendons, const MotionState& state, cons
 
 MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excitation) {
   const Index n = state.q.size(), m = muscles_, size = pack(state).size();
-  const Index a = 2 * n, e = a + m, r = e + m, f = r + state.reach.size();
+  const Index a = 2 * n, e = a + m, r = e + m;
+  constexpr double kStretch = 1e-8;  // [m]
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
   const MotionInstant now = at(state);
   const MatrixXd& R = now.pull.R;
-  const VectorXd under = rested_under(state, now.tension);
-  const VectorXd more = net_feels_ ? VectorXd(now.tension - under) : VectorXd::Zero(m);
-  const ArmSlopes arms = arm_slopes(tendons(), state, under, more, now.pull, net_feels_);
+  const TensionRate rate = tension_rate(state, now, excitation);
+  const ArmSlopes arms = arm_slopes(tendons(), state, now.tension, rate.tension, now.pull);
 
-  // Tensions by all states, the way through R q' apart.
-  MatrixXd t_y = MatrixXd::Zero(m, size), J = MatrixXd::Zero(size, size);
+  // Tensions by all states, the way through R q' apart; and their rates, but by that of excursion.
+  MatrixXd t_y = MatrixXd::Zero(m, size), J = MatrixXd::Zero(size, size), rest_y = t_y;
   VectorXd by_velocity(m);
   for (Index i = 0; i < m; ++i) {
     const int k = static_cast<int>(i);
     MuscleState muscle = muscle_state(state, k);
-    if (model_.contraction.feels_velocity()) muscle.velocity = -R.row(i).dot(state.q_dot);
-    const TensionSlopes slopes = model_.contraction.tension_slopes(k, muscle);
+    if (contraction().feels_velocity()) muscle.velocity = -R.row(i).dot(state.q_dot);
+    const TensionSlopes slopes = contraction().tension_slopes(k, muscle);
     by_velocity[i] = slopes.by_velocity;
     t_y(i, a + i) = slopes.by_activation;
     t_y(i, e + i) = slopes.by_length;
     if (state.reach.size() > 0) {
       t_y(i, r + i) = slopes.by_reach;
-      const ReachRateSlopes rate = model_.contraction.reach_rate_slopes(k, muscle);
-      J(r + i, a + i) = rate.by_activation;
-      J(r + i, e + i) = rate.by_length;
-      J(r + i, r + i) = rate.by_reach;
+      const ReachRateSlopes reach = contraction().reach_rate_slopes(k, muscle);
+      J(r + i, a + i) = reach.by_activation;
+      J(r + i, e + i) = reach.by_length;
+      J(r + i, r + i) = reach.by_reach;
+      rest_y.row(i) = slopes.by_reach * J.row(r + i);
+      // A tendon's stiffness depends on length - reach.
+      MuscleState longer = muscle;
+      longer.length += kStretch;
+      const double bend =
+          (contraction().tension_slopes(k, longer).by_length - slopes.by_length) / kStretch;
+      const double turn = bend * (rate.excursion[i] - contraction().reach_rate(k, muscle));
+      rest_y(i, e + i) += turn;
+      rest_y(i, r + i) -= turn;
     }
     J(a + i, a + i) = activation_rate_slope(excitation[i], state.activation[i], model_.activation);
+    rest_y(i, a + i) += slopes.by_activation * J(a + i, a + i);
   }
 
-  // R q' by all states; a net's R by the tensions that it rests under.
+  // R q' by all states, and what tendons give; for a net by tensions, too.
   MatrixXd v_y = MatrixXd::Zero(m, size), tau_y = MatrixXd::Zero(n, size);
-  v_y.leftCols(n) = arms.speed_by_q;
+  v_y.leftCols(n) = arms.by_q;
   v_y.middleCols(n, n) = R;
-  if (net_feels_)
-    v_y.middleCols(f, m) = arms.speed_by_t;
-  else
-    v_y += arms.speed_by_t * t_y;
+  v_y += arms.by_t * t_y;
   t_y -= by_velocity.asDiagonal() * v_y;
 
   // Torques of the tendons.
-  tau_y.leftCols(n) = tendons().torque_by_posture(state.q, under, now.pull) + arms.torque_by_q;
-  if (net_feels_) tau_y.middleCols(f, m) = arms.torque_by_t;
+  tau_y.leftCols(n) = tendons().torque_by_posture(state.q, now.tension, now.pull);
   tau_y += R.transpose() * t_y;
-  J.block(e, 0, m, size) = -v_y;
-  if (net_feels_) {
-    J.block(f, 0, m, size) = t_y / kNetLag;
-    J.block(f, f, m, m).diagonal().array() -= 1 / kNetLag;
-  }
+  J.block(e, 0, m, size) = rate.G.size() > 0
+                               ? MatrixXd(-rate.A.partialPivLu().solve(v_y + rate.G * rest_y))
+                               : MatrixXd(-v_y);
   J.row(size - 2) = state.q_dot.transpose() * tau_y;
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();

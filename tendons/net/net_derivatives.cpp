@@ -121,6 +121,21 @@ MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeSta
          tension_by_drive(tangent, drive);
 }
 
+MatrixXd pulled_by_drive(const Net& net, const TreeState<double>& state, const NetDrive& drive,
+                         const NetEquilibrium& rest) {
+  const TangentNet tangent = tangent_at(net, state, drive, rest);
+  const MatrixXd D = tension_by_drive(tangent, drive);
+  MatrixXd length(D.rows(), D.cols());
+  Index i = 0;
+  for (const NetInput& input : tightening(tangent, state.size(), D)) {
+    const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
+    for (Index b = 0; b < D.rows(); ++b)
+      length(b, i) = internal::band_rate(tangent, b, input, v).length;
+    ++i;
+  }
+  return D.transpose() * length;
+}
+
 MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
                            const NetDrive& drive, const NetEquilibrium& rest, int coordinates) {
   const TangentNet tangent = tangent_at(net, state, drive, rest);

@@ -37,6 +37,13 @@ namespace thenar {
                                               const TreeState<double>& state, const NetDrive& drive,
                                               const NetEquilibrium& rest, int coordinates);
 
+/// d length/d tension: of the bands that each muscle pulls, by the tension of each [m/N] (muscles,
+/// muscles). Symmetric, with no positive eigenvalue, as the second derivative of
+/// min_x E + sum t length.
+/// @throws InputError as of no_slopes().
+[[nodiscard]] Eigen::MatrixXd pulled_by_drive(const Net& net, const TreeState<double>& state,
+                                              const NetDrive& drive, const NetEquilibrium& rest);
+
 /// d tau/dq while the net stays at rest: minus its stiffness at the joints, symmetric [N m/rad]
 /// (coordinates, coordinates).
 /// @throws InputError as of no_slopes().

@@ -200,34 +200,11 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                                         rest, model.coordinates);
 }
 
-MatrixXd NetTendons::mean_arms(const VectorXd& q, const VectorXd& t, const TendonPull& at,
-                               double width) const {
-  constexpr double kSnap = 1e-3;  // move of a knot within the width that is a jump [m]
-  const NetEquilibrium here = rest(q, t, at.nodes);
-  const auto pulled = [&](const NetEquilibrium& of) {
-    VectorXd length = VectorXd::Zero(shares_.rows());
-    for (std::size_t b = 0; b < net_.net.bands.size(); ++b)
-      if (net_.net.bands[b].muscle >= 0)
-        length[net_.net.bands[b].muscle] += of.length[static_cast<Eigen::Index>(b)];
-    return length;
-  };
-  MatrixXd R = pull_outside(q, t).R;
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    VectorXd change = VectorXd::Zero(shares_.rows());
-    double way = 0;
-    for (const double side : {-width, width}) {
-      const VectorXd there = q + side * VectorXd::Unit(q.size(), j);
-      const NetEquilibrium next = rest(there, t, here.x);
-      if ((next.x - here.x).colwise().norm().maxCoeff() > kSnap) continue;
-      change += (pulled(next) - pulled(here)) / side;
-      way += 1;
-    }
-    if (way > 0)
-      R.col(j) -= shares_.transpose() * change / way;
-    else
-      R.col(j) = at.R.col(j);
-  }
-  return R;
+MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
+  const NetEquilibrium rest = this->rest(q, t, at.nodes);
+  if (!no_slopes(net_.net, rest).empty()) return MatrixXd::Zero(t.size(), t.size());
+  const TreeState<double> state = pose_tree(digit_.model.tree, q);
+  return -shares_.transpose() * pulled_by_drive(net_.net, state, {drive(t), {}}, rest) * shares_;
 }
 
 TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,

@@ -52,9 +52,9 @@ class NetTendons : public DigitTendons {
                                                   const Eigen::VectorXd& t,
                                                   const TendonPull& at) const override;
 
-  /// Of the net by the change of the lengths that muscles pull, whose slopes they are.
-  [[nodiscard]] Eigen::MatrixXd mean_arms(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                          const TendonPull& at, double width) const override;
+  /// Of the net by implicit differentiation; 0 where the net has no slopes.
+  [[nodiscard]] Eigen::MatrixXd give(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                     const TendonPull& at) const override;
 
   /// The same with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;

@@ -90,7 +90,7 @@ class NetMotion : public testing::TestWithParam<const char*> {
     const Index last = path.time.size() - 1;
     const double stretch = at.back().strain - at.front().strain;
     const double gained = path.energy[last] - path.energy[0] + stretch;
-    EXPECT_NEAR(gained, put_in - path.lost[last], 1e-6);  // as without a net [J]
+    EXPECT_NEAR(gained, put_in - path.lost[last], 5e-7);  // of 0.04 [J]
     EXPECT_GT(std::abs(stretch), 2e-5);                   // the net's share is not lost in that [J]
   }
 
@@ -108,6 +108,7 @@ TEST_P(NetMotion, BalancesEnergyWithTheStrainOfTheNet) {
   SimulateOptions options;
   options.seconds = 0.05;
   options.sample = 1e-4;
+  options.tolerance = 1e-7;  // at 1e-6 it makes up to 2e-6 J
   Excitation rising{Eigen::Vector2d(0, 0.05), Eigen::MatrixXd(2, 7)};
   rising.value << kExcited.transpose(), 2 * kExcited.transpose();
   expect_balance(simulate(model(), rising, {kStart, {}, {}}, options));

@@ -293,45 +293,52 @@ TEST(Simulate, NeedsMassBeyondEveryJoint) {
                InputError);
 }
 
-/// A net of one muscle whose moment arm grows with its tension.
-class GrowingArm : public DigitTendons {
+/// Stands for a net: a tendon of constant arm that gives by `kGive` a newton.
+class GivingTendon : public DigitTendons {
  public:
-  explicit GrowingArm(TendonDigit digit) : digit_(std::move(digit)) {
+  static constexpr double kArm = 0.01, kGive = 2e-4;  // [m/rad], [m/N]
+  explicit GivingTendon(TendonDigit digit) : digit_(std::move(digit)) {
     digit_.fidelity.hood = Hood::kFloatingNet;
   }
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
-  static double arm(double t) { return 0.01 * (1 + 0.2 * std::tanh(t / 10)); }
   TendonPull pull(const VectorXd&, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
     TendonPull pull;
-    pull.R = Eigen::MatrixXd::Constant(1, 1, arm(t[0]));
+    pull.R = Eigen::MatrixXd::Constant(1, 1, kArm);
     pull.tau = pull.R.transpose() * t;
     return pull;
+  }
+  Eigen::MatrixXd give(const VectorXd&, const VectorXd&, const TendonPull&) const override {
+    return Eigen::MatrixXd::Constant(1, 1, kGive);
   }
 
  private:
   TendonDigit digit_;
 };
 
-// tau = tau(q, felt) + R' (t - felt), t by the velocity -R(felt) q_dot.
-TEST(FingerMotion, NetIsLinearAboutTheTensionItHasTakenUp) {
+// length = const - arm q - give t, whatever the muscle.
+TEST(Simulate, ExcursionFollowsPostureAndWhatTendonsGive) {
   Subject subject = Pendulum().subject();
   subject.muscles[0].max_force = 50;
   subject.muscles[0].fibre_length = 0.06;
-  const GrowingArm tendons(build_tendon_digit(subject, "index"));
-  const auto contraction = build_contraction(
-      musculotendons(subject, tendons.digit(), Muscle::kRigidTendon), Muscle::kRigidTendon);
-  MotionModel model{tendons, *contraction};
-  model.tonus = 0;
-  FingerMotion motion(model);
-  const VectorXd one = VectorXd::Ones(1);
-  MotionState state = motion.start(VectorXd::Zero(1), 5 * one, 0.5 * one).state;
-  EXPECT_NEAR(state.felt[0], 25, 1e-12);  // a F0
-  state.felt[0] = 8;
-  const MotionInstant now = motion.at(state);
-  const double R = GrowingArm::arm(8), t = contraction->tension(0, {0.5, 0.06, -R * 5, 0});
-  EXPECT_NEAR(now.tension[0], t, 1e-12);
-  EXPECT_NEAR(now.pull.tau[0], R * 8 + R * (t - 8), 1e-15);
-  EXPECT_NEAR(motion.slope(state, 0.5 * one).felt[0], (t - 8) / 1e-3, 1e-8);
+  subject.muscles[0].tendon_slack = 0.2;
+  const GivingTendon tendons(build_tendon_digit(subject, "index"));
+  for (const Muscle rung : {Muscle::kBounds, Muscle::kRigidTendon, Muscle::kElasticTendon}) {
+    const auto contraction =
+        build_contraction(musculotendons(subject, tendons.digit(), rung), rung);
+    SimulateOptions options;
+    options.seconds = 0.05;
+    const VectorXd one = VectorXd::Ones(1);
+    const Trajectory path = simulate({tendons, *contraction}, constant_excitation(0.4 * one),
+                                     {0 * one, {}, 0 * one}, options);
+    ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+    const Eigen::Index last = path.time.size() - 1;
+    const double turn = path.angle(last, 0) - path.angle(0, 0);
+    const double more = path.tension(last, 0) - path.tension(0, 0);
+    EXPECT_GT(GivingTendon::kGive * more, 1e-4);
+    EXPECT_NEAR(path.excursion(last, 0) - path.excursion(0, 0),
+                -GivingTendon::kArm * turn - GivingTendon::kGive * more,
+                1e-6);  // [m], of 1e-3
+  }
 }
 
 // Every bend of a tendon presses on its bone with t (u_in - u_out); bones feel the same motion

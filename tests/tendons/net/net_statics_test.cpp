@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <Eigen/Eigenvalues>
 
 #include "base/error.h"
 #include "tendons/net/net_derivatives.h"
@@ -194,6 +195,35 @@ TEST_P(NetDerivativesOf, LengthByPostureMatchesDifferences) {
       };
       EXPECT_TRUE(matrix_near(slopes.col(l), slope_of(length, 1e-4),
                               2e-6 * slopes.cwiseAbs().maxCoeff() + 1e-9));
+    }
+  }
+}
+
+// By solving anew under another tension; a second derivative of min E, so symmetric and not
+// positive.
+TEST_P(NetDerivativesOf, PulledLengthByDriveMatchesDifferences) {
+  for (const SampleNet& sample : held_nets(GetParam(), 4)) {
+    if ((sample.drive.length.array().isFinite()).any()) continue;
+    const NetEquilibrium rest = rest_of(sample);
+    const Eigen::MatrixXd slopes = pulled_by_drive(sample.net, sample.state(), sample.drive, rest);
+    const double size = slopes.cwiseAbs().maxCoeff();
+    EXPECT_TRUE(matrix_near(slopes, slopes.transpose(), 1e-9 * size));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(slopes);
+    EXPECT_LE(eigen.eigenvalues().maxCoeff(), 1e-9 * size);
+    for (Eigen::Index m = 0; m < slopes.cols(); ++m) {
+      if (sample.drive.tension(m) == 0) continue;
+      const auto pulled = [&](double by) {
+        SampleNet moved = sample;
+        moved.drive.tension(m) += by;
+        const VectorXd length = rest_of(moved, &rest.x).length;
+        VectorXd out = VectorXd::Zero(slopes.rows());
+        for (std::size_t b = 0; b < moved.net.bands.size(); ++b)
+          if (moved.net.bands[b].muscle >= 0)
+            out[moved.net.bands[b].muscle] += length[static_cast<Eigen::Index>(b)];
+        return out;
+      };
+      EXPECT_TRUE(matrix_near(slopes.col(m), slope_of(pulled, 1e-3 * sample.drive.tension(m)),
+                              1e-5 * size + 1e-12));
     }
   }
 }
