@@ -11,6 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kCarried = 1e-9;  // gap of a start that counts as lying on the bone [m]
+constexpr double kLying = 2e-5;    // gap of a start that is tried as lying on the bone [m]
 constexpr double kHard = 10;       // pull at which taut nets swing freely [N]
 
 }  // namespace
@@ -38,7 +39,7 @@ void NetDescent::settle_start(int k) {
   for (int s : node.surfaces) {
     const double gap = gap_world(plan_.net, scene_, s, x_[i]).gap;
     depth = std::min(depth, gap);
-    if (std::abs(gap) <= kCarried && touch.pressed < 3) touch.surface[touch.pressed++] = s;
+    if (std::abs(gap) <= kLying && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
   const Vector3d before = x_[i];
   if (!settle_node(plan_.net, scene_, node, x_[i], touch)) {
