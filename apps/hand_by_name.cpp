@@ -8,6 +8,7 @@
 
 #include "apps/data_folder.h"
 #include "apps/path_option.h"
+#include "apps/signals.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
@@ -40,8 +41,14 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   return hand;
 }
 
+/// Reading a robot keeps nothing, and may take seconds: a signal ends it at once.
+RobotSpec read_robot(const std::string& file) {
+  const SignalsEndAtOnce at_once;
+  return graspable(import_robot(file));
+}
+
 NamedHand robot(const std::string& name, const std::string& file) {
-  const RobotSpec spec = graspable(import_robot(file));
+  const RobotSpec spec = read_robot(file);
   NamedHand hand;
   hand.name = name;
   hand.file = file;

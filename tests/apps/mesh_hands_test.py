@@ -5,8 +5,10 @@ Usage: python3 mesh_hands_test.py THENAR
 import json
 import os
 import resource
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
 import mesh_hands
@@ -31,6 +33,20 @@ class MeshHands(Files):
         done, seconds = run("import", hand, "--out", self.path("hand.toml"))
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertLess(seconds, 15)
+
+    def test_ends_at_once_while_it_reads_a_hand(self):
+        """Nothing is kept by then: it ends by the signal, and leaves no reader of meshes behind."""
+        mesh_hands.gripper(self.folder.name, 120, 120)
+        world = self.path("world.toml", 'name = "w"\nsource = "Own"\n[sources]\nOwn = "Made up"\n[[hand]]\n'
+                          'name = "hand"\nfile = "mesh_gripper.urdf"\n[[body]]\nrole = "object"\nname = "ball"\n'
+                          'mass_g = 9\n[[body.shape]]\nkind = "sphere"\nsize_mm = [30]\n')
+        for number in [signal.SIGINT, signal.SIGTERM]:
+            process = subprocess.Popen([THENAR, "grasp", world], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       text=True)
+            time.sleep(0.25)
+            process.send_signal(number)
+            process.communicate(timeout=60)
+            self.assertEqual(process.returncode, -number)
 
     def test_weighs_two_overlapping_boxes_as_their_union(self):
         """An L of 32 cm^3 from boxes of 16 and 24: its centre is at 25, 0, 15 mm."""
