@@ -132,8 +132,21 @@ double ArrowFactor::squared_norm(const VectorXd& v) const {
   return sum;
 }
 
-MatrixXd arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows>& rows,
-                          double tolerance) {
+MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
+  Index count = 0, row = 0;
+  for (const ArrowRows& part : rows) count += part.shared.rows();
+  MatrixXd J = MatrixXd::Zero(count, layout.size());
+  for (const ArrowRows& part : rows) {
+    J.block(row, 0, part.shared.rows(), layout.shared) = part.shared;
+    if (part.block >= 0)
+      J.block(row, layout.first(part.block), part.own.rows(), layout.own) = part.own;
+    row += part.shared.rows();
+  }
+  return J;
+}
+
+ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows>& rows,
+                                double tolerance) {
   // What a block alone leaves open, and what it asks of the shared coordinates beyond that.
   std::vector<Split> own;
   std::vector<MatrixXd> by_shared;
@@ -147,24 +160,21 @@ MatrixXd arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows
   }
   const MatrixXd shared = split(triangle(asked), tolerance).null_space;
 
-  // A shared direction is null if every block can answer it by one of its own.
-  Index count = shared.cols();
-  for (const Split& block : own) count += block.null_space.cols();
-  MatrixXd N = MatrixXd::Zero(layout.size(), count);
-  N.topLeftCorner(layout.shared, shared.cols()) = shared;
-  Index column = shared.cols();
+  // A shared direction is null if every block can answer it; the answer lies in the block's row
+  // space, square to what the block leaves open alone.
+  ArrowNullSpace out{MatrixXd(layout.size(), shared.cols()), {}};
+  out.together.topRows(layout.shared) = shared;
   for (int b = 0; b < layout.blocks; ++b) {
-    const Index at = layout.first(b);
     const Split& block = own[b];
-    N.block(at, 0, layout.own, shared.cols()) =
+    out.together.middleRows(layout.first(b), layout.own) =
         -block.row_space * (block.inverse_values.asDiagonal() *
                             (block.column_space.transpose() * (by_shared[b] * shared)));
-    N.block(at, column, layout.own, block.null_space.cols()) = block.null_space;
-    column += block.null_space.cols();
+    out.alone.push_back(block.null_space);
   }
-  if (count == 0) return N;
-  const Eigen::HouseholderQR<MatrixXd> qr(N);
-  return qr.householderQ() * MatrixXd::Identity(layout.size(), count);
+  if (shared.cols() == 0) return out;
+  const Eigen::HouseholderQR<MatrixXd> qr(out.together);
+  out.together = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());
+  return out;
 }
 
 }  // namespace thenar

@@ -48,11 +48,20 @@ class ArrowFactor {
   Eigen::MatrixXd shared_;  // upper triangular (shared, shared)
 };
 
-/// Directions v, |v| = 1, along which rows say nothing: |J v| < tolerance. One orthonormal column
-/// a direction. `rows` are those of data; blocks without rows are all null.
+/// The rows as one matrix (rows, size).
+[[nodiscard]] Eigen::MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
+
+/// Directions v, |v| = 1, along which rows say nothing, |J v| < tolerance: orthonormal columns, in
+/// which no block meets another but by the shared coordinates.
+struct ArrowNullSpace {
+  Eigen::MatrixXd together;            // shared coordinates, answered by every block (size, k)
+  std::vector<Eigen::MatrixXd> alone;  // of each block, by itself (own, k of the block)
+};
+
+/// `rows` are those of data; blocks without rows are all null. The cost grows in proportion to the
+/// number of blocks.
 /// @param tolerance  singular values below it count as zero; at least rounding of the largest
-[[nodiscard]] Eigen::MatrixXd arrow_null_space(const ArrowLayout& layout,
-                                               const std::vector<ArrowRows>& rows,
-                                               double tolerance);
+[[nodiscard]] ArrowNullSpace arrow_null_space(const ArrowLayout& layout,
+                                              const std::vector<ArrowRows>& rows, double tolerance);
 
 }  // namespace thenar

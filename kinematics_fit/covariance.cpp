@@ -30,24 +30,29 @@ std::string describe(const Eigen::VectorXd& direction, const std::vector<std::st
   return text + ": not identifiable";
 }
 
-/// Turns a basis of a null space so that as many coordinates as possible stand alone in it:
-/// Gauss-Jordan with full pivoting, each row scaled to unit length.
-Eigen::MatrixXd sparse_basis(Eigen::MatrixXd rows) {
-  if (rows.rows() == 0) return rows;
-  for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    Eigen::Index pivot_row = 0, pivot_column = 0;
-    rows.bottomRows(rows.rows() - k).cwiseAbs().maxCoeff(&pivot_row, &pivot_column);
-    rows.row(k).swap(rows.row(k + pivot_row));
-    rows.row(k) /= rows(k, pivot_column);
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
-      if (i != k) rows.row(i) -= rows(i, pivot_column) * rows.row(k).eval();
+/// Rows that span a space, each of which alone holds its pivot's coordinate, there 1.
+struct PivotedRows {
+  Eigen::MatrixXd rows;
+  std::vector<Eigen::Index> pivots;  // column of each row's pivot
+};
+
+/// Turns rows so that as many coordinates as possible stand alone in them: Gauss-Jordan with full
+/// pivoting among the first `columns`.
+PivotedRows sparse_basis(Eigen::MatrixXd rows, Eigen::Index columns) {
+  PivotedRows out{std::move(rows), {}};
+  Eigen::MatrixXd& all = out.rows;
+  for (Eigen::Index k = 0; k < all.rows(); ++k) {
+    Eigen::Index row = 0, column = 0;
+    all.bottomRows(all.rows() - k).leftCols(columns).cwiseAbs().maxCoeff(&row, &column);
+    all.row(k).swap(all.row(k + row));
+    all.row(k) /= all(k, column);
+    Eigen::VectorXd others = all.col(column);
+    others[k] = 0;
+    all -= others * all.row(k).eval();
+    out.pivots.push_back(column);
   }
-  return rows.rowwise().normalized();
+  return out;
 }
-
-}  // namespace
-
-namespace {
 
 /// Layout of z, and the rows of data alone at z.
 struct DataRows {
@@ -77,6 +82,39 @@ std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
   return rows;
 }
 
+/// Length of coordinate i within the null space, squared.
+double null_share(const ArrowLayout& layout, const ArrowNullSpace& nulls, Eigen::Index i) {
+  const double together = nulls.together.row(i).squaredNorm();
+  if (i < layout.shared) return together;
+  const Eigen::Index block = (i - layout.shared) / layout.own;
+  return together + nulls.alone[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
+}
+
+/// Every null direction by name: those of shared coordinates, then those of each block.
+void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& nulls,
+                const std::vector<std::string>& names, std::vector<NullDirection>& out) {
+  const auto add = [&](const Eigen::VectorXd& direction) {
+    const Eigen::VectorXd unit = direction.normalized();
+    out.push_back({describe(unit, names), unit});
+  };
+  // What a block leaves open can be added to a direction of all, until its pivots drop out.
+  Eigen::MatrixXd together = nulls.together.transpose();
+  std::vector<PivotedRows> alone;
+  for (int b = 0; b < layout.blocks; ++b) {
+    alone.push_back(sparse_basis(nulls.alone[b].transpose(), layout.own));
+    auto own = together.middleCols(layout.first(b), layout.own);
+    own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
+  }
+  const PivotedRows shared = sparse_basis(std::move(together), layout.shared);
+  for (Eigen::Index k = 0; k < shared.rows.rows(); ++k) add(shared.rows.row(k).transpose());
+  for (int b = 0; b < layout.blocks; ++b)
+    for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k) {
+      Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout.size());
+      direction.segment(layout.first(b), layout.own) = alone[b].rows.row(k).transpose();
+      add(direction);
+    }
+}
+
 }  // namespace
 
 Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
@@ -89,19 +127,16 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   out.effective_parameters = static_cast<double>(z.size()) - out.C.trace();
 
   // What the data leave open, by singular values of their own rows.
-  const double least = std::sqrt(kNullCurvature);
-  const Eigen::MatrixXd N = arrow_null_space(data.layout, data.rows, least);
+  const ArrowNullSpace nulls = arrow_null_space(data.layout, data.rows, std::sqrt(kNullCurvature));
   const std::vector<std::string> names = problem.names();
-  const Eigen::MatrixXd basis = sparse_basis(N.transpose());
-  for (Eigen::Index k = 0; k < basis.rows(); ++k)
-    out.nulls.push_back({describe(basis.row(k).transpose(), names), basis.row(k).transpose()});
+  name_nulls(data.layout, nulls, names, out.nulls);
 
   constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound =
         z[i] < problem.lower()[i] + kOnBound || z[i] > problem.upper()[i] - kOnBound;
     out.learnt.push_back(
-        {names[i], z[i], std::sqrt(out.C(i, i)), N.row(i).squaredNorm(), at_bound});
+        {names[i], z[i], std::sqrt(out.C(i, i)), null_share(data.layout, nulls, i), at_bound});
   }
   return out;
 }

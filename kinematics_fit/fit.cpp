@@ -67,8 +67,10 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
   const FitParameters& parameters = fit.problem.parameters();
   const std::vector<double> values =
       parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, specimen));
-  const Eigen::MatrixXd J = fit.problem.displacement_jacobian(fit.solution.z, specimen);
-  Eigen::VectorXd variance = (J * fit.covariance.C).cwiseProduct(J).rowwise().sum();
+  const std::vector<int> on = fit.problem.entries_of_specimen(specimen);
+  const Eigen::MatrixXd J =
+      fit.problem.displacement_jacobian(fit.solution.z, specimen)(Eigen::all, on);
+  Eigen::VectorXd variance = (J * fit.covariance.C(on, on)).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
   const Eigen::VectorXd unseen = fit.problem.unseen_variance();
   if (specimen < 0)

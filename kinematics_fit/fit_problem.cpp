@@ -197,6 +197,14 @@ Eigen::MatrixXd FitProblem::displacement_jacobian(const Eigen::VectorXd& z, int 
   return J;
 }
 
+std::vector<int> FitProblem::entries_of_specimen(int specimen) const {
+  std::vector<int> entries(population_size_ + (specimen < 0 ? 0 : deviation_size_));
+  std::iota(entries.begin(), entries.end(), 0);
+  for (std::size_t k = population_size_; k < entries.size(); ++k)
+    entries[k] += specimen * deviation_size_;
+  return entries;
+}
+
 Eigen::VectorXd FitProblem::unseen_variance() const {
   Eigen::VectorXd variance(parameters_.coordinates());
   for (int c = 0; c < parameters_.coordinates(); ++c) {

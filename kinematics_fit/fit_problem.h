@@ -104,6 +104,10 @@ class FitProblem {
   /// du/dz of a specimen (-1: the population) at z, (coordinates, size) [SI].
   [[nodiscard]] Eigen::MatrixXd displacement_jacobian(const Eigen::VectorXd& z, int specimen) const;
 
+  /// Entries of z on which a specimen hangs (-1: the population): all other columns of its
+  /// displacement_jacobian() are zero.
+  [[nodiscard]] std::vector<int> entries_of_specimen(int specimen) const;
+
   /// Entries of z behind coordinate c, and how many entries the population and each specimen have.
   [[nodiscard]] const CoordinateEntries& entries(int c) const { return entries_.at(c); }
   [[nodiscard]] int population_entries() const { return population_size_; }

@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include <Eigen/QR>
@@ -154,7 +155,7 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (!held(problem, z, slopes.gradient[i], i)) free.push_back(i);
   const Eigen::VectorXd gradient = slopes.gradient(free);
-  const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, free);
+  const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
   const Eigen::MatrixXd basis = null_basis(A);
   if (basis.cols() == 0) return 0;
@@ -162,13 +163,40 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   return ArrowFactor(layout, {{-1, J * basis, {}}}).whiten(basis.transpose() * gradient).norm();
 }
 
+/// Gradient and Jacobian at z; none where the residuals have no Jacobian.
+std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  CostSlopes out;
+  out.gradient = Eigen::VectorXd::Zero(z.size());
+  if (problem.parts.empty()) {
+    Residuals at = problem.residuals(z, WithJacobian::kYes);
+    if (at.J.rows() != at.r.size()) return {};
+    out.layout.shared = static_cast<int>(z.size());
+    out.cost = 0.5 * at.r.squaredNorm();
+    out.gradient = at.J.transpose() * at.r;
+    out.rows.push_back({-1, std::move(at.J), {}});
+    return out;
+  }
+  out.layout = problem.layout;
+  const int shared = out.layout.shared, own = out.layout.own;
+  for (const ResidualPart& part : problem.parts) {
+    const Residuals at = part.residuals(z, WithJacobian::kYes);
+    out.cost += 0.5 * at.r.squaredNorm();
+    out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
+    out.rows.push_back({part.block, at.J.leftCols(shared), {}});
+    if (part.block < 0) continue;
+    out.gradient.segment(out.layout.first(part.block), own) +=
+        at.J.rightCols(own).transpose() * at.r;
+    out.rows.back().own = at.J.rightCols(own);
+  }
+  return out;
+}
+
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   solution.newton_step = std::nan("");
-  // Residuals in blocks always have slopes; the dense Jacobian is asked for only without them.
-  if (problem.parts.empty() && problem.residuals(solution.z, WithJacobian::kYes).J.size() == 0)
-    return;
-  const CostSlopes slopes = cost_slopes(problem, solution.z);
+  const std::optional<CostSlopes> found = slopes_if_any(problem, solution.z);
+  if (!found) return;
+  const CostSlopes& slopes = *found;
   const bool constrained = problem.constraints && options.method == FitMethod::kIpopt;
   solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                      : free_step(problem, solution.z, slopes);
@@ -223,30 +251,9 @@ void hold_coordinate(CostSlopes& slopes, Eigen::Index i) {
 }
 
 CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z) {
-  CostSlopes out;
-  out.gradient = Eigen::VectorXd::Zero(z.size());
-  if (problem.parts.empty()) {
-    Residuals at = problem.residuals(z, WithJacobian::kYes);
-    require(at.J.rows() == at.r.size(), "residuals have no Jacobian");
-    out.layout.shared = static_cast<int>(z.size());
-    out.cost = 0.5 * at.r.squaredNorm();
-    out.gradient = at.J.transpose() * at.r;
-    out.rows.push_back({-1, std::move(at.J), {}});
-    return out;
-  }
-  out.layout = problem.layout;
-  const int shared = out.layout.shared, own = out.layout.own;
-  for (const ResidualPart& part : problem.parts) {
-    const Residuals at = part.residuals(z, WithJacobian::kYes);
-    out.cost += 0.5 * at.r.squaredNorm();
-    out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
-    out.rows.push_back({part.block, at.J.leftCols(shared), {}});
-    if (part.block < 0) continue;
-    out.gradient.segment(out.layout.first(part.block), own) +=
-        at.J.rightCols(own).transpose() * at.r;
-    out.rows.back().own = at.J.rightCols(own);
-  }
-  return out;
+  std::optional<CostSlopes> slopes = slopes_if_any(problem, z);
+  require(slopes.has_value(), "residuals have no Jacobian");
+  return std::move(*slopes);
 }
 
 Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,

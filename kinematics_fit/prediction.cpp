@@ -132,8 +132,10 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   u.head(known) = fitted.displacements(z, specimen);
   const ForceJacobian forces = force_jacobian(fitted.digit(), parameters, plan, u);
-  const Eigen::MatrixXd J_z = forces.J.leftCols(known) * fitted.displacement_jacobian(z, specimen);
-  Eigen::VectorXd variance = (J_z * C).cwiseProduct(J_z).rowwise().sum();
+  const std::vector<int> on = fitted.entries_of_specimen(specimen);
+  const Eigen::MatrixXd J_z =
+      forces.J.leftCols(known) * fitted.displacement_jacobian(z, specimen)(Eigen::all, on);
+  Eigen::VectorXd variance = (J_z * C(on, on)).cwiseProduct(J_z).rowwise().sum();
   if (specimen < 0) variance += forces.J.leftCols(known).cwiseAbs2() * fitted.unseen_variance();
   for (int c = known; c < parameters.coordinates(); ++c)
     variance +=

@@ -312,6 +312,31 @@ TEST(FitProblem, BlocksHaveTheDenseAnswer) {
                           Eigen::MatrixXd::Identity(J.cols(), J.cols()), 1e-7));
 }
 
+// Directions of single specimens and of all together: as many as singular values say, no two alike.
+TEST(PosteriorCovariance, NullsOfSpecimensSpanThoseOfTheDenseJacobian) {
+  FitSetup setup = middle_finger(
+      "[[parameter]]\nmatch='axis/*'\nstate='free'\n[[parameter]]\n"
+      "match='path/*'\nstate='free'\n");
+  setup.experiments.push_back(sample::experiment("H02"));
+  setup.experiments.push_back(sample::experiment("B01"));
+  const FitProblem problem = setup.problem();
+  const VectorXd z = VectorXd::Zero(problem.size());
+  const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
+  const Covariance covariance = posterior_covariance(problem, z);
+  const auto count = static_cast<Eigen::Index>(covariance.nulls.size());
+  const VectorXd sigma = J.bdcSvd().singularValues();
+  EXPECT_EQ(count, z.size() - (sigma.array() > 3.2e-5).count());
+  Eigen::MatrixXd N(z.size(), count);
+  for (Eigen::Index k = 0; k < count; ++k)
+    N.col(k) = covariance.nulls[static_cast<std::size_t>(k)].direction;
+  EXPECT_TRUE(matrix_near(N.colwise().norm().transpose(), VectorXd::Ones(count), 1e-12));
+  EXPECT_LT((J * N).colwise().norm().maxCoeff(), 1e-3);
+  EXPECT_GT(N.bdcSvd().singularValues().minCoeff(), 1e-6);
+  double shares = 0;
+  for (const Learnt& learnt : covariance.learnt) shares += learnt.null_share;
+  EXPECT_NEAR(shares, static_cast<double>(count), 1e-9);  // the trace of a projection
+}
+
 // Unseen people drawn from the prior lie within the 95 % intervals 95 % of the time.
 TEST(PredictExperiment, IntervalsCoverNewPeople) {
   FitSetup setup = middle_finger(kAxes);
