@@ -2,6 +2,7 @@
 
 /// How kinematics change when the axis of one hinge is placed differently, in closed form.
 
+#include <utility>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,8 +15,16 @@ namespace thenar {
 /// the direction along tangents() e1 and e2 [m/rad], then x, y, z of its point [m/m].
 using ByAxis = Eigen::Matrix<double, 3, 5>;
 
-/// One hinge of a posed tree whose axis is to be moved.
+/// One hinge of a posed tree whose axis is to be moved. Refers to the tree and its state, which
+/// must outlive it; temporaries are refused.
 struct AxisQuestion {
+  AxisQuestion(const Tree<double>& of_tree, const TreeState<double>& at, Eigen::VectorXd posture,
+               int moved_hinge)
+      : tree(of_tree), state(at), q(std::move(posture)), hinge(moved_hinge) {}
+  AxisQuestion(const Tree<double>&&, const TreeState<double>&, Eigen::VectorXd, int) = delete;
+  AxisQuestion(const Tree<double>&, const TreeState<double>&&, Eigen::VectorXd, int) = delete;
+  AxisQuestion(const Tree<double>&&, const TreeState<double>&&, Eigen::VectorXd, int) = delete;
+
   const Tree<double>& tree;
   const TreeState<double>& state;  // pose_tree(tree, q)
   Eigen::VectorXd q;               // (coordinates) [rad]

@@ -21,8 +21,15 @@ inline constexpr double kTonus = 5e-3;
 /// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
 inline constexpr double kRigidStrain = 0.01;
 
-/// Everything about a digit in motion that is constant.
+/// Everything about a digit in motion that is constant. Refers to the tendons and the contraction,
+/// which must outlive it; temporaries are refused.
 struct MotionModel {
+  MotionModel(const DigitTendons& of_tendons, const Contraction& of_contraction)
+      : tendons(of_tendons), contraction(of_contraction) {}
+  MotionModel(const DigitTendons&&, const Contraction&) = delete;
+  MotionModel(const DigitTendons&, const Contraction&&) = delete;
+  MotionModel(const DigitTendons&&, const Contraction&&) = delete;
+
   const DigitTendons& tendons;
   const Contraction& contraction;
   JointResistance resistance{};

@@ -2,6 +2,8 @@
 
 #include "hand/axis_derivatives.h"
 
+#include <type_traits>
+
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +16,14 @@ namespace {
 using Jet = ceres::Jet<double, 5>;
 
 constexpr double kRounding = 1e-14;  // of derivatives up to 2, through a chain of five products
+
+// A question that outlived its tree would read freed memory.
+template <typename Links, typename State>
+constexpr bool kAsks = std::is_constructible_v<AxisQuestion, Links, State, Eigen::VectorXd, int>;
+static_assert(kAsks<const Tree<double>&, const TreeState<double>&>);
+static_assert(!kAsks<Tree<double>, const TreeState<double>&>);
+static_assert(!kAsks<const Tree<double>&, TreeState<double>>);
+static_assert(!kAsks<Tree<double>, TreeState<double>>);
 
 struct PosedDigit {
   Skeleton skeleton;

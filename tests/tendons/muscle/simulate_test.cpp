@@ -3,6 +3,7 @@
 #include "tendons/muscle/simulate.h"
 
 #include <cmath>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 #include <Eigen/LU>
@@ -18,6 +19,14 @@ namespace {
 using Eigen::VectorXd;
 using sample::Mover;
 using sample::Pendulum;
+
+// A model that outlived its tendons or muscles would read freed memory.
+template <typename Tendons, typename Muscles>
+constexpr bool kMakesAModel = std::is_constructible_v<MotionModel, Tendons, Muscles>;
+static_assert(kMakesAModel<const DigitTendons&, const Contraction&>);
+static_assert(!kMakesAModel<DigitTendons&&, const Contraction&>);
+static_assert(!kMakesAModel<const DigitTendons&, Contraction&&>);
+static_assert(!kMakesAModel<DigitTendons&&, Contraction&&>);
 
 SimulateOptions seconds(double time, double tolerance = 1e-8) {
   SimulateOptions options;
