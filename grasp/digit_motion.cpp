@@ -94,24 +94,21 @@ void DigitMotion::find_digits() {
   }
 }
 
-Vector3d DigitMotion::spin(std::size_t drive, const Digit& digit) const {
+Eigen::Matrix<double, 6, 1> DigitMotion::twist(std::size_t drive, const Digit& digit) const {
   const GripSurface& tip = grip_.surfaces()[digit.last];
-  Vector3d sum = Vector3d::Zero();
+  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
   if (tip.link < 0) return sum;
   const auto J = grip_.hand().jacobian(rest_, tip.link, tip.centre);
-  for (const Driven& moved : drives_[drive].moves)
-    sum += moved.ratio * J.col(moved.coordinate).head<3>();
+  for (const Driven& moved : drives_[drive].moves) sum += moved.ratio * J.col(moved.coordinate);
   return sum;
 }
 
+Vector3d DigitMotion::spin(std::size_t drive, const Digit& digit) const {
+  return twist(drive, digit).head<3>();
+}
+
 Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
-  const GripSurface& tip = grip_.surfaces()[digit.last];
-  Vector3d sum = Vector3d::Zero();
-  if (tip.link < 0) return sum;
-  const auto J = grip_.hand().jacobian(rest_, tip.link, tip.centre);
-  for (const Driven& moved : drives_[drive].moves)
-    sum += moved.ratio * J.col(moved.coordinate).tail<3>();
-  return sum;
+  return twist(drive, digit).tail<3>();
 }
 
 /// Whether a drive moves every tip and none against another: a wrist.

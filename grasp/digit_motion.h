@@ -60,6 +60,8 @@ class DigitMotion {
   void sort_drives();
   void find_options();
   void orient();
+  // Of the tip of a digit per unit of a drive, at rest: rotation [rad], then translation [m] (6).
+  [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] bool moves_alike(std::size_t drive) const;

@@ -1,6 +1,7 @@
 #include "data/io/hdf5_guard.h"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 
 #include <hdf5.h>
@@ -16,22 +17,7 @@ constexpr int kMostDimensions = 8;             // of an array; ours need 3
 constexpr int kMostAttributes = 1000;          // of one object; each is sought among all
 constexpr std::size_t kMostObjects = 100'000;  // groups, datasets and their attributes
 
-/// Closes what HDF5 opened.
-class Hdf5Object {
- public:
-  using Close = herr_t (*)(hid_t);
-  Hdf5Object(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
-    require(id >= 0, "HDF5 could not open {}", what);
-  }
-  ~Hdf5Object() { (void)close_(id_); }
-  Hdf5Object(const Hdf5Object&) = delete;
-  Hdf5Object& operator=(const Hdf5Object&) = delete;
-  operator hid_t() const { return id_; }  // NOLINT: handles are passed to C all the time
-
- private:
-  hid_t id_;
-  Close close_;
-};
+static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>);
 
 using Names = std::vector<std::string>;
 
@@ -56,7 +42,7 @@ class Hdf5Walk {
       require(depth <= kDeepest, "groups nest deeper than {}", kDeepest);
       for (const std::string& name : links_of(group)) {
         const std::string key = group == "/" ? name : group + "/" + name;
-        const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, key);
+        const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, "open " + key);
         const H5I_type_t type = H5Iget_type(object);
         if (type == H5I_GROUP) groups.emplace_back(key, depth + 1);
         if (type == H5I_DATASET) {
@@ -66,7 +52,7 @@ class Hdf5Walk {
         check_attributes(object, key);
       }
     }
-    const Hdf5Object root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "the root");
+    const Hdf5Object root(H5Gopen2(file_, "/", H5P_DEFAULT), H5Gclose, "open the root");
     check_attributes(root, "/");
     std::sort(found.begin(), found.end());
     return found;
@@ -74,7 +60,7 @@ class Hdf5Walk {
 
  private:
   Names links_of(const std::string& key) {
-    const Hdf5Object group(H5Gopen2(file_, key.c_str(), H5P_DEFAULT), H5Gclose, key);
+    const Hdf5Object group(H5Gopen2(file_, key.c_str(), H5P_DEFAULT), H5Gclose, "open " + key);
     Names names;
     require(H5Literate(group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, list_link, &names) >= 0,
             "HDF5 could not list '{}'", key);
@@ -83,9 +69,9 @@ class Hdf5Walk {
   }
 
   void check_dataset(hid_t dataset, const std::string& key) {
-    const Hdf5Object space(H5Dget_space(dataset), H5Sclose, "the shape of " + key);
-    const Hdf5Object type(H5Dget_type(dataset), H5Tclose, "the type of " + key);
-    const Hdf5Object made(H5Dget_create_plist(dataset), H5Pclose, "the layout of " + key);
+    const Hdf5Object space(H5Dget_space(dataset), H5Sclose, "read the shape of " + key);
+    const Hdf5Object type(H5Dget_type(dataset), H5Tclose, "read the type of " + key);
+    const Hdf5Object made(H5Dget_create_plist(dataset), H5Pclose, "read the layout of " + key);
     const std::size_t entry = std::max<std::size_t>(1, H5Tget_size(type));
     take(space, entry, key);
     const H5D_layout_t layout = H5Pget_layout(made);
@@ -113,9 +99,9 @@ class Hdf5Walk {
       const std::string what = fmt::format("attribute {} of '{}'", i + 1, key);
       const Hdf5Object attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_NATIVE,
                                                 static_cast<hsize_t>(i), H5P_DEFAULT, H5P_DEFAULT),
-                                 H5Aclose, what);
-      const Hdf5Object space(H5Aget_space(attribute), H5Sclose, "the shape of " + what);
-      const Hdf5Object type(H5Aget_type(attribute), H5Tclose, "the type of " + what);
+                                 H5Aclose, "open " + what);
+      const Hdf5Object space(H5Aget_space(attribute), H5Sclose, "read the shape of " + what);
+      const Hdf5Object type(H5Aget_type(attribute), H5Tclose, "read the type of " + what);
       take(space, std::max<std::size_t>(1, H5Tget_size(type)), what);
     }
   }
@@ -159,12 +145,17 @@ class Hdf5Walk {
 
 }  // namespace
 
+Hdf5Object::Hdf5Object(std::int64_t id, Close close, const std::string& what)
+    : id_(id), close_(close) {
+  require(id >= 0, "HDF5 could not {}", what);
+}
+
 std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path) try {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the library prints its errors unless told not to
   // Not copied, not freed by the library, and not changed, since it is opened to be read.
   constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
   const Hdf5Object file(H5LTopen_file_image(bytes.data(), bytes.size(), kOurs), H5Fclose,
-                        "the file");
+                        "open the file");
   return Hdf5Walk(file, bytes.size()).datasets();
 } catch (const InputError& error) {
   throw DataError(path, 1, error.what());

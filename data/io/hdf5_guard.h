@@ -4,10 +4,28 @@
 /// whatever a file promises, and follows its links wherever they lead.
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace thenar {
+
+/// An HDF5 handle that closes itself and refuses to be an error.
+class Hdf5Object {
+ public:
+  using Close = int (*)(std::int64_t);  // herr_t (*)(hid_t)
+  /// @param what  was to be done: "open the root"
+  /// @throws InputError if the handle is an error.
+  Hdf5Object(std::int64_t id, Close close, const std::string& what);
+  ~Hdf5Object() { (void)close_(id_); }
+  Hdf5Object(const Hdf5Object&) = delete;
+  Hdf5Object& operator=(const Hdf5Object&) = delete;
+  operator std::int64_t() const { return id_; }  // NOLINT: handles are passed to C all the time
+
+ private:
+  std::int64_t id_;
+  Close close_;
+};
 
 /// How long reading a file of this size may take: a hundred times what it does [s of processor].
 [[nodiscard]] inline int seconds_to_read(std::size_t bytes) {

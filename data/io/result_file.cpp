@@ -16,41 +16,24 @@
 namespace thenar {
 namespace {
 
-/// An HDF5 handle that closes itself and refuses to be an error.
-class Handle {
- public:
-  using Close = herr_t (*)(hid_t);
-  Handle(hid_t id, Close close, const std::string& what) : id_(id), close_(close) {
-    require(id >= 0, "HDF5 could not {}", what);
-  }
-  ~Handle() { close_(id_); }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-  operator hid_t() const { return id_; }  // NOLINT: handles are passed to C all the time
-
- private:
-  hid_t id_;
-  Close close_;
-};
-
-Handle string_type() {
+Hdf5Object string_type() {
   const hid_t type = H5Tcopy(H5T_C_S1);
   H5Tset_size(type, H5T_VARIABLE);
   H5Tset_cset(type, H5T_CSET_UTF8);
   return {type, H5Tclose, "make a string type"};
 }
 
-Handle link_options() {
+Hdf5Object link_options() {
   const hid_t list = H5Pcreate(H5P_LINK_CREATE);
   H5Pset_create_intermediate_group(list, 1);
   return {list, H5Pclose, "make link options"};
 }
 
 void write_attribute(hid_t object, const char* name, const std::string& text) {
-  const Handle type = string_type();
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
-  const Handle attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                         std::string("add attribute ") + name);
+  const Hdf5Object type = string_type();
+  const Hdf5Object space(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
+  const Hdf5Object attribute(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose, std::string("add attribute ") + name);
   const char* chars = text.c_str();
   require(H5Awrite(attribute, type, &chars) >= 0, "HDF5 could not write attribute {}", name);
 }
@@ -85,12 +68,12 @@ bool is_text(hid_t type) {
 std::string read_attribute(hid_t object, const char* name, TextReader& texts) {
   if (H5Aexists(object, name) <= 0) return {};
   const std::string what = fmt::format("attribute '{}'", name);
-  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open " + what);
-  const Handle space(H5Aget_space(attribute), H5Sclose, "read the shape of " + what);
-  const Handle stored(H5Aget_type(attribute), H5Tclose, "read the type of " + what);
+  const Hdf5Object attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open " + what);
+  const Hdf5Object space(H5Aget_space(attribute), H5Sclose, "read the shape of " + what);
+  const Hdf5Object stored(H5Aget_type(attribute), H5Tclose, "read the type of " + what);
   require(is_text(stored) && H5Sget_simple_extent_npoints(space) == 1,
           "wanted {} as one text of variable length, got something else", what);
-  const Handle type = string_type();
+  const Hdf5Object type = string_type();
   return texts.one(what, [&](void* to) { return H5Aread(attribute, type, to) >= 0; });
 }
 
@@ -107,27 +90,27 @@ void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std
   if (H5LTpath_valid(file, name.c_str(), 1) <= 0) {
     std::vector<double> index(length);
     std::iota(index.begin(), index.end(), 0.0);
-    const Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
-    const Handle links = link_options();
-    const Handle scale(
+    const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
+    const Hdf5Object links = link_options();
+    const Hdf5Object scale(
         H5Dcreate2(file, name.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
         H5Dclose, "add dimension " + name);
     require(H5Dwrite(scale, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, index.data()) >= 0 &&
                 H5DSset_scale(scale, label.c_str()) >= 0,
             "HDF5 could not write dimension {}", name);
   }
-  const Handle scale(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open " + name);
+  const Hdf5Object scale(H5Dopen2(file, name.c_str(), H5P_DEFAULT), H5Dclose, "open " + name);
   require(H5DSattach_scale(dataset, scale, axis) >= 0, "HDF5 could not label dimension {}", name);
 }
 
 void write_array(hid_t file, const std::string& key, const ResultArray& array) {
   const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end());
-  const Handle space(shape.empty()
-                         ? H5Screate(H5S_SCALAR)
-                         : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                     H5Sclose, "make a space");
-  const Handle links = link_options();
-  const Handle dataset(
+  const Hdf5Object space(
+      shape.empty() ? H5Screate(H5S_SCALAR)
+                    : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+      H5Sclose, "make a space");
+  const Hdf5Object links = link_options();
+  const Hdf5Object dataset(
       H5Dcreate2(file, key.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose, "add " + key);
   require(
@@ -143,11 +126,12 @@ void write_texts(hid_t file, const std::string& key, const std::vector<std::stri
   std::transform(texts.begin(), texts.end(), chars.begin(),
                  [](const std::string& text) { return text.c_str(); });
   const hsize_t length = texts.size();
-  const Handle type = string_type();
-  const Handle space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
-  const Handle links = link_options();
-  const Handle dataset(H5Dcreate2(file, key.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT),
-                       H5Dclose, "add " + key);
+  const Hdf5Object type = string_type();
+  const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
+  const Hdf5Object links = link_options();
+  const Hdf5Object dataset(
+      H5Dcreate2(file, key.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+      "add " + key);
   require(length == 0 || H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, chars.data()) >= 0,
           "HDF5 could not write {}", key);
 }
@@ -156,8 +140,8 @@ void write_texts(hid_t file, const std::string& key, const std::vector<std::stri
 std::vector<std::string> read_texts(hid_t dataset, hid_t space, const std::string& key,
                                     TextReader& reader) {
   const auto count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
-  const Handle memory = string_type();
-  const Handle one(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
+  const Hdf5Object memory = string_type();
+  const Hdf5Object one(H5Screate(H5S_SCALAR), H5Sclose, "make a scalar space");
   std::vector<std::string> texts;
   for (hsize_t i = 0; i < count; ++i) {
     const hsize_t length = 1;
@@ -172,10 +156,10 @@ std::vector<std::string> read_texts(hid_t dataset, hid_t space, const std::strin
 
 /// @throws InputError for anything but numbers or a list of texts.
 void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultFile& out) {
-  const Handle dataset(H5Dopen2(file, key.c_str(), H5P_DEFAULT), H5Dclose, "open " + key);
+  const Hdf5Object dataset(H5Dopen2(file, key.c_str(), H5P_DEFAULT), H5Dclose, "open " + key);
   if (H5DSis_scale(dataset) > 0) return;
-  const Handle space(H5Dget_space(dataset), H5Sclose, "read the shape of " + key);
-  const Handle type(H5Dget_type(dataset), H5Tclose, "read the type of " + key);
+  const Hdf5Object space(H5Dget_space(dataset), H5Sclose, "read the shape of " + key);
+  const Hdf5Object type(H5Dget_type(dataset), H5Tclose, "read the type of " + key);
   const int rank = H5Sget_simple_extent_ndims(space);
   require(rank >= 0 && rank <= 3, "'{}' has {} dimensions, wanted at most 3", key, rank);
   if (is_text(type)) {
@@ -202,9 +186,9 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
 }
 
 /// A file that lives in memory only. HDF5 cannot recover from a full disk: it crashes at exit.
-Handle memory_file(const std::string& path) {
+Hdf5Object memory_file(const std::string& path) {
   constexpr std::size_t kIncrement = 1 << 16;  // memory is taken in such pieces [bytes]
-  const Handle options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
+  const Hdf5Object options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
   require(H5Pset_fapl_core(options, kIncrement, 0) >= 0, "HDF5 could not keep a file in memory");
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, options), H5Fclose,
           "make '" + path + "'"};
@@ -231,8 +215,8 @@ void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 ResultFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
   const std::vector<std::string> keys = guard_hdf5(bytes, path);
   try {
-    const Handle h5(H5LTopen_file_image(bytes.data(), bytes.size(), kImageIsOurs), H5Fclose,
-                    "open it");
+    const Hdf5Object h5(H5LTopen_file_image(bytes.data(), bytes.size(), kImageIsOurs), H5Fclose,
+                        "open it");
     TextReader texts(bytes.size());
     require_ours(read_attribute(h5, "program", texts), checksum, path,
                  "a result file of thenar, got another HDF5 file");
@@ -300,7 +284,7 @@ const std::string& ResultFile::text(const std::string& key) const {
 void write_result(const ResultFile& file, const std::string& path) {
   be_quiet();
   require_writable(path);
-  const Handle h5 = memory_file(path);
+  const Hdf5Object h5 = memory_file(path);
   write_attribute(h5, "program", kCheckedProgram);
   for (const auto& [key, array] : file.arrays) write_array(h5, key, array);
   for (const auto& [key, texts] : file.texts) write_texts(h5, key, texts);

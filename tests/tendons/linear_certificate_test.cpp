@@ -10,6 +10,7 @@
 
 #include "tendons/dense_simplex.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/textbook_program.h"
 
 namespace thenar {
 namespace {
@@ -22,21 +23,9 @@ using internal::certify;
 using internal::dense_simplex;
 using internal::holds;
 using internal::SimplexEnd;
+using sample::textbook;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// maximise 3x + 2y with x + y <= 4, x + 3y <= 6, 0 <= x <= 3: by hand (3, 1), value 11; the first
-// row is worth 2, the bound of x is worth 1.
-LinearProgram textbook() {
-  LinearProgram program;
-  program.objective = Vector2d(3, 2);
-  program.A = (MatrixXd(2, 2) << 1, 1, 1, 3).finished();
-  program.row_lower = VectorXd::Constant(2, -kInfinity);
-  program.row_upper = Vector2d(4, 6);
-  program.lower = Vector2d::Zero();
-  program.upper = Vector2d(3, kInfinity);
-  return program;
-}
 
 TEST(LinearCertificate, HoldsAtTheOptimum) {
   const LinearCertificate certificate = certify(textbook(), {Vector2d(3, 1), Vector2d(2, 0)});

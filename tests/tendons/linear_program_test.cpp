@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/textbook_program.h"
 
 namespace thenar {
 namespace {
@@ -15,20 +16,9 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
+using sample::textbook;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// maximise 3x + 2y with x + y <= 4, x + 3y <= 6, 0 <= x <= 3: by hand (3, 1), value 11.
-LinearProgram textbook() {
-  LinearProgram program;
-  program.objective = Vector2d(3, 2);
-  program.A = (MatrixXd(2, 2) << 1, 1, 1, 3).finished();
-  program.row_lower = VectorXd::Constant(2, -kInfinity);
-  program.row_upper = Vector2d(4, 6);
-  program.lower = Vector2d::Zero();
-  program.upper = Vector2d(3, kInfinity);
-  return program;
-}
 
 TEST(LinearProgram, FindsTextbookVertex) {
   const LinearResult result = solve(textbook());

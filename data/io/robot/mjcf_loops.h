@@ -5,10 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include <pugixml.hpp>
-
 #include "data/io/robot/close_loops.h"
 #include "data/io/robot/mjcf_source.h"
+
+namespace pugi {
+class xml_node;
+}
 
 namespace thenar::internal {
 
