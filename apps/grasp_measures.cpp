@@ -196,6 +196,7 @@ GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touchin
   const Asked asked{question, touching, grasp, hand, std::move(held), std::move(forces)};
   VolumeOptions of_volume;
   of_volume.limit = question.limit;
+  of_volume.progress.stop_requested = progress.stop_requested;
   GraspMeasures measures;
   measures.edges = question.edges;
   report_or_stop(progress, 0, "volume of wrenches");

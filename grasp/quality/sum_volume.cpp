@@ -81,15 +81,15 @@ Matrix6 normals(const Form& four) {
 class Sum {
  public:
   /// @param no_area  uncertain facets below this part of their vectors' lengths do not matter [1]
-  Sum(const std::vector<ContactBody>& bodies, double no_area)
-      : bodies_(bodies), no_area_(no_area) {}
+  Sum(const std::vector<ContactBody>& bodies, double no_area, const Progress& progress)
+      : bodies_(bodies), no_area_(no_area), progress_(progress) {}
 
-  /// @return none where facets do not close, or ties make them uncertain
+  /// @return none where facets do not close, ties make them uncertain, or it was stopped
   std::optional<double> volume() {
     Form one{};
     one[0] = 1;
     choose(0, 5, one, 1, 1);
-    if (tie_ || !(surplus_.norm() <= kOpen * surface_)) return {};
+    if (tie_ || stopped_ || !(surplus_.norm() <= kOpen * surface_)) return {};
     return volume_ / 6;
   }
 
@@ -100,7 +100,8 @@ class Sum {
   /// @param lengths  product of their vectors' lengths
   void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
     const Matrix6 S = left == 1 ? normals(f) : Matrix6();
-    for (std::size_t c = first; c < bodies_.size() && !tie_; ++c)
+    stopped_ = stopped_ || progress_.stop();
+    for (std::size_t c = first; c < bodies_.size() && !tie_ && !stopped_; ++c)
       for (const ContactFace& face : bodies_[c].faces) {
         if (face.dimension > left) continue;
         chosen_.push_back({c, &face});
@@ -172,9 +173,10 @@ class Sum {
 
   const std::vector<ContactBody>& bodies_;
   double no_area_;
+  const Progress& progress_;
   std::vector<double> longest_ = longest_of(bodies_);
   std::vector<Chosen> chosen_;
-  bool tie_ = false;
+  bool tie_ = false, stopped_ = false;
   double volume_ = 0, surface_ = 0;
   Wrench surplus_ = Wrench::Zero();
 
@@ -233,7 +235,7 @@ std::vector<std::vector<Wrench>> grouped(const WrenchSet& set) {
 
 }  // namespace
 
-std::optional<double> sum_volume(const WrenchSet& set, double most) {
+std::optional<double> sum_volume(const WrenchSet& set, double most, const Progress& progress) {
   std::vector<ContactBody> bodies;
   for (const std::vector<Wrench>& points : grouped(set)) {
     std::optional<ContactBody> body = contact_body(points);
@@ -242,7 +244,8 @@ std::optional<double> sum_volume(const WrenchSet& set, double most) {
   }
   if (choices(bodies) > most) return {};
   for (const double by : kTurns)
-    if (const auto found = Sum(turned(bodies, by), kTurnedArea * by).volume()) return found;
+    if (const auto found = Sum(turned(bodies, by), kTurnedArea * by, progress).volume())
+      return found;
   return {};
 }
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "base/progress.h"
 #include "grasp/quality/wrench_set.h"
 
 namespace thenar::internal {
@@ -19,9 +20,10 @@ namespace thenar::internal {
 /// parallel or otherwise not in general position (two hard points both have the force along their
 /// line) each contact is turned at random by 1e-9, or 1e-7 if that does not do; the volume is exact
 /// to that.
-/// @return none if a contact spans more, choices are more than `most`, or it is uncertain what is a
-/// facet.
+/// @return none if a contact spans more, choices are more than `most`, it is uncertain what is a
+/// facet, or it was asked to stop.
 /// Source: [Schneider2014] (4.1, 5.1.2) for volumes by facets and faces of sums.
-[[nodiscard]] std::optional<double> sum_volume(const WrenchSet& set, double most);
+[[nodiscard]] std::optional<double> sum_volume(const WrenchSet& set, double most,
+                                               const Progress& progress = {});
 
 }  // namespace thenar::internal

@@ -78,7 +78,8 @@ double error_of(const internal::Hull& hull, double off) {
 }
 
 /// Of a set without curved caps. @param most_facets  of the hull
-PolytopeVolume hull_volume(const WrenchSet& set, ForceLimit limit, int most_facets) {
+PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, int most_facets) {
+  const ForceLimit limit = options.limit;
   const Rounded round = rounded(set, limit);
   const internal::Support support(round.set, limit);
   const auto simplex = internal::first_simplex(support, kFlat);
@@ -86,7 +87,8 @@ PolytopeVolume hull_volume(const WrenchSet& set, ForceLimit limit, int most_face
   internal::Hull hull(simplex.points);
   double off = 0;
   int facet = 0;
-  while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= most_facets) {
+  while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= most_facets &&
+         !options.progress.stop()) {
     const internal::Hull::Plane plane = hull.plane(facet);
     const internal::Reach reach = support(plane.n);
     if (reach.h > plane.d + kBeyond * support.size() && hull.insert(reach.p, facet)) continue;
@@ -96,10 +98,10 @@ PolytopeVolume hull_volume(const WrenchSet& set, ForceLimit limit, int most_face
 }
 
 /// Of a Minkowski sum without its hull, where that can be.
-std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, ForceLimit limit) {
-  if (limit != ForceLimit::kLinf) return {};
-  const Rounded round = rounded(set, limit);
-  const std::optional<double> sum = internal::sum_volume(round.set, kMostChoices);
+std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, const VolumeOptions& options) {
+  if (options.limit != ForceLimit::kLinf) return {};
+  const Rounded round = rounded(set, options.limit);
+  const std::optional<double> sum = internal::sum_volume(round.set, kMostChoices, options.progress);
   if (!sum) return {};
   return PolytopeVolume{*sum * round.shrunk, true, 0, kSumError};
 }
@@ -107,8 +109,8 @@ std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, ForceLimit lim
 /// With polytopes of so many edges in and about the caps.
 Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
   const auto find = [&](const WrenchSet& polytopes) {
-    const std::optional<PolytopeVolume> sum = volume_of_sum(polytopes, options.limit);
-    return sum ? *sum : hull_volume(polytopes, options.limit, options.most_facets);
+    const std::optional<PolytopeVolume> sum = volume_of_sum(polytopes, options);
+    return sum ? *sum : hull_volume(polytopes, options, options.most_facets);
   };
   PolytopeVolume in = find(polytopes_in(set, options.edges));
   PolytopeVolume about =
@@ -132,13 +134,12 @@ Volume tighter(const Volume& fine, Volume coarse) {
 /// patience.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   const WrenchSet points = pyramids(set, options.edges);
-  PolytopeVolume v =
-      hull_volume(points, options.limit, std::min(options.most_facets, kFacetsBeforeSum));
+  PolytopeVolume v = hull_volume(points, options, std::min(options.most_facets, kFacetsBeforeSum));
   if (!v.complete || v.error > kSharp) {
-    if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options.limit))
+    if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options))
       v = *sum;
     else if (!v.complete)
-      v = hull_volume(points, options.limit, 8 * std::min(options.most_facets, 100000000));
+      v = hull_volume(points, options, 8 * std::min(options.most_facets, 100000000));
   }
   const bool folded = options.limit == ForceLimit::kLinf && v.facets > kFacetsBeforeSum;
   if (folded) v.error = std::max(v.error, kFolded);
@@ -163,7 +164,7 @@ Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   if (!curved) return volume_of_points(set, options);
   VolumeOptions now = options;
   Volume out = enclosed_volume(set, now);
-  while (!std::isfinite(out.upper) && now.edges > 3) {
+  while (!std::isfinite(out.upper) && now.edges > 3 && !options.progress.stop()) {
     now.edges = std::max(3, now.edges / 2);
     out = tighter(out, enclosed_volume(set, now));
   }

@@ -2,6 +2,7 @@
 
 /// The volume of a wrench set.
 
+#include "base/progress.h"
 #include "grasp/quality/wrench_set.h"
 
 namespace thenar {
@@ -11,6 +12,7 @@ struct VolumeOptions {
   int edges = 12;            // of the pyramids in and about each cone
   int most_facets = 250000;  // of a hull before giving up; cones are then cut to half the edges.
                              // Eight times as many without cones
+  Progress progress{};       // asked to stop, it gives up as if a hull had too many facets
 };
 
 /// Six-dimensional volume [unit forces^6].

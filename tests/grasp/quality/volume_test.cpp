@@ -121,6 +121,21 @@ TEST(Volume, OfThreeEdgesNobodyAskedForIsNoEstimate) {
   EXPECT_GE(v.upper, std::pow(M_PI, 3) * 8 / 720);
 }
 
+// A stop comes through as if the hull had grown too large: at the tenth question here.
+TEST(Volume, IsGivenUpWhenAskedToStop) {
+  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+    int asked = 0;
+    VolumeOptions options;
+    options.limit = limit;
+    options.edges = 100;
+    options.progress.stop_requested = [&] { return ++asked >= 10; };
+    const Volume v = volume(orthogonal_discs(), options);
+    EXPECT_FALSE(v.complete);
+    EXPECT_TRUE(std::isnan(v.estimate));
+    EXPECT_LT(asked, 100);
+  }
+}
+
 // Soft fingers span four dimensions each: nothing but the hull has their volume.
 TEST(Volume, OfTooManyPointsIsNone) {
   std::mt19937 rng(5);
