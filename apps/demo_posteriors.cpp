@@ -33,9 +33,14 @@ PosteriorRun sampled(const FitInputs& inputs, long draws, const Progress& progre
 Json row(const Named& named, const Experiment& experiment, const std::string& how) {
   const FitProblem& problem = named.run.posterior->problem();
   const int specimen = find_specimen(problem, experiment.specimen);
-  const ForceError error = summarise(predict_draws(named.run, experiment, specimen)).error;
-  return {named.name,     experiment.name,        how,
-          error.relative, error.relative_flexion, 100 * error.covered.value_or(0)};
+  const Prediction prediction = summarise(predict_draws(named.run, experiment, specimen));
+  const ForceError& error = prediction.error;
+  return {named.name,
+          experiment.name,
+          prediction.start_has_seen ? how + "; the subject has seen it" : how,
+          error.relative,
+          error.relative_flexion,
+          100 * error.covered.value_or(0)};
 }
 
 /// Errors of every posterior on every experiment, seen or not.
@@ -46,7 +51,7 @@ Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>&
     for (const Experiment& experiment : posterior.problem().experiments())
       rows.push_back(row(named, experiment, "in sample"));
     for (const Experiment& experiment : unseen)
-      rows.push_back(row(named, experiment, "never seen: a stranger"));
+      rows.push_back(row(named, experiment, "never fitted: a stranger"));
     const auto left_out = leave_out_observations(named.run);
     require(left_out.has_value(), "a likelihood of the posterior of '{}' is not finite",
             named.name);

@@ -56,7 +56,13 @@ nlohmann::json error_json(const Prediction& prediction) {
   return {{"experiment", prediction.experiment},
           {"rms_error_N", prediction.error.rms},
           {"relative_error", prediction.error.relative},
-          {"relative_error_flexion_plane", prediction.error.relative_flexion}};
+          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"start_has_seen_specimen", prediction.start_has_seen}};
+}
+
+/// Says behind an error that it is of no stranger.
+const char* mark(const Prediction& prediction) {
+  return prediction.start_has_seen ? " (the subject has seen this specimen)" : "";
 }
 
 nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& validations) {
@@ -117,8 +123,8 @@ void print_summary(const Fit& fit, const std::vector<CrossValidation>& validatio
   for (const CrossValidation& validation : validations) {
     for (const Prediction& p : validation.experiments)
       if (!p.trials.empty())
-        fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
-                   name_of(validation.what), p.error.rms, p.error.relative);
+        fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
+                   name_of(validation.what), p.error.rms, p.error.relative, mark(p));
     if (validation.stopped)
       fmt::print("  {}: stopped after {} of {} folds; the errors are of those alone\n",
                  name_of(validation.what), validation.folds_done, validation.folds.size());

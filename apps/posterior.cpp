@@ -14,6 +14,7 @@
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "base/write_file.h"
+#include "kinematics_fit/experiment_warnings.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
 #include "viewer/posterior_picture.h"
@@ -72,13 +73,18 @@ void predict(const Options& options) {
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);
     const FitProblem& problem = run.posterior->problem();
-    const int specimen = options.population ? -1 : find_specimen(problem, experiment.specimen);
-    const Prediction prediction =
-        summarise(predict_draws(run, experiment, specimen, options.draws));
+    const int fitted = find_specimen(problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, options.population);
+    for (const std::string& warning : experiment_warnings(
+             problem.digit(), plan_experiment(problem.digit(), problem.parameters(), experiment),
+             experiment))
+      fmt::print(stderr, "thenar: warning: {}\n", warning);
+    const Prediction prediction = summarise(
+        predict_draws(run, experiment, by == PredictedBy::kOwn ? fitted : -1, options.draws));
     if (options.json)
-      out.push_back(prediction_json(prediction, experiment.specimen, specimen >= 0));
+      out.push_back(prediction_json(prediction, experiment.specimen, by));
     else
-      print_prediction(prediction, experiment, specimen >= 0);
+      print_prediction(prediction, experiment, by);
   }
   if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
   require_converged(run, options.allow_unconverged);

@@ -24,6 +24,7 @@ json convergence_json(const PosteriorRun& run) {
           {"converged", c.reasons.empty()},
           {"reasons", c.reasons},
           {"advice", advise(run)},
+          {"warnings", run.posterior->problem().warnings()},
           {"worst_r_hat", c.worst_r_hat},
           {"least_bulk_ess", c.least_bulk_ess},
           {"least_tail_ess", c.least_tail_ess},
@@ -69,11 +70,15 @@ json directions_json(const LearntDirections& found) {
 }
 
 json check_json(const ExperimentCheck& of) {
-  json out{
-      {"experiment", of.prediction.experiment},         {"rms_error_N", of.prediction.error.rms},
-      {"relative_error", of.prediction.error.relative}, {"chi_square", of.check.mean_chi_square},
-      {"numbers", of.check.rank_share.size()},          {"p", of.check.p},
-      {"trial_p", vector_json(of.check.trial_p)},       {"doubts", of.check.doubts}};
+  json out{{"experiment", of.prediction.experiment},
+           {"rms_error_N", of.prediction.error.rms},
+           {"relative_error", of.prediction.error.relative},
+           {"chi_square", of.check.mean_chi_square},
+           {"numbers", of.check.rank_share.size()},
+           {"p", of.check.p},
+           {"trial_p", vector_json(of.check.trial_p)},
+           {"doubts", of.check.doubts},
+           {"start_has_seen_specimen", of.prediction.start_has_seen}};
   for (const Coverage& coverage : of.check.coverage)
     out["coverage"].push_back(
         {{"level", coverage.level}, {"share", coverage.share}, {"error", coverage.error}});

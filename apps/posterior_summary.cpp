@@ -136,6 +136,7 @@ void print_summary(const PosteriorRun& run, std::size_t rows) {
   const PosteriorSummary summary = summarise_posterior(run);
   print_banner(run);
   print_figures(run);
+  print_doubts("warning", run.posterior->problem().warnings());
   fmt::print("\n");
   print_checks(summary);
   print_left_out(summary);

@@ -35,18 +35,20 @@ void run(const Options& options) {
   nlohmann::json out = nlohmann::json::array();
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);
-    const int specimen = options.population ? -1 : find_specimen(fit.problem, experiment.specimen);
+    const int fitted = find_specimen(fit.problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, options.population);
     for (const std::string& warning : experiment_warnings(
              fit.problem.digit(),
              plan_experiment(fit.problem.digit(), fit.problem.parameters(), experiment),
              experiment))
       warn(warning);
     const Prediction prediction =
-        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
+        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
+                           by == PredictedBy::kOwn ? fitted : -1);
     if (options.json)
-      out.push_back(prediction_json(prediction, experiment.specimen, specimen >= 0));
+      out.push_back(prediction_json(prediction, experiment.specimen, by));
     else
-      print_prediction(prediction, experiment, specimen >= 0);
+      print_prediction(prediction, experiment, by);
   }
   if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
 }

@@ -21,10 +21,22 @@ std::string component_names(const Experiment& experiment) {
   return names;
 }
 
+const char* in_words(PredictedBy by) {
+  if (by == PredictedBy::kOwn) return "was fitted; its own parameters predict";
+  if (by == PredictedBy::kPopulation)
+    return "was fitted; the population, of which it is a part, predicts";
+  return "was never fitted; the population predicts";
+}
+
 }  // namespace
 
+PredictedBy predicted_by(int specimen, bool population) {
+  if (specimen < 0) return PredictedBy::kStranger;
+  return population ? PredictedBy::kPopulation : PredictedBy::kOwn;
+}
+
 nlohmann::json prediction_json(const Prediction& prediction, const std::string& specimen,
-                               bool fitted) {
+                               PredictedBy by) {
   nlohmann::json vectors = nlohmann::json::array();
   for (const PredictedTrial& trial : prediction.trials)
     vectors.push_back({{"posture", trial.posture},
@@ -36,7 +48,9 @@ nlohmann::json prediction_json(const Prediction& prediction, const std::string& 
                        {"direction_error_deg", degrees(direction_error(trial))}});
   return {{"experiment", prediction.experiment},
           {"specimen", specimen},
-          {"specimen_was_fitted", fitted},
+          {"specimen_was_fitted", by != PredictedBy::kStranger},
+          {"predicted_by", by == PredictedBy::kOwn ? "own parameters" : "population"},
+          {"start_has_seen_specimen", prediction.start_has_seen},
           {"rms_error_N", prediction.error.rms},
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
@@ -46,10 +60,10 @@ nlohmann::json prediction_json(const Prediction& prediction, const std::string& 
           {"vectors", vectors}};
 }
 
-void print_prediction(const Prediction& prediction, const Experiment& experiment, bool fitted) {
-  fmt::print("{}: specimen {} {}\n", prediction.experiment, experiment.specimen,
-             fitted ? "was fitted; its own parameters predict"
-                    : "was never fitted; the population predicts");
+void print_prediction(const Prediction& prediction, const Experiment& experiment, PredictedBy by) {
+  fmt::print("{}: specimen {} {}\n", prediction.experiment, experiment.specimen, in_words(by));
+  if (prediction.start_has_seen)
+    fmt::print("  the subject that the fit started from has seen this specimen\n");
   fmt::print("  forces are ({}) of {}\n", component_names(experiment), experiment.force_segment);
   fmt::print("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
              "measured [N]", "predicted [N]", "sd [N]", "err [N]", "deg");

@@ -71,7 +71,8 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
   require(out.folds.size() >= 2, "to {}, there must be two or more; there is only '{}'",
           name_of(what), out.folds.empty() ? "" : out.folds.front());
   for (const Experiment& experiment : problem.experiments())
-    out.experiments.push_back({experiment.name, {}, {}});
+    out.experiments.push_back(
+        {experiment.name, {}, {}, start_has_seen(problem.digit(), experiment)});
 
   for (const std::string& fold : out.folds) {
     options.progress(static_cast<double>(out.folds_done) / static_cast<double>(out.folds.size()),

@@ -44,6 +44,19 @@ void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warn
   }
 }
 
+void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
+                         Warnings& warnings) {
+  std::string names;
+  for (const CalibratedOn& on : digit.calibrated_on)
+    if (has_seen({on}, experiment.name, experiment.specimen))
+      names += (names.empty() ? "'" : ", '") + on.experiment + "'";
+  if (!names.empty())
+    warnings.push_back(
+        fmt::format("the subject has seen specimen {}: it was calibrated on {}. Errors of its "
+                    "forces, also left out, do not tell how well strangers are predicted",
+                    experiment.specimen, names));
+}
+
 }  // namespace
 
 std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
@@ -51,6 +64,7 @@ std::vector<std::string> experiment_warnings(const TendonDigit& digit, const Exp
   Warnings warnings;
   warn_of_postures(digit, plan, warnings);
   warn_of_tensions(digit, plan, warnings);
+  warn_of_calibration(digit, experiment, warnings);
   const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
                                      [](const Trial& trial) { return trial.moment.has_value(); });
   if (moments > 0)

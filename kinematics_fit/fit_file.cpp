@@ -1,5 +1,7 @@
 // The result file of a fit: everything needed to run it again, and everything it found.
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/provenance.h"
 #include "kinematics_fit/fit.h"
@@ -21,6 +23,23 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
   for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
     add(fmt::format("inputs/experiment{}", e), inputs.experiments[e]);
   file.add("inputs/also_free", inputs.also_free);
+}
+
+/// What the fit has seen: the experiments it was fitted to, and those that its start was.
+void add_seen(const FitProblem& problem, ResultFile& file) {
+  std::vector<std::string> experiments, specimens;
+  for (const Experiment& experiment : problem.experiments()) {
+    experiments.push_back(experiment.name);
+    specimens.push_back(experiment.specimen);
+  }
+  for (const CalibratedOn& on : problem.digit().calibrated_on) {
+    if (std::find(experiments.begin(), experiments.end(), on.experiment) != experiments.end())
+      continue;
+    experiments.push_back(on.experiment);
+    specimens.push_back(on.specimen);
+  }
+  file.add("fit/calibrated_on/experiment", experiments);
+  file.add("fit/calibrated_on/specimen", specimens);
 }
 
 FitInputs inputs_of(const ResultFile& file) {
@@ -71,6 +90,7 @@ void add_predictions(const Fit& fit, ResultFile& file) {
     file.add(group + "/measured", measured, "N", {"trial", "component"});
     file.add(group + "/predicted", predicted, "N", {"trial", "component"});
     file.add(group + "/relative_error", prediction.error.relative, "1");
+    file.add(group + "/start_has_seen_specimen", prediction.start_has_seen ? 1 : 0, "1");
   }
 }
 
@@ -135,6 +155,7 @@ void write_fit(const Fit& fit, const std::string& path) {
   std::vector<std::string> nulls;
   for (const NullDirection& null : fit.covariance.nulls) nulls.push_back(null.text);
   file.add("fit/not_identifiable", nulls);
+  add_seen(fit.problem, file);
   add_parameters(fit, file);
   add_predictions(fit, file);
   add_provenance(fit, file);

@@ -73,6 +73,7 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
       return std::find(of_hood.begin(), of_hood.end(), muscle) != of_hood.end();
     });
   };
+  rung.prediction.start_has_seen = start_has_seen(tendons.digit(), experiment);
   rung.hood_muscles = error_of(rung.prediction, experiment, in_hood);
   for (const Trial& trial : experiment.trials)
     if (const auto alone = loaded(trial); alone.size() == 1)

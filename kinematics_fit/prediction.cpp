@@ -76,6 +76,10 @@ std::string describe_loads(const Trial& trial) {
   return loads;
 }
 
+bool start_has_seen(const TendonDigit& digit, const Experiment& experiment) {
+  return has_seen(digit.calibrated_on, experiment.name, experiment.specimen);
+}
+
 Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
                    const Eigen::Matrix3Xd& sd) {
   Prediction out{experiment.name, {}, {}};
@@ -119,7 +123,10 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   const Eigen::Matrix3Xd force = problem.predict(z, e, WithJacobian::kNo).force;
-  return compare(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
+  Prediction out =
+      compare(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
+  out.start_has_seen = start_has_seen(problem.digit(), problem.experiments()[e]);
+  return out;
 }
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
@@ -142,8 +149,10 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
         forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
-  return compare(experiment, forces.force,
-                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
+  Prediction out = compare(experiment, forces.force,
+                           Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
+  out.start_has_seen = start_has_seen(fitted.digit(), experiment);
+  return out;
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

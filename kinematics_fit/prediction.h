@@ -38,10 +38,16 @@ struct Prediction {
   std::string experiment;
   std::vector<PredictedTrial> trials;
   ForceError error;
+  // The subject that predicts, or that the fit started from, was calibrated on this specimen: the
+  // error is no error of a prediction of what was never seen.
+  bool start_has_seen = false;
 };
 
 /// The muscles that pull in a trial: "FDS" or "EDC+FDS".
 [[nodiscard]] std::string describe_loads(const Trial& trial);
+
+/// Has the digit's subject been calibrated on this experiment's specimen?
+[[nodiscard]] bool start_has_seen(const TendonDigit& digit, const Experiment& experiment);
 
 /// Predicted forces beside the measured ones. @param predicted, sd  [N] (3, trials)
 [[nodiscard]] Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,

@@ -62,6 +62,7 @@ class DigitBuilder {
         options_(options),
         frozen_(frozen_joints(subject, options)) {
     built_.skeleton = build_skeleton(subject, {{name}, frozen_});
+    built_.calibrated_on = subject.calibrated_on;
     set_bones();
     set_bends();
     for (const Strand& strand : subject.strands) add_strand(strand);

@@ -74,6 +74,7 @@ struct TendonDigit {
   Skeleton skeleton;            // the digit alone
   Eigen::VectorXd max_tension;  // F0, infinite where the subject does not say [N] (muscles)
   Fidelity fidelity;            // what was built
+  std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
 };
 
 /// What becomes of joints that other digits share: the wrist.

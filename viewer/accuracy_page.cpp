@@ -11,22 +11,24 @@ namespace thenar {
 namespace {
 
 Json error_row(const std::string& specimen, const std::string& what, const std::string& seen,
-               const ForceError& error) {
-  return Json::array({specimen, what, seen, error.relative, error.relative_flexion, error.rms,
-                      degrees(error.direction)});
+               const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  return Json::array({specimen, what,
+                      prediction.start_has_seen ? "all rows, in its calibration" : seen,
+                      error.relative, error.relative_flexion, error.rms, degrees(error.direction)});
 }
 
 /// All predictions of one specimen, best known first.
 Json rows_of(const SpecimenStudy& study) {
   const std::string specimen = study.fit.problem.specimens().front();
   Json rows = Json::array();
-  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample.error));
+  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample));
   rows.push_back(error_row(specimen, "Fit, posture left out", "other postures",
-                           study.postures.experiments.front().error));
+                           study.postures.experiments.front()));
   rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
-                           study.tendons.experiments.front().error));
+                           study.tendons.experiments.front()));
   for (const Rival& rival : study.rivals)
-    rows.push_back(error_row(specimen, rival.name, rival.note, rival.prediction.error));
+    rows.push_back(error_row(specimen, rival.name, rival.note, rival.prediction));
   return rows;
 }
 

@@ -12,17 +12,18 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
   Json rows = Json::array();
   for (const HoodComparison& comparison : comparisons)
     for (const HoodRung& rung : comparison.rungs)
-      rows.push_back({comparison.experiment, rung_name(rung), rung.prediction.error.relative,
+      rows.push_back({comparison.experiment, rung_name(rung),
+                      rung.prediction.start_has_seen ? "yes" : "no", rung.prediction.error.relative,
                       rung.hood_muscles.relative, rung.off_finest, 1e6 * rung.seconds,
                       rung.trouble.size()});
   return table_block(
-      "Errors of predicted fingertip forces, nothing fitted to the specimen: of all trials, of "
-      "those "
-      "whose muscles pull on the hood alone, and the distance from the finest rung, each relative "
-      "to "
-      "the forces; time for one posture under one load, a net started where it rests.",
+      "Errors of predicted fingertip forces, nothing fitted here (the subject may have been "
+      "calibrated on the specimen before): of all trials, of those whose muscles pull on the hood "
+      "alone, and the distance from the finest rung, each relative to the forces; time for one "
+      "posture under one load, a net started where it rests.",
       {{"specimen", "", -1},
        {"hood", "", -1},
+       {"subject has seen it", ""},
        {"error", "1", 3},
        {"error, hood muscles", "1", 3},
        {"off finest", "1", 3},

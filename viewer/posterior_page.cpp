@@ -35,6 +35,7 @@ void add_doubts(const std::string& title, const std::vector<std::string>& doubts
 
 Json convergence_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array({convergence_banner(picture.convergence, picture.run)});
+  add_doubts("Before trusting the predictions", picture.warnings, blocks);
   if (picture.quantities.empty()) return blocks;
   blocks.push_back(chains_block(
       picture.quantities,

@@ -44,9 +44,10 @@ struct PosteriorPicture {
   std::string title;   // "H01 and H02"; heads the sections
   std::string prefix;  // of section ids, where a page shows several
   std::vector<Quantity> quantities;
-  Convergence convergence;          // its estimates are not used: quantities have them
-  std::string run;                  // one sentence: sampler, chains, draws, seconds
-  std::vector<std::string> corner;  // quantities to start the corner plot with
+  std::vector<std::string> warnings;  // of the experiments and of the subject
+  Convergence convergence;            // its estimates are not used: quantities have them
+  std::string run;                    // one sentence: sampler, chains, draws, seconds
+  std::vector<std::string> corner;    // quantities to start the corner plot with
   std::optional<ModeTable> modes;
   std::optional<TendonDigit> digit;  // before the fit; absent: no scene
   Eigen::VectorXd posture;           // to draw it in [rad]

@@ -77,7 +77,10 @@ std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
     const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
     predicted.push_back({experiment,
                          predict_draws(run, experiment, specimen, kPredictiveDraws).replicated,
-                         experiment.name + ", in sample"});
+                         experiment.name + ", in sample" +
+                             (start_has_seen(run.posterior->problem().digit(), experiment)
+                                  ? "; the subject of the prior has seen this specimen"
+                                  : "")});
   }
   return predicted;
 }
@@ -90,6 +93,7 @@ PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions
   picture.title = options.title;
   picture.prefix = options.prefix;
   picture.convergence = run.convergence;
+  picture.warnings = problem.warnings();
   add_quantities(run, options, picture);
   picture.digit = problem.digit();
   picture.posture = problem.plans().front().postures.front();

@@ -1,11 +1,25 @@
 #include "data/io/subject.h"
 
+#include <algorithm>
+
 #include "data/io/subject_parts.h"
 
 namespace thenar {
 namespace {
 
 using internal::SubjectDraft;
+
+/// Specimens that the numbers were fitted to, each experiment once.
+void read_calibration(TomlTable& top, Subject& subject) {
+  for (TomlTable& row : top.tables("calibrated_on")) {
+    CalibratedOn seen{row.text("experiment"), row.text("specimen")};
+    for (const CalibratedOn& other : subject.calibrated_on)
+      if (other.experiment == seen.experiment)
+        row.fail(fmt::format("experiment '{}' is named twice", seen.experiment), "experiment");
+    row.done();
+    subject.calibrated_on.push_back(std::move(seen));
+  }
+}
 
 void read_header(TomlTable& top, SubjectDraft& draft) {
   Subject& subject = draft.subject;
@@ -19,6 +33,7 @@ void read_header(TomlTable& top, SubjectDraft& draft) {
       top.number_or(Dimension::kStress, "specific_tension", 0, Range::kPositive);
   if (std::optional<TomlTable> lengths = top.table("lengths"))
     subject.lengths = lengths->all(Dimension::kLength);
+  read_calibration(top, subject);
 }
 
 /// Every segment but the base hangs on a joint.
@@ -32,6 +47,13 @@ void check_segments_move(const TomlTable& top, const Subject& subject) {
 }
 
 }  // namespace
+
+bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experiment,
+              const std::string& specimen) {
+  return std::any_of(seen.begin(), seen.end(), [&](const CalibratedOn& on) {
+    return on.experiment == experiment || on.specimen == specimen;
+  });
+}
 
 Subject parse_subject(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);

@@ -65,8 +65,8 @@ struct Surface {
   std::string name;
   std::string segment;  // that carries it
   SurfaceShape shape = SurfaceShape::kSphere;
-  Eigen::Vector3d size{0, 0, 0};                  // [m] (3)
-  Eigen::Vector3d center{0, 0, 0};                // reference posture [m] (3)
+  Eigen::Vector3d size{0, 0, 0};                       // [m] (3)
+  Eigen::Vector3d center{0, 0, 0};                     // reference posture [m] (3)
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns x, y, z of its frame (3, 3)
 };
 
@@ -139,6 +139,17 @@ struct TipMap {
   Eigen::MatrixXd A;                 // tip wrench per unit tension (rows, muscles)
 };
 
+/// A specimen whose measured forces a subject's numbers were fitted to.
+struct CalibratedOn {
+  std::string experiment;  // its name: "synek2019_H01"
+  std::string specimen;    // that it was done on: "H01"
+};
+
+/// Was one of them this experiment, or another one on its specimen? Whoever predicts such forces
+/// has seen the specimen before.
+[[nodiscard]] bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experiment,
+                            const std::string& specimen);
+
 /// The whole description; joints stand in order from the wrist to the tips.
 struct Subject {
   std::string name;
@@ -153,7 +164,8 @@ struct Subject {
   std::vector<MuscleUnit> muscles;
   std::vector<Digit> digits;
   std::vector<TipMap> tip_maps;
-  std::map<std::string, double> lengths;  // hand length, breadth... [m]
+  std::map<std::string, double> lengths;    // hand length, breadth... [m]
+  std::vector<CalibratedOn> calibrated_on;  // empty: its numbers come from no measured force
 };
 
 /// Reads a subject from TOML; the format is in docs/data_format.md.

@@ -121,7 +121,8 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
                      specimen < 0 ? "" : posterior.problem().specimens()[specimen],
                      ForceKernel(digit, parameters, plan).forces(u),
                      {},
-                     {}};
+                     {},
+                     start_has_seen(digit, experiment)};
   out.replicated = out.expected;
   out.sd.resize(out.expected.rows(), out.expected.cols());
   const ForceNoise noise(posterior.problem().robust_scale());
@@ -139,8 +140,11 @@ Prediction summarise(const PredictedDraws& predicted) {
   Eigen::VectorXd sd(mean.size());
   for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
-  return compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
-                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials));
+  Prediction out =
+      compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
+              Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials));
+  out.start_has_seen = predicted.start_has_seen;
+  return out;
 }
 
 Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::MatrixXd& x,

@@ -16,6 +16,7 @@ struct PredictedDraws {
   Eigen::MatrixXd expected;    // forces without noise [N] (3 trials, draws)
   Eigen::MatrixXd replicated;  // what a repeated measurement would read [N] (3 trials, draws)
   Eigen::MatrixXd sd;          // of the noise [N] (3 trials, draws)
+  bool start_has_seen;         // the subject of the prior was calibrated on this specimen
 };
 
 /// Any experiment on the fitted digit, also of a specimen that was not fitted: then every draw adds

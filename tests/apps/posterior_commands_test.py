@@ -190,6 +190,51 @@ class Summary(WithFolder):
         self.assertEqual([of["specimen_was_fitted"] for of in stranger],
                          [False, False])
         self.assertLess(known["relative_error"], stranger[0]["relative_error"])
+        # The subject was calibrated on all three: none of these errors is of a stranger.
+        self.assertTrue(all(of["start_has_seen_specimen"] for of in [known, *stranger]))
+        result = self.done("posterior", "predict", self.output, B01)
+        self.assertIn("the subject has seen specimen B01", result.stderr)
+        self.assertIn("the subject that the fit started from has seen this specimen",
+                      result.stdout)
+        self.assertIn("the subject has seen specimen H01", text)
+        self.assertIn("the subject has seen specimen H01", page.read_text())
+        part = ask("posterior", "predict", self.output, H01, "--population")
+        self.assertEqual(part["predicted_by"], "population")
+        self.assertTrue(part["specimen_was_fitted"])
+
+
+class SeenBefore(WithFolder):
+    """Fits from a subject that was calibrated on the specimens, and from one that was not."""
+
+    def fit_from(self, subject, *more):
+        words = ["fit", H01, H02, "--subject", ROOT / f"data/subjects/{subject}.toml", "--settings",
+                 self.settings, "-o", self.folder / "fit.h5", *more]
+        return self.done(*words)
+
+    def test_fits_and_predictions_say_what_their_subject_has_seen(self):
+        result = self.fit_from("synek2019_middle", "--cross-validate", "specimen")
+        for specimen in ("H01", "H02"):
+            self.assertIn(f"the subject has seen specimen {specimen}: it was calibrated on "
+                          f"'synek2019_{specimen}'", result.stderr)
+        left_out = [line for line in result.stdout.splitlines() if "leave one" in line]
+        self.assertEqual([line.endswith("(the subject has seen this specimen)")
+                          for line in left_out], [True, True])
+        predicted = self.done("predict", self.folder / "fit.h5", B01)
+        self.assertIn("the subject has seen specimen B01", predicted.stderr)
+        self.assertIn("was never fitted", predicted.stdout)
+        self.assertIn("the subject that the fit started from has seen this specimen",
+                      predicted.stdout)
+        self.assertTrue(ask("predict", self.folder / "fit.h5", B01)["start_has_seen_specimen"])
+
+    def test_strangers_are_strangers(self):
+        result = self.fit_from("an_chao_middle", "--cross-validate", "specimen", "--json")
+        self.assertNotIn("has seen", result.stderr)
+        self.assertEqual([of["start_has_seen_specimen"]
+                          for of in json.loads(result.stdout)["left_out"]], [False, False])
+        predicted = ask("predict", self.folder / "fit.h5", B01)
+        self.assertFalse(predicted["start_has_seen_specimen"])
+        part = self.done("predict", self.folder / "fit.h5", H01, "--population").stdout
+        self.assertIn("was fitted; the population, of which it is a part, predicts", part)
 
 
 class Samplers(WithFolder):

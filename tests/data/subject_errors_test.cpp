@@ -75,6 +75,21 @@ TEST(SubjectErrors, Header) {
             "s.toml:3: 'base' names the unknown segment 'MC3', did you mean 'MC2'?");
 }
 
+TEST(SubjectErrors, Calibration) {
+  const auto with = [](const std::string& rows) {
+    return refusal("base = \"MC2\"\n", "base = \"MC2\"\ncalibrated_on = [\n" + rows + "]\n");
+  };
+  EXPECT_EQ(with("{experiment = 'a', specimen = 'A'},\n{experiment = 'b', specimen = 'A'},\n"), "");
+  EXPECT_EQ(with("{experiment = 'a'},\n"), "s.toml:5: [[calibrated_on]] needs 'specimen' (a text)");
+  EXPECT_EQ(with("{specimen = 'A'},\n"), "s.toml:5: [[calibrated_on]] needs 'experiment' (a text)");
+  EXPECT_EQ(with("{experiment = 'a', specimen = 'A'},\n{experiment = 'a', specimen = 'B'},\n"),
+            "s.toml:6: experiment 'a' is named twice");
+  EXPECT_EQ(with("{experiment = 'a', specimens = 'A'},\n"),
+            "s.toml:5: [[calibrated_on]] unknown key 'specimens', did you mean 'specimen'?");
+  EXPECT_EQ(with("{experiment = 'a', specimen = 'A', trials = 3},\n"),
+            "s.toml:5: unknown key 'trials'");
+}
+
 TEST(SubjectErrors, UnknownParent) {
   EXPECT_EQ(refusal("parent = \"MC2\"", "parent = \"MC4\""),
             "s.toml:13: 'parent' names the unknown segment 'MC4', did you mean 'MC2'?");

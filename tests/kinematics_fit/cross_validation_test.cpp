@@ -85,6 +85,18 @@ TEST(CrossValidation, PredictsEveryTrialOnce) {
   }
 }
 
+// What a start has seen stays seen, whatever is left out of the fit.
+TEST(CrossValidation, MarksWhatTheStartHasSeen) {
+  sample::FitSetup setup = two_specimens();
+  setup.digit.calibrated_on = {{"synek2019_H02", "H02"}};
+  const FitProblem problem = setup.problem();
+  for (const LeaveOut what : {LeaveOut::kPosture, LeaveOut::kSpecimen}) {
+    const CrossValidation out = cross_validate(problem, what);
+    EXPECT_FALSE(out.experiments[0].start_has_seen) << name_of(what);
+    EXPECT_TRUE(out.experiments[1].start_has_seen) << name_of(what);
+  }
+}
+
 TEST(CrossValidation, NeedsTwoFolds) {
   const FitProblem problem = sample::middle_finger(kAxes).problem();
   try {

@@ -60,6 +60,23 @@ TEST_F(FitFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(files(), std::vector<std::string>{"fit.h5"});
 }
 
+// A fit says what it was fitted to, and what its start was calibrated on.
+TEST_F(FitFile, CarriesWhatItHasSeen) {
+  FitInputs inputs = small_inputs();
+  inputs.experiments = {sample::source("experiments/synek2019_H02")};
+  const std::string path = (folder_ / "fit.h5").string();
+  write_fit(run_fit(inputs), path);
+  const ResultFile file = read_result(path);
+  EXPECT_EQ(file.list("fit/calibrated_on/experiment"),
+            (std::vector<std::string>{"synek2019_H02", "synek2019_H01", "synek2019_B01"}));
+  EXPECT_EQ(file.list("fit/calibrated_on/specimen"),
+            (std::vector<std::string>{"H02", "H01", "B01"}));
+  const Fit back = read_fit(path);
+  const Experiment stranger = sample::experiment("B01");
+  EXPECT_TRUE(predict_experiment(back.problem, back.solution.z, back.covariance.C, stranger, -1)
+                  .start_has_seen);
+}
+
 TEST_F(FitFile, LeavesNothingBehindWhereItCannotWrite) {
   const Fit fit = run_fit(small_inputs());
   std::ofstream(folder_ / "file") << "in the way";

@@ -386,8 +386,45 @@ between_sd_deg = 4
   }
 }
 
+// The published middle finger was calibrated on H01, H02 and B01, the normative one on nobody.
+TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
+  for (const char* specimen : {"H01", "H02", "B01"}) {
+    const FitProblem seen = middle_finger(kAxes, specimen).problem();
+    const std::string name = std::string("synek2019_") + specimen;
+    EXPECT_EQ(seen.warnings(),
+              std::vector<std::string>{"experiment '" + name + "': the subject has seen specimen " +
+                                       specimen + ": it was calibrated on '" + name +
+                                       "'. Errors of its forces, also left out, do not tell how "
+                                       "well strangers are predicted"});
+    const Eigen::VectorXd z = Eigen::VectorXd::Zero(seen.size());
+    EXPECT_TRUE(predict_fitted(seen, z, 0).start_has_seen);
+
+    const FitProblem unseen = middle_finger(kAxes, specimen, "an_chao_middle").problem();
+    EXPECT_TRUE(unseen.warnings().empty());
+    EXPECT_FALSE(predict_fitted(unseen, z, 0).start_has_seen);
+  }
+}
+
+// Another experiment on a specimen that was seen counts, and so does a seen one renamed within.
+TEST(FitProblem, MarksPredictionsOfSpecimensItsSubjectHasSeen) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on = {{"others_H02", "H02"}};
+  const FitProblem problem = setup.problem();
+  const Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
+  const Eigen::MatrixXd C = Eigen::MatrixXd::Identity(problem.size(), problem.size());
+  Experiment other = sample::experiment("H02");
+  const auto marked = [&] { return predict_experiment(problem, z, C, other, -1).start_has_seen; };
+  EXPECT_TRUE(marked());
+  other.specimen = "somebody";
+  EXPECT_FALSE(marked());
+  other.name = "others_H02";
+  EXPECT_TRUE(marked());
+  EXPECT_FALSE(predict_fitted(problem, z, 0).start_has_seen);  // H01
+}
+
 TEST(FitProblem, SaysThatMomentsAreNotFitted) {
   FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
   setup.experiments.front().trials[2].moment = Eigen::Vector3d(0.1, 0, 0);
   EXPECT_EQ(setup.problem().warnings(),
             std::vector<std::string>{"experiment 'synek2019_H01': 1 measured moments are not "
@@ -396,6 +433,7 @@ TEST(FitProblem, SaysThatMomentsAreNotFitted) {
 
 TEST(FitProblem, SaysWhichAnglesAndTensionsNoFingerHas) {
   FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
   setup.experiments.front().postures[1].angles["PIP3"] = 300 * kDegree;
   setup.experiments.front().trials[0].tension = {{"FDS", 950.0}};
   EXPECT_EQ(setup.problem().warnings(),
@@ -409,6 +447,7 @@ TEST(FitProblem, SaysWhichAnglesAndTensionsNoFingerHas) {
 // goniometer.
 TEST(FitProblem, SaysWhichPosturesAreNearlyStraight) {
   FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
   auto& angles = setup.experiments.front().postures[1].angles;
   angles["PIP3"] = angles["DIP3"] = 0.2 * kDegree;
   const std::vector<std::string> warnings = setup.problem().warnings();
