@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/worst.h"
+
 namespace thenar {
 namespace {
 
@@ -59,11 +61,18 @@ FirstOrder first_order(const NonlinearProgram& program, const VectorXd& x, Vecto
   return result;
 }
 
+double slope_terms(const NonlinearProgram& program, const VectorXd& x, const VectorXd& rows,
+                   const VectorXd& bounds) {
+  VectorXd terms = program.gradient(x).cwiseAbs() + bounds.cwiseAbs();
+  if (rows.size() > 0) terms += program.jacobian(x).cwiseAbs().transpose() * rows.cwiseAbs();
+  return terms.size() > 0 ? largest_or_nan(terms) : 0;
+}
+
 double violation(const NonlinearProgram& program, const VectorXd& x) {
   const VectorXd values = row_values(program, x);
   const double rows = Bounded{values, program.row_lower, program.row_upper}.violation();
   const double bounds = Bounded{x, program.lower, program.upper}.violation();
-  return std::isnan(rows) ? rows : std::max(rows, bounds);
+  return largest_or_nan(rows, bounds);
 }
 
 }  // namespace thenar

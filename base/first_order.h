@@ -17,6 +17,10 @@ namespace thenar {
 [[nodiscard]] FirstOrder first_order(const NonlinearProgram& program, const Eigen::VectorXd& x,
                                      Eigen::VectorXd rows, Eigen::VectorXd bounds);
 
+/// The largest of  |gradient| + |jacobian|' |rows| + |bounds|: what rounding of d is small against.
+[[nodiscard]] double slope_terms(const NonlinearProgram& program, const Eigen::VectorXd& x,
+                                 const Eigen::VectorXd& rows, const Eigen::VectorXd& bounds);
+
 /// How far x is outside its bounds and rows, at most; each over max(1, |its bound|).
 [[nodiscard]] double violation(const NonlinearProgram& program, const Eigen::VectorXd& x);
 

@@ -223,8 +223,14 @@ void set_options(Ipopt::OptionsList& list, const NonlinearProgram& program,
   if (!program.hessian) list.SetStringValue("hessian_approximation", "limited-memory");
 }
 
+/// An answer, and what its stationarity is small against.
+struct Run {
+  NonlinearResult result;
+  double slope = 0;  // slope_terms() where it ended
+};
+
 /// One run of Ipopt, and the conditions where it ended.
-NonlinearResult run(const NonlinearProgram& program, const VectorXd& x0,
+Run run(const NonlinearProgram& program, const VectorXd& x0,
                     const NonlinearOptions& options, Barrier barrier) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   set_options(*application->Options(), program, options, barrier);
@@ -235,28 +241,25 @@ NonlinearResult run(const NonlinearProgram& program, const VectorXd& x0,
 
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
   const Outcome outcome = outcome_of(status);
-  NonlinearResult result{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0,
-                         FirstOrder{}};
+  Run run{
+      {outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, FirstOrder{}}, 0};
+  NonlinearResult& result = run.result;
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();
-  if (result.x.allFinite())
-    result.first_order = first_order(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
-  return result;
-}
-
-/// The steepest slope of the objective: what a slope that is left over is small against.
-double steepest(const NonlinearProgram& program, const VectorXd& x) {
-  return program.gradient(x).cwiseAbs().maxCoeff();
+  if (!result.x.allFinite()) return run;
+  result.first_order = first_order(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
+  run.slope = slope_terms(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
+  return run;
 }
 
 /// Does what the status claims hold by our own arithmetic? NaN fails.
-bool holds(const NonlinearProgram& program, const VectorXd& x0, const NonlinearResult& result,
-           double certified) {
+bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, double certified) {
+  const NonlinearResult& result = run.result;
   const FirstOrder& at = result.first_order;
   switch (result.status) {
     case NonlinearStatus::kSolved:
     case NonlinearStatus::kAcceptable: {
-      const double slope = std::max({1.0, steepest(program, x0), steepest(program, result.x)});
-      return at.violation <= certified && at.stationarity <= certified * slope &&
+      return std::isfinite(run.slope) && at.violation <= certified &&
+             at.stationarity <= certified * std::max(1.0, run.slope) &&
              at.complementarity <= certified * std::max(1.0, std::abs(result.objective));
     }
     case NonlinearStatus::kInfeasible:
@@ -302,23 +305,23 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
   const std::lock_guard<std::mutex> lock(one_at_a_time);
 
   const double certified = std::max(options.certified, 10 * options.acceptable_tolerance);
-  const NonlinearResult first = run(program, x0, options, Barrier::kAdaptive);
-  if (holds(program, x0, first, certified)) return first;
-  if (first.message == kIterationLimit) return first;  // the caller's own
+  const Run first = run(program, x0, options, Barrier::kAdaptive);
+  if (holds(program, x0, first, certified)) return first.result;
+  if (first.result.message == kIterationLimit) return first.result;  // the caller's own
 
   // Another start and another rule; what the first run needed counts too.
-  const VectorXd again = first.x.allFinite() ? first.x : x0;
-  NonlinearResult second = run(program, again, options, Barrier::kMonotone);
-  second.iterations += first.iterations;
-  if (holds(program, x0, second, certified)) return second;
+  const VectorXd again = first.result.x.allFinite() ? first.result.x : x0;
+  Run second = run(program, again, options, Barrier::kMonotone);
+  second.result.iterations += first.result.iterations;
+  if (holds(program, x0, second, certified)) return second.result;
 
   // Nor is it believed when it gives up where the conditions hold.
-  for (NonlinearResult stalled : {second, first}) {
-    if (stalled.status != NonlinearStatus::kStalled) continue;
-    stalled.status = NonlinearStatus::kAcceptable;
-    if (holds(program, x0, stalled, certified)) return stalled;
+  for (Run stalled : {second, first}) {
+    if (stalled.result.status != NonlinearStatus::kStalled) continue;
+    stalled.result.status = NonlinearStatus::kAcceptable;
+    if (holds(program, x0, stalled, certified)) return stalled.result;
   }
-  return refuted(first);
+  return refuted(first.result);
 }
 
 }  // namespace thenar

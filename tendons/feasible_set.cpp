@@ -12,6 +12,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
+#include "base/worst.h"
 #include "tendons/convex_hull.h"
 #include "tendons/linear_program.h"
 #include "tendons/tip_balance.h"
@@ -191,12 +192,12 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
       const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
       if (over > kCertified && add_new(frame, beyond, points)) grown = true;
-      open = std::max(open, over);
+      open = largest_or_nan(open, over);
       if (over > kCertified) continue;
       certified.push_back(facet);
-      excess = std::max(excess, over);
+      excess = largest_or_nan(excess, over);
     }
-    excess = std::max(excess, grown ? 0.0 : open);
+    excess = largest_or_nan(excess, grown ? 0.0 : open);
     if (!grown) return hull;
   }
   return {{}, "the hull of feasible forces did not close", {}};
@@ -264,7 +265,7 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
     set.tension.row(i) = internal::tension(balance, point.a);
     set.activation.row(i) = internal::activation(statics, set.tension.row(i));
-    set.imbalance = std::max(set.imbalance,
+    set.imbalance = largest_or_nan(set.imbalance,
                              internal::imbalance(statics, set.vertices.row(i), set.tension.row(i)));
   }
 }

@@ -6,6 +6,8 @@
 
 #include <Eigen/LU>
 
+#include "base/worst.h"
+
 namespace thenar::internal {
 namespace {
 
@@ -51,12 +53,13 @@ void add(const Push& push, LinearCertificate& certificate) {
     certificate.gap += price * std::abs(bound - push.value);
     return;
   }
-  certificate.unpriced = std::max(certificate.unpriced, price / std::max(1.0, push.terms));
+  certificate.unpriced =
+      largest_or_nan(certificate.unpriced, price / std::max(1.0, push.terms));
   certificate.gap += price * std::abs(push.value);
 }
 
 double violation(double value, double lower, double upper, double terms) {
-  return std::max({0.0, lower - value, value - upper}) / std::max(1.0, terms);
+  return largest_or_nan({0.0, lower - value, value - upper}) / std::max(1.0, terms);
 }
 
 }  // namespace
@@ -97,7 +100,7 @@ LinearCertificate certify(const LinearProgram& program, const PricedPoint& point
     return {kNaN, kNaN, kNaN};
   }
   const auto largest = [&](double value) {
-    certificate.violation = std::max(certificate.violation, value);
+    certificate.violation = largest_or_nan(certificate.violation, value);
   };
 
   // Columns: what is left of the objective after the rows are paid.

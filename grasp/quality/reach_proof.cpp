@@ -7,6 +7,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/worst.h"
 #include "grasp/quality/matrix_inequality.h"
 #include "grasp/quality/polish.h"
 
@@ -148,15 +149,16 @@ class Problem {
   /// Least eigenvalue of F, and of what its weights must obey; by eigenvalues, where the search had
   /// Cholesky factors. Less its rounding.
   [[nodiscard]] double check(const VectorXd& y) const {
+    if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
     double least = std::numeric_limits<double>::infinity();
-    for (const int k : weights_) least = std::min(least, y(k));
+    for (const int k : weights_) least = smallest_or_nan(least, y(k));
     for (const Product& each : products_)
-      least = std::min(
+      least = smallest_or_nan(
           least, y(each.kappa) - Eigen::JacobiSVD<MatrixXd>(K_of(each, y)).singularValues()(0));
     double size = 0;
     for (std::size_t k = 0; k < forms_.size(); ++k)
       size += std::abs(y(static_cast<Index>(k))) * forms_[k].norm();
-    return std::min(least, smallest_eigenvalue(form(y)) - kRounding * size);
+    return smallest_or_nan(least, smallest_eigenvalue(form(y)) - kRounding * size);
   }
 
   [[nodiscard]] MatrixXd form(const VectorXd& y) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/worst.h"
 
 namespace thenar {
 namespace {
@@ -94,7 +95,7 @@ class Recorder {
       m->conservativeResize(next_, Eigen::NoChange);
     kept_.slips.conservativeResize(next_, Eigen::NoChange);
     kept_.tip.conservativeResize(next_, Eigen::NoChange);
-    kept_.balance.error = std::max(balance.error, energy_error(kept_));
+    kept_.balance.error = largest_or_nan(balance.error, energy_error(kept_));
     if (model_.contraction.rung() == Muscle::kBounds) kept_.fibre.resize(0, 0);
     return std::move(kept_);
   }
@@ -137,8 +138,8 @@ class Account {
 
   void add(const MotionState& state) {
     const double made = motion_.energy(state) - begin_ - state.work + state.lost;
-    error_ = std::max(error_, std::abs(made));
-    kinetic_ = std::max(kinetic_, motion_.kinetic_energy(state));
+    error_ = largest_or_nan(error_, std::abs(made));
+    kinetic_ = largest_or_nan(kinetic_, motion_.kinetic_energy(state));
     turned_ += std::abs(state.work - work_);
     work_ = state.work;
     lost_ = state.lost;
@@ -261,7 +262,7 @@ VectorXd energy_made(const Trajectory& trajectory) {
 }
 
 double energy_error(const Trajectory& trajectory) {
-  return trajectory.energy.size() > 0 ? energy_made(trajectory).cwiseAbs().maxCoeff() : 0;
+  return trajectory.energy.size() > 0 ? largest_or_nan(energy_made(trajectory).cwiseAbs()) : 0;
 }
 
 }  // namespace thenar

@@ -88,6 +88,13 @@ TEST(FirstOrder, VanishesAtTheOptimumAndNowhereElse) {
   EXPECT_NEAR(first_order(nearest_in_disc(), Vector2d(2, 0), y, none).violation, 3, 1e-15);
 }
 
+TEST(FirstOrder, SeesThatAVariableIsNotANumber) {
+  NonlinearProgram program = nearest_in_disc();
+  program.constraints = [](const VectorXd&) { return VectorXd::Zero(1); };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(violation(program, Vector2d(0, nan))));
+}
+
 // A price that pushes to where there is no bound cannot excuse a slope.
 TEST(FirstOrder, PricesOfInfiniteBoundsExcuseNothing) {
   const FirstOrder at = first_order(nearest_to_2_1(), Vector2d(0, 1), VectorXd(0), Vector2d(4, 0));
@@ -110,6 +117,23 @@ TEST(NonlinearProgram, RefusesPointsWhoseConditionsFail) {
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), strict);
   EXPECT_EQ(result.status, NonlinearStatus::kStalled);
   EXPECT_NE(result.message.find("first-order conditions do not hold"), std::string::npos);
+}
+
+// The slope of (x - 2)^4 + y^2 is 4e9 at the start: what Ipopt leaves of it at a loose tolerance is
+// a small part of that, and no optimum.
+TEST(NonlinearProgram, SteepStartsExcuseNoSlopeAtTheEnd) {
+  NonlinearProgram program = nearest_to_2_1();
+  program.objective = [](const VectorXd& x) { return std::pow(x(0) - 2, 4) + x(1) * x(1); };
+  program.gradient = [](const VectorXd& x) -> VectorXd {
+    return Vector2d(4 * std::pow(x(0) - 2, 3), 2 * x(1));
+  };
+  NonlinearOptions loose;
+  loose.tolerance = 1e-5;
+  loose.acceptable_tolerance = 1e-8;
+  const NonlinearResult result = solve_ipopt(program, Vector2d(1002, 0), loose);
+  const double left = program.gradient(result.x).cwiseAbs().maxCoeff();
+  EXPECT_TRUE(result.status == NonlinearStatus::kStalled || left <= 1e-6)
+      << result.message << ", slope " << left;
 }
 
 // Nothing to vary and nothing obeyed.

@@ -9,6 +9,7 @@
 #include <Eigen/Dense>
 
 #include "base/angles.h"
+#include "base/worst.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/linkage.h"
@@ -144,8 +145,8 @@ double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& mo
   double worst = 0;
   for (int i = 0; i <= kChecks; ++i) {
     const double u = motor.lower + (motor.upper - motor.lower) * i / kChecks;
-    worst =
-        std::max(worst, linkage.gaps(link_poses(coupled, {{motor.name, u}})).cwiseAbs().maxCoeff());
+    worst = largest_or_nan(
+        worst, largest_or_nan(linkage.gaps(link_poses(coupled, {{motor.name, u}})).cwiseAbs()));
   }
   return worst;
 }
@@ -235,11 +236,11 @@ class Closing {
         if (!still) followers_.push_back("'" + linkage.passives()[i].name + "'");
       }
       const double now = gape(linkage, coupled, motor);
-      if (now >= gape_) continue;
+      if (!(now < gape_)) continue;
       gape_ = now;
       best = std::move(coupled);
     }
-    if (gape_ > kGape)
+    if (!(gape_ <= kGape))
       return fmt::format("no polynomial of degree {} closes it: it gapes by {:.2g} mm",
                          kHighestDegree, 1e3 * gape_);
     adopt(std::move(best), linkage, motor, lost);

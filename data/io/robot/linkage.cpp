@@ -5,6 +5,7 @@
 
 #include <Eigen/Dense>
 
+#include "base/worst.h"
 #include "data/io/robot/link_poses.h"
 
 namespace thenar::internal {
@@ -59,14 +60,15 @@ VectorXd Linkage::gaps(const std::vector<Pose<double>>& links) const {
 std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
   // Where the motor moves every joint, the loop closes by itself or not at all.
   if (passives_.empty())
-    return gaps(u, y).cwiseAbs().maxCoeff() < kClosed ? std::optional<VectorXd>(y) : std::nullopt;
+    return largest_or_nan(gaps(u, y).cwiseAbs()) < kClosed ? std::optional<VectorXd>(y)
+                                                           : std::nullopt;
   std::vector<Stop> stops(passives_.size(), Stop::kNone);
   for (int iteration = 0; iteration < 400; ++iteration) {
     const VectorXd c = gaps(u, y);
     const MatrixXd J = slopes(u, y);
     bool decided = true;
     VectorXd d = free_step(c, J, y, stops, decided);
-    if (c.cwiseAbs().maxCoeff() < kClosed && d.cwiseAbs().maxCoeff() < 1e-10) {
+    if (largest_or_nan(c.cwiseAbs()) < kClosed && largest_or_nan(d.cwiseAbs()) < 1e-10) {
       if (release(J, y, stops)) continue;
       return decided ? std::optional<VectorXd>(y) : std::nullopt;
     }
