@@ -9,6 +9,7 @@
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "base/worst.h"
 #include "grasp/quality/second_order_cone.h"
 
 namespace thenar {
@@ -49,7 +50,8 @@ struct Reduced {
 
 struct Presolve {
   std::optional<Reduced> reduced;  // nothing: the equalities contradict each other
-  bool unbounded_if_feasible = false;
+  VectorXd misfit;                 // then A x - b of least length
+  VectorXd falling;                // no cone sees it, the objective falls along it; may be empty
 };
 
 Qr rank_revealing(const MatrixXd& M) {
@@ -75,12 +77,13 @@ Presolve presolve(const ConeProgram& p) {
   Presolve result;
   VectorXd x0 = VectorXd::Zero(p.c.size());
   if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
-  if (p.A.rows() > 0 && (p.A * x0 - p.b).norm() > kConsistent * (1 + p.b.norm())) return result;
+  if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
+  if (result.misfit.norm() > kConsistent * (1 + p.b.norm())) return result;
   MatrixXd N = p.A.rows() > 0 ? split(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
   const Split seen = split(p.G * N);
   const VectorXd c = N.transpose() * p.c;
-  result.unbounded_if_feasible =
-      (seen.null_space.transpose() * c).norm() > kConsistent * (1 + c.norm());
+  const VectorXd unseen = seen.null_space.transpose() * c;
+  if (unseen.norm() > kConsistent * (1 + c.norm())) result.falling = -N * seen.null_space * unseen;
   N = (N * seen.row_space).eval();
   result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
   return result;
@@ -230,7 +233,7 @@ Progress progress_of(const Reduced& p, const Embedding& e) {
   const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
   const double gap = std::abs(cx + hz) / (1 + std::abs(cx));
   const double hz_raw = p.h.dot(e.z), cx_raw = p.c.dot(e.x);
-  return {std::max({primal, dual, gap}),
+  return {largest_or_nan({primal, dual, gap}),
           hz_raw < 0 ? (p.G.transpose() * e.z).norm() / -hz_raw : kInfinity,
           cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
 }
@@ -240,12 +243,15 @@ struct Core {
   VectorXd v, z;
   double residual = kInfinity;
   double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
+  VectorXd infeasible_z, unbounded_v;                    // what they are made of
   int iterations = 0, last_better = 0;
 };
 
 void keep_if_better(Core& best, const Embedding& e, const Progress& progress) {
   if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
     best.last_better = best.iterations;
+  if (progress.infeasible < best.infeasible) best.infeasible_z = e.z;
+  if (progress.unbounded < best.unbounded) best.unbounded_v = e.x;
   best.infeasible = std::min(best.infeasible, progress.infeasible);
   best.unbounded = std::min(best.unbounded, progress.unbounded);
   if (!(progress.solved < best.residual)) return;
@@ -282,11 +288,10 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
   }
 }
 
-/// Multipliers of the equalities, from  c + A'y + G'z = 0.
-VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& z) {
+/// Multipliers of the equalities, from  A'y = rest.
+VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& rest) {
   if (p.A.size() == 0) return VectorXd::Zero(p.b.size());
-  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose())
-      .solve(-p.c - p.G.transpose() * z);
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose()).solve(rest);
 }
 
 /// How far parts of v lie outside of their cones.
@@ -294,7 +299,7 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   double worst = 0;
   Index row = 0;
   for (const int size : cones) {
-    worst = std::max(worst, v.segment(row + 1, size - 1).norm() - v(row));
+    worst = largest_or_nan(worst, v.segment(row + 1, size - 1).norm() - v(row));
     row += size;
   }
   return worst;
@@ -309,44 +314,105 @@ double residual_of(const ConeProgram& p, const ConeResult& r) {
     stationary += p.A.transpose() * r.y;
     equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
   }
-  return std::max({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+  return largest_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
                    over(stationary.norm(), p.c.norm()),
                    over(outside_cones(r.z, p.cones), r.z.norm()),
                    over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+}
+
+/// How far y and z are from Farkas' proof: with A'y + G'z = e, z in K and -(b'y + h'z) = g > 0, no
+/// x shorter than g / |e| obeys all. @return |e| / g and how far z is outside of K, infinite if
+/// there is no proof
+double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
+  VectorXd e = p.G.transpose() * z;
+  double gain = -p.h.dot(z);
+  if (p.A.size() > 0) e += p.A.transpose() * y;
+  if (p.b.size() > 0) gain -= p.b.dot(y);
+  if (!(gain > 0)) return kInfinity;
+  return largest_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
+}
+
+/// How far a direction d is from one along which the objective falls and everything still holds:
+/// A d = 0, -G d in K, c'd < 0. @return what is missing over -c'd, infinite if it does not fall
+double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
+  const double gain = -p.c.dot(d);
+  if (!(gain > 0)) return kInfinity;
+  const double equalities = p.A.size() > 0 ? (p.A * d).norm() : 0;
+  return largest_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
+}
+
+/// What is said before anything is known.
+ConeResult unanswered(const ConeProgram& p) {
+  return {ConeStatus::kStalled,
+          VectorXd::Zero(p.c.size()),
+          VectorXd::Zero(p.b.size()),
+          VectorXd::Zero(p.h.size()),
+          kInfinity,
+          kInfinity,
+          kInfinity,
+          0};
+}
+
+/// Infeasible, if y and z of the result prove it.
+bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
+  result.residual = misses_infeasible(p, result.y, result.z);
+  if (result.residual <= most) result.status = ConeStatus::kInfeasible;
+  return result.status == ConeStatus::kInfeasible;
+}
+
+/// Unbounded, if the objective falls along a direction, and there is a point to start from; that
+/// there is none may come out instead.
+bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
+                      double most, ConeResult& result) {
+  const double missing = misses_unbounded(p, direction);
+  if (!(missing <= most)) return false;
+  ConeProgram without_objective = p;
+  without_objective.c.setZero();
+  const ConeResult point = solve(without_objective, options);
+  if (point.status == ConeStatus::kInfeasible) result = point;
+  if (point.status != ConeStatus::kSolved) return point.status == ConeStatus::kInfeasible;
+  result.status = ConeStatus::kUnbounded;
+  result.residual = missing;
+  result.objective = result.dual = -kInfinity;
+  return true;
 }
 
 }  // namespace
 
 ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   check(program);
+  const double most = 10 * options.acceptable;
   const Presolve pre = presolve(program);
-  const VectorXd zero = VectorXd::Zero(program.c.size());
-  ConeResult result{ConeStatus::kInfeasible,
-                    zero,
-                    VectorXd::Zero(program.b.size()),
-                    VectorXd::Zero(program.h.size()),
-                    kInfinity,
-                    kInfinity,
-                    0,
-                    0};
-  if (!pre.reduced) return result;
+  ConeResult result = unanswered(program);
+  if (!pre.reduced) {
+    result.y = pre.misfit;
+    (void)settle_infeasible(program, most, result);
+    return result;
+  }
   const Core core = solve_reduced(*pre.reduced, program.cones, options);
-  result.status = core.status;
+  const MatrixXd& N = pre.reduced->N;
   result.iterations = core.iterations;
-  result.residual = core.residual;
-  if (core.status == ConeStatus::kSolved && pre.unbounded_if_feasible)
-    result.status = ConeStatus::kUnbounded;
-  result.x = pre.reduced->x0 + pre.reduced->N * core.v;
-  if (result.status == ConeStatus::kInfeasible) return result;
-  result.objective = result.dual = -kInfinity;
-  if (result.status == ConeStatus::kUnbounded) return result;
+  result.x = pre.reduced->x0 + N * core.v;
+
+  // That there is no point, or no least one, the method does not say on its own word.
+  if (core.status == ConeStatus::kInfeasible) {
+    result.z = core.infeasible_z;
+    result.y = equality_multipliers(program, -program.G.transpose() * result.z);
+    if (settle_infeasible(program, most, result)) return result;
+  }
+  const bool falls = core.status == ConeStatus::kSolved && pre.falling.size() > 0;
+  if ((core.status == ConeStatus::kUnbounded || falls) &&
+      settle_unbounded(program, falls ? pre.falling : VectorXd(N * core.unbounded_v), options, most,
+                       result))
+    return result;
+
   result.z = core.z;
-  result.y = equality_multipliers(program, core.z);
+  result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
-  result.residual = std::max(result.residual, residual_of(program, result));
-  if (result.status == ConeStatus::kSolved && !(result.residual <= 10 * options.acceptable))
-    result.status = ConeStatus::kStalled;
+  result.residual = largest_or_nan(core.residual, residual_of(program, result));
+  if (core.status == ConeStatus::kSolved && !falls && result.residual <= most)
+    result.status = ConeStatus::kSolved;
   return result;
 }
 

@@ -23,9 +23,10 @@ struct ConeProgram {
 
 enum class ConeStatus {
   kSolved,      // x is optimal within `residual`
-  kInfeasible,  // no x obeys all; proven by a certificate
-  kUnbounded,   // the objective falls without limit; proven by a certificate
-  kStalled      // neither was reached within the tolerance: x is the best point found
+  kInfeasible,  // no x obeys all: y and z are Farkas' proof, checked anew to 10 `acceptable`
+  kUnbounded,   // the objective falls without limit along a direction, checked likewise, from a
+                // point that obeys all
+  kStalled      // nothing of this could be shown: x is the best point found
 };
 
 struct ConeOptions {
@@ -44,7 +45,9 @@ struct [[nodiscard]] ConeResult {
   double dual;        // -b' y - h' z: a bound of the objective from below within `residual`
   double residual;    // largest of the KKT conditions of the programme as asked: feasibility, dual
                       // feasibility, gap, each divided by 1 + the norm of what it is compared
-                      // with; computed anew from x, y and z. Above 10 `acceptable`: kStalled [1]
+                      // with; computed anew from x, y and z. Above 10 `acceptable`: kStalled [1].
+                      // Infeasible: no x shorter than its inverse obeys all. Unbounded: how far the
+                      // direction leaves the set, over the fall of the objective
   int iterations;
 };
 

@@ -59,6 +59,43 @@ TEST(ConeProgram, ProvesInfeasibility) {
   EXPECT_EQ(solve(distance_to_line(2.9)).status, ConeStatus::kSolved);
 }
 
+// Farkas: A'y + G'z = 0 with z in K and b'y + h'z < 0 rules every x out, and needs no solver.
+void expect_proof(const ConeProgram& p, const ConeResult& result, const std::string& about) {
+  ASSERT_EQ(result.status, ConeStatus::kInfeasible) << about;
+  VectorXd e = p.G.transpose() * result.z;
+  if (p.A.size() > 0) e += p.A.transpose() * result.y;
+  const double gain = -p.h.dot(result.z) - (p.b.size() > 0 ? p.b.dot(result.y) : 0);
+  EXPECT_GT(gain, 0) << about;
+  EXPECT_LE(e.norm(), 1e-6 * gain) << about;
+  EXPECT_NEAR(result.residual, e.norm() / gain, 1e-9) << about;
+  for (int row = 0, k = 0; k < static_cast<int>(p.cones.size()); row += p.cones[k++])
+    EXPECT_LE(result.z.segment(row + 1, p.cones[k] - 1).norm(), result.z(row) + kSolved) << about;
+}
+
+TEST(ConeProgram, StatesTheProofOfInfeasibility) {
+  expect_proof(distance_to_line(2.8), solve(distance_to_line(2.8)), "too near");
+  ConeProgram p = distance_to_line();
+  p.A.conservativeResize(2, 3);
+  p.A.row(1) << 0, 2, 2;
+  p.b = Eigen::Vector2d(1, 3);
+  expect_proof(p, solve(p), "contradiction");
+}
+
+// The objective falls along x0 for ever, but w is asked to be above `most` + 1 and below `most`:
+// there is no point to fall from, whatever the ray says.
+TEST(ConeProgram, CallsNothingUnboundedThatHasNoPoint) {
+  for (const double fall : {1e-3, 1.0, 1e3, 1e6})
+    for (const double apart : {1e-2, 1.0, 1e2}) {
+      ConeProgram p{Eigen::Vector2d(fall, 0), {}, {}, MatrixXd::Zero(3, 2), VectorXd::Zero(3),
+                    {1, 1, 1}};
+      p.G(0, 0) = 1;   // x0 <= 0
+      p.G(1, 1) = -1;  // w >= apart
+      p.h(1) = -apart;
+      p.G(2, 1) = 1;  // w <= 0
+      expect_proof(p, solve(p), std::to_string(fall) + " " + std::to_string(apart));
+    }
+}
+
 TEST(ConeProgram, SolvesWhereOnlyOnePointIsFeasible) {
   const ConeResult result = solve(distance_to_line(4 / std::sqrt(2.0)));
   ASSERT_EQ(result.status, ConeStatus::kSolved);
