@@ -184,7 +184,8 @@ LinearStatus find_feasible(LinearProgram& program, LinearResult& proof) {
 }
 
 /// No method's optimum was certified: prove that there is none, or meet the rows to rounding.
-LinearResult without_optimum(LinearProgram program) {
+LinearResult without_optimum(const LinearProgram& asked) {
+  LinearProgram program = asked;
   LinearResult proof;
   const LinearStatus feasible = find_feasible(program, proof);
   if (feasible != LinearStatus::kSolved) {
@@ -198,7 +199,11 @@ LinearResult without_optimum(LinearProgram program) {
     result.certificate = ray.certificate;
     return result;
   }
-  return optimum(program);  // with rows relaxed
+  // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.
+  LinearResult result = optimum(program);
+  if (result.status == LinearStatus::kSolved)
+    result.certificate.violation = internal::certify(asked, {result.x, result.prices}).violation;
+  return result;
 }
 
 bool bounds_cross(const LinearProgram& program) {

@@ -46,7 +46,8 @@ struct LinearResult {
 /// fails, CLP's dual method, then a dense simplex method of our own are asked. Infeasible and
 /// unbounded are certified too: by the least sum of violations, and by a ray.
 /// Rows and columns should be of order one. Where rows cannot be met to 1e-12 but to 1e-9, they are
-/// relaxed by what is missing.
+/// relaxed by what is missing: `certificate.violation` states by how much x misses those asked, up
+/// to 1e-9, and the gap is that of the relaxed program.
 ///
 /// @throws InputError if shapes disagree, an entry of A or the objective is not finite, or a bound
 ///         is NaN.

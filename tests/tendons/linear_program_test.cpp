@@ -40,6 +40,19 @@ TEST(LinearProgram, ReportsContradiction) {
   EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
 }
 
+// x = 1 and x = 1 + 5e-10 at once: each x misses one of them by 2.5e-10 or more.
+TEST(LinearProgram, StatesByHowMuchItMissesRowsThatItRelaxed) {
+  LinearProgram program = textbook();
+  program.A << 1, 0, 1, 0;
+  program.row_lower = program.row_upper = Vector2d(1, 1 + 5e-10);
+  program.upper(1) = 1;
+  const LinearResult result = solve(program);
+  ASSERT_EQ(result.status, LinearStatus::kSolved);
+  EXPECT_NEAR(result.objective, 5, 2e-9);
+  EXPECT_GE(result.certificate.violation, 2.4e-10);
+  EXPECT_LE(result.certificate.violation, 5.1e-10);
+}
+
 TEST(LinearProgram, ReportsUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_upper.setConstant(kInfinity);
