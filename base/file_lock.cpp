@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include <fcntl.h>
 #include <sys/file.h>
@@ -21,9 +22,20 @@ bool is_named(int file, const std::string& name) {
          opened.st_ino == named.st_ino && opened.st_dev == named.st_dev;
 }
 
+/// Where links lead, also to a file that is yet to come: two names of one file are one lock.
+std::string file_behind(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the system follows
+  std::error_code none;
+  std::filesystem::path file = path;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(file, none); ++i)
+    file = file.parent_path() / std::filesystem::read_symlink(file, none);
+  const std::filesystem::path real = std::filesystem::weakly_canonical(file, none);
+  return none ? path : real.string();
+}
+
 }  // namespace
 
-FileLock::FileLock(const std::string& path) : name_(path + ".lock") {
+FileLock::FileLock(const std::string& path) : name_(file_behind(path) + ".lock") {
   do {
     if (file_ >= 0) (void)close(file_);
     file_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);

@@ -27,6 +27,21 @@ TEST_F(FileLockTest, KeepsOthersOutAndLeavesNothing) {
   const FileLock again(path("a"));
 }
 
+// Two names of one file are one lock, also before there is a file.
+TEST_F(FileLockTest, FollowsLinksToTheFile) {
+  std::filesystem::create_symlink("a", path("link"));
+  std::filesystem::create_directory(path("in"));
+  std::filesystem::create_symlink("../link", path("in/far"));
+  for (const bool exists : {false, true}) {
+    if (exists) std::ofstream(path("a")) << "it";
+    const FileLock first(path("a"));
+    for (const char* name : {"link", "in/far", "in/../a"})
+      EXPECT_EQ(message_of([&] { const FileLock second(path(name)); }),
+                "another process works on '" + path(name) + "'")
+          << exists;
+  }
+}
+
 // A process that was killed leaves the name, and no lock.
 TEST_F(FileLockTest, TakesOverWhatADeadProcessLeft) {
   std::ofstream(path("a.lock")) << "";
