@@ -47,9 +47,17 @@ std::string range_name(Range range) {
   return "in 0..1";
 }
 
-/// The largest size of a quantity that a file may state [SI]: far beyond any hand, robot or object,
-/// near enough that no formula overflows and a wrong unit (120 m for 120 mm) is noticed.
-double largest(Dimension dimension) {
+bool contains(const std::set<std::string>& names, const std::string& name) {
+  return names.count(name) == 1;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+double largest_of(Dimension dimension) {
   switch (dimension) {
     case Dimension::kNumber:
       return 1e12;  // as of contacts: beyond it products lose all digits
@@ -83,22 +91,11 @@ double largest(Dimension dimension) {
   return 1e12;
 }
 
-/// In SI, for messages: "10 m".
 std::string with_si_unit(double value, Dimension dimension) {
   for (const Unit& unit : units_of(dimension))
     if (unit.to_si == 1) return fmt::format("{:g} {}", value, unit.suffix);
   return fmt::format("{:g}", value);
 }
-
-bool contains(const std::set<std::string>& names, const std::string& name) {
-  return names.count(name) == 1;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
 
 TomlTable::TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
                      std::vector<std::string> sources)
@@ -315,7 +312,7 @@ double TomlTable::value(const TomlNode& node, const std::string& key, Range rang
 /// A number times its unit, which must be of a size that hands, robots and objects have.
 double TomlTable::in_si(const TomlNode& node, const Found& found, double value,
                         Dimension dimension) const {
-  const double si = value * found.to_si, most = largest(dimension);
+  const double si = value * found.to_si, most = largest_of(dimension);
   if (!(std::abs(si) <= most))
     fail_at(node.line, fmt::format("wanted '{}' of at most {} in size, got {:g}", found.key,
                                    with_si_unit(most, dimension), value));

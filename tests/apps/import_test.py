@@ -27,6 +27,16 @@ ARM = """<robot name="arm">
 </robot>
 """
 
+# Two jaws that a pin holds together, each with a motor.
+PLIERS = """<mujoco model="pliers"><worldbody><body name="palm"><geom type="box" size=".03 .03 .03"/>
+  <body name="a"><joint name="1" axis="0 1 0" range="-60 60"/>
+    <geom type="box" size="0.01 0.01 0.03"/></body>
+  <body name="b" pos="0.05 0 0"><joint name="2" axis="0 1 0" range="-60 60"/>
+    <geom type="box" size="0.01 0.01 0.03"/></body></body></worldbody>
+  <equality><connect body1="a" body2="b" anchor="0.02 0 0.03"/></equality>
+  <actuator><motor joint="1"/><motor joint="2"/></actuator></mujoco>
+"""
+
 # The corner of a unit cube cut off; without its slanted face it has a hole of three edges, whose
 # middle is the mean of the middles of those edges.
 CORNER = "OFF\n4 {} 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n{}"
@@ -208,6 +218,28 @@ class Import(Files):
                       told["warnings"][0])
         told = self.report(self.path("arm.urdf", ARM.replace("0 0 0.3", "0 0 300")))
         self.assertIn("joint 'elbow' lies 300 m", told["warnings"][0])
+
+    def test_writes_no_robot_that_it_could_not_read(self):
+        for old, new, what in (
+                ('xyz="0 0 0.5"', 'xyz="0 0 150"',
+                 "wanted the position of joint 'shoulder' of at most 100 m in size, got 150"),
+                ('effort="9"', 'effort="1e308"',
+                 "wanted the effort of degree of freedom 'shoulder' of at most 1e+09 Nm in size"),
+                ('<mass value="2"/>', '<mass value="1e5"/>',
+                 "wanted the mass of link 'upper' of at most 10000 kg in size, got 100000"),
+                ('size="0.1 0.1 0.3"', 'size="1e308 1 1"',
+                 "wanted the size of a shape of link 'upper' of at most 100 m in size")):
+            arm = self.path("arm.urdf", ARM.replace(old, new))
+            refused = self.thenar(arm, "--out", self.path("arm.toml"), code=1)
+            self.assertIn(what, refused.stderr)
+            self.assertFalse(os.path.exists(self.path("arm.toml")))
+
+    def test_says_that_it_does_not_guess_how_what_comes_apart_grasps(self):
+        pliers = self.path("pliers.xml", PLIERS)
+        told = self.thenar(pliers, "--out", self.path("pliers.toml"))
+        self.assertIn("pliers.toml: how it grasps is not guessed: robot 'pliers' cannot grasp",
+                      told.stderr)
+        self.assertIn("it is driven by several motors: 1, 2", told.stderr)
 
     def test_weighs_objects_by_their_density(self):
         told = self.report(self.path("cube.toml", 'name = "c"\nsource = "x"\ndensity_kg_m3 = 600\n'

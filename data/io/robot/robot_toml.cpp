@@ -7,6 +7,7 @@
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/robot/robot_parts.h"
 #include "data/io/sources.h"
+#include "data/io/toml_limits.h"
 #include "data/io/toml_text.h"
 
 namespace thenar {
@@ -140,10 +141,77 @@ std::string approach_lines(const RobotApproach& approach, const RobotSpec& state
                      toml_list(approach.point), toml_list(approach.direction));
 }
 
+// ---- numbers so large that no reader of ours takes them
+
+void require_size(double value, Dimension dimension, const std::string& whose, const char* what) {
+  const double most = largest_of(dimension);
+  require(std::abs(value) <= most,
+          "wanted the {} of {} of at most {} in size, got {:g}: a robot's file may hold no more",
+          what, whose, with_si_unit(most, dimension), value);
+}
+
+void require_size(const Vector3d& p, const std::string& whose, const char* what) {
+  for (int i = 0; i < 3; ++i) require_size(p[i], Dimension::kLength, whose, what);
+}
+
+void require_link_size(const RobotLink& link) {
+  const std::string whose = fmt::format("link '{}'", link.name);
+  require_size(link.mass, Dimension::kMass, whose, "mass");
+  require_size(link.com, whose, "centre of mass");
+  require_size(link.inertia.cwiseAbs().maxCoeff(), Dimension::kInertia, whose, "inertia");
+  for (const ShapeSpec& shape : link.shapes) {
+    require_size(shape.X_BS.p, "a shape of " + whose, "position");
+    require_size(shape.size, "a shape of " + whose, "size");
+    if (shape.mesh_file.empty())
+      for (const auto& p : shape.mesh.vertices.colwise())
+        require_size(Vector3d(p), "a mesh of " + whose, "vertex");
+  }
+}
+
+void require_joint_size(const RobotJoint& joint) {
+  const std::string whose = fmt::format("joint '{}'", joint.name);
+  const bool slides = joint.kind == RobotJointKind::kPrismatic;
+  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle;
+  require_size(joint.lower, value, whose, "lower limit");
+  require_size(joint.upper, value, whose, "upper limit");
+  require_size(joint.offset, value, whose, "offset");
+  require_size(joint.rest, value, whose, "rest");
+  require_size(joint.damping, slides ? Dimension::kLinearDamping : Dimension::kAngularDamping,
+               whose, "damping");
+  require_size(joint.friction, slides ? Dimension::kForce : Dimension::kMoment, whose, "friction");
+  require_size(joint.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
+               whose, "stiffness");
+  require_size(joint.ratio, Dimension::kNumber, whose, "ratio");
+  for (const double each : joint.curve) require_size(each, Dimension::kNumber, whose, "curve");
+  require_size(joint.X_PJ.p, whose, "position");
+  require_size(joint.X_JC.p, "the child of " + whose, "position");
+}
+
+void require_dof_size(const RobotDof& dof, bool slides) {
+  const std::string whose = fmt::format("degree of freedom '{}'", dof.name);
+  const Dimension value = slides ? Dimension::kLength : Dimension::kAngle,
+                  effort = slides ? Dimension::kForce : Dimension::kMoment;
+  require_size(dof.lower, value, whose, "lower limit");
+  require_size(dof.upper, value, whose, "upper limit");
+  require_size(dof.speed, Dimension::kNumber, whose, "speed");
+  require_size(dof.max_effort, effort, whose, "effort");
+  require_size(dof.breakaway, effort, whose, "breakaway torque");
+  require_size(dof.stiffness, slides ? Dimension::kLinearStiffness : Dimension::kAngularStiffness,
+               whose, "stiffness");
+}
+
+void require_sizes(const RobotSpec& robot) {
+  for (const RobotLink& link : robot.links) require_link_size(link);
+  for (const RobotJoint& joint : robot.joints) require_joint_size(joint);
+  for (const RobotDof& dof : robot.dofs) require_dof_size(dof, slides(robot, dof));
+  require_size(robot.approach.point, fmt::format("robot '{}'", robot.name), "approach");
+}
+
 }  // namespace
 
 std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   check_robot(robot);
+  require_sizes(robot);
   const RobotSpec& before = stated == nullptr ? robot : *stated;
   const bool closing_guessed = robot.closing_stated && !before.closing_stated;
   std::string text = "name = " + toml_quoted(robot.name) + "\n";
