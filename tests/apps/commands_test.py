@@ -293,6 +293,14 @@ class Simulate(Near):
             self.assertGreater(answer["work_J"], 1e-3)
             self.assertLess(answer["energy_error_J"], 1e-6)
 
+    def test_energy_that_comes_of_nothing_is_no_answer(self):
+        words = ["simulate", INDEX, "--muscle", "rigid-tendon", "--excitation", "FDP=0.3",
+                 "--posture", 11, 11, 11, 11, "--seconds", 0.2, "--tolerance"]
+        for tolerance, what in ((10, "energy does not balance: "), (1000, "the motion is stuck: ")):
+            result = run(*words, tolerance)
+            self.assertEqual(result.returncode, 1, result.stdout)
+            self.assertIn("thenar: " + what, result.stderr)
+
     def test_table_starts_at_the_posture_and_names_units(self):
         with tempfile.TemporaryDirectory() as folder:
             table = pathlib.Path(folder) / "motion.csv"
