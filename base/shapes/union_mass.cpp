@@ -18,6 +18,10 @@ using Eigen::Vector3d;
 
 constexpr int kDepth = 7;           // cubes of the tree are halved so often
 constexpr double kRounding = 1e-9;  // of the extent: what parts may touch by without overlapping
+constexpr double kMostFaces = 2e7;  // of convex parts that are cut out of each other
+constexpr double kMostLooks = 1e7;  // at distances of primitives to middles of cubes
+constexpr double kMeshLook = 10;    // at one of a mesh or superellipsoid, which takes longer
+constexpr int kCoarseDepth = 4;     // for what no closed form weighs, where work is too much
 
 /// One of the shapes whose union is asked for.
 struct Part {
@@ -26,6 +30,7 @@ struct Part {
   bool has_moments = false;  // a closed form
   Moments moments;
   ConvexBody convex;  // empty: it is no convex polyhedron
+  double look = 1;    // what one look at its distance counts
 };
 
 ConvexBody placed(ConvexBody body, const Pose<double>& X) {
@@ -46,9 +51,10 @@ Part part_of(const ShapeSpec& spec) {
   Part part;
   part.shape = build_solid({spec}).shape;
   part.box = part.shape->bounds();
-  part.has_moments =
-      spec.kind != ShapeKind::kTaperedCapsule && spec.kind != ShapeKind::kSuperellipsoid;
+  part.has_moments = spec.kind != ShapeKind::kTaperedCapsule;
   if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
+  if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
+    part.look = kMeshLook;
   if (spec.kind == ShapeKind::kBox)
     part.convex = placed(convex_box({-spec.size / 2, spec.size / 2}), spec.X_BS);
   if (spec.kind == ShapeKind::kMesh) part.convex = placed(convex_body(spec.mesh), spec.X_BS);
@@ -75,6 +81,7 @@ std::vector<Part> parts_of(const std::vector<ShapeSpec>& shapes) {
 
 /// What two boxes have in common; of those that only touch, nothing.
 Eigen::AlignedBox3d common_box(const Part& a, const Part& b) {
+  if (!a.box.intersects(b.box)) return {};
   const Eigen::AlignedBox3d box = a.box.intersection(b.box);
   const double least = kRounding * a.box.merged(b.box).diagonal().norm();
   return !box.isEmpty() && box.sizes().minCoeff() > least ? box : Eigen::AlignedBox3d();
@@ -100,8 +107,12 @@ std::vector<std::vector<const Part*>> clusters_of(const std::vector<Part>& parts
 class CubeSum {
  public:
   /// @param excess  the sum of the parts less their union; else their union
-  CubeSum(const std::vector<const Part*>& parts, bool excess, int depth)
-      : parts_(parts), excess_(excess), depth_(depth) {}
+  /// @param looks  that it may take
+  CubeSum(const std::vector<const Part*>& parts, bool excess, int depth, double looks)
+      : parts_(parts), excess_(excess), depth_(depth), left_(looks) {}
+
+  /// Whether it got to the end; else what it summed means nothing.
+  [[nodiscard]] bool complete() const { return left_ >= 0; }
 
   Moments over(const Eigen::AlignedBox3d& box) {
     sum_ = {};
@@ -117,8 +128,11 @@ class CubeSum {
     // Parts that fill the cube, and those whose surfaces may pass through it.
     const double reach = box.diagonal().norm() / 2;
     std::vector<const Part*> through;
+    left_ -= kPass * static_cast<double>(above.size());
+    if (!complete()) return;
     for (const Part* part : above) {
       if (part->box.exteriorDistance(box.center()) > reach) continue;
+      left_ -= part->look;
       const double distance = part->shape->distance(box.center()), slack = part->shape->accuracy();
       if (distance < -reach - slack) ++whole;
       if (std::abs(distance) <= reach + slack) through.push_back(part);
@@ -162,9 +176,12 @@ class CubeSum {
       for (const ConvexBody& body : filled) sum_ += moments_of(body);
   }
 
+  static constexpr double kPass = 0.1;  // what passing by a part counts
+
   const std::vector<const Part*>& parts_;
   bool excess_;
   int depth_;
+  double left_;
   double tolerance_ = 0;
   Moments sum_;
 };
@@ -187,13 +204,33 @@ struct Summed {
   double error = 0;  // [m^3]
 };
 
-Summed sum_cubes(const std::vector<const Part*>& parts) {
+/// The sum of the parts, however they overlap: their union is at least the largest of them.
+Summed upper_bound(const std::vector<const Part*>& parts) {
+  Summed result;
+  double largest = 0;
+  for (const Part* part : parts) {
+    const std::vector<const Part*> alone{part};
+    const Moments own = part->has_moments ? part->moments
+                                          : CubeSum(alone, false, kCoarseDepth, kMostLooks)
+                                                .over(cube_around(alone, false));
+    result.moments += own;
+    largest = std::max(largest, own.volume);
+  }
+  result.error = result.moments.volume - largest;
+  return result;
+}
+
+/// @param looks  that it may take; else it is the upper bound
+Summed sum_cubes(const std::vector<const Part*>& parts, double looks) {
   const bool excess =
       std::all_of(parts.begin(), parts.end(), [](const Part* part) { return part->has_moments; });
   const Eigen::AlignedBox3d cube = cube_around(parts, excess);
-  Summed result{CubeSum(parts, excess, kDepth).over(cube), 0};
-  result.error =
-      std::abs(result.moments.volume - CubeSum(parts, excess, kDepth - 1).over(cube).volume);
+  CubeSum fine(parts, excess, kDepth, looks), coarse(parts, excess, kDepth - 1, looks);
+  const double before = coarse.over(cube).volume;
+  if (!coarse.complete()) return upper_bound(parts);
+  Summed result{fine.over(cube), 0};
+  if (!fine.complete()) return upper_bound(parts);
+  result.error = std::abs(result.moments.volume - before);
   if (!excess) return result;
   Moments all;
   for (const Part* part : parts) all += part->moments;
@@ -202,17 +239,18 @@ Summed sum_cubes(const std::vector<const Part*>& parts) {
   return result;
 }
 
-Summed moments_of_cluster(const std::vector<const Part*>& parts) {
+/// @param share  of all work that these parts may take
+Summed moments_of_cluster(const std::vector<const Part*>& parts, double share) {
   if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
   std::vector<ConvexBody> convex;
   double extent = 0;
   for (const Part* part : parts) {
-    if (part->convex.empty()) return sum_cubes(parts);
+    if (part->convex.empty()) return sum_cubes(parts, share * kMostLooks);
     convex.push_back(part->convex);
     extent = std::max(extent, part->box.diagonal().norm());
   }
-  const UnionMoments exact = union_moments(convex, 1e-12 * extent);
-  if (!exact.complete) return sum_cubes(parts);
+  const UnionMoments exact = union_moments(convex, 1e-12 * extent, share * kMostFaces);
+  if (!exact.complete) return sum_cubes(parts, share * kMostLooks);
   return {exact.moments, 0};
 }
 
@@ -225,7 +263,8 @@ UnionMass union_mass(const std::vector<ShapeSpec>& shapes) {
   double error = 0;
   for (const auto& cluster : clusters_of(parts)) {
     if (cluster.empty()) continue;
-    const Summed found = moments_of_cluster(cluster);
+    const double share = static_cast<double>(cluster.size()) / static_cast<double>(parts.size());
+    const Summed found = moments_of_cluster(cluster, share);
     sum += found.moments;
     error += found.error;
   }

@@ -23,8 +23,14 @@ double density_of(const BodySpec& body, double volume, const Materials& material
 
 BodyMass body_mass(const BodySpec& body, const Materials& materials) {
   if (body.mass) return *body.mass;
-  const MassProperties even = union_mass(body.shapes).mass;
+  constexpr double kKnown = 0.01;  // of the volume: coarser is no mass to grasp with
+  const UnionMass found = union_mass(body.shapes);
+  const MassProperties& even = found.mass;
   require(even.mass > 0, "the shapes of body '{}' enclose nothing", body.name);
+  require(found.error <= kKnown,
+          "the volume of body '{}' is known to {:.0f} % only, so many of its parts overlap: state "
+          "mass, com and inertia, or join the parts into one surface",
+          body.name, 100 * found.error);
   BodyMass result{even.mass, even.centre, even.inertia};
   const double density = density_of(body, result.mass, materials);
   result.mass *= density;

@@ -2,6 +2,10 @@
 
 #include "base/shapes/union_mass.h"
 
+#include <ctime>
+#include <random>
+#include <vector>
+
 #include <gtest/gtest.h>
 
 #include "base/angles.h"
@@ -44,6 +48,49 @@ void expect_mass(const MassProperties& found, const MassProperties& wanted, doub
   EXPECT_NEAR(found.mass, wanted.mass, relative * wanted.mass);
   EXPECT_TRUE(matrix_near(found.centre, wanted.centre, relative * 0.1));
   EXPECT_TRUE(matrix_near(found.inertia, wanted.inertia, relative * wanted.inertia.trace()));
+}
+
+ShapeSpec superellipsoid(const Vector3d& size, double e1, double e2) {
+  ShapeSpec made = spec(ShapeKind::kSuperellipsoid, size, {0, 0, 0});
+  made.exponents = {e1, e2};
+  return made;
+}
+
+// Exponents of 1: an ellipsoid. Of 2: an octahedron, 4/3 abc, with 2/15 a^3 bc as the integral of
+// x^2. Of 2 and 1: two cones base to base, 2 pi/3 abc, with pi/10 a^3 bc and of z^2 pi/15 ab c^3.
+TEST(UnionMass, OfSuperellipsoidsIsThatOfTheSolidsAmongThem) {
+  const Vector3d s(0.02, 0.03, 0.05), q = s.cwiseAbs2();
+  const double abc = s.prod();
+  const UnionMass round = union_mass({superellipsoid(s, 1, 1)});
+  EXPECT_EQ(round.error, 0);
+  expect_mass(round.mass, mass_at_unit_density(spec(ShapeKind::kEllipsoid, s, {0, 0, 0})), 1e-12);
+  const Vector3d octahedron = 2 * abc / 15 * Vector3d(q.y() + q.z(), q.x() + q.z(), q.x() + q.y());
+  expect_mass(union_mass({superellipsoid(s, 2, 2)}).mass,
+              {4 * abc / 3, {0, 0, 0}, Matrix3d(octahedron.asDiagonal())}, 1e-12);
+  const double x = q.x() / 10, y = q.y() / 10, z = q.z() / 15;
+  const Vector3d cones = kPi * abc * Vector3d(y + z, x + z, x + y);
+  expect_mass(union_mass({superellipsoid(s, 2, 1)}).mass,
+              {2 * kPi * abc / 3, {0, 0, 0}, Matrix3d(cones.asDiagonal())}, 1e-12);
+}
+
+// Boxes of a third of a cube's edge, so many that each overlaps with dozens: their union is between
+// the largest and the sum.
+TEST(UnionMass, HasALimitOfWork) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> along(0, 0.1);
+  std::vector<TriangleMesh> boxes;
+  for (int i = 0; i < 400; ++i) {
+    const Vector3d low(along(rng), along(rng), along(rng));
+    boxes.push_back(box_between(low, low + Vector3d(0.05, 0.05, 0.05)));
+  }
+  const std::clock_t begin = std::clock();
+  const UnionMass found = union_mass({mesh_of(joined(boxes))});
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 8);
+  // All lie within a cube of 0.15; in the middle of it there is always one.
+  const double least = found.mass.mass * (1 - found.error);
+  EXPECT_LE(least, 0.15 * 0.15 * 0.15);
+  EXPECT_GE(found.mass.mass, 0.05 * 0.05 * 0.05);
+  EXPECT_GT(found.error, 0);
 }
 
 // Boxes of 40 x 20 x 20 mm and 20 x 20 x 60 mm that share 20 x 20 x 20 mm: an L of 32 cm^3.
