@@ -4,8 +4,9 @@
 
 namespace thenar {
 
-/// Keeps other processes from a file while one works on it: a lock on an empty file beside it (where
-/// links lead), its name and ".lock", which is removed at the end. It is given back however the process ends.
+/// Keeps other processes from a file while one works on it: a lock on an empty file beside it
+/// (where links lead), its name and ".lock", which is removed at the end. It is given back however
+/// the process ends.
 class FileLock {
  public:
   /// @throws InputError if another process holds it, or the lock cannot be made.

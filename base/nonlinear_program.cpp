@@ -230,8 +230,8 @@ struct Run {
 };
 
 /// One run of Ipopt, and the conditions where it ended.
-Run run(const NonlinearProgram& program, const VectorXd& x0,
-                    const NonlinearOptions& options, Barrier barrier) {
+Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOptions& options,
+        Barrier barrier) {
   const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   set_options(*application->Options(), program, options, barrier);
   const Ipopt::SmartPtr<DenseTnlp> tnlp = new DenseTnlp(program, x0);
@@ -241,8 +241,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0,
 
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
   const Outcome outcome = outcome_of(status);
-  Run run{
-      {outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, FirstOrder{}}, 0};
+  Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, FirstOrder{}}, 0};
   NonlinearResult& result = run.result;
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();
   if (!result.x.allFinite()) return run;

@@ -11,10 +11,14 @@
 namespace thenar {
 
 /// The largest of two; NaN if either is.
-[[nodiscard]] inline double largest_or_nan(double a, double b) { return a >= b || std::isnan(a) ? a : b; }
+[[nodiscard]] inline double largest_or_nan(double a, double b) {
+  return a >= b || std::isnan(a) ? a : b;
+}
 
 /// The smallest of two; NaN if either is.
-[[nodiscard]] inline double smallest_or_nan(double a, double b) { return a <= b || std::isnan(a) ? a : b; }
+[[nodiscard]] inline double smallest_or_nan(double a, double b) {
+  return a <= b || std::isnan(a) ? a : b;
+}
 
 /// The largest of several; NaN if any is.
 [[nodiscard]] inline double largest_or_nan(std::initializer_list<double> all) {

@@ -265,8 +265,8 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
     set.tension.row(i) = internal::tension(balance, point.a);
     set.activation.row(i) = internal::activation(statics, set.tension.row(i));
-    set.imbalance = largest_or_nan(set.imbalance,
-                             internal::imbalance(statics, set.vertices.row(i), set.tension.row(i)));
+    set.imbalance = largest_or_nan(
+        set.imbalance, internal::imbalance(statics, set.vertices.row(i), set.tension.row(i)));
   }
 }
 

@@ -53,8 +53,7 @@ void add(const Push& push, LinearCertificate& certificate) {
     certificate.gap += price * std::abs(bound - push.value);
     return;
   }
-  certificate.unpriced =
-      largest_or_nan(certificate.unpriced, price / std::max(1.0, push.terms));
+  certificate.unpriced = largest_or_nan(certificate.unpriced, price / std::max(1.0, push.terms));
   certificate.gap += price * std::abs(push.value);
 }
 

@@ -43,17 +43,19 @@ MassProperties capsule(double r, double height) {
   return body;
 }
 
-/// With B the beta function, by Dirichlet's integrals over  x = a cos^e1 cos^e2, y = b cos^e1 sin^e2,
-/// z = c sin^e1:
+/// With B the beta function, by Dirichlet's integrals over  x = a cos^e1 cos^e2, y = b cos^e1
+/// sin^e2, z = c sin^e1:
 ///   volume = 2 abc e1 e2 B(e1/2, e1 + 1) B(e2/2, e2/2 + 1),
 ///   integral of x^2 = 1/2 a^3 bc e1 e2 B(3/2 e2, e2/2) B(e1/2, 2 e1 + 1),  of y^2 alike,
 ///   integral of z^2 = 2 ab c^3 e1 e2 B(e2/2, e2/2 + 1) B(3/2 e1, e1 + 1).
 MassProperties superellipsoid(const Eigen::Vector3d& s, const Eigen::Vector2d& e) {
   const double size = s.prod() * e.prod(), turn = std::beta(e[1] / 2, e[1] / 2 + 1);
-  const double across = size / 2 * std::beta(1.5 * e[1], e[1] / 2) * std::beta(e[0] / 2, 2 * e[0] + 1);
+  const double across =
+      size / 2 * std::beta(1.5 * e[1], e[1] / 2) * std::beta(e[0] / 2, 2 * e[0] + 1);
   const double x = s.x() * s.x() * across, y = s.y() * s.y() * across;
   const double z = 2 * size * s.z() * s.z() * turn * std::beta(1.5 * e[0], e[0] + 1);
-  return {2 * size * std::beta(e[0] / 2, e[0] + 1) * turn, {0, 0, 0}, diagonal(y + z, x + z, x + y)};
+  return {
+      2 * size * std::beta(e[0] / 2, e[0] + 1) * turn, {0, 0, 0}, diagonal(y + z, x + z, x + y)};
 }
 
 /// Triangles that face inwards are turned first: each takes away twice what it holds.

@@ -210,9 +210,10 @@ Summed upper_bound(const std::vector<const Part*>& parts) {
   double largest = 0;
   for (const Part* part : parts) {
     const std::vector<const Part*> alone{part};
-    const Moments own = part->has_moments ? part->moments
-                                          : CubeSum(alone, false, kCoarseDepth, kMostLooks)
-                                                .over(cube_around(alone, false));
+    const Moments own =
+        part->has_moments
+            ? part->moments
+            : CubeSum(alone, false, kCoarseDepth, kMostLooks).over(cube_around(alone, false));
     result.moments += own;
     largest = std::max(largest, own.volume);
   }

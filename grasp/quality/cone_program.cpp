@@ -315,9 +315,9 @@ double residual_of(const ConeProgram& p, const ConeResult& r) {
     equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
   }
   return largest_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
-                   over(stationary.norm(), p.c.norm()),
-                   over(outside_cones(r.z, p.cones), r.z.norm()),
-                   over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+                         over(stationary.norm(), p.c.norm()),
+                         over(outside_cones(r.z, p.cones), r.z.norm()),
+                         over(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
 /// How far y and z are from Farkas' proof: with A'y + G'z = e, z in K and -(b'y + h'z) = g > 0, no

@@ -29,8 +29,8 @@ TEST(Worst, IsNotANumberWhereverOneIsNot) {
     Eigen::VectorXd entries = Eigen::VectorXd::LinSpaced(5, -1, 3);
     entries(at) = kNaN;
     EXPECT_TRUE(std::isnan(largest_or_nan(entries))) << at;
-    EXPECT_TRUE(std::isnan(
-        largest_or_nan({entries(0), entries(1), entries(2), entries(3), entries(4)})))
+    EXPECT_TRUE(
+        std::isnan(largest_or_nan({entries(0), entries(1), entries(2), entries(3), entries(4)})))
         << at;
   }
 }

@@ -2,9 +2,18 @@
 
 #include "data/io/robot/urdf_export.h"
 
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+
 #include <gmock/gmock.h>
 
+#include <sys/resource.h>
+
 #include "base/angles.h"
+#include "base/error.h"
+#include "base/read_file.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/link_poses.h"
@@ -165,6 +174,37 @@ TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
   EXPECT_EQ(back.links[0].shapes[0].mesh.vertices, Eigen::Matrix3d::Identity());
   EXPECT_NEAR(back.links[0].shapes[1].mesh.vertices.row(2).maxCoeff(), 0.3, 0.003);  // tessellated
   EXPECT_THAT(warnings, Contains(HasSubstr("no ellipsoid")));
+}
+
+/// Writes a robot over another whose mesh no longer fits on the disk. @return 0: it was refused
+[[noreturn]] void exit_refused_on_a_full_disk(const RobotSpec& robot, const std::string& path) {
+  const rlimit little{2000, 2000};  // [bytes] of any file
+  (void)setrlimit(RLIMIT_FSIZE, &little);
+  (void)std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    (void)write_urdf(path, robot);
+  } catch (const InputError&) {
+    std::exit(0);
+  }
+  std::exit(1);
+}
+
+TEST_F(UrdfExport, WritesAllOrNothingOnAFullDisk) {
+  RobotSpec robot;
+  robot.name = "one";
+  robot.links.resize(1);
+  robot.links[0].name = "a";
+  ShapeSpec shape;
+  shape.kind = ShapeKind::kBox;
+  shape.size = {0.1, 0.1, 0.1};
+  robot.links[0].shapes.push_back(shape);
+  (void)write_urdf(path("one.urdf"), robot);
+  const std::string before = read_file(path("one.urdf"), 10'000);
+  shape.kind = ShapeKind::kEllipsoid;  // a mesh of many kilobytes
+  robot.links[0].shapes = {shape};
+  EXPECT_EXIT(exit_refused_on_a_full_disk(robot, path("one.urdf")), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(read_file(path("one.urdf"), 10'000), before);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
 TEST_F(UrdfExport, SaysWhatUrdfCannot) {

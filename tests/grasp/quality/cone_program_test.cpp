@@ -86,8 +86,8 @@ TEST(ConeProgram, StatesTheProofOfInfeasibility) {
 TEST(ConeProgram, CallsNothingUnboundedThatHasNoPoint) {
   for (const double fall : {1e-3, 1.0, 1e3, 1e6})
     for (const double apart : {1e-2, 1.0, 1e2}) {
-      ConeProgram p{Eigen::Vector2d(fall, 0), {}, {}, MatrixXd::Zero(3, 2), VectorXd::Zero(3),
-                    {1, 1, 1}};
+      ConeProgram p{Eigen::Vector2d(fall, 0), {},       {}, MatrixXd::Zero(3, 2),
+                    VectorXd::Zero(3),        {1, 1, 1}};
       p.G(0, 0) = 1;   // x0 <= 0
       p.G(1, 1) = -1;  // w >= apart
       p.h(1) = -apart;
