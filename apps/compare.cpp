@@ -40,16 +40,27 @@ bool holds(const Comparison& comparison, const HandOnObject& wanted) {
   });
 }
 
-/// Postures of a file are of as many joints as the hands have.
+void require_fits(const BestGrasp& best, const NamedHand& hand, const std::string& path) {
+  const Eigen::Index angles = hand.hand->layout().lower.size();
+  if (best.q.size() != angles)
+    throw DataError(path, 1,
+                    fmt::format("a posture of '{}' has {} angles, wanted {}", hand.name,
+                                best.q.size(), angles));
+  const auto surfaces = static_cast<int>(hand.hand->surfaces().size());
+  for (const HandContact& contact : best.contacts)
+    if (contact.surface >= surfaces)
+      throw DataError(path, 1,
+                      fmt::format("a contact of '{}' is on surface {}, and it has {}", hand.name,
+                                  contact.surface, surfaces));
+}
+
+/// Postures of a file are of as many joints as the hands have, contacts on surfaces of theirs.
 void require_postures(const std::vector<HandOnObject>& cells, const std::vector<NamedHand>& named,
                       const std::string& path) {
   for (const HandOnObject& cell : cells)
     for (const NamedHand& hand : named)
       for (const BestGrasp& best : cell.best)
-        if (hand.name == cell.hand && best.q.size() != hand.hand->layout().lower.size())
-          throw DataError(path, 1,
-                          fmt::format("a posture of '{}' has {} angles, wanted {}", cell.hand,
-                                      best.q.size(), hand.hand->layout().lower.size()));
+        if (hand.name == cell.hand) require_fits(best, hand, path);
 }
 
 /// With what an earlier run left and this one did not come to.

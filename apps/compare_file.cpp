@@ -29,22 +29,75 @@ Json number_json(double value) {
   return std::isnan(value) ? Json() : Json(value);
 }
 
-double number(const nlohmann::json& value) {
-  if (value.is_null()) return kUnknown;
-  return value == kInfinite ? kInfinity : value.get<double>();
+// ---- what a cell may hold: whoever seals a file anew may write anything
+
+constexpr double kLargestScale = 1000;  // of an object, and the inverse of the smallest [1]
+constexpr double kFarthest = 1000;      // of a place [m]
+constexpr double kStrongest = 1e12;     // of loads and qualities [N], [1], [N m]
+constexpr double kUnit = 1e-6;          // by which directions may be off [1]
+constexpr int kMost = 10'000'000;       // of approaches
+
+[[noreturn]] void refuse(const std::string& name, const std::string& wanted,
+                         const nlohmann::json& got) {
+  constexpr std::size_t kQuoted = 100;
+  throw InputError(
+      fmt::format("'{}': wanted {}, got {}", name, wanted, got.dump().substr(0, kQuoted)));
 }
 
-Eigen::VectorXd vector(const nlohmann::json& list) {
+/// A finite number between two.
+double within(const nlohmann::json& value, const std::string& name, double low, double high) {
+  if (value.is_number() && value.get<double>() >= low && value.get<double>() <= high)
+    return value.get<double>();
+  refuse(name, fmt::format("a number from {} to {}", low, high), value);
+}
+
+/// A whole number between two.
+int whole(const nlohmann::json& value, const std::string& name, int low, int high) {
+  if (value.is_number_integer() && value.get<double>() >= low && value.get<double>() <= high)
+    return value.get<int>();
+  refuse(name, fmt::format("a whole number from {} to {}", low, high), value);
+}
+
+/// A load or a quality: >= 0, may be infinite, or not known.
+double load_of(const nlohmann::json& value, const std::string& name) {
+  if (value.is_null()) return kUnknown;
+  return value == kInfinite ? kInfinity : within(value, name, 0, kStrongest);
+}
+
+/// Loads of at most `most` grasps, ascending.
+Eigen::VectorXd loads_of(const nlohmann::json& list, const std::string& name, int most) {
+  if (!list.is_array() || list.size() > static_cast<std::size_t>(most))
+    refuse(name, fmt::format("at most {} numbers", most), list);
   Eigen::VectorXd out(static_cast<Eigen::Index>(list.size()));
-  for (std::size_t i = 0; i < list.size(); ++i) out[static_cast<Eigen::Index>(i)] = number(list[i]);
+  for (Eigen::Index i = 0; i < out.size(); ++i) {
+    out[i] = load_of(list[static_cast<std::size_t>(i)], name);
+    if (!(out[i] >= (i > 0 ? out[i - 1] : 0))) refuse(name, "numbers that do not fall", list);
+  }
+  return out;
+}
+
+/// Finite numbers, none beyond `most`.
+Eigen::VectorXd vector(const nlohmann::json& list, const std::string& name, double most) {
+  if (!list.is_array()) refuse(name, "a list of numbers", list);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(list.size()));
+  for (std::size_t i = 0; i < list.size(); ++i)
+    out[static_cast<Eigen::Index>(i)] = within(list[i], name, -most, most);
   return out;
 }
 
 /// Three numbers, as every place and direction has.
-Eigen::Vector3d vector3(const nlohmann::json& list) {
-  const Eigen::VectorXd read = vector(list);
-  if (read.size() != 3) throw InputError(fmt::format("wanted 3 numbers, got {}", list.dump()));
+Eigen::Vector3d vector3(const nlohmann::json& list, const std::string& name, double most) {
+  const Eigen::VectorXd read = vector(list, name, most);
+  if (read.size() != 3) refuse(name, "3 numbers", list);
   return read;
+}
+
+Eigen::Matrix3d rotation_of(const nlohmann::json& rows) {
+  Eigen::Matrix3d R;
+  for (int i = 0; i < 3; ++i) R.row(i) = vector3(rows.at(i), "rotation", 1 + kUnit).transpose();
+  if (!(R * R.transpose()).isIdentity(kUnit) || R.determinant() < 0)
+    refuse("rotation", "the rows of a rotation", rows);
+  return R;
 }
 
 Json margin_json(const std::map<std::string, double>& margins) {
@@ -58,7 +111,7 @@ std::map<std::string, double> margins_of(const nlohmann::json& json) {
   for (const GraspTask task :
        {GraspTask::kForceClosure, GraspTask::kHoldWeight, GraspTask::kPull, GraspTask::kTurn}) {
     const auto found = json.find(load_key(task));
-    if (found != json.end()) margins[name_of(task)] = number(*found);
+    if (found != json.end()) margins[name_of(task)] = load_of(*found, load_key(task));
   }
   return margins;
 }
@@ -80,12 +133,15 @@ Json contact_json(const HandContact& contact) {
 
 HandContact contact_of(const nlohmann::json& json) {
   HandContact contact;
-  contact.contact.p = vector3(json.at("position_m"));
-  contact.contact.n = vector3(json.at("normal"));
-  contact.contact.friction = json.at("friction");
-  contact.contact.torsion = json.at("torsion_m");
-  contact.surface = json.at("surface");
-  contact.depth = json.at("depth_m");
+  constexpr double kRoughest = 100;  // nothing real has more friction [1]
+  contact.contact.p = vector3(json.at("position_m"), "position_m", kFarthest);
+  contact.contact.n = vector3(json.at("normal"), "normal", 1 + kUnit);
+  if (std::abs(contact.contact.n.norm() - 1) > kUnit)
+    refuse("normal", "a direction of length 1", json.at("normal"));
+  contact.contact.friction = within(json.at("friction"), "friction", 0, kRoughest);
+  contact.contact.torsion = within(json.at("torsion_m"), "torsion_m", 0, kFarthest);
+  contact.surface = whole(json.at("surface"), "surface", -1, kMost);
+  contact.depth = within(json.at("depth_m"), "depth_m", -kFarthest, kFarthest);
   return contact;
 }
 
@@ -104,18 +160,19 @@ Json best_json(const BestGrasp& best) {
   return out;
 }
 
-BestGrasp best_of(const nlohmann::json& json) {
+BestGrasp best_of(const nlohmann::json& json, int approaches) {
+  constexpr double kLongest = 1000;  // of a posture's entries [rad] or [m]
   BestGrasp best;
-  best.approach = json.at("approach");
-  best.epsilon = json.at("epsilon");
+  best.approach = whole(json.at("approach"), "approach", 0, approaches - 1);
+  best.epsilon = within(json.at("epsilon"), "epsilon", 0, kStrongest);
   best.type = json.at("type");
-  best.hold = number(json.at("hold_N"));
-  best.hand_epsilon = number(json.at("hand_epsilon_N"));
+  best.hold = load_of(json.at("hold_N"), "hold_N");
+  best.hand_epsilon = load_of(json.at("hand_epsilon_N"), "hand_epsilon_N");
   best.margin = margins_of(json.at("margin"));
   best.reasons = json.at("reasons").get<std::map<std::string, std::string>>();
-  for (int i = 0; i < 3; ++i) best.X_WH.R.row(i) = vector3(json.at("rotation").at(i)).transpose();
-  best.X_WH.p = vector3(json.at("position_m"));
-  best.q = vector(json.at("q"));
+  best.X_WH.R = rotation_of(json.at("rotation"));
+  best.X_WH.p = vector3(json.at("position_m"), "position_m", kFarthest);
+  best.q = vector(json.at("q"), "q", kLongest);
   for (const auto& contact : json.at("contacts")) best.contacts.push_back(contact_of(contact));
   return best;
 }
@@ -141,21 +198,41 @@ Json cell_json(const HandOnObject& cell) {
   return out;
 }
 
+/// Counts of a cell, which must add up.
+void read_counts(const nlohmann::json& json, HandOnObject& cell) {
+  cell.approaches = whole(json.at("approaches"), "approaches", 1, kMost);
+  int ended = 0;
+  for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
+    const std::string name = name_of(static_cast<GraspOutcome>(i));
+    cell.outcomes[i] = whole(json.at("outcomes").at(name), name, 0, cell.approaches - ended);
+    ended += cell.outcomes[i];
+  }
+  cell.closures = whole(json.at("closures"), "closures", 0, cell.approaches);
+  int typed = 0;
+  for (const auto& [name, count] : json.at("types").items()) {
+    cell.types[name] = whole(count, "types", 1, cell.closures - typed);
+    typed += cell.types[name];
+  }
+  const double share = static_cast<double>(cell.closures) / cell.approaches;
+  cell.success = within(json.at("success"), "success", share - kUnit, share + kUnit);
+  cell.interval.lower = within(json.at("success_lower"), "success_lower", 0, 1);
+  cell.interval.upper = within(json.at("success_upper"), "success_upper", cell.interval.lower, 1);
+}
+
 HandOnObject cell_of(const nlohmann::json& json) {
   HandOnObject cell;
   cell.hand = json.at("hand");
   cell.object = json.at("object");
-  cell.scale = json.at("scale");
-  cell.approaches = json.at("approaches");
-  for (std::size_t i = 0; i < cell.outcomes.size(); ++i)
-    cell.outcomes[i] = json.at("outcomes").at(name_of(static_cast<GraspOutcome>(i)));
-  cell.closures = json.at("closures");
-  cell.success = json.at("success");
-  cell.interval = {json.at("success_lower"), json.at("success_upper")};
-  cell.epsilon = vector(json.at("epsilon"));
-  cell.hand_epsilon = vector(json.at("hand_epsilon_N"));
-  cell.types = json.at("types").get<std::map<std::string, int>>();
-  for (const auto& best : json.at("best")) cell.best.push_back(best_of(best));
+  cell.scale = within(json.at("scale"), "scale", 1 / kLargestScale, kLargestScale);
+  read_counts(json, cell);
+  cell.epsilon = loads_of(json.at("epsilon"), "epsilon", cell.closures);
+  if (cell.epsilon.size() != cell.closures)
+    refuse("epsilon", fmt::format("{} numbers", cell.closures), json.at("epsilon"));
+  cell.hand_epsilon = loads_of(json.at("hand_epsilon_N"), "hand_epsilon_N", cell.closures);
+  const nlohmann::json& best = json.at("best");
+  if (!best.is_array() || best.size() > static_cast<std::size_t>(cell.closures))
+    refuse("best", fmt::format("at most {} grasps", cell.closures), best);
+  for (const auto& grasp : best) cell.best.push_back(best_of(grasp, cell.approaches));
   return cell;
 }
 
@@ -219,13 +296,27 @@ std::string comparison_checksum(const nlohmann::json& file) {
   return sha256(rest.dump());
 }
 
+std::vector<HandOnObject> parse_cells(const nlohmann::json& list, const std::string& path) {
+  std::vector<HandOnObject> cells;
+  try {
+    for (const auto& cell : list) cells.push_back(cell_of(cell));
+  } catch (const nlohmann::json::exception& error) {
+    throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
+  } catch (const InputError& error) {
+    throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
+  }
+  return cells;
+}
+
 std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs) {
   if (!std::filesystem::exists(path)) return {};
   const nlohmann::json file = parse_json(path, read_source(path).text);
   require(file.is_object() && file.contains("inputs") && file.contains("cells"),
           "'{}' is no comparison of hands: name another file", path);
   if (const auto sum = file.find("sha256"); sum == file.end())
-    fmt::print(stderr, "{}: warning: it has no checksum, so that damage cannot be noticed\n", path);
+    throw DataError(path, 1,
+                    "its checksum (SHA-256) is missing: it was damaged, or written by an older "
+                    "version; remove it, or name another file");
   else if (*sum != comparison_checksum(file))
     throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");
   for (const auto& [name, value] : inputs.items()) {
@@ -234,15 +325,7 @@ std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs
     require(same, "'{}' holds a comparison with another '{}': name another file, or remove it",
             path, name);
   }
-  std::vector<HandOnObject> cells;
-  try {
-    for (const auto& cell : file["cells"]) cells.push_back(cell_of(cell));
-  } catch (const nlohmann::json::exception& error) {
-    throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
-  } catch (const InputError& error) {
-    throw DataError(path, 1, std::string("a cell of the comparison is broken: ") + error.what());
-  }
-  return cells;
+  return parse_cells(file["cells"], path);
 }
 
 }  // namespace thenar

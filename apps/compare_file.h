@@ -20,9 +20,16 @@ namespace thenar {
 /// SHA-256 of everything in a comparison but this checksum itself, which its member "sha256" keeps.
 [[nodiscard]] std::string comparison_checksum(const nlohmann::json& file);
 
+/// Cells as comparison_json() writes them, each number held against its range.
+/// @param path  only names the file in messages
+/// @throws DataError for what is missing or out of range.
+[[nodiscard]] std::vector<HandOnObject> parse_cells(const nlohmann::json& list,
+                                                    const std::string& path);
+
 /// Cells that an earlier run left in a file; none if there is no such file.
 /// @param inputs  that it must have come from, by name: another value is refused by that name
-/// @throws DataError, InputError if the file holds something else, or its checksum does not hold.
+/// @throws DataError, InputError if the file holds something else, or its checksum does not hold or
+/// is missing.
 [[nodiscard]] std::vector<HandOnObject> read_cells(const std::string& path,
                                                    const nlohmann::ordered_json& inputs);
 

@@ -2,6 +2,7 @@
 
 Usage: compare_command_test.py [path of the program]; else the environment's THENAR.
 """
+import hashlib
 import json
 import os
 import pathlib
@@ -157,6 +158,45 @@ class Compare(unittest.TestCase):
         self.keep(objects="wedge")
         mesh.write_text(MESH.format(x=61))
         self.assertIn("another 'contents'", self.refusal(objects="wedge"))
+
+    def sealed(self, change, *more):
+        """What it says of a file whose first cell was changed, and its checksum with it."""
+        kept = json.loads(self.out.read_text())
+        change(kept["cells"][0])
+        del kept["sha256"]
+        words = json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+        kept["sha256"] = hashlib.sha256(words.encode()).hexdigest()
+        before = self.out.read_bytes()
+        self.out.write_text(json.dumps(kept))
+        words = self.refusal(*more)
+        self.out.write_bytes(before)
+        return words
+
+    def test_refuses_numbers_that_no_comparison_holds(self):
+        self.keep("--approaches", "20")
+        for key, value in (("scale", 1e308), ("scale", 0), ("scale", None), ("approaches", -7),
+                           ("approaches", 10**12), ("closures", 21), ("success", -0.5),
+                           ("success", 0.123), ("success_lower", -1), ("success_upper", 2),
+                           ("epsilon", [1e308]), ("epsilon", []), ("hand_epsilon_N", [-1])):
+            words = self.sealed(lambda cell: cell.update({key: value}), "--approaches", "20")
+            self.assertIn("a cell of the comparison is broken", words, key)
+            self.assertIn(f"'{key}': wanted", words, key)
+        for key, value in (("friction", -0.1), ("friction", 1e9), ("friction", None),
+                           ("normal", [0, 0, 0]), ("normal", [1, 1, 1]), ("torsion_m", -1),
+                           ("position_m", [1e300, 0, 0]), ("surface", -2), ("surface", 0.5)):
+            def change(cell):
+                cell["best"][0]["contacts"][0][key] = value
+            self.assertIn(f"'{key}': wanted", self.sealed(change, "--approaches", "20"), key)
+
+        def far(cell):
+            cell["best"][0]["contacts"][0]["surface"] = 99
+        self.assertIn("is on surface 99, and it has", self.sealed(far, "--approaches", "20"))
+
+    def test_refuses_a_comparison_without_its_checksum(self):
+        self.keep()
+        text = self.out.read_text()
+        self.out.write_text(text.replace('"sha256"', '"sha257"'))
+        self.assertIn("its checksum (SHA-256) is missing", self.refusal())
 
     def test_suggests_the_nearest_name(self):
         self.assertIn("did you mean 'barrett'", self.refusal(hands="barret"))
