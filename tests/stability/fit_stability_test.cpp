@@ -32,6 +32,7 @@ void expect_sound(const FitProblem& problem, const Solution& found) {
 /// The first posture of H01 with both interphalangeal joints bent by `angle` [rad].
 FitSetup nearly_straight(double angle) {
   FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
   setup.experiments.front().postures[0].angles = {{"PIP3", angle}, {"DIP3", angle}};
   return setup;
 }
