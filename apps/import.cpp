@@ -175,14 +175,17 @@ double scale_of(const Options& options) {
   return found->second * options.scale;
 }
 
-/// A mesh as an object. @param as_in_file  it is named, not written out
-BodySpec object_of(const TriangleMesh& mesh, const Options& options, bool as_in_file,
+/// A mesh as an object: its exact shapes if there are some.
+/// @param as_in_file  triangles are named, not written out
+BodySpec object_of(const MeshContent& content, const Options& options, bool as_in_file,
                    const std::string& out) {
   BodySpec body;
   body.name = fs::path(options.file).stem().string();
+  body.shapes = content.exact;
+  if (!body.shapes.empty()) return body;
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
-  shape.mesh = mesh;
+  shape.mesh = content.mesh;
   if (as_in_file) {
     shape.mesh_file = options.file;
     shape.mesh_scale = scale_of(options);
@@ -198,7 +201,8 @@ BodySpec object_of(const TriangleMesh& mesh, const Options& options, bool as_in_
 
 Imported import_mesh(const Options& options) {
   const double scale = scale_of(options);
-  TriangleMesh mesh = read_mesh(options.file, scale);
+  MeshContent content = read_mesh_content(options.file, scale);
+  TriangleMesh& mesh = content.mesh;
   std::string repaired;
   const std::size_t holes = check_mesh(mesh).holes.size();
   if (options.repair) {
@@ -209,11 +213,12 @@ Imported import_mesh(const Options& options) {
   Json told = report(mesh, fs::path(options.file).stem());
   told["holes_closed"] = holes - told["holes"].size();
   told["repaired"] = repaired;
+  tell_exact(told, mesh, content.exact);
   return {told, {".obj", ".stl", ".ply", ".off", ".toml"}, [=](const std::string& out) {
             if (fs::path(out).extension() == ".toml") {
-              write_file(out, object_toml(object_of(mesh, options, repaired.empty(), out)));
+              write_file(out, object_toml(object_of(content, options, repaired.empty(), out)));
             } else {
-              write_mesh(out, mesh);
+              write_mesh(out, content.mesh);
             }
           }};
 }

@@ -142,6 +142,13 @@ double extent(const TriangleMesh& mesh) {
   return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).maxCoeff();
 }
 
+/// Empty if there is none.
+std::string size_warning(const TriangleMesh& mesh) {
+  const double across = extent(mesh);
+  if (!(across > kLargestMesh)) return "";
+  return fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across);
+}
+
 /// Of the union of its parts; nothing where they do not agree on what is inside.
 struct MeshMass {
   bool closed = false;
@@ -262,10 +269,7 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
         fmt::format("{} edges have more than two triangles", found.nonmanifold_edges));
   if (found.degenerate > 0)
     warnings.push_back(fmt::format("{} triangles have no area", found.degenerate));
-  const double across = extent(mesh);
-  if (across > kLargestMesh)
-    warnings.push_back(
-        fmt::format("{:.4g} m across: are its numbers millimetres? --units mm", across));
+  if (const std::string size = size_warning(mesh); !size.empty()) warnings.push_back(size);
   const std::vector<TriangleMesh> parts = connected_parts(mesh);
   const MeshMass found_mass = mass_of_parts(mesh, parts);
   const MassProperties& mass = found_mass.all.mass;
@@ -297,6 +301,28 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
           {"centre_of_mass_m", solid ? vector_json(mass.centre) : Json(nullptr)},
           {"inertia_m5", solid ? Json(to_json(without_noise(mass.inertia))) : Json(nullptr)},
           {"warnings", warnings}};
+}
+
+void tell_exact(Json& report, const TriangleMesh& mesh, const std::vector<ShapeSpec>& exact) {
+  if (exact.empty()) return;
+  Json told = shapes(exact), warnings = Json::array();
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    told[i]["position_m"] = vector_json(exact[i].X_BS.p);
+    told[i]["rotation"] = to_json(exact[i].X_BS.R);
+  }
+  const UnionMass all = union_mass(exact);
+  report["exact_shapes"] = told;
+  report["volume_m3"] = all.mass.mass;
+  report["centre_of_mass_m"] = vector_json(all.mass.centre);
+  report["inertia_m5"] = to_json(without_noise(all.mass.inertia));
+
+  // What the triangles are warned of does not hold for the solids.
+  if (const std::string size = size_warning(mesh); !size.empty()) warnings.push_back(size);
+  if (all.error > 0)
+    warnings.push_back(
+        fmt::format("parts overlap: volume, centre and inertia are of their union, to about {:.1g}",
+                    all.error));
+  report["warnings"] = warnings;
 }
 
 std::string report_text(const Json& report) {

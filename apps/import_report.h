@@ -26,6 +26,12 @@ namespace thenar {
 /// at density 1, "inertia_m5" [m^5].
 [[nodiscard]] nlohmann::ordered_json report(const TriangleMesh& mesh, const std::string& name);
 
+/// Puts the exact shapes of a mesh file into the report of its triangles: "exact_shapes", and their
+/// volume, centre, inertia and warnings in place of those of the triangles. If there are none, does
+/// nothing.
+void tell_exact(nlohmann::ordered_json& report, const TriangleMesh& mesh,
+                const std::vector<ShapeSpec>& exact);
+
 /// A report as lines for people: numbers and short lists, then what lies deeper, then the warnings.
 [[nodiscard]] std::string report_text(const nlohmann::ordered_json& report);
 

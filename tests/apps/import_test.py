@@ -3,8 +3,10 @@
 Usage: import_test.py [path of the program]; else the environment's THENAR.
 """
 import json
+import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -299,6 +301,58 @@ class Import(Files):
         again = self.report(self.path("closed.stl"))
         self.assertTrue(again["watertight"])
         self.assertAlmostEqual(again["volume_m3"], 1e-3 / 6, 9)  # single precision
+
+    def solids(self, name, text, *arguments):
+        """The report of a scene, skipped where there is no reader for it."""
+        done = subprocess.run([PROGRAM, "import", self.path(name, text), *arguments, "--json"],
+                              capture_output=True, text=True, timeout=60)
+        if "libcoin-dev" in done.stderr:
+            self.skipTest("built without Coin")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_knows_the_solids_of_vrml_and_inventor(self):
+        ball = 4 / 3 * math.pi * 0.035**3
+        for name, text, kind, volume in [
+                ("a.iv", "#Inventor V2.1 ascii\nSphere { radius 35 }", "sphere", ball),
+                ("a.wrl", "#VRML V1.0 ascii\nCylinder { radius 35 height 100 }", "cylinder",
+                 math.pi * 0.035**2 * 0.1),
+                ("b.wrl", "#VRML V2.0 utf8\nShape { geometry Box { size 10 20 30 } }", "box", 6e-6)]:
+            told = self.solids(name, text, "--units", "mm", "--out", self.path("a.toml"))
+            self.assertEqual([shape["kind"] for shape in told["exact_shapes"]], [kind])
+            self.assertAlmostEqual(told["volume_m3"] / volume, 1, 12)
+            self.assertEqual(told["warnings"], [])
+            again = self.report(self.path("a.toml"))
+            self.assertEqual(again["shapes"][0]["size_m"], told["exact_shapes"][0]["size_m"])
+        # Two balls that touch nothing, about the middle between them.
+        two = self.solids("c.iv", "#Inventor V2.1 ascii\nSphere { radius 0.035 }\n"
+                          "Translation { translation 0.1 0 0 }\nSphere { radius 0.035 }")
+        self.assertAlmostEqual(two["volume_m3"] / (2 * ball), 1, 12)
+        self.assertAlmostEqual(two["centre_of_mass_m"][0], 0.05, 12)
+        # Half across one axis: triangles, inscribed in an ellipsoid.
+        mesh = self.solids("d.iv", "#Inventor V2.1 ascii\nScale { scaleFactor 0.5 1 1 }\n"
+                           "Sphere { radius 0.035 }")
+        self.assertNotIn("exact_shapes", mesh)
+        self.assertLess(mesh["volume_m3"], ball / 2)
+
+    def test_makes_bodies_and_links_of_solids(self):
+        self.solids("ball.iv", "#Inventor V2.1 ascii\nTranslation { translation 10 0 0 }\n"
+                    "Sphere { radius 35 }")
+        body = self.report(self.path("body.xml", "<root><geometryFile>ball.iv</geometryFile></root>"))
+        self.assertEqual(body["shapes"][0]["kind"], "sphere")
+        self.assertAlmostEqual(body["shapes"][0]["size_m"][0], 0.035, 15)
+        arm = self.path("arm.urdf", ARM.replace(
+            '<geometry><box size="0.1 0.1 0.3"/>', '<origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/>'
+            '<geometry><mesh filename="ball.iv" scale="0.001 0.001 0.001"/>'))
+        self.thenar(arm, "--out", self.path("arm.toml"))
+        with open(self.path("arm.toml"), encoding="utf-8") as file:
+            text = file.read()
+        self.assertIn('kind = "sphere"', text)
+        self.assertIn("size_m = [0.035]", text)
+        # 10 mm along its own x, which the link's origin turns to y.
+        place = [float(x) for x in re.search(r"position_m = \[(.*)\]\nrotation", text)[1].split(",")]
+        for value, wanted in zip(place, [0, 0.01, 1]):
+            self.assertAlmostEqual(value, wanted, 12)
 
     def test_refuses_what_it_cannot_read(self):
         for name, text, words in [("a.xml", "<sdf/>", ["a.xml:1:"]),

@@ -20,22 +20,40 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <regex>
 #include <utility>
+#include <vector>
 
 #include <Inventor/SbMatrix.h>
+#include <Inventor/SbRotation.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
 #include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/VRMLnodes/SoVRMLBox.h>
+#include <Inventor/VRMLnodes/SoVRMLCylinder.h>
+#include <Inventor/VRMLnodes/SoVRMLSphere.h>
+#include <Inventor/VRMLnodes/SoVRMLTransform.h>
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoReadError.h>
 #include <Inventor/fields/SoSFBool.h>
+#include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoCylinder.h>
+#include <Inventor/nodes/SoMatrixTransform.h>
+#include <Inventor/nodes/SoRotation.h>
+#include <Inventor/nodes/SoRotationXYZ.h>
+#include <Inventor/nodes/SoScale.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoShapeHints.h>
+#include <Inventor/nodes/SoSphere.h>
+#include <Inventor/nodes/SoTransform.h>
+#include <Inventor/nodes/SoTransformSeparator.h>
+#include <Inventor/nodes/SoTranslation.h>
 
 #include "data/io/foreign_mesh/one_folder.h"
+#include "data/io/mesh/placed_primitive.h"
 
 namespace thenar {
 namespace {
@@ -70,16 +88,173 @@ bool is_clockwise(SoCallbackAction& action) {
   return action.getVertexOrdering() == SoShapeHints::CLOCKWISE;
 }
 
+// ---- exact shapes
+
+/// Transforms in double precision, of the numbers as they were written.
+class WrittenPlace {
+ public:
+  [[nodiscard]] const Eigen::Affine3d& top() const { return open_.back(); }
+  void push() { open_.push_back(open_.back()); }
+  void pop() {
+    if (open_.size() > 1) open_.pop_back();
+  }
+  void multiply(const Eigen::Affine3d& map) { open_.back() = open_.back() * map; }
+
+ private:
+  std::vector<Eigen::Affine3d> open_{Eigen::Affine3d::Identity()};
+};
+
+Eigen::Vector3d written(const SbVec3f& v) {
+  return {shortest_decimal(v[0]), shortest_decimal(v[1]), shortest_decimal(v[2])};
+}
+
+/// Coin keeps quaternions alone.
+Eigen::Quaterniond written(const SbRotation& rotation) {
+  float x = 0, y = 0, z = 0, w = 1;
+  rotation.getValue(x, y, z, w);
+  return Eigen::Quaterniond(w, x, y, z).normalized();
+}
+
+/// T C R SO S SO^-1 C^-1, of SoTransform and SoVRMLTransform.
+template <typename Transform>
+Eigen::Affine3d map_of(const Transform& node, const SoSFVec3f& scale) {
+  const Eigen::Vector3d centre = written(node.center.getValue());
+  const Eigen::Quaterniond axes = written(node.scaleOrientation.getValue());
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  map.translate(written(node.translation.getValue()) + centre);
+  map.rotate(written(node.rotation.getValue()) * axes);
+  map.scale(written(scale.getValue()));
+  map.rotate(axes.inverse());
+  return map.translate(-centre);
+}
+
+/// Of a node that stands before others; the identity of any other.
+Eigen::Affine3d map_of_node(const SoNode& node) {
+  Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  if (const auto* whole = dynamic_cast<const SoTransform*>(&node))
+    return map_of(*whole, whole->scaleFactor);
+  if (const auto* move = dynamic_cast<const SoTranslation*>(&node))
+    map.translate(written(move->translation.getValue()));
+  if (const auto* scale = dynamic_cast<const SoScale*>(&node))
+    map.scale(written(scale->scaleFactor.getValue()));
+  if (const auto* turn = dynamic_cast<const SoRotation*>(&node))
+    map.rotate(written(turn->rotation.getValue()));
+  if (const auto* turn = dynamic_cast<const SoRotationXYZ*>(&node))
+    map.rotate(Eigen::AngleAxisd(shortest_decimal(turn->angle.getValue()),
+                                 Eigen::Vector3d::Unit(turn->axis.getValue())));
+  if (const auto* matrix = dynamic_cast<const SoMatrixTransform*>(&node)) {
+    const SbMatrix& rows = matrix->matrix.getValue();  // p' = p M
+    for (int i = 0; i < 4; ++i)
+      for (int k = 0; k < 3; ++k) map.matrix()(k, i) = shortest_decimal(rows[i][k]);
+  }
+  return map;
+}
+
+/// Whether Coin's own place is the same, to its precision: nodes that we do not know move things.
+bool agrees(const Eigen::Affine3d& ours, const SbMatrix& coin, double size) {
+  constexpr double kSingle = 1e-5;  // some hundred roundings of single precision
+  Eigen::Matrix4d theirs;
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 4; ++k) theirs(k, i) = coin[i][k];
+  const Eigen::Matrix3d A = theirs.topLeftCorner<3, 3>();
+  const Eigen::Vector3d p = theirs.topRightCorner<3, 1>();
+  const double largest = A.cwiseAbs().maxCoeff();
+  return theirs.row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
+         (ours.linear() - A).cwiseAbs().maxCoeff() <= kSingle * largest &&
+         (ours.translation() - p).norm() <= kSingle * (p.norm() + largest * size);
+}
+
+/// A whole sphere, box or cylinder in its own place: cylinders there stand along y.
+std::optional<ShapeSpec> primitive_of(const SoNode& node) {
+  const auto number = [](const SoSFFloat& field) { return shortest_decimal(field.getValue()); };
+  ShapeSpec solid;
+  const auto along_y = [&](const SoSFFloat& radius, const SoSFFloat& height) {
+    solid.kind = ShapeKind::kCylinder;
+    solid.size = {number(radius), number(height), 0};
+    solid.X_BS.R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
+    return solid;
+  };
+  if (const auto* ball = dynamic_cast<const SoSphere*>(&node)) {
+    solid.size.x() = number(ball->radius);
+  } else if (const auto* ball2 = dynamic_cast<const SoVRMLSphere*>(&node)) {
+    solid.size.x() = number(ball2->radius);
+  } else if (const auto* box = dynamic_cast<const SoCube*>(&node)) {
+    solid.kind = ShapeKind::kBox;
+    solid.size = {number(box->width), number(box->height), number(box->depth)};
+  } else if (const auto* box2 = dynamic_cast<const SoVRMLBox*>(&node)) {
+    solid.kind = ShapeKind::kBox;
+    solid.size = written(box2->size.getValue());
+  } else if (const auto* rod = dynamic_cast<const SoCylinder*>(&node)) {
+    if (rod->parts.getValue() != SoCylinder::ALL) return {};
+    return along_y(rod->radius, rod->height);
+  } else if (const auto* rod2 = dynamic_cast<const SoVRMLCylinder*>(&node)) {
+    if (!rod2->top.getValue() || !rod2->bottom.getValue() || !rod2->side.getValue()) return {};
+    return along_y(rod2->radius, rod2->height);
+  } else {
+    return {};
+  }
+  return solid;
+}
+
+// ---- the walk through the scene
+
 /// Triangles as they come. Few bytes may stand for many, by shapes that Coin divides and by nodes
 /// used in many places; 100,000 are few enough.
 struct Collector {
   TriangleSoup soup;
   std::size_t most;
+  WrittenPlace place;
+  std::optional<ShapeSpec> shape;  // the one whose triangles come next, if it is exact
+  bool is_taken = false;           // whether a triangle of it has come
+  bool all_exact = true;           // whether all triangles so far stand for soup.exact
 };
+
+Collector& collector(void* data) { return *static_cast<Collector*>(data); }
+
+SoCallbackAction::Response open_place(void* data, SoCallbackAction* /*action*/,
+                                      const SoNode* node) {
+  collector(data).place.push();
+  if (const auto* transform = dynamic_cast<const SoVRMLTransform*>(node))
+    collector(data).place.multiply(map_of(*transform, transform->scale));
+  return SoCallbackAction::CONTINUE;
+}
+
+SoCallbackAction::Response close_place(void* data, SoCallbackAction* /*action*/,
+                                       const SoNode* /*node*/) {
+  collector(data).place.pop();
+  return SoCallbackAction::CONTINUE;
+}
+
+SoCallbackAction::Response move_place(void* data, SoCallbackAction* /*action*/,
+                                      const SoNode* node) {
+  collector(data).place.multiply(map_of_node(*node));
+  return SoCallbackAction::CONTINUE;
+}
+
+SoCallbackAction::Response begin_shape(void* data, SoCallbackAction* action, const SoNode* node) {
+  Collector& found = collector(data);
+  found.is_taken = false;
+  found.shape = primitive_of(*node);
+  if (!found.shape) return SoCallbackAction::CONTINUE;
+  const double size = found.shape->size.maxCoeff();
+  const bool placed = agrees(found.place.top(), action->getModelMatrix(), size);
+  found.shape = placed ? place_primitive(*found.shape, found.place.top()) : std::nullopt;
+  return SoCallbackAction::CONTINUE;
+}
+
+/// A shape counts with its first triangle: lines, points and texts have none.
+void take_shape(Collector& found) {
+  if (found.is_taken) return;
+  found.is_taken = true;
+  found.all_exact = found.all_exact && found.shape && found.soup.exact.size() < kMostExact;
+  if (found.all_exact) found.soup.exact.push_back(*found.shape);
+}
 
 void append_triangle(void* data, SoCallbackAction* action, const SoPrimitiveVertex* a,
                      const SoPrimitiveVertex* b, const SoPrimitiveVertex* c) {
-  auto& [soup, most] = *static_cast<Collector*>(data);
+  take_shape(collector(data));
+  auto& soup = collector(data).soup;
+  const std::size_t most = collector(data).most;
   if (soup.corners.size() >= 3 * most)
     throw InputError(fmt::format("this file stands for more than {} triangles", most));
   const SbMatrix& place = action->getModelMatrix();
@@ -112,10 +287,18 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
   SoDB::init();
   open_nothing();
   SoSeparator* const graph = read_graph(text, path);
-  Collector found{{}, std::min(kMostTriangles, 100'000 + text.size())};
+  Collector found{{}, std::min(kMostTriangles, 100'000 + text.size()), {}, {}};
   SoCallbackAction action;
+  for (const SoType& group : {SoSeparator::getClassTypeId(), SoTransformSeparator::getClassTypeId(),
+                              SoVRMLTransform::getClassTypeId()}) {
+    action.addPreCallback(group, open_place, &found);
+    action.addPostCallback(group, close_place, &found);
+  }
+  action.addPreCallback(SoTransformation::getClassTypeId(), move_place, &found);
+  action.addPreCallback(SoShape::getClassTypeId(), begin_shape, &found);
   action.addTriangleCallback(SoShape::getClassTypeId(), append_triangle, &found);
   action.apply(graph);
+  if (!found.all_exact) found.soup.exact.clear();
   return std::move(found.soup);
 }
 

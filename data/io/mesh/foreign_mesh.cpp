@@ -157,9 +157,9 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshT
                                 kProgram));
   left.processor += kMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
   const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
-  const ProcessEnd end =
-      run_bounded({program, path, fmt::format("{:.0f}", seconds)},
-                  std::min(limits.clock_seconds, left.clock), kMostTriangles * 36 + 1000);
+  const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},
+                                     std::min(limits.clock_seconds, left.clock),
+                                     kMostTriangles * 36 + kMostExact * 128 + 1000);
   left.processor -= end.processor;
   if (end.too_long || end.processor > kQuick) left.clock -= end.clock;
   // An answer says more than how the program ended, which may be by a crash behind it.

@@ -16,10 +16,10 @@ struct MeshReaderLimits {
   std::size_t memory = std::size_t{1} << 30;  // beside its libraries [bytes]
 };
 
-/// The triangles of a glTF, GLB, Collada, VRML or Inventor file, in single precision, placed by its
-/// own scene graph. It is read by the program thenar-mesh-reader, under MeshReaderLimits: what
-/// crashes, hangs or takes too much there is an error here. That program opens this file only, and
-/// for glTF the buffers in the same folder or below.
+/// The triangles of a glTF, GLB, Collada, VRML or Inventor file, with exact shapes, in single
+/// precision, placed by its own scene graph. It is read by the program thenar-mesh-reader, under
+/// MeshReaderLimits: what crashes, hangs or takes too much there is an error here. That program
+/// opens this file only, and for glTF the buffers in the same folder or below.
 /// @param left  of the time of all meshes that belong together; what this one takes is taken off
 /// @throws DataError if the file nests too deeply, names other files to be put in its place, is
 /// broken or too much; if no time is left; or if there is no such program.

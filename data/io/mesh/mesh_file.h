@@ -5,8 +5,10 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "base/shapes/shape_spec.h"
 #include "base/shapes/triangle_mesh.h"
 
 namespace thenar {
@@ -29,6 +31,17 @@ enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInvento
 /// coordinate is not finite.
 [[nodiscard]] TriangleMesh read_mesh(const std::string& path, double scale = 1);
 
+/// What a mesh file holds [m].
+struct MeshContent {
+  TriangleMesh mesh;  // as read_mesh() gives it
+  // Where VRML or Inventor holds nothing but spheres, boxes and cylinders that its transforms leave
+  // what they are: these, with sizes and places to rounding. Else empty.
+  std::vector<ShapeSpec> exact;
+};
+
+/// As read_mesh().
+[[nodiscard]] MeshContent read_mesh_content(const std::string& path, double scale = 1);
+
 /// Time that is left to those meshes of one file which other programs' parsers read. Each megabyte
 /// brings 0.2 s of the processor along; the clock runs while one takes more than half a second.
 struct MeshTime {
@@ -43,7 +56,12 @@ class MeshReader {
   /// As read_mesh().
   /// @throws DataError also if meshes before have taken all time, or with this one there are more
   /// than kMostTogether triangles.
-  [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1);
+  [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
+
+  /// Its triangles.
+  [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
+    return content(path, scale).mesh;
+  }
 
   static constexpr Eigen::Index kMostTogether = 4'000'000;  // triangles
 
@@ -51,7 +69,7 @@ class MeshReader {
   MeshTime left_;
   Eigen::Index triangles_ = 0;                 // of all that were given
   using Key = std::pair<std::string, double>;  // file and scale
-  std::map<Key, TriangleMesh> meshes_;
+  std::map<Key, MeshContent> contents_;
   std::map<Key, DataError> failures_;
 };
 

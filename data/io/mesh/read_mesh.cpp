@@ -6,6 +6,7 @@
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/mesh/obj_mesh.h"
 #include "data/io/mesh/off_mesh.h"
+#include "data/io/mesh/placed_primitive.h"
 #include "data/io/mesh/ply_mesh.h"
 #include "data/io/mesh/stl_mesh.h"
 #include "data/io/mesh/triangle_soup.h"
@@ -33,25 +34,32 @@ TriangleSoup read_soup(const std::string& path, MeshTime& left) {
   return read_foreign_mesh(path, mesh_format(path), left);
 }
 
-TriangleMesh read_in(const std::string& path, double scale, MeshTime& left) {
+MeshContent read_in(const std::string& path, double scale, MeshTime& left) {
   require(scale > 0 && std::isfinite(scale), "a mesh is scaled by a number > 0, got {}", scale);
-  return merge_corners(read_soup(path, left), scale, path);
+  const TriangleSoup soup = read_soup(path, left);
+  MeshContent content{merge_corners(soup, scale, path), {}};
+  for (const ShapeSpec& shape : soup.exact) content.exact.push_back(scaled_primitive(shape, scale));
+  return content;
 }
 
 }  // namespace
 
 TriangleMesh read_mesh(const std::string& path, double scale) {
+  return read_mesh_content(path, scale).mesh;
+}
+
+MeshContent read_mesh_content(const std::string& path, double scale) {
   MeshTime time;
   return read_in(path, scale, time);
 }
 
-TriangleMesh MeshReader::read(const std::string& path, double scale) {
+const MeshContent& MeshReader::content(const std::string& path, double scale) {
   const auto key = std::make_pair(path, scale);
   if (const auto failed = failures_.find(key); failed != failures_.end()) throw failed->second;
-  auto found = meshes_.find(key);
+  auto found = contents_.find(key);
   try {
-    if (found == meshes_.end()) found = meshes_.emplace(key, read_in(path, scale, left_)).first;
-    if (found->second.triangles.cols() > kMostTogether - triangles_)
+    if (found == contents_.end()) found = contents_.emplace(key, read_in(path, scale, left_)).first;
+    if (found->second.mesh.triangles.cols() > kMostTogether - triangles_)
       throw DataError(path, 1,
                       fmt::format("is not read: with it the meshes of one file have more than {} "
                                   "triangles",
@@ -60,7 +68,7 @@ TriangleMesh MeshReader::read(const std::string& path, double scale) {
     failures_.emplace(key, error);
     throw;
   }
-  triangles_ += found->second.triangles.cols();
+  triangles_ += found->second.mesh.triangles.cols();
   return found->second;
 }
 

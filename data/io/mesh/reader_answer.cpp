@@ -5,17 +5,21 @@
 #include <charconv>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 
 #include "base/error.h"
+#include "data/io/mesh/placed_primitive.h"
 
 namespace thenar {
 namespace {
 
-// One word, then for triangles a count and nine floats each, for a refusal its text; then the end.
+// One word, then for triangles a count and nine floats each, and for exact shapes the same with
+// sixteen doubles each (kind, size, position, rotation); for a refusal its text; then the end.
 constexpr std::string_view kTriangles = "thenar triangles\n", kRefusal = "thenar refusal\n",
                            kEnd = "end\n";
-constexpr std::size_t kCount = sizeof(std::uint64_t), kTriangle = 9 * sizeof(float);  // [bytes]
-constexpr std::size_t kLongest = 500;  // of a message [bytes]
+constexpr std::size_t kCount = sizeof(std::uint64_t), kTriangle = 9 * sizeof(float),
+                      kShape = 16 * sizeof(double);  // [bytes]
+constexpr std::size_t kLongest = 500;                // of a message [bytes]
 
 bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
@@ -47,21 +51,67 @@ bool take_body(std::string_view& text, std::string_view word) {
   throw DataError(path, line, message);
 }
 
+template <typename T>
+void append_bytes(std::string& text, const T* values, std::size_t count) {
+  std::array<char, sizeof(T)> bytes;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::memcpy(bytes.data(), values + i, sizeof(T));
+    text.append(bytes.data(), sizeof(T));
+  }
+}
+
+/// How many things of `bytes` each follow; the count is taken off.
+/// @return false if there are not so many bytes, or more than `most`
+bool take_count(std::string_view& text, std::size_t bytes, std::size_t most, std::size_t& count) {
+  std::uint64_t said = 0;
+  if (text.size() < kCount) return false;
+  std::memcpy(&said, text.data(), kCount);
+  text.remove_prefix(kCount);
+  if (said > most || said * bytes > text.size()) return false;
+  count = static_cast<std::size_t>(said);
+  return true;
+}
+
+void append_shape(std::string& answer, const ShapeSpec& shape) {
+  const auto kind = static_cast<double>(shape.kind);
+  append_bytes(answer, &kind, 1);
+  append_bytes(answer, shape.size.data(), 3);
+  append_bytes(answer, shape.X_BS.p.data(), 3);
+  append_bytes(answer, shape.X_BS.R.data(), 9);
+}
+
+/// @return nothing if it is no sphere, box or cylinder in a place
+std::optional<ShapeSpec> parse_shape(const char* bytes) {
+  std::array<double, 16> v;
+  std::memcpy(v.data(), bytes, kShape);
+  ShapeSpec shape;
+  for (const ShapeKind kind : {ShapeKind::kSphere, ShapeKind::kBox, ShapeKind::kCylinder})
+    if (v[0] == static_cast<double>(kind)) {
+      shape.kind = kind;
+      shape.size = Eigen::Map<const Eigen::Vector3d>(&v[1]);
+      shape.X_BS = {Eigen::Map<const Eigen::Matrix3d>(&v[7]),
+                    Eigen::Map<const Eigen::Vector3d>(&v[4])};
+      // What is placed as it is must come out so.
+      return place_primitive(shape, Eigen::Affine3d::Identity());
+    }
+  return {};
+}
+
 }  // namespace
 
 std::string answer_of(const TriangleSoup& soup) {
   const std::uint64_t count = soup.corners.size() / 3;
   std::string answer(kTriangles);
-  answer.reserve(kTriangles.size() + kCount + count * kTriangle + kEnd.size());
-  std::array<char, kCount> bytes;
-  std::memcpy(bytes.data(), &count, kCount);
-  answer.append(bytes.data(), kCount);
+  answer.reserve(kTriangles.size() + kCount + count * kTriangle + kCount +
+                 soup.exact.size() * kShape + kEnd.size());
+  append_bytes(answer, &count, 1);
   for (const Eigen::Vector3d& corner : soup.corners) {
     const Eigen::Vector3f p = corner.cast<float>();
-    std::array<char, 3 * sizeof(float)> place;
-    std::memcpy(place.data(), p.data(), place.size());
-    answer.append(place.data(), place.size());
+    append_bytes(answer, p.data(), 3);
   }
+  const std::uint64_t shapes = soup.exact.size();
+  append_bytes(answer, &shapes, 1);
+  for (const ShapeSpec& shape : soup.exact) append_shape(answer, shape);
   return answer.append(kEnd);
 }
 
@@ -73,17 +123,25 @@ TriangleSoup parse_answer(const std::string& answer, const std::string& path) {
   std::string_view body = answer;
   if (take_body(body, kRefusal)) refuse(std::string(body), path);
   body = answer;
-  std::uint64_t count = 0;
-  const bool whole = take_body(body, kTriangles) && body.size() >= kCount;
-  if (whole) std::memcpy(&count, body.data(), kCount);
-  if (!whole || count > kMostTriangles || body.size() != kCount + count * kTriangle)
-    throw DataError(path, 1, "the program that read this file broke off before it had all of it");
+  const auto require_whole = [&](bool whole) {
+    if (!whole)
+      throw DataError(path, 1, "the program that read this file broke off before it had all of it");
+  };
+  std::size_t count = 0, shapes = 0;
+  require_whole(take_body(body, kTriangles) && take_count(body, kTriangle, kMostTriangles, count));
   TriangleSoup soup;
   soup.corners.reserve(3 * count);
-  for (std::size_t at = kCount; at < body.size(); at += 3 * sizeof(float)) {
+  for (std::size_t at = 0; at < count * kTriangle; at += 3 * sizeof(float)) {
     Eigen::Vector3f p;
     std::memcpy(p.data(), body.data() + at, 3 * sizeof(float));
     soup.corners.emplace_back(p.cast<double>());
+  }
+  body.remove_prefix(count * kTriangle);
+  require_whole(take_count(body, kShape, kMostExact, shapes) && body.size() == shapes * kShape);
+  for (std::size_t at = 0; at < body.size(); at += kShape) {
+    const std::optional<ShapeSpec> shape = parse_shape(body.data() + at);
+    require_whole(shape.has_value());
+    soup.exact.push_back(*shape);
   }
   return soup;
 }

@@ -9,16 +9,16 @@
 
 namespace thenar {
 
-/// The corners of a soup in single precision, as assimp and Coin have them.
+/// The corners of a soup in single precision, as assimp and Coin have them, and its exact shapes.
 [[nodiscard]] std::string answer_of(const TriangleSoup& soup);
 
 /// A message in place of triangles. @param message  "path:line: .." or without a place
 [[nodiscard]] std::string answer_of(const std::string& message);
 
-/// The triangles of an answer.
+/// The triangles and exact shapes of an answer.
 /// @param path  of the mesh file, to which messages belong
-/// @throws DataError with the message of the answer; or if it is neither, is cut off, or promises
-/// more triangles than it holds.
+/// @throws DataError with the message of the answer; or if it is neither, is cut off, promises
+/// more than it holds, or has a shape that is none.
 [[nodiscard]] TriangleSoup parse_answer(const std::string& answer, const std::string& path);
 
 }  // namespace thenar

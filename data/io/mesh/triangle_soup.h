@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "base/shapes/shape_spec.h"
 #include "base/shapes/triangle_mesh.h"
 
 namespace thenar {
@@ -16,7 +17,12 @@ struct TriangleSoup {
   std::vector<Eigen::Vector3d> corners;  // [unit of the file]
   // The file's own vertex at each corner; empty where corners share none, as in STL.
   std::vector<int> vertices;
+  // Where all triangles stand for spheres, boxes and cylinders, these [unit of the file].
+  std::vector<ShapeSpec> exact = {};
 };
+
+/// More exact shapes than these stay triangles.
+constexpr std::size_t kMostExact = 64;
 
 /// A file of more triangles is refused: a hand or an object has no need of them.
 constexpr std::size_t kMostTriangles = 2'000'000;

@@ -55,9 +55,12 @@ ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, Me
   const double scale = A(0, 0);
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
+  // A file that is one sphere, box or cylinder is that; a link's shape is one.
   if (scale > 0 && A == Eigen::Matrix3d(scale * Eigen::Matrix3d::Identity()) &&
       placement.b.isZero(0)) {
-    shape.mesh = reader.read(file, scale);
+    const MeshContent& content = reader.content(file, scale);
+    if (content.exact.size() == 1) return content.exact.front();
+    shape.mesh = content.mesh;
     shape.mesh_file = file;
     shape.mesh_scale = scale;
     return shape;
@@ -79,7 +82,7 @@ bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& pl
   try {
     const Pose<double> X_BS = shape.X_BS;
     shape = mesh_shape(file, placement, from.reader);
-    shape.X_BS = X_BS;
+    shape.X_BS = X_BS * shape.X_BS;
   } catch (const DataError& error) {
     warnings.push_back(
         fmt::format("UNREADABLE MESH, link '{}' goes without it: {}", link, error.what()));

@@ -29,12 +29,14 @@ struct NamedMeshes {
   MeshReader& reader;
 };
 
+/// A mesh, or where the file holds one exact shape (MeshContent) and is only scaled, that shape.
 /// @param file  as find_mesh() gives it
 /// @throws DataError if the file cannot be read.
 [[nodiscard]] ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement,
                                    MeshReader& reader);
 
-/// mesh_shape() of a mesh by the name that a robot file gives it, put into `shape`.
+/// mesh_shape() of a mesh by the name that a robot file gives it, put into `shape`, whose X_BS is
+/// where the frame of the file stands.
 /// @return false if there is no such file or it cannot be read; `warnings` then says that `link`
 /// goes without it.
 [[nodiscard]] bool try_mesh(ShapeSpec& shape, const std::string& name,

@@ -111,6 +111,7 @@ class Translation {
 
   void add_shape(RobotLink& link, const urdf::Geometry& geometry, const Pose<double>& X_LS) {
     ShapeSpec shape;
+    shape.X_BS = X_LS;
     if (geometry.type == urdf::Geometry::SPHERE) {
       shape.kind = ShapeKind::kSphere;
       shape.size.x() = dynamic_cast<const urdf::Sphere&>(geometry).radius;
@@ -124,7 +125,6 @@ class Translation {
     } else if (!set_mesh(shape, link, dynamic_cast<const urdf::Mesh&>(geometry))) {
       return;
     }
-    shape.X_BS = X_LS;
     link.shapes.push_back(std::move(shape));
   }
 

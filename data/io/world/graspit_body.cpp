@@ -14,13 +14,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ShapeSpec mesh_shape(const std::string& path, double scale, MeshReader& meshes) {
+/// The exact shapes of a geometry file, or one mesh.
+std::vector<ShapeSpec> read_shapes(const std::string& path, double scale, MeshReader& meshes) {
+  const MeshContent& content = meshes.content(path, scale);
+  if (!content.exact.empty()) return content.exact;
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh_file = fs::absolute(path).lexically_normal().string();
   shape.mesh_scale = scale;
-  shape.mesh = meshes.read(path, scale);
-  return shape;
+  shape.mesh = content.mesh;
+  return {shape};
 }
 
 /// Metres in one unit of a geometry file.
@@ -57,8 +60,8 @@ double scale_of(const XmlFile& file, const pugi::xml_node& geometry) {
   return scale;
 }
 
-ShapeSpec read_geometry(const XmlFile& file, MeshReader& meshes,
-                        std::vector<std::string>& warnings) {
+std::vector<ShapeSpec> read_geometry(const XmlFile& file, MeshReader& meshes,
+                                     std::vector<std::string>& warnings) {
   const pugi::xml_node geometry = file.root().child("geometryFile");
   if (!geometry)
     file.fail(file.root(),
@@ -69,10 +72,12 @@ ShapeSpec read_geometry(const XmlFile& file, MeshReader& meshes,
       (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
   if (!fs::is_regular_file(path))
     file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
-  ShapeSpec shape = mesh_shape(path, scale_of(file, geometry), meshes);
-  if (const pugi::xml_node offset = file.root().child("geometryOffset"))
-    shape.X_BS = graspit_transform(file, offset, warnings);
-  return shape;
+  std::vector<ShapeSpec> shapes = read_shapes(path, scale_of(file, geometry), meshes);
+  if (const pugi::xml_node offset = file.root().child("geometryOffset")) {
+    const Pose<double> X_BG = graspit_transform(file, offset, warnings);
+    for (ShapeSpec& shape : shapes) shape.X_BS = X_BG * shape.X_BS;
+  }
+  return shapes;
 }
 
 void read_mass(const XmlFile& file, BodySpec& body) {
@@ -114,7 +119,7 @@ GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes) {
   GraspitBody read;
   read.body.name = fs::path(path).stem().string();
   if (fs::path(path).extension() != ".xml") {
-    read.body.shapes.push_back(mesh_shape(path, kGraspitLength, meshes));
+    read.body.shapes = read_shapes(path, kGraspitLength, meshes);
     return read;
   }
   const XmlFile file(path);
@@ -126,7 +131,7 @@ GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes) {
       read.warnings.push_back(file.not_understood(node));
   read.body.material = read_material(file, read.warnings);
   read_mass(file, read.body);
-  read.body.shapes.push_back(read_geometry(file, meshes, read.warnings));
+  read.body.shapes = read_geometry(file, meshes, read.warnings);
   return read;
 }
 
