@@ -14,6 +14,7 @@
 #include "tendons/hand/joint_strength.h"
 #include "tendons/hand/muscle_forces.h"
 #include "tendons/hand/tendon_hand.h"
+#include "tendons/linear_tendons.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"
 #include "tests/message_of.h"
@@ -151,6 +152,32 @@ TEST(HumanHand, CarriesNetsOnAllFingers) {
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
   EXPECT_EQ(actuation.status, ActuationStatus::kLinearised);
   EXPECT_EQ(actuation.trouble, "");
+}
+
+// Of the deep flexor of the index finger, which no net moves.
+TEST(HumanHand, RunsTendonsOnThePathsThatWereAsked) {
+  std::vector<double> arms;
+  for (const Path path : {Path::kViaPoint, Path::kFitted}) {
+    HumanHandOptions options = bare();
+    options.path = path;
+    const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, options);
+    TendonOptions alone;
+    alone.path = path;
+    const auto finger = build_linear_tendons(default_human(), "index", alone);
+    const HandLayout& layout = human.hand->layout();
+    const int pip = index_of(layout.coordinates, "PIP2");
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(20);
+    q[pip] = 0.9;
+    const TendonNames& names = finger->digit().names;
+    Eigen::VectorXd q_finger = Eigen::VectorXd::Zero(4);
+    q_finger[index_of(names.coordinates, "PIP2")] = 0.9;
+    const Eigen::MatrixXd R =
+        finger->pull(q_finger, Eigen::VectorXd::Zero(static_cast<int>(names.muscles.size()))).R;
+    arms.push_back(human.hand->actuation(q).B(pip, index_of(layout.actuators, "FDP2")));
+    EXPECT_NEAR(arms.back(),
+                R(index_of(names.muscles, "FDP2"), index_of(names.coordinates, "PIP2")), 1e-12);
+  }
+  EXPECT_GT(std::abs(arms[1] - arms[0]), 1e-7);  // [m/rad]
 }
 
 TEST(HumanHand, TouchesWithSkinOrBones) {
