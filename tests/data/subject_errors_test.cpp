@@ -85,7 +85,7 @@ TEST(SubjectErrors, Calibration) {
   EXPECT_EQ(with("{experiment = 'a', specimen = 'A'},\n{experiment = 'a', specimen = 'B'},\n"),
             "s.toml:6: experiment 'a' is named twice");
   EXPECT_EQ(with("{experiment = 'a', specimens = 'A'},\n"),
-            "s.toml:5: [[calibrated_on]] unknown key 'specimens', did you mean 'specimen'?");
+            "s.toml:5: unknown key 'specimens', did you mean 'specimen'?");
   EXPECT_EQ(with("{experiment = 'a', specimen = 'A', trials = 3},\n"),
             "s.toml:5: unknown key 'trials'");
 }
