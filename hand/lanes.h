@@ -80,10 +80,10 @@ THENAR_INLINE Lanes lanes(const LaneBits& b) { return reinterpret_cast<const Lan
 THENAR_INLINE Half lanes(const HalfBits& b) { return reinterpret_cast<const Half&>(b); }
 
 /// (y, z, x) of a vector in the first three lanes; the fourth stays.
-THENAR_INLINE Lanes rotated(const Lanes& v) { return __builtin_shuffle(v, LaneBits{1, 2, 0, 3}); }
+THENAR_INLINE Lanes rotated(const Lanes& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3); }
 THENAR_INLINE TwoLanes rotated(const TwoLanes& v) {
-  return {__builtin_shuffle(v.low, v.high, HalfBits{1, 2}),
-          __builtin_shuffle(v.low, v.high, HalfBits{0, 3})};
+  return {__builtin_shufflevector(v.low, v.high, 1, 2),
+          __builtin_shufflevector(v.low, v.high, 0, 3)};
 }
 
 /// Cross product in the first three lanes; the fourth means nothing.
