@@ -24,7 +24,7 @@ MAY_SEE |= {
     "apps": LIBRARIES + ["viewer/"],
     "python": LIBRARIES,
     "bench": LIBRARIES + ["tests/", "viewer/"],  # the sample scenes; charts
-    "tests": LIBRARIES + ["viewer/", "apps/contact_file.h", "apps/compare_file.h"],
+    "tests": LIBRARIES + ["viewer/", "apps/contact_file.h", "apps/compare_file.h", "apps/json_line.h"],
 }
 
 # Third parties, and the only files that may include them. A folder's name allows the folder.
@@ -58,10 +58,11 @@ FENCES = {
     r"benchmark/.*": ["bench/"],
     r"mujoco/.*": ["bench/peers/"],
     r"g(test|mock)/.*": ["tests/"],
+    r"sanitizer/.*": ["tests/fuzz/"],
 }
 # Everywhere: Eigen, fmt, the standard library, POSIX, processor intrinsics.
 ANYWHERE = (r"Eigen/.*|fmt/.*|[a-z_0-9]+"
-            r"|(unistd|fcntl|dlfcn|poll|spawn|immintrin|cpuid)\.h"
+            r"|(unistd|fcntl|dlfcn|poll|pthread|spawn|immintrin|cpuid)\.h"
             r"|sys/(file|resource|stat|prctl|wait)\.h")
 
 

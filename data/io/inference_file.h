@@ -42,8 +42,4 @@ void write_inference(const InferenceFile& file, const std::string& path);
 /// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
 [[nodiscard]] InferenceFile read_inference(const std::string& path);
 
-/// As parse_result().
-/// @throws DataError
-[[nodiscard]] InferenceFile parse_inference(std::string bytes, const std::string& path);
-
 }  // namespace thenar

@@ -205,10 +205,6 @@ InferenceFile read_image(std::string& bytes, Checksum checksum, const std::strin
 
 }  // namespace
 
-InferenceFile parse_inference(std::string bytes, const std::string& path) {
-  return read_image(bytes, Checksum::kHolds, path);
-}
-
 InferenceFile read_inference(const std::string& path) {
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");

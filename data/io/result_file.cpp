@@ -291,11 +291,6 @@ void write_result(const ResultFile& file, const std::string& path) {
   write_file(path, with_checksum(image(h5)));
 }
 
-ResultFile parse_result(std::string bytes, const std::string& path) {
-  be_quiet();
-  return read_image(bytes, Checksum::kHolds, path);
-}
-
 ResultFile read_result(const std::string& path) {
   be_quiet();
   if (!has_hdf5_start(path))

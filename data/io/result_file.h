@@ -45,9 +45,4 @@ void write_result(const ResultFile& file, const std::string& path);
 /// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
 [[nodiscard]] ResultFile read_result(const std::string& path);
 
-/// The bytes of such a file without its checksum, read by no other process first: for fuzzers,
-/// which are to see where a library crashes.
-/// @throws DataError
-[[nodiscard]] ResultFile parse_result(std::string bytes, const std::string& path);
-
 }  // namespace thenar

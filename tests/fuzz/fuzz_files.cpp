@@ -1,8 +1,11 @@
 // libFuzzer's view of every reader: THENAR_FUZZ_KIND names the kind of file; the first byte of an
 // input chooses among the endings that the kind has, the rest is the file.
 //
-// fuzz_files seeds FOLDER   writes the corpora that runs begin from, one folder for each kind.
+// fuzz_files seeds FOLDER   writes the corpora that runs begin from, one folder for each kind, and
+//                           prints the names of the kinds.
 
+#include <pthread.h>
+#include <sanitizer/common_interface_defs.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -52,16 +55,21 @@ void write_quickly(const std::string& path, const std::uint8_t* data, std::size_
 }
 
 void write_seeds(const std::string& where) {
-  for (const FuzzKind& each : fuzz_kinds(folder()))
+  for (const FuzzKind& each : fuzz_kinds(folder())) {
+    (void)std::puts(each.name.c_str());
     for (std::size_t i = 0; i < each.seeds.size(); ++i)
       write_file(where + "/" + each.name + "/" + std::to_string(i),
                  std::string(1, static_cast<char>(i)) + each.seeds[i].text);
+  }
 }
 
 }  // namespace
 }  // namespace thenar
 
 int LLVMFuzzerInitialize(int* argc, char*** argv) {
+  // A library that crashes in a copy of this process, which readers make for that (trial_run.h), is
+  // not to be told of as a crash of the reader.
+  (void)pthread_atfork(nullptr, nullptr, [] { __sanitizer_set_death_callback(nullptr); });
   if (*argc == 3 && std::strcmp((*argv)[1], "seeds") == 0) {
     thenar::write_seeds((*argv)[2]);
     std::exit(0);

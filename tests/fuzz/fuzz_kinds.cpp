@@ -5,10 +5,9 @@
 #include <fstream>
 #include <iterator>
 
-#ifndef THENAR_FUZZ
 #include "apps/compare_file.h"
-#endif
 #include "apps/contact_file.h"
+#include "apps/json_line.h"
 #include "base/error.h"
 #include "base/shapes/mesh_mend.h"
 #include "base/write_file.h"
@@ -70,7 +69,6 @@ const char* const kContacts = R"({"centre_of_mass": [0, 0, 0.01], "torque_scale"
 {"position": [-0.03, 0, 0], "normal": [1, 0, 0], "friction": 0.6, "torsion": 0.004},
 {"wrenches": [[0, 0, 1, 0, 0, 0.01], [0, 1, 0, 0.01, 0, 0]]}]})";
 
-#ifndef THENAR_FUZZ
 /// One hand on one object.
 std::string comparison_text() {
   HandOnObject cell;
@@ -98,14 +96,13 @@ std::string comparison_text() {
 
 /// With a checksum that holds, whatever was changed: else nothing behind it is reached.
 void read_comparison(const std::string& path) {
-  nlohmann::json json = nlohmann::json::parse(bytes_in(path), nullptr, false);
+  nlohmann::json json = parse_json(path, bytes_in(path));
   if (json.is_object()) {
     json["sha256"] = comparison_checksum(json);
     write_file(path, json.dump());
   }
   (void)read_cells(path, nlohmann::ordered_json::object());
 }
-#endif
 
 std::string result_bytes(const std::string& folder) {
   ResultFile file;
@@ -136,12 +133,7 @@ std::string unsealed(const std::string& path) {
   return bytes.erase(std::min(bytes.rfind("\nthenar sha256 "), bytes.size()));
 }
 
-// Whoever changes a file may seal it anew. libFuzzer sees crashes only where no other process reads
-// first; a test goes on after one where another does.
-#ifdef THENAR_FUZZ
-void read_result_file(const std::string& path) { (void)parse_result(unsealed(path), path); }
-void read_posterior_file(const std::string& path) { (void)parse_inference(unsealed(path), path); }
-#else
+// Whoever changes a file may seal it anew.
 void read_result_file(const std::string& path) {
   write_file(path, with_checksum(unsealed(path)));
   (void)read_result(path);
@@ -150,7 +142,6 @@ void read_posterior_file(const std::string& path) {
   write_file(path, with_checksum(unsealed(path)));
   (void)read_inference(path);
 }
-#endif
 
 /// What is imported can also be written.
 void read_robot_file(const std::string& path) {
@@ -214,9 +205,7 @@ std::vector<FuzzKind> fuzz_kinds(const std::string& folder) {
        [](File path) { (void)world_toml(read_world(path)); }},
       {"materials", data_files({"materials.toml"}), [](File path) { (void)read_materials(path); }},
       {"contacts", {{"a.json", kContacts}}, [](File path) { (void)read_contact_file(path); }},
-#ifndef THENAR_FUZZ  // whose libraries are those of files alone
       {"comparison", {{"a.json", comparison_text()}}, read_comparison},
-#endif
       {"urdf", {{"a.urdf", sample::urdf_file()}}, read_robot_file},
       {"mjcf", {{"a.xml", sample::mjcf_file()}}, read_robot_file},
       {"graspit",

@@ -9,9 +9,6 @@ import re
 import subprocess
 import sys
 
-KINDS = ["subject", "experiment", "fit settings", "proportions", "net", "robot", "object", "world", "materials",
-         "contacts", "urdf", "mjcf", "graspit", "mesh", "result", "posterior"]
-
 
 def fuzz(program, kind, seconds):
     """Executions, and whether none did harm."""
@@ -33,8 +30,8 @@ def fuzz(program, kind, seconds):
 
 def main():
     program, seconds = pathlib.Path(sys.argv[1]).resolve(), int(sys.argv[2])
-    kinds = sys.argv[3:] or KINDS
-    subprocess.run([program, "seeds", program.parent / "corpus"], check=True)
+    seeds = subprocess.run([program, "seeds", program.parent / "corpus"], check=True, stdout=subprocess.PIPE, text=True)
+    kinds = sys.argv[3:] or seeds.stdout.splitlines()
     harm = []
     for kind in kinds:
         count, edges, good = fuzz(program, kind, seconds)
