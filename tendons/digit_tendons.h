@@ -13,6 +13,8 @@
 
 namespace thenar {
 
+struct NetEquilibrium;
+
 /// How far to believe what tendons do, from good to bad.
 enum class TendonStatus {
   kSound,       // paths are taut, a net is at rest at a minimum
@@ -46,7 +48,8 @@ struct [[nodiscard]] TendonPull {
                            // coordinates) [m/rad]
   SlipTension slips;       // zero without a hood
   Eigen::Matrix3Xd nodes;  // of a net at rest, world; hand it on as the next start [m] (3, nodes)
-  std::string trouble;     // why not to trust this, in words; empty: nothing
+  std::shared_ptr<const NetEquilibrium> rest;  // of a net; null: there is none
+  std::string trouble;                         // why not to trust this, in words; empty: nothing
   TendonStatus status = TendonStatus::kSound;  // the same, for decisions
 };
 
@@ -74,14 +77,14 @@ class DigitTendons {
 
   /// d tau / d q at these tensions: slopes() where there are some, else central differences of
   /// pull() [N m/rad] (coordinates, coordinates).
-  /// @param at  pull() there
+  /// @param at  pull() of this digit at these very q and t
   [[nodiscard]] virtual Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                           const Eigen::VectorXd& t,
                                                           const TendonPull& at) const;
 
   /// How far tendons give at this posture, -d length / d tension, symmetric, with no negative
   /// eigenvalue; 0 but for a net, whose bands stretch [m/N] (muscles, muscles).
-  /// @param at  pull() there
+  /// @param at  pull() of this digit at these very q and t
   [[nodiscard]] virtual Eigen::MatrixXd give(const Eigen::VectorXd& /*q*/, const Eigen::VectorXd& t,
                                              const TendonPull& /*at*/) const {
     return Eigen::MatrixXd::Zero(t.size(), t.size());

@@ -140,7 +140,7 @@ NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                                 const Eigen::Matrix3Xd& start) const {
   require(start.cols() == 0 || start.cols() == static_cast<Eigen::Index>(net_.net.nodes.size()),
           "start has {} nodes, net '{}' {}", start.cols(), net_.net.name, net_.net.nodes.size());
-  return solvers_.solve(net_.net, options_, pose_tree(digit_.model.tree, q), {shares_ * t, {}},
+  return solvers_.solve(net_.net, options_, pose_tree(digit_.model.tree, q), {drive(t), {}},
                         start.cols() == 0 ? nullptr : &start);
 }
 
@@ -188,27 +188,31 @@ TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
   return pull_at(q, t, rest(q, t, start));
 }
 
+std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonPull& at, const VectorXd& q,
+                                                          const VectorXd& t) const {
+  return at.rest ? at.rest : std::make_shared<const NetEquilibrium>(rest(q, t, at.nodes));
+}
+
 MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                        const TendonPull& at) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  const NetEquilibrium rest = this->rest(q, t, at.nodes);
+  const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
   const TendonSlopes outside = slopes_outside(q, t);
-  if (!outside.exist || !no_slopes(net_.net, rest).empty())
+  if (!outside.exist || !no_slopes(net_.net, *rest).empty())
     return DigitTendons::torque_by_posture(q, t, at);
   return outside.by_posture + thenar::torque_by_posture(net_.net, model.tree, state, {drive(t), {}},
-                                                        rest, model.coordinates);
+                                                        *rest, model.coordinates);
 }
 
 MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
-  const NetEquilibrium rest = this->rest(q, t, at.nodes);
-  if (!no_slopes(net_.net, rest).empty()) return MatrixXd::Zero(t.size(), t.size());
+  const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
+  if (!no_slopes(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
-  return -shares_.transpose() * pulled_by_drive(net_.net, state, {drive(t), {}}, rest) * shares_;
+  return -shares_.transpose() * pulled_by_drive(net_.net, state, {drive(t), {}}, *rest) * shares_;
 }
 
-TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,
-                               const NetEquilibrium& rest) const {
+TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t, NetEquilibrium rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   TendonPull pull = pull_outside(q, t, state);
@@ -217,13 +221,14 @@ TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t,
   pull.nodes = rest.x;
   add_trouble(net_trouble(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));
-  if (!no_slopes(net_.net, rest).empty()) {
+  if (no_slopes(net_.net, rest).empty())
+    pull.R +=
+        (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, rest, model.coordinates) *
+         shares_)
+            .transpose();
+  else
     add_trouble("moment arms are without the net", pull);
-    return pull;
-  }
-  const MatrixXd by_drive =
-      torque_by_drive(net_.net, model.tree, state, {shares_ * t, {}}, rest, model.coordinates);
-  pull.R += (by_drive * shares_).transpose();
+  pull.rest = std::make_shared<const NetEquilibrium>(std::move(rest));
   return pull;
 }
 

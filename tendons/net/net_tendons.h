@@ -39,6 +39,9 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
   [[nodiscard]] const BuiltNet& net() const { return net_; }
 
+  /// All tendons, separate, as if there were no net.
+  [[nodiscard]] const DigitTendons& linear() const { return *linear_; }
+
   /// `trouble` says what the paths outside of the net have to say, and why a hood is not to be
   /// trusted: not balanced, unstable, drawn into an exit, or with a band buried in bone. `R` has
   /// the share of the net wherever the net has slopes, see no_slopes(); where not, `trouble` says
@@ -61,7 +64,7 @@ class NetTendons : public DigitTendons {
 
   /// The same where the net has come to rest already.
   [[nodiscard]] TendonPull pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                   const NetEquilibrium& rest) const;
+                                   NetEquilibrium rest) const;
 
   /// The net at rest, for pictures and for its bands' tensions. Arguments as of pull().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
@@ -88,6 +91,11 @@ class NetTendons : public DigitTendons {
   /// Torque and moment arms of all that the net leaves to runs of its own, with their trouble.
   [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const TreeState<double>& state) const;
+
+  /// The net at rest where `at` was pulled: its own, or else searched from its nodes.
+  [[nodiscard]] std::shared_ptr<const NetEquilibrium> rest_of(const TendonPull& at,
+                                                              const Eigen::VectorXd& q,
+                                                              const Eigen::VectorXd& t) const;
 
   std::shared_ptr<const DigitTendons> linear_;
   BuiltNet net_;

@@ -136,6 +136,22 @@ TEST(NetTendons, TellsThatABandIsBuried) {
   EXPECT_NE(trouble.find("ends inside 'DIP_dorsum'"), std::string::npos) << trouble;
 }
 
+// What a pull carries of its rest saves a search and changes nothing: slopes found from its nodes
+// alone are the same.
+TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
+  const auto tendons = build_net_tendons(finger(), "middle", {}, net("winslow"));
+  TendonPull pull = tendons->pull(kPosture, kTension);
+  ASSERT_NE(pull.rest, nullptr);
+  EXPECT_TRUE(matrix_near(pull.rest->x, pull.nodes, 0));
+  const Eigen::MatrixXd give = tendons->give(kPosture, kTension, pull);
+  const Eigen::MatrixXd slopes = tendons->torque_by_posture(kPosture, kTension, pull);
+  pull.rest.reset();
+  EXPECT_GT(give.norm(), 1e-5);  // [m/N]
+  EXPECT_TRUE(matrix_near(tendons->give(kPosture, kTension, pull), give, 1e-6 * give.norm()));
+  EXPECT_TRUE(matrix_near(tendons->torque_by_posture(kPosture, kTension, pull), slopes,
+                          1e-6 * slopes.norm()));
+}
+
 TEST(NetTendons, RefusesAStartOfAnotherNet) {
   const NetDescription winslow = net("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
