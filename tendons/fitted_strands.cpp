@@ -58,11 +58,13 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandSlopes slopes(const TreeState<double>& /*state*/,
                                     const Eigen::VectorXd& q) const override {
-    StrandSlopes slopes{true, -constant_ * q, {}};
+    StrandSlopes slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),
                      Eigen::MatrixXd::Zero(q.size(), q.size()));
     for (std::size_t k = 0; k < paths_.size(); ++k) {
-      slopes.length[row_[k]] = fitted_length(paths_[k], q).length;
+      const FittedLength fitted = fitted_length(paths_[k], q);
+      slopes.length[row_[k]] = fitted.length;
+      slopes.R.row(row_[k]) = fitted.arms;
       slopes.dR[static_cast<std::size_t>(row_[k])] = arm_slopes(paths_[k], q);
     }
     return slopes;

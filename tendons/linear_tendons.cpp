@@ -36,7 +36,7 @@ class StraightStrands : public StrandPaths {
   }
   [[nodiscard]] StrandSlopes slopes(const TreeState<double>& state,
                                     const VectorXd& q) const override {
-    StrandSlopes slopes{true, -model_.constant_arms * q, {}};
+    StrandSlopes slopes{true, strand_arms(model_, state, q), -model_.constant_arms * q, {}};
     for (std::size_t s = 0; s < model_.paths.size(); ++s) {
       slopes.dR.push_back(arm_slopes(model_.tree, state, model_.paths[s], model_.coordinates));
       if (!model_.paths[s].empty())
@@ -111,9 +111,8 @@ class LinearTendons : public DigitTendons {
   [[nodiscard]] TendonSlopes slopes(const VectorXd& q, const VectorXd& t) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
-    const TreeState<double> state = pose_tree(model.tree, q);
-    const MatrixXd S = strand_matrix(model, q), R = paths_->arms(state, q).R;
-    const StrandSlopes strands = paths_->slopes(state, q);
+    const MatrixXd S = strand_matrix(model, q);
+    const StrandSlopes strands = paths_->slopes(pose_tree(model.tree, q), q);
     TendonSlopes out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
                      S.transpose() * strands.length};
     if (!out.exist) return out;
@@ -122,7 +121,7 @@ class LinearTendons : public DigitTendons {
     for (Eigen::Index s = 0; s < f.size(); ++s) {
       const double mu = model.friction[s];
       const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : tension_left(model, q, mu);
-      const VectorXd arm = left.cwiseProduct(R.row(s).transpose());
+      const VectorXd arm = left.cwiseProduct(strands.R.row(s).transpose());
       out.by_posture += f[s] * (left.asDiagonal() * strands.dR[static_cast<std::size_t>(s)] -
                                 mu * MatrixXd(arm.asDiagonal() * bending));
       if (model.knuckle.coordinate >= 0)

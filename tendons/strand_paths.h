@@ -17,9 +17,10 @@ struct [[nodiscard]] StrandArms {
   TendonStatus status = TendonStatus::kSound;  // the worst of all strands
 };
 
-/// Lengths and slopes of arms at one posture, before friction in sheaths.
+/// Lengths, arms and their slopes at one posture, before friction in sheaths.
 struct [[nodiscard]] StrandSlopes {
   bool exist = true;                // false: a strand has no slopes here
+  Eigen::MatrixXd R;                // as of StrandArms
   Eigen::VectorXd length;           // [m]; of strands with constant arms  -R q (strands)
   std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)
 };

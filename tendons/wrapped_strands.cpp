@@ -45,15 +45,12 @@ class WrappedStrands : public StrandPaths {
   }
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
-                                const Eigen::VectorXd& q) const override {
+                                const Eigen::VectorXd& /*q*/) const override {
     PathSolver solver(set_);
     const std::vector<PathShape>& shapes = solver.solve(state);
-    Eigen::MatrixXd R(shapes.size(), q.size());
-    path_arms(tree_, state, set_, shapes, R);
-    StrandArms arms{constant_, "", TendonStatus::kSound};
+    StrandArms arms{rows_of(state, shapes), "", TendonStatus::kSound};
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       if (path_of_[s] < 0) continue;
-      arms.R.row(static_cast<Eigen::Index>(s)) = R.row(path_of_[s]);
       const auto path = static_cast<std::size_t>(path_of_[s]);
       const TendonStatus status = status_of(shapes[path].status);
       if (status > arms.status) arms.trouble = trouble_of(shapes[path], set_.paths[path].name);
@@ -68,7 +65,7 @@ class WrappedStrands : public StrandPaths {
     const std::vector<PathShape>& shapes = solver.solve(state);
     std::vector<ArmSlopes> paths =
         arm_slopes(tree_, state, set_, shapes, static_cast<int>(q.size()));
-    StrandSlopes slopes{true, -constant_ * q, {}};
+    StrandSlopes slopes{true, rows_of(state, shapes), -constant_ * q, {}};
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
       if (path_of_[s] < 0) continue;
@@ -81,6 +78,17 @@ class WrappedStrands : public StrandPaths {
   }
 
  private:
+  /// Arms of all strands (strands, coordinates) [m/rad].
+  [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
+                                        const std::vector<PathShape>& shapes) const {
+    Eigen::MatrixXd of_path(shapes.size(), constant_.cols());
+    path_arms(tree_, state, set_, shapes, of_path);
+    Eigen::MatrixXd R = constant_;
+    for (std::size_t s = 0; s < path_of_.size(); ++s)
+      if (path_of_[s] >= 0) R.row(static_cast<Eigen::Index>(s)) = of_path.row(path_of_[s]);
+    return R;
+  }
+
   PathSet set_;
   Tree<double> tree_;
   Eigen::MatrixXd constant_;  // (strands, coordinates) [m/rad]
