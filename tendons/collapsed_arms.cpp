@@ -1,19 +1,9 @@
 #include "tendons/collapsed_arms.h"
 
 #include "base/angles.h"
+#include "tendons/name_kinds.h"
 
 namespace thenar {
-namespace {
-
-bool flexes(const std::string& joint) {
-  return joint.find("_AA") == std::string::npos && joint.find("_PS") == std::string::npos;
-}
-
-}  // namespace
-
-bool is_long_flexor(const std::string& muscle) {
-  return muscle.rfind("FDS", 0) == 0 || muscle.rfind("FDP", 0) == 0 || muscle.rfind("FPL", 0) == 0;
-}
 
 std::vector<CollapsedArm> collapsed_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
   constexpr int kPlaces = 13;      // on a joint's range

@@ -16,9 +16,6 @@ struct CollapsedArm {
   double most;  // the largest one as this joint alone goes through its range [m/rad]
 };
 
-/// FDS, FDP or FPL of any digit: muscles that run in a sheath along the flexor side of every joint.
-[[nodiscard]] bool is_long_flexor(const std::string& muscle);
-
 /// Arms of long flexors about flexion joints that are below a quarter of the largest which they
 /// have as the joint alone goes through its range, that being 3 mm at least: their sheaths hold
 /// them off the joint. A rule of thumb. Wrapped paths have such arms too where the subject has no

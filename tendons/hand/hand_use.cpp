@@ -5,15 +5,10 @@
 #include <optional>
 
 #include "base/error.h"
-#include "tendons/collapsed_arms.h"
-#include "tendons/hand/name_ending.h"
+#include "tendons/name_kinds.h"
 
 namespace thenar {
 namespace {
-
-bool flexes(const std::string& joint) {
-  return !ends_with(joint, "_AA") && !ends_with(joint, "_PS");
-}
 
 /// The bone of the digit that a hinge lies before; absent: another digit's, or the wrist.
 std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy& digit,

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "hand/skin/hand_anatomy.h"
-#include "tendons/hand/name_ending.h"
+#include "tendons/name_kinds.h"
 
 namespace thenar {
 namespace {

@@ -9,6 +9,7 @@
 #include "base/angles.h"
 #include "data/io/subject.h"
 #include "tendons/linear_tendons.h"
+#include "tendons/name_kinds.h"
 
 namespace thenar {
 namespace {
