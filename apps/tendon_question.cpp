@@ -16,15 +16,6 @@ namespace {
 const std::map<std::string, Hood> kHoods{
     {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
 
-/// The same digit without a net.
-TendonOptions whole_tendons(const Subject& subject, const TendonQuestion& question) {
-  TendonOptions options;
-  options.hood = Hood::kSeparate;
-  options.path = path_meant(question.path);
-  options.frozen = parse_frozen(subject, question.frozen);
-  return options;
-}
-
 std::unique_ptr<DigitTendons> build(const Subject& subject, const std::string& digit,
                                     const TendonQuestion& question) {
   TendonOptions options;
@@ -66,7 +57,7 @@ TendonCase find_tendons(const TendonQuestion& question) {
           subject.name, at.digit);
   at.q = parse_posture(at.bones().skeleton, question.posture);
   warn_of_limits(at.bones().skeleton, at.q);
-  warn_of_collapse(*build_digit_tendons(subject, at.digit, whole_tendons(subject, question)), at.q);
+  warn_of_collapse(at.net != nullptr ? at.net->linear() : *at.tendons, at.q);
   at.t = in_order(parse_named_numbers(question.tension, "MUSCLE=newton"), muscles, "muscle");
   for (Eigen::Index i = 0; i < at.t.size(); ++i)
     require(at.t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
