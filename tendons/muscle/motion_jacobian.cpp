@@ -48,6 +48,26 @@ ArmSlopes arm_slopes(const DigitTendons& tendons, const MotionState& state, cons
   return out;
 }
 
+/// Slopes of the bones' acceleration at fixed torques, by central differences, one column a posture
+/// angle, then one a speed [1/s^2] and [1/s] (coordinates, 2 coordinates).
+template <typename Acceleration>
+MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones) {
+  constexpr double kStep = 1e-5;  // [rad], [rad/s] over the speed and 1
+  const Index n = state.q.size();
+  const double speed_step = kStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
+  MatrixXd slopes(n, 2 * n);
+  for (Index j = 0; j < n; ++j) {
+    const VectorXd one = VectorXd::Unit(n, j);
+    slopes.col(j) =
+        (bones(state.q + kStep * one, state.q_dot) - bones(state.q - kStep * one, state.q_dot)) /
+        (2 * kStep);
+    slopes.col(n + j) = (bones(state.q, state.q_dot + speed_step * one) -
+                         bones(state.q, state.q_dot - speed_step * one)) /
+                        (2 * speed_step);
+  }
+  return slopes;
+}
+
 }  // namespace
 
 MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excitation) {
@@ -108,27 +128,17 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   J.row(size - 2).segment(n, n) += now.pull.tau.transpose();
   J.row(size - 1).segment(n, n) = 2 * damping_.cwiseProduct(state.q_dot).transpose();
 
-  // Bones.
+  // Bones, under the torques of tendons, of what holds joints, and of damping.
   tau_y.leftCols(n).diagonal() += holding_slope(skeleton, model_.resistance, state.q);
   tau_y.middleCols(n, n).diagonal() -= damping_;
   J.block(0, n, n, n).setIdentity();
   J.block(n, 0, n, size) = multibody_.mass_matrix(state.q).llt().solve(tau_y);
   const VectorXd tau = now.pull.tau + holding_torque(skeleton, model_.resistance, state.q) -
                        damping_.cwiseProduct(state.q_dot);
-  const auto bones = [&](const VectorXd& q, const VectorXd& q_dot) {
-    return multibody_.forward_dynamics({q, q_dot}, tau, {model_.gravity, {}});
-  };
-  constexpr double kStep = 1e-5;  // [rad], [rad/s] over the speed and 1
-  const double speed_step = kStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
-  for (Index j = 0; j < n; ++j) {
-    const VectorXd one = VectorXd::Unit(n, j);
-    J.block(n, j, n, 1) +=
-        (bones(state.q + kStep * one, state.q_dot) - bones(state.q - kStep * one, state.q_dot)) /
-        (2 * kStep);
-    J.block(n, n + j, n, 1) += (bones(state.q, state.q_dot + speed_step * one) -
-                                bones(state.q, state.q_dot - speed_step * one)) /
-                               (2 * speed_step);
-  }
+  J.block(n, 0, n, 2 * n) +=
+      acceleration_slopes(state, [&](const VectorXd& q, const VectorXd& q_dot) {
+        return multibody_.forward_dynamics({q, q_dot}, tau, {model_.gravity, {}});
+      });
   return J;
 }
 
