@@ -15,12 +15,11 @@ using Counts = std::uint64_t[2];  // of vertices and triangles
 std::string bytes_of(const TriangleMesh& mesh) {
   const Counts counts{static_cast<std::uint64_t>(mesh.vertices.cols()),
                       static_cast<std::uint64_t>(mesh.triangles.cols())};
-  const auto vertices = sizeof(double) * static_cast<std::size_t>(mesh.vertices.size());
-  const auto triangles = sizeof(int) * static_cast<std::size_t>(mesh.triangles.size());
-  std::string bytes(sizeof(Counts) + vertices + triangles, '\0');
-  std::memcpy(bytes.data(), counts, sizeof(Counts));
-  std::memcpy(bytes.data() + sizeof(Counts), mesh.vertices.data(), vertices);
-  std::memcpy(bytes.data() + sizeof(Counts) + vertices, mesh.triangles.data(), triangles);
+  std::string bytes;
+  bytes.reserve(sizeof(Counts) + 3 * sizeof(double) * counts[0] + 3 * sizeof(int) * counts[1]);
+  append_bytes(bytes, counts, 2);
+  append_bytes(bytes, mesh.vertices.data(), 3 * counts[0]);
+  append_bytes(bytes, mesh.triangles.data(), 3 * counts[1]);
   return bytes;
 }
 
@@ -50,10 +49,6 @@ TriangleMesh kept_mesh(const std::string& kind, const std::string& input,
   TriangleMesh mesh = make();
   keep(kind, input, bytes_of(mesh));
   return mesh;
-}
-
-void append_bytes(std::string& input, const double* numbers, std::size_t count) {
-  input.append(reinterpret_cast<const char*>(numbers), count * sizeof(double));
 }
 
 }  // namespace thenar

@@ -21,7 +21,10 @@ namespace thenar {
 /// The mesh of bytes_of(); nothing if these are not the bytes of a mesh.
 [[nodiscard]] std::optional<TriangleMesh> mesh_of(const std::string& bytes);
 
-/// Numbers as they stand in memory, to be part of an input.
-void append_bytes(std::string& input, const double* numbers, std::size_t count);
+/// Numbers as they stand in memory.
+template <typename T>
+void append_bytes(std::string& bytes, const T* numbers, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(numbers), count * sizeof(T));
+}
 
 }  // namespace thenar

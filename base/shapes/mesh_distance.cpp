@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/provenance.h"
+#include "base/shapes/kept_mesh.h"
 #include "base/shapes/mesh_edges.h"
 #include "base/shapes/nearest_grid.h"
 #include "base/shapes/triangle_tree.h"
@@ -101,15 +102,6 @@ class MeshDistance final : public Shape {
   std::vector<Pseudonormals> normals_;
 };
 
-/// All that distances depend on.
-std::string content_of(const TriangleMesh& mesh) {
-  std::string bytes(reinterpret_cast<const char*>(mesh.vertices.data()),
-                    sizeof(double) * static_cast<std::size_t>(mesh.vertices.size()));
-  bytes.append(reinterpret_cast<const char*>(mesh.triangles.data()),
-               sizeof(int) * static_cast<std::size_t>(mesh.triangles.size()));
-  return sha256(bytes) + std::to_string(mesh.vertices.cols());
-}
-
 /// Meshes in use, and the last ones that were: a hand is built several times from the same links.
 /// Sharing shows in time and memory alone, as distances are constant.
 class Recent {
@@ -147,7 +139,7 @@ class Recent {
 
 std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
   static Recent recent;
-  const std::string content = content_of(mesh);
+  const std::string content = sha256(bytes_of(mesh));
   if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
   auto shape = std::make_shared<MeshDistance>(mesh);
   recent.add(content, shape, mesh.triangles.cols());

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/shapes/kept_mesh.h"
 #include "data/io/mesh/placed_primitive.h"
 
 namespace thenar {
@@ -49,15 +50,6 @@ bool take_body(std::string_view& text, std::string_view word) {
       line = 1;
   }
   throw DataError(path, line, message);
-}
-
-template <typename T>
-void append_bytes(std::string& text, const T* values, std::size_t count) {
-  std::array<char, sizeof(T)> bytes;
-  for (std::size_t i = 0; i < count; ++i) {
-    std::memcpy(bytes.data(), values + i, sizeof(T));
-    text.append(bytes.data(), sizeof(T));
-  }
 }
 
 /// How many things of `bytes` each follow; the count is taken off.
