@@ -8,7 +8,7 @@
 
 #include "apps/data_folder.h"
 #include "apps/path_option.h"
-#include "apps/signals.h"
+#include "apps/progress_bar.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <string>
 
 #include "base/error.h"
@@ -12,6 +13,25 @@ namespace thenar {
 /// @param kept  what the signal is answered with at once, on stderr, after "stopping": of what is
 ///              kept; empty: nothing is said of it
 [[nodiscard]] Progress terminal_progress(const std::string& kept = "");
+
+/// For as long as it lives, Ctrl-C and SIGTERM end the program at once, whatever
+/// terminal_progress() had asked for; then as before. For work that keeps nothing and asks nobody
+/// whether to stop.
+class SignalsEndAtOnce {
+ public:
+  SignalsEndAtOnce()
+      : interrupt_(std::signal(SIGINT, SIG_DFL)), terminate_(std::signal(SIGTERM, SIG_DFL)) {}
+  ~SignalsEndAtOnce() {
+    if (interrupt_ != SIG_ERR) std::signal(SIGINT, interrupt_);
+    if (terminate_ != SIG_ERR) std::signal(SIGTERM, terminate_);
+  }
+  SignalsEndAtOnce(const SignalsEndAtOnce&) = delete;
+  SignalsEndAtOnce& operator=(const SignalsEndAtOnce&) = delete;
+
+ private:
+  using Handler = void (*)(int);
+  Handler interrupt_, terminate_;
+};
 
 /// Was Ctrl-C pressed, or SIGTERM sent?
 [[nodiscard]] bool interrupted();
