@@ -115,9 +115,8 @@ Prediction predict_as_published(const SourceText& subject, const Experiment& exp
   const FitParameters fixed = choose_parameters(digit, {}, {});
   const Eigen::Matrix3Xd force = force_values(
       digit, fixed, plan_experiment(digit, fixed, experiment), Eigen::VectorXd::Zero(0));
-  Prediction out = compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()));
-  out.start_has_seen = start_has_seen(digit, experiment);
-  return out;
+  return compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
+                 start_has_seen(digit, experiment));
 }
 
 Prediction mean_of_other_postures(const Experiment& experiment) {

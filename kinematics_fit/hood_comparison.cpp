@@ -61,7 +61,8 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
   HoodRung rung{name,
                 tendons.digit().fidelity.path,
                 tendons.digit().fidelity.hood,
-                compare(experiment, forces.force, Eigen::Matrix3Xd::Zero(3, forces.force.cols())),
+                compare(experiment, forces.force, Eigen::Matrix3Xd::Zero(3, forces.force.cols()),
+                        start_has_seen(tendons.digit(), experiment)),
                 {},
                 {},
                 0,
@@ -73,7 +74,6 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
       return std::find(of_hood.begin(), of_hood.end(), muscle) != of_hood.end();
     });
   };
-  rung.prediction.start_has_seen = start_has_seen(tendons.digit(), experiment);
   rung.hood_muscles = error_of(rung.prediction, experiment, in_hood);
   for (const Trial& trial : experiment.trials)
     if (const auto alone = loaded(trial); alone.size() == 1)

@@ -81,8 +81,8 @@ bool start_has_seen(const TendonDigit& digit, const Experiment& experiment) {
 }
 
 Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
-                   const Eigen::Matrix3Xd& sd) {
-  Prediction out{experiment.name, {}, {}};
+                   const Eigen::Matrix3Xd& sd, bool start_has_seen) {
+  Prediction out{experiment.name, {}, {}, start_has_seen};
   for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
     const Trial& trial = experiment.trials[i];
     out.trials.push_back(
@@ -122,11 +122,10 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 }
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
+  const Experiment& experiment = problem.experiments()[e];
   const Eigen::Matrix3Xd force = problem.predict(z, e, WithJacobian::kNo).force;
-  Prediction out =
-      compare(problem.experiments()[e], force, Eigen::Matrix3Xd::Zero(3, force.cols()));
-  out.start_has_seen = start_has_seen(problem.digit(), problem.experiments()[e]);
-  return out;
+  return compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
+                 start_has_seen(problem.digit(), experiment));
 }
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
@@ -149,10 +148,9 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
         forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
-  Prediction out = compare(experiment, forces.force,
-                           Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()));
-  out.start_has_seen = start_has_seen(fitted.digit(), experiment);
-  return out;
+  return compare(experiment, forces.force,
+                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()),
+                 start_has_seen(fitted.digit(), experiment));
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

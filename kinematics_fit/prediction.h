@@ -49,9 +49,11 @@ struct Prediction {
 /// Has the digit's subject been calibrated on this experiment's specimen?
 [[nodiscard]] bool start_has_seen(const TendonDigit& digit, const Experiment& experiment);
 
-/// Predicted forces beside the measured ones. @param predicted, sd  [N] (3, trials)
+/// Predicted forces beside the measured ones.
+/// @param predicted, sd   [N] (3, trials)
+/// @param start_has_seen  of the digit that predicted
 [[nodiscard]] Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
-                                 const Eigen::Matrix3Xd& sd);
+                                 const Eigen::Matrix3Xd& sd, bool start_has_seen);
 
 /// @throws InputError if there is no trial, or every measured force is zero.
 [[nodiscard]] ForceError force_error(const std::vector<PredictedTrial>& trials);

@@ -140,11 +140,9 @@ Prediction summarise(const PredictedDraws& predicted) {
   Eigen::VectorXd sd(mean.size());
   for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
-  Prediction out =
-      compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
-              Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials));
-  out.start_has_seen = predicted.start_has_seen;
-  return out;
+  return compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
+                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials),
+                 predicted.start_has_seen);
 }
 
 Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::MatrixXd& x,

@@ -37,7 +37,8 @@ ThumbReference reference_of(const ThumbStudy& study, const ThumbFitSettings& set
   const Experiment tasks = tasks_at(truth, settings.noise, seed);
   const Eigen::Matrix3Xd predicted = true_forces(study.start, pulls);
   const auto [direction, sd] = internal::direction_errors(
-      compare(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols())));
+      compare(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols()),
+              start_has_seen(study.start, pulls)));
   return {settings.noise,
           settings.skewness,
           direction,
