@@ -12,6 +12,7 @@
 #include "apps/to_json.h"
 #include "base/angles.h"
 #include "base/error.h"
+#include "base/worst.h"
 #include "grasp/quality/planar.h"
 #include "grasp/quality/pyramid.h"
 #include "grasp/quality/regions.h"
@@ -143,7 +144,7 @@ TaskAnswer answer_loads(const ForceSet& forces, const std::vector<Wrench>& loads
       continue;
     }
     const Reach reach = largest_load(forces, load);
-    found.margin.residual = std::max(found.margin.residual, reach.residual);
+    found.margin.residual = largest_or_nan(found.margin.residual, reach.residual);
     if (reach.status != ConeStatus::kSolved) {
       found.squeezes.push_back(std::numeric_limits<double>::quiet_NaN());
       found.margin.status = reach.status;

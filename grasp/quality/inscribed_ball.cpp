@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/worst.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/quality/hold_force.h"
 
@@ -58,7 +59,7 @@ class Search {
       result_.status = reach.status;
       return false;
     }
-    result_.residual = std::max(result_.residual, reach.residual);
+    result_.residual = largest_or_nan(result_.residual, reach.residual);
     if (reach.bound < result_.upper) {
       result_.upper = reach.bound;
       result_.worst_load = -u;

@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include "base/error.h"
+#include "base/worst.h"
 
 namespace thenar {
 namespace {
@@ -59,7 +60,7 @@ TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<Wrench>& lo
     if (load.isZero(0)) continue;
     const Reach reach = largest_load(forces, load);
     if (reach.status == ConeStatus::kUnbounded) continue;
-    margin.residual = std::max(margin.residual, reach.residual);
+    margin.residual = largest_or_nan(margin.residual, reach.residual);
     if (reach.status != ConeStatus::kSolved)
       return {reach.status, reach.value, reach.bound, load, margin.residual};
     if (reach.value < margin.lower) margin.worst_load = load;
