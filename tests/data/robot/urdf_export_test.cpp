@@ -155,11 +155,17 @@ TEST_F(UrdfExport, LeavesTheLeadingJointItsOwnLimits) {
   EXPECT_DOUBLE_EQ(back.joints[0].upper, 1.35);
 }
 
-TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
+/// A robot of one link.
+RobotSpec one_link(const std::string& link) {
   RobotSpec robot;
   robot.name = "one";
   robot.links.resize(1);
-  robot.links[0].name = "a/b";
+  robot.links[0].name = link;
+  return robot;
+}
+
+TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
+  RobotSpec robot = one_link("a/b");
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
   shape.mesh.vertices = Eigen::Matrix3d::Identity();
@@ -190,10 +196,7 @@ TEST_F(UrdfExport, WritesMeshesThatNoFileHas) {
 }
 
 TEST_F(UrdfExport, WritesAllOrNothingOnAFullDisk) {
-  RobotSpec robot;
-  robot.name = "one";
-  robot.links.resize(1);
-  robot.links[0].name = "a";
+  RobotSpec robot = one_link("a");
   ShapeSpec shape;
   shape.kind = ShapeKind::kBox;
   shape.size = {0.1, 0.1, 0.1};
