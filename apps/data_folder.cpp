@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/nearest_name.h"
 
 namespace thenar {
@@ -69,7 +70,7 @@ std::vector<std::string> names_in(const std::vector<std::string>& places, const 
 
 std::string named_file(const std::string& what, const std::string& name, const std::string& folder,
                        const std::string& ending, const std::vector<std::string>& places) {
-  if (fs::is_regular_file(name)) return name;
+  if (is_file(name)) return name;
   if (name.find('/') == std::string::npos) {
     std::string found = find_in(places, (fs::path(folder) / (name + ending)).string());
     if (!found.empty()) return found;

@@ -53,7 +53,8 @@ PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inpu
 /// Forgets a run. Its state goes first: what is left if we are killed here begins anew.
 /// @throws InputError if another process is sampling there.
 void forget_run(const std::string& folder) {
-  if (!fs::exists(folder)) return;
+  std::error_code none;
+  if (!fs::exists(folder, none)) return;
   internal::AppendFile lock(folder + "/lock");
   require(lock.lock(), "another process is sampling in '{}'", folder);
   fs::remove(folder + "/state.bin");

@@ -10,6 +10,7 @@
 #include "apps/path_option.h"
 #include "apps/progress_bar.h"
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/nearest_name.h"
@@ -96,7 +97,7 @@ HandSource find_hand(const std::string& name, const std::vector<std::string>& pl
   const auto [base, tier, path] = split_name(name);
   (void)path_meant(path);  // refuses others
   if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier, path};
-  if (fs::is_regular_file(base)) return file_source(base, tier, path);
+  if (is_file(base)) return file_source(base, tier, path);
   const std::string library = robot_file(base, places);
   if (!library.empty()) return file_source(library, tier, path);
   std::vector<std::string> known = names_in(places, "robots");

@@ -7,6 +7,7 @@
 #include "apps/print_table.h"
 #include "apps/read_source.h"
 #include "base/error.h"
+#include "base/read_file.h"
 
 namespace thenar {
 namespace internal {
@@ -21,7 +22,7 @@ std::vector<std::string> known_nets() {
 }
 
 SourceText net_source(const std::string& name_or_path) {
-  if (std::filesystem::is_regular_file(name_or_path)) return read_source(name_or_path);
+  if (is_file(name_or_path)) return read_source(name_or_path);
   const auto found = internal::nets().find(name_or_path + ".toml");
   require(found != internal::nets().end(),
           "there is no net '{}', nor a file of that name; nets: {}", name_or_path,

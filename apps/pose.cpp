@@ -16,6 +16,7 @@
 #include "apps/posture_options.h"
 #include "apps/robot_pose.h"
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/robot/import_robot.h"
 
@@ -31,8 +32,7 @@ struct Options {
 /// The robot that a name or a file stands for; empty: it is no robot, but a subject.
 std::string robot_of(const Options& options) {
   namespace fs = std::filesystem;
-  if (!fs::is_regular_file(options.subject))
-    return robot_file(options.subject, data_folders(options.data));
+  if (!is_file(options.subject)) return robot_file(options.subject, data_folders(options.data));
   if (fs::path(options.subject).extension() != ".toml") return options.subject;
   return find_file_kind(options.subject) == FileKind::kRobot ? options.subject : "";
 }

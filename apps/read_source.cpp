@@ -25,7 +25,8 @@ void require_result_path(const std::string& path) {
       return false;
     }
   };
-  require(!std::filesystem::exists(path) || is_result(),
+  std::error_code none;
+  require(!std::filesystem::exists(path, none) || is_result(),
           "'{}' exists and is no result file of thenar; it is not overwritten", path);
   require_writable(path);
 }

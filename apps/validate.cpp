@@ -11,6 +11,7 @@
 #include "apps/commands.h"
 #include "apps/file_summary.h"
 #include "base/error.h"
+#include "base/read_file.h"
 
 namespace thenar {
 namespace {
@@ -33,8 +34,7 @@ constexpr const char* kOtherKinds =
 
 bool is_own_kind(const std::string& path) {
   const std::string ending = std::filesystem::path(path).extension();
-  return !std::filesystem::is_regular_file(path) || ending == ".toml" || ending == ".h5" ||
-         ending == ".hdf5";
+  return !is_file(path) || ending == ".toml" || ending == ".h5" || ending == ".hdf5";
 }
 
 Line check(const std::string& path) {

@@ -72,6 +72,11 @@ class RegularFile {
 
 }  // namespace
 
+bool is_file(const std::string& path) {
+  struct stat about {};
+  return stat(path.c_str(), &about) == 0 && S_ISREG(about.st_mode);
+}
+
 std::string read_file(const std::string& path, std::size_t most) {
   const RegularFile file(path);
   const auto refuse_size = [&](std::size_t size) {

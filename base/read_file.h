@@ -7,6 +7,10 @@
 
 namespace thenar {
 
+/// Whether a regular file, or a link to one, is there; false also where that cannot be found out,
+/// as of names that are too long.
+[[nodiscard]] bool is_file(const std::string& path);
+
 /// All bytes of a regular file, or of a link to one. A folder, a pipe, a socket or a device (which
 /// may block for ever, or never end) is refused before anything is read from it.
 /// @param most  bytes; a longer file is refused before memory is taken for it

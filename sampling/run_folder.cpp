@@ -75,9 +75,9 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
 RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
                      const std::vector<Eigen::Index>& rows)
     : folder_(folder) {
-  std::error_code error;
+  std::error_code error, none;
   fs::create_directories(folder, error);
-  require(fs::is_directory(folder), "cannot make folder '{}' for checkpoints: {}", folder,
+  require(fs::is_directory(folder, none), "cannot make folder '{}' for checkpoints: {}", folder,
           error.message());
   lock_.emplace(folder + "/lock");
   require(lock_->lock(), "another process is sampling in '{}'", folder);

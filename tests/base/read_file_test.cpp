@@ -36,6 +36,17 @@ TEST_F(ReadFile, FollowsLinks) {
   EXPECT_EQ(read_file(path("link"), 10), "text");
 }
 
+// A name that no file can have is none of a file, and no error of its own.
+TEST_F(ReadFile, TellsFilesFromOtherThings) {
+  const std::string file = written("a", "text");
+  std::filesystem::create_symlink(file, path("link"));
+  std::filesystem::create_symlink(path("circle"), path("circle"));
+  for (const std::string& name : {file, path("link")}) EXPECT_TRUE(is_file(name)) << name;
+  for (const std::string& name : {path(""), path("b"), file + "/b", path("circle"),
+                                  path(std::string(300, 'a')), std::string()})
+    EXPECT_FALSE(is_file(name)) << name;
+}
+
 TEST_F(ReadFile, RefusesOneByteTooMany) {
   const std::string file = written("a", "1234567");
   EXPECT_EQ(message_of<DataError>([&] { (void)read_file(file, 6); }),

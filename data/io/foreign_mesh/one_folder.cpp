@@ -1,9 +1,8 @@
 #include "data/io/foreign_mesh/one_folder.h"
 
-#include <filesystem>
-
 #include <sys/resource.h>
 
+#include "base/read_file.h"
 #include "data/io/file_guard.h"
 
 namespace thenar {
@@ -31,8 +30,7 @@ std::string read_one(const std::string& path) {
 }
 
 bool is_file_beside(const std::string& path, const std::string& file) {
-  std::error_code none;
-  return is_in_folder_of(path, file) && std::filesystem::is_regular_file(file, none);
+  return is_in_folder_of(path, file) && is_file(file);
 }
 
 }  // namespace thenar

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/toml_text.h"
 
@@ -72,8 +73,7 @@ void read_mesh_keys(TomlTable& table, const std::string& path, ShapeSpec& shape)
   }
   const std::string file =
       (std::filesystem::path(path).parent_path() / shape.mesh_file).lexically_normal().string();
-  if (!std::filesystem::is_regular_file(file))
-    table.fail(fmt::format("there is no mesh '{}'", file), "file");
+  if (!is_file(file)) table.fail(fmt::format("there is no mesh '{}'", file), "file");
   shape.mesh = read_mesh(file, shape.mesh_scale);
 }
 

@@ -11,6 +11,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_couplings.h"
@@ -79,7 +80,7 @@ class Translation {
   [[nodiscard]] std::string find_body(const std::string& name) const {
     const fs::path folder = fs::path(file_.path()).parent_path();
     for (const fs::path& path : {folder / "iv" / name, folder / name})
-      if (fs::is_regular_file(path)) return path.string();
+      if (is_file(path)) return path.string();
     return "";
   }
 

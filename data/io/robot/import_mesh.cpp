@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/read_file.h"
 
 namespace thenar::internal {
 namespace {
@@ -23,8 +24,7 @@ std::string without_scheme(const std::string& name) {
 }
 
 std::string existing(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_regular_file(path, ignored) ? path.lexically_normal().string() : "";
+  return is_file(path) ? path.lexically_normal().string() : "";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/angles.h"
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/graspit/xml_walk.h"
 
@@ -44,7 +45,7 @@ pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
     file.fail(include, fmt::format("'{}' is outside of the model's folder, from which nothing is "
                                    "included: copy it there",
                                    name));
-  if (!fs::is_regular_file(path)) file.fail(include, fmt::format("there is no file '{}'", path));
+  if (!is_file(path)) file.fail(include, fmt::format("there is no file '{}'", path));
   if (!open.insert(path).second) file.fail(include, fmt::format("'{}' is included twice", path));
   if (depth_of(include) > kDeepest)
     file.fail(include, fmt::format("<include> stands more than {} elements deep", kDeepest));

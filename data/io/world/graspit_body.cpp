@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/graspit/graspit_transform.h"
 
 namespace thenar {
@@ -70,8 +71,7 @@ std::vector<ShapeSpec> read_geometry(const XmlFile& file, MeshReader& meshes,
                           file.root_name()));
   const std::string path =
       (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
-  if (!fs::is_regular_file(path))
-    file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
+  if (!is_file(path)) file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
   std::vector<ShapeSpec> shapes = read_shapes(path, scale_of(file, geometry), meshes);
   if (const pugi::xml_node offset = file.root().child("geometryOffset")) {
     const Pose<double> X_BG = graspit_transform(file, offset, warnings);

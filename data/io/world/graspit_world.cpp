@@ -7,6 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/import_warnings.h"
@@ -87,8 +88,7 @@ class Reader {
     std::replace(written.begin(), written.end(), '\\', '/');
     fs::path folder = fs::absolute(file_.path()).parent_path();
     for (;; folder = folder.parent_path()) {
-      if (fs::is_regular_file(folder / written))
-        return (folder / written).lexically_normal().string();
+      if (is_file(folder / written)) return (folder / written).lexically_normal().string();
       if (folder == folder.parent_path()) break;
     }
     warn(name, fmt::format("MISSING {} '{}': there is no such file; it is left out", what,

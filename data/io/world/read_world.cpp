@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "data/io/mesh/shape_toml.h"
 #include "data/io/nearest_name.h"
 #include "data/io/world/body_toml.h"
@@ -13,8 +14,7 @@ namespace {
 std::string found(TomlTable& table, const std::string& key, const WorldSpec& world) {
   const std::string path =
       (std::filesystem::path(world.folder) / table.text(key)).lexically_normal().string();
-  if (!std::filesystem::is_regular_file(path))
-    table.fail(fmt::format("there is no file '{}'", path), key);
+  if (!is_file(path)) table.fail(fmt::format("there is no file '{}'", path), key);
   return path;
 }
 

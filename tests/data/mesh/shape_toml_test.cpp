@@ -100,6 +100,8 @@ TEST(ShapeToml, RefusesWhatIsNoShape) {
   EXPECT_THAT(refusal("kind = \"box\"\nsize_mm = [1, 2]"), HasSubstr(":3: wanted 3 numbers"));
   EXPECT_THAT(refusal("kind = \"sphere\"\nsize_mm = [0]"), HasSubstr(":3: wanted 'size_mm' > 0"));
   EXPECT_THAT(refusal("kind = \"mesh\"\nfile = \"no.obj\""), HasSubstr(":3: there is no mesh"));
+  EXPECT_THAT(refusal("kind = \"mesh\"\nfile = \"" + std::string(300, 'a') + ".obj\""),
+              HasSubstr(":3: there is no mesh"));
   EXPECT_THAT(refusal("kind = \"mesh\"\nvertices_m = [0, 0, 0]\ntriangles = [0, 0, 1]"),
               HasSubstr(":4: wanted corners 0..0 in 'triangles', got 1"));
   EXPECT_THAT(refusal("kind = \"superellipsoid\"\nsize_mm = [1, 1, 1]\nexponents = [3, 1]"),

@@ -202,6 +202,13 @@ TEST_F(GraspitRobot, NamesWhatItDoesNotReadAndWhatIsMissing) {
     EXPECT_THAT(robot.warnings, Contains(HasSubstr(part)));
 }
 
+TEST_F(GraspitRobot, NamesABodyWhoseNameNoFileCanHave) {
+  const std::string name(300, 'a');
+  const RobotSpec robot =
+      read(kDofs + "<chain>" + hinge("d0", "1", "0") + "<link>" + name + "</link></chain>");
+  EXPECT_THAT(robot.warnings, Contains(HasSubstr("MISSING BODY '" + name + "'")));
+}
+
 TEST_F(GraspitRobot, RefusesWithTheLine) {
   EXPECT_THAT(refusal("<dof type='x'/>"), HasSubstr("robot.xml:3: "));
   EXPECT_THAT(refusal(kDofs + "<chain>" + hinge("d7", "1", "0") + "<link>link.xml</link></chain>"),

@@ -164,7 +164,8 @@ TEST_F(Graspit, BodyIsRefusedWithItsLine) {
         message_of<DataError>([&] { (void)body(replaced(kBody, from, to)); });
     return message.substr(message.find(".xml") + 4);
   };
-  EXPECT_THAT(refusal("cube.off", "no.off"), StartsWith(":7: there is no geometry file"));
+  for (const std::string& none : {std::string("no.off"), std::string(300, 'a')})
+    EXPECT_THAT(refusal("cube.off", none), StartsWith(":7: there is no geometry file"));
   EXPECT_EQ(refusal("type=\"off\"", "Units=\"ft\""),
             ":7: wanted 'Units' to be mm, cm, m or in, got 'ft'");
   EXPECT_EQ(refusal("200.0", "x"), ":4: wanted finite numbers in <mass>, got 'x'");
