@@ -16,6 +16,7 @@
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
 #include "apps/schedule.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "viewer/grasp_words.h"
@@ -48,7 +49,7 @@ void run(const Options& options) {
   found.cpu = cpu_since(start);
   if (!options.out.empty()) write_grasp_report(question, touching, found, options.out);
   schedule.finish();
-  fmt::print("{}", options.json ? grasp_json(question, touching, found).dump(2) + "\n"
+  fmt::print("{}", options.json ? json_text(grasp_json(question, touching, found)) + "\n"
                                 : grasp_text(question, touching, found));
 }
 

@@ -18,6 +18,7 @@
 #include "apps/data_folder.h"
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/file_lock.h"
 #include "base/write_file.h"
@@ -84,7 +85,7 @@ Comparison run_comparison(const Options& options, const Json& inputs,
     Json file = comparison_json(joined(comparison, done));
     file["inputs"] = inputs;
     file["sha256"] = comparison_checksum(file);
-    write_file(options.output, file.dump(1) + "\n");
+    write_file(options.output, json_text(file, 1) + "\n");
   };
   CompareOptions settings = options_of(options.question);
   settings.keep = save;
@@ -117,7 +118,7 @@ void run(const Options& options) {
     throw Interrupted("stopped; " + kept_words(options, comparison) +
                       (options.report.empty() ? "" : "; the page is drawn when all is compared"));
   if (options.json)
-    fmt::print("{}\n", comparison_json(comparison).dump(1));
+    fmt::print("{}\n", json_text(comparison_json(comparison), 1));
   else
     print_comparison(comparison);
   if (options.report.empty()) return;

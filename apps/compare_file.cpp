@@ -41,7 +41,7 @@ constexpr int kMost = 10'000'000;       // of approaches
                          const nlohmann::json& got) {
   constexpr std::size_t kQuoted = 100;
   throw InputError(
-      fmt::format("'{}': wanted {}, got {}", name, wanted, got.dump().substr(0, kQuoted)));
+      fmt::format("'{}': wanted {}, got {}", name, wanted, json_text(got, -1).substr(0, kQuoted)));
 }
 
 /// A finite number between two.
@@ -293,7 +293,7 @@ Json comparison_json(const Comparison& comparison) {
 std::string comparison_checksum(const nlohmann::json& file) {
   nlohmann::json rest = file;
   rest.erase("sha256");
-  return sha256(rest.dump());
+  return sha256(json_text(rest, -1));
 }
 
 std::vector<HandOnObject> parse_cells(const nlohmann::json& list, const std::string& path) {

@@ -230,10 +230,10 @@ std::string task_words(const TaskAnswer& task, bool planar) {
   if (task.margin.status != ConeStatus::kSolved) return "the programme did not end";
   if (task.margin.upper == 0)
     return fmt::format("not withstood: nothing holds {}",
-                       wrench_json(task.margin.worst_load, planar).dump());
+                       json_text(wrench_json(task.margin.worst_load, planar), -1));
   if (std::isinf(task.margin.lower)) return "no load";
   return fmt::format("needs normal forces of {:.6g} N, most for {}", 1 / task.margin.lower,
-                     wrench_json(task.margin.worst_load, planar).dump());
+                     json_text(wrench_json(task.margin.worst_load, planar), -1));
 }
 
 std::string words(const Wrench& w, bool planar) {

@@ -12,6 +12,7 @@
 #include "apps/file_summary.h"
 #include "apps/path_option.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "data/io/result_file.h"
@@ -70,7 +71,7 @@ Explanation explain_file(const Options& options) {
 void run(const Options& options) {
   const Explanation explanation = explain_file(options);
   if (options.json)
-    fmt::print("{}\n", json_of(explanation).dump(2));
+    fmt::print("{}\n", json_text(json_of(explanation)));
   else
     fmt::print("{}", text_of(explanation));
 }

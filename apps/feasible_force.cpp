@@ -10,6 +10,7 @@
 #include "apps/feasible_report.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 
 namespace thenar {
@@ -73,7 +74,7 @@ void run(const Options& options) {
       text += "note: " + note + "\n";
     }
   }
-  fmt::print("{}\n", options.json ? json.dump(2) : text);
+  fmt::print("{}\n", options.json ? json_text(json) : text);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "apps/fit_posterior.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/prediction.h"
@@ -159,7 +160,7 @@ void run(const Options& options) {
   for (const LeaveOut what : left_out)
     if (!interrupted()) validations.push_back(cross_validate(fit.problem, what, solve_options));
   if (options.json)
-    fmt::print("{}\n", summary(fit, validations).dump(2));
+    fmt::print("{}\n", json_text(summary(fit, validations)));
   else
     print_summary(fit, validations, options.output);
   require(fit.solution.status != SolveStatus::kFailed,

@@ -11,6 +11,7 @@
 #include "apps/posterior_summary.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "posterior/run/agreed_work.h"
 #include "posterior/run/posterior_file.h"
@@ -81,7 +82,7 @@ void tell(const PosteriorRun& run, const ChainOptions& options, const std::strin
         "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
   write_posterior(run, output);
   if (json)
-    fmt::print("{}\n", summary_json(run).dump(2));
+    fmt::print("{}\n", json_text(summary_json(run)));
   else
     print_summary(run);
   std::fflush(stdout);

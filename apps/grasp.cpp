@@ -19,6 +19,7 @@
 #include "apps/output_ending.h"
 #include "apps/progress_bar.h"
 #include "apps/schedule.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/write_file.h"
 #include "grasp/closing_drives.h"
@@ -138,7 +139,7 @@ void run(const Options& options) {
   }
   schedule.finish();
   fmt::print("{}", options.json
-                       ? grasp_json(question, touching, found, options.wrenches).dump(2) + "\n"
+                       ? json_text(grasp_json(question, touching, found, options.wrenches)) + "\n"
                        : grasp_text(question, touching, found));
   if (!options.save.empty()) save(question, found, options.save);
   if (interrupted()) throw Interrupted("stopped: this is what was found by then");

@@ -15,6 +15,7 @@
 #include "apps/commands.h"
 #include "apps/import_report.h"
 #include "apps/output_ending.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/shapes/mesh_check.h"
 #include "base/shapes/mesh_mend.h"
@@ -276,7 +277,7 @@ Imported import_file(const Options& options) {
 void run(const Options& options) {
   const Imported imported = import_file(options);
   require_ending(options.out, imported.endings);
-  fmt::print("{}{}", options.json ? imported.report.dump(2) : report_text(imported.report),
+  fmt::print("{}{}", options.json ? json_text(imported.report) : report_text(imported.report),
              options.json ? "\n" : "");
   const std::vector<std::string> lost =
       imported.lost ? imported.lost(options.out) : std::vector<std::string>{};

@@ -186,7 +186,8 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& inertia) {
 }
 
 std::string line_of_text(const std::string& key, const Json& value) {
-  return fmt::format("{}: {}\n", key, value.is_string() ? value.get<std::string>() : value.dump());
+  return fmt::format("{}: {}\n", key,
+                     value.is_string() ? value.get<std::string>() : json_text(value, -1));
 }
 
 }  // namespace
@@ -337,8 +338,8 @@ std::string report_text(const Json& report) {
     }
     text += key + ":\n";
     for (const auto& [inner_key, inner] : value.items())
-      text +=
-          value.is_object() ? "  " + line_of_text(inner_key, inner) : "  " + inner.dump() + "\n";
+      text += value.is_object() ? "  " + line_of_text(inner_key, inner)
+                                : "  " + json_text(inner, -1) + "\n";
   }
   const Json warnings = report.value("warnings", Json::array());
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");

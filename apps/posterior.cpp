@@ -13,6 +13,7 @@
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "base/write_file.h"
 #include "kinematics_fit/experiment_warnings.h"
 #include "posterior/run/posterior_file.h"
@@ -35,7 +36,7 @@ void summary(const Options& options) {
   const PosteriorRun run = read_posterior(options.posterior);
   warn_unchecked(options.posterior);
   if (options.json)
-    fmt::print("{}\n", summary_json(run).dump(2));
+    fmt::print("{}\n", json_text(summary_json(run)));
   else
     print_summary(run, options.rows);
   require_converged(run, options.allow_unconverged);
@@ -86,7 +87,7 @@ void predict(const Options& options) {
     else
       print_prediction(prediction, experiment, by);
   }
-  if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
+  if (options.json) fmt::print("{}\n", json_text(out.size() == 1 ? out[0] : out));
   require_converged(run, options.allow_unconverged);
 }
 

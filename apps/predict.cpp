@@ -11,6 +11,7 @@
 #include "apps/commands.h"
 #include "apps/print_prediction.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "kinematics_fit/experiment_warnings.h"
 #include "kinematics_fit/prediction.h"
 
@@ -50,7 +51,7 @@ void run(const Options& options) {
     else
       print_prediction(prediction, experiment, by);
   }
-  if (options.json) fmt::print("{}\n", (out.size() == 1 ? out[0] : out).dump(2));
+  if (options.json) fmt::print("{}\n", json_text(out.size() == 1 ? out[0] : out));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ void print_json(const PoseReport& report) {
                                 {"proximal_mm", to_json(segment.proximal / kMm)},
                                 {"distal_mm", to_json(segment.distal / kMm)}});
   for (const TipNow& tip : report.tips) json["tips"].push_back(json_of(tip));
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json_text(json));
 }
 
 }  // namespace thenar

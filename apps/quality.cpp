@@ -14,6 +14,7 @@
 
 #include "apps/commands.h"
 #include "apps/contact_answer.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/write_file.h"
 
@@ -35,7 +36,7 @@ constexpr int kMostEdges = 1000;  // of a pyramid: finer ones take minutes and c
 std::string answer_file(const std::string& path, const Options& options) {
   const ContactFile file = read_contact_file(path);
   const ContactAnswer found = answer(file, options.question);
-  std::string line = json_of(path, file, found).dump() + "\n";
+  std::string line = json_text(json_of(path, file, found), -1) + "\n";
   fmt::print("{}", options.json ? line : text_of(path, file, found));
   std::fflush(stdout);
   return line;
@@ -58,7 +59,7 @@ bool answer_stream(const ContactQuestion& question) {
       all = false;
     }
     line["line"] = number;
-    fmt::print("{}\n", line.dump(-1, ' ', false, Json::error_handler_t::replace));
+    fmt::print("{}\n", json_text(line, -1));
     std::fflush(stdout);
   }
   return all;

@@ -220,7 +220,7 @@ void print_json(const RobotPose& pose) {
     json["tips"].push_back(
         {{"digit", tip.digit}, {"link", tip.link}, {"position_mm", to_json(tip.p / kMm)}});
   json["warnings"] = pose.warnings;
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json_text(json));
 }
 
 }  // namespace thenar

@@ -19,6 +19,7 @@
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "tendons/net/build_tendons.h"
 
@@ -152,7 +153,7 @@ void run(const Options& options) {
   }
   if (!options.output.empty()) write_motion(motion, options.output);
   if (options.json)
-    fmt::print("{}\n", json_of(motion).dump(2));
+    fmt::print("{}\n", json_text(json_of(motion)));
   else
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);

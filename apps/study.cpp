@@ -135,7 +135,7 @@ void run_thumb(const Options& options) {
                   {"sections", Json::array({thumb_study_section(study, calibration)})}},
                  options.output);
   if (options.json)
-    fmt::print("{}\n", study_json(study, calibration).dump(2));
+    fmt::print("{}\n", json_text(study_json(study, calibration)));
   else
     print_study(study);
   if (!study.complete || interrupted())

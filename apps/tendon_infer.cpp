@@ -20,6 +20,7 @@
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "apps/tendon_commands.h"
+#include "apps/to_json.h"
 #include "base/write_file.h"
 #include "kinematics_fit/net_records.h"
 #include "tendons/net/build_tendons.h"
@@ -240,7 +241,7 @@ void run(const Options& options) {
   require(answer.net.found, "no topology of net {} carries the loads of {}", at.candidate.net.name,
           at.experiment.name);
   if (options.json)
-    fmt::print("{}\n", to_json(at, answer, options).dump(2));
+    fmt::print("{}\n", json_text(to_json(at, answer, options)));
   else
     print_text(at, answer, options);
   if (!options.output.empty()) write_page(at, answer, options);

@@ -11,6 +11,7 @@
 #include "apps/tendon_answer.h"
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/write_file.h"
 
@@ -32,7 +33,7 @@ void run(const Options& options) {
   if (options.json) {
     nlohmann::ordered_json json = json_header(at);
     json.update(json_of(at, point));
-    fmt::print("{}\n", json.dump(2));
+    fmt::print("{}\n", json_text(json));
   } else {
     fmt::print("{}\n", text_header(at));
     print_text(at, point);

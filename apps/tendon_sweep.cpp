@@ -16,6 +16,7 @@
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
 #include "apps/tendon_table.h"
+#include "apps/to_json.h"
 #include "apps/varied_joints.h"
 #include "base/error.h"
 #include "base/write_file.h"
@@ -94,7 +95,7 @@ void run(const Options& options) {
 
   if (!options.output.empty()) write(options, at, varied, points);
   if (options.json)
-    fmt::print("{}\n", json_of(at, points).dump(2));
+    fmt::print("{}\n", json_text(json_of(at, points)));
   else if (options.output.empty())
     fmt::print("{}", csv_of(at, points));
   else

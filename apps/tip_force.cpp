@@ -89,7 +89,7 @@ void print_json(const Options& options, const DigitAtPosture& at, const Eigen::V
     json["tip_moment_N_mm"] = to_json(moments, answer.left.tail(answer.left.size() - 3) / kNmm);
   }
   if (!answer.note.empty()) json["note"] = answer.note;
-  fmt::print("{}\n", json.dump(2));
+  fmt::print("{}\n", json_text(json));
 }
 
 void print_text(const Options& options, const DigitAtPosture& at, const Answer& answer) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Vectors, matrices and named numbers as JSON. Infinite numbers become null.
+/// Vectors, matrices and named numbers as JSON, and JSON as text. Infinite numbers become null.
 
 #include <string>
 #include <vector>
@@ -30,6 +30,13 @@ template <typename Derived>
   for (std::size_t i = 0; i < names.size(); ++i)
     object[names[i]] = values(static_cast<Eigen::Index>(i));
   return object;
+}
+
+/// JSON as text. Bytes that are not UTF-8, as in names of files of others, become U+FFFD.
+/// @param indent  spaces a level; -1: all on one line
+template <typename Json>
+[[nodiscard]] std::string json_text(const Json& json, int indent = 2) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace thenar

@@ -10,6 +10,7 @@
 
 #include "apps/commands.h"
 #include "apps/file_summary.h"
+#include "apps/to_json.h"
 #include "base/error.h"
 #include "base/read_file.h"
 
@@ -62,7 +63,7 @@ void run(const Options& options) {
     else
       fmt::print("{}\n", line.text);
   }
-  if (options.json) fmt::print("{}\n", json.dump(2));
+  if (options.json) fmt::print("{}\n", json_text(json));
   if (!all_valid) throw CLI::RuntimeError(1);  // exits silently: all has been said
 }
 

@@ -28,7 +28,8 @@ std::string report_page(const nlohmann::json& report) {
   const std::string title =
       replaced(replaced(report.value("title", "thenar"), '&', "&amp;"), '<', "&lt;");
   // No "</script>" may stand inside the data.
-  const std::string data = replaced(report.dump(), '<', "\\u003c");
+  const std::string data = replaced(
+      report.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), '<', "\\u003c");
   return fmt::format(
       "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"

@@ -65,6 +65,18 @@ class Import(Files):
         self.assertEqual(told["dofs"][0]["joints"], ["shoulder", "elbow"])
         self.assertEqual(told["warnings"], [])
 
+    def test_tells_and_writes_latin1_in_utf8(self):
+        arm = self.path("arm.urdf")
+        pathlib.Path(arm).write_bytes(ARM.replace('"lower"', '"ärm"').encode("latin-1"))
+        self.thenar(arm, "--out", self.path("arm.toml"))
+        for file in [arm, self.path("arm.toml")]:
+            self.assertEqual(self.report(file)["leaf_link_positions_at_zero_m"], {"ärm": [0, 0, 0.8]})
+
+    def test_tells_of_files_whose_names_are_no_utf8(self):
+        odd = os.fsencode(self.path("arm")) + b"\xe9.urdf"
+        pathlib.Path(os.fsdecode(odd)).write_text(ARM)
+        self.assertEqual(self.report(odd)["name"], "arm")
+
     def test_converts_there_and_back(self):
         arm = self.path("arm.urdf", ARM)
         self.thenar(arm, "--out", self.path("sub/arm.toml"))

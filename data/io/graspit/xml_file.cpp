@@ -25,6 +25,14 @@ int line_at(const std::string& text, std::ptrdiff_t offset) {
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
+/// Text in UTF-8: as it is, or from Latin-1, in which older programs of Windows wrote.
+std::string in_utf8(std::string text) {
+  if (pugi::as_utf8(pugi::as_wide(text)) == text) return text;
+  std::wstring wide;
+  for (const char c : text) wide += static_cast<wchar_t>(static_cast<unsigned char>(c));
+  return pugi::as_utf8(wide);
+}
+
 std::string lower_case(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -51,7 +59,9 @@ XmlFile::XmlFile(const std::string& path)
 XmlFile::XmlFile(std::string text, std::string path)
     : text_(std::move(text)), path_(std::move(path)), document_(std::make_unique<Document>()) {
   guard_text(text_, path_, GuardedKind::kXml);
-  const pugi::xml_parse_result result = document_->xml.load_buffer(text_.data(), text_.size());
+  text_ = in_utf8(std::move(text_));
+  const pugi::xml_parse_result result = document_->xml.load_buffer(
+      text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) throw DataError(path_, line_at(text_, result.offset), result.description());
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
     document_->line_ends.push_back(static_cast<std::ptrdiff_t>(at));

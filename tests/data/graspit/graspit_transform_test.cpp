@@ -89,6 +89,18 @@ TEST(GraspitTransform, RefusesWrongNumbers) {
             "world.xml:2: wanted finite numbers in <translation>, got '1 2 3x'");
 }
 
+// What comes out is UTF-8 whatever came in, as TOML and JSON want it, and lines stay.
+TEST(XmlFile, ReadsUtf8AndLatin1) {
+  for (const std::string e : {"\xC3\xA9", "\xE9"}) {
+    const XmlFile file("<a>\n<b name='caf" + e + "'>" + e + "</b>\n<c/></a>", "a.xml");
+    EXPECT_EQ(file.root().child("b").attribute("name").value(), std::string("caf\xC3\xA9"));
+    EXPECT_EQ(file.text(file.root().child("b")), "\xC3\xA9");
+    EXPECT_EQ(file.line(file.root().child("c")), 3);
+  }
+  EXPECT_EQ(XmlFile("\xEF\xBB\xBF<a/>", "a.xml").root_name(), "a");
+  EXPECT_THROW((void)XmlFile(std::string("\xFF\xFE<\0a\0/\0>\0", 10), "a.xml"), DataError);
+}
+
 TEST(XmlFile, TellsWhereTheTextIsNoXml) {
   EXPECT_THAT(message_of<DataError>([] { (void)XmlFile("<a>\n<b>\n</a>", "bad.xml"); }),
               testing::StartsWith("bad.xml:3: "));
