@@ -66,6 +66,7 @@ ResultFile result_file(const MotionAnswer& motion) {
   file.add("lost", t.lost, "J", {"instant"});
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");
+  file.add("stray", t.stray, "m");
   file.add("tolerance", t.tolerance, "1");
   int k = 0;
   for (const auto& [path, text] : motion.inputs) {
@@ -154,6 +155,7 @@ nlohmann::ordered_json json_of(const MotionAnswer& motion) {
   json["lost_J"] = t.lost[last];
   json["energy_error_J"] = t.balance.error;
   json["turned_over_J"] = t.balance.turned_over;
+  json["stray_mm"] = t.stray / kMm;
   json["tolerance"] = t.tolerance;
   json["steps"] = t.counts.steps;
   json["slopes"] = t.counts.slopes;

@@ -81,7 +81,7 @@ void BM_SlopeUnderNet(benchmark::State& state) {
   FingerMotion motion({*tendons, *finger.contraction});
   const MotionState at =
       motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
-  const std::string trouble = motion.accept(at);
+  const std::string trouble = motion.accept(at).trouble;
   if (!trouble.empty()) state.SkipWithError(trouble.c_str());
   for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }

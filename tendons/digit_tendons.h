@@ -55,7 +55,7 @@ struct [[nodiscard]] TendonPull {
 
 /// How linear tendons change with posture.
 struct [[nodiscard]] TendonSlopes {
-  bool exist = true;           // false: a path or net has no slopes here; the rest is not set
+  bool exist = true;           // false: a path or net has no slopes here
   Eigen::MatrixXd by_posture;  // d tau/dq at given tensions [N m/rad] (coordinates, coordinates)
   Eigen::VectorXd length;      // of each muscle's line, but for a constant [m] (muscles)
 };
@@ -88,6 +88,15 @@ class DigitTendons {
   [[nodiscard]] virtual Eigen::MatrixXd give(const Eigen::VectorXd& /*q*/, const Eigen::VectorXd& t,
                                              const TendonPull& /*at*/) const {
     return Eigen::MatrixXd::Zero(t.size(), t.size());
+  }
+
+  /// Length of each muscle's line, but for a constant, so that  d length/dq = -R  while tensions
+  /// stay; empty but for a net, and where friction in sheaths takes part of R [m] (muscles).
+  /// @param at  pull() of this digit at these very q and t
+  [[nodiscard]] virtual Eigen::VectorXd lengths(const Eigen::VectorXd& /*q*/,
+                                                const Eigen::VectorXd& /*t*/,
+                                                const TendonPull& /*at*/) const {
+    return {};
   }
 
   /// The same digit with bands of a net that go from slack to taut over this strain, so that its

@@ -52,7 +52,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
 }
 
 MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
-                                const VectorXd& activation) const {
+                                const VectorXd& activation) {
   const Index joints = damping_.size(), muscles = muscles_;
   require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
           "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
@@ -64,12 +64,21 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string trouble = way.trouble.empty() ? "" : "on the way to the start: " + way.trouble;
   MotionState state{q, q_dot, activation, way.e, {}, 0, 0};
-  if (!contraction().has_reach()) return {state, trouble};
-  VectorXd reach(muscles);
-  for (int m = 0; m < muscles; ++m)
-    reach[m] = contraction().reach_at_rest(m, activation[m], muscle_state(state, m).length);
-  state.reach = reach;
+  if (contraction().has_reach()) {
+    VectorXd reach(muscles);
+    for (int m = 0; m < muscles; ++m)
+      reach[m] = contraction().reach_at_rest(m, activation[m], muscle_state(state, m).length);
+    state.reach = reach;
+  }
+  const MotionInstant now = at(state);
+  slack_length_ = tendons().lengths(q, now.tension, now.pull);
+  if (slack_length_.size() > 0) slack_length_ -= state.excursion;
   return {state, trouble};
+}
+
+VectorXd FingerMotion::stray(const MotionState& state, const MotionInstant& now) const {
+  if (slack_length_.size() == 0) return VectorXd::Zero(muscles_);
+  return state.excursion + slack_length_ - tendons().lengths(state.q, now.tension, now.pull);
 }
 
 MuscleState FingerMotion::muscle_state(const MotionState& state, int m) const {
@@ -125,6 +134,7 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
   out.G = tendons().give(state.q, now.tension, now.pull);
   out.A = out.G * by_length.asDiagonal();
   out.A.diagonal().array() += 1;
+  out.excursion -= kReturn * stray(state, now);
   out.excursion = out.A.partialPivLu().solve(out.excursion - out.G * rest);
   out.tension = by_length.cwiseProduct(out.excursion) + rest;
   return out;
@@ -151,10 +161,10 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
   return rate;
 }
 
-std::string FingerMotion::accept(const MotionState& state) {
-  const TendonPull pull = at(state).pull;
-  last_nodes_ = pull.nodes;
-  return pull.trouble;
+FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
+  const MotionInstant now = at(state);
+  last_nodes_ = now.pull.nodes;
+  return {now.pull.trouble, stray(state, now)};
 }
 
 double FingerMotion::energy(const MotionState& state) {

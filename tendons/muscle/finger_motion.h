@@ -21,6 +21,10 @@ inline constexpr double kTonus = 5e-3;
 /// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
 inline constexpr double kRigidStrain = 0.01;
 
+/// How fast excursions that have strayed from the lengths of lines come back, a choice of ours
+/// [1/s]: within what a fibre takes to follow.
+inline constexpr double kReturn = 1e3;
+
 /// Everything about a digit in motion that is constant. Refers to the tendons and the contraction,
 /// which must outlive it; temporaries are refused.
 struct MotionModel {
@@ -65,7 +69,7 @@ struct MotionInstant {
 
 /// States change by
 ///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
-///   a' by activation_rate,  excursion' = -R q' - G t',  reach' by the contraction,
+///   a' by activation_rate,  excursion' = -R q' - G t' - kReturn stray,  reach' by the contraction,
 ///   work' = tau_tendons . q',  lost' = q' . damping q'.
 /// A muscle and its tendon are optimal_length + excursion long: by a choice of ours every fibre is
 /// at its optimal length at the subject's reference posture, as no subject says better.
@@ -83,7 +87,7 @@ class FingerMotion {
   /// @param activation  (muscles)
   /// @throws InputError if a length is wrong or an entry not finite.
   MotionOnset start(const Eigen::VectorXd& q, const Eigen::VectorXd& q_dot,
-                    const Eigen::VectorXd& activation) const;
+                    const Eigen::VectorXd& activation);
 
   /// @param excitation  0..1 [1] (muscles)
   /// @return rates of all states
@@ -99,8 +103,14 @@ class FingerMotion {
 
   [[nodiscard]] MotionInstant at(const MotionState& state) const;
 
-  /// Later searches start from here. @return why not to trust the tendons here; empty: nothing
-  std::string accept(const MotionState& state);
+  /// What tendons are in an accepted state.
+  struct Accepted {
+    std::string trouble;    // why not to trust them; empty: nothing
+    Eigen::VectorXd stray;  // [m] (muscles)
+  };
+
+  /// Later searches start from here.
+  Accepted accept(const MotionState& state);
 
   /// Of motion, weights, springs and stops [J].
   [[nodiscard]] double energy(const MotionState& state);
@@ -126,8 +136,15 @@ class FingerMotion {
   }
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
 
-  /// How excursions and tensions change. Under a net  excursion' = -R q' - G t',  with t' in turn
-  /// by excursion':  A excursion' = -R q' - G (t' at excursion' = 0),  A = 1 + G dt/dexcursion.
+  /// How far excursions are from the lengths of lines, less those at the start: what integration
+  /// has left, and what a net that has jumped to another rest has changed; 0 where lines have no
+  /// lengths (DigitTendons::lengths()) [m] (muscles).
+  [[nodiscard]] Eigen::VectorXd stray(const MotionState& state, const MotionInstant& now) const;
+
+  /// How excursions and tensions change. Under a net t' depends in turn on excursion':
+  ///   A excursion' = -R q' - kReturn stray - G (t' at excursion' = 0),  A = 1 + G dt/dexcursion.
+  /// The lengths of lines then change by  -R q' - G t',  so that  stray' = -kReturn stray.
+  /// Source: [Baumgarte1972].
   struct TensionRate {
     Eigen::VectorXd excursion;  // [m/s] (muscles)
     Eigen::VectorXd tension;    // under a net [N/s] (muscles)
@@ -143,7 +160,8 @@ class FingerMotion {
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
   double tonus_;             // [N]
   Eigen::Index muscles_;
-  Eigen::Matrix3Xd last_nodes_;  // [m] (3, nodes)
+  Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
+  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: unknown)
 };
 
 }  // namespace thenar

@@ -13,6 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr double kJump = 1e-4;   // of a line, beyond what integration leaves [m]
 constexpr double kFiner = 0.01;  // tolerance of the second integration over that of the first
 
 /// Instants that are kept, in a trajectory with room for all.
@@ -71,6 +72,17 @@ class Recorder {
   void note(const std::string& trouble, double time) {
     if (trouble.empty() || !kept_.trouble.empty()) return;
     kept_.trouble = fmt::format("{} (at {:.4g} s)", trouble, time);
+  }
+
+  void note_accepted(const FingerMotion::Accepted& accepted, double time) {
+    note(accepted.trouble, time);
+    Index most = 0;
+    const double stray = accepted.stray.cwiseAbs().maxCoeff(&most);
+    if (stray > kJump)
+      note(fmt::format("the net jumped: the line of '{}' was {:.2g} mm off",
+                       kept_.muscles[static_cast<std::size_t>(most)], 1e3 * stray),
+           time);
+    kept_.stray = largest_or_nan(kept_.stray, stray);
   }
 
   /// Why it ended comes before whatever was noted on the way.
@@ -194,7 +206,7 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
                    start.activation.size() > 0 ? start.activation : piece->first);
   Recorder recorder(model, motion, options);
   recorder.note(trouble, 0);
-  recorder.note(motion.accept(first), 0);
+  recorder.note(motion.accept(first).trouble, 0);
   recorder.keep(first, piece->first);
   Account account(motion, first);
   Patience patience(options.patience);
@@ -221,7 +233,7 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
       const MotionState now = motion.unpack(ode.state());
-      recorder.note(motion.accept(now), ode.time());
+      recorder.note_accepted(motion.accept(now), ode.time());
       account.add(now);
       options.progress(ode.time() / options.seconds, "simulating");
       if (options.progress.stop()) return take(MotionStatus::kStopped, "");
@@ -245,13 +257,14 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
 
   Trajectory path = integrate(model, pieces, start, options);
-  if (path.status != MotionStatus::kDone || path.balance.holds()) return path;
+  if (path.status != MotionStatus::kDone || (path.balance.holds() && path.stray <= kJump))
+    return path;
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
   Trajectory again = integrate(model, pieces, start, finer);
   if (again.status == MotionStatus::kStopped) return again;
   if (again.status == MotionStatus::kDone && again.balance.holds()) return again;
-  path.status = MotionStatus::kUnbalanced;
+  if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
 }
 

@@ -66,11 +66,16 @@ struct [[nodiscard]] Trajectory {
   Eigen::VectorXd work;        // of the tendons on the joints [J] (instants)
   Eigen::VectorXd lost;        // in the dampers of the joints [J] (instants)
   EnergyBalance balance;       // of the whole integration
+  double stray = 0;            // largest of an excursion from the length of its line, over all
+                               // steps: FingerMotion::Accepted [m]
   double tolerance = 0;        // that it was integrated to [1]
   OdeCounts counts;            // what it took
 };
 
-/// Integrates to the tolerance; if energy then does not balance, once more to a hundredth of it.
+/// Integrates to the tolerance; if energy then does not balance, or a net has jumped to another
+/// rest
+/// (`stray` above 0.1 mm), once more to a hundredth of it. A net that jumps there, too, does so by
+/// itself: `trouble` says when, and what that sets free is in no balance.
 /// Who is asked to stop, is stuck or gives up says so and keeps what there is.
 /// @throws InputError if the model or the start does not fit, a joint moves nothing that has mass,
 /// or an option is not positive.

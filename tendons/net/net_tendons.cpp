@@ -59,6 +59,14 @@ void add_trouble(const std::string& more, TendonPull& pull) {
 
 }  // namespace
 
+VectorXd pulled_length(const Net& net, const NetEquilibrium& rest) {
+  VectorXd length = VectorXd::Zero(static_cast<Eigen::Index>(net.muscles.size()));
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0)
+      length[net.bands[b].muscle] += rest.length[static_cast<Eigen::Index>(b)];
+  return length;
+}
+
 SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest) {
   return {sum_of(rest.tension, net.central), sum_of(rest.tension, net.radial),
           sum_of(rest.tension, net.ulnar), sum_of(rest.tension, net.terminal)};
@@ -153,7 +161,6 @@ TendonSlopes NetTendons::slopes_outside(const VectorXd& q, const VectorXd& t) co
   VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
   for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
   TendonSlopes slopes = linear_->slopes(q, whole.cwiseProduct(t));
-  if (!slopes.exist) return slopes;
   const TreeState<double> state = pose_tree(model.tree, q);
   slopes.length = whole.cwiseProduct(slopes.length);
   for (const NetMuscle& m : net_.muscles) {
@@ -210,6 +217,12 @@ MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonPull
   if (!no_slopes(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
   return -shares_.transpose() * pulled_by_drive(net_.net, state, {drive(t), {}}, *rest) * shares_;
+}
+
+VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
+  if (!digit_.model.friction.isZero(0)) return {};
+  return slopes_outside(q, t).length +
+         shares_.transpose() * pulled_length(net_.net, *rest_of(at, q, t));
 }
 
 TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t, NetEquilibrium rest) const {

@@ -59,6 +59,9 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] Eigen::MatrixXd give(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                      const TendonPull& at) const override;
 
+  [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                        const TendonPull& at) const override;
+
   /// The same with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;
 
@@ -104,6 +107,9 @@ class NetTendons : public DigitTendons {
   TendonDigit digit_;
   Eigen::MatrixXd shares_;  // D (pulls, muscles)
 };
+
+/// Length of the bands that each muscle of the net pulls [m] (muscles of the net).
+[[nodiscard]] Eigen::VectorXd pulled_length(const Net& net, const NetEquilibrium& rest);
 
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);

@@ -100,10 +100,6 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
   by_posture_.resize(rest_.x.size(), q.size());
   Eigen::MatrixXd shortens(q.size(), static_cast<Index>(net.muscles.size()));
   shortens.setZero();
-  VectorXd length = VectorXd::Zero(static_cast<Index>(net.muscles.size()));
-  for (std::size_t b = 0; b < net.bands.size(); ++b)
-    if (net.bands[b].muscle >= 0)
-      length[net.bands[b].muscle] += rest_.length[static_cast<Index>(b)];
   for (Index l = 0; l < q.size(); ++l) {
     const internal::NetInput turn = internal::turning(net, model.tree, state, static_cast<int>(l));
     const Matrix3Xd v = internal::node_rates(tangent, turn);
@@ -117,7 +113,7 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
           internal::torque_rate(tangent, model.tree, state, turn, v, model.coordinates);
   }
   action_.R += (shortens * net_->shares()).transpose();
-  if (action_.slopes) action_.length += net_->shares().transpose() * length;
+  if (action_.slopes) action_.length += net_->shares().transpose() * pulled_length(net, rest_);
 }
 
 }  // namespace thenar

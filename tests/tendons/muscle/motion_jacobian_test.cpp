@@ -39,7 +39,7 @@ class EverySlope : public testing::TestWithParam<Muscle> {
     return (rows.cwiseInverse().asDiagonal() * (J - D)).cwiseAbs().maxCoeff();
   }
 
-  static MotionState moving(const FingerMotion& motion) {
+  static MotionState moving(FingerMotion& motion) {
     const VectorXd q = Eigen::Vector4d(0.5, 0.1, 0.7, 0.4);
     const VectorXd q_dot = Eigen::Vector4d(1, -0.5, 2, 1.5);
     MotionState state = motion.start(q, q_dot, VectorXd::LinSpaced(7, 0.1, 0.4)).state;
