@@ -27,7 +27,8 @@ std::string installed_data() {
 }  // namespace
 
 std::vector<std::string> data_folders(const std::string& given, const std::string& near) {
-  require(given.empty() || fs::is_directory(given), "--data: there is no folder {}", given);
+  std::error_code none;
+  require(given.empty() || fs::is_directory(given, none), "--data: there is no folder {}", given);
   const char* named = std::getenv("THENAR_DATA");
   std::vector<std::string> places;
   for (const std::string& place :
@@ -39,15 +40,17 @@ std::vector<std::string> data_folders(const std::string& given, const std::strin
 }
 
 std::string find_in(const std::vector<std::string>& places, const std::string& what) {
+  std::error_code none;
   for (const std::string& place : places)
-    if (fs::exists(fs::path(place) / what)) return (fs::path(place) / what).string();
+    if (fs::exists(fs::path(place) / what, none)) return (fs::path(place) / what).string();
   return "";
 }
 
 std::string data_with(const std::string& what, const std::string& given) {
   const std::vector<std::string> places = data_folders(given);
+  std::error_code none;
   for (const std::string& place : places)
-    if (fs::is_directory(fs::path(place) / what)) return place;
+    if (fs::is_directory(fs::path(place) / what, none)) return place;
   throw InputError(
       fmt::format("there is no folder with {}/: {}; name one with --data or "
                   "THENAR_DATA",
@@ -59,8 +62,8 @@ std::vector<std::string> names_in(const std::vector<std::string>& places, const 
   std::vector<std::string> names;
   for (const std::string& place : places) {
     const fs::path here = fs::path(place) / folder;
-    if (!fs::is_directory(here)) continue;
-    for (const fs::directory_entry& entry : fs::directory_iterator(here))
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(here, none))
       if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());

@@ -185,9 +185,19 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& inertia) {
   return (I.array().abs() < kNoise * I.trace()).select(0.0, I);
 }
 
+/// JSON on one line, its numbers to seven digits: a report shows no rounding.
+std::string rounded_text(Json value) {
+  const Json all = value.flatten();
+  for (const auto& each : all.items())
+    if (each.value().is_number_float())
+      value[Json::json_pointer(each.key())] =
+          std::stod(fmt::format("{:.7g}", each.value().get<double>()));
+  return json_text(value, -1);
+}
+
 std::string line_of_text(const std::string& key, const Json& value) {
   return fmt::format("{}: {}\n", key,
-                     value.is_string() ? value.get<std::string>() : json_text(value, -1));
+                     value.is_string() ? value.get<std::string>() : rounded_text(value));
 }
 
 }  // namespace
@@ -339,7 +349,7 @@ std::string report_text(const Json& report) {
     text += key + ":\n";
     for (const auto& [inner_key, inner] : value.items())
       text += value.is_object() ? "  " + line_of_text(inner_key, inner)
-                                : "  " + json_text(inner, -1) + "\n";
+                                : "  " + rounded_text(inner) + "\n";
   }
   const Json warnings = report.value("warnings", Json::array());
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");

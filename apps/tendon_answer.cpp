@@ -8,6 +8,7 @@
 #include "apps/to_json.h"
 #include "base/angles.h"
 #include "tendons/net/band_course.h"
+#include "tendons/posture_slopes.h"
 
 namespace thenar {
 namespace {
@@ -104,6 +105,16 @@ void print_net(const TendonCase& at, const DigitPoint& point) {
 
 std::string trouble_of(const DigitPoint& point) { return point.pull.trouble; }
 
+std::string tip_note(const TipForce& tip) {
+  if (tip.rank < 3)
+    return "singular posture: torques are left that no force of the tip balances, and the force of "
+           "least size is told of all that leave them";
+  if (tip.condition < kNearlyStraight) return "";
+  return fmt::format(
+      "nearly singular posture (condition {:.3g}): the force changes much within a degree",
+      tip.condition);
+}
+
 Eigen::Vector3d force_in_tip_axes(const TendonCase& at, const DigitPoint& point) {
   const TendonModel<double>& model = at.bones().model;
   Eigen::Matrix3d axes = model.tip_axes;
@@ -132,6 +143,7 @@ nlohmann::ordered_json json_of(const TendonCase& at, const DigitPoint& point) {
       to_json({"proximal", "dorsal", "radial"}, force_in_tip_axes(at, point));
   json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_left / kNmm);
   json["condition"] = number_or_null(point.tip.condition);
+  if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
   return json;
 }
 
@@ -149,11 +161,14 @@ void print_text(const TendonCase& at, const DigitPoint& point) {
                  {{shown(slips.central, 4), shown(slips.radial, 4), shown(slips.ulnar, 4),
                    shown(slips.terminal, 4), std::isfinite(ratio) ? shown(ratio, 4) : "-"}}});
 
-  Table torque{{"joint", "N_mm"}, {}};
+  Table torque{{"joint", "N_mm", "left_N_mm"}, {}};
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
-    torque.rows.push_back(
-        {names.coordinates[i], shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4)});
-  print_table("Joint torque of all tendons, flexion positive", torque);
+    torque.rows.push_back({names.coordinates[i],
+                           shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4),
+                           shown(point.tip.tau_left[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+  print_table(
+      "Joint torque of all tendons, flexion positive; left: what no force of the tip balances",
+      torque);
 
   Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
   const double size = point.tip.f_W.norm();
@@ -161,6 +176,8 @@ void print_text(const TendonCase& at, const DigitPoint& point) {
   force.rows.push_back(
       row({{"proximal dorsal radial"}, cells(force_in_tip_axes(at, point), 4), {shown(size, 4)}}));
   print_table("Force of the tip on the world, hold pinned", force);
+  fmt::print("condition: {:.4g}\n", point.tip.condition);
+  if (const std::string note = tip_note(point.tip); !note.empty()) fmt::print("note: {}\n", note);
   if (at.net != nullptr)
     fmt::print("net: {}, {:.2g} N out of balance, {} steps\n", name_of(point.rest.status),
                point.rest.residual, point.rest.iterations);

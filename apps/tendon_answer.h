@@ -13,6 +13,9 @@ namespace thenar {
 /// Why not to trust a point, in words; empty: nothing.
 [[nodiscard]] std::string trouble_of(const DigitPoint& point);
 
+/// What to beware of in the force of the tip, in words; empty: nothing.
+[[nodiscard]] std::string tip_note(const TipForce& tip);
+
 /// Force of the tip along its proximal, dorsal and radial directions [N] (3).
 [[nodiscard]] Eigen::Vector3d force_in_tip_axes(const TendonCase& at, const DigitPoint& point);
 

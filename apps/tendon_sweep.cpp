@@ -58,9 +58,16 @@ void write(const Options& options, const TendonCase& at, const VariedJoints& var
                         {*at.tendons, at.t, points, varied.joints, varied.row}, options.output);
 }
 
-/// Says on stderr where nets snapped, and where they are not to be trusted.
+/// Says on stderr where nets snapped, where they are not to be trusted, and where postures are
+/// singular.
 void warn_of(const TendonCase& at, const VariedJoints& varied,
              const std::vector<DigitPoint>& points) {
+  const auto doubtful = [](const DigitPoint& point) { return !tip_note(point.tip).empty(); };
+  const auto first = std::find_if(points.begin(), points.end(), doubtful);
+  if (first != points.end())
+    fmt::print(stderr, "thenar: note: the force of the tip at {} of {} postures, first at {}: {}\n",
+               std::count_if(first, points.end(), doubtful), points.size(),
+               angles_in_words(at, varied, first->q), tip_note(first->tip));
   for (const DigitPoint& point : points) {
     const std::string trouble = trouble_of(point);
     if (point.snapped)

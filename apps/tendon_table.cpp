@@ -60,6 +60,7 @@ void add_force(const TendonCase& at, std::vector<Field>& fields) {
   for (int k = 0; k < 3; ++k)
     fields.push_back({fmt::format("force_{}_N", names[k]),
                       [&at, k](const DigitPoint& p) { return force_in_tip_axes(at, p)[k]; }});
+  fields.push_back({"condition", [](const DigitPoint& p) { return p.tip.condition; }});
 }
 
 std::vector<Field> number_fields(const TendonCase& at) {

@@ -48,7 +48,7 @@ Answer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
   const TipForce result = tip_force(at.statics, t);
   Answer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, {}, ""};
   if (result.rank < 3)
-    answer.note = "singular posture: of the forces that balance, this is the least";
+    answer.note = "singular posture: of the forces that leave the least torque, this is the least";
   if (!at.map.empty()) return answer;
   answer.change = tip_force_slopes(at.statics, at.slopes, t).colwise().norm();
   if (result.rank == 3) add_note(posture_note(at, result.condition, answer.change), answer);

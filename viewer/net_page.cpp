@@ -41,7 +41,8 @@ std::string title(const TendonSweep& sweep, const DigitPoint& point) {
   return sweep.points.size() > 1 ? angles(sweep, point, sweep.varied) : posture(sweep, point);
 }
 
-/// One line for every row of the sweep, its name that of the row if there are several.
+/// One line for every row of the sweep, its name that of the row if there are several; null is a
+/// gap.
 template <typename Value>
 void add_series(const TendonSweep& sweep, const std::string& name, const Value& value,
                 Json& series) {
@@ -132,15 +133,20 @@ Json tip_chart(const TendonSweep& sweep) {
   for (int k = 0; k < 3; ++k)
     add_series(
         sweep, names[k],
-        [&](const DigitPoint& point) {
+        [&](const DigitPoint& point) -> Json {
+          if (point.tip.rank < 3) return nullptr;
           const TreeState<double> state = pose_tree(model.tree, point.q);
           const auto link = static_cast<std::size_t>(model.tip_link);
           return (state[link].X.R * model.tip_axes.col(k)).dot(point.tip.f_W);
         },
         series);
-  return chart(sweep, "Force of the pinned tip on the world, along its own axes", "force [N]",
-               series);
+  return chart(
+      sweep, "Force of the pinned tip on the world, along its own axes; none at singular postures",
+      "force [N]", series);
 }
+
+/// A tension, or 0 below what a search for rest leaves [N].
+double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
 
 /// Bands by posture.
 Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std::size_t>& shown) {
@@ -152,7 +158,7 @@ Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std:
     Json row = Json::array({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
                             net.nodes[static_cast<std::size_t>(band.b)].name});
     for (const std::size_t i : shown)
-      row.push_back(sweep.points[i].rest.tension[static_cast<Eigen::Index>(k)]);
+      row.push_back(above_rounding(sweep.points[i].rest.tension[static_cast<Eigen::Index>(k)]));
     rows.push_back(row);
   }
   Json table = table_block("Tension of every band; 0 is slack.", columns, rows);

@@ -42,6 +42,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
       muscles_(muscles_of(model)) {
   require(model.tonus >= 0 && model.tonus < 1e3, "tonus must be >= 0, and little, got {} N",
           model.tonus);
+  require(model.gravity.allFinite(), "gravity has an entry that is not finite");
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
   const std::vector<Musculotendon>& muscles = model.contraction.muscles();
   require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),

@@ -408,6 +408,21 @@ class Tendon(Near):
             self.near([answer["moment_arm_mm"]["FDP"][joint]], [arm], 1e-4)
             self.near([answer["torque_N_mm"][joint]], [2 * arm], 2e-4)
 
+    # Nothing bends a straight finger's tip force: what tendons turn is left, and is said to be.
+    def test_straight_finger_has_no_force_of_the_tip_to_trust(self):
+        words = (SYNEK, "--tension", "EDC=2.9", "LU=0.4")
+        answer = ask("tendon", "solve", *words)
+        self.assertIsNone(answer["condition"])
+        self.assertIn("singular posture", answer["note"])
+        self.assertGreater(max(map(abs, answer["leftover_torque_N_mm"].values())), 1)
+        for angle in (0, 30):
+            text = run("tendon", "solve", *words, "--posture", f"PIP3={angle}", "MCP3_FE=20").stdout
+            self.assertEqual("note: singular posture" in text, angle == 0)
+        swept = run("tendon", "sweep", *words, "--vary", "PIP3=0:20:10", "--json")
+        self.assertIn("at 1 of 3 postures, first at PIP3=0", swept.stderr)
+        self.assertEqual([condition is None for condition in json.loads(swept.stdout)["condition"]],
+                         [True, False, False])
+
     def test_sweep_has_a_row_a_posture_the_last_joint_fastest(self):
         result = run("tendon", "sweep", SYNEK, *self.EDC, "--vary", "MCP3_FE=0:20:20",
                      "--vary", "PIP3=0:25:10")
@@ -581,6 +596,16 @@ class Validate(Near):
         first, second = result.stdout.splitlines()
         self.assertTrue(first.startswith(f"{bad}:2: "), first)
         self.assertTrue(second.startswith(f"{MIDDLE}: subject"), second)
+
+    def test_names_that_no_file_can_have_are_names_of_no_file(self):
+        name = 300 * "a"
+        for words in (("pose", name), ("pose", name + ".toml"), ("grasp", name), ("close", name),
+                      ("compare", "--hands", name), ("quality", name), ("import", name),
+                      ("compare", "--hands", "barrett", "--objects", name),
+                      ("tendon", "solve", SYNEK, "--tension", "EDC=1", "--net", name),
+                      ("pose", "barrett", "--data", name)):
+            self.assertRegex(complaint(*words), f"^thenar: .*{name}", words)
+            self.assertNotIn("filesystem", complaint(*words))
 
     def test_absent_file_is_an_error(self):
         result = run("validate", "/nowhere.toml")

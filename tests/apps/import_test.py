@@ -65,6 +65,11 @@ class Import(Files):
         self.assertEqual(told["dofs"][0]["joints"], ["shoulder", "elbow"])
         self.assertEqual(told["warnings"], [])
 
+    # 0.1 + 0.2 is 0.30000000000000004.
+    def test_text_shows_no_rounding(self):
+        arm = self.path("arm.urdf", ARM.replace('"2"', '"0.1"').replace('value="1"', 'value="0.2"'))
+        self.assertIn("total_mass_kg: 0.3\n", self.thenar(arm).stdout)
+
     def test_tells_and_writes_latin1_in_utf8(self):
         arm = self.path("arm.urdf")
         pathlib.Path(arm).write_bytes(ARM.replace('"lower"', '"ärm"').encode("latin-1"))
