@@ -117,7 +117,7 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   v_y.middleCols(n, n) = R;
   v_y += arms.by_t * t_y;
   t_y -= by_velocity.asDiagonal() * v_y;
-  if (rate.G.size() > 0) {  // excursions that have strayed return
+  if (slack_length_.size() > 0) {  // excursions that have strayed return
     v_y.leftCols(n) += kReturn * R;
     v_y.middleCols(e, m).diagonal().array() += kReturn;
     v_y += kReturn * rate.G * t_y;

@@ -13,8 +13,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr double kJump = 1e-4;   // of a line, beyond what integration leaves [m]
-constexpr double kFiner = 0.01;  // tolerance of the second integration over that of the first
+constexpr double kJump = 1e-4;    // of a line, beyond what integration leaves [m]
+constexpr double kLost = 1e-3;    // of a line: its tension is known no more [m]
+constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
+constexpr double kMoreSteps = 3;  // of the second over the first, which a smooth motion needs
 
 /// Instants that are kept, in a trajectory with room for all.
 class Recorder {
@@ -78,11 +80,10 @@ class Recorder {
     note(accepted.trouble, time);
     Index most = 0;
     const double stray = accepted.stray.cwiseAbs().maxCoeff(&most);
-    if (stray > kJump)
-      note(fmt::format("the net jumped: the line of '{}' was {:.2g} mm off",
-                       kept_.muscles[static_cast<std::size_t>(most)], 1e3 * stray),
-           time);
-    kept_.stray = largest_or_nan(kept_.stray, stray);
+    if (stray <= kept_.stray) return;
+    if (kept_.stray <= kJump) jumped_ = time;
+    kept_.stray = stray;
+    strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
 
   /// Why it ended comes before whatever was noted on the way.
@@ -95,6 +96,11 @@ class Recorder {
 
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
+    if (kept_.stray > kJump)
+      note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm, "
+                           "and what that sets free is in no balance",
+                           strays_, 1e3 * kept_.stray),
+               jumped_);
     note_end(why, ode.time());
     kept_.status = status;
     kept_.balance = balance;
@@ -117,6 +123,8 @@ class Recorder {
   FingerMotion& motion_;
   double sample_, seconds_, tolerance_;
   Index room_, next_ = 0;
+  double jumped_ = 0;   // when the stray first was beyond kJump [s]
+  std::string strays_;  // muscle of the largest stray
   Trajectory kept_;
 };
 
@@ -257,14 +265,23 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
 
   Trajectory path = integrate(model, pieces, start, options);
-  if (path.status != MotionStatus::kDone || (path.balance.holds() && path.stray <= kJump))
-    return path;
+  const bool balanced = path.balance.holds();
+  if (path.status != MotionStatus::kDone || (balanced && path.stray <= kJump)) return path;
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
+  // Smaller steps do not help a net that jumps by itself.
+  if (balanced)
+    finer.max_steps = static_cast<int>(
+        std::min<double>(options.max_steps, kMoreSteps * static_cast<double>(path.counts.steps)));
   Trajectory again = integrate(model, pieces, start, finer);
   if (again.status == MotionStatus::kStopped) return again;
-  if (again.status == MotionStatus::kDone && again.balance.holds()) return again;
-  if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
+  const bool better = again.status == MotionStatus::kDone && again.balance.holds() &&
+                      (!balanced || again.stray < path.stray);
+  if (better) path = std::move(again);
+  if (!path.balance.holds())
+    path.status = MotionStatus::kUnbalanced;
+  else if (path.stray > kLost)
+    path.status = MotionStatus::kStrayed;
   return path;
 }
 
