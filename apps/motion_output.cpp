@@ -36,8 +36,6 @@ std::string name_of(MotionStatus status) {
       return "no progress";
     case MotionStatus::kUnbalanced:
       return "energy does not balance";
-    case MotionStatus::kStrayed:
-      return "lengths of lines were lost";
   }
   return "";
 }

@@ -13,6 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+constexpr double kPulls = 1e-3;  // beyond its tonus; less is slack [N]
+
 Index muscles_of(const MotionModel& model) {
   return static_cast<Index>(model.tendons.digit().names.muscles.size());
 }
@@ -165,7 +167,8 @@ MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excita
 FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   const MotionInstant now = at(state);
   last_nodes_ = now.pull.nodes;
-  return {now.pull.trouble, stray(state, now)};
+  const VectorXd stray = this->stray(state, now);
+  return {now.pull.trouble, (now.tension.array() > tonus_ + kPulls).select(stray, 0)};
 }
 
 double FingerMotion::energy(const MotionState& state) {

@@ -106,7 +106,7 @@ class FingerMotion {
   /// What tendons are in an accepted state.
   struct Accepted {
     std::string trouble;    // why not to trust them; empty: nothing
-    Eigen::VectorXd stray;  // [m] (muscles)
+    Eigen::VectorXd stray;  // of muscles that pull; 0 of slack ones [m] (muscles)
   };
 
   /// Later searches start from here.

@@ -14,7 +14,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kJump = 1e-4;    // of a line, beyond what integration leaves [m]
-constexpr double kLost = 1e-3;    // of a line: its tension is known no more [m]
 constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
 constexpr double kMoreSteps = 3;  // of the second over the first, which a smooth motion needs
 
@@ -97,8 +96,9 @@ class Recorder {
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
     if (kept_.stray > kJump)
-      note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm, "
-                           "and what that sets free is in no balance",
+      note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
+                           "what that sets free is in no balance, and the motion after it may "
+                           "hang on the tolerance",
                            strays_, 1e3 * kept_.stray),
                jumped_);
     note_end(why, ode.time());
@@ -278,10 +278,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   const bool better = again.status == MotionStatus::kDone && again.balance.holds() &&
                       (!balanced || again.stray < path.stray);
   if (better) path = std::move(again);
-  if (!path.balance.holds())
-    path.status = MotionStatus::kUnbalanced;
-  else if (path.stray > kLost)
-    path.status = MotionStatus::kStrayed;
+  if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
 }
 

@@ -36,8 +36,7 @@ enum class MotionStatus {
   kStopped,     // asked to stop: all up to then
   kStuck,       // the integrator found no step: all up to then, and `trouble` says why
   kNoProgress,  // it hardly gets on, see SimulateOptions::patience: all up to then
-  kUnbalanced,  // all the time, but energy came of nothing: not to be believed
-  kStrayed      // all the time, but excursions strayed by more than 1 mm: not to be believed
+  kUnbalanced   // all the time, but energy came of nothing: not to be believed
 };
 
 /// What an integration did with energy, over all its steps and not only the instants kept.
@@ -75,7 +74,7 @@ struct [[nodiscard]] Trajectory {
 
 /// Integrates to the tolerance; if energy then does not balance, or a net has jumped to another
 /// rest (`stray` above 0.1 mm), once more to a hundredth of it. A net that jumps there, too, or
-/// needs many more steps, does so by itself: `trouble` says when, and beyond 1 mm the status.
+/// needs many more steps, does so by itself: `trouble` says when.
 /// Who is asked to stop, is stuck or gives up says so and keeps what there is.
 /// @throws InputError if the model or the start does not fit, a joint moves nothing that has mass,
 /// or an option is not positive.
