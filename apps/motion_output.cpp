@@ -133,7 +133,6 @@ void print_text(const MotionAnswer& motion) {
              1e3 * t.work[last], 1e3 * t.lost[last], 1e3 * t.balance.error,
              1e3 * t.balance.turned_over);
   fmt::print("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
-  if (!t.trouble.empty()) fmt::print("trouble: {}\n", t.trouble);
 }
 
 nlohmann::ordered_json json_of(const MotionAnswer& motion) {

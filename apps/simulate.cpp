@@ -158,6 +158,7 @@ void run(const Options& options) {
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
   require_end(trajectory);
+  if (!trajectory.trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", trajectory.trouble);
   if (trajectory.status == MotionStatus::kStopped)
     throw Interrupted(fmt::format("stopped; all up to then is {}",
                                   options.output.empty() ? "above" : "in " + options.output));
