@@ -89,6 +89,20 @@ class Compare(unittest.TestCase):
             self.assertIn("workspace_m", digit)
         self.assertNotIn("NaN", self.out.read_text())
 
+    # Places of ten that a thumb reaches are no share of tips: 10 of jaws once stood beside 8 of a hand.
+    def test_opposition_of_jaws_and_thumbs_is_on_two_scales(self):
+        jaws, human = self.keep(hands="parallel_jaw,human:tier1")["abilities"]
+        self.assertEqual((jaws["kapandji_of_10"], jaws["tips_met_share"]), (None, 1))
+        self.assertIsNone(human["tips_met_share"])
+        self.assertTrue(0 < human["kapandji_of_10"] <= 10, human["kapandji_of_10"])
+        self.out.unlink()
+        table = self.run_it(hands="parallel_jaw,human:tier1").stdout.split("Hands by themselves")[1]
+        header, *rows = [line.split() for line in table.splitlines()[1:4]]
+        for row in rows:
+            places, share = (row[header.index(key)] for key in ("kapandji_of_10", "tips_met_percent"))
+            self.assertEqual((places == "-", share == "-"),
+                             (row[0] == "parallel_jaw", row[0] != "parallel_jaw"))
+
     def test_threads_change_no_byte(self):
         self.keep("--threads", "1")
         first = self.out.read_bytes()
