@@ -5,6 +5,7 @@ Usage: imported_hands_test.py [path of the program]; else the environment's THEN
 import json
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -163,6 +164,13 @@ class ImportedHands(Files):
                         for file, text in [(name, text), ("hand.toml", written)]]
                 self.assertEqual(told[0]["contacts"], told[1]["contacts"])
                 self.assertEqual(told[1]["warnings"], [])
+
+    def test_name_a_digit_that_touches_nothing(self):
+        far = FINGERS_URDF.replace('xyz="0.05 0 0.03"', 'xyz="0.4 0 0.03"')
+        for text, idle in ((FINGERS_URDF, False), (far, True)):
+            told = json.loads(self.thenar("grasp", self.world("fingers.urdf", text), "--json"))
+            words = r"closed on a ball of 70 mm, .*thumb.* touch(es)? nothing"
+            self.assertEqual(any(re.search(words, line) for line in told["warnings"]), idle, told)
 
     def test_may_be_given_digits_and_materials_by_hand(self):
         self.path("jaws.urdf", JAWS_URDF)
