@@ -1,6 +1,7 @@
 #include "apps/import_report.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -191,7 +192,7 @@ std::string rounded_text(Json value) {
   for (const auto& each : all.items())
     if (each.value().is_number_float())
       value[Json::json_pointer(each.key())] =
-          std::stod(fmt::format("{:.7g}", each.value().get<double>()));
+          std::strtod(fmt::format("{:.7g}", each.value().get<double>()).c_str(), nullptr);
   return json_text(value, -1);
 }
 

@@ -157,8 +157,11 @@ void run(const Options& options) {
   else
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
+  const bool told = trajectory.status == MotionStatus::kStuck ||
+                    trajectory.status == MotionStatus::kNoProgress;  // by require_end()
+  if (!trajectory.trouble.empty() && !told)
+    fmt::print(stderr, "thenar: warning: {}\n", trajectory.trouble);
   require_end(trajectory);
-  if (!trajectory.trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", trajectory.trouble);
   if (trajectory.status == MotionStatus::kStopped)
     throw Interrupted(fmt::format("stopped; all up to then is {}",
                                   options.output.empty() ? "above" : "in " + options.output));

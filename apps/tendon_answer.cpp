@@ -1,5 +1,6 @@
 #include "apps/tendon_answer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -106,9 +107,15 @@ void print_net(const TendonCase& at, const DigitPoint& point) {
 std::string trouble_of(const DigitPoint& point) { return point.pull.trouble; }
 
 std::string tip_note(const TipForce& tip) {
+  constexpr double kNone = 1e-9;  // torque [N m]
+  if (tip.rank < std::min<Eigen::Index>(3, tip.tau_left.size()))
+    return tip.tau_left.cwiseAbs().maxCoeff() < kNone
+               ? "singular posture: some force of the tip meets no torque, and the least one is "
+                 "told"
+               : "singular posture: torques are left that no force of the tip balances, and the "
+                 "force of least size is told of all that leave them";
   if (tip.rank < 3)
-    return "singular posture: torques are left that no force of the tip balances, and the force of "
-           "least size is told of all that leave them";
+    return "too few joints: some force of the tip meets no torque, the least is told";
   if (tip.condition < kNearlyStraight) return "";
   return fmt::format(
       "nearly singular posture (condition {:.3g}): the force changes much within a degree",

@@ -63,6 +63,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require(q.allFinite() && q_dot.allFinite(), "the start has an angle or speed that is not finite");
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
+  last_nodes_.resize(3, 0);  // of another motion
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string trouble = way.trouble.empty() ? "" : "on the way to the start: " + way.trouble;
@@ -168,7 +169,7 @@ FingerMotion::Accepted FingerMotion::accept(const MotionState& state) {
   const MotionInstant now = at(state);
   last_nodes_ = now.pull.nodes;
   const VectorXd stray = this->stray(state, now);
-  return {now.pull.trouble, (now.tension.array() > tonus_ + kPulls).select(stray, 0)};
+  return {now.pull.trouble, (now.tension.array() <= tonus_ + kPulls).select(0, stray)};
 }
 
 double FingerMotion::energy(const MotionState& state) {

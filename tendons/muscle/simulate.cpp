@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr double kJump = 1e-4;    // of a line, beyond what integration leaves [m]
 constexpr double kFiner = 0.01;   // tolerance of the second integration over that of the first
-constexpr double kMoreSteps = 3;  // of the second over the first, which a smooth motion needs
+constexpr double kMoreSteps = 5;  // of the second over the first, which a smooth motion needs
 
 /// Instants that are kept, in a trajectory with room for all.
 class Recorder {
@@ -77,9 +77,10 @@ class Recorder {
 
   void note_accepted(const FingerMotion::Accepted& accepted, double time) {
     note(accepted.trouble, time);
+    if (accepted.stray.size() == 0) return;
     Index most = 0;
-    const double stray = accepted.stray.cwiseAbs().maxCoeff(&most);
-    if (stray <= kept_.stray) return;
+    const double stray = accepted.stray.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
+    if (stray <= kept_.stray || std::isnan(kept_.stray)) return;
     if (kept_.stray <= kJump) jumped_ = time;
     kept_.stray = stray;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
@@ -95,7 +96,7 @@ class Recorder {
 
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
-    if (kept_.stray > kJump)
+    if (!(kept_.stray <= kJump))
       note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
                            "what that sets free is in no balance, and the motion after it may "
                            "hang on the tolerance",
@@ -276,7 +277,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
   Trajectory again = integrate(model, pieces, start, finer);
   if (again.status == MotionStatus::kStopped) return again;
   const bool better = again.status == MotionStatus::kDone && again.balance.holds() &&
-                      (!balanced || again.stray < path.stray);
+                      (!balanced || !(again.stray >= path.stray));
   if (better) path = std::move(again);
   if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
