@@ -15,8 +15,8 @@ namespace thenar {
 /// A parsed file. Its nodes point into it, so it must outlive them.
 class XmlFile {
  public:
-  /// Reads and parses `path`, in UTF-8 or Latin-1. @throws DataError if it cannot be read, is not XML, or is beyond the
-  /// limits of file_guard.h.
+  /// Reads and parses `path`, in UTF-8 or Latin-1. @throws DataError if it cannot be read, is not
+  /// XML, or is beyond the limits of file_guard.h.
   explicit XmlFile(const std::string& path);
   /// Parses `text`; `path` only names it in messages.
   XmlFile(std::string text, std::string path);
