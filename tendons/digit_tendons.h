@@ -90,14 +90,12 @@ class DigitTendons {
     return Eigen::MatrixXd::Zero(t.size(), t.size());
   }
 
-  /// Length of each muscle's line, but for a constant, so that  d length/dq = -R  while tensions
-  /// stay; empty but for a net, and where friction in sheaths takes part of R [m] (muscles).
+  /// Length of each muscle's line, but for a constant [m] (muscles). A muscle's length is that of
+  /// its strands, each weighted with the share of tension that it carries. Where shares are
+  /// constant and sheaths smooth,  d length/dq = -R  while tensions stay.
   /// @param at  pull() of this digit at these very q and t
-  [[nodiscard]] virtual Eigen::VectorXd lengths(const Eigen::VectorXd& /*q*/,
-                                                const Eigen::VectorXd& /*t*/,
-                                                const TendonPull& /*at*/) const {
-    return {};
-  }
+  [[nodiscard]] virtual Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                                const TendonPull& at) const = 0;
 
   /// The same digit with bands of a net that go from slack to taut over this strain, so that its
   /// torque is smooth where they do; null where there is no net.

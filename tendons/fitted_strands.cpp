@@ -70,6 +70,14 @@ class FittedStrands : public StrandPaths {
     return slopes;
   }
 
+  [[nodiscard]] Eigen::VectorXd lengths(const TreeState<double>& /*state*/,
+                                        const Eigen::VectorXd& q) const override {
+    Eigen::VectorXd length = -constant_ * q;
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      length[row_[k]] = fitted_length(paths_[k], q).length;
+    return length;
+  }
+
  private:
   FitBox box_;
   std::vector<std::string> names_;

@@ -36,13 +36,17 @@ class StraightStrands : public StrandPaths {
   }
   [[nodiscard]] StrandSlopes slopes(const TreeState<double>& state,
                                     const VectorXd& q) const override {
-    StrandSlopes slopes{true, strand_arms(model_, state, q), -model_.constant_arms * q, {}};
-    for (std::size_t s = 0; s < model_.paths.size(); ++s) {
-      slopes.dR.push_back(arm_slopes(model_.tree, state, model_.paths[s], model_.coordinates));
-      if (!model_.paths[s].empty())
-        slopes.length[static_cast<Eigen::Index>(s)] = path_length(state, model_.paths[s]);
-    }
+    StrandSlopes slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
+    for (const TendonPath<double>& path : model_.paths)
+      slopes.dR.push_back(arm_slopes(model_.tree, state, path, model_.coordinates));
     return slopes;
+  }
+  [[nodiscard]] VectorXd lengths(const TreeState<double>& state, const VectorXd& q) const override {
+    VectorXd length = -model_.constant_arms * q;
+    for (std::size_t s = 0; s < model_.paths.size(); ++s)
+      if (!model_.paths[s].empty())
+        length[static_cast<Eigen::Index>(s)] = path_length(state, model_.paths[s]);
+    return length;
   }
 
  private:
@@ -105,6 +109,13 @@ class LinearTendons : public DigitTendons {
     pull.trouble = arms.trouble;
     pull.status = arms.status;
     return pull;
+  }
+
+  [[nodiscard]] VectorXd lengths(const VectorXd& q, const VectorXd& t,
+                                 const TendonPull& /*at*/) const override {
+    check(digit_, q, t);
+    const TendonModel<double>& model = digit_.model;
+    return strand_matrix(model, q).transpose() * paths_->lengths(pose_tree(model.tree, q), q);
   }
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.

@@ -31,6 +31,9 @@ class StrandPaths {
   virtual ~StrandPaths() = default;
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
+  /// As of StrandSlopes.
+  [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
+                                                const Eigen::VectorXd& q) const = 0;
   [[nodiscard]] virtual StrandSlopes slopes(const TreeState<double>& state,
                                             const Eigen::VectorXd& q) const = 0;
 };

@@ -65,19 +65,34 @@ class WrappedStrands : public StrandPaths {
     const std::vector<PathShape>& shapes = solver.solve(state);
     std::vector<ArmSlopes> paths =
         arm_slopes(tree_, state, set_, shapes, static_cast<int>(q.size()));
-    StrandSlopes slopes{true, rows_of(state, shapes), -constant_ * q, {}};
+    StrandSlopes slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
       if (path_of_[s] < 0) continue;
       const auto path = static_cast<std::size_t>(path_of_[s]);
       slopes.exist = slopes.exist && paths[path].exist;
       slopes.dR.back() = std::move(paths[path].dR);
-      slopes.length[static_cast<Eigen::Index>(s)] = shapes[path].length;
     }
     return slopes;
   }
 
+  [[nodiscard]] Eigen::VectorXd lengths(const TreeState<double>& state,
+                                        const Eigen::VectorXd& q) const override {
+    PathSolver solver(set_);
+    return lengths_of(solver.solve(state), q);
+  }
+
  private:
+  /// Of all strands (strands) [m].
+  [[nodiscard]] Eigen::VectorXd lengths_of(const std::vector<PathShape>& shapes,
+                                           const Eigen::VectorXd& q) const {
+    Eigen::VectorXd length = -constant_ * q;
+    for (std::size_t s = 0; s < path_of_.size(); ++s)
+      if (path_of_[s] >= 0)
+        length[static_cast<Eigen::Index>(s)] = shapes[static_cast<std::size_t>(path_of_[s])].length;
+    return length;
+  }
+
   /// Arms of all strands (strands, coordinates) [m/rad].
   [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
                                         const std::vector<PathShape>& shapes) const {

@@ -74,9 +74,11 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
       reach[m] = contraction().reach_at_rest(m, activation[m], muscle_state(state, m).length);
     state.reach = reach;
   }
-  const MotionInstant now = at(state);
-  slack_length_ = tendons().lengths(q, now.tension, now.pull);
-  if (slack_length_.size() > 0) slack_length_ -= state.excursion;
+  slack_length_.resize(0);
+  if (has_net(model_) && tendons().digit().model.friction.isZero(0)) {
+    const MotionInstant now = at(state);
+    slack_length_ = tendons().lengths(q, now.tension, now.pull) - state.excursion;
+  }
   return {state, trouble};
 }
 

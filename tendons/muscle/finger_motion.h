@@ -137,8 +137,8 @@ class FingerMotion {
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
 
   /// How far excursions are from the lengths of lines, less those at the start: what integration
-  /// has left, and what a net that has jumped to another rest has changed; 0 where lines have no
-  /// lengths (DigitTendons::lengths()) [m] (muscles).
+  /// has left, and what a net that has jumped to another rest has changed; 0 without a net, and
+  /// where friction in sheaths takes part of R [m] (muscles).
   [[nodiscard]] Eigen::VectorXd stray(const MotionState& state, const MotionInstant& now) const;
 
   /// How excursions and tensions change. Under a net t' depends in turn on excursion':
@@ -161,7 +161,7 @@ class FingerMotion {
   double tonus_;             // [N]
   Eigen::Index muscles_;
   Eigen::Matrix3Xd last_nodes_;   // [m] (3, nodes)
-  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: unknown)
+  Eigen::VectorXd slack_length_;  // of lines where excursions are 0 [m] (muscles; empty: not held)
 };
 
 }  // namespace thenar

@@ -220,9 +220,11 @@ MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonPull
 }
 
 VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
-  if (!digit_.model.friction.isZero(0)) return {};
-  return slopes_outside(q, t).length +
-         shares_.transpose() * pulled_length(net_.net, *rest_of(at, q, t));
+  const TreeState<double> state = pose_tree(digit_.model.tree, q);
+  VectorXd length = linear_->lengths(q, t, {});
+  for (const NetMuscle& m : net_.muscles)
+    length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
+  return length + shares_.transpose() * pulled_length(net_.net, *rest_of(at, q, t));
 }
 
 TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t, NetEquilibrium rest) const {

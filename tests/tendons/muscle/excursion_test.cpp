@@ -50,6 +50,9 @@ class Untrusted : public DigitTendons {
     if (q[0] > 0.2 && q[0] < 0.4) pull.trouble = "adrift";
     return pull;
   }
+  VectorXd lengths(const VectorXd& q, const VectorXd&, const TendonPull&) const override {
+    return -0.01 * q;
+  }
 
  private:
   TendonDigit digit_;

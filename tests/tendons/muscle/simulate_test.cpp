@@ -317,6 +317,9 @@ class GivingTendon : public DigitTendons {
   Eigen::MatrixXd give(const VectorXd&, const VectorXd&, const TendonPull&) const override {
     return Eigen::MatrixXd::Constant(1, 1, kGive);
   }
+  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonPull&) const override {
+    return -kArm * q - kGive * t;
+  }
 
  private:
   TendonDigit digit_;

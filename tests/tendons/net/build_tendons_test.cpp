@@ -113,6 +113,9 @@ struct BadTendons : DigitTendons {
     pull.trouble = "a path is not taut";
     return pull;
   }
+  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonPull& at) const override {
+    return good->lengths(q, t, at);
+  }
   std::unique_ptr<DigitTendons> good;
 };
 
