@@ -24,13 +24,13 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct CloseArguments {
   WorldChoice choice;
   std::string out;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run_close(const CloseArguments& options) {
   require_ending(options.out, {".html"});
   if (!options.out.empty()) require_writable(options.out);
   constexpr double kHand = 3, kClose = 0.3, kMeasures = 0.6;  // roughly, of a human hand [s]
@@ -56,7 +56,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_close(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CloseArguments>();
   CLI::App* command =
       app.add_subcommand("close", "Close the hand of a world where it stands; say what stopped it");
   command
@@ -70,7 +70,7 @@ void add_close(CLI::App& app) {
   command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
   command->callback([options] {
     options->choice.pictures = !options->out.empty();
-    run(*options);
+    run_close(*options);
   });
 }
 

@@ -27,9 +27,9 @@
 namespace thenar {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-struct Options {
+struct CompareArguments {
   CompareQuestion question;
   std::string output, report;
   bool json = false;
@@ -71,7 +71,7 @@ Comparison joined(Comparison comparison, const std::vector<HandOnObject>& done) 
   return comparison;
 }
 
-Comparison run_comparison(const Options& options, const Json& inputs,
+Comparison run_comparison(const CompareArguments& options, const OrderedJson& inputs,
                           const std::vector<NamedHand>& named, const Progress& progress) {
   std::vector<HandOnObject> done;
   std::optional<FileLock> lock;  // another comparison would drop our cells, and we its
@@ -82,7 +82,7 @@ Comparison run_comparison(const Options& options, const Json& inputs,
   }
   const auto save = [&](const Comparison& comparison) {
     if (options.output.empty()) return;
-    Json file = comparison_json(joined(comparison, done));
+    OrderedJson file = comparison_json(joined(comparison, done));
     file["inputs"] = inputs;
     file["sha256"] = comparison_checksum(file);
     write_file(options.output, json_text(file, 1) + "\n");
@@ -96,18 +96,18 @@ Comparison run_comparison(const Options& options, const Json& inputs,
 }
 
 /// What a stop leaves.
-std::string kept_words(const Options& options, const Comparison& comparison) {
+std::string kept_words(const CompareArguments& options, const Comparison& comparison) {
   if (options.output.empty()) return "without --out nothing is kept";
   return fmt::format(
       "{} of {} pairs are kept in '{}', the same command goes on", comparison.cells.size(),
       options.question.hands.size() * options.question.objects.size(), options.output);
 }
 
-void run(const Options& options) {
+void run_compare(const CompareArguments& options) {
   require_ending(options.output, {".json"});
   require_ending(options.report, {".html"});
   if (!options.report.empty()) require_writable(options.report);
-  const Json inputs = compare_inputs(options.question);
+  const OrderedJson inputs = compare_inputs(options.question);
   if (!options.output.empty()) require_writable(options.output);
   const std::vector<NamedHand> named = named_hands(options.question);  // a signal ends it at once
   const Progress progress = terminal_progress(
@@ -132,7 +132,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_compare(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<CompareArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("compare", "Hands on the same objects and tasks");
   command->add_option("--hands", options->question.hands, "human:tier1 .. tier4, robots, files")
       ->delimiter(',');
@@ -158,7 +158,7 @@ void add_compare(CLI::App& app) {
                       "Result (JSON); one that is there is gone on with");
   command->add_option("--report", options->report, "Also write a page with pictures (.html)");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_compare(*options); });
 }
 
 }  // namespace thenar

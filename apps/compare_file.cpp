@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <limits>
 
 #include <fmt/format.h>
 
@@ -10,23 +9,21 @@
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/provenance.h"
 #include "viewer/compare_words.h"
 
 namespace thenar {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kInfinite = "infinite";
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// JSON has no infinity; what is not known is null.
-Json number_json(double value) {
+OrderedJson number_json(double value) {
   if (std::isinf(value)) return kInfinite;
-  return std::isnan(value) ? Json() : Json(value);
+  return std::isnan(value) ? OrderedJson() : OrderedJson(value);
 }
 
 // ---- what a cell may hold: whoever seals a file anew may write anything
@@ -60,7 +57,7 @@ int whole(const nlohmann::json& value, const std::string& name, int low, int hig
 
 /// A load or a quality: >= 0, may be infinite, or not known.
 double load_of(const nlohmann::json& value, const std::string& name) {
-  if (value.is_null()) return kUnknown;
+  if (value.is_null()) return kNaN;
   return value == kInfinite ? kInfinity : within(value, name, 0, kStrongest);
 }
 
@@ -100,8 +97,8 @@ Eigen::Matrix3d rotation_of(const nlohmann::json& rows) {
   return R;
 }
 
-Json margin_json(const std::map<std::string, double>& margins) {
-  Json out = Json::object();
+OrderedJson margin_json(const std::map<std::string, double>& margins) {
+  OrderedJson out = OrderedJson::object();
   for (const auto& [task, margin] : margins) out[load_key(grasp_task(task))] = number_json(margin);
   return out;
 }
@@ -116,13 +113,13 @@ std::map<std::string, double> margins_of(const nlohmann::json& json) {
   return margins;
 }
 
-Json list_json(const Eigen::VectorXd& values) {
-  Json list = Json::array();
+OrderedJson list_json(const Eigen::VectorXd& values) {
+  OrderedJson list = OrderedJson::array();
   for (const double value : values) list.push_back(number_json(value));
   return list;
 }
 
-Json contact_json(const HandContact& contact) {
+OrderedJson contact_json(const HandContact& contact) {
   return {{"position_m", to_json(contact.contact.p)},
           {"normal", to_json(contact.contact.n)},
           {"friction", contact.contact.friction},
@@ -145,17 +142,17 @@ HandContact contact_of(const nlohmann::json& json) {
   return contact;
 }
 
-Json best_json(const BestGrasp& best) {
-  Json out{{"approach", best.approach},
-           {"epsilon", best.epsilon},
-           {"type", best.type},
-           {"hold_N", number_json(best.hold)},
-           {"hand_epsilon_N", number_json(best.hand_epsilon)},
-           {"margin", margin_json(best.margin)},
-           {"reasons", best.reasons},
-           {"rotation", to_json(best.X_WH.R)},
-           {"position_m", to_json(best.X_WH.p)},
-           {"q", to_json(best.q)}};
+OrderedJson best_json(const BestGrasp& best) {
+  OrderedJson out{{"approach", best.approach},
+                  {"epsilon", best.epsilon},
+                  {"type", best.type},
+                  {"hold_N", number_json(best.hold)},
+                  {"hand_epsilon_N", number_json(best.hand_epsilon)},
+                  {"margin", margin_json(best.margin)},
+                  {"reasons", best.reasons},
+                  {"rotation", to_json(best.X_WH.R)},
+                  {"position_m", to_json(best.X_WH.p)},
+                  {"q", to_json(best.q)}};
   for (const HandContact& contact : best.contacts) out["contacts"].push_back(contact_json(contact));
   return out;
 }
@@ -177,23 +174,23 @@ BestGrasp best_of(const nlohmann::json& json, int approaches) {
   return best;
 }
 
-Json cell_json(const HandOnObject& cell) {
-  Json outcomes = Json::object();
+OrderedJson cell_json(const HandOnObject& cell) {
+  OrderedJson outcomes = OrderedJson::object();
   for (std::size_t i = 0; i < cell.outcomes.size(); ++i)
     outcomes[name_of(static_cast<GraspOutcome>(i))] = cell.outcomes[i];
-  Json out{{"hand", cell.hand},
-           {"object", cell.object},
-           {"scale", cell.scale},
-           {"approaches", cell.approaches},
-           {"outcomes", outcomes},
-           {"closures", cell.closures},
-           {"success", cell.success},
-           {"success_lower", cell.interval.lower},
-           {"success_upper", cell.interval.upper},
-           {"epsilon", to_json(cell.epsilon)},
-           {"hand_epsilon_N", list_json(cell.hand_epsilon)},
-           {"types", cell.types},
-           {"best", Json::array()}};
+  OrderedJson out{{"hand", cell.hand},
+                  {"object", cell.object},
+                  {"scale", cell.scale},
+                  {"approaches", cell.approaches},
+                  {"outcomes", outcomes},
+                  {"closures", cell.closures},
+                  {"success", cell.success},
+                  {"success_lower", cell.interval.lower},
+                  {"success_upper", cell.interval.upper},
+                  {"epsilon", to_json(cell.epsilon)},
+                  {"hand_epsilon_N", list_json(cell.hand_epsilon)},
+                  {"types", cell.types},
+                  {"best", OrderedJson::array()}};
   for (const BestGrasp& best : cell.best) out["best"].push_back(best_json(best));
   return out;
 }
@@ -236,8 +233,8 @@ HandOnObject cell_of(const nlohmann::json& json) {
   return cell;
 }
 
-Json digit_json(const DigitAbility& digit) {
-  Json out{{"digit", digit.digit}, {"dimension", digit.dimension}};
+OrderedJson digit_json(const DigitAbility& digit) {
+  OrderedJson out{{"digit", digit.digit}, {"dimension", digit.dimension}};
   if (digit.dimension > 0) {
     const std::string unit = digit.dimension == 1 ? "m" : fmt::format("m{}", digit.dimension);
     out["workspace_" + unit] = digit.workspace;
@@ -248,17 +245,18 @@ Json digit_json(const DigitAbility& digit) {
   return out;
 }
 
-Json abilities_json(const HandAbilities& hand) {
+OrderedJson abilities_json(const HandAbilities& hand) {
   const bool places = is_kapandji(hand);
-  Json out{{"hand", hand.hand},
-           {"reach_m", hand.reach},
-           {"kapandji_of_10", places ? number_json(hand.opposition) : Json(nullptr)},
-           {"tips_met_share", places ? Json(nullptr) : number_json(hand.opposition / 10)},
-           {"opposition_scale", hand.opposition_scale},
-           {"reached", hand.reached},
-           {"overlap_m3", hand.overlap},
-           {"types", hand.types},
-           {"digits", Json::array()}};
+  OrderedJson out{
+      {"hand", hand.hand},
+      {"reach_m", hand.reach},
+      {"kapandji_of_10", places ? number_json(hand.opposition) : OrderedJson(nullptr)},
+      {"tips_met_share", places ? OrderedJson(nullptr) : number_json(hand.opposition / 10)},
+      {"opposition_scale", hand.opposition_scale},
+      {"reached", hand.reached},
+      {"overlap_m3", hand.overlap},
+      {"types", hand.types},
+      {"digits", OrderedJson::array()}};
   for (const DigitAbility& digit : hand.digits) out["digits"].push_back(digit_json(digit));
   return out;
 }
@@ -279,11 +277,11 @@ std::string load_key(GraspTask task) {
   return "force_closure";
 }
 
-Json comparison_json(const Comparison& comparison) {
-  Json out{{"complete", comparison.complete},
-           {"warnings", comparison.warnings},
-           {"abilities", Json::array()},
-           {"cells", Json::array()}};
+OrderedJson comparison_json(const Comparison& comparison) {
+  OrderedJson out{{"complete", comparison.complete},
+                  {"warnings", comparison.warnings},
+                  {"abilities", OrderedJson::array()},
+                  {"cells", OrderedJson::array()}};
   for (const HandAbilities& hand : comparison.abilities)
     out["abilities"].push_back(abilities_json(hand));
   for (const HandOnObject& cell : comparison.cells) out["cells"].push_back(cell_json(cell));
@@ -308,7 +306,7 @@ std::vector<HandOnObject> parse_cells(const nlohmann::json& list, const std::str
   return cells;
 }
 
-std::vector<HandOnObject> read_cells(const std::string& path, const Json& inputs) {
+std::vector<HandOnObject> read_cells(const std::string& path, const OrderedJson& inputs) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return {};
   const nlohmann::json file = parse_json(path, read_source(path).text);

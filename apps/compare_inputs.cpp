@@ -19,7 +19,7 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kFine = 2500;  // triangles of each link of a human hand: many hands share a page
 constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux
@@ -133,8 +133,8 @@ CompareOptions options_of(const CompareQuestion& question) {
   return options;
 }
 
-Json compare_inputs(const CompareQuestion& question) {
-  Json contents = Json::object();
+OrderedJson compare_inputs(const CompareQuestion& question) {
+  OrderedJson contents = OrderedJson::object();
   for (const std::string& hand : question.hands)
     if (const std::string hash = hand_hash(hand, question.data); !hash.empty())
       contents["hand " + hand] = hash;
@@ -152,7 +152,7 @@ Json compare_inputs(const CompareQuestion& question) {
           {"versions", versions()}};
 }
 
-nlohmann::json compare_provenance(const Json& inputs) {
+nlohmann::json compare_provenance(const OrderedJson& inputs) {
   nlohmann::json provenance = inputs.at("versions");
   for (const auto& [what, hash] : inputs.at("contents").items())
     provenance[what] = "sha256 " + hash.get<std::string>();

@@ -10,9 +10,9 @@
 
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
 #include "base/error.h"
-#include "base/worst.h"
+#include "base/numbers.h"
+#include "base/units.h"
 #include "grasp/quality/planar.h"
 #include "grasp/quality/pyramid.h"
 #include "grasp/quality/regions.h"
@@ -21,11 +21,10 @@
 namespace thenar {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kPolytopeGap = 1e-10;  // of the largest wrench: exact at little cost [1]
 constexpr double kNothing = 1e-9;       // a load below this part of the largest wrench is none [1]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool is_polytope(const WrenchSet& set) {
   return std::all_of(set.caps.begin(), set.caps.end(),
@@ -188,31 +187,33 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
 }
 
 /// Without minus zeros.
-Json plain(const Wrench& w) { return to_json(Wrench((w.array() + 0.0).matrix())); }
+OrderedJson plain(const Wrench& w) { return to_json(Wrench((w.array() + 0.0).matrix())); }
 
 /// Of a plane f_x, f_y and the torque.
-Json wrench_json(const Wrench& w, bool planar) {
-  return planar ? Json{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
+OrderedJson wrench_json(const Wrench& w, bool planar) {
+  return planar ? OrderedJson{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
 }
 
 /// Null where there is none.
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+OrderedJson finite(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
+}
 
-Json task_json(const TaskAnswer& task, bool planar) {
+OrderedJson task_json(const TaskAnswer& task, bool planar) {
   const bool known = task.margin.status == ConeStatus::kSolved;
-  Json squeezes = Json::array();
+  OrderedJson squeezes = OrderedJson::array();
   for (const double squeeze : task.squeezes) squeezes.push_back(finite(squeeze));
   return {{"margin",
-           {{"lower", known ? finite(task.margin.lower) : Json(nullptr)},
-            {"upper", known ? finite(task.margin.upper) : Json(nullptr)}}},
-          {"squeeze_N", known ? finite(1 / task.margin.lower) : Json(nullptr)},
+           {{"lower", known ? finite(task.margin.lower) : OrderedJson(nullptr)},
+            {"upper", known ? finite(task.margin.upper) : OrderedJson(nullptr)}}},
+          {"squeeze_N", known ? finite(1 / task.margin.lower) : OrderedJson(nullptr)},
           {"squeezes_N", squeezes},
           {"worst_load", wrench_json(task.margin.worst_load, planar)},
           {"solved", known},
           {"residual", task.margin.residual}};
 }
 
-Json matrix_json(const GraspMatrixMeasures& m) {
+OrderedJson matrix_json(const GraspMatrixMeasures& m) {
   return {{"rank", m.rank},
           {"least_singular_value", m.least},
           {"isotropy", m.isotropy},
@@ -272,9 +273,9 @@ ContactAnswer answer(const ContactFile& file, const ContactQuestion& question) {
   return found;
 }
 
-Json json_of(const std::string& path, const ContactFile& file, const ContactAnswer& answer) {
+OrderedJson json_of(const std::string& path, const ContactFile& file, const ContactAnswer& answer) {
   const Epsilon& e = answer.epsilon;
-  Json missing, bounds, complete, volume;
+  OrderedJson missing, bounds, complete, volume;
   if (e.has_missing_direction) missing = wrench_json(e.missing_direction, file.planar);
   if (answer.volume) {
     const Volume& v = *answer.volume;
@@ -293,8 +294,9 @@ Json json_of(const std::string& path, const ContactFile& file, const ContactAnsw
           {"volume_bounds", bounds},
           {"volume_complete", complete},
           {"converged", e.converged},
-          {"grasp_matrix", answer.grasp_matrix ? matrix_json(*answer.grasp_matrix) : Json(nullptr)},
-          {"task", answer.task ? task_json(*answer.task, file.planar) : Json(nullptr)},
+          {"grasp_matrix",
+           answer.grasp_matrix ? matrix_json(*answer.grasp_matrix) : OrderedJson(nullptr)},
+          {"task", answer.task ? task_json(*answer.task, file.planar) : OrderedJson(nullptr)},
           {"planar", file.planar},
           {"file", path},
           {"warnings", file.warnings}};

@@ -13,10 +13,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kRounding = 1e-3;      // of a unit normal's length: rounded, not odd [1]
-constexpr double kFarOverScale = 20;    // from the centre, in torque scales: in another unit [1]
-constexpr double kFar = 5;              // from the centre: no object that a hand holds [m]
-constexpr double kLargestFriction = 5;  // more is an angle [1]
+constexpr double kNormalRounding = 1e-3;  // of a unit normal's length: rounded, not odd [1]
+constexpr double kFarOverScale = 20;      // from the centre, in torque scales: in another unit [1]
+constexpr double kFar = 5;                // from the centre: no object that a hand holds [m]
+constexpr double kLargestFriction = 5;    // more is an angle [1]
 
 /// Cones of the file, with their numbers.
 struct Numbered {
@@ -61,8 +61,8 @@ std::vector<std::string> contact_doubts(const ContactFile& file) {
     return file.contacts[static_cast<std::size_t>(numbers.front())];
   };
 
-  const std::vector<int> not_unit =
-      those(cones, [](const FileContact& c) { return std::abs(c.normal_length - 1) >= kRounding; });
+  const std::vector<int> not_unit = those(
+      cones, [](const FileContact& c) { return std::abs(c.normal_length - 1) >= kNormalRounding; });
   if (!not_unit.empty())
     doubts.push_back(fmt::format("a normal of length {:.6g} was made unit: {}",
                                  first(not_unit).normal_length, listed_contacts(not_unit)));

@@ -20,7 +20,7 @@
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "tendons/net/build_tendons.h"
 #include "viewer/fit_pages.h"
@@ -32,12 +32,12 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct DemoArguments {
   std::string data;
   std::string output = "out";
 };
 
-StudyInputs inputs_of(const Options& options) {
+StudyInputs inputs_of(const DemoArguments& options) {
   const auto read = [&](const std::string& file) { return read_source(options.data + "/" + file); };
   StudyInputs inputs;
   inputs.specimen.subject = read("subjects/an_chao_middle.toml");
@@ -54,7 +54,7 @@ StudyInputs inputs_of(const Options& options) {
 }
 
 /// Thumbs that differ in their axes, bent alike, and a measured one as it was digitised.
-std::vector<ThumbCase> thumb_cases(const Options& options) {
+std::vector<ThumbCase> thumb_cases(const DemoArguments& options) {
   const double bent = radians(30);
   const std::map<std::string, double> pinch{{"MCP1_FE", bent}, {"IP1", bent}};
   const auto read = [&](const char* file) {
@@ -108,7 +108,7 @@ Json provenance(const StudyInputs& inputs, const Fidelity& fidelity, double seco
   return out;
 }
 
-void run(const Options& options) {
+void run_demo(const DemoArguments& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Progress progress = terminal_progress();
   const StudyInputs inputs = inputs_of(options);
@@ -151,13 +151,13 @@ void run(const Options& options) {
 }  // namespace
 
 void add_demo(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<DemoArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("demo", "Fit real data and write a report");
   command->add_option("--data", options->data, kDataHelp);
   command->add_option("-o,--output", options->output, "Folder for the report");
   command->callback([options] {
     options->data = data_with("fits", options->data);
-    run(*options);
+    run_demo(*options);
   });
 }
 

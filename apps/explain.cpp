@@ -21,12 +21,12 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct ExplainArguments {
   std::string file, digit, settings, path;
   bool json = false;
 };
 
-Explanation explain_subject_file(const Options& options) {
+Explanation explain_subject_file(const ExplainArguments& options) {
   const Subject subject = read_subject(options.file);
   const std::string digit = choose_digit(subject, options.digit);
   const SourceText settings = options.settings.empty()
@@ -47,7 +47,7 @@ Explanation explain_fit_file(const std::string& path) {
   return explanation;
 }
 
-Explanation explain_file(const Options& options) {
+Explanation explain_file(const ExplainArguments& options) {
   const FileKind kind = find_file_kind(options.file);
   if (kind == FileKind::kSubject) return explain_subject_file(options);
   require(options.digit.empty() && options.settings.empty() && options.path.empty(),
@@ -68,7 +68,7 @@ Explanation explain_file(const Options& options) {
   return {section};
 }
 
-void run(const Options& options) {
+void run_explain(const ExplainArguments& options) {
   const Explanation explanation = explain_file(options);
   if (options.json)
     fmt::print("{}\n", json_text(json_of(explanation)));
@@ -79,7 +79,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_explain(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExplainArguments>();
   CLI::App* command =
       app.add_subcommand("explain", "What a file makes thenar build, assume, spend and fit");
   command
@@ -90,7 +90,7 @@ void add_explain(CLI::App& app) {
   add_path_option(*command, options->path);
   command->add_option("--settings", options->settings, "Fit settings instead of the built-in ones");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_explain(*options); });
 }
 
 }  // namespace thenar

@@ -4,12 +4,10 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kMm = 1e-3;  // [m]
 
 std::string word(BoneRole bone) {
   constexpr const char* kWords[] = {"metacarpal", "proximal", "middle", "distal"};
@@ -22,7 +20,6 @@ std::vector<std::string> cells_of(const NetPlace& place) {
           shown(place.height / kMm, 2)};
 }
 
-std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
 std::string list_or_dash(const std::vector<std::string>& names) {
   return names.empty() ? "-" : listed(names);
 }

@@ -4,25 +4,14 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kMm = 1e-3;  // [m]
-
-std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
-
 /// Degrees of what turns, millimetres of what slides.
 std::string in_units(double value, bool slides) {
   return slides ? shown(value / kMm, 1) + " mm" : shown(value / kDegree, 1) + " deg";
-}
-
-/// How a motor's joints move: sliding if the first of them does.
-bool slides(const RobotSpec& robot, const RobotDof& dof) {
-  for (const RobotJoint& joint : robot.joints)
-    if (joint.dof == dof.name) return joint.kind == RobotJointKind::kPrismatic;
-  return false;
 }
 
 std::string word(RobotDofKind kind) {

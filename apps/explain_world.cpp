@@ -4,14 +4,12 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kMm = 1e-3;  // [m]
-constexpr double kG = 1e-3;   // [kg]
-
-std::string or_dash(const std::string& text) { return text.empty() ? "-" : text; }
+constexpr double kG = 1e-3;  // [kg]
 
 /// "35", "120 60 40": only what the kind of shape uses.
 std::string sizes_of(const ShapeSpec& shape) {

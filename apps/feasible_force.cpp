@@ -16,7 +16,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct FeasibleForceArguments {
   DigitQuestion question;
   std::vector<double> direction;
   double tolerance_deg = 0;
@@ -45,7 +45,7 @@ void require_limits(const DigitAtPosture& at, const std::string& path) {
       listed(unknown), path);
 }
 
-void run(const Options& options) {
+void run_feasible_force(const FeasibleForceArguments& options) {
   require(options.direction.empty() || options.direction.size() == 3,
           "wanted --direction x y z, got {} numbers", options.direction.size());
   const DigitAtPosture at = find_digit(options.question);
@@ -80,7 +80,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_feasible_force(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FeasibleForceArguments>();
   CLI::App* command =
       app.add_subcommand("feasible-force", "The largest force of a fingertip, or all of them");
   add_options(*command, options->question);
@@ -93,7 +93,7 @@ void add_feasible_force(CLI::App& app) {
       ->check(CLI::IsMember({"world", "tip"}));
   command->add_flag("--set", options->set, "The whole set, also beside a direction");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_feasible_force(*options); });
 }
 
 }  // namespace thenar

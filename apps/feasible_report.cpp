@@ -4,7 +4,7 @@
 
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/posture_slopes.h"
 
 namespace thenar {

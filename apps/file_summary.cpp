@@ -7,7 +7,6 @@
 
 #include "apps/print_table.h"
 #include "apps/read_source.h"
-#include "base/shapes/solid.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
@@ -16,6 +15,7 @@
 #include "data/io/net.h"
 #include "data/io/robot/robot.h"
 #include "data/io/world/world.h"
+#include "geometry/solid.h"
 #include "kinematics_fit/fit.h"
 #include "tendons/tendon_model.h"
 

@@ -22,7 +22,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct FitArguments {
   std::vector<std::string> experiments;
   std::string subject, settings, output, method = "ceres";
   std::vector<std::string> free, leave_out;
@@ -32,7 +32,7 @@ struct Options {
   ChainOptions chains;
 };
 
-FitInputs inputs_of(const Options& options) {
+FitInputs inputs_of(const FitArguments& options) {
   FitInputs inputs;
   inputs.subject = read_source(options.subject);
   for (const std::string& path : options.experiments)
@@ -135,7 +135,7 @@ void print_summary(const Fit& fit, const std::vector<CrossValidation>& validatio
   fmt::print("\nwrote {}\n", output);
 }
 
-void run(const Options& options) {
+void run_fit(const FitArguments& options) {
   if (options.method == "mcmc") {
     require(options.leave_out.empty(),
             "--cross-validate is for fits; a posterior's file says how well it would predict each "
@@ -171,7 +171,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_fit(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<FitArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
   command->add_option("experiments", options->experiments, "Experiment files")->required();
   command->add_option("--subject", options->subject, "Subject file to start from")->required();
@@ -188,7 +188,7 @@ void add_fit(CLI::App& app) {
       ->check(CLI::NonNegativeNumber);
   command->add_flag("--json", options->json, "Print JSON");
   add_chain_options(*command, options->chains);
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_fit(*options); });
 }
 
 }  // namespace thenar

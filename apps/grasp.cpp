@@ -28,7 +28,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct GraspArguments {
   WorldChoice choice;
   std::string norm = "l1", out, save;
   bool approach = true, json = false, wrenches = false;
@@ -37,7 +37,7 @@ struct Options {
   double gap = 1e-3, way = 1;
 };
 
-void check(const Options& options) {
+void check(const GraspArguments& options) {
   require(options.gap > 0, "wanted --gap above 0, got {}", options.gap);
   require(options.way > 0, "wanted --way above 0, got {}", options.way);
   require(options.random >= 0, "wanted --random of 0 or more, got {}", options.random);
@@ -56,13 +56,13 @@ void check(const Options& options) {
 /// What parts take of a human hand, roughly [s]: of others they end sooner.
 constexpr double kHand = 3, kStart = 0.3, kMeasures = 0.6, kDraw = 0.2, kPage = 0.6;
 
-double seconds(const Options& options) {
+double seconds(const GraspArguments& options) {
   return kHand + kStart * std::max(1, options.random) + kMeasures + kDraw * options.robustness +
          (options.out.empty() ? 0 : kPage);
 }
 
 /// A hand that the world does not have may start at random.
-GraspQuestion ask(const Options& options, const Progress& progress) {
+GraspQuestion ask(const GraspArguments& options, const Progress& progress) {
   const bool stranger =
       !options.choice.hand.empty() && options.random > 0 && !has_hand(options.choice);
   return stranger ? ask_stranger(options.choice, progress) : ask_world(options.choice, progress);
@@ -83,7 +83,7 @@ void save(const GraspQuestion& question, const GraspAnswer& found, const std::st
   save_world(with_hand_at(std::move(world), question.hand, X_WH, found.grasp.closed.q), path);
 }
 
-void add_measures(const Options& options, const GraspQuestion& question,
+void add_measures(const GraspArguments& options, const GraspQuestion& question,
                   const TouchingHand& touching, Schedule& schedule, GraspAnswer& found) {
   if (found.grasp.outcome != GraspOutcome::kGrasped) return;
   found.measures = std::make_shared<const GraspMeasures>(
@@ -107,7 +107,7 @@ void warn_of_tendons(const GraspAnswer& found, NamedHand& hand) {
       here.trouble));
 }
 
-void run(const Options& options) {
+void run_grasp(const GraspArguments& options) {
   check(options);
   Schedule schedule(terminal_progress(), seconds(options));
   GraspQuestion question = ask(options, schedule.next(kHand));
@@ -148,7 +148,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_grasp(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GraspArguments>();
   CLI::App* command =
       app.add_subcommand("grasp", "Put the hand of a world on its object and measure the grasp");
   command
@@ -181,7 +181,7 @@ void add_grasp(CLI::App& app) {
   command->add_option("--save", options->save, "Also write the world with the hand as it ended");
   command->callback([options] {
     options->choice.pictures = !options->out.empty();
-    run(*options);
+    run_grasp(*options);
   });
 }
 

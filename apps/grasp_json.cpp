@@ -11,11 +11,11 @@
 namespace thenar {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Ordered stopped_json(const GraspQuestion& question, const TouchingHand& touching,
-                     const std::vector<JointRow>& rows) {
-  Ordered list = Ordered::array();
+OrderedJson stopped_json(const GraspQuestion& question, const TouchingHand& touching,
+                         const std::vector<JointRow>& rows) {
+  OrderedJson list = OrderedJson::array();
   const HandLayout& layout = question.hand.named.hand->layout();
   for (std::size_t c = 0; c < rows.size(); ++c)
     list.push_back(
@@ -28,8 +28,8 @@ Ordered stopped_json(const GraspQuestion& question, const TouchingHand& touching
   return list;
 }
 
-Ordered contacts_json(const TouchingHand& touching, const std::vector<HandContact>& contacts) {
-  Ordered list = Ordered::array();
+OrderedJson contacts_json(const TouchingHand& touching, const std::vector<HandContact>& contacts) {
+  OrderedJson list = OrderedJson::array();
   for (const HandContact& found : contacts) {
     const LinkSurface& surface = touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
     list.push_back({{"surface", surface.name},
@@ -43,23 +43,23 @@ Ordered contacts_json(const TouchingHand& touching, const std::vector<HandContac
   return list;
 }
 
-Ordered quality_json(const Epsilon& e) {
-  Ordered missing;
+OrderedJson quality_json(const Epsilon& e) {
+  OrderedJson missing;
   if (e.has_missing_direction) missing = to_json(e.missing_direction);
-  return {
-      {"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
-      {"force_closure", e.force_closure},
-      {"rank", e.rank},
-      {"missing_direction", missing},
-      {"missing_direction_words",
-       e.has_missing_direction ? Ordered(direction_words(e.missing_direction)) : Ordered(nullptr)},
-      {"worst_wrench", to_json(e.worst_wrench)},
-      {"worst_wrench_words", direction_words(e.worst_wrench)},
-      {"converged", e.converged}};
+  return {{"epsilon", {{"lower", e.lower}, {"upper", e.upper}}},
+          {"force_closure", e.force_closure},
+          {"rank", e.rank},
+          {"missing_direction", missing},
+          {"missing_direction_words", e.has_missing_direction
+                                          ? OrderedJson(direction_words(e.missing_direction))
+                                          : OrderedJson(nullptr)},
+          {"worst_wrench", to_json(e.worst_wrench)},
+          {"worst_wrench_words", direction_words(e.worst_wrench)},
+          {"converged", e.converged}};
 }
 
-Ordered starts_json(const GraspQuestion& question, const GraspAnswer& answer) {
-  Ordered outcomes = Ordered::object();
+OrderedJson starts_json(const GraspQuestion& question, const GraspAnswer& answer) {
+  OrderedJson outcomes = OrderedJson::object();
   for (std::size_t i = 0; i < kOutcomes.size(); ++i)
     outcomes[name_of(kOutcomes[i])] = answer.outcomes[i];
   return {{"count", answer.started()},
@@ -69,14 +69,14 @@ Ordered starts_json(const GraspQuestion& question, const GraspAnswer& answer) {
           {"force_closures", answer.closures}};
 }
 
-Ordered mesh_json(const WrenchPicture& picture) {
+OrderedJson mesh_json(const WrenchPicture& picture) {
   if (picture.failed > 0) return nullptr;  // unbounded, or without the origin
   return {{"vertices_N", to_json(Eigen::MatrixXd(picture.mesh.vertices.transpose()))},
           {"triangles", to_json(Eigen::MatrixXi(picture.mesh.triangles.transpose()))}};
 }
 
 /// Projections onto forces and onto torques, and the slices where the others are zero.
-Ordered wrench_set_json(const WrenchSet& wrenches, ForceLimit limit) {
+OrderedJson wrench_set_json(const WrenchSet& wrenches, ForceLimit limit) {
   const ForceSet forces = unit_forces(wrenches, limit);
   const auto mesh = [&](int first, PictureKind kind) {
     return mesh_json(wrench_picture(forces, {first, first + 1, first + 2}, kind));
@@ -88,30 +88,32 @@ Ordered wrench_set_json(const WrenchSet& wrenches, ForceLimit limit) {
 }
 
 /// -0 is no answer.
-void drop_signs_of_zeros(Ordered& json) {
+void drop_signs_of_zeros(OrderedJson& json) {
   if (json.is_structured())
-    for (Ordered& each : json) drop_signs_of_zeros(each);
+    for (OrderedJson& each : json) drop_signs_of_zeros(each);
   else if (json.is_number_float() && json.get<double>() == 0)
     json = 0.0;
 }
 
 }  // namespace
 
-Ordered grasp_json(const GraspQuestion& question, const TouchingHand& touching,
-                   const GraspAnswer& answer, bool pictures) {
+OrderedJson grasp_json(const GraspQuestion& question, const TouchingHand& touching,
+                       const GraspAnswer& answer, bool pictures) {
   const Grasp& grasp = answer.grasp;
   const Pose<double>& X = grasp.approached.X_WH;
-  Ordered json{{"world", question.path},
-               {"hand", question.hand.named.name},
-               {"object", question.scene.object.name},
-               {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
-                               ? "touched"
-                               : name_of(grasp.outcome)},
-               {"explanation", explanation(question, answer)}};
+  OrderedJson json{
+      {"world", question.path},
+      {"hand", question.hand.named.name},
+      {"object", question.scene.object.name},
+      {"outcome", grasp.outcome == GraspOutcome::kGrasped && !grasp.quality.force_closure
+                      ? "touched"
+                      : name_of(grasp.outcome)},
+      {"explanation", explanation(question, answer)}};
   if (grasp.outcome == GraspOutcome::kGrasped) {
     json.update(quality_json(grasp.quality));
     if (answer.measures) json.update(measures_json(*answer.measures));
-    json["robustness"] = answer.robustness ? robustness_json(*answer.robustness) : Ordered(nullptr);
+    json["robustness"] =
+        answer.robustness ? robustness_json(*answer.robustness) : OrderedJson(nullptr);
     if (pictures) json["wrench_set"] = wrench_set_json(answer.wrenches, question.limit);
     json["contacts"] = contacts_json(touching, grasp.contacts);
   }

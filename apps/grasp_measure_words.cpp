@@ -10,16 +10,16 @@
 namespace thenar {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 template <typename Value, typename ToJson>
-void put(Ordered& json, Ordered& reasons, const char* key, const Measured<Value>& measured,
+void put(OrderedJson& json, OrderedJson& reasons, const char* key, const Measured<Value>& measured,
          const ToJson& to) {
-  json[key] = measured.value ? Ordered(to(*measured.value)) : Ordered(nullptr);
+  json[key] = measured.value ? OrderedJson(to(*measured.value)) : OrderedJson(nullptr);
   if (!measured.reason.empty()) reasons[key] = measured.reason;
 }
 
-Ordered ball_json(const InscribedBall& ball) {
+OrderedJson ball_json(const InscribedBall& ball) {
   return {{"lower", ball.lower},
           {"upper", ball.upper},
           {"residual", ball.residual},
@@ -27,7 +27,7 @@ Ordered ball_json(const InscribedBall& ball) {
           {"worst_load_words", direction_words(ball.worst_load)}};
 }
 
-Ordered stiffness_json(const GraspStiffness& stiffness) {
+OrderedJson stiffness_json(const GraspStiffness& stiffness) {
   return {{"least", stiffness.least},
           {"softest", to_json(stiffness.softest)},
           {"softest_words", direction_words(stiffness.softest)},
@@ -41,7 +41,7 @@ void add_row(std::vector<MeasureRow>& rows, const std::string& name,
   rows.push_back({name, measured.value ? words(*measured.value) : "no value", measured.reason});
 }
 
-std::string volume_words(const Volume& v) {
+std::string short_volume_words(const Volume& v) {
   if (!v.complete) return fmt::format("at least {:.4g}", v.lower);
   return v.lower == v.upper
              ? fmt::format("{:.4g}", v.lower)
@@ -50,13 +50,13 @@ std::string volume_words(const Volume& v) {
 
 }  // namespace
 
-Ordered measures_json(const GraspMeasures& m) {
+OrderedJson measures_json(const GraspMeasures& m) {
   const auto same = [](double value) { return value; };
-  Ordered json, reasons = Ordered::object();
-  json["volume"] = m.volume.complete ? Ordered(m.volume.estimate) : Ordered(nullptr);
-  json["volume_bounds"] = {
-      {"lower", m.volume.lower},
-      {"upper", std::isfinite(m.volume.upper) ? Ordered(m.volume.upper) : Ordered(nullptr)}};
+  OrderedJson json, reasons = OrderedJson::object();
+  json["volume"] = m.volume.complete ? OrderedJson(m.volume.estimate) : OrderedJson(nullptr);
+  json["volume_bounds"] = {{"lower", m.volume.lower},
+                           {"upper", std::isfinite(m.volume.upper) ? OrderedJson(m.volume.upper)
+                                                                   : OrderedJson(nullptr)}};
   json["volume_complete"] = m.volume.complete;
   put(json, reasons, "actuated_epsilon_N", m.actuated, ball_json);
   put(json, reasons, "weight_N", m.weight, same);
@@ -79,7 +79,7 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
     return [unit](double value) { return fmt::format("{} {}", shown(value), unit); };
   };
   std::vector<MeasureRow> rows;
-  rows.push_back({"volume of wrenches", volume_words(m.volume) + " unit forces^6", ""});
+  rows.push_back({"volume of wrenches", short_volume_words(m.volume) + " unit forces^6", ""});
   add_row(rows, "epsilon of the driven hand", m.actuated, [](const InscribedBall& ball) {
     const std::string worst = direction_words(ball.worst_load);
     return ball.upper == 0

@@ -6,14 +6,14 @@
 
 #include "apps/schedule.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
+#include "base/units.h"
 #include "grasp/draw_uniform.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
 namespace {
 
-using Ordered = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// Three normal numbers of standard deviation 1, by Box and Muller.
 Eigen::Vector3d draw_normal(std::mt19937& random) {
@@ -47,10 +47,10 @@ class Watch {
 };
 
 /// Null where a miss has part in a quantile.
-Ordered share_json(const Robustness& found) {
+OrderedJson share_json(const Robustness& found) {
   const auto quantile = [&](double p) {
     const double value = found.quantile(p);
-    return std::isfinite(value) ? Ordered(value) : Ordered(nullptr);
+    return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
   };
   return {{"closure", found.closure},
           {"closure_lower", found.closure_lower},
@@ -112,9 +112,9 @@ GraspRobustness robustness_of(const GraspQuestion& question, const TouchingHand&
   return {asked, of_contacts, of_pose};
 }
 
-Ordered robustness_json(const GraspRobustness& robustness) {
+OrderedJson robustness_json(const GraspRobustness& robustness) {
   const RobustnessQuestion& asked = robustness.question;
-  Ordered contacts = share_json(robustness.contacts), pose = share_json(robustness.pose);
+  OrderedJson contacts = share_json(robustness.contacts), pose = share_json(robustness.pose);
   contacts["friction_sd_of_log"] = asked.contacts.friction;
   contacts["place_sd_m"] = asked.contacts.place;
   contacts["tilt_sd_rad"] = asked.contacts.tilt;

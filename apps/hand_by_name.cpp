@@ -18,7 +18,7 @@
 #include "grasp/guess_hand.h"
 #include "grasp/robot_hand.h"
 #include "grasp/tendon_closing.h"
-#include "tendons/hand/hand_use.h"
+#include "tendons/human/hand_use.h"
 
 namespace thenar {
 namespace {

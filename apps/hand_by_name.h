@@ -8,7 +8,7 @@
 
 #include "grasp/close_hand.h"
 #include "hand/hand.h"
-#include "tendons/hand/human_hand.h"
+#include "tendons/human/human_hand.h"
 
 namespace thenar {
 

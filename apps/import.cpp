@@ -17,8 +17,6 @@
 #include "apps/output_ending.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/shapes/mesh_check.h"
-#include "base/shapes/mesh_mend.h"
 #include "base/write_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
@@ -28,15 +26,17 @@
 #include "data/io/toml_node.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_mend.h"
 #include "grasp/guess_hand.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-struct Options {
+struct ImportArguments {
   std::string file, out;
   bool json = false;
   bool strict = false;
@@ -47,7 +47,7 @@ struct Options {
 
 /// What was read, told, and ready to be written.
 struct Imported {
-  Json report;
+  OrderedJson report;
   std::vector<std::string> endings;               // of outputs that it can be written to
   std::function<void(const std::string&)> write;  // to a path
   /// What a file of that ending could not say; empty: nothing is ever lost.
@@ -117,7 +117,7 @@ Imported import_robot_file(const std::string& path) {
 
 /// A body whose meshes bound solids: mended where it stands still anyway, or if asked to.
 /// @throws DataError naming the holes
-void settle_meshes(BodySpec& body, const Options& options, bool dynamic,
+void settle_meshes(BodySpec& body, const ImportArguments& options, bool dynamic,
                    std::vector<std::string>& warnings) {
   const std::string owner = fmt::format("{} '{}'", dynamic ? "body" : "obstacle", body.name);
   if (dynamic && !options.repair) {
@@ -134,7 +134,7 @@ void settle_meshes(BodySpec& body, const Options& options, bool dynamic,
     throw DataError(options.file, 1, fmt::format("{} is left without a shape", owner));
 }
 
-Imported import_body(BodySpec body, const std::string& kind, const Options& options,
+Imported import_body(BodySpec body, const std::string& kind, const ImportArguments& options,
                      std::vector<std::string> warnings) {
   settle_meshes(body, options, true, warnings);
   const std::string path = options.file;
@@ -145,7 +145,7 @@ Imported import_body(BodySpec body, const std::string& kind, const Options& opti
           }};
 }
 
-Imported import_world(WorldSpec world, const std::string& kind, const Options& options,
+Imported import_world(WorldSpec world, const std::string& kind, const ImportArguments& options,
                       std::vector<std::string> warnings) {
   for (PlacedBody& placed : world.bodies) {
     const std::size_t before = warnings.size();
@@ -167,7 +167,7 @@ Imported import_world(WorldSpec world, const std::string& kind, const Options& o
 }
 
 /// [m] in one unit of a mesh file.
-double scale_of(const Options& options) {
+double scale_of(const ImportArguments& options) {
   static const std::map<std::string, double> units{
       {"", 1}, {"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"in", 0.0254}};
   const auto found = units.find(options.units);
@@ -178,7 +178,7 @@ double scale_of(const Options& options) {
 
 /// A mesh as an object: its exact shapes if there are some.
 /// @param as_in_file  triangles are named, not written out
-BodySpec object_of(const MeshContent& content, const Options& options, bool as_in_file,
+BodySpec object_of(const MeshContent& content, const ImportArguments& options, bool as_in_file,
                    const std::string& out) {
   BodySpec body;
   body.name = fs::path(options.file).stem().string();
@@ -193,14 +193,14 @@ BodySpec object_of(const MeshContent& content, const Options& options, bool as_i
   }
   body.shapes = {shape};
   std::vector<std::string> ignored;
-  Options as_given = options;
+  ImportArguments as_given = options;
   as_given.repair = false;  // that has been done
   settle_meshes(body, as_given, true, ignored);
   point_to(body.shapes, "", out);
   return body;
 }
 
-Imported import_mesh(const Options& options) {
+Imported import_mesh(const ImportArguments& options) {
   const double scale = scale_of(options);
   MeshContent content = read_mesh_content(options.file, scale);
   TriangleMesh& mesh = content.mesh;
@@ -211,7 +211,7 @@ Imported import_mesh(const Options& options) {
     mesh = std::move(mended.mesh);
     repaired = mended.done;
   }
-  Json told = report(mesh, fs::path(options.file).stem());
+  OrderedJson told = report(mesh, fs::path(options.file).stem());
   told["holes_closed"] = holes - told["holes"].size();
   told["repaired"] = repaired;
   tell_exact(told, mesh, content.exact);
@@ -224,7 +224,7 @@ Imported import_mesh(const Options& options) {
           }};
 }
 
-Imported import_xml(const Options& options) {
+Imported import_xml(const ImportArguments& options) {
   const std::string& path = options.file;
   const std::string root = XmlFile(path).root_name();
   if (root == "world") {
@@ -249,7 +249,7 @@ FileKind kind_of_toml(const std::string& path) {
   }
 }
 
-Imported import_toml(const Options& options) {
+Imported import_toml(const ImportArguments& options) {
   const std::string& path = options.file;
   const FileKind kind = kind_of_toml(path);
   if (kind == FileKind::kRobot) return import_robot_file(path);
@@ -261,7 +261,7 @@ Imported import_toml(const Options& options) {
                               name_of(kind)));
 }
 
-Imported import_file(const Options& options) {
+Imported import_file(const ImportArguments& options) {
   const std::string& path = options.file;
   if (is_mesh_file(path)) return import_mesh(options);
   require(options.scale == 1 && options.units.empty(),
@@ -274,7 +274,7 @@ Imported import_file(const Options& options) {
   return import_toml(options);
 }
 
-void run(const Options& options) {
+void run_import(const ImportArguments& options) {
   const Imported imported = import_file(options);
   require_ending(options.out, imported.endings);
   fmt::print("{}{}", options.json ? json_text(imported.report) : report_text(imported.report),
@@ -291,7 +291,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_import(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImportArguments>();
   CLI::App* command = app.add_subcommand(
       "import", "Read a robot, world, object or mesh of any format; say what it holds; convert it");
   command
@@ -309,7 +309,7 @@ void add_import(CLI::App& app) {
   command->add_flag("--repair", options->repair,
                     "Mend meshes, also of bodies: close holes, turn triangles");
   command->add_flag("--strict", options->strict, "Fail if there are warnings");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_import(*options); });
 }
 
 }  // namespace thenar

@@ -7,18 +7,18 @@
 
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/shapes/mesh_check.h"
-#include "base/shapes/mesh_parts.h"
-#include "base/shapes/union_mass.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/world/body_mass.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
+#include "geometry/union_mass.h"
 
 namespace thenar {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+OrderedJson vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 /// A link that an importer put between the joints of one body, or under bodies without a base.
 bool is_added(const RobotLink& link, RobotFileKind kind) {
@@ -30,7 +30,7 @@ bool is_added(const RobotLink& link, RobotFileKind kind) {
   return between || (kind == RobotFileKind::kMjcf && link.name == "world");
 }
 
-Json counts(const RobotSpec& robot, RobotFileKind kind) {
+OrderedJson counts(const RobotSpec& robot, RobotFileKind kind) {
   const auto added = std::count_if(robot.links.begin(), robot.links.end(),
                                    [&](const RobotLink& link) { return is_added(link, kind); });
   const auto moving =
@@ -60,10 +60,10 @@ std::string effort_word(const RobotDof& dof) {
   return dof.nominal_effort ? "nominal" : "published";
 }
 
-Json dofs(const RobotSpec& robot) {
-  Json list = Json::array();
+OrderedJson dofs(const RobotSpec& robot) {
+  OrderedJson list = OrderedJson::array();
   for (const RobotDof& dof : robot.dofs) {
-    Json driven = Json::array();
+    OrderedJson driven = OrderedJson::array();
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof == dof.name) driven.push_back(joint.name);
     list.push_back({{"name", dof.name},
@@ -77,13 +77,13 @@ Json dofs(const RobotSpec& robot) {
   return list;
 }
 
-Json joints(const RobotSpec& robot) {
-  Json list = Json::array();
+OrderedJson joints(const RobotSpec& robot) {
+  OrderedJson list = OrderedJson::array();
   for (const RobotJoint& joint : robot.joints) {
-    Json entry{{"name", joint.name},
-               {"kind", name_of(joint.kind)},
-               {"parent", joint.parent},
-               {"child", joint.child}};
+    OrderedJson entry{{"name", joint.name},
+                      {"kind", name_of(joint.kind)},
+                      {"parent", joint.parent},
+                      {"child", joint.child}};
     if (joint.kind != RobotJointKind::kFixed) {
       entry.update({{"dof", joint.dof},
                     {"ratio", joint.ratio},
@@ -96,9 +96,9 @@ Json joints(const RobotSpec& robot) {
   return list;
 }
 
-Json links(const RobotSpec& robot) {
+OrderedJson links(const RobotSpec& robot) {
   const std::vector<Pose<double>> X = link_poses(robot, {});
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     list.push_back({{"name", robot.links[i].name},
                     {"mass_kg", robot.links[i].mass},
@@ -107,18 +107,18 @@ Json links(const RobotSpec& robot) {
   return list;
 }
 
-Json leaves(const RobotSpec& robot) {
+OrderedJson leaves(const RobotSpec& robot) {
   const std::vector<Pose<double>> X = link_poses(robot, {});
-  Json positions = Json::object();
+  OrderedJson positions = OrderedJson::object();
   for (const std::size_t leaf : leaf_links(robot))
     positions[robot.links[leaf].name] = vector_json(X[leaf].p);
   return positions;
 }
 
-Json shapes(const std::vector<ShapeSpec>& specs) {
-  Json list = Json::array();
+OrderedJson shapes(const std::vector<ShapeSpec>& specs) {
+  OrderedJson list = OrderedJson::array();
   for (const ShapeSpec& shape : specs) {
-    Json entry{{"kind", name_of(shape.kind)}};
+    OrderedJson entry{{"kind", name_of(shape.kind)}};
     if (shape.kind == ShapeKind::kMesh) {
       entry["triangles"] = shape.mesh.triangles.cols();
       entry["file"] = shape.mesh_file;
@@ -130,10 +130,10 @@ Json shapes(const std::vector<ShapeSpec>& specs) {
   return list;
 }
 
-Json mass_json(const BodySpec& body) {
+OrderedJson mass_json(const BodySpec& body) {
   if (body.mass) return body.mass->mass;
   if (!(body.spread_mass > 0) && body.density > 0) return body_mass(body).mass;
-  return body.spread_mass > 0 ? Json(body.spread_mass) : Json(nullptr);
+  return body.spread_mass > 0 ? OrderedJson(body.spread_mass) : OrderedJson(nullptr);
 }
 
 constexpr double kLargestMesh = 10;  // a larger one is in another unit [m]
@@ -187,23 +187,23 @@ Eigen::Matrix3d without_noise(const Eigen::Matrix3d& inertia) {
 }
 
 /// JSON on one line, its numbers to seven digits: a report shows no rounding.
-std::string rounded_text(Json value) {
-  const Json all = value.flatten();
+std::string rounded_text(OrderedJson value) {
+  const OrderedJson all = value.flatten();
   for (const auto& each : all.items())
     if (each.value().is_number_float())
-      value[Json::json_pointer(each.key())] =
+      value[OrderedJson::json_pointer(each.key())] =
           std::strtod(fmt::format("{:.7g}", each.value().get<double>()).c_str(), nullptr);
   return json_text(value, -1);
 }
 
-std::string line_of_text(const std::string& key, const Json& value) {
+std::string line_of_text(const std::string& key, const OrderedJson& value) {
   return fmt::format("{}: {}\n", key,
                      value.is_string() ? value.get<std::string>() : rounded_text(value));
 }
 
 }  // namespace
 
-Json report(const RobotSpec& robot, RobotFileKind kind) {
+OrderedJson report(const RobotSpec& robot, RobotFileKind kind) {
   double mass = 0;
   for (const RobotLink& link : robot.links) mass += link.mass;
   return {{"name", robot.name},
@@ -218,13 +218,13 @@ Json report(const RobotSpec& robot, RobotFileKind kind) {
           {"warnings", robot.warnings}};
 }
 
-Json report(const BodySpec& body, const std::string& kind,
-            const std::vector<std::string>& warnings) {
-  Json result{{"name", body.name},
-              {"kind", kind},
-              {"material", body.material},
-              {"mass_kg", mass_json(body)},
-              {"shapes", shapes(body.shapes)}};
+OrderedJson report(const BodySpec& body, const std::string& kind,
+                   const std::vector<std::string>& warnings) {
+  OrderedJson result{{"name", body.name},
+                     {"kind", kind},
+                     {"material", body.material},
+                     {"mass_kg", mass_json(body)},
+                     {"shapes", shapes(body.shapes)}};
   if (body.mass) {
     result["centre_of_mass_m"] = vector_json(body.mass->com);
     result["inertia_kg_m2"] = to_json(body.mass->inertia);
@@ -233,9 +233,9 @@ Json report(const BodySpec& body, const std::string& kind,
   return result;
 }
 
-Json report(const WorldSpec& world, const std::string& kind,
-            const std::vector<std::string>& warnings) {
-  Json hands = Json::array(), bodies = Json::array();
+OrderedJson report(const WorldSpec& world, const std::string& kind,
+                   const std::vector<std::string>& warnings) {
+  OrderedJson hands = OrderedJson::array(), bodies = OrderedJson::array();
   for (const PlacedHand& hand : world.hands)
     hands.push_back({{"name", hand.name},
                      {"file", hand.file},
@@ -261,12 +261,12 @@ Json report(const WorldSpec& world, const std::string& kind,
           {"warnings", warnings}};
 }
 
-Json report(const TriangleMesh& mesh, const std::string& name) {
+OrderedJson report(const TriangleMesh& mesh, const std::string& name) {
   const MeshReport found = check_mesh(mesh);
-  Json holes = Json::array();
+  OrderedJson holes = OrderedJson::array();
   for (const MeshHole& hole : found.holes)
     holes.push_back({{"edges", hole.loop.size()}, {"centre_m", vector_json(hole.centre)}});
-  Json warnings = Json::array();
+  OrderedJson warnings = OrderedJson::array();
   if (!found.holes.empty())
     warnings.push_back(
         fmt::format("the surface is open in {} place{}: it has no volume; --repair "
@@ -309,15 +309,17 @@ Json report(const TriangleMesh& mesh, const std::string& name) {
           {"degenerate_triangles", found.degenerate},
           {"lowest_corner_m", vector_json(mesh.vertices.rowwise().minCoeff())},
           {"highest_corner_m", vector_json(mesh.vertices.rowwise().maxCoeff())},
-          {"volume_m3", solid ? Json(mass.mass) : Json(nullptr)},
-          {"centre_of_mass_m", solid ? vector_json(mass.centre) : Json(nullptr)},
-          {"inertia_m5", solid ? Json(to_json(without_noise(mass.inertia))) : Json(nullptr)},
+          {"volume_m3", solid ? OrderedJson(mass.mass) : OrderedJson(nullptr)},
+          {"centre_of_mass_m", solid ? vector_json(mass.centre) : OrderedJson(nullptr)},
+          {"inertia_m5",
+           solid ? OrderedJson(to_json(without_noise(mass.inertia))) : OrderedJson(nullptr)},
           {"warnings", warnings}};
 }
 
-void tell_exact(Json& report, const TriangleMesh& mesh, const std::vector<ShapeSpec>& exact) {
+void tell_exact(OrderedJson& report, const TriangleMesh& mesh,
+                const std::vector<ShapeSpec>& exact) {
   if (exact.empty()) return;
-  Json told = shapes(exact), warnings = Json::array();
+  OrderedJson told = shapes(exact), warnings = OrderedJson::array();
   for (std::size_t i = 0; i < exact.size(); ++i) {
     told[i]["position_m"] = vector_json(exact[i].X_BS.p);
     told[i]["rotation"] = to_json(exact[i].X_BS.R);
@@ -337,7 +339,7 @@ void tell_exact(Json& report, const TriangleMesh& mesh, const std::vector<ShapeS
   report["warnings"] = warnings;
 }
 
-std::string report_text(const Json& report) {
+std::string report_text(const OrderedJson& report) {
   std::string text;
   for (const auto& [key, value] : report.items()) {
     const bool is_list = value.is_array() && !value.empty() && value[0].is_structured() &&
@@ -352,9 +354,9 @@ std::string report_text(const Json& report) {
       text += value.is_object() ? "  " + line_of_text(inner_key, inner)
                                 : "  " + rounded_text(inner) + "\n";
   }
-  const Json warnings = report.value("warnings", Json::array());
+  const OrderedJson warnings = report.value("warnings", OrderedJson::array());
   text += fmt::format("{}\n", warnings.empty() ? "no warnings" : "warnings:");
-  for (const Json& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
+  for (const OrderedJson& warning : warnings) text += "  " + warning.get<std::string>() + "\n";
   return text;
 }
 

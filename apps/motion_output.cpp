@@ -8,9 +8,9 @@
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
 #include "base/error.h"
 #include "base/provenance.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/trajectory_table.h"
@@ -19,8 +19,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr double kMm = 1e-3;  // [m]
 
 std::string ending(const std::string& path) { return std::filesystem::path(path).extension(); }
 

@@ -23,21 +23,21 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct PoseArguments {
   std::string subject, data;
   std::vector<std::string> digits, posture, frozen;
   bool json = false;
 };
 
 /// The robot that a name or a file stands for; empty: it is no robot, but a subject.
-std::string robot_of(const Options& options) {
+std::string robot_of(const PoseArguments& options) {
   namespace fs = std::filesystem;
   if (!is_file(options.subject)) return robot_file(options.subject, data_folders(options.data));
   if (fs::path(options.subject).extension() != ".toml") return options.subject;
   return find_file_kind(options.subject) == FileKind::kRobot ? options.subject : "";
 }
 
-void run_robot(const std::string& file, const Options& options) {
+void run_robot(const std::string& file, const PoseArguments& options) {
   require(options.digits.empty() && options.frozen.empty(),
           "--digit and --frozen are for subjects, '{}' is a robot", file);
   const RobotPose pose = pose_robot(import_robot(file), options.posture);
@@ -46,7 +46,7 @@ void run_robot(const std::string& file, const Options& options) {
   options.json ? print_json(pose) : print_text(pose);
 }
 
-void run(const Options& options) {
+void run_pose(const PoseArguments& options) {
   if (const std::string robot = robot_of(options); !robot.empty()) return run_robot(robot, options);
   const Subject subject = read_subject(options.subject);
   require(!subject.joints.empty(),
@@ -64,7 +64,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_pose(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PoseArguments>();
   CLI::App* command =
       app.add_subcommand("pose", "Joints, segments or links, and tips at a posture");
   command
@@ -77,7 +77,7 @@ void add_pose(CLI::App& app) {
   command->add_option("--frozen", options->frozen, "JOINT=degrees ...: joints welded there");
   command->add_option("--data", options->data, kDataHelp);
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_pose(*options); });
 }
 
 }  // namespace thenar

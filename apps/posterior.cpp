@@ -24,7 +24,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct PosteriorArguments {
   std::string posterior, output;
   std::vector<std::string> experiments;
   std::size_t rows = 20;
@@ -32,7 +32,7 @@ struct Options {
   bool json = false, population = false, allow_unconverged = false;
 };
 
-void summary(const Options& options) {
+void summary(const PosteriorArguments& options) {
   const PosteriorRun run = read_posterior(options.posterior);
   warn_unchecked(options.posterior);
   if (options.json)
@@ -50,7 +50,7 @@ Json provenance(const PosteriorRun& run) {
   return out;
 }
 
-void plot(const Options& options) {
+void plot(const PosteriorArguments& options) {
   require_ending(options.output, {".html"});
   require_writable(options.output);
   const PosteriorRun run = read_posterior(options.posterior);
@@ -67,7 +67,7 @@ void plot(const Options& options) {
   require_converged(run, options.allow_unconverged);
 }
 
-void predict(const Options& options) {
+void predict(const PosteriorArguments& options) {
   const PosteriorRun run = read_posterior(options.posterior);
   warn_unchecked(options.posterior);
   nlohmann::json out = nlohmann::json::array();
@@ -92,13 +92,14 @@ void predict(const Options& options) {
 }
 
 CLI::App* add(CLI::App& parent, const char* name, const char* text,
-              const std::shared_ptr<Options>& options, void (*run)(const Options&)) {
+              const std::shared_ptr<PosteriorArguments>& options,
+              void (*run)(const PosteriorArguments&)) {
   CLI::App* command = parent.add_subcommand(name, text);
   command->add_option("posterior", options->posterior, "Result file of `thenar fit --method mcmc`")
       ->required();
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Do not fail if the chains have not converged");
-  command->callback([options, run] { run(*options); });
+  command->callback([options, run] { run_posterior(*options); });
   return command;
 }
 
@@ -107,7 +108,7 @@ CLI::App* add(CLI::App& parent, const char* name, const char* text,
 void add_posterior(CLI::App& app) {
   CLI::App* command = app.add_subcommand("posterior", "What sampled parameters say");
   command->require_subcommand(1);
-  auto options = std::make_shared<Options>();  // lives as long as the callbacks
+  auto options = std::make_shared<PosteriorArguments>();  // lives as long as the callbacks
   CLI::App* first = add(*command, "summary", "Parameters, convergence, modes", options, summary);
   first->add_option("--rows", options->rows, "Parameters to print");
   first->add_flag("--json", options->json, "Print JSON");

@@ -49,10 +49,10 @@ std::map<std::string, double> parse_frozen(const Subject& subject,
 }
 
 void warn_of_limits(const Skeleton& skeleton, const Eigen::VectorXd& q) {
-  constexpr double kRounding = 1e-9;  // [rad]
+  constexpr double kSameAngle = 1e-9;  // [rad]
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
-    if (q[i] >= limits.lower - kRounding && q[i] <= limits.upper + kRounding) continue;
+    if (q[i] >= limits.lower - kSameAngle && q[i] <= limits.upper + kSameAngle) continue;
     fmt::print(stderr,
                "thenar: warning: joint '{}' at {:.4g} deg is outside {:.4g} .. {:.4g} deg\n",
                skeleton.coordinate_names[static_cast<std::size_t>(i)], q[i] / kDegree,

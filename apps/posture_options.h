@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
 

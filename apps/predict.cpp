@@ -18,7 +18,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct PredictArguments {
   std::string fit;
   std::vector<std::string> experiments;
   bool population = false;
@@ -27,7 +27,7 @@ struct Options {
 
 void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n", what); }
 
-void run(const Options& options) {
+void run_predict(const PredictArguments& options) {
   const Fit fit = read_fit(options.fit);
   warn_unchecked(options.fit);
   if (fit.solution.status != SolveStatus::kConverged)
@@ -57,14 +57,14 @@ void run(const Options& options) {
 }  // namespace
 
 void add_predict(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<PredictArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("predict", "Predict the forces of an experiment");
   command->add_option("fit", options->fit, "Result file of `thenar fit`")->required();
   command->add_option("experiments", options->experiments, "Experiment files")->required();
   command->add_flag("--population", options->population,
                     "Predict a fitted specimen as if it had never been seen");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_predict(*options); });
 }
 
 }  // namespace thenar

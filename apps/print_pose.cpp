@@ -6,11 +6,10 @@
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kMm = 1e-3;  // [m]
 
 void print_joints(const PoseReport& report) {
   Table table{{"joint", "angle_deg", "axis_x", "axis_y", "axis_z", "point_x_mm", "point_y_mm",

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -13,13 +13,13 @@ bool is_number(const std::string& cell) {
          (!cell.empty() && cell.find_first_not_of("0123456789.+-e") == std::string::npos);
 }
 
-struct Column {
+struct TextColumn {
   std::size_t width;
   bool right;  // flush right
 };
 
-Column column(const Table& table, std::size_t c) {
-  Column result{table.header[c].size(), true};
+TextColumn column(const Table& table, std::size_t c) {
+  TextColumn result{table.header[c].size(), true};
   for (const auto& cells : table.rows) {
     result.width = std::max(result.width, cells[c].size());
     result.right = result.right && is_number(cells[c]);
@@ -27,7 +27,7 @@ Column column(const Table& table, std::size_t c) {
   return result;
 }
 
-void add_line(const std::vector<std::string>& cells, const std::vector<Column>& columns,
+void add_line(const std::vector<std::string>& cells, const std::vector<TextColumn>& columns,
               std::string& text) {
   std::string line;
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -42,7 +42,7 @@ void add_line(const std::vector<std::string>& cells, const std::vector<Column>& 
 }  // namespace
 
 std::string aligned(const Table& table) {
-  std::vector<Column> columns;
+  std::vector<TextColumn> columns;
   for (std::size_t c = 0; c < table.header.size(); ++c) columns.push_back(column(table, c));
   std::string text;
   add_line(table.header, columns, text);

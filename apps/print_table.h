@@ -37,6 +37,11 @@ template <typename Vector>
 /// A row put together from lists of cells.
 [[nodiscard]] std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts);
 
+/// The text, or "-" where there is none.
+[[nodiscard]] inline std::string or_dash(const std::string& text) {
+  return text.empty() ? "-" : text;
+}
+
 /// "a, b, c", or "none".
 [[nodiscard]] std::string listed(const std::vector<std::string>& names);
 

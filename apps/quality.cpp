@@ -21,9 +21,9 @@
 namespace thenar {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-struct Options {
+struct QualityArguments {
   std::vector<std::string> files;
   ContactQuestion question;
   std::string norm = "l1", out;
@@ -33,7 +33,7 @@ struct Options {
 constexpr int kMostEdges = 1000;  // of a pyramid: finer ones take minutes and change nothing
 
 /// Prints the answer about a file. @return it as a line of JSON
-std::string answer_file(const std::string& path, const Options& options) {
+std::string answer_file(const std::string& path, const QualityArguments& options) {
   const ContactFile file = read_contact_file(path);
   const ContactAnswer found = answer(file, options.question);
   std::string line = json_text(json_of(path, file, found), -1) + "\n";
@@ -49,7 +49,7 @@ bool answer_stream(const ContactQuestion& question) {
   std::string text;
   for (int number = 1; std::getline(std::cin, text); ++number) {
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    Json line;
+    OrderedJson line;
     try {
       const ContactFile file = parse_contacts("stdin", text, number);
       line = json_of("stdin", file, answer(file, question));
@@ -65,7 +65,7 @@ bool answer_stream(const ContactQuestion& question) {
   return all;
 }
 
-void check(const Options& options) {
+void check(const QualityArguments& options) {
   const ContactQuestion& question = options.question;
   require(question.gap > 0, "wanted --gap above 0, got {}", question.gap);
   require(question.edges == 0 || (question.edges >= 3 && question.edges <= kMostEdges),
@@ -78,7 +78,7 @@ void check(const Options& options) {
 }
 
 /// File by file, so that Ctrl-C leaves what is done, and a broken file does not hinder others.
-void run(Options options) {
+void run_quality(QualityArguments options) {
   check(options);
   options.question.limit = options.norm == "l1" ? ForceLimit::kL1 : ForceLimit::kLinf;
   bool all = true;
@@ -102,7 +102,7 @@ void run(Options options) {
 }  // namespace
 
 void add_quality(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<QualityArguments>();
   CLI::App* command =
       app.add_subcommand("quality", "How large a wrench, from whatever direction, contacts bear");
   command->footer(
@@ -141,7 +141,7 @@ void add_quality(CLI::App& app) {
                     "Leave out the volume, which takes 80 to 5,000 times as long as epsilon");
   command->add_flag("--json", options->json, "Print JSON");
   for (CLI::Option* option : command->get_options()) option->capture_default_str();
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_quality(*options); });
 }
 
 }  // namespace thenar

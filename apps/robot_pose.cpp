@@ -9,8 +9,8 @@
 #include "apps/named_numbers.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "data/io/nearest_name.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/guess_hand.h"
@@ -19,10 +19,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kMm = 1e-3;        // [m]
-constexpr double kRounding = 1e-9;  // of limits and of values stated twice [rad] or [m]
-
-bool slides(const RobotJoint& joint) { return joint.kind == RobotJointKind::kPrismatic; }
+constexpr double kSameAngle = 1e-9;  // of limits and of values stated twice [rad] or [m]
 
 /// [rad] or [m] in what people type.
 double unit_of(bool sliding) { return sliding ? kMm : kDegree; }
@@ -31,12 +28,6 @@ const RobotDof* dof_named(const RobotSpec& robot, const std::string& name) {
   for (const RobotDof& dof : robot.dofs)
     if (dof.name == name) return &dof;
   return nullptr;
-}
-
-bool slides(const RobotSpec& robot, const RobotDof& dof) {
-  for (const RobotJoint& joint : robot.joints)
-    if (joint.dof == dof.name) return slides(joint);
-  return false;
 }
 
 /// Values as typed, by names of degrees of freedom and joints.
@@ -111,7 +102,7 @@ class Posture {
   void move(const RobotDof& dof, double value) {
     const auto [at, is_new] = dofs_.emplace(dof.name, value);
     require(
-        is_new || std::abs(at->second - value) < kRounding,
+        is_new || std::abs(at->second - value) < kSameAngle,
         "'{}' cannot stand at {:.6g} and at {:.6g} (rad or m) at once: joints of one motor move "
         "together",
         dof.name, at->second, value);
@@ -139,7 +130,7 @@ RobotSpec held(RobotSpec robot, const Posture& posture) {
 }
 
 void warn_of_limits(const RobotJoint& joint, double value, std::vector<std::string>& warnings) {
-  if (value >= joint.lower - kRounding && value <= joint.upper + kRounding) return;
+  if (value >= joint.lower - kSameAngle && value <= joint.upper + kSameAngle) return;
   const double unit = unit_of(slides(joint));
   warnings.push_back(fmt::format("joint '{}' at {:.4g} is outside {:.4g} .. {:.4g} {}", joint.name,
                                  value / unit, joint.lower / unit, joint.upper / unit,

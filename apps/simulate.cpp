@@ -26,7 +26,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct SimulateArguments {
   std::string subject, digit, net, excitation_file, output;
   std::vector<std::string> posture, frozen, excitation, tendon_slack;
   std::string muscle = "rigid-tendon", hood, path;
@@ -39,9 +39,6 @@ struct Options {
 const std::map<std::string, Muscle> kMuscles{{"bounds", Muscle::kBounds},
                                              {"rigid-tendon", Muscle::kRigidTendon},
                                              {"elastic-tendon", Muscle::kElasticTendon}};
-const std::map<std::string, Hood> kHoods{
-    {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
-
 template <typename Rung>
 std::vector<std::string> names_of(const std::map<std::string, Rung>& rungs) {
   std::vector<std::string> names;
@@ -65,7 +62,7 @@ void set_slack(Subject& subject, const std::vector<std::string>& texts) {
 }
 
 /// A net that is named means that the hood is one.
-std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& options) {
+std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const SimulateArguments& options) {
   TendonOptions rungs;
   const std::string name = net_meant(options.hood, options.net);
   if (!name.empty())
@@ -80,7 +77,8 @@ std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const Options& 
   return build_digit_tendons(subject, digit, rungs, &net);
 }
 
-Excitation excitation_of(const Options& options, const std::vector<std::string>& muscles) {
+Excitation excitation_of(const SimulateArguments& options,
+                         const std::vector<std::string>& muscles) {
   require(options.excitation.empty() != options.excitation_file.empty(),
           "wanted either --excitation MUSCLE=0..1 ... or --excitation-file");
   if (!options.excitation_file.empty())
@@ -90,12 +88,12 @@ Excitation excitation_of(const Options& options, const std::vector<std::string>&
       in_order(parse_named_numbers(options.excitation, "MUSCLE=0..1"), muscles, "muscle"));
 }
 
-Eigen::Vector3d gravity_of(const Options& options) {
+Eigen::Vector3d gravity_of(const SimulateArguments& options) {
   if (options.gravity.empty()) return Eigen::Vector3d::Zero();
   return {options.gravity[0], options.gravity[1], options.gravity[2]};
 }
 
-Trajectory trajectory_of(const Options& options, const Subject& subject,
+Trajectory trajectory_of(const SimulateArguments& options, const Subject& subject,
                          const DigitTendons& tendons) {
   const TendonDigit& digit = tendons.digit();
   const std::vector<std::string>& muscles = digit.names.muscles;
@@ -131,7 +129,7 @@ void require_end(const Trajectory& trajectory) {
           1e3 * balance.error, 1e3 * balance.turned_over);
 }
 
-void run(const Options& options) {
+void run_simulate(const SimulateArguments& options) {
   if (!options.output.empty()) require_motion_path(options.output);
   const SourceText source = read_source(options.subject);
   Subject subject = parse_subject(source.text, source.path);
@@ -167,7 +165,7 @@ void run(const Options& options) {
                                   options.output.empty() ? "above" : "in " + options.output));
 }
 
-void add_rungs(CLI::App& command, Options& options) {
+void add_rungs(CLI::App& command, SimulateArguments& options) {
   command.add_option("--muscle", options.muscle, "bounds, rigid-tendon or elastic-tendon")
       ->check(CLI::IsMember(names_of(kMuscles)));
   command.add_option("--hood", options.hood, "separate, fractions (default) or net")
@@ -193,7 +191,7 @@ void add_rungs(CLI::App& command, Options& options) {
 }  // namespace
 
 void add_simulate(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("simulate", "How a digit moves when muscles are excited");
   command->add_option("subject", options->subject, "Subject file (TOML)")->required();
   command->add_option("--digit", options->digit, "thumb, index, middle, ring or little");
@@ -211,7 +209,7 @@ void add_simulate(CLI::App& app) {
   add_rungs(*command, *options);
   command->add_option("-o,--output", options->output, "Table .csv, HDF5 .h5 or page .html");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_simulate(*options); });
 }
 
 }  // namespace thenar

@@ -13,7 +13,7 @@
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "viewer/report_page.h"
 #include "viewer/thumb_study_page.h"
@@ -21,7 +21,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct StudyArguments {
   std::string data, output;
   long draws = 0;
   int simulations = 0;
@@ -100,7 +100,7 @@ void print_study(const ThumbStudy& study) {
   print_table("Thumbs fitted to forces of a skewed one", table);
 }
 
-Json provenance(const ThumbStudy& study, const Options& options) {
+Json provenance(const ThumbStudy& study, const StudyArguments& options) {
   const ThumbStudyInputs& inputs = study.inputs;
   Json out = provenance_json({inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed},
                              study.truth.fidelity);
@@ -108,7 +108,8 @@ Json provenance(const ThumbStudy& study, const Options& options) {
   return out;
 }
 
-std::optional<ThumbCalibration> calibrate(const Options& options, const ThumbStudyInputs& inputs) {
+std::optional<ThumbCalibration> calibrate(const StudyArguments& options,
+                                          const ThumbStudyInputs& inputs) {
   if (options.simulations == 0 || interrupted()) return std::nullopt;
   ThumbCalibrationSettings settings;
   settings.simulations = options.simulations;
@@ -117,7 +118,7 @@ std::optional<ThumbCalibration> calibrate(const Options& options, const ThumbStu
   return calibrate_thumb(inputs, settings);
 }
 
-void run_thumb(const Options& options) {
+void run_thumb(const StudyArguments& options) {
   require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", options.data));
@@ -151,7 +152,7 @@ void run_thumb(const Options& options) {
 }  // namespace
 
 void add_study(CLI::App& app) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<StudyArguments>();  // lives as long as the callback
   CLI::App* study = app.add_subcommand("study", "Made-up experiments whose answer is known");
   study->require_subcommand(1);
   CLI::App* thumb = study->add_subcommand(

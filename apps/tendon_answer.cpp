@@ -7,15 +7,12 @@
 
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/net/band_course.h"
 #include "tendons/posture_slopes.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kMm = 1e-3;   // [m]
-constexpr double kNmm = 1e-3;  // [N m]
 
 /// A band of the answer, in display units.
 struct BandRow {
@@ -38,10 +35,6 @@ std::vector<BandRow> band_rows(const TendonCase& at, const DigitPoint& point) {
                     band.muscle < 0 ? band.slack / kMm : std::nan(""), tension});
   }
   return rows;
-}
-
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
 /// Terminal per central slip; NaN if the central one is slack.

@@ -33,7 +33,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct TendonInferArguments {
   std::string experiment, subject, output;
   std::string net = "winslow", path;
   std::string method = "sparse";
@@ -43,7 +43,7 @@ struct Options {
 };
 
 /// What was inferred, and the tests that would tell most now.
-struct Answer {
+struct NetAnswer {
   InferredNet net;
   std::vector<TestPromise> next;
   std::string stop;  // why the search for nets ended; empty: it is no search
@@ -59,7 +59,7 @@ struct Case {
   Json provenance;
 };
 
-Case read_case(const Options& options) {
+Case read_case(const TendonInferArguments& options) {
   Case at;
   const SourceText experiment = read_source(options.experiment),
                    person = read_source(options.subject), bands = net_source(options.net);
@@ -82,11 +82,11 @@ Case read_case(const Options& options) {
   return at;
 }
 
-Answer by_selection(const Case& at, const Progress& progress) {
+NetAnswer by_selection(const Case& at, const Progress& progress) {
   BandFitter fitter(at.candidate, at.records);
   TriedNets tried(fitter);
   (void)select_bands(tried, {}, progress);
-  Answer out{weigh_bands(tried, {}, progress), {}, ""};
+  NetAnswer out{weigh_bands(tried, {}, progress), {}, ""};
   if (!out.net.found) return out;
   // Models weigh, and readings differ, by the noise that the best of them leaves.
   std::vector<TriedNet> nets = out.net.alike;
@@ -99,7 +99,7 @@ Answer by_selection(const Case& at, const Progress& progress) {
   return out;
 }
 
-Answer by_search(const Case& at, unsigned seed, const Progress& progress) {
+NetAnswer by_search(const Case& at, unsigned seed, const Progress& progress) {
   std::mt19937 random(seed);
   ExploreOptions options;
   options.noise = at.noise;
@@ -108,11 +108,8 @@ Answer by_search(const Case& at, unsigned seed, const Progress& progress) {
   return {std::move(found.net), std::move(found.next), to_string(found.stop)};
 }
 
-nlohmann::json number_or_null(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::ordered_json to_json(const Case& at, const Answer& answer, const Options& options) {
+nlohmann::ordered_json to_json(const Case& at, const NetAnswer& answer,
+                               const TendonInferArguments& options) {
   nlohmann::ordered_json bands = nlohmann::ordered_json::array(), next = bands, groups = bands;
   for (const BandVerdict& band : answer.net.verdicts)
     bands.push_back(
@@ -162,7 +159,7 @@ Table table_of(const InferredNet& net) {
 }
 
 /// What not to trust of the fits behind the verdicts, a sentence each.
-std::vector<std::string> doubts_of(const Answer& answer) {
+std::vector<std::string> doubts_of(const NetAnswer& answer) {
   std::vector<std::string> doubts, open;
   for (const BandVerdict& band : answer.net.verdicts)
     if (!band.converged) open.push_back(band.name);
@@ -174,7 +171,7 @@ std::vector<std::string> doubts_of(const Answer& answer) {
   return doubts;
 }
 
-void print_text(const Case& at, const Answer& answer, const Options& options) {
+void print_text(const Case& at, const NetAnswer& answer, const TendonInferArguments& options) {
   const InferredNet& net = answer.net;
   fmt::print("{}: {} readings of muscles that pull net {}\n", at.experiment.name, net.rows,
              at.candidate.net.name);
@@ -197,7 +194,7 @@ void print_text(const Case& at, const Answer& answer, const Options& options) {
   print_table("Measure next (tensions in N)", next);
 }
 
-void write_page(const Case& at, const Answer& answer, const Options& options) {
+void write_page(const Case& at, const NetAnswer& answer, const TendonInferArguments& options) {
   Json bands = Json::array();
   for (const auto& row : table_of(answer.net).rows) bands.push_back(row);
   Json next = Json::array();
@@ -224,13 +221,13 @@ void write_page(const Case& at, const Answer& answer, const Options& options) {
                options.output);
 }
 
-void run(const Options& options) {
+void run_tendon_infer(const TendonInferArguments& options) {
   require(options.method == "sparse" || options.method == "explore",
           "method must be sparse or explore, got '{}'", options.method);
   require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   Case at;
-  Answer answer;
+  NetAnswer answer;
   {
     const Progress progress = terminal_progress();
     progress(0, "tests");
@@ -251,7 +248,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tendon_infer(CLI::App& tendon) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<TendonInferArguments>();  // lives as long as the callback
   CLI::App* command =
       tendon.add_subcommand("infer", "Which bands of a net measured forces ask for");
   command->add_option("experiment", options->experiment, "Experiment file")->required();
@@ -263,7 +260,7 @@ void add_tendon_infer(CLI::App& tendon) {
   command->add_option("--seed", options->seed, "Of the search");
   command->add_option("-o,--output", options->output, "Page to write (.html)");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_tendon_infer(*options); });
 }
 
 }  // namespace thenar

@@ -13,9 +13,6 @@
 namespace thenar {
 namespace {
 
-const std::map<std::string, Hood> kHoods{
-    {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
-
 std::unique_ptr<DigitTendons> build(const Subject& subject, const std::string& digit,
                                     const TendonQuestion& question) {
   TendonOptions options;

@@ -2,6 +2,7 @@
 
 /// What every question about the tendons of one digit starts from.
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,10 @@
 #include "tendons/net/digit_sweep.h"
 
 namespace thenar {
+
+/// Rungs of the hood by their names on the command line.
+inline const std::map<std::string, Hood> kHoods{
+    {"separate", Hood::kSeparate}, {"fractions", Hood::kFractions}, {"net", Hood::kFloatingNet}};
 
 /// The options, as typed.
 struct TendonQuestion {

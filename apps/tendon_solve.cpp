@@ -18,13 +18,13 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct TendonSolveArguments {
   TendonQuestion question;
   std::string output;
   bool json = false;
 };
 
-void run(const Options& options) {
+void run_tendon_solve(const TendonSolveArguments& options) {
   require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
@@ -51,12 +51,12 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tendon_solve(CLI::App& tendon) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<TendonSolveArguments>();  // lives as long as the callback
   CLI::App* command = tendon.add_subcommand("solve", "Bands, slips, torques and tip force");
   add_options(*command, options->question);
   command->add_option("-o,--output", options->output, "Page to write (.html)");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_tendon_solve(*options); });
 }
 
 }  // namespace thenar

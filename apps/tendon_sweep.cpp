@@ -24,7 +24,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct TendonSweepArguments {
   TendonQuestion question;
   std::vector<std::string> vary;
   std::string output;
@@ -49,7 +49,7 @@ std::vector<DigitPoint> sweep_rows(const TendonCase& at, const VariedJoints& var
   return points;
 }
 
-void write(const Options& options, const TendonCase& at, const VariedJoints& varied,
+void write(const TendonSweepArguments& options, const TendonCase& at, const VariedJoints& varied,
            const std::vector<DigitPoint>& points) {
   if (std::filesystem::path(options.output).extension() == ".csv")
     write_file(options.output, csv_of(at, points));
@@ -92,7 +92,7 @@ void refuse_untrusted(const TendonCase& at, const VariedJoints& varied,
       angles_in_words(at, varied, first->q), name_of(first->pull.status), trouble_of(*first)));
 }
 
-void run(const Options& options) {
+void run_tendon_sweep(const TendonSweepArguments& options) {
   require_ending(options.output, {".csv", ".html"});
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
@@ -117,7 +117,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tendon_sweep(CLI::App& tendon) {
-  auto options = std::make_shared<Options>();  // lives as long as the callback
+  auto options = std::make_shared<TendonSweepArguments>();  // lives as long as the callback
   CLI::App* command = tendon.add_subcommand("sweep", "The same over postures");
   add_options(*command, options->question);
   command
@@ -126,7 +126,7 @@ void add_tendon_sweep(CLI::App& tendon) {
       ->required();
   command->add_option("-o,--output", options->output, "Page (.html) or table (.csv) to write");
   command->add_flag("--json", options->json, "Print JSON, not CSV");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_tendon_sweep(*options); });
 }
 
 }  // namespace thenar

@@ -6,7 +6,7 @@
 
 #include "apps/tendon_answer.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

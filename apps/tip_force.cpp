@@ -13,17 +13,15 @@
 #include "apps/named_numbers.h"
 #include "apps/print_table.h"
 #include "apps/to_json.h"
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tendons/posture_slopes.h"
 #include "tendons/tip_wrench.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kNmm = 1e-3;  // [N m]
-
-struct Options {
+struct TipForceArguments {
   DigitQuestion question;
   std::vector<std::string> tension;
   std::string hold = "pinned";
@@ -32,7 +30,7 @@ struct Options {
 };
 
 /// A pinned or a held tip; a pinned one has no moment.
-struct Answer {
+struct TipAnswer {
   Eigen::Vector3d force, moment;  // of the tip on the world, world axes [N], [N m] (3)
   Eigen::VectorXd left;           // torque that nothing balances [N m] (rows)
   double condition;
@@ -40,13 +38,13 @@ struct Answer {
   std::string note;        // what to beware of; may be empty
 };
 
-void add_note(const std::string& note, Answer& answer) {
+void add_note(const std::string& note, TipAnswer& answer) {
   if (!note.empty()) answer.note += (answer.note.empty() ? "" : "; ") + note;
 }
 
-Answer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
+TipAnswer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
   const TipForce result = tip_force(at.statics, t);
-  Answer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, {}, ""};
+  TipAnswer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, {}, ""};
   if (result.rank < 3)
     answer.note = "singular posture: of the forces that leave the least torque, this is the least";
   if (!at.map.empty()) return answer;
@@ -55,9 +53,9 @@ Answer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
   return answer;
 }
 
-Answer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
+TipAnswer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
   const TipWrench result = tip_wrench(at.statics, t, {length});
-  Answer answer{result.f_W, result.m_W, result.tau_left, result.condition, {}, ""};
+  TipAnswer answer{result.f_W, result.m_W, result.tau_left, result.condition, {}, ""};
   answer.change =
       tip_wrench_slopes(at.statics, at.slopes, t, {length}).bottomRows<3>().colwise().norm();
   if (result.minimum_norm)
@@ -69,8 +67,8 @@ Answer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
   return answer;
 }
 
-void print_json(const Options& options, const DigitAtPosture& at, const Eigen::VectorXd& t,
-                const Answer& answer) {
+void print_json(const TipForceArguments& options, const DigitAtPosture& at,
+                const Eigen::VectorXd& t, const TipAnswer& answer) {
   nlohmann::ordered_json json = json_header(at);
   json["hold"] = options.hold;
   json["tension_N"] = to_json(at.statics.muscles, t);
@@ -92,7 +90,8 @@ void print_json(const Options& options, const DigitAtPosture& at, const Eigen::V
   fmt::print("{}\n", json_text(json));
 }
 
-void print_text(const Options& options, const DigitAtPosture& at, const Answer& answer) {
+void print_text(const TipForceArguments& options, const DigitAtPosture& at,
+                const TipAnswer& answer) {
   fmt::print("{}\n", text_header(at));
   Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
   const auto add = [&](const std::string& axes, const Eigen::Vector3d& f) {
@@ -120,7 +119,7 @@ void print_text(const Options& options, const DigitAtPosture& at, const Answer& 
   if (!answer.note.empty()) fmt::print("note: {}\n", answer.note);
 }
 
-void run(const Options& options) {
+void run_tip_force(const TipForceArguments& options) {
   const DigitAtPosture at = find_digit(options.question);
   require(at.map.empty() || options.hold == "pinned",
           "tip map '{}' gives forces whatever the hold; leave out --hold rigid", at.map);
@@ -129,7 +128,7 @@ void run(const Options& options) {
   for (Eigen::Index i = 0; i < t.size(); ++i)
     require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
             at.statics.muscles[static_cast<std::size_t>(i)], t[i]);
-  const Answer answer =
+  const TipAnswer answer =
       options.hold == "rigid" ? held(at, t, 1e-3 * options.hold_length_mm) : pinned(at, t);
   options.json ? print_json(options, at, t, answer) : print_text(options, at, answer);
 }
@@ -137,7 +136,7 @@ void run(const Options& options) {
 }  // namespace
 
 void add_tip_force(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TipForceArguments>();
   CLI::App* command = app.add_subcommand("tip-force", "Force of a fingertip from tendon tensions");
   add_options(*command, options->question);
   command->add_option("--tension", options->tension, "MUSCLE=newton ...; others are slack")
@@ -147,7 +146,7 @@ void add_tip_force(CLI::App& app) {
   command->add_option("--hold-length", options->hold_length_mm,
                       "How the norm of a rigid hold weighs moments [mm]");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_tip_force(*options); });
 }
 
 }  // namespace thenar

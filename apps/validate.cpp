@@ -17,7 +17,7 @@
 namespace thenar {
 namespace {
 
-struct Options {
+struct ValidateArguments {
   std::vector<std::string> files;
   bool json = false;
 };
@@ -49,7 +49,7 @@ Line check(const std::string& path) {
   }
 }
 
-void run(const Options& options) {
+void run_validate(const ValidateArguments& options) {
   bool all_valid = true;
   nlohmann::ordered_json json = nlohmann::ordered_json::array();
   for (const std::string& path : options.files) {
@@ -70,11 +70,11 @@ void run(const Options& options) {
 }  // namespace
 
 void add_validate(CLI::App& app) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ValidateArguments>();
   CLI::App* command = app.add_subcommand("validate", "Say what files are, or what is wrong");
   command->add_option("files", options->files, "Files to check (TOML, HDF5)")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options] { run(*options); });
+  command->callback([options] { run_validate(*options); });
 }
 
 }  // namespace thenar

@@ -6,8 +6,8 @@
 #include "apps/named_numbers.h"
 #include "apps/posture_options.h"
 #include "apps/print_table.h"
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostPostures = 1000000;
 
 /// One joint and its angles.
-struct Range {
+struct AngleRange {
   int joint;
   std::vector<double> angles;  // [rad]
 };
@@ -36,7 +36,7 @@ std::vector<double> parse_angles(const std::string& text) {
   return angles;
 }
 
-Range parse_range(const Skeleton& skeleton, const std::string& text) {
+AngleRange parse_range(const Skeleton& skeleton, const std::string& text) {
   const std::size_t equals = text.find('=');
   require(equals != std::string::npos, "wanted JOINT=from:to:step, got '{}'", text);
   const std::string name = text.substr(0, equals);
@@ -52,7 +52,7 @@ VariedJoints parse_varied(const Skeleton& skeleton, const Eigen::VectorXd& q,
                           const std::vector<std::string>& texts) {
   VariedJoints varied{{}, 1, {q}};
   for (const std::string& text : texts) {
-    const Range range = parse_range(skeleton, text);
+    const AngleRange range = parse_range(skeleton, text);
     require(std::count(varied.joints.begin(), varied.joints.end(), range.joint) == 0,
             "joint of '{}' varies twice", text);
     require(varied.postures.size() * range.angles.size() <= kMostPostures, "more than {} postures",

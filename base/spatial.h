@@ -13,6 +13,10 @@ template <typename T>
 using Vec3 = Eigen::Matrix<T, 3, 1>;
 template <typename T>
 using Mat3 = Eigen::Matrix<T, 3, 3>;
+template <typename T>
+using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
+template <typename T>
+using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// X_AB: carries coordinates from frame B to frame A,  p_A = R_AB p_B + p_AB.
 template <typename T>

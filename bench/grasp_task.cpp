@@ -3,7 +3,7 @@
 #include <ctime>
 #include <random>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "grasp/approach.h"
 #include "grasp/close_hand.h"
 #include "grasp/closing_drives.h"

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "base/angles.h"
-#include "base/shapes/mesh_distance.h"
-#include "base/shapes/tessellate.h"
+#include "base/units.h"
 #include "bench/ratios.h"
-#include "grasp/contact/fcl_separation.h"
-#include "grasp/contact/separation.h"
+#include "geometry/collision/fcl_separation.h"
+#include "geometry/collision/separation.h"
+#include "geometry/mesh_distance.h"
+#include "geometry/tessellate.h"
 
 namespace thenar::bench {
 namespace {

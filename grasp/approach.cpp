@@ -1,21 +1,15 @@
 #include "grasp/approach.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace thenar {
-namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 Approached approach(const TouchingHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                     const Scene& scene, double way, const CloseOptions& options) {
   require_start(*hand.hand, q);
-  require(way >= 0 && way < kInfinite, "the way of an approach is {} m", way);
+  require(way >= 0 && way < kInfinity, "the way of an approach is {} m", way);
   Approached result;
   result.X_WH = X_WH;
   PosedHand posed{hand, X_WH, hand.hand->pose(q)};

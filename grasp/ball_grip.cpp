@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "base/numbers.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/closing_drives.h"
 
@@ -14,7 +14,6 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kPoints = 150;         // of a link
 constexpr double kTouch = 5e-4;      // gap that counts as touching [m]
 constexpr double kStill = 1e-7;      // way that is none [m]
@@ -110,7 +109,7 @@ Vector3d from(const std::vector<Pose<double>>& links, int link, const Vector3d& 
 std::pair<Eigen::Index, double> nearest(const GripSurface& surface, const Vector3d& p,
                                         double reach) {
   Eigen::Index index = -1;
-  if ((p - surface.centre).norm() > reach + surface.radius) return {index, kInfinite};
+  if ((p - surface.centre).norm() > reach + surface.radius) return {index, kInfinity};
   const double distance =
       std::sqrt((surface.p.colwise() - p).colwise().squaredNorm().minCoeff(&index));
   return {index, distance};
@@ -123,15 +122,6 @@ HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
 }
 
 /// Until the last coordinate is at its limit [s].
-double whole_time(const HandLayout& layout, const Eigen::VectorXd& q,
-                  const Eigen::VectorXd& rates) {
-  double time = 0;
-  for (Eigen::Index j = 0; j < q.size(); ++j)
-    if (rates[j] != 0)
-      time = std::max(time, ((rates[j] > 0 ? layout.upper : layout.lower)[j] - q[j]) / rates[j]);
-  return time;
-}
-
 }  // namespace
 
 BallGrip::BallGrip(const RobotSpec& robot) : hand_(without_shapes(robot)) {
@@ -160,7 +150,7 @@ BallGrip::BallGrip(const RobotSpec& robot) : hand_(without_shapes(robot)) {
 
 double BallGrip::meets(const std::vector<Pose<double>>& links, const Vector3d& origin,
                        const Vector3d& direction, double radius) const {
-  double way = -kInfinite;
+  double way = -kInfinity;
   for (const GripSurface& surface : surfaces_) {
     const Vector3d o = from(links, surface.link, origin),
                    d = surface.link < 0
@@ -204,9 +194,9 @@ std::vector<GripContact> BallGrip::close(const std::vector<Drive>& drives, Eigen
                                          const std::vector<std::string>& self) const {
   const HandLayout layout = with_drives(hand_.layout(), drives);
   ClosingDrives closing(layout);
-  const double time = whole_time(layout, q, closing.rates());
+  const double time = time_to_limits(layout, q, closing.rates());
   std::vector<Pose<double>> links = hand_.pose(q);
-  std::vector<double> gaps(surfaces_.size(), -kInfinite);
+  std::vector<double> gaps(surfaces_.size(), -kInfinity);
   std::vector<bool> near_at_start(surfaces_.size() * surfaces_.size(), false);
   const auto stands = [&](const GripSurface& surface) {
     return std::find(self.begin(), self.end(), surface.digit) != self.end();

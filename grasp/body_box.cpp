@@ -5,7 +5,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/shapes/mass_properties.h"
+#include "geometry/mass_properties.h"
 
 namespace thenar {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "grasp/link_motion.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSoftWay = 1e-3;  // between two looks at soft links that slide [m]
 
 /// Speed and turn of one thing as seen from another.
@@ -62,8 +61,8 @@ class Closing {
 
   /// Until rates are to be asked for again.
   double time_to_refresh() const {
-    if (!options_.rates) return kInfinite;
-    double time = kInfinite;
+    if (!options_.rates) return kInfinity;
+    double time = kInfinity;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const double rate = std::abs(drives_.rates()[j]);
       const double left = options_.refresh - std::abs(q_[j] - followed_[j]);
@@ -127,7 +126,7 @@ class Closing {
   }
 
   double time_to_limits() const {
-    double time = kInfinite;
+    double time = kInfinity;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const double rate = drives_.rates()[j];
       if (rate != 0) time = std::min(time, std::max(0.0, (limit(j) - q_[j]) / rate));

@@ -78,6 +78,16 @@ void ClosingDrives::stop(int coordinate, StoppedBy why) {
   }
 }
 
+double time_to_limits(const HandLayout& layout, const Eigen::VectorXd& q,
+                      const Eigen::VectorXd& rates) {
+  double time = 0;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double limit = rates[j] > 0 ? layout.upper[j] : layout.lower[j];
+    if (rates[j] != 0) time = std::max(time, (limit - q[j]) / rates[j]);
+  }
+  return time;
+}
+
 Eigen::VectorXd open_posture(const HandLayout& layout) {
   if (layout.open.size() > 0) return layout.open;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();

@@ -45,6 +45,12 @@ class ClosingDrives {
   std::vector<StoppedBy> stopped_;
 };
 
+/// How long joints take at constant rates until the last of those that move is at its limit [s].
+/// @param q      start [rad] or [m] (coordinates)
+/// @param rates  [rad/s] or [m/s] (coordinates)
+[[nodiscard]] double time_to_limits(const HandLayout& layout, const Eigen::VectorXd& q,
+                                    const Eigen::VectorXd& rates);
+
 /// Where closing begins: the hand's own HandLayout::open; where it states none, coordinates that
 /// drives move at the limit they come from, the others at zero or the limit next to it.
 /// (coordinates)

@@ -10,14 +10,14 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlong = 0.7;      // cosine to the last joint's axis from which a joint curls [1]
-constexpr double kSameWay = 0.7;    // cosine between ways of tips that are fingers of one kind [1]
-constexpr double kAlike = 1e-9;     // change of distances between tips that is none [1]
-constexpr double kNothing = 1e-9;   // spin or way that is none [1], [m]
-constexpr double kUndecided = 0.1;  // difference of ranges that says nothing [1]
-constexpr double kHardlyNear = 1e-3;  // difference of nearness that says nothing [1]
-constexpr double kAgainst = 0.4;      // weight of ranges that speak against a way of closing [1]
-constexpr double kDoubtful = 0.35;    // difference of ranges up to which the other way is tried [1]
+constexpr double kAlong = 0.7;    // cosine to the last joint's axis from which a joint curls [1]
+constexpr double kSameWay = 0.7;  // cosine between ways of tips that are fingers of one kind [1]
+constexpr double kSameDistance = 1e-9;  // change of distances between tips that is none [1]
+constexpr double kNothing = 1e-9;       // spin or way that is none [1], [m]
+constexpr double kUndecided = 0.1;      // difference of ranges that says nothing [1]
+constexpr double kHardlyNear = 1e-3;    // difference of nearness that says nothing [1]
+constexpr double kAgainst = 0.4;        // weight of ranges that speak against a way of closing [1]
+constexpr double kDoubtful = 0.35;  // difference of ranges up to which the other way is tried [1]
 constexpr std::size_t kRow = 3;  // fingers that make a palm, which things come at along its normal
 constexpr double kOpposition = 0.6;    // range from which a turning motor may oppose [rad]
 constexpr double kFarther = 1.4;       // how much farther than the others' [1]
@@ -121,7 +121,7 @@ bool DigitMotion::moves_alike(std::size_t drive) const {
   const double up = apart(moved(senses, 0.1));
   senses[drive] = -1;
   const double down = apart(moved(senses, 0.1));
-  return std::abs(up - down) <= kAlike * std::max(up, down);
+  return std::abs(up - down) <= kSameDistance * std::max(up, down);
 }
 
 void DigitMotion::sort_drives() {

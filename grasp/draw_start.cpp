@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/angles.h"
 #include "base/spatial.h"
+#include "base/units.h"
 #include "grasp/closing_drives.h"
 #include "grasp/draw_uniform.h"
 #include "grasp/tip_ways.h"
@@ -20,12 +20,12 @@ constexpr double kOffAny = 0.5;  // the same of approaches from anywhere [1]
 constexpr int kPreshapes = 4;  // of so many approaches one begins open
 
 /// What every approach draws, in [0, 1).
-struct Draws {
+struct StartDraws {
   double kind, side, half_turn;
   std::array<double, 3> turn, aim;
 };
 
-Draws draw(std::mt19937& random) {
+StartDraws draw(std::mt19937& random) {
   std::array<double, 9> u{};
   for (double& each : u) each = draw_uniform(random);
   return {u[0], u[1], u[2], {u[3], u[4], u[5]}, {u[6], u[7], u[8]}};
@@ -51,7 +51,7 @@ Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
 
 /// R_WH of an approach along the object's axes.
 Eigen::Matrix3d along_axes(const TouchingHand& hand, const Eigen::VectorXd& q,
-                           const SceneBody& object, const Draws& u) {
+                           const SceneBody& object, const StartDraws& u) {
   const Eigen::Matrix3d axes = object.X_WB.R * object.box.axes;
   const int side = std::min(5, static_cast<int>(6 * u.side));
   const int from = side / 2, shorter = from == 2 ? 1 : 2;
@@ -62,7 +62,7 @@ Eigen::Matrix3d along_axes(const TouchingHand& hand, const Eigen::VectorXd& q,
 }
 
 /// R_WH of an approach from anywhere.
-Eigen::Matrix3d any(const TouchingHand& hand, const Draws& u) {
+Eigen::Matrix3d any(const TouchingHand& hand, const StartDraws& u) {
   const Eigen::Vector3d towards = on_sphere(u.turn), &d = hand.hand->layout().approach.direction;
   return rotation_about<double>(towards, 2 * kPi * u.turn[2]) *
          turn_to(d, tangents(d).e1, towards, tangents(towards).e1);
@@ -91,7 +91,7 @@ double far_off(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBo
 
 Pose<double> draw_start(const TouchingHand& hand, const Eigen::VectorXd& q, const SceneBody& object,
                         std::mt19937& random) {
-  const Draws u = draw(random);
+  const StartDraws u = draw(random);
   const bool axes = u.kind < 0.5;
   const PalmApproach& approach = hand.hand->layout().approach;
   Pose<double> X_WH;

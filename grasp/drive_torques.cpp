@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "grasp/quality/stops.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How far behind the drive a joint still counts as coupled, of the drive [rad] or [m].
 constexpr double kCoupled = 1e-6;

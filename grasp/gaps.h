@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "grasp/contact/separation.h"
+#include "geometry/collision/separation.h"
 #include "grasp/scene.h"
 #include "grasp/touching_hand.h"
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
 #include "grasp/ball_grip.h"
 #include "grasp/closing_drives.h"
 #include "grasp/digit_motion.h"
@@ -19,7 +19,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kBall = 0.035;    // radius of the ball that hands of human size are tried on [m]
 constexpr double kOfReach = 0.35;  // its radius by the length of a finger [1]
 constexpr double kHumanSize[] = {0.5, 2};  // of that, by kBall [1]
@@ -32,7 +31,7 @@ struct Candidate {
   VectorXd open;           // (coordinates)
   Vector3d origin{0, 0, 0}, direction{0, 0, 1};
   double against = 0;  // what speaks against it
-  double score = -kInfinite;
+  double score = -kInfinity;
 };
 
 /// A direction of approach, and the points across it through which a ball may come.
@@ -101,7 +100,7 @@ class Search {
   [[nodiscard]] bool place(const Candidate& candidate, const std::vector<Pose<double>>& links,
                            GripBall& ball) const {
     const double way = grip_.meets(links, candidate.origin, candidate.direction, ball.radius);
-    if (way == -kInfinite) return false;
+    if (way == -kInfinity) return false;
     ball.centre = candidate.origin + (way + 1e-4) * candidate.direction;
     return true;
   }

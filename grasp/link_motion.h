@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "grasp/contact/touch_body.h"
+#include "geometry/collision/touch_body.h"
 #include "hand/hand.h"
 
 namespace thenar {

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/parallel.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/closing_drives.h"
@@ -18,8 +18,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Crossing of limits that is rounding: printed figures have nine decimals [rad] or [m].
 constexpr double kLimitRounding = 1e-8;
 
@@ -30,7 +28,7 @@ int index_of_dof(const RobotSpec& robot, const std::string& name) {
 }
 
 /// An interval that others narrow.
-struct Interval {
+struct AngleInterval {
   double lower = -kInfinity, upper = kInfinity;
 
   void narrow(double a, double b) {
@@ -95,7 +93,7 @@ void RobotHand::add_movers(const RobotSpec& robot) {
 }
 
 void RobotHand::add_coordinates(const RobotSpec& robot) {
-  std::vector<Interval> limits;
+  std::vector<AngleInterval> limits;
   std::vector<int> shared(robot.dofs.size(), -1);  // coordinate of a rigid degree of freedom
   std::size_t next = 0;
   for (const RobotJoint& joint : robot.joints) {
@@ -113,7 +111,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
       layout_.coordinates.push_back(rigid ? dof->name : joint.name);
       if (rigid) shared[static_cast<std::size_t>(mover.dof)] = mover.coordinate;
     }
-    Interval& limit = limits[static_cast<std::size_t>(mover.coordinate)];
+    AngleInterval& limit = limits[static_cast<std::size_t>(mover.coordinate)];
     if (joint.curve.empty())  // else check_robot() has held it against its motor's range
       limit.narrow((joint.lower - joint.offset) / mover.ratio,
                    (joint.upper - joint.offset) / mover.ratio);
@@ -125,7 +123,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
   layout_.lower.resize(static_cast<Eigen::Index>(limits.size()));
   layout_.upper.resize(static_cast<Eigen::Index>(limits.size()));
   for (std::size_t i = 0; i < limits.size(); ++i) {
-    const Interval& limit = limits[i];
+    const AngleInterval& limit = limits[i];
     require(limit.lower <= limit.upper + kLimitRounding,
             "limits of '{}' and of what it drives leave nothing: {} .. {}", layout_.coordinates[i],
             limit.lower, limit.upper);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/shapes/solid.h"
+#include "geometry/solid.h"
 
 namespace thenar {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/shapes/solid.h"
 #include "base/spatial.h"
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
+#include "geometry/solid.h"
 #include "grasp/body_box.h"
 
 namespace thenar {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angles.h"
 #include "base/error.h"
-#include "grasp/contact/curvature.h"
+#include "base/units.h"
+#include "geometry/collision/curvature.h"
 #include "grasp/contact/soft_finger.h"
 
 namespace thenar {
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFlat = 10;        // less curved than a ball of 0.1 m [1/m]
 constexpr double kShear = 1.0 / 3;  // shear by Young's modulus of what keeps its volume [1]
-const double kAlike = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
+const double kSamePad = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
 
 bool is_soft(const Material& material) {
   return material.young > 0 && material.layer_thickness > 0;
@@ -116,7 +116,7 @@ std::vector<ContactPatch> regions_of(const std::vector<HandContact>& contacts) {
       const HandContact& first = region.contacts[0];
       if (each.contact.patch >= 0 || first.contact.patch >= 0)
         return first.contact.patch == each.contact.patch;
-      return first.surface == each.surface && region.normal.dot(each.contact.n) > kAlike;
+      return first.surface == each.surface && region.normal.dot(each.contact.n) > kSamePad;
     };
     const bool goes_on = !regions.empty() && belongs(regions.back());
     if (!goes_on) regions.push_back({{}, 0, 0, each.contact.n});

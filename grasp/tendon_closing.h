@@ -34,7 +34,7 @@ struct ClosingPull {
 /// no stiffness of joints), tendons of a drive of speed 1 running in at 10 mm/s. The hand must
 /// outlive what is returned.
 /// @param pull  tension of each actuator [N] (actuators); of a human hand flexor_pull() of
-///   tendons/hand/hand_use.h
+///   tendons/human/hand_use.h
 /// @throws InputError if the length is wrong, a tension negative, or all are zero.
 [[nodiscard]] ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull);
 

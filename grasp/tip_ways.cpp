@@ -1,29 +1,18 @@
 #include "grasp/tip_ways.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <Eigen/Eigenvalues>
 
+#include "base/numbers.h"
 #include "grasp/closing_drives.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kTimes = 20;
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// Until the last coordinate is at its limit [s].
-double whole_time(const HandLayout& layout, const Eigen::VectorXd& q,
-                  const Eigen::VectorXd& rates) {
-  double time = 0;
-  for (Eigen::Index j = 0; j < q.size(); ++j) {
-    const double limit = rates[j] > 0 ? layout.upper[j] : layout.lower[j];
-    if (rates[j] != 0) time = std::max(time, (limit - q[j]) / rates[j]);
-  }
-  return time;
-}
-
 }  // namespace
 
 Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q) {
@@ -40,7 +29,7 @@ Eigen::Matrix3Xd tips_at(const Hand& hand, const Eigen::VectorXd& q) {
 TipWays tip_ways(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
-  const double whole = whole_time(layout, q, rates);
+  const double whole = time_to_limits(layout, q, rates);
   TipWays ways;
   for (int i = 0; i <= kTimes; ++i)
     ways.tips.push_back(tips_at(
@@ -61,7 +50,7 @@ Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
 }
 
 double tips_ahead(const TipWays& ways, const PalmApproach& approach, double width) {
-  double least = kInfinite, ahead = -kInfinite;
+  double least = kInfinity, ahead = -kInfinity;
   for (const Eigen::Matrix3Xd& tips : ways.tips) {
     if (tips.cols() == 0) continue;
     const Eigen::RowVectorXd along = ways.axis.transpose() * tips;

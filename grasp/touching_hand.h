@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "data/io/world/materials.h"
-#include "grasp/contact/touch_body.h"
+#include "geometry/collision/touch_body.h"
 #include "hand/hand.h"
 
 namespace thenar {

@@ -8,8 +8,8 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/solid.h"
 #include "base/spatial.h"
+#include "geometry/solid.h"
 
 namespace thenar {
 

@@ -1,6 +1,6 @@
 #include "hand/segment_mass.h"
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "kinematics_fit/arrow_factor.h"
+#include "solvers/arrow_factor.h"
 
 namespace thenar {
 namespace {

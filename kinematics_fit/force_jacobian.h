@@ -3,8 +3,8 @@
 /// Predicted forces, distances between axes and their exact derivatives: the fence of Ceres'
 /// automatic differentiation.
 
-#include "kinematics_fit/least_squares.h"
 #include "kinematics_fit/predict_forces.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

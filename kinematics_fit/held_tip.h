@@ -3,7 +3,7 @@
 /// The linear map from tendon tensions to the force of a held fingertip, on any scalar.
 
 #include "data/io/experiment.h"
-#include "kinematics_fit/orthogonal_solve.h"
+#include "solvers/orthogonal_solve.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {

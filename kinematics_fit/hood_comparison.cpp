@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-double median(std::vector<double> values) {
+double upper_median(std::vector<double> values) {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
 }
@@ -115,7 +115,7 @@ HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
     out.trouble.push_back(pull.trouble);
   }
-  out.seconds = median(std::move(seconds));
+  out.seconds = upper_median(std::move(seconds));
   return out;
 }
 

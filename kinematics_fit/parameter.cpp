@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kMm = 1e-3;
 constexpr const char* kDirections[] = {"proximal", "dorsal", "radial"};
 
 /// Default belief of each kind: sd of the population, sd between specimens, half range of bounds.

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "kinematics_fit/least_squares.h"
+#include "solvers/least_squares.h"
 
 namespace thenar {
 

@@ -6,7 +6,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "posterior/hand_posterior_parts.h"
 #include "posterior/lane_loops.h"
 #include "posterior/tilt_density.h"

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 

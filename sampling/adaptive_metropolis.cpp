@@ -5,11 +5,11 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kPropose = 0;
+constexpr std::uint32_t kProposal = 0;
 constexpr double kBestAcceptance = 0.234;  // in many dimensions [Roberts1997]
 
 /// What one chain has learnt of the target's shape.
-struct Shape {
+struct ProposalShape {
   Eigen::VectorXd mean;  // (n)
   Eigen::MatrixXd L;     // L L' the covariance, L lower triangular (n, n)
   double log_scale;      // of the proposals, in roots of L L' [1]
@@ -46,8 +46,8 @@ class AdaptiveMetropolis final : public Metropolis {
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
-      const Shape& shape = shapes_[static_cast<std::size_t>(k)];
-      RandomStream draw = random(k, kPropose);
+      const ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
+      RandomStream draw = random(k, kProposal);
       Eigen::VectorXd w(size());
       for (double& entry : w) entry = draw.normal();
       to.chain.push_back(k);
@@ -63,7 +63,7 @@ class AdaptiveMetropolis final : public Metropolis {
         options().target_acceptance > 0 ? options().target_acceptance : kBestAcceptance;
     for (int k = 0; k < chains(); ++k) {
       if (!inside(k)) continue;
-      Shape& shape = shapes_[static_cast<std::size_t>(k)];
+      ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
       const Eigen::VectorXd off = positions().col(k) - shape.mean;
       shape.mean += weight * off;
       // C becomes (1 - weight) C + weight off off'.
@@ -74,7 +74,7 @@ class AdaptiveMetropolis final : public Metropolis {
   }
 
   void save_learnt(StateWriter& to) const override {
-    for (const Shape& shape : shapes_) {
+    for (const ProposalShape& shape : shapes_) {
       to.put(shape.mean);
       to.put(shape.L);
       to.put(shape.log_scale);
@@ -82,14 +82,14 @@ class AdaptiveMetropolis final : public Metropolis {
   }
 
   void restore_learnt(StateReader& from) override {
-    for (Shape& shape : shapes_) {
+    for (ProposalShape& shape : shapes_) {
       shape.mean = from.matrix();
       shape.L = from.matrix();
       shape.log_scale = from.number();
     }
   }
 
-  std::vector<Shape> shapes_;  // (chains)
+  std::vector<ProposalShape> shapes_;  // (chains)
 };
 
 }  // namespace

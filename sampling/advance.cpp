@@ -5,9 +5,9 @@ namespace {
 
 /// Samplers on their way, and what passes between them and the target. Its memory is kept from one
 /// batch to the next.
-class Batch {
+class ChainBatch {
  public:
-  explicit Batch(const std::vector<Sampler*>& samplers) : samplers_(samplers) {}
+  explicit ChainBatch(const std::vector<Sampler*>& samplers) : samplers_(samplers) {}
 
   /// False if nobody has to go on.
   bool gather(long steps) {
@@ -69,7 +69,7 @@ class Batch {
 
 void advance(const std::vector<Sampler*>& samplers, const Target& target, long steps,
              const StepHeard& heard, const std::function<bool()>& stop) {
-  Batch batch(samplers);
+  ChainBatch batch(samplers);
   while (batch.gather(steps)) {
     if (stop && stop()) return;
     batch.tell(batch.evaluate(target), heard);

@@ -9,10 +9,10 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::int64_t kDigest = 16;                                // [bytes]
-constexpr std::int64_t kHead = 2 * sizeof(std::int64_t) + kDigest;  // [bytes]
+constexpr std::int64_t kDigestBytes = 16;                                // [bytes]
+constexpr std::int64_t kHead = 2 * sizeof(std::int64_t) + kDigestBytes;  // [bytes]
 
-std::string digest(const std::string& numbers) { return sha256(numbers).substr(0, kDigest); }
+std::string digest(const std::string& numbers) { return sha256(numbers).substr(0, kDigestBytes); }
 
 }  // namespace
 
@@ -40,7 +40,7 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
           columns, room);
   Eigen::MatrixXd block(rows, columns);
   const std::string numbers = file_.read(at + kHead, block.size() * std::int64_t{sizeof(double)});
-  require(digest(numbers) == head.substr(head.size() - kDigest),
+  require(digest(numbers) == head.substr(head.size() - kDigestBytes),
           "'{}' is damaged between bytes {} and {}", file_.path(), at,
           at + kHead + static_cast<std::int64_t>(numbers.size()));
   numbers.copy(reinterpret_cast<char*>(block.data()), numbers.size());

@@ -7,7 +7,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kPropose = 0, kArchive = 1;
+constexpr std::uint32_t kCandidate = 0, kArchive = 1;
 constexpr int kThin = 10;           // steps between states that go to the archive [Vrugt2016]
 constexpr int kFirstStates = 10;    // of the archive before the first step, times n
 constexpr int kCrossovers = 3;      // probabilities 1/3, 2/3, 1 that an entry changes
@@ -111,7 +111,7 @@ class DreamZs final : public Metropolis {
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
-      RandomStream draw = random(k, kPropose);
+      RandomStream draw = random(k, kCandidate);
       to.chain.push_back(k);
       const double kind = draw.uniform();
       if (kind < kSnooker) {

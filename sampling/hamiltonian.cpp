@@ -1,7 +1,7 @@
 #include <cmath>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "sampling/hamiltonian_trajectory.h"
 #include "sampling/hamiltonian_warm_up.h"
 #include "sampling/random_stream.h"
@@ -15,7 +15,7 @@ namespace {
 constexpr std::uint32_t kStepStream = 0x68616d00, kTrialStream = 0x68616d01;
 
 /// A place of the chain, and what is known of it.
-struct Place {
+struct LanePlace {
   Eigen::VectorXd x;  // (n)
   Densities at;       // of this one point
   double energy = 0;  // with the momentum that led here [1]
@@ -65,7 +65,7 @@ class Hamiltonian : public Sampler {
   RandomStream random_;
 
   // The chain. `place_` is the choice among the points of the present trajectory.
-  Place place_, candidate_;
+  LanePlace place_, candidate_;
   bool known_ = false;   // density at the place
   bool usable_ = false;  // it and its gradient are finite
   long steps_ = 0;
@@ -173,7 +173,6 @@ void Hamiltonian::learn_start(const Densities& at) {
 
 // Energy error at the end of a leapfrog; +inf where the density is zero or broken.
 double Hamiltonian::land(const Densities& at, const Tempered& density) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (density.value == -kInfinity) return kInfinity;
   weigh(at);
   end_leapfrog(*moving_, warm_up_.metric(), gradient_, leap_);

@@ -10,7 +10,7 @@ namespace thenar::internal {
 namespace {
 
 /// Momenta of consecutive points, in the order in which they were reached.
-struct Span {
+struct TreeSpan {
   Eigen::VectorXd begin, end;  // of the first and the last (n)
   Eigen::VectorXd sum;         // of all (n)
   long points = 0;
@@ -20,7 +20,7 @@ struct Span {
     points = 1;
   }
   /// Takes over what follows; what is left of it is of no use.
-  void append(Span& next) {
+  void append(TreeSpan& next) {
     end.swap(next.end);
     sum += next.sum;
     points += next.points;
@@ -30,7 +30,7 @@ struct Span {
 /// Generalised U-turn:  rho . v <= 0  at an end, rho being the sum of momenta and v the velocity,
 /// which is the momentum in whitened units. Asked of a and b together, and of each with the first
 /// point of the other, since a trajectory may turn between two halves that do not.
-bool turns(const Span& a, const Span& b) {
+bool turns(const TreeSpan& a, const TreeSpan& b) {
   const auto straight = [](const auto& rho, const auto& first, const auto& last) {
     return rho.dot(first) > 0 && rho.dot(last) > 0;
   };
@@ -47,7 +47,7 @@ double log_of_sum(double log_a, double log_b) {
 class NoUTurn : public Trajectory {
  public:
   NoUTurn(int n, int max_depth) : max_depth_(max_depth) {
-    const Span none{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
+    const TreeSpan none{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
     tree_ = none;
     halves_.assign(static_cast<std::size_t>(max_depth) + 1, none);
   }
@@ -104,7 +104,7 @@ class NoUTurn : public Trajectory {
   bool push() {
     halves_[pending_++].assign(moving().r);
     while (pending_ > 1 && halves_[pending_ - 2].points == halves_[pending_ - 1].points) {
-      Span &a = halves_[pending_ - 2], &b = halves_[pending_ - 1];
+      TreeSpan &a = halves_[pending_ - 2], &b = halves_[pending_ - 1];
       if (turns(a, b)) return false;
       a.append(b);
       --pending_;
@@ -124,8 +124,8 @@ class NoUTurn : public Trajectory {
   int max_depth_;
   std::array<PhasePoint, 2> ends_;  // backward, forward
   int forward_ = 1;                 // which of them moves
-  Span tree_;                       // of the points that are safe
-  std::vector<Span> halves_;        // of the new points (max_depth + 1)
+  TreeSpan tree_;                   // of the points that are safe
+  std::vector<TreeSpan> halves_;    // of the new points (max_depth + 1)
   std::size_t pending_ = 0;         // entries of halves_ in use
   double log_weight_ = 0;           // of the tree, relative to the start [1]
   double new_log_weight_ = 0;       // of the new points [1]

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

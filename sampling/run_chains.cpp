@@ -14,7 +14,7 @@ namespace thenar {
 namespace internal {
 namespace {
 
-void check(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options) {
+void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options) {
   require(options.groups >= 1, "groups must be >= 1, got {}", options.groups);
   require(options.walkers >= 1, "walkers must be >= 1, got {}", options.walkers);
   require(starts.rows() == target.size(), "starts have {} entries, the target has {}",
@@ -86,7 +86,7 @@ std::optional<RunFolder> open_folder(const Eigen::MatrixXd& starts, const RunOpt
 
 Draws run_chains(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options,
                  const Ranks& ranks) {
-  internal::check(target, starts, options);
+  internal::check_run(target, starts, options);
   std::optional<internal::RunFolder> folder = internal::open_folder(starts, options, ranks);
   try {
     internal::ChainRun run(target, starts, options, ranks, folder);

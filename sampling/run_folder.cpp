@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kDigest = 64;  // hexadecimal digits of a SHA-256
+constexpr std::size_t kDigestDigits = 64;  // hexadecimal digits of a SHA-256
 
 std::string text_of(const RunIdentity& identity) {
   std::string text;
@@ -31,7 +31,7 @@ std::string content_of(const std::string& path) {
   }
 }
 
-RunIdentity identity_of(const std::string& text) {
+RunIdentity parse_identity(const std::string& text) {
   RunIdentity identity;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -62,7 +62,7 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
     replace_file(path, text_of(identity));
     return;
   }
-  const std::string differing = differences(identity_of(content_of(path)), identity);
+  const std::string differing = differences(parse_identity(content_of(path)), identity);
   if (!differing.empty())
     throw CheckpointError(
         CheckpointError::Kind::kOtherRun,
@@ -97,9 +97,10 @@ void RunFolder::read_state() {
   const std::string path = folder_ + "/state.bin";
   if (!fs::exists(path)) return;
   const std::string content = content_of(path);
-  require(content.size() > kDigest && sha256(content.substr(kDigest)) == content.substr(0, kDigest),
+  require(content.size() > kDigestDigits &&
+              sha256(content.substr(kDigestDigits)) == content.substr(0, kDigestDigits),
           "the checkpoint '{}' is damaged", path);
-  StateReader reader(content.substr(kDigest));
+  StateReader reader(content.substr(kDigestDigits));
   columns_ = reader.integer();
   state_ = reader.bytes();
 }

@@ -17,7 +17,7 @@ constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
      {SamplingMethod::kHmc, "hmc"},
      {SamplingMethod::kNuts, "nuts"}}};
 
-void check(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
+void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
   const Eigen::Index n = starts.rows();
   require(n >= 1 && starts.cols() >= 1, "starts are {} x {}", n, starts.cols());
   require(starts.allFinite(), "a start is not finite");
@@ -38,7 +38,7 @@ void check(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
 
 std::unique_ptr<Sampler> build_sampler(SamplingMethod method, const Eigen::MatrixXd& starts,
                                        const SamplerOptions& options) {
-  check(starts, options);
+  check_sampler(starts, options);
   switch (method) {
     case SamplingMethod::kAdaptiveMetropolis:
       return internal::adaptive_metropolis(starts, options);

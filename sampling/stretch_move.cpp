@@ -6,7 +6,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::uint32_t kPropose = 0;
+constexpr std::uint32_t kStretchMoves = 0;
 constexpr double kStretch = 2;  // a, the largest stretch [Goodman2010]
 
 /// Each walker of one half moves along the line through a walker of the other half,
@@ -30,7 +30,7 @@ class StretchMove final : public Metropolis {
     Proposals to{{}, Eigen::MatrixXd(size(), half), Eigen::VectorXd(half)};
     for (int i = 0; i < half; ++i) {
       const int k = round * half + i;
-      RandomStream draw = random(k, kPropose);
+      RandomStream draw = random(k, kStretchMoves);
       const auto y = positions().col((1 - round) * half + draw.index(half));
       // By inversion: the square root of z is uniform on sqrt(1/a) .. sqrt(a).
       const double root = (1 + (kStretch - 1) * draw.uniform()) / std::sqrt(kStretch);

@@ -1,12 +1,12 @@
 #include "sampling/tempered.h"
 
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.h"
 
 namespace thenar::internal {
 
 Tempered tempered(const Densities& at, Eigen::Index point, double temper) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double prior = at.log_prior[point], likelihood = at.log_likelihood[point];
   // Where the prior is zero, whatever the model says there is of no interest.
   if (prior == -kInfinity) return {-kInfinity, false};

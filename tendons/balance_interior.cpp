@@ -1,10 +1,11 @@
 #include "tendons/balance_interior.h"
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include <Eigen/SVD>
+
+#include "base/numbers.h"
 
 namespace thenar::internal {
 namespace {
@@ -13,7 +14,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kPinned = 1e-9;      // width of a variable, of order one, that counts as none
 constexpr double kDependent = 1e-12;  // singular value of the equalities that counts as none
 

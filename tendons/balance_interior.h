@@ -4,8 +4,8 @@
 
 #include <Eigen/Core>
 
-#include "base/nonlinear_program.h"
-#include "tendons/linear_program.h"
+#include "solvers/linear_program.h"
+#include "solvers/nonlinear_program.h"
 
 namespace thenar::internal {
 

@@ -1,6 +1,6 @@
 #include "tendons/collapsed_arms.h"
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/name_kinds.h"
 
 namespace thenar {

@@ -1,13 +1,13 @@
 #include "tendons/constrained_force.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
-#include "base/nonlinear_program.h"
+#include "base/numbers.h"
+#include "solvers/linear_program.h"
+#include "solvers/nonlinear_program.h"
 #include "tendons/balance_interior.h"
 #include "tendons/feasible_force.h"
-#include "tendons/linear_program.h"
 #include "tendons/tip_balance.h"
 
 namespace thenar {
@@ -17,8 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Unknowns z = (amounts of k unit forces, activations);  f = forces amounts,  t = unit a.
 struct Unknowns {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "base/nonlinear_program.h"
+#include "solvers/nonlinear_program.h"
 #include "tendons/force_limits.h"
 #include "tendons/force_status.h"
 #include "tendons/tip_statics.h"

@@ -4,9 +4,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/nonlinear_program.h"
+#include "solvers/linear_program.h"
+#include "solvers/nonlinear_program.h"
 #include "tendons/balance_interior.h"
-#include "tendons/linear_program.h"
 #include "tendons/tip_balance.h"
 
 namespace thenar {

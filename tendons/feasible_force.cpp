@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/spatial.h"
-#include "tendons/linear_program.h"
+#include "base/units.h"
+#include "solvers/linear_program.h"
 #include "tendons/tip_balance.h"
 
 namespace thenar {
@@ -19,7 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
 constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
 constexpr int kMostCuts = 200;            // about 20 are needed

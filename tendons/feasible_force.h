@@ -2,10 +2,9 @@
 
 /// The largest static force or wrench of a fingertip, by linear programming.
 
-#include <limits>
-
 #include <Eigen/Core>
 
+#include "base/numbers.h"
 #include "tendons/force_status.h"
 #include "tendons/tip_statics.h"
 
@@ -17,7 +16,7 @@ struct LargestForceCheck {
   double outside = kUnknown;    // of the force beyond the cone, across the direction     [N]
   double imbalance = kUnknown;  // largest of |J' f - R' t - tau_0|                       [N m]
 
-  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  static constexpr double kUnknown = kNaN;
 };
 
 struct LargestForce {

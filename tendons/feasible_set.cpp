@@ -12,9 +12,9 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
-#include "base/worst.h"
-#include "tendons/convex_hull.h"
-#include "tendons/linear_program.h"
+#include "base/numbers.h"
+#include "solvers/convex_hull.h"
+#include "solvers/linear_program.h"
 #include "tendons/tip_balance.h"
 
 namespace thenar {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "base/nonlinear_program.h"
-#include "tendons/linear_program.h"
+#include "solvers/linear_program.h"
+#include "solvers/nonlinear_program.h"
 
 namespace thenar {
 

@@ -1,12 +1,12 @@
 #include "tendons/posture_slopes.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tendons/tip_balance.h"
 
 namespace thenar {
@@ -17,15 +17,14 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kStep = 1e-3;  // of the differences [rad]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Least squares, of least norm:  x = B+ tau.
-struct LeastSquares {
+struct TipLeastSquares {
   MatrixXd B, inverse;  // B+
   VectorXd x, left;     // tau - B x
   bool full;            // rank is min(rows, columns)
 
-  LeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
+  TipLeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
     Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(internal::kRankTolerance);
     full = svd.rank() == std::min(B.rows(), B.cols());
@@ -74,7 +73,7 @@ std::vector<StaticsSlope> statics_slopes(const DigitTendons& tendons, const Vect
 
 Eigen::Matrix3Xd tip_force_slopes(const TipStatics& statics,
                                   const std::vector<StaticsSlope>& slopes, const VectorXd& t) {
-  const LeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
+  const TipLeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
   const auto n = static_cast<Index>(slopes.size());
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, n, kInfinity);
   const bool rank_3 = force.full && statics.J.cols() >= 3;
@@ -94,8 +93,8 @@ MatrixXd tip_wrench_slopes(const TipStatics& statics, const std::vector<StaticsS
     B << options.length * W.transpose(), J.transpose();
     return B;
   };
-  const LeastSquares wrench(joined(statics.W, statics.J),
-                            statics.R.transpose() * t + statics.tau_0);
+  const TipLeastSquares wrench(joined(statics.W, statics.J),
+                               statics.R.transpose() * t + statics.tau_0);
   MatrixXd result = MatrixXd::Constant(6, n, kInfinity);
   for (Index k = 0; wrench.full && k < n; ++k) {
     const StaticsSlope& slope = slopes[static_cast<std::size_t>(k)];

@@ -17,11 +17,6 @@
 
 namespace thenar {
 
-template <typename T>
-using MatrixX = Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>;
-template <typename T>
-using VectorX = Eigen::Matrix<T, Eigen::Dynamic, 1>;
-
 /// An angle of the posture:  ratio q[coordinate] + offset,  or the offset alone where it is frozen.
 struct PostureAngle {
   int coordinate = -1;  // entry of q; -1: frozen

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "viewer/fit_pages.h"
 #include "viewer/force_panels.h"
 

@@ -22,6 +22,10 @@ Json table_block(const std::string& caption, const std::vector<Column>& columns,
   return {{"type", "table"}, {"caption", caption}, {"columns", heads}, {"rows", std::move(rows)}};
 }
 
+Json layer(const std::string& name, const std::string& color, Json items) {
+  return {{"name", name}, {"color", color}, {"items", std::move(items)}};
+}
+
 Json in_mm(const Eigen::Vector3d& p) { return list(1000 * p); }
 
 Json list(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }

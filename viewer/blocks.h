@@ -2,6 +2,7 @@
 
 /// The blocks of a report as JSON; what each may hold is in viewer/README.md.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,11 @@
 namespace thenar {
 
 using Json = nlohmann::json;
+
+/// The number; null where it is not finite.
+[[nodiscard]] inline Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
 
 /// A column of a table.
 struct Column {
@@ -25,6 +31,9 @@ struct Column {
 [[nodiscard]] Json row_block(Json blocks);
 [[nodiscard]] Json table_block(const std::string& caption, const std::vector<Column>& columns,
                                Json rows);
+
+/// A layer of a scene: what is drawn in one colour, and shown and hidden as one.
+[[nodiscard]] Json layer(const std::string& name, const std::string& color, Json items);
 
 /// [x, y, z] in millimetres, from metres.
 [[nodiscard]] Json in_mm(const Eigen::Vector3d& p);

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "base/numbers.h"
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
-namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
-
 Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins) {
   const Eigen::MatrixXd ranks = average_ranks(x);  // 1 .. N
   const auto total = static_cast<double>(x.size());

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "grasp/closing_drives.h"
 #include "viewer/compare_tables.h"
 #include "viewer/grasp_page.h"

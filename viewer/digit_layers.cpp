@@ -3,10 +3,6 @@
 namespace thenar {
 namespace {
 
-Json layer(const std::string& name, const std::string& color, Json items) {
-  return {{"name", name}, {"color", color}, {"items", std::move(items)}};
-}
-
 Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>& state) {
   return moved(state, model.tip_link, model.tip);
 }

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "viewer/wrench_blocks.h"
 
 namespace thenar {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -5,16 +5,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kShare = 1.0 / 3;   // of the largest part that is still named [1]
-constexpr double kAtLimit = 1e-9;    // as in closing [rad] or [m]
-constexpr double kNoTurn = 1e-12;    // [1]
-constexpr double kRounding = 1e-9;   // of an epsilon of unit forces [1]
-constexpr double kSearch = 1.0 / 4;  // of what still touches: how exactly gaps are measured
+constexpr double kShare = 1.0 / 3;         // of the largest part that is still named [1]
+constexpr double kAtLimit = 1e-9;          // as in closing [rad] or [m]
+constexpr double kNoTurn = 1e-12;          // [1]
+constexpr double kEpsilonRounding = 1e-9;  // of an epsilon of unit forces [1]
+constexpr double kSearch = 1.0 / 4;        // of what still touches: how exactly gaps are measured
 
 const std::string& name_of(const Hand& hand, int surface) {
   return hand.surfaces()[static_cast<std::size_t>(surface)].name;
@@ -126,7 +126,9 @@ std::string motion_words(const Wrench& motion) {
   return large_parts(motion, "along", "turning about");
 }
 
-double without_rounding(double epsilon) { return std::abs(epsilon) < kRounding ? 0 : epsilon; }
+double without_rounding(double epsilon) {
+  return std::abs(epsilon) < kEpsilonRounding ? 0 : epsilon;
+}
 
 std::string overlap_words(const std::vector<Overlap>& overlaps) {
   std::vector<std::string> parts;

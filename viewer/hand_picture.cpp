@@ -68,10 +68,6 @@ Json mesh_item(const std::string& mesh, const Pose<double>& X) {
   return {{"kind", "mesh"}, {"mesh", mesh}, {"rotation", rows_of(X.R)}, {"position", in_mm(X.p)}};
 }
 
-Json layer(const std::string& name, const std::string& color, Json items) {
-  return {{"name", name}, {"color", color}, {"items", std::move(items)}};
-}
-
 /// A layer that the view need not hold.
 Json out_of_fit(Json layer) {
   layer["fit"] = false;

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/triangle_mesh.h"
 #include "viewer/blocks.h"
 
 namespace thenar {

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "viewer/digit_layers.h"
 
 namespace thenar {

@@ -9,10 +9,6 @@ namespace {
 
 constexpr const char* kSlackGrey = "#8a8f99";
 
-Json layer(const std::string& name, const std::string& color, Json items) {
-  return {{"name", name}, {"color", color}, {"items", std::move(items)}};
-}
-
 Json line(const std::vector<Eigen::Vector3d>& points) {
   Json positions = Json::array();
   for (const Eigen::Vector3d& p : points) positions.push_back(in_mm(p));

@@ -13,7 +13,8 @@ namespace thenar {
 namespace {
 
 constexpr double kMmPerNewton = 0.4;
-constexpr const char* kDirections[] = {"proximal", "distal", "dorsal", "palmar", "radial", "ulnar"};
+constexpr const char* kDirectionNames[] = {"proximal", "distal", "dorsal",
+                                           "palmar",   "radial", "ulnar"};
 
 /// A thumb with all that is shown of it.
 struct Shown {
@@ -72,7 +73,7 @@ Json thumb_page(const std::vector<ThumbCase>& cases) {
   }
   std::vector<Column> columns{
       {"thumb", "", -1}, {"dimension", "", 0}, {"corners", "", 0}, {"volume", "N\u00b3", 0}};
-  for (const char* direction : kDirections) columns.push_back({direction, "N", 1});
+  for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
   return section(
       "thumbs", "The thumb: orthogonal and skewed axes",
       "Every force that the pinned thumbtip can make with tendon tensions between zero and their "

@@ -8,6 +8,8 @@ namespace thenar {
 
 /// The attribute `program` of files that end with a checksum. One that lacks it was damaged.
 inline constexpr const char* kCheckedProgram = "thenar+sha256";
+/// The attribute that holds it in a result or posterior.
+inline constexpr const char* kProgram = "program";
 /// The same of files of older versions, which have none.
 inline constexpr const char* kUncheckedProgram = "thenar";
 

@@ -18,8 +18,6 @@
 namespace thenar {
 namespace {
 
-constexpr const char* kProgram = "program";  // attribute of the file: it is one of ours
-
 void check(int status, const std::string& what) {
   require(status == NC_NOERR, "netCDF could not {}: {}", what, nc_strerror(status));
 }

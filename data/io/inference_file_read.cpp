@@ -11,9 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr const char* kProgram = "program";  // attribute of the file: it is one of ours
-
-void check(int status, const std::string& what) {
+void check_read(int status, const std::string& what) {
   require(status == NC_NOERR, "netCDF could not {}: {}", what, nc_strerror(status));
 }
 
@@ -21,7 +19,8 @@ void check(int status, const std::string& what) {
 class Reading {
  public:
   explicit Reading(std::string& bytes) : bytes_(bytes), left_(bytes.size()) {
-    check(nc_open_mem("inference", NC_NOWRITE, bytes_.size(), bytes_.data(), &file_), "open it");
+    check_read(nc_open_mem("inference", NC_NOWRITE, bytes_.size(), bytes_.data(), &file_),
+               "open it");
   }
   ~Reading() { (void)nc_close(file_); }
   Reading(const Reading&) = delete;
@@ -40,7 +39,7 @@ class Reading {
   template <typename Get>
   std::string text(const std::string& what, const Get& get) {
     char* chars = nullptr;
-    check(get(&chars), "read " + what);
+    check_read(get(&chars), "read " + what);
     const std::string found = chars == nullptr ? "" : chars;
     (void)nc_free_string(1, &chars);
     take(found.size(), what);
@@ -62,7 +61,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
   if (type == NC_CHAR) {
     reading.take(length, what);
     std::string text(length, '\0');
-    check(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
+    check_read(nc_get_att_text(group, variable, name.c_str(), text.data()), "read " + what);
     return text;
   }
   require(type == NC_STRING && length == 1, "{} is no text", what);
@@ -72,7 +71,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
 
 std::string name_of_dimension(int group, int dimension) {
   char name[NC_MAX_NAME + 1];
-  check(nc_inq_dimname(group, dimension, name), "read a dimension");
+  check_read(nc_inq_dimname(group, dimension, name), "read a dimension");
   return name;
 }
 
@@ -87,10 +86,11 @@ VariableShape get_shape(int group, int variable) {
   char name[NC_MAX_NAME + 1];
   VariableShape shape;
   int rank = 0;
-  check(nc_inq_var(group, variable, name, &shape.type, &rank, nullptr, nullptr), "read a variable");
+  check_read(nc_inq_var(group, variable, name, &shape.type, &rank, nullptr, nullptr),
+             "read a variable");
   shape.name = name;
   std::vector<int> over(static_cast<std::size_t>(rank));
-  check(nc_inq_vardimid(group, variable, over.data()), "read a variable");
+  check_read(nc_inq_vardimid(group, variable, over.data()), "read a variable");
   for (const int dimension : over) shape.dimensions.push_back(name_of_dimension(group, dimension));
   return shape;
 }
@@ -141,22 +141,22 @@ void get_variable(Reading& reading, int group, int variable, InferenceGroup& out
   array.integer = shape.type == NC_INT64;
   array.values.resize(size_of(shape, out, reading.size()));
   if (!array.values.empty())
-    check(nc_get_var_double(group, variable, array.values.data()), "read " + shape.name);
+    check_read(nc_get_var_double(group, variable, array.values.data()), "read " + shape.name);
   out.arrays[shape.name] = std::move(array);
 }
 
 InferenceGroup get_group(Reading& reading, int group) {
   InferenceGroup out;
   int count = 0;
-  check(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
+  check_read(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
   std::vector<int> dimensions(static_cast<std::size_t>(count));
-  check(nc_inq_dimids(group, &count, dimensions.data(), 0), "list dimensions");
+  check_read(nc_inq_dimids(group, &count, dimensions.data(), 0), "list dimensions");
   for (const int dimension : dimensions) {
     std::size_t length = 0;
-    check(nc_inq_dimlen(group, dimension, &length), "read a dimension");
+    check_read(nc_inq_dimlen(group, dimension, &length), "read a dimension");
     out.lengths[name_of_dimension(group, dimension)] = length;
   }
-  check(nc_inq_nvars(group, &count), "list variables");
+  check_read(nc_inq_nvars(group, &count), "list variables");
   for (int variable = 0; variable < count; ++variable) get_variable(reading, group, variable, out);
   return out;
 }
@@ -164,11 +164,11 @@ InferenceGroup get_group(Reading& reading, int group) {
 std::map<std::string, std::string> get_attributes(Reading& reading) {
   const int file = reading.file();
   int count = 0;
-  check(nc_inq_natts(file, &count), "list attributes");
+  check_read(nc_inq_natts(file, &count), "list attributes");
   std::map<std::string, std::string> attributes;
   for (int i = 0; i < count; ++i) {
     char name[NC_MAX_NAME + 1];
-    check(nc_inq_attname(file, NC_GLOBAL, i, name), "list attributes");
+    check_read(nc_inq_attname(file, NC_GLOBAL, i, name), "list attributes");
     attributes[name] = get_text(reading, file, NC_GLOBAL, name);
   }
   return attributes;
@@ -181,19 +181,19 @@ InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& 
                "an inference file of thenar, got another netCDF file");
   out.attributes.erase(kProgram);
   int count = 0;
-  check(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
+  check_read(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
   std::vector<int> groups(static_cast<std::size_t>(count));
-  check(nc_inq_grps(reading.file(), &count, groups.data()), "list groups");
+  check_read(nc_inq_grps(reading.file(), &count, groups.data()), "list groups");
   for (const int group : groups) {
     char name[NC_MAX_NAME + 1];
-    check(nc_inq_grpname(group, name), "list groups");
+    check_read(nc_inq_grpname(group, name), "list groups");
     out.groups[name] = get_group(reading, group);
   }
   return out;
 }
 
 /// @param bytes  of a file; the libraries want to be able to change them, and do not
-InferenceFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
+InferenceFile read_inference_image(std::string& bytes, Checksum checksum, const std::string& path) {
   (void)guard_hdf5(bytes, path);  // netCDF-4 is HDF5
   try {
     Reading reading(bytes);
@@ -210,8 +210,9 @@ InferenceFile read_inference(const std::string& path) {
     throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kInference);
   const Checksum checksum = take_checksum(bytes, path);
-  try_first(path, seconds_to_read(bytes.size()), [&] { (void)read_image(bytes, checksum, path); });
-  return read_image(bytes, checksum, path);
+  try_first(path, seconds_to_read(bytes.size()),
+            [&] { (void)read_inference_image(bytes, checksum, path); });
+  return read_inference_image(bytes, checksum, path);
 }
 
 }  // namespace thenar

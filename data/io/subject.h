@@ -13,7 +13,7 @@
 
 #include <Eigen/Core>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 

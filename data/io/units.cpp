@@ -1,6 +1,6 @@
 #include "data/io/units.h"
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 const std::vector<Unit>& all_units() {

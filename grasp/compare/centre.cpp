@@ -8,8 +8,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kAcross = 0.2;  // sine of the least angle between push and approach [1]
-constexpr int kMostSteps = 200;  // of conservative advancement across the gap
+constexpr double kAcross = 0.2;    // sine of the least angle between push and approach [1]
+constexpr int kMaxGapSteps = 200;  // of conservative advancement across the gap
 
 std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
   std::set<std::string> digits;
@@ -66,7 +66,7 @@ double way_across(const TouchingHand& hand, const Grasp& grasp, const Push& push
   PosedHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
   const double most = 4 * scene.object.reach;
   double way = 0;
-  for (int step = 0; step < kMostSteps && way < most; ++step) {
+  for (int step = 0; step < kMaxGapSteps && way < most; ++step) {
     double gap = most;
     for (const int surface : push.others) {
       Gap between{surface, -1, &scene.object};

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "grasp/quality/hold_force.h"
 #include "grasp/quality/stops.h"
 #include "grasp/quality/task_wrenches.h"
@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kGap = 0.05;      // of hand_epsilon(), as a part of it [1]
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// Both ways along axes `first` .. `last` of a wrench: forces 0..2, torques 3..5.
 std::vector<Wrench> both_ways(int first, int last, double size) {
@@ -27,9 +26,9 @@ std::vector<Wrench> both_ways(int first, int last, double size) {
 /// [N]
 Limited limited(const HeldForces& forces, ConeStatus status, double value,
                 const std::vector<Wrench>& loads, double size) {
-  if (status == ConeStatus::kStalled) return {kUnknown, "the programme did not converge"};
+  if (status == ConeStatus::kStalled) return {kNaN, "the programme did not converge"};
   const std::string unknown = unknown_effort(forces);
-  if (!unknown.empty()) return {kUnknown, unknown};
+  if (!unknown.empty()) return {kNaN, unknown};
   if (status == ConeStatus::kInfeasible || value * size < kNoLoad)
     return {0, why_nothing_holds(forces, loads)};
   return {value, std::isinf(value) ? kBorneByStructure : ""};
@@ -89,7 +88,7 @@ GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
 Limited hand_epsilon(const Held& held, const SceneBody& object) {
   const HeldForces held_by = forces_of(held, object);
   const std::string unknown = unknown_effort(held_by);
-  if (!unknown.empty()) return {kUnknown, unknown};
+  if (!unknown.empty()) return {kNaN, unknown};
   BallOptions options;
   options.gap = kGap;
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);

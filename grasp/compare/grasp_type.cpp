@@ -10,16 +10,16 @@ namespace thenar {
 namespace {
 
 /// What touches.
-struct Touching {
+struct TouchedSegments {
   std::map<std::string, Eigen::Vector3d> push;  // digit -> sum of its normals
   bool palm = false;
   bool inner = false;  // a link before the last of a digit
 };
 
-Touching find_touching(const Hand& hand, const std::vector<HandContact>& contacts) {
+TouchedSegments find_touching(const Hand& hand, const std::vector<HandContact>& contacts) {
   std::set<int> last;
   for (const HandTip& tip : hand.layout().tip_points) last.insert(tip.link);
-  Touching touching;
+  TouchedSegments touching;
   for (const HandContact& contact : contacts) {
     const LinkSurface& surface = hand.surfaces()[contact.surface];
     if (surface.digit.empty()) {
@@ -34,7 +34,7 @@ Touching find_touching(const Hand& hand, const std::vector<HandContact>& contact
 }
 
 /// Whether a digit pushes against the rest: the thumb, in a hand without one any.
-bool opposed(bool has_thumb, const Touching& touching) {
+bool opposed(bool has_thumb, const TouchedSegments& touching) {
   if (has_thumb) return touching.push.count("thumb") > 0;
   return std::any_of(touching.push.begin(), touching.push.end(), [&](const auto& digit) {
     Eigen::Vector3d rest(0, 0, 0);
@@ -45,7 +45,7 @@ bool opposed(bool has_thumb, const Touching& touching) {
 }
 
 /// "thumb and 2 digits", "2 digits", "thumb".
-std::string counted(const Touching& touching) {
+std::string counted(const TouchedSegments& touching) {
   const std::size_t thumbs = touching.push.count("thumb"), digits = touching.push.size() - thumbs;
   if (digits == 0) return "thumb";
   return fmt::format("{}{} digit{}", thumbs > 0 ? "thumb and " : "", digits,
@@ -63,7 +63,7 @@ std::string thumb_of(const Hand& hand) {
 }
 
 std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts) {
-  const Touching touching = find_touching(hand, contacts);
+  const TouchedSegments touching = find_touching(hand, contacts);
   if (touching.push.empty()) return "palm alone";
   if (touching.palm) return "power, palm, " + counted(touching);
   if (touching.push.size() == 1) return "one digit";

@@ -1,19 +1,17 @@
 #include "grasp/compare/load_reason.h"
 
 #include <cmath>
-#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "base/numbers.h"
 #include "grasp/quality/stops.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Index;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool feels(const HeldForces& forces, Index coordinate) {
   return forces.T.cols() > 0 && forces.T.row(coordinate).cwiseAbs().maxCoeff() > 1e-12;

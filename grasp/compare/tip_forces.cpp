@@ -3,20 +3,20 @@
 #include <limits>
 #include <vector>
 
-#include "base/angles.h"
+#include "base/numbers.h"
+#include "base/units.h"
 #include "grasp/closing_drives.h"
 #include "grasp/compare/abilities.h"
-#include "grasp/quality/cone_program.h"
 #include "grasp/quality/stops.h"
+#include "solvers/cone_program.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kDirections = 64;
-constexpr double kStill = 1e-12;  // motion of a tip that is none [m/rad]
-constexpr double kClimbs = 1e-9;  // part by which a step to a larger force must be larger [1]
-constexpr int kMostSteps = 20;    // to larger forces
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kStill = 1e-12;    // motion of a tip that is none [m/rad]
+constexpr double kClimbs = 1e-9;    // part by which a step to a larger force must be larger [1]
+constexpr int kMaxForceSteps = 20;  // to larger forces
 
 /// Evenly spread on the sphere: a Fibonacci spiral.
 Eigen::Vector3d direction(int i) {
@@ -122,7 +122,7 @@ Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Ve
   if (result.status == ConeStatus::kUnbounded)
     return {std::numeric_limits<double>::infinity(), zero};
   if (result.status == ConeStatus::kInfeasible) return {0, zero};  // nothing balances the digit
-  if (result.status != ConeStatus::kSolved) return {kNone, zero};
+  if (result.status != ConeStatus::kSolved) return {kNaN, zero};
   return {-result.objective, J * result.x.head(J.cols())};
 }
 
@@ -130,7 +130,7 @@ Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Ve
 /// of a convex function, so each step climbs, and ends in a corner.
 double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector3d d) {
   double best = 0;
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxForceSteps; ++step) {
     const Farthest most = farthest(program, J, d);
     if (!std::isfinite(most.reach)) return most.reach;
     const double size = most.f.norm();
@@ -146,12 +146,12 @@ double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector
 TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandLayout& layout = hand.layout();
   const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
-  if (place.link < 0) return {kNone, kNone};
+  if (place.link < 0) return {kNaN, kNaN};
   const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
   const Actuation actuation = actuation_with_stops(hand, q);
   const std::vector<int> joints = pressing_joints(all, actuation.reactions);
   if (joints.empty()) return {0, 0};
-  if (is_unknown(actuation, joints)) return {kNone, kNone};
+  if (is_unknown(actuation, joints)) return {kNaN, kNaN};
   const Eigen::MatrixXd J = all(Eigen::all, joints);
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const Eigen::MatrixXd L = load_map(hand, q, tip, all, rates)(joints, Eigen::all);
@@ -161,12 +161,12 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   if (!closing.isZero(kStill)) {
     const Eigen::Vector3d way = closing.normalized();
     forces.closing = farthest(program, J, way).reach;
-    if (std::isnan(forces.closing)) return {kNone, kNone};
+    if (std::isnan(forces.closing)) return {kNaN, kNaN};
     forces.largest = std::max(forces.closing, climb(program, J, way));
   }
   for (int i = 0; i < kDirections; ++i) {
     const double reach = climb(program, J, direction(i));
-    if (std::isnan(reach)) return {forces.closing, kNone};
+    if (std::isnan(reach)) return {forces.closing, kNaN};
     forces.largest = std::max(forces.largest, reach);
   }
   return forces;

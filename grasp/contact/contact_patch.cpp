@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "grasp/contact/contact_normal.h"
-#include "grasp/contact/patch_reduction.h"
-#include "grasp/contact/patch_search.h"
+#include "geometry/collision/contact_normal.h"
+#include "geometry/collision/patch_reduction.h"
+#include "geometry/collision/patch_search.h"
 
 namespace thenar {
 namespace {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "geometry/collision/separation.h"
 #include "grasp/contact/contact.h"
-#include "grasp/contact/separation.h"
 
 namespace thenar {
 
@@ -43,7 +43,7 @@ struct [[nodiscard]] ContactPatches {
 /// reduced by reduce_points(), gives the contacts: a face on a face the corners of the overlap, an
 /// edge two points, a ball one. The loss includes the resolution where the rim was found by
 /// halving. Positions are on B's surface, normals those of into_b()
-/// (grasp/contact/contact_normal.h).
+/// (geometry/collision/contact_normal.h).
 ///
 /// @param friction  of the two materials [1]
 /// @throws InputError if friction is negative or not finite, or an option is not positive.

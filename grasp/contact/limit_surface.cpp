@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 constexpr double kNoTorque = 1e-12;
 
 /// Shares of a row that are no more than rounding [1].
-constexpr double kRounding = 1e-8;
+constexpr double kForceRounding = 1e-8;
 
 /// A coordinate presses where its normal lever is no less than this share of its longest, and than
 /// half of the best such share among all coordinates [1].
@@ -31,11 +31,12 @@ std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   std::vector<bool> squeezing(static_cast<std::size_t>(T.rows()), false);
   if (T.size() == 0) return squeezing;
   Eigen::ColPivHouseholderQR<MatrixXd> qr(free_forces(set).wrench.transpose());
-  qr.setThreshold(kRounding);
+  qr.setThreshold(kForceRounding);
   const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(T.cols(), qr.rank());
   const MatrixXd internal = T - (T * Q) * Q.transpose();
   for (Index j = 0; j < T.rows(); ++j)
-    squeezing[static_cast<std::size_t>(j)] = internal.row(j).norm() > kRounding * T.row(j).norm();
+    squeezing[static_cast<std::size_t>(j)] =
+        internal.row(j).norm() > kForceRounding * T.row(j).norm();
   return squeezing;
 }
 

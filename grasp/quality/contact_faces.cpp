@@ -11,7 +11,6 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFlat = 1e-10;   // distances below this part of the size count as 0 [1]
 constexpr int kMostPoints = 200;  // some seconds: every three of them are tried
 
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
@@ -89,9 +88,9 @@ void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, doub
 }
 
 /// Faces of a solid: planes through three points with all others on one side.
-class Solid {
+class FaceSolid {
  public:
-  Solid(ContactBody& body, const Basis& Q, const Eigen::Matrix3Xd& x, double tolerance)
+  FaceSolid(ContactBody& body, const Basis& Q, const Eigen::Matrix3Xd& x, double tolerance)
       : body_(body), Q_(Q), x_(x), tolerance_(tolerance) {}
 
   void add_faces() {
@@ -192,7 +191,7 @@ std::optional<ContactBody> contact_body(const std::vector<Wrench>& points) {
   const Eigen::MatrixXd x = Q.transpose() * P;
   if (rank == 1) body.faces.push_back(whole(Q, x.maxCoeff() - x.minCoeff()));
   if (rank == 2) add_flat(body, Q, x, tolerance);
-  if (rank == 3) Solid(body, Q, x, tolerance).add_faces();
+  if (rank == 3) FaceSolid(body, Q, x, tolerance).add_faces();
   return body;
 }
 

@@ -20,7 +20,6 @@ using internal::Span;
 using internal::span_of;
 using internal::Support;
 
-constexpr double kFlat = 1e-10;  // singular values and widths below this part of the largest [1]
 constexpr double kUndecided = 1e-9;  // an epsilon below this part of the size has no sign [1]
 constexpr int kPolishAt = 400;       // facets, and twice as many, ..: a lower bar leaves out more
 constexpr int kProveAgain = 64;      // times as many facets, after a proof that was not found
@@ -30,7 +29,7 @@ constexpr int kMostTries = 20;                 // of a proof, each from a lower 
 constexpr double kProvable = 1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
-void require_sound(const WrenchSet& set, const EpsilonOptions& options) {
+void require_options(const WrenchSet& set, const EpsilonOptions& options) {
   require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
           "the gap is {}, wanted > 0", options.gap);
   require(options.most_facets > 0, "the hull may have {} facets, wanted > 0", options.most_facets);
@@ -77,7 +76,7 @@ class Search {
 
   /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
   bool run() {
-    const auto simplex = internal::first_simplex(support_, kFlat);
+    const auto simplex = internal::first_simplex(support_, internal::kFlat);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
     Hull hull(simplex.points);
@@ -193,7 +192,7 @@ Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
 }  // namespace
 
 Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
-  require_sound(set, options);
+  require_options(set, options);
   if (set.caps.empty()) return nothing();
   const Span span = span_of(set);
   if (span.rank < 6) return outside(set, span, options);

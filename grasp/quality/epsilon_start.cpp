@@ -8,8 +8,6 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kFlat = 1e-10;  // singular values below this part of the largest are 0 [1]
-
 /// The unit vector least along the first `count` orthonormal columns, made orthogonal to them.
 Wrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
   const auto used = basis.leftCols(count);

@@ -8,9 +8,9 @@
 
 #include "base/spatial.h"
 #include "grasp/contact/contact.h"
-#include "grasp/quality/cone_program.h"
 #include "grasp/quality/wrench_set.h"
 #include "hand/hand.h"
+#include "solvers/cone_program.h"
 
 namespace thenar {
 

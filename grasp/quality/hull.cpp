@@ -11,8 +11,8 @@ namespace thenar::internal {
 namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kRounding = 32 * kUlp;  // of one n'p - d, in parts of the size [1]
-constexpr double kErrorToCheck = 1e-13;  // of a plane, in parts of the size [1]
+constexpr double kPlaneRounding = 32 * kUlp;  // of one n'p - d, in parts of the size [1]
+constexpr double kErrorToCheck = 1e-13;       // of a plane, in parts of the size [1]
 
 /// Scatters numbers over 64 bits (the finaliser of SplitMix64).
 std::uint64_t scatter(std::uint64_t x) {
@@ -124,7 +124,7 @@ void Hull::find_visible(const Wrench& p, int facet) {
     links.stamp = stamp_;
     const Plane& plane = planes_[at(f)];
     const double s = plane.n.dot(p) - plane.d;
-    links.s = s > plane.error + kRounding * size_ ? s : std::min(s, 0.0);
+    links.s = s > plane.error + kPlaneRounding * size_ ? s : std::min(s, 0.0);
     if (links.s > 0) visible_.push_back(f);
     return links.s > 0;
   };
@@ -164,7 +164,7 @@ Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
   const double scale = 1 / out.n.norm();
   out.n *= scale;
   out.d *= scale;
-  out.error = scale * (wa * a.error + wb * b.error + kRounding * size_ * (wa + wb));
+  out.error = scale * (wa * a.error + wb * b.error + kPlaneRounding * size_ * (wa + wb));
   return out;
 }
 
@@ -185,7 +185,7 @@ double Hull::residual(const Plane& plane, const Links& links) const {
   double worst = 0;
   for (const int v : links.vertex)
     worst = std::max(worst, std::abs(plane.n.dot(points_[at(v)]) - plane.d));
-  return std::isfinite(plane.d) ? worst + kRounding * size_
+  return std::isfinite(plane.d) ? worst + kPlaneRounding * size_
                                 : std::numeric_limits<double>::infinity();
 }
 

@@ -4,14 +4,15 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/worst.h"
+#include "base/numbers.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/quality/hold_force.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kSame = 1e-9;  // a point beyond a facet by less of its size brings nothing new [1]
+constexpr double kNothingNew =
+    1e-9;  // a point beyond a facet by less of its size brings nothing new [1]
 
 ForceSet with_strength(ForceSet forces, double strength) {
   const Eigen::Index rows = forces.G.rows();
@@ -24,9 +25,9 @@ ForceSet with_strength(ForceSet forces, double strength) {
 }
 
 /// Points on the boundary of the set, and what they prove.
-class Search {
+class BallSearch {
  public:
-  Search(const ForceSet& forces, const BallOptions& options)
+  BallSearch(const ForceSet& forces, const BallOptions& options)
       : forces_(with_strength(forces, options.strength)), options_(options) {}
 
   InscribedBall run() {
@@ -49,7 +50,9 @@ class Search {
 
  private:
   [[nodiscard]] bool ok() const { return result_.status == ConeStatus::kSolved; }
-  [[nodiscard]] double gap() const { return options_.gap * std::max(result_.upper, kSame * size_); }
+  [[nodiscard]] double gap() const {
+    return options_.gap * std::max(result_.upper, kNothingNew * size_);
+  }
 
   /// Asks how far the set reaches. @returns whether the point is new: beyond all others
   bool look(const Wrench& u) {
@@ -64,8 +67,8 @@ class Search {
       result_.upper = reach.bound;
       result_.worst_load = -u;
     }
-    const bool is_new =
-        points_.caps.empty() || reach.value > support(points_, u, ForceLimit::kL1) + kSame * size_;
+    const bool is_new = points_.caps.empty() ||
+                        reach.value > support(points_, u, ForceLimit::kL1) + kNothingNew * size_;
     size_ = std::max(size_, reach.wrench.norm());
     points_.caps.push_back({reach.wrench, {}});
     return is_new;
@@ -113,10 +116,9 @@ InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options)
   require(options.gap > 0 && options.strength > 0 && options.most_programs > 0,
           "gap, strength and most_programs must be positive, got {}, {}, {}", options.gap,
           options.strength, options.most_programs);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (is_unlimited(forces, 6))
     return {ConeStatus::kUnbounded, kInfinity, kInfinity, Wrench::Zero(), 12, 0};
-  return Search(forces, options).run();
+  return BallSearch(forces, options).run();
 }
 
 }  // namespace thenar

@@ -15,8 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
-constexpr double kFlat = 1e-10;      // singular values below this part of the largest are 0 [1]
-constexpr double kRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
+constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
 constexpr double kParallel = 1e-12;  // edges with a smaller sine of their angle span no plane [1]
 
 Vector3d in_plane(const Wrench& w) { return {w(0), w(1), w(5)}; }
@@ -130,13 +129,13 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceLimit limit) {
     all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  found.rank = static_cast<int>((sigma.array() > kFlat * sigma(0)).count());
+  found.rank = static_cast<int>((sigma.array() > internal::kFlat * sigma(0)).count());
   Vector3d missing = svd.matrixU().col(2);
   if (found.rank == 3) {
     const std::vector<Points> groups = grouped_points(set);
     LeastSupport search(groups, limit);
     look_at_facets(search, groups, limit);
-    const double rounding = kRounding * all.colwise().norm().maxCoeff();
+    const double rounding = kPlanarRounding * all.colwise().norm().maxCoeff();
     if (search.least > rounding) {
       found.lower = search.least - rounding;
       found.upper = search.least + rounding;

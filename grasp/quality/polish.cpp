@@ -11,7 +11,7 @@
 namespace thenar::internal {
 namespace {
 
-constexpr int kMostSteps = 30;
+constexpr int kMaxPolishSteps = 30;
 constexpr int kMostColumns = 20;
 constexpr double kDone = 1e-9;    // length of a last step: the next would be its square [rad]
 constexpr double kLongest = 0.2;  // of a step [rad]
@@ -22,7 +22,7 @@ constexpr double kDependent = 1e-9;   // constraints this close to each other's 
 constexpr double kFlatCurve = 1e-12;  // curvatures below this part of the size are none [1]
 
 // Directions u with the value t beneath them.
-using Place = Eigen::Matrix<double, 7, 1>;
+using PolishPoint = Eigen::Matrix<double, 7, 1>;
 using Columns = Eigen::Matrix<double, 7, Eigen::Dynamic, 0, 7, kMostColumns>;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostColumns, 1>;
 using Reduced = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
@@ -66,7 +66,7 @@ class Polish {
   /// @returns whether a last step was short
   bool run() {
     bool grown = false;  // caps taken in at this place may not be released at once
-    for (int i = 0; i < kMostSteps && build(); ++i) {
+    for (int i = 0; i < kMaxPolishSteps && build(); ++i) {
       Eigen::ColPivHouseholderQR<Columns> qr(columns_);
       qr.setThreshold(kDependent);
       const Values multipliers = qr.solve(-slope_);
@@ -148,10 +148,10 @@ class Polish {
   bool build() {
     columns_.resize(7, kMostColumns);
     values_.resize(kMostColumns);
-    slope_ = Place::Zero();
+    slope_ = PolishPoint::Zero();
     slope_(6) = l1_ ? 1 : 0;
     columns_.col(0) << u_, 0;
-    columns_.col(1) = l1_ ? Place(Place::Zero()) : Place(Place::Unit(6));
+    columns_.col(1) = l1_ ? PolishPoint(PolishPoint::Zero()) : PolishPoint(PolishPoint::Unit(6));
     values_.head<2>().setZero();
     count_ = 2;
     for (const Piece& piece : pieces_) {
@@ -224,11 +224,11 @@ class Polish {
                                     .template triangularView<Eigen::Upper>()
                                     .transpose()
                                     .solve(wanted.head(rank));
-    Place d = Q.leftCols(rank) * along;
+    PolishPoint d = Q.leftCols(rank) * along;
     if (rank < 7) {
       const auto Z = Q.rightCols(7 - rank);
       const Eigen::Matrix<double, 6, 6> H = hessian(multipliers);
-      Place pull = slope_;
+      PolishPoint pull = slope_;
       pull.head<6>() += H * d.head<6>();
       const Reduced M = Z.topRows<6>().transpose() * H * Z.topRows<6>();
       d += Z * descend(M, Z.transpose() * pull, support_.size());
@@ -265,7 +265,7 @@ class Polish {
   double value_ = 0, best_h_ = 0;
   Columns columns_;
   Values values_;
-  Place slope_;
+  PolishPoint slope_;
   Eigen::Index count_ = 0;
 };
 

@@ -7,9 +7,9 @@
 
 #include <Eigen/Dense>
 
-#include "base/worst.h"
-#include "grasp/quality/matrix_inequality.h"
+#include "base/numbers.h"
 #include "grasp/quality/polish.h"
+#include "solvers/matrix_inequality.h"
 
 namespace thenar::internal {
 namespace {
@@ -19,10 +19,10 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kEnough = 1e-12;  // least eigenvalue asked of F, the set's size being 1 [1]
-constexpr double kRounding = 64 * std::numeric_limits<double>::epsilon();
+constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the most being 1 [1]
 constexpr Index kTime = 6;            // place of t in x = (u, t, levels)
-constexpr double kSame = 1e-14;  // caps that differ by less are one, the set's size being 1 [1]
+constexpr double kSameCap = 1e-14;  // caps that differ by less are one, the set's size being 1 [1]
 
 /// Points x with  l'x >= |Z x|; without rows of Z  l'x >= 0.
 struct Cone {
@@ -52,7 +52,7 @@ std::vector<Support::Cap> distinct_caps(const Support& support) {
     const auto same = std::find_if(first.begin(), first.end(), [&](const Support::Cap& other) {
       const bool joined = !linf || other.contact == cap.contact || (alone(other) && alone(cap));
       return joined && other.axes == cap.axes &&
-             (other.c - cap.c).norm() + (other.A - cap.A).norm() <= kSame * support.size();
+             (other.c - cap.c).norm() + (other.A - cap.A).norm() <= kSameCap * support.size();
     });
     if (same == first.end()) {
       kept.push_back(cap);
@@ -81,7 +81,7 @@ std::vector<VectorXd> levels_of(const std::vector<Support::Cap>& caps, double r,
 std::vector<Cone> cones_of(const std::vector<Support::Cap>& caps, const Support& support,
                            double r) {
   // What distinct_caps() took for the same may reach less by its rounding.
-  const double margin = kSame * static_cast<double>(support.caps().size());
+  const double margin = kSameCap * static_cast<double>(support.caps().size());
   const std::vector<VectorXd> levels =
       levels_of(caps, r / support.size() + margin, support.limit());
   const Index d = levels[0].size();
@@ -158,7 +158,7 @@ class Problem {
     double size = 0;
     for (std::size_t k = 0; k < forms_.size(); ++k)
       size += std::abs(y(static_cast<Index>(k))) * forms_[k].norm();
-    return smallest_or_nan(least, smallest_eigenvalue(form(y)) - kRounding * size);
+    return smallest_or_nan(least, smallest_eigenvalue(form(y)) - kProofRounding * size);
   }
 
   [[nodiscard]] MatrixXd form(const VectorXd& y) const {

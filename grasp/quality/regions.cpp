@@ -8,7 +8,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kSame = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
+constexpr double kSamePlace = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
 
 /// Along which points are sorted: few of them are level, unless they are one.
 const Eigen::Vector3d kAcross(0.6180339887, 0.7548776662, 0.5698402910);
@@ -21,7 +21,7 @@ double extent(const std::vector<Contact>& contacts) {
 
 /// For every contact without a patch the first one at its place with its normal, maybe itself.
 std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
-  const double near = kSame * extent(contacts);
+  const double near = kSamePlace * extent(contacts);
   std::vector<std::size_t> first(contacts.size()), order;
   std::iota(first.begin(), first.end(), std::size_t{0});
   for (std::size_t i = 0; i < contacts.size(); ++i)
@@ -34,7 +34,7 @@ std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
       const std::size_t i = order[a], j = order[b];
       if (level(i) - level(j) > 2 * near) break;
       if ((contacts[i].p - contacts[j].p).norm() > near ||
-          (contacts[i].n - contacts[j].n).norm() > kSame)
+          (contacts[i].n - contacts[j].n).norm() > kSamePlace)
         continue;
       first[i] = first[j];
       break;

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Index;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool is_held(const Reactions& reactions, int coordinate) {
   return std::find(reactions.held.begin(), reactions.held.end(), coordinate) !=

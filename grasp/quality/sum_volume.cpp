@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 
 #include <Eigen/Dense>
 
+#include "base/numbers.h"
 #include "grasp/quality/contact_faces.h"
 
 namespace thenar::internal {
@@ -16,13 +16,12 @@ namespace {
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Form = std::array<double, 64>;  // by the set of axes: an exterior product of some vectors
 
-constexpr int kAll = 63;        // the set of all six axes
+constexpr int kAllAxes = 63;    // the set of all six axes
 constexpr double kTie = 1e-14;  // a determinant below this part of its columns' lengths is 0
 constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until they are in general position
 constexpr double kTurnedArea = 100;  // facets below so many turns of their vectors' lengths do not
                                      // matter [1]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kOpen = 1e-7;  // of a closed surface's sum of normals over its area
+constexpr double kOpen = 1e-7;       // of a closed surface's sum of normals over its area
 
 int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
 
@@ -38,7 +37,7 @@ struct Term {
 
 std::vector<Term> terms(int degree) {
   std::vector<Term> list;
-  for (int axes = 0; axes < kAll; ++axes)
+  for (int axes = 0; axes < kAllAxes; ++axes)
     for (int axis = 0; axis < 6 && members(axes) == degree; ++axis)
       if ((axes & 1 << axis) == 0)
         list.push_back({static_cast<std::size_t>(axes), static_cast<std::size_t>(axes | 1 << axis),
@@ -60,7 +59,7 @@ Form wedge(const Form& f, int degree, const Wrench& v) {
 Wrench normal(const Form& five) {
   Wrench u;
   for (int axis = 0; axis < 6; ++axis) {
-    const int others = kAll ^ 1 << axis;
+    const int others = kAllAxes ^ 1 << axis;
     u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
   }
   return u;
@@ -72,7 +71,7 @@ Matrix6 normals(const Form& four) {
   Matrix6 S = Matrix6::Zero();
   for (const Term& term : all) {
     const int others = static_cast<int>(term.out);
-    const int axis = members((kAll ^ others) - 1);
+    const int axis = members((kAllAxes ^ others) - 1);
     S(axis, term.axis) += sign(others, axis) * term.sign * four[term.in];
   }
   return S;

@@ -1,12 +1,11 @@
 #include "grasp/quality/task_wrenches.h"
 
 #include <algorithm>
-#include <limits>
 
 #include <Eigen/QR>
 
 #include "base/error.h"
-#include "base/worst.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -14,7 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kIndependent = 1e-9;  // least part of the longest axis across the others [1]
 
 /// Appends variables p with |p| <= half width, which make the last rows of the wrench.

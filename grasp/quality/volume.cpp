@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include <Eigen/SVD>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "grasp/quality/epsilon_start.h"
 #include "grasp/quality/hull.h"
 #include "grasp/quality/pyramid.h"
@@ -16,22 +16,19 @@
 namespace thenar {
 namespace {
 
-constexpr double kFlat = 1e-10;  // widths below this part of the size count as 0 [1]
 constexpr double kBeyond =
     1e-12;  // a point this far beyond a facet, in parts of the size, is on it
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kLeastEdges = 6;    // with fewer than asked for an estimate to mean much
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 constexpr int kFacetsBeforeSum = 100000;  // of a hull, while there may be a way without it
-constexpr double kSharp = 1e-9;           // error of a volume that needs no other way [1]
-constexpr double kFolded = 1e-4;      // of a larger hull of a sum: faces that are parallel but for
-                                      // rounding fold it; 1.3e-5 was met [1]
-constexpr double kRounding = 1e-12;   // error of a volume that counts as exact [1]
-constexpr double kMostChoices = 2e7;  // of faces of a sum: some seconds
-constexpr double kSumError = 1e-6;    // of the volume of a sum that is not in general position [1]
+constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
+constexpr double kFolded = 1e-4;  // of a larger hull of a sum: faces that are parallel but for
+                                  // rounding fold it; 1.3e-5 was met [1]
+constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
+constexpr double kMostChoices = 2e7;    // of faces of a sum: some seconds
+constexpr double kSumError = 1e-6;  // of the volume of a sum that is not in general position [1]
 
 struct PolytopeVolume {
   double volume;
@@ -82,7 +79,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   const ForceLimit limit = options.limit;
   const Rounded round = rounded(set, limit);
   const internal::Support support(round.set, limit);
-  const auto simplex = internal::first_simplex(support, kFlat);
+  const auto simplex = internal::first_simplex(support, internal::kFlat);
   if (!simplex.found) return {0, true, 0};
   internal::Hull hull(simplex.points);
   double off = 0;
@@ -117,7 +114,7 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
       in.complete ? find(polytopes_about(set, options.edges)) : PolytopeVolume{0, false, in.facets};
   in.volume *= 1 - in.error;
   about.volume *= 1 + about.error;
-  if (!about.complete) return {in.volume, kInfinity, kNone, false, about.facets, options.edges};
+  if (!about.complete) return {in.volume, kInfinity, kNaN, false, about.facets, options.edges};
   const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
   return {in.volume, about.volume, guess, true, about.facets, options.edges};
 }
@@ -126,7 +123,7 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
 Volume tighter(const Volume& fine, Volume coarse) {
   coarse.lower = std::max(coarse.lower, fine.lower);
   if (coarse.edges < kLeastEdges) coarse.complete = false;
-  coarse.estimate = coarse.complete ? std::max(coarse.estimate, coarse.lower) : kNone;
+  coarse.estimate = coarse.complete ? std::max(coarse.estimate, coarse.lower) : kNaN;
   return coarse;
 }
 
@@ -135,7 +132,7 @@ Volume tighter(const Volume& fine, Volume coarse) {
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   const WrenchSet points = pyramids(set, options.edges);
   PolytopeVolume v = hull_volume(points, options, std::min(options.most_facets, kFacetsBeforeSum));
-  if (!v.complete || v.error > kSharp) {
+  if (!v.complete || v.error > kSharpVolume) {
     if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options))
       v = *sum;
     else if (!v.complete)
@@ -143,9 +140,9 @@ Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   }
   const bool folded = options.limit == ForceLimit::kLinf && v.facets > kFacetsBeforeSum;
   if (folded) v.error = std::max(v.error, kFolded);
-  if (v.error < kRounding) v.error = 0;
+  if (v.error < kExactVolume) v.error = 0;
   const double lower = v.volume * (1 - std::min(1.0, v.error));
-  if (!v.complete) return {lower, kInfinity, kNone, false, v.facets, 0};
+  if (!v.complete) return {lower, kInfinity, kNaN, false, v.facets, 0};
   return {lower, v.volume * (1 + v.error), v.volume, true, v.facets, 0};
 }
 

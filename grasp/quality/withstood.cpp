@@ -1,9 +1,9 @@
 #include "grasp/quality/withstood.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
@@ -12,9 +12,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kMostLeverage = 1e4;  // of a load over the largest limit of forces [1]
-constexpr double kAll = 1 - 1e-4;      // of a load, as good as all of it [1]
+constexpr double kMostLeverage = 1e4;    // of a load over the largest limit of forces [1]
+constexpr double kWholeLoad = 1 - 1e-4;  // of a load, as good as all of it [1]
 
 /// The programme of a force set, still without an aim.
 ConeProgram program_of(const ForceSet& forces) {
@@ -57,7 +56,7 @@ bool reaches(ConeProgram program, double value) {
   program.h(rows) = 1;
   program.cones.push_back(1);
   const ConeResult most = solve(program);
-  return most.status == ConeStatus::kSolved && -most.objective > kAll;
+  return most.status == ConeStatus::kSolved && -most.objective > kWholeLoad;
 }
 
 /// A value with so much leverage is borne by structure but for the rounding of normals, and the
@@ -74,8 +73,7 @@ void judge_leverage(const ConeProgram& program, double way, ConeResult& solution
 /// The value is minus the objective.
 Reach reach_of(const ForceSet& forces, const ConeResult& solution) {
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  Reach reach{solution.status,  kNone, kNone, forces.wrench * y, contact_forces(forces, y),
+  Reach reach{solution.status,  kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
               solution.residual};
   if (solution.status == ConeStatus::kSolved) {
     reach.value = -solution.objective;

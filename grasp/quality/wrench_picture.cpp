@@ -9,11 +9,11 @@
 namespace thenar {
 namespace {
 
-using Place = std::tuple<int, int, int>;  // on the octahedron |x| + |y| + |z| = pieces
+using GridPoint = std::tuple<int, int, int>;  // on the octahedron |x| + |y| + |z| = pieces
 
 /// Directions, and triangles between them that stand counterclockwise from outside.
 struct Sphere {
-  std::vector<Place> places;
+  std::vector<GridPoint> places;
   std::vector<Eigen::Vector3i> triangles;
 };
 
@@ -42,7 +42,7 @@ class Octahedron {
       }
   }
 
-  int vertex(const Place& place) {
+  int vertex(const GridPoint& place) {
     const auto [found, is_new] = numbers_.try_emplace(place, static_cast<int>(numbers_.size()));
     if (is_new) sphere_.places.push_back(place);
     return found->second;
@@ -50,11 +50,11 @@ class Octahedron {
 
   int pieces_;
   Sphere sphere_;
-  std::map<Place, int> numbers_;
+  std::map<GridPoint, int> numbers_;
 };
 
 /// Rows that pick coordinates; for a slice those of the others follow.
-Eigen::MatrixXd rows_of(const std::array<int, 3>& coordinates, PictureKind kind) {
+Eigen::MatrixXd picture_rows(const std::array<int, 3>& coordinates, PictureKind kind) {
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kind == PictureKind::kSlice ? 6 : 3, 6);
   std::array<bool, 6> seen{};
   for (int i = 0; i < 3; ++i) {
@@ -75,7 +75,7 @@ Eigen::MatrixXd rows_of(const std::array<int, 3>& coordinates, PictureKind kind)
 WrenchPicture wrench_picture(const ForceSet& forces, const std::array<int, 3>& coordinates,
                              PictureKind kind, int pieces) {
   require(pieces >= 1, "wanted one piece or more of each edge, got {}", pieces);
-  const Eigen::MatrixXd rows = rows_of(coordinates, kind);
+  const Eigen::MatrixXd rows = picture_rows(coordinates, kind);
   const Octahedron octahedron(pieces);
   const Sphere& sphere = octahedron.sphere();
   WrenchPicture picture;

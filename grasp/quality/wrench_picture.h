@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/triangle_mesh.h"
 #include "grasp/quality/withstood.h"
 
 namespace thenar {

@@ -47,4 +47,9 @@ enum class ForceLimit {
 /// the best of their caps, where positive.
 [[nodiscard]] double support(const WrenchSet& set, const Wrench& u, ForceLimit limit);
 
+namespace internal {
+/// Singular values, widths and distances below this part of the largest count as zero [1].
+inline constexpr double kFlat = 1e-10;
+}  // namespace internal
+
 }  // namespace thenar

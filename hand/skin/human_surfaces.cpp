@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "base/shapes/kept_mesh.h"
-#include "base/shapes/mesh_edges.h"
-#include "base/shapes/mesh_from_distance.h"
+#include "geometry/kept_mesh.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/mesh_from_distance.h"
 #include "hand/skin/hand_anatomy.h"
 #include "hand/skin/skin_body.h"
 
@@ -42,7 +42,7 @@ class SoftShape final : public Shape {
   Eigen::AlignedBox3d bounds_;
 };
 
-const Segment& segment_named(const Subject& subject, const std::string& name) {
+const Segment& find_segment(const Subject& subject, const std::string& name) {
   for (const Segment& segment : subject.segments)
     if (segment.name == name) return segment;
   throw InputError(
@@ -180,7 +180,7 @@ std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& 
   SkinMaker maker(skeleton, options);
   for (const Skin& skin : skins) maker.add(skin.digit, skin.segment, skin.mesh, skin.picture);
   for (const auto& [segment, mesh] : options.own)
-    maker.add(digit_of(hand, segment), segment_named(subject, segment).name, mesh);
+    maker.add(digit_of(hand, segment), find_segment(subject, segment).name, mesh);
   return maker.take();
 }
 

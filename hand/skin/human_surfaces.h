@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/triangle_mesh.h"
 #include "hand/hand.h"
 #include "hand/skeleton.h"
 #include "hand/skin/soft_body.h"

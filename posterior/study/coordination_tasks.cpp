@@ -8,9 +8,9 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "kinematics_fit/least_squares.h"
 #include "posterior/study/thumb_experiment.h"
 #include "sampling/random_stream.h"
+#include "solvers/least_squares.h"
 #include "tendons/tip_force.h"
 
 namespace thenar {

@@ -9,8 +9,8 @@
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kReading = 221;  // purpose of the random stream
-constexpr unsigned kTruths = 7919;       // seeds of truths, apart from those of chains
+constexpr std::uint32_t kCalibrationReading = 221;  // purpose of the random stream
+constexpr unsigned kTruths = 7919;                  // seeds of truths, apart from those of chains
 
 /// A thumb from the prior and what a load cell read of it.
 struct Simulation {
@@ -22,7 +22,7 @@ Simulation simulate(const HandPosterior& prior, const Experiment& base, unsigned
   Simulation out{prior.draw_prior(seed + kTruths, static_cast<unsigned>(number)), base};
   const Eigen::MatrixXd forces = prior.forces(out.truth, 0);
   const double factor = prior.values(out.truth).noise(0, 0);
-  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kReading);
+  RandomStream random(seed, static_cast<std::uint32_t>(number), 0, kCalibrationReading);
   for (std::size_t i = 0; i < base.trials.size(); ++i)
     for (int k = 0; k < 3; ++k)
       out.pulls.trials[i].force[k] = forces(3 * static_cast<Eigen::Index>(i) + k, 0) +

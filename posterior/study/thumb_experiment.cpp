@@ -3,15 +3,15 @@
 #include <array>
 #include <cmath>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "sampling/random_stream.h"
 
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kReading = 201;  // purpose of the random stream
+constexpr std::uint32_t kDigitizing = 201;  // purpose of the random stream
 
 /// Degrees at CMC flexion and abduction, MCP flexion and abduction, IP.
 PostureRecord posture(const char* name, std::array<double, 5> degrees) {
@@ -61,7 +61,7 @@ Experiment pull_muscles(const TendonDigit& truth, const PullOptions& options) {
     trial.force = force.col(static_cast<Eigen::Index>(i));
     const double sd = std::hypot(options.floor, options.noise * trial.force.norm());
     trial.sd = Eigen::Vector3d::Constant(sd);
-    RandomStream random(options.seed, static_cast<std::uint32_t>(i), 0, kReading);
+    RandomStream random(options.seed, static_cast<std::uint32_t>(i), 0, kDigitizing);
     for (int k = 0; k < 3 && options.add_noise; ++k) trial.force[k] += sd * random.normal();
   }
   return experiment;

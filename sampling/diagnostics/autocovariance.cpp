@@ -7,7 +7,7 @@
 namespace thenar {
 namespace {
 
-constexpr Eigen::Index kFewLags = 100;  // cheaper one by one than by FFT
+constexpr Eigen::Index kLagsWithoutFft = 100;  // cheaper one by one than by FFT
 
 Eigen::VectorXd sum_by_fft(const Eigen::VectorXd& centred) {
   // Zeros behind the series keep its end from meeting its beginning.
@@ -34,7 +34,7 @@ Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen
   require(lags >= 0 && lags <= n, "a chain of {} draws has no {} lags", n, lags);
   if (lags == 0) return {};
   const Eigen::VectorXd centred = x.array() - x.mean();
-  if (lags > kFewLags) return sum_by_fft(centred).head(lags) / double(n);
+  if (lags > kLagsWithoutFft) return sum_by_fft(centred).head(lags) / double(n);
   return Eigen::VectorXd::NullaryExpr(lags, [&](Eigen::Index t) {
     return centred.head(n - t).dot(centred.tail(n - t)) / double(n);
   });

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/numbers.h"
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/chain_parts.h"
 #include "sampling/diagnostics/convergence.h"
@@ -14,7 +15,6 @@
 namespace thenar {
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr Eigen::Index kFewLags = 100;  // usually enough, and soon computed
 
 /// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
@@ -49,7 +49,7 @@ double time_of_all(const Eigen::MatrixXd& x) {
 
 /// Never above N log10 N, where the noise of rho would decide.
 double effective_size(const Eigen::MatrixXd& x) {
-  if (!can_be_judged(x)) return kNone;
+  if (!can_be_judged(x)) return kNaN;
   const double size = double(x.size());
   return size / std::max(time_of_all(x), 1 / std::log10(size));
 }
@@ -71,14 +71,14 @@ double autocorrelation_time(const Eigen::VectorXd& rho) {
 }
 
 double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x) {
-  if (!can_be_judged(x)) return kNone;
+  if (!can_be_judged(x)) return kNaN;
   const Eigen::VectorXd covariance = autocovariance(x);
   const double size = double(x.size());
   return size / std::max(autocorrelation_time(covariance / covariance[0]), 1 / std::log10(size));
 }
 
 double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
-  if (!can_be_judged(x)) return kNone;
+  if (!can_be_judged(x)) return kNaN;
   const Eigen::MatrixXd pooled = pool_groups(x, group);  // walkers take turns
   const Eigen::Index walkers = pooled.rows() / x.rows();
   const Eigen::MatrixXd means = pooled.reshaped(walkers, x.rows() * pooled.cols())
@@ -93,7 +93,7 @@ double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vecto
 
 double bulk_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const Eigen::MatrixXd halves = split_chains(x);
-  if (!can_be_judged(halves)) return kNone;
+  if (!can_be_judged(halves)) return kNaN;
   return effective_size(normal_scores(halves));
 }
 
@@ -109,13 +109,13 @@ double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<in
 
 double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
   (void)split_chains(x);  // enough draws?
-  if (!can_be_judged(x)) return kNone;
+  if (!can_be_judged(x)) return kNaN;
   return effective_size(split_chains(at_most(x, quantile(sorted(x), share))));
 }
 
 double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   (void)split_chains(x);
-  if (!can_be_judged(x)) return kNone;
+  if (!can_be_judged(x)) return kNaN;
   const Eigen::VectorXd rising = sorted(x);
   const double low = effective_size(split_chains(at_most(x, quantile(rising, 0.05))));
   const double high = effective_size(split_chains(at_most(x, quantile(rising, 0.95))));

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "sampling/diagnostics/chain_parts.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/effective_size.h"
@@ -28,9 +28,8 @@ void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
 
 Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
                   const std::vector<int>& group) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd pooled = pool_groups(x, group);
-  Estimate of{name, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone, kNone};
+  Estimate of{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
   if (x.size() == 0 || !x.allFinite()) return of;
 
   const Eigen::VectorXd rising = sorted(x);

@@ -7,12 +7,11 @@
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "sampling/diagnostics/convergence.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// Index of the known mode whose normal density is largest at each draw (draws, chains).
 Eigen::MatrixXi nearest_known(const Draws& draws, const std::vector<KnownMode>& known) {
@@ -48,7 +47,7 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
   ModeMass mode;
   mode.mass = inside.mean();
   mode.visits = inside.colwise().mean().transpose();
-  mode.mcse = draws.draws() < 4 ? kNone : mean_mcse(inside, draws.group);
+  mode.mcse = draws.draws() < 4 ? kNaN : mean_mcse(inside, draws.group);
 
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(draws.size()), square = sum;
   for (int chain = 0; chain < draws.chains(); ++chain) sum += draws.x[chain] * inside.col(chain);
@@ -56,7 +55,7 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
   for (int chain = 0; chain < draws.chains(); ++chain)
     square += (draws.x[chain].colwise() - mode.centre).cwiseAbs2() * inside.col(chain);
   mode.sd = (square / (inside.sum() - 1)).cwiseSqrt();
-  if (inside.sum() < 2) mode.sd.setConstant(kNone);
+  if (inside.sum() < 2) mode.sd.setConstant(kNaN);
 
   const Eigen::Index later = inside.rows() - 1;
   mode.crossings =
@@ -92,9 +91,9 @@ void append_empty(const std::vector<KnownMode>& known, const std::vector<bool>& 
   for (std::size_t m = 0; m < known.size(); ++m) {
     if (visited[m]) continue;
     ModeMass mode;
-    mode.mcse = kNone;
+    mode.mcse = kNaN;
     mode.centre = known[m].centre;
-    mode.sd = Eigen::VectorXd::Constant(known[m].centre.size(), kNone);
+    mode.sd = Eigen::VectorXd::Constant(known[m].centre.size(), kNaN);
     mode.visits = Eigen::VectorXd::Zero(chains);
     mode.known = int(m);
     table.modes.push_back(mode);

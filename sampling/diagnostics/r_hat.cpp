@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "sampling/diagnostics/chain_parts.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 /// sqrt((B / W + n - 1) / n), between- and within-chain variance [Vehtari2021 eqs. 1-4].
 double r_hat(const Eigen::MatrixXd& x) {
@@ -26,12 +24,12 @@ double r_hat(const Eigen::MatrixXd& x) {
 
 double split_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const Eigen::MatrixXd halves = split_chains(x);
-  return can_be_judged(x) ? r_hat(halves) : kNone;
+  return can_be_judged(x) ? r_hat(halves) : kNaN;
 }
 
 double rank_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   const Eigen::MatrixXd halves = split_chains(x);
-  if (!can_be_judged(halves)) return kNone;
+  if (!can_be_judged(halves)) return kNaN;
   const double bulk = r_hat(normal_scores(halves));
 
   // Folded about the median, chains of unequal spread differ in place.

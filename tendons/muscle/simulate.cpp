@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/worst.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {

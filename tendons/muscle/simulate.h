@@ -3,9 +3,9 @@
 /// A digit moved by its muscles' excitations.
 
 #include "base/progress.h"
+#include "solvers/stiff_ode.h"
 #include "tendons/muscle/excitation.h"
 #include "tendons/muscle/finger_motion.h"
-#include "tendons/muscle/stiff_ode.h"
 
 namespace thenar {
 

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kMm = 1e-3;  // [m]
 
 /// Appends one column for each name.
 void add(TrajectoryTable& table, const std::string& before, const std::vector<std::string>& names,

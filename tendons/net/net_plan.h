@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "tendons/net/block_matrix.h"
+#include "solvers/block_matrix.h"
 #include "tendons/net/net.h"
 
 namespace thenar::internal {

@@ -9,8 +9,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// Moments and forces on all links, the base first.
-struct Wrenches {
-  explicit Wrenches(std::size_t links) : touched(links + 1, false), on(links + 1) {
+struct LinkWrenches {
+  explicit LinkWrenches(std::size_t links) : touched(links + 1, false), on(links + 1) {
     for (LinkWrench& w : on) w = {static_cast<int>(&w - on.data()) - 1, {0, 0, 0}, {0, 0, 0}};
   }
   void add(int link, const Vector3d& at, const Vector3d& f) {
@@ -23,8 +23,8 @@ struct Wrenches {
   std::vector<LinkWrench> on;
 };
 
-Wrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest) {
-  Wrenches all(state.size());
+LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest) {
+  LinkWrenches all(state.size());
   const internal::NetScene scene = internal::pose_surfaces(net, state);
   for (std::size_t i = 0; i < net.bands.size(); ++i) {
     const NetBand& band = net.bands[i];
@@ -51,7 +51,7 @@ Wrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquil
 
 std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
                                      const NetEquilibrium& rest) {
-  const Wrenches all = wrenches(net, state, rest);
+  const LinkWrenches all = wrenches(net, state, rest);
   std::vector<LinkWrench> touched;
   for (std::size_t i = 0; i < all.on.size(); ++i)
     if (all.touched[i]) touched.push_back(all.on[i]);

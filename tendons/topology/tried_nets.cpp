@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
+
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
 
 constexpr int kPairs = 40;  // of changes, tried where a misfit is not credible
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Tries all topologies that differ by one band. @return the bands, best change first
 std::vector<int> change_singly(TriedNets& tried, const TriedNet& here, double price) {

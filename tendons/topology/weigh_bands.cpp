@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include <Eigen/Eigenvalues>
 
+#include "base/numbers.h"
+
 namespace thenar {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kBlind = 1e-3;  // chi^2 per unit of log EA that counts as not felt [1]
 
 double evidence(const TriedNets& tried, int band) {

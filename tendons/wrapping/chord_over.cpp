@@ -62,17 +62,17 @@ void set_planar(Chord& chord, const Plane& plane, double r) {
 }
 
 /// The plane of a, b and the centre; if they are in line, the one that holds `side`.
-Vector3d plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+Vector3d unit_plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   const Vector3d m = a.cross(b);
   if (m.norm() > 1e-14) return m.normalized();
   const Vector3d held = a.cross(side);
   return held.norm() > 1e-14 ? Vector3d(held.normalized()) : Vector3d(a.unitOrthogonal());
 }
 
-Chord over_sphere(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+Chord chord_over_sphere(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   Chord chord = straight_chord(a, b);
   const double rho_a = a.norm(), rho_b = b.norm();
-  const Vector3d ea = a / rho_a, eb = b / rho_b, m = plane_normal(ea, eb, side);
+  const Vector3d ea = a / rho_a, eb = b / rho_b, m = unit_plane_normal(ea, eb, side);
   const double sine = m.dot(ea.cross(eb)), theta = std::atan2(sine, ea.dot(eb));
   const Plane plane =
       across(r, end(r, rho_a, ea, ea.cross(m)), end(r, rho_b, eb, m.cross(eb)), theta);
@@ -94,7 +94,7 @@ double angle_from(const Vector3d& side, const Vector3d& p) {
   return std::atan2(side.x() * p.y() - side.y() * p.x(), side.x() * p.x() + side.y() * p.y());
 }
 
-Chord over_cylinder(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
+Chord chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b, const Vector3d& side) {
   Chord chord = straight_chord(a, b);
   const Vector3d pa(a.x(), a.y(), 0), pb(b.x(), b.y(), 0), z = Vector3d::UnitZ();
   const double rho_a = pa.norm(), rho_b = pb.norm();
@@ -158,7 +158,8 @@ Chord chord_over(const BoneSurface& surface, const Vector3d& a_S, const Vector3d
           "a chord bends over a sphere or a cylinder, not {}", surface.name);
   const double r = surface.size[0];
   const Brought a = bring_out(r, sphere, a_S), b = bring_out(r, sphere, b_S);
-  Chord chord = sphere ? over_sphere(r, a.p, b.p, side_S) : over_cylinder(r, a.p, b.p, side_S);
+  Chord chord =
+      sphere ? chord_over_sphere(r, a.p, b.p, side_S) : chord_over_cylinder(r, a.p, b.p, side_S);
   if (!a.inside && !b.inside) return chord;
   chord.possible = false;
   Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Zero();

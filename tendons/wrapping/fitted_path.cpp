@@ -4,8 +4,8 @@
 #include <cmath>
 #include <set>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tendons/wrapping/path_arms.h"
 
 namespace thenar {
@@ -126,12 +126,12 @@ std::vector<Index> digits(Index number, Index base, std::size_t count) {
 }
 
 /// T_0..T_n and their derivatives at x.
-struct Basis {
+struct PolynomialBasis {
   VectorXd T, dT, ddT;
 };
-Basis basis(int order, double x) {
+PolynomialBasis basis(int order, double x) {
   const VectorXd none = VectorXd::Zero(order + 1);
-  Basis at{VectorXd::Ones(order + 1), none, none};
+  PolynomialBasis at{VectorXd::Ones(order + 1), none, none};
   if (order == 0) return at;
   at.T[1] = x;
   at.dT[1] = 1;
@@ -148,7 +148,7 @@ FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
   const Index n = run.order + 1;
   std::vector<VectorXd> parts{run.c};  // value, then one a coordinate done
   for (Index i = 0; i < x.size(); ++i) {
-    const Basis at = basis(run.order, x[i]);
+    const PolynomialBasis at = basis(run.order, x[i]);
     const VectorXd whole = parts[0];
     const auto contracted = [&](const VectorXd& part, const VectorXd& by) {
       return VectorXd(Eigen::Map<const MatrixXd>(part.data(), n, part.size() / n).transpose() * by);
@@ -297,10 +297,10 @@ MatrixXd arm_slopes(const FittedPath& path, const VectorXd& q) {
   for (const FittedRun& run : path.runs) {
     const std::size_t d = run.coordinates.size();
     const BoxPlace place = place_in_box(path, run, q);
-    std::vector<Basis> bases;
+    std::vector<PolynomialBasis> bases;
     std::vector<const VectorXd*> by;
     for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
-    for (const Basis& at : bases) by.push_back(&at.T);
+    for (const PolynomialBasis& at : bases) by.push_back(&at.T);
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t j = 0; j < d; ++j) {
         std::vector<const VectorXd*> twice = by;

@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/wrapping/flat_wrap.h"
 #include "tendons/wrapping/wrap_arc.h"
 
@@ -14,10 +14,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-double cross(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+double signed_area(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Plane through o, with unit vectors x towards the side and y across it.
-struct Section {
+struct PlaneSection {
   Vector3d o, x, y;
   [[nodiscard]] Vector2d flat(const Vector3d& p) const { return {x.dot(p - o), y.dot(p - o)}; }
   [[nodiscard]] Vector3d at(const Vector2d& p) const { return o + p.x() * x + p.y() * y; }
@@ -36,9 +36,9 @@ Vector3d core_near(const BoneSurface& surface, const Vector3d& in_plane, const V
 
 /// Plane of a, b and `third`, about the middle of the surface's section with it; nothing if those
 /// are in line or the plane misses the surface.
-std::optional<Section> section_through(const BoneSurface& surface, const Vector3d& a,
-                                       const Vector3d& b, const Vector3d& third,
-                                       const Vector3d& side) {
+std::optional<PlaneSection> section_through(const BoneSurface& surface, const Vector3d& a,
+                                            const Vector3d& b, const Vector3d& third,
+                                            const Vector3d& side) {
   const Vector3d m = (b - a).cross(third - a);
   if (m.norm() <= 1e-9 * (b - a).norm() * (third - a).norm()) return std::nullopt;
   const Vector3d normal = m.normalized(), core = core_near(surface, third, normal);
@@ -46,7 +46,7 @@ std::optional<Section> section_through(const BoneSurface& surface, const Vector3
   if (level(surface, o) >= 0) return std::nullopt;
   const Vector3d up = side - o, x = up - normal * normal.dot(up);
   if (x.norm() <= 1e-9 * up.norm()) return std::nullopt;
-  return Section{o, x.normalized(), normal.cross(x.normalized())};
+  return PlaneSection{o, x.normalized(), normal.cross(x.normalized())};
 }
 
 /// Least level on the straight run, between two samples of it.
@@ -80,7 +80,7 @@ Vector3d rounding(const BoneSurface& surface) {
 }
 
 /// Where the ray from the middle of the section leaves the surface.
-Vector2d edge(const BoneSurface& surface, const Section& section, const Vector2d& direction) {
+Vector2d edge(const BoneSurface& surface, const PlaneSection& section, const Vector2d& direction) {
   if (surface.shape == SurfaceShape::kEllipsoid) {  // |u + s d| = 1, all over the semi-axes
     const Vector3d u = section.o.cwiseQuotient(surface.size);
     const Vector3d d = (section.at(direction) - section.o).cwiseQuotient(surface.size);
@@ -100,7 +100,7 @@ struct FlatArc {
   Vector2d start, towards;
   double length;
 };
-FlatArc taut(const BoneSurface& surface, const Section& section, const Vector2d& a,
+FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vector2d& a,
              const Vector2d& b, double way) {
   constexpr int kSamples = 64;
   std::array<Vector2d, kSamples> rim;
@@ -112,8 +112,8 @@ FlatArc taut(const BoneSurface& surface, const Section& section, const Vector2d&
   // Seen from a, and from b backwards, the whole rim lies on one side of the tangent.
   std::size_t on = 0, off = 0;
   for (std::size_t i = 1; i < kSamples; ++i) {
-    if (way * cross(rim[on] - a, rim[i] - a) < 0) on = i;
-    if (way * cross(rim[off] - b, rim[i] - b) > 0) off = i;
+    if (way * signed_area(rim[on] - a, rim[i] - a) < 0) on = i;
+    if (way * signed_area(rim[off] - b, rim[i] - b) > 0) off = i;
   }
   double length = 0;
   const std::size_t steps = (off + kSamples - on) % kSamples;
@@ -134,7 +134,7 @@ std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a
   const bool barred =
       parted && (flat_a.x() * flat_b.y() - flat_b.x() * flat_a.y()) * (flat_b.y() - flat_a.y()) < 0;
   if (clear && !barred) return std::nullopt;
-  const double way = (parted ? flat_b.y() > 0 : cross(flat_a, flat_b) > 0) ? 1 : -1;
+  const double way = (parted ? flat_b.y() > 0 : signed_area(flat_a, flat_b) > 0) ? 1 : -1;
   const FlatArc flat = taut(surface, *section, flat_a, flat_b, way);
   const Vector3d start = section->at(flat.start);
   return WrapArc{settle(surface, {start, section->at(flat.start + flat.towards) - start}),

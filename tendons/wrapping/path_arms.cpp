@@ -89,7 +89,7 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
 }
 
 /// Sums wrenches by link.
-class Wrenches {
+class PathWrenches {
  public:
   void add(int link, const Vector3d& at, const Vector3d& f) { add(link, {link, at.cross(f), f}); }
   void add(int link, const PathWrench& wrench) {
@@ -136,7 +136,7 @@ Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double fr
 }
 
 void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
-             Wrenches& wrenches) {
+             PathWrenches& wrenches) {
   const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
   const double length = arc.arc.length;
   const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
@@ -149,7 +149,7 @@ void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& 
 
 /// The first `spans` runs of a tendon under a tension; `cut`: the last of them ends in the air.
 void add_part(const TreeState<double>& state, const PathSet& set, const PathShape& shape,
-              std::size_t spans, double tension, bool cut, Wrenches& wrenches) {
+              std::size_t spans, double tension, bool cut, PathWrenches& wrenches) {
   const auto touches = [&](std::size_t span, bool end) {  // an arc begins or ends there
     return std::any_of(shape.arcs.begin(), shape.arcs.end(), [&](const PathArc& arc) {
       return arc.after == static_cast<int>(span) - (end ? 0 : 1);
@@ -179,7 +179,7 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
 
 std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
                                       const std::vector<PathShape>& shapes, std::size_t path) {
-  Wrenches wrenches;
+  PathWrenches wrenches;
   add_part(state, set, shapes[path], shapes[path].spans.size(), 1, false, wrenches);
   if (set.paths[path].carrier < 0) return wrenches.all;
   // The carrier takes the rider's pull -u: what lies along it as less tension towards its

@@ -4,8 +4,8 @@
 #include <limits>
 #include <set>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tendons/wrapping/flat_wrap.h"
 #include "tendons/wrapping/path_solver.h"
 
@@ -14,8 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRideReach = 1e-3;  // how far an origin may lie from what it rides on [m]
-constexpr double kInside = 1e-9;     // how deep a point beside a surface may lie in it [m]
+constexpr double kRideReach = 1e-3;    // how far an origin may lie from what it rides on [m]
+constexpr double kPointInside = 1e-9;  // how deep a point beside a surface may lie in it [m]
 
 int index_of(const std::vector<BoneSurface>& surfaces, const std::string& name) {
   for (std::size_t i = 0; i < surfaces.size(); ++i)
@@ -33,8 +33,8 @@ int index_of(const std::vector<WrappedPath>& paths, const std::string& name) {
 void check_outside(const WrappedPath& path, std::size_t point, const BoneSurface& surface) {
   const Vector3d p = surface.X.inverse() * path.points[point].p;
   const double depth = level(surface, p) < 0 ? -probe(surface, p).gap : 0;
-  require(depth <= kInside, "point {} of strand '{}' lies {:.3g} mm inside surface '{}'", point + 1,
-          path.name, 1e3 * depth, surface.name);
+  require(depth <= kPointInside, "point {} of strand '{}' lies {:.3g} mm inside surface '{}'",
+          point + 1, path.name, 1e3 * depth, surface.name);
 }
 
 /// Coordinates of the hinges between two links.
@@ -130,11 +130,11 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
 }
 
 /// Nearest place of a posed path to p: how far off, and how far from the insertion [m].
-struct Place {
+struct PathPlace {
   double off, along;
 };
-Place nearest_place(const PathShape& shape, const Vector3d& p) {
-  Place nearest{std::numeric_limits<double>::infinity(), 0};
+PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
+  PathPlace nearest{std::numeric_limits<double>::infinity(), 0};
   double before = 0;
   auto arc = shape.arcs.begin();
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
@@ -158,7 +158,7 @@ void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
   PathSolver solver(set);
   const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
-  const Place place =
+  const PathPlace place =
       nearest_place(shapes[static_cast<std::size_t>(path.carrier)], path.points.back().p);
   require(place.off <= kRideReach,
           "the origin of strand '{}' rides on '{}' but lies {:.3g} mm from it, more than {:.3g} mm",

@@ -6,7 +6,7 @@
 
 #include <random>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -3,14 +3,13 @@
 #include "base/special_functions.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
+#include "base/numbers.h"
+
 namespace thenar {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(NormalQuantile, IsThePublishedOne) {
   // Tables: 97.5 %, 99.9 % and a billionth.

@@ -10,11 +10,10 @@
 #include "data/io/scaled_hand.h"
 #include "data/io/subject.h"
 #include "data/io/toml_node.h"
+#include "tests/data_folder.h"
 
 namespace thenar {
 namespace {
-
-const std::string kData = THENAR_DATA_DIR;
 
 std::vector<std::string> files_in(const std::string& folder) {
   std::vector<std::string> paths;

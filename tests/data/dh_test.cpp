@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-const std::string kGood = R"(name = "E1"
+const std::string kGoodExperiment = R"(name = "E1"
 species = "human"
 source = "Synek2019"
 digit = "middle"
@@ -39,14 +39,14 @@ rows = [
 )";
 
 std::string broken(const std::string& from, const std::string& to) {
-  std::string text = kGood;
+  std::string text = kGoodExperiment;
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
 }
 
-/// What the reader says of kGood with `from` replaced by `to`.
-std::string refusal(const std::string& from, const std::string& to) {
+/// What the reader says of kGoodExperiment with `from` replaced by `to`.
+std::string experiment_refusal(const std::string& from, const std::string& to) {
   try {
     (void)parse_experiment(broken(from, to), "e.toml");
   } catch (const DataError& e) {
@@ -57,7 +57,7 @@ std::string refusal(const std::string& from, const std::string& to) {
 
 class ExperimentFile : public testing::Test {
  protected:
-  const Experiment experiment_ = parse_experiment(kGood, "e.toml");
+  const Experiment experiment_ = parse_experiment(kGoodExperiment, "e.toml");
 };
 
 TEST_F(ExperimentFile, HeaderIsRead) {
@@ -97,81 +97,83 @@ TEST_F(ExperimentFile, NoiseIsFloorAndFraction) {
 }
 
 TEST(ExperimentErrors, MissingForceFrame) {
-  EXPECT_EQ(refusal("[force]\nsegment = \"DP3\"\ncomponents = [\"-proximal\", \"palmar\", "
-                    "\"radial\"]\n",
-                    ""),
-            "e.toml:1: the file needs [force]: the segment and the axes of the forces");
+  EXPECT_EQ(
+      experiment_refusal("[force]\nsegment = \"DP3\"\ncomponents = [\"-proximal\", \"palmar\", "
+                         "\"radial\"]\n",
+                         ""),
+      "e.toml:1: the file needs [force]: the segment and the axes of the forces");
 }
 
 TEST(ExperimentErrors, UnknownComponent) {
-  EXPECT_EQ(refusal("palmar", "upward"),
+  EXPECT_EQ(experiment_refusal("palmar", "upward"),
             "e.toml:11: wanted each of 'components' to be one of proximal, distal, dorsal, palmar, "
             "radial, ulnar or its negative, got 'upward'");
 }
 
 TEST(ExperimentErrors, ComponentsAlongOneDirection) {
-  EXPECT_EQ(refusal("palmar", "distal"),
+  EXPECT_EQ(experiment_refusal("palmar", "distal"),
             "e.toml:11: wanted 'components' along three different directions");
 }
 
 TEST(ExperimentErrors, UndefinedPosture) {
-  EXPECT_EQ(refusal("{posture = \"Hook\"", "{posture = \"Hock\""),
+  EXPECT_EQ(experiment_refusal("{posture = \"Hook\"", "{posture = \"Hock\""),
             "e.toml:20: posture 'Hock' is not defined, did you mean 'Hook'?");
 }
 
 TEST(ExperimentErrors, TendonThatPushes) {
-  EXPECT_EQ(refusal("FDS = 500", "FDS = -500"), "e.toml:20: tendon 'FDS' cannot push, got -0.5 kg");
+  EXPECT_EQ(experiment_refusal("FDS = 500", "FDS = -500"),
+            "e.toml:20: tendon 'FDS' cannot push, got -0.5 kg");
 }
 
 TEST(ExperimentErrors, NotANumber) {
-  EXPECT_EQ(refusal("[1, 0, 0]", "[1, nan, 0]"),
+  EXPECT_EQ(experiment_refusal("[1, 0, 0]", "[1, nan, 0]"),
             "e.toml:20: wanted 'force_N' as a finite number, got nan");
 }
 
 TEST(ExperimentErrors, WrongUnit) {
-  EXPECT_EQ(refusal("force_N = [1", "force_mm = [1"),
+  EXPECT_EQ(experiment_refusal("force_N = [1", "force_mm = [1"),
             "e.toml:20: wanted a force (force_N), got 'force_mm'");
-  EXPECT_EQ(refusal("angles_deg", "angles_mm"),
+  EXPECT_EQ(experiment_refusal("angles_deg", "angles_mm"),
             "e.toml:17: wanted an angle (angles_deg, angles_rad), got 'angles_mm'");
 }
 
 TEST(ExperimentErrors, UnknownKey) {
-  EXPECT_EQ(refusal("moment_Nmm", "momant_Nmm"),
+  EXPECT_EQ(experiment_refusal("moment_Nmm", "momant_Nmm"),
             "e.toml:20: unknown key 'momant_Nmm', did you mean 'moment_Nmm'?");
 }
 
 TEST(ExperimentErrors, NoLoad) {
-  EXPECT_EQ(refusal("load_g = {FDS = 500}, ", ""),
+  EXPECT_EQ(experiment_refusal("load_g = {FDS = 500}, ", ""),
             "e.toml:20: a trial needs 'load_g' or 'tension_N'");
 }
 
 TEST(ExperimentErrors, NoTrials) {
-  const std::size_t rows = kGood.find("rows = [");
-  EXPECT_EQ(refusal(kGood.substr(rows), "rows = []\n"),
+  const std::size_t rows = kGoodExperiment.find("rows = [");
+  EXPECT_EQ(experiment_refusal(kGoodExperiment.substr(rows), "rows = []\n"),
             "e.toml:19: wanted at least one trial in 'rows', got none");
-  EXPECT_EQ(refusal(kGood.substr(rows), ""),
+  EXPECT_EQ(experiment_refusal(kGoodExperiment.substr(rows), ""),
             "e.toml:18: wanted at least one trial in 'rows', got none");
 }
 
 TEST(ExperimentErrors, NoNoise) {
-  EXPECT_EQ(refusal("[noise]\nrelative = 0.3\nfloor_N = 0.4\n", ""),
+  EXPECT_EQ(experiment_refusal("[noise]\nrelative = 0.3\nfloor_N = 0.4\n", ""),
             "e.toml:17: a trial needs 'sd_N', or the file a [noise] table");
-  EXPECT_EQ(refusal("floor_N = 0.4\n", ""),
+  EXPECT_EQ(experiment_refusal("floor_N = 0.4\n", ""),
             "e.toml:12: [noise] needs 'floor_N' > 0: a force of zero is not known exactly");
 }
 
 TEST(ExperimentErrors, PostureGivenTwice) {
-  EXPECT_EQ(refusal("[trials]", "[[posture]]\nname = \"Hook\"\n[trials]"),
+  EXPECT_EQ(experiment_refusal("[trials]", "[[posture]]\nname = \"Hook\"\n[trials]"),
             "e.toml:19: posture 'Hook' is given twice");
 }
 
 TEST(ExperimentErrors, BadHold) {
-  EXPECT_EQ(refusal("rigid", "loose"),
+  EXPECT_EQ(experiment_refusal("rigid", "loose"),
             "e.toml:6: wanted 'hold' to be one of rigid, pinned, got 'loose'");
 }
 
 TEST(ExperimentErrors, NoSource) {
-  EXPECT_EQ(refusal("source = \"Synek2019\"\n", ""),
+  EXPECT_EQ(experiment_refusal("source = \"Synek2019\"\n", ""),
             "e.toml:1: the top level needs 'source' (a citation key)");
 }
 
@@ -219,7 +221,7 @@ TEST(ActivationRows, MayStandAlone) {
 std::string activation_refusal(const std::string& from, const std::string& to) {
   std::string rows = kActivation;
   rows.replace(rows.find(from), from.size(), to);
-  return refusal("[trials]\n", rows);
+  return experiment_refusal("[trials]\n", rows);
 }
 
 TEST(ActivationRows, SayWhatIsWrongWithThem) {

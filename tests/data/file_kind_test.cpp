@@ -7,12 +7,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/data_folder.h"
 #include "tests/temporary_folder.h"
 
 namespace thenar {
 namespace {
-
-const std::string kData = THENAR_DATA_DIR;
 
 class FileKinds : public TemporaryFolder {
  protected:

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-const std::string kGood = R"(name = "example"
+const std::string kGoodSettings = R"(name = "example"
 source = "Synek2019"
 robust_scale = 2
 [[parameter]]
@@ -40,8 +40,8 @@ joints = ["CMC1_FE", "CMC1_AA"]
 range_mm = [5, 12]
 )";
 
-std::string refusal(const std::string& from, const std::string& to) {
-  std::string text = kGood;
+std::string settings_refusal(const std::string& from, const std::string& to) {
+  std::string text = kGoodSettings;
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   try {
@@ -53,7 +53,7 @@ std::string refusal(const std::string& from, const std::string& to) {
 }
 
 TEST(FitSettingsFile, ReadsEverythingInSi) {
-  const FitSettings settings = parse_fit_settings(kGood, "fit.toml");
+  const FitSettings settings = parse_fit_settings(kGoodSettings, "fit.toml");
   EXPECT_EQ(settings.path, "fit.toml");
   EXPECT_EQ(settings.robust_scale, 2);
   ASSERT_EQ(settings.rules.size(), 4U);
@@ -85,39 +85,40 @@ TEST(FitSettingsFile, ReadsEverythingInSi) {
 }
 
 TEST(FitSettingsFile, NamesMixedUnits) {
-  EXPECT_EQ(refusal("range_mm = 4", "range_deg = 4"),
+  EXPECT_EQ(settings_refusal("range_mm = 4", "range_deg = 4"),
             "fit.toml:4: 'range' is an angle, but an earlier key of the row is a length");
 }
 
 TEST(FitSettingsFile, NamesTheUnknownState) {
-  const std::string message = refusal("state = \"free\"", "state = \"loose\"");
+  const std::string message = settings_refusal("state = \"free\"", "state = \"loose\"");
   EXPECT_NE(message.find("fit.toml:6: "), std::string::npos) << message;
   EXPECT_NE(message.find("loose"), std::string::npos) << message;
 }
 
 TEST(FitSettingsFile, NamesWrongAxisDistances) {
-  EXPECT_EQ(refusal("[\"CMC1_FE\", \"CMC1_AA\"]", "[\"CMC1_FE\"]"),
+  EXPECT_EQ(settings_refusal("[\"CMC1_FE\", \"CMC1_AA\"]", "[\"CMC1_FE\"]"),
             "fit.toml:26: wanted 2 'joints', got 1");
-  EXPECT_EQ(refusal("[5, 12]", "[12, 5]"),
+  EXPECT_EQ(settings_refusal("[5, 12]", "[12, 5]"),
             "fit.toml:26: 'range' must go from the lower bound to the upper");
 }
 
 TEST(FitSettingsFile, RefusesNegativeAndInfiniteSds) {
-  EXPECT_NE(refusal("sd_mm = 0.5", "sd_mm = -0.5").find("fit.toml:7: "), std::string::npos);
-  EXPECT_NE(refusal("sd_mm = 0.5", "sd_mm = inf").find("fit.toml:7: "), std::string::npos);
+  EXPECT_NE(settings_refusal("sd_mm = 0.5", "sd_mm = -0.5").find("fit.toml:7: "),
+            std::string::npos);
+  EXPECT_NE(settings_refusal("sd_mm = 0.5", "sd_mm = inf").find("fit.toml:7: "), std::string::npos);
 }
 
 TEST(FitSettingsFile, RefusesWhatItDoesNotKnow) {
-  EXPECT_NE(refusal("robust_scale = 2", "robust = 2"), "");
-  EXPECT_NE(refusal("tie_ratio = 0.5", "tie_factor = 0.5"), "");
+  EXPECT_NE(settings_refusal("robust_scale = 2", "robust = 2"), "");
+  EXPECT_NE(settings_refusal("tie_ratio = 0.5", "tie_factor = 0.5"), "");
 }
 
 TEST(FitSettingsFile, ReadsBeliefsOfAPosterior) {
-  const PosteriorBeliefs usual = parse_fit_settings(kGood, "fit.toml").posterior;
+  const PosteriorBeliefs usual = parse_fit_settings(kGoodSettings, "fit.toml").posterior;
   EXPECT_TRUE(usual.sphere_priors);
   EXPECT_GT(usual.noise_sd, 0);
   const std::string own = "[posterior]\nnoise_sd = 0\nspread_sd = 0.3\ndirections = 'normal'\n";
-  const PosteriorBeliefs beliefs = parse_fit_settings(kGood + own, "fit.toml").posterior;
+  const PosteriorBeliefs beliefs = parse_fit_settings(kGoodSettings + own, "fit.toml").posterior;
   EXPECT_EQ(beliefs.noise_sd, 0);
   EXPECT_EQ(beliefs.spread_sd, 0.3);
   EXPECT_FALSE(beliefs.sphere_priors);
@@ -125,7 +126,7 @@ TEST(FitSettingsFile, ReadsBeliefsOfAPosterior) {
 
 TEST(FitSettingsErrors, OfThePosteriorHavePathAndLine) {
   const auto with = [](const std::string& row) {
-    return refusal("[[axis_distance]]", "[posterior]\n" + row + "\n[[axis_distance]]");
+    return settings_refusal("[[axis_distance]]", "[posterior]\n" + row + "\n[[axis_distance]]");
   };
   EXPECT_EQ(with("noise_sd = -1"), "fit.toml:27: wanted 'noise_sd' >= 0, got -1");
   EXPECT_EQ(with("directions = 'flat'"),

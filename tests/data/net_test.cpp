@@ -6,14 +6,14 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
 // A net of one band and one muscle; a test breaks one line of it.
-const std::string kGood = R"(name = "small"
+const std::string kGoodNet = R"(name = "small"
 source = "Dogadov2017"
 [bone_lengths]
 metacarpal_mm = 60
@@ -68,8 +68,8 @@ pulls = [{node = "knot", share = 0.75}]
 central = ["slip"]
 )";
 
-std::string refusal(const std::string& from, const std::string& to) {
-  std::string text = kGood;
+std::string net_refusal(const std::string& from, const std::string& to) {
+  std::string text = kGoodNet;
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
@@ -82,7 +82,7 @@ std::string refusal(const std::string& from, const std::string& to) {
 }
 
 TEST(Net, ReadsPlacesInSi) {
-  const NetDescription net = parse_net(kGood, "net.toml");
+  const NetDescription net = parse_net(kGoodNet, "net.toml");
   EXPECT_DOUBLE_EQ(net.bone_length.at(BoneRole::kMiddle), 0.025);
   EXPECT_DOUBLE_EQ(net.height.at(FingerJoint::kPip), 0.006);
   EXPECT_EQ(net.nodes[0].place.bone, BoneRole::kMiddle);
@@ -92,44 +92,44 @@ TEST(Net, ReadsPlacesInSi) {
 
 // 100 MPa on 1.5 mm^2 is 150 N per unit strain.
 TEST(Net, TakesStiffnessFromModulusAndArea) {
-  EXPECT_NEAR(parse_net(kGood, "net.toml").bands[0].EA, 150, 1e-9);
+  EXPECT_NEAR(parse_net(kGoodNet, "net.toml").bands[0].EA, 150, 1e-9);
 }
 
 TEST(Net, NamesUnknownNode) {
-  EXPECT_EQ(refusal("to = \"knot\"", "to = \"knob\"").rfind("net.toml:43: ", 0), 0U)
-      << refusal("to = \"knot\"", "to = \"knob\"");
+  EXPECT_EQ(net_refusal("to = \"knot\"", "to = \"knob\"").rfind("net.toml:43: ", 0), 0U)
+      << net_refusal("to = \"knot\"", "to = \"knob\"");
 }
 
-// Lines as counted in kGood, in which friction takes the third.
+// Lines as counted in kGoodNet, in which friction takes the third.
 TEST(Net, RefusesNumbersOutOfRangeAtTheirLines) {
-  const std::string slips = refusal("[bone_lengths]", "friction = 5\n[bone_lengths]");
+  const std::string slips = net_refusal("[bone_lengths]", "friction = 5\n[bone_lengths]");
   EXPECT_EQ(slips.rfind("net.toml:3: ", 0), 0U) << slips;
   EXPECT_NE(slips.find("in 0..1, got 5"), std::string::npos) << slips;
-  const std::string far = refusal("along = 0.2", "along = 20");
+  const std::string far = net_refusal("along = 0.2", "along = 20");
   EXPECT_EQ(far.rfind("net.toml:30: ", 0), 0U) << far;
   EXPECT_NE(far.find("wanted 'along' in -1..2 bone lengths, got 20"), std::string::npos) << far;
-  EXPECT_EQ(refusal("along = 1\n", "along = -1.5\n").rfind("net.toml:16: ", 0), 0U);
-  EXPECT_EQ(refusal("along = 0.2", "along = -0.3"), "");
+  EXPECT_EQ(net_refusal("along = 1\n", "along = -1.5\n").rfind("net.toml:16: ", 0), 0U);
+  EXPECT_EQ(net_refusal("along = 0.2", "along = -0.3"), "");
 }
 
 TEST(Net, RefusesBandOverCapsule) {
-  EXPECT_NE(refusal("over = \"head\"", "over = \"shaft\"").find("'shaft' is a capsule"),
+  EXPECT_NE(net_refusal("over = \"head\"", "over = \"shaft\"").find("'shaft' is a capsule"),
             std::string::npos);
 }
 
 TEST(Net, RefusesSharesAboveOne) {
-  EXPECT_NE(refusal("share = 0.75", "share = 0.75}, {node = \"knot\", share = 0.5")
+  EXPECT_NE(net_refusal("share = 0.75", "share = 0.75}, {node = \"knot\", share = 0.5")
                 .find("wanted shares of at most 1 in all, got 1.25"),
             std::string::npos);
 }
 
 TEST(Net, RefusesBandFromNodeToItself) {
-  EXPECT_NE(refusal("to = \"knot\"", "to = \"insertion\"").find("begins and ends at node"),
+  EXPECT_NE(net_refusal("to = \"knot\"", "to = \"insertion\"").find("begins and ends at node"),
             std::string::npos);
 }
 
 TEST(Net, RefusesBoneNodeOnSurface) {
-  EXPECT_NE(refusal("height_mm = 5\n", "height_mm = 5\nsurfaces = [\"head\"]\n")
+  EXPECT_NE(net_refusal("height_mm = 5\n", "height_mm = 5\nsurfaces = [\"head\"]\n")
                 .find("only a floating node rests on surfaces"),
             std::string::npos);
 }

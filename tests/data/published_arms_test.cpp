@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "data/io/dh.h"
 #include "data/io/experiment.h"
 #include "data/io/subject.h"

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 class ResultFileTest : public TemporaryFolder {};
 
-ResultFile example() {
+ResultFile example_result() {
   ResultFile file;
   Eigen::MatrixXd matrix(2, 3);
   matrix << 1, 2, 3, 0.1, -1e-300, 5;
@@ -45,7 +45,7 @@ std::string refusal(const std::string& path) {
 }
 
 TEST_F(ResultFileTest, ReadsBackEveryBit) {
-  const ResultFile file = example();
+  const ResultFile file = example_result();
   write_result(file, path("a.h5"));
   const ResultFile back = read_result(path("a.h5"));
   EXPECT_EQ(back.matrix("group/matrix"), file.matrix("group/matrix"));
@@ -60,7 +60,7 @@ TEST_F(ResultFileTest, ReadsBackEveryBit) {
 }
 
 TEST_F(ResultFileTest, LabelsDimensions) {
-  write_result(example(), path("a.h5"));
+  write_result(example_result(), path("a.h5"));
   const hid_t h5 = H5Fopen(path("a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   const hid_t dataset = H5Dopen2(h5, "group/matrix", H5P_DEFAULT);
   EXPECT_EQ(H5DSget_num_scales(dataset, 0), 1);
@@ -85,20 +85,20 @@ TEST_F(ResultFileTest, RefusesForeignFiles) {
 
 TEST_F(ResultFileTest, LeavesNothingHalfWritten) {
   std::ofstream(path("file")) << "in the way";
-  EXPECT_THROW(write_result(example(), path("file/a.h5")), InputError);
-  ResultFile clash = example();
+  EXPECT_THROW(write_result(example_result(), path("file/a.h5")), InputError);
+  ResultFile clash = example_result();
   clash.add("number/below", 1, "1");  // a group where a number already stands
   EXPECT_THROW(write_result(clash, path("clash.h5")), InputError);
   fs::create_directories(folder_ / "folder" / "inside");
-  EXPECT_THROW(write_result(example(), path("folder")), InputError);
+  EXPECT_THROW(write_result(example_result(), path("folder")), InputError);
   for (const auto& entry : fs::directory_iterator(folder_))
     EXPECT_TRUE(entry.path().filename() == "file" || entry.path().filename() == "folder")
         << entry.path();
 }
 
 TEST_F(ResultFileTest, KeepsTheOldFileWhereTheNewOneFails) {
-  write_result(example(), path("a.h5"));
-  ResultFile clash = example();
+  write_result(example_result(), path("a.h5"));
+  ResultFile clash = example_result();
   clash.add("number/below", 1, "1");
   EXPECT_THROW(write_result(clash, path("a.h5")), InputError);
   EXPECT_EQ(read_result(path("a.h5")).number("number"), 1.0 / 3);
@@ -119,8 +119,8 @@ TEST_F(ResultFileTest, KeepsTheOldFileWhereTheNewOneFails) {
 }
 
 TEST_F(ResultFileTest, KeepsTheOldFileOnAFullDisk) {
-  write_result(example(), path("a.h5"));
-  ResultFile large = example();
+  write_result(example_result(), path("a.h5"));
+  ResultFile large = example_result();
   large.add("large", Eigen::MatrixXd::Ones(100, 100), "1", {"row", "column"});  // 80 kB
   EXPECT_EXIT(exit_refused_on_a_full_disk(large, path("a.h5")), testing::ExitedWithCode(0), "");
   EXPECT_EQ(read_result(path("a.h5")).number("number"), 1.0 / 3);
@@ -128,7 +128,7 @@ TEST_F(ResultFileTest, KeepsTheOldFileOnAFullDisk) {
 }
 
 TEST(ResultFileAccess, NamesWhatIsMissing) {
-  const ResultFile file = example();
+  const ResultFile file = example_result();
   const auto message = [](const auto& ask) -> std::string {
     try {
       (void)ask();

@@ -59,7 +59,7 @@ path = [
 
 Subject parse(const std::string& text) { return parse_subject(text, "hand.toml"); }
 
-std::string refusal(const std::string& text) {
+std::string surface_refusal(const std::string& text) {
   try {
     (void)parse(text);
   } catch (const DataError& error) {
@@ -151,12 +151,12 @@ path = [
 
 TEST(SubjectSurfaces, NamesTheLineOfAnUnknownSurface) {
   const std::string text = kBones + kFlexor;
-  EXPECT_EQ(refusal(text), "hand.toml:" + line_of(text, "{surface") +
-                               ": 'surface' names the unknown surface 'head'");
+  EXPECT_EQ(surface_refusal(text), "hand.toml:" + line_of(text, "{surface") +
+                                       ": 'surface' names the unknown surface 'head'");
 }
 
 TEST(SubjectSurfaces, RefusesATorusWithoutAHole) {
-  EXPECT_NE(refusal(kBones + R"(
+  EXPECT_NE(surface_refusal(kBones + R"(
 [[surface]]
 name = "bead"
 segment = "MC2"
@@ -171,7 +171,7 @@ ring_radius_mm = 4
 }
 
 TEST(SubjectSurfaces, RefusesAPathThatEndsOnASurface) {
-  EXPECT_NE(refusal(kBones + kHead + R"(
+  EXPECT_NE(surface_refusal(kBones + kHead + R"(
 [[strand]]
 name = "FDP"
 path = [
@@ -185,7 +185,7 @@ path = [
 }
 
 TEST(SubjectSurfaces, RefusesAnOriginFarFromWhatItRidesOn) {
-  EXPECT_NE(refusal(kBones + R"(
+  EXPECT_NE(surface_refusal(kBones + R"(
 [[strand]]
 name = "FDP"
 path = [{segment = "PP2", point_mm = [-20, 9, 0]}, {segment = "MC2", point_mm = [20, 9, 0]}]
@@ -202,7 +202,7 @@ path = [
 }
 
 TEST(SubjectSurfaces, RefusesAPointOnTheWayThatRides) {
-  EXPECT_NE(refusal(kBones + R"(
+  EXPECT_NE(surface_refusal(kBones + R"(
 [[strand]]
 name = "FDP"
 path = [{segment = "PP2", point_mm = [-20, 9, 0]}, {segment = "MC2", point_mm = [20, 9, 0]}]

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "data/io/nearest_name.h"
 #include "data/io/sources.h"
 #include "tests/matrix_near.h"

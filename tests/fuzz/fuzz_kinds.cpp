@@ -9,7 +9,6 @@
 #include "apps/contact_file.h"
 #include "apps/json_line.h"
 #include "base/error.h"
-#include "base/shapes/mesh_mend.h"
 #include "base/write_file.h"
 #include "data/io/anthropometry.h"
 #include "data/io/checked_file.h"
@@ -27,6 +26,7 @@
 #include "data/io/world/graspit_world.h"
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
+#include "geometry/mesh_mend.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/data/robot/sample_files.h"
 

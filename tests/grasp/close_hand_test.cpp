@@ -17,7 +17,7 @@ using sample::kLength;
 using sample::kRadius;
 using testing::HasSubstr;
 
-constexpr double kAccuracy = 1e-4;  // default of CloseOptions [m]
+constexpr double kClosingAccuracy = 1e-4;  // default of CloseOptions [m]
 
 ClosedHand close(const RobotSpec& robot, const Scene& scene, const CloseOptions& options = {}) {
   const RobotHand hand(robot);
@@ -40,7 +40,7 @@ TEST(CloseHand, StopsAPhalanxWhereItTouchesABall) {
   // The gap is within (0, accuracy]; it closes by D cos(...) per angle.
   const double slope = D * std::cos(std::asin((0.01 + kRadius) / D));
   EXPECT_LT(closed.q[0], tangent);
-  EXPECT_GT(closed.q[0], tangent - 1.01 * kAccuracy / slope);
+  EXPECT_GT(closed.q[0], tangent - 1.01 * kClosingAccuracy / slope);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
 }
 
@@ -80,7 +80,7 @@ TEST(CloseHand, StopsFingersOnEachOther) {
   const ClosedHand closed = close(sample::pincer(gap), kFar);
   ASSERT_TRUE(closed.finished);
   const double lean = std::asin((gap / 2 - kRadius) / kLength);
-  EXPECT_NEAR(closed.q[0], lean, 2 * kAccuracy / kLength);
+  EXPECT_NEAR(closed.q[0], lean, 2 * kClosingAccuracy / kLength);
   EXPECT_LT(closed.q[0], lean);
   EXPECT_NEAR(closed.q[1], closed.q[0], 1e-12);
 }
@@ -100,7 +100,7 @@ TEST(CloseHand, PressesSoftLayersFlat) {
   ASSERT_TRUE(closed.finished);
   const double lean = std::asin((0.03 - kRadius + 0.003) / kLength);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kContact);
-  EXPECT_NEAR(closed.q[0], lean, 2 * kAccuracy / kLength);
+  EXPECT_NEAR(closed.q[0], lean, 2 * kClosingAccuracy / kLength);
   EXPECT_LT(closed.q[0], lean);
 }
 
@@ -124,7 +124,7 @@ TEST(CloseHand, ListsLinksInEachOtherAtTheStart) {
   ASSERT_EQ(closed.own.size(), 1u);
   EXPECT_EQ(closed.own[0].surface, "right");
   EXPECT_EQ(closed.own[0].other, "left");
-  EXPECT_NEAR(closed.own[0].depth, 2 * kRadius - 0.01, kAccuracy);
+  EXPECT_NEAR(closed.own[0].depth, 2 * kRadius - 0.01, kClosingAccuracy);
   EXPECT_EQ(closed.stopped[0], StoppedBy::kLimit);
   EXPECT_TRUE(close(sample::pincer(0.06), kFar).own.empty());
 }
@@ -149,7 +149,7 @@ TEST(CloseHand, TellsWhatOverlapsAtTheStartAndDoesNotMove) {
   ASSERT_EQ(closed.overlaps.size(), 1u);
   EXPECT_EQ(closed.overlaps[0].surface, "proximal");
   EXPECT_EQ(closed.overlaps[0].other, "ball");
-  EXPECT_NEAR(closed.overlaps[0].depth, 0.008, kAccuracy);  // r + R - 10 mm
+  EXPECT_NEAR(closed.overlaps[0].depth, 0.008, kClosingAccuracy);  // r + R - 10 mm
   EXPECT_FALSE(closed.finished);
   EXPECT_EQ(closed.q[0], 0);
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/robot/robot.h"
 #include "data/io/world/world.h"
 #include "grasp/scene.h"

@@ -24,7 +24,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kBall = 0.035;  // radius [m]
+constexpr double kBallRadius = 0.035;  // radius [m]
 
 /// Links that touch the ball, each with a normal into it; several contacts are several entries.
 using Touches = std::vector<std::pair<std::string, Eigen::Vector3d>>;
@@ -38,7 +38,8 @@ Touches touches(const RobotSpec& robot) {
   options.way = 0.6;
   const Grasp done = grasp(
       touching_hand(hand), {}, open_posture(hand.layout()),
-      sample::scene({sample::placed("ball", sample::shape(ShapeKind::kSphere, {kBall, 0, 0}), at)}),
+      sample::scene(
+          {sample::placed("ball", sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0}), at)}),
       options);
   Touches found;
   for (const HandContact& contact : done.contacts)

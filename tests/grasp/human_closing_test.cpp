@@ -9,17 +9,17 @@
 
 #include "grasp/close_hand.h"
 #include "grasp/tendon_closing.h"
-#include "tendons/hand/hand_use.h"
-#include "tendons/hand/human_hand.h"
+#include "tendons/human/hand_use.h"
+#include "tendons/human/human_hand.h"
 #include "tests/grasp/closing_samples.h"
 
 namespace thenar {
 namespace {
 
-const ShapeSpec kBall = sample::shape(ShapeKind::kSphere, {0.035, 0, 0});
+const ShapeSpec kLargeBall = sample::shape(ShapeKind::kSphere, {0.035, 0, 0});
 
 /// The ball far off.
-Scene nothing() { return sample::scene({sample::placed("ball", kBall, {0, 0, 1})}); }
+Scene nothing() { return sample::scene({sample::placed("ball", kLargeBall, {0, 0, 1})}); }
 
 /// Built once, with coarse skin.
 const HumanHand& human_of(HumanTier tier) {
@@ -112,7 +112,7 @@ TEST(HumanClosing, StopsTheThumbOnTheIndexFinger) {
 /// Against the palm.
 Scene ball_in(const Hand& hand) {
   const PalmApproach& palm = hand.layout().approach;
-  return sample::scene({sample::placed("ball", kBall, palm.point + 0.038 * palm.direction)});
+  return sample::scene({sample::placed("ball", kLargeBall, palm.point + 0.038 * palm.direction)});
 }
 
 // A joint that still moved a link against the ball would go on: each of them is stopped by contact.

@@ -6,8 +6,8 @@
 
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "data/io/toml_table.h"
 #include "tests/data/robot/sample_robots.h"
 #include "tests/hand/hand_laws.h"
@@ -233,7 +233,7 @@ TEST(RobotHand, KeepsThePadsOfTheLinkageParallel) {
   EXPECT_TRUE(matrix_near(hand.layout().tip_points[0].p, tip, 1e-12));
 }
 
-struct Reach {
+struct JointReach {
   const char* robot;
   const char* digit;
   const char* link;  // outermost
@@ -243,12 +243,12 @@ struct Reach {
 
 // Lengths of the outermost links as published [GraspItRobots]; a tip frame ends at its origin.
 TEST(RobotHand, EndsDigitsAtTheirPublishedLengths) {
-  const Reach reaches[] = {{"dlr", "thumb", "thumb L4", Vector3d::UnitZ(), 0.04656},
-                           {"robonaut", "index", "index L4", Vector3d::UnitX(), 0.01778},
-                           {"robonaut", "thumb", "thumb L3", Vector3d::UnitX(), 0.03294},
-                           {"rutgers", "little", "little L4", Vector3d::UnitX(), 0.03175},
-                           {"shadow", "index", "fftip", Vector3d::UnitZ(), 0}};
-  for (const Reach& reach : reaches) {
+  const JointReach reaches[] = {{"dlr", "thumb", "thumb L4", Vector3d::UnitZ(), 0.04656},
+                                {"robonaut", "index", "index L4", Vector3d::UnitX(), 0.01778},
+                                {"robonaut", "thumb", "thumb L3", Vector3d::UnitX(), 0.03294},
+                                {"rutgers", "little", "little L4", Vector3d::UnitX(), 0.03175},
+                                {"shadow", "index", "fftip", Vector3d::UnitZ(), 0}};
+  for (const JointReach& reach : reaches) {
     SCOPED_TRACE(reach.robot);
     const RobotHand hand(robot(reach.robot));
     const Pose<double> frame = hand.link_frames(zero(hand))[index_of(hand, reach.link)];

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "grasp/contact/soft_finger.h"
 #include "grasp/grasp.h"
 #include "grasp/robot_hand.h"

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
 

@@ -5,23 +5,23 @@
 #include <gtest/gtest.h>
 #include <Eigen/Eigenvalues>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
 namespace {
 
-struct Moments {
+struct SegmentMoments {
   double mass = 0, along = 0, across = 0;  // [kg], [kg m^2]
 };
 
 /// A capsule of length h and radius r about the origin, cut into thin discs across its axis.
 /// Midpoint rule: the error falls with 1 / discs^2.
-Moments sum_of_discs(double h, double r) {
+SegmentMoments sum_of_discs(double h, double r) {
   const int discs = 200000;
   const double dz = (h + 2 * r) / discs;
-  Moments sum;
+  SegmentMoments sum;
   for (int i = 0; i < discs; ++i) {
     const double z = -h / 2 - r + (i + 0.5) * dz;
     const double beyond = std::max(std::abs(z) - h / 2, 0.0);
@@ -38,7 +38,7 @@ TEST(SegmentMass, CapsuleIsTheSumOfItsDiscs) {
   for (const double h : {0.0, 0.01, 0.05}) {
     const double r = 0.008;
     const LinkMass body = segment_mass(sample::bone("x", {0, 0, -h / 2}, {0, 0, h / 2}, r));
-    const Moments expected = sum_of_discs(h, r);
+    const SegmentMoments expected = sum_of_discs(h, r);
     EXPECT_NEAR(body.mass / expected.mass, 1, 1e-9);
     EXPECT_NEAR(body.inertia(0, 0) / (h > 0 ? expected.across : expected.along), 1, 1e-9);
     EXPECT_NEAR(body.inertia(1, 1) / expected.across, 1, 1e-9);

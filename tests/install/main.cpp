@@ -5,7 +5,7 @@
 #include "data/io/subject.h"
 #include "hand/chain.h"
 #include "hand/skeleton.h"
-#include "kinematics_fit/least_squares.h"
+#include "solvers/least_squares.h"
 
 int main(int argc, char** argv) {
   if (argc != 2 || thenar::name_of(thenar::FitMethod::kCeres) != "ceres") return 2;

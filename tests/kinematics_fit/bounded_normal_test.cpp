@@ -3,16 +3,14 @@
 #include "kinematics_fit/bounded_normal.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 
 namespace thenar {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Given bounds at -1.5 and 2.5 sds, x must have as much of the whole below it as z of the rest.
 TEST(BoundedNormal, KeepsProbabilities) {

@@ -43,17 +43,17 @@ TEST(OrthogonalSolve, TakesTheLeastOfAllSolutions) {
 }
 
 /// How a fingertip is held, and the length that weighs out-of-plane moments [m].
-struct Held {
+struct HeldCase {
   const char* name;
   TipHold hold;
   double out_of_plane;
 };
 
-void PrintTo(const Held& held, std::ostream* out) { *out << held.name; }
+void PrintTo(const HeldCase& held, std::ostream* out) { *out << held.name; }
 
 /// Force per tension of the published middle finger, both interphalangeal joints bent by `angle`.
 template <typename T>
-MatrixX<T> force_map_at(double angle, const Held& held) {
+MatrixX<T> force_map_at(double angle, const HeldCase& held) {
   static const TendonDigit finger = sample::middle_finger("").digit;
   const TendonModel<T> digit = start_model<T>(finger.model, 0).digit;
   const VectorX<T> q =
@@ -61,7 +61,7 @@ MatrixX<T> force_map_at(double angle, const Held& held) {
   return tip_force_map(digit, pose_tree(digit.tree, q), q, held.hold, T(held.out_of_plane));
 }
 
-class NearlyStraight : public testing::TestWithParam<Held> {};
+class NearlyStraight : public testing::TestWithParam<HeldCase> {};
 
 // The condition of the loads is about 1 / bend: an orthogonal method loses that many digits of
 // the 16 at most, normal equations twice as many.
@@ -77,9 +77,9 @@ TEST_P(NearlyStraight, ForceKeepsTheDigitsThatItsPostureAllows) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Holds, NearlyStraight,
-                         testing::Values(Held{"LeastSquares", TipHold::kPinned, 0},
-                                         Held{"Exact", TipHold::kRigid, 0},
-                                         Held{"LeastNorm", TipHold::kRigid, 0.039}),
+                         testing::Values(HeldCase{"LeastSquares", TipHold::kPinned, 0},
+                                         HeldCase{"Exact", TipHold::kRigid, 0},
+                                         HeldCase{"LeastNorm", TipHold::kRigid, 0.039}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <Eigen/Cholesky>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -18,8 +19,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 LeastSquares problem_of(int n, std::function<VectorXd(const VectorXd&)> r,
                         std::function<MatrixXd(const VectorXd&)> J) {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "posterior/bounded_table.h"
 #include "posterior/hand_posterior.h"
 #include "posterior/tilt_density.h"

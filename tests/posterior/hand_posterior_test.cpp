@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "posterior/bounded_table.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"

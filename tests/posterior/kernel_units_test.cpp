@@ -28,8 +28,8 @@ bool operator==(const Bits& a, const Bits& b) {
 }
 
 /// A case compiled, with points and weights.
-struct Scene {
-  explicit Scene(const sample::KernelCase& c, Eigen::Index points) {
+struct KernelScene {
+  explicit KernelScene(const sample::KernelCase& c, Eigen::Index points) {
     kernel::compile(c.digit, c.parameters, c.plan, program);
     std::mt19937 rng(7);
     u.resize(program.fit_coordinates, points);
@@ -53,15 +53,16 @@ struct Scene {
 
 class KernelUnits : public testing::TestWithParam<const char*> {
  protected:
-  [[nodiscard]] static Scene scene() {
-    return Scene(std::string(GetParam()) == "thumb" ? sample::kernel_case(sample::thumb_problem())
-                                                    : sample::everything_free(),
-                 19);
+  [[nodiscard]] static KernelScene scene() {
+    return KernelScene(std::string(GetParam()) == "thumb"
+                           ? sample::kernel_case(sample::thumb_problem())
+                           : sample::everything_free(),
+                       19);
   }
 };
 
 TEST_P(KernelUnits, GiveTheSameBits) {
-  const Scene s = scene();
+  const KernelScene s = scene();
   const Bits scalar = s.through({kernel::units().back()}, 0, 19);
   ASSERT_TRUE(scalar.forces.allFinite() && scalar.gradient.allFinite());
   for (const Unit& unit : kernel::units())
@@ -70,7 +71,7 @@ TEST_P(KernelUnits, GiveTheSameBits) {
 }
 
 TEST_P(KernelUnits, GiveAPointAloneWhatItHasInABatch) {
-  const Scene s = scene();
+  const KernelScene s = scene();
   const Bits all = s.through(kernel::units(), 0, 19);
   for (const Eigen::Index k : {0, 3, 7, 8, 17, 18}) {
     const Bits alone{all.forces.col(k), all.gradient.col(k)};
@@ -81,7 +82,7 @@ TEST_P(KernelUnits, GiveAPointAloneWhatItHasInABatch) {
 
 // A neighbour that breaks is no concern of the other lanes.
 TEST_P(KernelUnits, KeepLanesApart) {
-  Scene s = scene();
+  KernelScene s = scene();
   const Bits before = s.through(kernel::units(), 0, 8);
   s.u.col(2).setConstant(std::numeric_limits<double>::quiet_NaN());
   s.u.col(5).setConstant(1e300);

@@ -6,7 +6,7 @@
 #include <array>
 #include <random>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "kinematics_fit/fit_problem.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "tendons/tendon_model.h"

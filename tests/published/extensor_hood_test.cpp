@@ -6,18 +6,17 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "kinematics_fit/hood_comparison.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_sweep.h"
+#include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::VectorXd;
-
-const std::string kData = THENAR_DATA_DIR;
 
 Subject subject(const std::string& name) {
   return read_subject(kData + "/subjects/" + name + ".toml");

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "kinematics_fit/fit_study.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/matrix_near.h"

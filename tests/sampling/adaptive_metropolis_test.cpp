@@ -10,20 +10,20 @@ namespace {
 using sample::Collected;
 using sample::Plan;
 
-constexpr SamplingMethod kMethod = SamplingMethod::kAdaptiveMetropolis;
+constexpr SamplingMethod kMetropolis = SamplingMethod::kAdaptiveMetropolis;
 
 TEST(AdaptiveMetropolis, LearnsANormalOfCondition1e8) {
   const auto known = sample::gaussian(4, 1e8);
   Plan plan;
   plan.warm_up = 10000;
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
+  const Collected drawn = sample::draw(kMetropolis, known.target, plan);
   sample::expect_posterior(drawn.x, known);
   EXPECT_NEAR(drawn.acceptance, 0.234, 0.04);  // what the scale was learnt for
 }
 
 TEST(AdaptiveMetropolis, DrawsFromEightSchools) {
   const auto known = sample::eight_schools();
-  sample::expect_posterior(sample::draw(kMethod, known.target, {}).x, known);
+  sample::expect_posterior(sample::draw(kMetropolis, known.target, {}).x, known);
 }
 
 // A wrong guess of the covariance costs warm-up, no more; a right one saves it.
@@ -37,14 +37,15 @@ TEST(AdaptiveMetropolis, TakesAGuessOfTheCovariance) {
   SamplerOptions options;
   options.warm_up = 1000;
   options.covariance = Q * variance.asDiagonal() * Q;
-  const auto groups = sample::build_groups(kMethod, sample::normal_starts(20, 4, 1), 1, options);
+  const auto groups =
+      sample::build_groups(kMetropolis, sample::normal_starts(20, 4, 1), 1, options);
   (void)sample::collect(groups, known.target, 1, 2000);
   sample::expect_posterior(sample::collect(groups, known.target, 1000, 50).x, known);
 }
 
 // What it has learnt stands last: shapes of a mean and of a matrix, their entries, a scale.
 TEST(AdaptiveMetropolis, LearnsNothingAfterWarmUp) {
-  sample::expect_nothing_learnt_after_warm_up(kMethod, 1, 2 + 3 + 2 + 9 + 1);
+  sample::expect_nothing_learnt_after_warm_up(kMetropolis, 1, 2 + 3 + 2 + 9 + 1);
 }
 
 TEST(AdaptiveMetropolis, LearnsTwentyDimensionsOfCondition1e8FromNothing) {
@@ -52,7 +53,7 @@ TEST(AdaptiveMetropolis, LearnsTwentyDimensionsOfCondition1e8FromNothing) {
   Plan plan;
   plan.warm_up = 60000;
   plan.thin = 50 * sample::long_runs();
-  sample::expect_at_cost(kMethod, sample::gaussian(20, 1e8), plan);
+  sample::expect_at_cost(kMetropolis, sample::gaussian(20, 1e8), plan);
 }
 
 // A global covariance fits no part of the bend: 5e-5 independent draws an evaluation.
@@ -62,7 +63,7 @@ TEST(AdaptiveMetropolis, DrawsFromTheBananaWithPatience) {
   plan.groups = 8;
   plan.warm_up = 20000;
   plan.thin = 5000 * sample::long_runs();
-  sample::expect_at_cost(kMethod, sample::banana(), plan);
+  sample::expect_at_cost(kMetropolis, sample::banana(), plan);
 }
 
 }  // namespace

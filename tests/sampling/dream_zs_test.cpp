@@ -10,14 +10,14 @@ namespace {
 using sample::Collected;
 using sample::Plan;
 
-constexpr SamplingMethod kMethod = SamplingMethod::kDreamZs;
+constexpr SamplingMethod kDream = SamplingMethod::kDreamZs;
 
 TEST(DreamZs, DrawsFromEightSchools) {
   const auto known = sample::eight_schools();
   Plan plan;
   plan.each = 3;
   plan.thin = 5;
-  sample::expect_posterior(sample::draw(kMethod, known.target, plan).x, known);
+  sample::expect_posterior(sample::draw(kDream, known.target, plan).x, known);
 }
 
 // Differences of the archive carry the shape of the posterior: no covariance is learnt.
@@ -27,7 +27,7 @@ TEST(DreamZs, DrawsFromANormalOfCondition1e8) {
   plan.each = 4;
   plan.thin = 8;
   plan.warm_up = 10000;
-  sample::expect_posterior(sample::draw(kMethod, known.target, plan).x, known);
+  sample::expect_posterior(sample::draw(kDream, known.target, plan).x, known);
 }
 
 // Whole differences of the archive jump from mode to mode, if both are in it from the start.
@@ -38,7 +38,7 @@ TEST(DreamZs, WeighsTwoModesThatItsStartsFound) {
   plan.thin = 4;
   Eigen::MatrixXd starts = sample::normal_starts(4, 16, 2);
   for (int k = 0; k < 16; ++k) starts.col(k).array() += k % 2 == 0 ? -5 : 5;
-  sample::expect_posterior(sample::draw(kMethod, known.target, plan, starts).x, known);
+  sample::expect_posterior(sample::draw(kDream, known.target, plan, starts).x, known);
 }
 
 // Chains that began in one mode alone cannot know of another; groups that began apart tell.
@@ -50,13 +50,13 @@ TEST(DreamZs, RHatOfGroupsThatBeganApartIsLarge) {
   Eigen::MatrixXd starts = sample::normal_starts(4, 8, 1);
   starts.leftCols(4).array() -= 5;
   starts.rightCols(4).array() += 5;
-  EXPECT_GT(sample::draw(kMethod, known.target, plan, starts).worst_r_hat(), 1.5);
+  EXPECT_GT(sample::draw(kDream, known.target, plan, starts).worst_r_hat(), 1.5);
 }
 
 // What it has learnt stands last: the archive, 10 n states and 4 every 10 steps, and three
 // vectors of the three crossovers.
 TEST(DreamZs, ArchiveAndCrossoversAreFrozenAfterWarmUp) {
-  sample::expect_nothing_learnt_after_warm_up(kMethod, 4, 2 + 3 * (30 + 4 * 20) + 3 * (2 + 3));
+  sample::expect_nothing_learnt_after_warm_up(kDream, 4, 2 + 3 * (30 + 4 * 20) + 3 * (2 + 3));
 }
 
 TEST(DreamZs, DrawsFromTwentyDimensionsOfCondition1e8) {
@@ -65,7 +65,7 @@ TEST(DreamZs, DrawsFromTwentyDimensionsOfCondition1e8) {
   plan.each = 4;
   plan.warm_up = 20000;
   plan.thin = 40 * sample::long_runs();
-  sample::expect_at_cost(kMethod, sample::gaussian(20, 1e8), plan);
+  sample::expect_at_cost(kDream, sample::gaussian(20, 1e8), plan);
 }
 
 TEST(DreamZs, DrawsFromTheBanana) {
@@ -74,7 +74,7 @@ TEST(DreamZs, DrawsFromTheBanana) {
   plan.each = 5;
   plan.warm_up = 20000;
   plan.thin = 200 * sample::long_runs();
-  sample::expect_at_cost(kMethod, sample::banana(), plan);
+  sample::expect_at_cost(kDream, sample::banana(), plan);
 }
 
 }  // namespace

@@ -2,11 +2,11 @@
 // known posteriors (50000 take half a minute).
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/random_stream.h"
 #include "tests/matrix_near.h"
@@ -15,9 +15,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 SamplerOptions options_of(long warm_up, Metric metric = Metric::kDense) {
   SamplerOptions options;
@@ -100,7 +97,7 @@ TEST(Hamiltonian, FindsTheEightSchools) {
   expect_moments(tau, 3.6021, 3.1985, 0.06);
   for (int school = 0; school < 8; ++school) {
     SCOPED_TRACE(school);
-    expect_moments(mu + tau.cwiseProduct(run.coordinate(school + 2)), theta[school], kNone, 0.06);
+    expect_moments(mu + tau.cwiseProduct(run.coordinate(school + 2)), theta[school], kNaN, 0.06);
   }
 }
 
@@ -217,8 +214,8 @@ TEST(Hamiltonian, DrawsTheRestWhereARegionIsMissing) {
     double value, slope;
     bool broken;
   };
-  for (const Region& region : {Region{kNone, kNone, true}, Region{kInfinity, 0, true},
-                               Region{-kInfinity, kNone, false}, Region{-0.5, kNone, true}}) {
+  for (const Region& region : {Region{kNaN, kNaN, true}, Region{kInfinity, 0, true},
+                               Region{-kInfinity, kNaN, false}, Region{-0.5, kNaN, true}}) {
     SCOPED_TRACE(region.value);
     for (const SamplingMethod method : {SamplingMethod::kNuts, SamplingMethod::kHmc}) {
       const auto run = sample::run_hamiltonian(cut_normal(region.value, region.slope), method,
@@ -291,7 +288,7 @@ TEST(Hamiltonian, RestoresBeforeTheStartIsKnown) {
 }
 
 TEST(Hamiltonian, StaysAtAStartWithoutDensityUntilItIsMoved) {
-  const auto target = cut_normal(kNone, kNone);
+  const auto target = cut_normal(kNaN, kNaN);
   const auto chain = build_sampler(SamplingMethod::kNuts, Eigen::Vector2d(-2, 0), options_of(20));
   advance({chain.get()}, target, 3);
   EXPECT_EQ(chain->positions(), Eigen::Vector2d(-2, 0));
@@ -307,7 +304,7 @@ TEST(Hamiltonian, StaysAtAStartWithoutDensityUntilItIsMoved) {
 
 // Where a swap frees it after warm-up: it goes on with the step that it had.
 TEST(Hamiltonian, LearnsNothingWhenItIsMovedAfterWarmUp) {
-  const auto target = cut_normal(kNone, kNone);
+  const auto target = cut_normal(kNaN, kNaN);
   for (const long warm_up : {0, 5, 40}) {
     const auto chain =
         build_sampler(SamplingMethod::kNuts, Eigen::Vector2d(-2, 0), options_of(warm_up));

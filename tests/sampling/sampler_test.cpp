@@ -3,11 +3,11 @@
 #include "sampling/sampler.h"
 
 #include <cmath>
-#include <limits>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tests/sampling/collect_draws.h"
 #include "tests/sampling/known_posteriors.h"
 
@@ -18,9 +18,6 @@ using sample::build_groups;
 using sample::collect;
 using sample::Collected;
 using sample::normal_starts;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 /// Prior and likelihood, each with its gradient, of one point.
 class SplitTarget : public Target {
@@ -131,7 +128,7 @@ TEST_P(EverySampler, RefusesNonsense) {
   if (GetParam() != SamplingMethod::kStretchMove) {  // which has no use for it
     EXPECT_THROW((void)build_sampler(GetParam(), starts, broken), InputError);
   }
-  EXPECT_THROW((void)build_sampler(GetParam(), kNan * starts, {}), InputError);
+  EXPECT_THROW((void)build_sampler(GetParam(), kNaN * starts, {}), InputError);
 }
 
 TEST(EnsembleSamplers, WantEnoughWalkers) {
@@ -292,7 +289,7 @@ TEST_P(EverySampler, DrawsFromThePriorAtTemperZero) {
 // A standard normal below 1:  mean -phi(1) / Phi(1), variance 1 - phi / Phi - (phi / Phi)^2.
 TEST_P(EverySampler, NeverGoesWhereTheModelBreaksAndCountsIt) {
   const double ratio = std::exp(-0.5) / std::sqrt(2 * M_PI) / (0.5 * std::erfc(-std::sqrt(0.5)));
-  for (const double there : {kNan, kInfinity, -kInfinity}) {
+  for (const double there : {kNaN, kInfinity, -kInfinity}) {
     const Collected drawn = draw(cut_normal(2, there));
     EXPECT_LE(drawn.x[0].maxCoeff(), 1);
     EXPECT_EQ(drawn.broken > 0, there != -kInfinity) << there;
@@ -309,7 +306,7 @@ TEST_P(EverySampler, StaysOutsideTheSupportUntilItFindsIt) {
     return x.cwiseAbs().maxCoeff() < 3 ? 0 : -kInfinity;
   };
   const auto model = [](const Eigen::VectorXd& x, Eigen::VectorXd& by) {
-    return x.cwiseAbs().maxCoeff() < 3 ? standard_normal(x, by) : kNan;
+    return x.cwiseAbs().maxCoeff() < 3 ? standard_normal(x, by) : kNaN;
   };
   const SplitTarget target(2, box, model);
   SamplerOptions options;

@@ -10,14 +10,14 @@ namespace {
 using sample::Collected;
 using sample::Plan;
 
-constexpr SamplingMethod kMethod = SamplingMethod::kStretchMove;
+constexpr SamplingMethod kStretch = SamplingMethod::kStretchMove;
 
 TEST(StretchMove, DrawsFromANormalOfAnyCondition) {
   const auto known = sample::gaussian(4, 1e8);
   Plan plan;
   plan.each = 10;
   plan.thin = 10;
-  const Collected drawn = sample::draw(kMethod, known.target, plan);
+  const Collected drawn = sample::draw(kStretch, known.target, plan);
   sample::expect_posterior(drawn.x, known);
 }
 
@@ -30,8 +30,8 @@ TEST(StretchMove, IsAffineInvariant) {
     return -0.5 * (x - shift).cwiseQuotient(scale).squaredNorm();
   });
   const Eigen::MatrixXd starts = sample::normal_starts(2, 6, 1);
-  const auto a = build_sampler(kMethod, starts, {});
-  const auto b = build_sampler(kMethod, (scale.asDiagonal() * starts).colwise() + shift, {});
+  const auto a = build_sampler(kStretch, starts, {});
+  const auto b = build_sampler(kStretch, (scale.asDiagonal() * starts).colwise() + shift, {});
   advance({a.get()}, plain, 30);
   advance({b.get()}, mapped, 30);
   const Eigen::MatrixXd back =
@@ -40,7 +40,7 @@ TEST(StretchMove, IsAffineInvariant) {
 }
 
 TEST(StretchMove, AsksForHalfOfTheEnsembleAtOnce) {
-  const auto sampler = build_sampler(kMethod, sample::normal_starts(3, 12, 1), {});
+  const auto sampler = build_sampler(kStretch, sample::normal_starts(3, 12, 1), {});
   EXPECT_EQ(sampler->asks().cols(), 12);  // the starts
   const auto known = sample::gaussian(3, 4);
   advance({sampler.get()}, known.target, 1);
@@ -59,7 +59,7 @@ TEST(StretchMove, WeighsModesWronglyAndOnlyOtherEnsemblesTell) {
   plan.thin = 50;
   Eigen::MatrixXd starts = sample::normal_starts(4, 32, 1);
   for (int k = 0; k < 32; ++k) starts.col(k).array() += k % 16 < (k < 16 ? 8 : 4) ? -5 : 5;
-  const Collected drawn = sample::draw(kMethod, known.target, plan, starts);
+  const Collected drawn = sample::draw(kStretch, known.target, plan, starts);
 
   // The mean of each ensemble, as a chain of its own.
   Eigen::MatrixXd means(plan.draws, 2);
@@ -79,7 +79,7 @@ TEST(StretchMove, DrawsFromTwentyDimensionsOfCondition1e8) {
   plan.each = 40;
   plan.warm_up = 20000;
   plan.thin = 50 * sample::long_runs();
-  sample::expect_at_cost(kMethod, sample::gaussian(20, 1e8), plan);
+  sample::expect_at_cost(kStretch, sample::gaussian(20, 1e8), plan);
 }
 
 }  // namespace

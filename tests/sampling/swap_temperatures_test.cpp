@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "sampling/random_stream.h"
 #include "sampling/run_chains.h"
 #include "tests/matrix_near.h"
@@ -15,8 +16,6 @@
 
 namespace thenar {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 TEST(TemperatureLadder, FallsGeometricallyOrToThePrior) {
   EXPECT_TRUE(matrix_near(temperature_ladder(3, 0.01), Eigen::Vector3d(1, 0.1, 0.01), 1e-15));

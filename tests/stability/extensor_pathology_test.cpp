@@ -5,16 +5,16 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_sweep.h"
+#include "tests/data_folder.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::VectorXd;
 
-const std::string kData = THENAR_DATA_DIR;
 constexpr int kPip = 2, kDip = 3;
 constexpr double kPull = 2.9;  // of the extensor [N]
 

@@ -1,5 +1,5 @@
 // Largest forces of all subjects against every vertex, and against each other as cones widen:
-// tendons/linear_program.cpp, feasible_force.cpp, feasible_set.cpp.
+// solvers/linear_program.cpp, feasible_force.cpp, feasible_set.cpp.
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/subject.h"
 #include "tendons/feasible_force.h"
 #include "tendons/feasible_set.h"

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/subject.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/name_kinds.h"

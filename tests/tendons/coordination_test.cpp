@@ -22,7 +22,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kClose = 1e-7;  // of an activation, from the tolerance of the interior point
+constexpr double kCloseActivation =
+    1e-7;  // of an activation, from the tolerance of the interior point
 
 // One hinge that moves the tip along y at 0.05 m; tendons with the given arms [m] and F0 [N].
 TipStatics one_hinge(const VectorXd& arms, const VectorXd& F0) {
@@ -47,7 +48,7 @@ TEST_P(Synergists, ShareByTheClosedForm) {
   const VectorXd expected = 0.05 * f / (strength * shape).sum() * shape;
   const Coordination result = coordinate(one_hinge(kArms, kF0), f * Vector3d(0, 1, 0), {p});
   EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
-  EXPECT_TRUE(matrix_near(result.activation, expected, kClose));
+  EXPECT_TRUE(matrix_near(result.activation, expected, kCloseActivation));
   EXPECT_NEAR(result.tau_left(0), 0, 1e-13);
 }
 
@@ -63,7 +64,7 @@ TEST(Coordination, FirstPowerUsesTheStrongestFirst) {
 // with 2.6 N m the second would be 1.104: it saturates and the first makes 2.6 - 1.8 = 0.8.
 TEST(Coordination, SaturatedMuscleIsReplaced) {
   const Coordination result = coordinate(one_hinge(kArms, kF0), Vector3d(0, 52, 0), {2});
-  EXPECT_TRUE(matrix_near(result.activation, Vector2d(0.8, 1), kClose));
+  EXPECT_TRUE(matrix_near(result.activation, Vector2d(0.8, 1), kCloseActivation));
 }
 
 TEST(Coordination, AntagonistStaysSilent) {
@@ -145,7 +146,7 @@ TEST(Coordination, ParalysedMuscleIsLeftOut) {
   const Coordination result =
       coordinate(one_hinge(kArms, Vector2d(100, 0)), Vector3d(0, 10, 0), {2});
   EXPECT_EQ(result.status, ForceStatus::kSolved);
-  EXPECT_TRUE(matrix_near(result.activation, Vector2d(0.5, 0), kClose));
+  EXPECT_TRUE(matrix_near(result.activation, Vector2d(0.5, 0), kCloseActivation));
 }
 
 TEST(Coordination, StraightFingerCarriesAxialForceForNothing) {

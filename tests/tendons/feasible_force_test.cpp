@@ -7,8 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/numbers.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/published_index.h"
 
@@ -18,8 +19,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Tendons that make the columns of A as tip forces, up to F0 each.
 TipStatics map_of(const MatrixXd& A, const VectorXd& F0) {

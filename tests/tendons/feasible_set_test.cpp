@@ -3,7 +3,6 @@
 #include "tendons/feasible_set.h"
 
 #include <cmath>
-#include <limits>
 #include <random>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include <Eigen/Dense>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "tendons/feasible_force.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/published_index.h"
@@ -23,9 +23,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-TipStatics map_of(const MatrixXd& A, const VectorXd& F0) {
+TipStatics statics_of(const MatrixXd& A, const VectorXd& F0) {
   return statics_of_map(A, Eigen::Matrix3Xd(3, 0), F0);
 }
 
@@ -47,7 +45,7 @@ double zonotope_volume(const MatrixXd& g) {
 
 TEST(FeasibleForceSet, OrthogonalTendonsMakeABox) {
   const FeasibleForceSet set =
-      feasible_force_set(map_of(MatrixXd::Identity(3, 3), Vector3d(2, 3, 5)));
+      feasible_force_set(statics_of(MatrixXd::Identity(3, 3), Vector3d(2, 3, 5)));
   EXPECT_EQ(set.status, ForceStatus::kSolved);
   EXPECT_EQ(set.dimension, 3);
   EXPECT_EQ(set.vertices.rows(), 8);
@@ -60,7 +58,7 @@ TEST(FeasibleForceSet, FourTendonsMakeTheZonotopeOfTheTriples) {
   MatrixXd A(3, 4);
   A << 1, 0, 0, 1, 0, 1, 0, 1, 0, 0, 1, 1;
   const VectorXd F0 = Eigen::Vector4d(1, 2, 3, 4);
-  const FeasibleForceSet set = feasible_force_set(map_of(A, F0));
+  const FeasibleForceSet set = feasible_force_set(statics_of(A, F0));
   EXPECT_NEAR(set.volume, zonotope_volume(A * F0.asDiagonal()), 1e-11);  // 6 + 8 + 12 + 24 = 50
   EXPECT_EQ(set.vertices.rows(), 14);  // a rhombic dodecahedron, stretched
   EXPECT_EQ(set.normals.rows(), 12);
@@ -72,7 +70,7 @@ TEST(FeasibleForceSet, EndsWhereAWidthIsNearTheLimitOfFlat) {
   for (double epsilon = 0.5e-9; epsilon < 4e-9; epsilon += 0.02e-9) {
     MatrixXd A(3, 4);
     A << 1, 0, -1, 0.3, 0, 1, -0.5, -1, epsilon, 0, 0, -epsilon / 3;
-    const FeasibleForceSet set = feasible_force_set(map_of(A, VectorXd::Ones(4)));
+    const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(4)));
     EXPECT_TRUE(set.status == ForceStatus::kSolved || set.status == ForceStatus::kStalled);
     EXPECT_GE(set.dimension, 2) << epsilon;
   }
@@ -83,7 +81,7 @@ TEST(FeasibleForceSet, CountsFacetsOfGeneralZonotopes) {
   std::mt19937 rng(1);
   for (const int m : {5, 7, 10}) {
     const MatrixXd A = random_matrix(3, m, rng);
-    const FeasibleForceSet set = feasible_force_set(map_of(A, VectorXd::Ones(m)));
+    const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(m)));
     EXPECT_EQ(set.normals.rows(), m * (m - 1));
     EXPECT_EQ(set.vertices.rows(), m * (m - 1) + 2);
     EXPECT_NEAR(set.volume, zonotope_volume(A), 1e-10 * set.volume);
@@ -93,7 +91,7 @@ TEST(FeasibleForceSet, CountsFacetsOfGeneralZonotopes) {
 TEST(FeasibleForceSet, TwinMusclesAddNoCorners) {
   MatrixXd A(3, 5);
   A << 1, 0, 0, 1, 2, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0;  // three muscles pull along x
-  const FeasibleForceSet set = feasible_force_set(map_of(A, VectorXd::Ones(5)));
+  const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(5)));
   EXPECT_EQ(set.vertices.rows(), 8);
   EXPECT_NEAR(set.volume, 4, 1e-12);
 }
@@ -211,7 +209,7 @@ TEST(FeasibleForceSet, StraightFingerMakesASegment) {
 TEST(FeasibleForceSet, MapWithoutARowIsFlatAndCarriesNothing) {
   MatrixXd A = MatrixXd::Zero(3, 3);
   A.topRows<2>() << 1, 0, 1, 0, 1, 1;
-  const FeasibleForceSet set = feasible_force_set(map_of(A, Vector3d(1, 2, 3)));
+  const FeasibleForceSet set = feasible_force_set(statics_of(A, Vector3d(1, 2, 3)));
   EXPECT_EQ(set.dimension, 2);
   EXPECT_EQ(set.vertices.rows(), 6);
   EXPECT_NEAR(set.volume, 2 + 3 + 6, 1e-12);  // the sum of |det| of pairs
@@ -235,7 +233,7 @@ TEST(FeasibleForceSet, TwoMusclesMakeAParallelogram) {
   std::mt19937 rng(3);
   for (int trial = 0; trial < 100; ++trial) {
     const MatrixXd A = random_matrix(3, 2, rng);
-    const FeasibleForceSet set = feasible_force_set(map_of(A, Eigen::Vector2d(1, 1)));
+    const FeasibleForceSet set = feasible_force_set(statics_of(A, Eigen::Vector2d(1, 1)));
     EXPECT_EQ(set.dimension, 2);
     EXPECT_EQ(set.vertices.rows(), 4);
     EXPECT_NEAR(set.volume, A.col(0).head<3>().cross(A.col(1).head<3>()).norm(), 1e-9);
@@ -260,7 +258,7 @@ TEST(FeasibleForceSet, TorqueNobodyBalancesLeavesItEmpty) {
 }
 
 TEST(FeasibleForceSet, UnknownStrengthIsUnbounded) {
-  TipStatics statics = map_of(MatrixXd::Identity(3, 3), Vector3d(2, kInfinity, 5));
+  TipStatics statics = statics_of(MatrixXd::Identity(3, 3), Vector3d(2, kInfinity, 5));
   EXPECT_EQ(feasible_force_set(statics).status, ForceStatus::kUnbounded);
 }
 
@@ -276,7 +274,7 @@ TEST(FeasibleForceSet, UnknownStrengthThatIsBalancedIsBounded) {
 TEST(FeasibleForceSetStability, NeedleOfAspectOneToAMillion) {
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
-  const FeasibleForceSet set = feasible_force_set(map_of(turn, Vector3d(1e3, 1e-3, 2e-3)));
+  const FeasibleForceSet set = feasible_force_set(statics_of(turn, Vector3d(1e3, 1e-3, 2e-3)));
   EXPECT_EQ(set.dimension, 3);
   EXPECT_NEAR(set.volume, 2e-3, 1e-8 * 2e-3);
 }
@@ -298,7 +296,7 @@ TEST(FeasibleForceSetStability, NearlyParallelAxes) {
 TEST(FeasibleForceSetStability, TwentyMusclesClose) {
   std::mt19937 rng(7);
   const MatrixXd A = random_matrix(3, 20, rng);
-  const FeasibleForceSet set = feasible_force_set(map_of(A, VectorXd::Ones(20)));
+  const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(20)));
   EXPECT_EQ(set.status, ForceStatus::kSolved) << set.failure;
   EXPECT_EQ(set.normals.rows(), 380);
 }

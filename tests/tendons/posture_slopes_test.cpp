@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/subject.h"
 #include "hand/tip_mobility.h"
 #include "tendons/linear_tendons.h"

@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-Subject middle_finger() {
+Subject an_chao_finger() {
   return read_subject(std::string(THENAR_DATA_DIR) + "/subjects/an_chao_middle.toml");
 }
 
@@ -33,7 +33,7 @@ JointAxis& joint_of(Subject& subject, const std::string& name) {
 
 // Moment arms are minus the derivative of length: central differences of every path.
 TEST(TendonModel, StrandArmsAreMinusLengthDerivatives) {
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::Vector4d q(0.6, 0.1, 0.8, 0.4);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const Eigen::MatrixXd R = strand_arms<double>(digit.model, state, q);
@@ -52,7 +52,7 @@ TEST(TendonModel, StrandArmsAreMinusLengthDerivatives) {
 
 // Virtual work: muscle power equals the power of the torques it makes, hood and all.
 TEST(TendonModel, MuscleArmsConservePowerThroughTheHood) {
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::VectorXd q = Eigen::Vector4d(0.6, 0.1, 0.8, 0.4);
   const Eigen::Vector4d q_dot(0.3, -0.2, 0.5, 0.7);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
@@ -66,7 +66,7 @@ TEST(TendonModel, MuscleArmsConservePowerThroughTheHood) {
 // By hand: EDC enters the hood whole and halves; each band takes half of the lateral half, and the
 // terminal slip carries both bands.
 TEST(TendonModel, HoodHalvesTheExtensor) {
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::VectorXd q = Eigen::Vector4d::Zero();
   const Eigen::MatrixXd S = strand_matrix<double>(digit.model, q);
   const auto share = [&](const char* strand) {
@@ -83,7 +83,7 @@ TEST(TendonModel, HoodHalvesTheExtensor) {
 TEST(TendonModel, SeparateTendonsLeaveTheHoodSlack) {
   TendonOptions options;
   options.hood = Hood::kSeparate;
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle", options);
   const Eigen::VectorXd q = Eigen::Vector4d::Zero();
   const Eigen::MatrixXd S = strand_matrix<double>(digit.model, q);
   EXPECT_EQ(S.sum(), static_cast<double>(digit.names.muscles.size()));
@@ -94,8 +94,8 @@ TEST(TendonModel, SeparateTendonsLeaveTheHoodSlack) {
 TEST(TendonModel, FrozenDistalJointKeepsTheHood) {
   TendonOptions options;
   options.frozen = {{"DIP3", 0.4}};
-  const TendonDigit frozen = build_tendon_digit(middle_finger(), "middle", options);
-  const TendonDigit whole = build_tendon_digit(middle_finger(), "middle");
+  const TendonDigit frozen = build_tendon_digit(an_chao_finger(), "middle", options);
+  const TendonDigit whole = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::VectorXd q3 = Eigen::Vector3d(0.6, 0.1, 0.8);
   const Eigen::VectorXd q4 = Eigen::Vector4d(0.6, 0.1, 0.8, 0.4);
   EXPECT_TRUE(matrix_near(tip_statics(frozen, q3).R, tip_statics(whole, q4).R.leftCols(3), 1e-12));
@@ -104,7 +104,7 @@ TEST(TendonModel, FrozenDistalJointKeepsTheHood) {
 TEST(TendonModel, FrozenKnuckleKeepsTheInterosseiInTheHood) {
   TendonOptions options;
   options.frozen = {{"MCP3_FE", 0.6}, {"MCP3_AA", 0.1}};
-  const TendonDigit frozen = build_tendon_digit(middle_finger(), "middle", options);
+  const TendonDigit frozen = build_tendon_digit(an_chao_finger(), "middle", options);
   EXPECT_EQ(frozen.names.muscles.size(), 6U);
 }
 
@@ -120,7 +120,7 @@ TEST(TendonModel, WristIsWeldedForAQuestionOfOneFingertip) {
 // Euler's belt: a tendon over a bend of 1 rad with mu = 0.5 keeps exp(-0.5) of its tension; the
 // bend is smoothed by 0.01 rad in quadrature.
 TEST(TendonModel, FrictionFollowsEulersBelt) {
-  TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::VectorXd q = Eigen::Vector4d(1, 0, 1, 0);
   const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
   const double bend = std::sqrt(1 + 1e-4);
@@ -133,7 +133,7 @@ TEST(TendonModel, FrictionFollowsEulersBelt) {
 TEST(TendonModel, FrozenBendsCountForFriction) {
   TendonOptions options;
   options.frozen = {{"MCP3_FE", 1}};
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle", options);
   const Eigen::VectorXd q = Eigen::Vector3d(0, 1, 0);  // MCP3_AA, PIP3, DIP3
   const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
   const double bend = std::sqrt(1 + 1e-4);  // a frozen one needs no smoothing
@@ -144,7 +144,7 @@ TEST(TendonModel, FrozenBendsCountForFriction) {
 
 // PIP3 follows MCP3 by half and 0.1 rad; DIP3 lies beyond both bends.
 TEST(TendonModel, CoupledBendsCountForFriction) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   joint_of(subject, "PIP3").coupling = Coupling{"MCP3_FE", 0.5, 0.1};
   const TendonDigit digit = build_tendon_digit(subject, "middle");
   const Eigen::VectorXd q = Eigen::Vector3d(1, 0, 0);  // MCP3_FE, MCP3_AA, DIP3
@@ -164,19 +164,19 @@ double central_share(TendonDigit digit, const Eigen::VectorXd& q) {
 const double kShareAt07 = 1 / (1 + std::exp(-2 * (0.7 - 0.33)));
 
 TEST(TendonModel, HoodFollowsTheKnuckle) {
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle");
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   EXPECT_NEAR(central_share(digit, Eigen::Vector4d(0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
 }
 
 TEST(TendonModel, HoodFollowsTheKnuckleBesideACoupledTip) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   joint_of(subject, "DIP3").coupling = Coupling{"PIP3", 0.7, 0};
   const TendonDigit digit = build_tendon_digit(subject, "middle");
   EXPECT_NEAR(central_share(digit, Eigen::Vector3d(0.7, 0.1, 0.9)), kShareAt07, 1e-15);
 }
 
 TEST(TendonModel, HoodFollowsACoupledKnuckle) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   const auto at = std::find_if(subject.joints.begin(), subject.joints.end(),
                                [](const JointAxis& joint) { return joint.name == "MCP3_FE"; });
   at->coupling = Coupling{"lead", 0.5, 0.2};
@@ -194,12 +194,12 @@ TEST(TendonModel, HoodFollowsACoupledKnuckle) {
 TEST(TendonModel, HoodKeepsTheAngleOfAFrozenKnuckle) {
   TendonOptions options;
   options.frozen = {{"MCP3_FE", 0.7}};
-  const TendonDigit digit = build_tendon_digit(middle_finger(), "middle", options);
+  const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle", options);
   EXPECT_NEAR(central_share(digit, Eigen::Vector3d(0.1, 0.9, 0.4)), kShareAt07, 1e-15);
 }
 
 TEST(TendonModel, HoodFollowsFlexionAboutAReversedAxis) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   joint_of(subject, "MCP3_FE").direction *= -1;
   const TendonDigit digit = build_tendon_digit(subject, "middle");
   EXPECT_NEAR(central_share(digit, Eigen::Vector4d(-0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
@@ -207,7 +207,7 @@ TEST(TendonModel, HoodFollowsFlexionAboutAReversedAxis) {
 
 // A left hand's radial direction is the other one, but it flexes the same way.
 TEST(TendonModel, HoodFollowsTheKnuckleOfALeftHand) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   subject.digits[0].radial *= -1;
   const TendonDigit digit = build_tendon_digit(subject, "middle");
   EXPECT_NEAR(central_share(digit, Eigen::Vector4d(0.7, 0.1, 0.9, 0.4)), kShareAt07, 1e-15);
@@ -221,7 +221,7 @@ TEST(TendonModel, ShiftOfAFractionIsLogistic) {
 
 // A stated zero takes the muscle out; only a muscle without a number has no limit.
 TEST(TendonModel, ZeroForceIsNotAnUnknownForce) {
-  Subject subject = middle_finger();
+  Subject subject = an_chao_finger();
   subject.muscles[0].max_force = 0;
   subject.muscles[1].max_force.reset();
   const TendonDigit digit = build_tendon_digit(subject, "middle");
@@ -234,7 +234,7 @@ TEST(TendonModel, ZeroForceIsNotAnUnknownForce) {
 
 TEST(TendonModel, NamesTheDigitItHasNot) {
   try {
-    (void)build_tendon_digit(middle_finger(), "ring");
+    (void)build_tendon_digit(an_chao_finger(), "ring");
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "subject 'an_chao_middle' has no digit 'ring'");

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "grasp/closing_drives.h"
 #include "grasp/grasp.h"
 #include "grasp/robot_hand.h"

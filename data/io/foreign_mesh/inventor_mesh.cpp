@@ -69,7 +69,7 @@ void keep_first(const SoError* error, void* first) {
 void swallow(const SoError* /*error*/, void* /*data*/) {}
 
 /// Coin says "Coin read error: WHAT\n\tOccurred at line N in FILE".
-[[noreturn]] void fail(const std::string& path, const std::string& said) {
+[[noreturn]] void refuse_file(const std::string& path, const std::string& said) {
   std::smatch found;
   const bool has_line = std::regex_search(said, found, std::regex("line +([0-9]+)"));
   const int line = has_line ? std::stoi(found[1]) : 1;
@@ -275,7 +275,7 @@ SoSeparator* read_graph(const std::string& text, const std::string& path) {
   SoInput input;
   input.setBuffer(text.data(), text.size());
   SoSeparator* const graph = SoDB::readAll(&input);
-  if (graph == nullptr || !first_error.empty()) fail(path, first_error);
+  if (graph == nullptr || !first_error.empty()) refuse_file(path, first_error);
   graph->ref();
   return graph;
 }

@@ -6,8 +6,8 @@
 
 #include <pugixml.hpp>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

@@ -19,7 +19,7 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr const char* kProgram = "thenar-mesh-reader";
+constexpr const char* kReaderProgram = "thenar-mesh-reader";
 constexpr double kNoTime = 0.05;   // less is not worth a start [s]
 constexpr double kMegabyte = 0.2;  // of the processor, that one more brings along [s]
 constexpr double kQuick = 0.5;     // what takes less of the processor waits for others at most [s]
@@ -31,13 +31,13 @@ std::vector<fs::path> reader_places() {
   std::vector<fs::path> places;
   std::error_code unknown;
   const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
-  if (!unknown) places.push_back(self.parent_path() / kProgram);
-  places.push_back(fs::path(THENAR_READER_BUILT) / kProgram);
-  places.push_back(fs::path(THENAR_READER_INSTALLED) / kProgram);
+  if (!unknown) places.push_back(self.parent_path() / kReaderProgram);
+  places.push_back(fs::path(THENAR_READER_BUILT) / kReaderProgram);
+  places.push_back(fs::path(THENAR_READER_INSTALLED) / kReaderProgram);
   const char* const path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');)
-    if (fs::path(folder).is_absolute()) places.push_back(fs::path(folder) / kProgram);
+    if (fs::path(folder).is_absolute()) places.push_back(fs::path(folder) / kReaderProgram);
   return places;
 }
 
@@ -154,7 +154,7 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshT
                     fmt::format("glTF, Collada, VRML and Inventor are read by the program {}, "
                                 "which is not there: install it beside the command, or name it "
                                 "with THENAR_MESH_READER",
-                                kProgram));
+                                kReaderProgram));
   left.processor += kMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
   const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
   const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},

@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/shapes/mesh_check.h"
-#include "base/shapes/mesh_mend.h"
-#include "base/shapes/mesh_parts.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_mend.h"
+#include "geometry/mesh_parts.h"
 
 namespace thenar {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/shapes/shape_spec.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/shapes/shape_spec.h"
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/shape_spec.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 

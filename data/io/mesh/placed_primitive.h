@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/shapes/shape_spec.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar {
 

@@ -161,9 +161,9 @@ class HeaderReader {
 
 // ---- the numbers behind it
 
-class Numbers {
+class PlyNumbers {
  public:
-  virtual ~Numbers() = default;
+  virtual ~PlyNumbers() = default;
   virtual void begin_item() {}
   [[nodiscard]] virtual double next(Type type) = 0;
   [[nodiscard]] virtual int line() const { return 1; }
@@ -172,7 +172,7 @@ class Numbers {
   [[nodiscard]] virtual std::size_t least_bytes(Type type) const = 0;
 };
 
-class TextNumbers : public Numbers {
+class TextNumbers : public PlyNumbers {
  public:
   TextNumbers(std::string_view text, const std::string& path, int line)
       : lines_(text, path), path_(path), line_(line) {}
@@ -198,7 +198,7 @@ class TextNumbers : public Numbers {
   int line_;  // of the header's end
 };
 
-class ByteNumbers : public Numbers {
+class ByteNumbers : public PlyNumbers {
  public:
   ByteNumbers(std::string_view bytes, const std::string& path, bool turned)
       : bytes_(bytes), path_(path), turned_(turned) {}
@@ -251,7 +251,7 @@ class ByteNumbers : public Numbers {
 
 class BodyReader {
  public:
-  BodyReader(const Header& header, Numbers& numbers, const std::string& path)
+  BodyReader(const Header& header, PlyNumbers& numbers, const std::string& path)
       : header_(header), numbers_(numbers), path_(path) {}
 
   Polygons read() {
@@ -335,7 +335,7 @@ class BodyReader {
   }
 
   const Header& header_;
-  Numbers& numbers_;
+  PlyNumbers& numbers_;
   const std::string& path_;
   Polygons found_;
 };
@@ -345,7 +345,7 @@ class BodyReader {
 Polygons parse_ply(const std::string& text, const std::string& path) {
   const Header header = HeaderReader(text, path).read();
   const std::string_view body = std::string_view(text).substr(header.size);
-  std::unique_ptr<Numbers> numbers;
+  std::unique_ptr<PlyNumbers> numbers;
   if (header.format == Header::Format::kText)
     numbers = std::make_unique<TextNumbers>(body, path, header.lines);
   else

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/shapes/kept_mesh.h"
 #include "data/io/mesh/placed_primitive.h"
+#include "geometry/kept_mesh.h"
 
 namespace thenar {
 namespace {

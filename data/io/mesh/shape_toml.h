@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/shapes/shape_spec.h"
 #include "base/spatial.h"
 #include "data/io/toml_table.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar {
 

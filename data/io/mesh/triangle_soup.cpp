@@ -11,8 +11,8 @@
 #include <unordered_set>
 
 #include "base/error.h"
-#include "base/shapes/mesh_edges.h"
-#include "base/shapes/mesh_parts.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/mesh_parts.h"
 
 namespace thenar {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/shape_spec.h"
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/shape_spec.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 

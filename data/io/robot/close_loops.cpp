@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 #include <Eigen/Dense>
 
-#include "base/angles.h"
-#include "base/worst.h"
+#include "base/numbers.h"
+#include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/robot/linkage.h"
@@ -24,7 +24,7 @@ constexpr double kGape = 5e-5;       // farthest that a solved loop may gape [m]
 constexpr double kWell = 1e-7;       // gape that asks for no higher degree [m]
 constexpr double kStill = 1e-7;      // way of a joint that stands still [rad] or [m]
 constexpr double kLeastRange = 0.2;  // of the motor's range that must remain [1]
-constexpr int kNodes = 40, kChecks = 500, kHighestDegree = 12;
+constexpr int kNodes = 40, kChecks = 500, kMaxPolynomialDegree = 12;
 
 /// The joints from a link to the base.
 std::set<std::string> joints_below(const RobotSpec& robot, std::string link) {
@@ -223,7 +223,7 @@ class Closing {
   std::string fit(const Linkage& linkage, const Track& track, const RobotDof& motor, double lost) {
     RobotSpec best;
     gape_ = 1;
-    for (int degree = 1; degree <= kHighestDegree && gape_ > kWell; ++degree) {
+    for (int degree = 1; degree <= kMaxPolynomialDegree && gape_ > kWell; ++degree) {
       RobotSpec coupled = robot_;
       followers_.clear();
       for (std::size_t i = 0; i < linkage.passives().size(); ++i) {
@@ -242,7 +242,7 @@ class Closing {
     }
     if (!(gape_ <= kGape))
       return fmt::format("no polynomial of degree {} closes it: it gapes by {:.2g} mm",
-                         kHighestDegree, 1e3 * gape_);
+                         kMaxPolynomialDegree, 1e3 * gape_);
     adopt(std::move(best), linkage, motor, lost);
     return "";
   }

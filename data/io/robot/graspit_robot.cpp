@@ -9,9 +9,9 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "base/angles.h"
 #include "base/error.h"
 #include "base/read_file.h"
+#include "base/units.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_couplings.h"
@@ -22,7 +22,7 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-using internal::Range;
+using internal::JointRange;
 using internal::Unread;
 
 constexpr std::size_t kLongestDrive = 200;  // letters of a drive
@@ -38,9 +38,10 @@ const std::string kElements =
     "viscousFriction CoulombFriction springStiffness restValue approachDirection "
     "referenceLocation direction";
 
-class Translation {
+class GraspitTranslation {
  public:
-  Translation(const XmlFile& file, RobotSpec& robot) : file_(file), unread_(file), robot_(robot) {}
+  GraspitTranslation(const XmlFile& file, RobotSpec& robot)
+      : file_(file), unread_(file), robot_(robot) {}
 
   void run() {
     const pugi::xml_node top = file_.root();
@@ -157,7 +158,7 @@ class Translation {
         if (joint.dof != dof.name) continue;
         if (!drives) turns = joint.kind == RobotJointKind::kRevolute;
         drives = true;
-        const Range range = internal::range_through(joint);
+        const JointRange range = internal::range_through(joint);
         dof.lower = std::max(dof.lower, range.lower);
         dof.upper = std::min(dof.upper, range.upper);
       }
@@ -362,7 +363,7 @@ RobotSpec read_graspit_robot(const std::string& path) {
   if (std::string(file.root().name()) != "robot")
     file.fail(file.root(), "wanted <robot type=\"..\">");
   RobotSpec robot;
-  Translation(file, robot).run();
+  GraspitTranslation(file, robot).run();
   return robot;
 }
 

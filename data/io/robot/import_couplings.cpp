@@ -19,7 +19,7 @@ const Coupling* coupling_of(const std::vector<Coupling>& couplings, const std::s
 }
 
 /// What a polynomial of a polynomial may come to: one of degree 4, as files may state, of another.
-constexpr std::size_t kHighestDegree = 16;
+constexpr std::size_t kMaxComposedDegree = 16;
 
 /// p(next(v)) in place of p(v).
 /// @throws DataError if the degree of that is too high: it multiplies along a chain of joints.
@@ -31,12 +31,12 @@ void through(Coupling& step, const Coupling& next, const std::string& path) {
   };
   const std::vector<double> p = coefficients(step), inner = coefficients(next);
   const std::size_t degree = (p.size() - 1) * (inner.size() - 1);
-  if (degree > kHighestDegree)
+  if (degree > kMaxComposedDegree)
     throw DataError(
         path, step.line,
         fmt::format("joint '{}' follows '{}' through '{}' along a polynomial of degree "
                     "{}, more than {}: let it follow '{}' along one of its own",
-                    step.joint, next.master, next.joint, degree, kHighestDegree, next.master));
+                    step.joint, next.master, next.joint, degree, kMaxComposedDegree, next.master));
   std::vector<double> sum{0};  // by Horner's rule
   for (auto c = p.rbegin(); c != p.rend(); ++c) {
     std::vector<double> product(sum.size() + inner.size() - 1, 0);
@@ -88,11 +88,11 @@ void follow(RobotSpec& robot, RobotJoint& joint, const Coupling& coupling,
 
 /// Values of a degree of freedom in its range that keep a joint which follows it along a curve
 /// within its limits: of the runs of such values the longest. It crosses itself if there is none.
-Range range_along(const RobotJoint& joint, const RobotDof& dof) {
+JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
   constexpr int kPlaces = 1000;
   const double slack = 1e-3 * (joint.upper - joint.lower);
   const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kPlaces; };
-  Range best{1, 0};
+  JointRange best{1, 0};
   for (int i = 0; i <= kPlaces; ++i) {
     int end = i;
     for (; end <= kPlaces; ++end) {
@@ -116,7 +116,7 @@ void widen(RobotJoint& joint, const RobotDof& dof) {
 
 /// Tightens the range of a degree of freedom to what a follower can go along with.
 void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
-  const Range through = joint.curve.empty() ? range_through(joint) : range_along(joint, dof);
+  const JointRange through = joint.curve.empty() ? range_through(joint) : range_along(joint, dof);
   const double lower = std::max(dof.lower, through.lower),
                upper = std::min(dof.upper, through.upper);
   // Decimals of a file: 0.333 * 2.4 is no tighter limit than 0.8.
@@ -142,7 +142,7 @@ void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
 
 }  // namespace
 
-Range range_through(const RobotJoint& joint) {
+JointRange range_through(const RobotJoint& joint) {
   const double a = (joint.lower - joint.offset) / joint.ratio,
                b = (joint.upper - joint.offset) / joint.ratio;
   return {std::min(a, b), std::max(a, b)};

@@ -29,13 +29,13 @@ void couple_joints(RobotSpec& robot, const std::vector<Coupling>& couplings,
                    const std::string& path);
 
 /// A range of values.
-struct Range {
+struct JointRange {
   double lower, upper;  // [rad] or [m]
 };
 
 /// Values of the degree of freedom that keep one joint, which follows it linearly, within its
 /// limits.
-[[nodiscard]] Range range_through(const RobotJoint& joint);
+[[nodiscard]] JointRange range_through(const RobotJoint& joint);
 
 /// The joint of that name, or none.
 [[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "base/shapes/shape_spec.h"
 #include "data/io/mesh/mesh_file.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar::internal {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Dense>
 
-#include "base/worst.h"
+#include "base/numbers.h"
 #include "data/io/robot/link_poses.h"
 
 namespace thenar::internal {

@@ -27,7 +27,7 @@ struct FixedTendon {
   std::string name;
   std::vector<Term> terms;
   int line = 1;
-  std::optional<Range> limits;  // of its length
+  std::optional<JointRange> limits;  // of its length
 };
 
 struct Actuator {
@@ -38,9 +38,9 @@ struct Actuator {
 
 constexpr double kTight = 0.1;  // of the travel of a tendon that its limits leave to a coupling [1]
 
-class Drive {
+class MjcfDrive {
  public:
-  Drive(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot)
+  MjcfDrive(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot)
       : source_(source), robot_(robot), refs_(ref) {
     for (std::size_t i = 0; i < robot.joints.size(); ++i) ref_[robot.joints[i].name] = ref[i];
   }
@@ -87,7 +87,7 @@ class Drive {
         const std::string limited = element.text("limited", "auto");
         if (range.size() == 2 &&
             (limited == "true" || (limited == "auto" && source_.compiler.auto_limits)))
-          tendon.limits = Range{std::min(range[0], range[1]), std::max(range[0], range[1])};
+          tendon.limits = JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
         for (const pugi::xml_node term : node.children("joint")) {
           const std::string name = required_text(source_.file, term, "joint");
           if (!has_joint(term, name)) continue;
@@ -395,7 +395,7 @@ class Drive {
       if (part == by_dof.end() || moved.dof.empty() || part->second == 0) continue;
       moved.ratio *= part->second / squares;
       moved.dof = shared.name;
-      const Range range = range_through(moved);
+      const JointRange range = range_through(moved);
       shared.lower = std::max(shared.lower, range.lower);
       shared.upper = std::min(shared.upper, range.upper);
     }
@@ -442,7 +442,7 @@ class Drive {
 }  // namespace
 
 void drive_mjcf(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot) {
-  Drive(source, ref, robot).run();
+  MjcfDrive(source, ref, robot).run();
 }
 
 }  // namespace thenar::internal

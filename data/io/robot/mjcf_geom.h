@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "base/shapes/shape_mass.h"
-#include "base/shapes/shape_spec.h"
 #include "data/io/robot/mjcf_source.h"
+#include "geometry/shape_mass.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar::internal {
 

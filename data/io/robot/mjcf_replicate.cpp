@@ -65,9 +65,9 @@ void point_to_copies(const pugi::xml_node& top, const Names& names, const std::s
     }
 }
 
-class Replicates {
+class Replicator {
  public:
-  explicit Replicates(const XmlFile& file) : file_(file) {}
+  explicit Replicator(const XmlFile& file) : file_(file) {}
 
   void run() {
     for (const pugi::xml_node world : file_.root().children("worldbody")) expand(world);
@@ -153,6 +153,6 @@ class Replicates {
 
 }  // namespace
 
-void expand_replicates(const XmlFile& file) { Replicates(file).run(); }
+void expand_replicates(const XmlFile& file) { Replicator(file).run(); }
 
 }  // namespace thenar::internal

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "base/angles.h"
 #include "base/error.h"
 #include "base/read_file.h"
+#include "base/units.h"
 #include "data/io/file_guard.h"
 #include "data/io/graspit/xml_walk.h"
 

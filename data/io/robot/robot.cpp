@@ -14,4 +14,12 @@ std::string name_of(RobotJointKind kind) {
   return "prismatic";
 }
 
+bool slides(const RobotJoint& joint) { return joint.kind == RobotJointKind::kPrismatic; }
+
+bool slides(const RobotSpec& robot, const RobotDof& dof) {
+  for (const RobotJoint& joint : robot.joints)
+    if (joint.dof == dof.name) return slides(joint);
+  return false;
+}
+
 }  // namespace thenar

@@ -9,8 +9,8 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/shape_spec.h"
 #include "base/spatial.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar {
 
@@ -104,6 +104,11 @@ struct RobotSpec {
                                                             // together; no file keeps them
   std::vector<std::string> warnings;  // what an importer met and did not understand
 };
+
+/// Whether a joint slides, or turns.
+[[nodiscard]] bool slides(const RobotJoint& joint);
+/// How the joints of a degree of freedom move: sliding if the first of them does.
+[[nodiscard]] bool slides(const RobotSpec& robot, const RobotDof& dof);
 
 /// Reads a robot from TOML; the format is in docs/data_format.md. Mesh files are found beside it.
 /// @throws DataError  `path:line: what was wanted, what came`.

@@ -17,13 +17,13 @@ struct Measures {
   Dimension value, effort, stiffness, damping;
 };
 
-constexpr Measures kTurning{Dimension::kAngle, Dimension::kMoment, Dimension::kAngularStiffness,
-                            Dimension::kAngularDamping};
-constexpr Measures kSliding{Dimension::kLength, Dimension::kForce, Dimension::kLinearStiffness,
-                            Dimension::kLinearDamping};
+constexpr Measures kTurningMeasures{Dimension::kAngle, Dimension::kMoment,
+                                    Dimension::kAngularStiffness, Dimension::kAngularDamping};
+constexpr Measures kSlidingMeasures{Dimension::kLength, Dimension::kForce,
+                                    Dimension::kLinearStiffness, Dimension::kLinearDamping};
 
 const Measures& measures_of(RobotJointKind kind) {
-  return kind == RobotJointKind::kPrismatic ? kSliding : kTurning;
+  return kind == RobotJointKind::kPrismatic ? kSlidingMeasures : kTurningMeasures;
 }
 
 /// Runs a check that throws InputError, and says where in the file.
@@ -164,7 +164,7 @@ RobotDof read_robot_dof(TomlTable& table) {
              : kind == "breakaway" ? RobotDofKind::kBreakaway
                                    : RobotDofKind::kCompliant;
   const bool slides = table.has(Dimension::kLength, "range");
-  const Measures& in = slides ? kSliding : kTurning;
+  const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;
   read_range(table, in.value, dof.lower, dof.upper);
   dof.speed = table.number_or(Dimension::kNumber, "speed", 0);
   if (table.has(in.value, "open")) dof.open = table.number(in.value, "open");

@@ -20,8 +20,8 @@ using internal::same_bits;
 struct Units {
   const char *value, *effort, *stiffness, *damping;
 };
-constexpr Units kTurning{"_rad", "_Nm", "_Nm_per_rad", "_Nms_per_rad"};
-constexpr Units kSliding{"_m", "_N", "_N_per_m", "_Ns_per_m"};
+constexpr Units kTurningUnits{"_rad", "_Nm", "_Nm_per_rad", "_Nms_per_rad"};
+constexpr Units kSlidingUnits{"_m", "_N", "_N_per_m", "_Ns_per_m"};
 
 void add(std::string& text, const std::string& line) { text += line + "\n"; }
 
@@ -79,7 +79,7 @@ std::string link_lines(const RobotLink& link, const RobotLink& stated) {
 }
 
 std::string joint_lines(const RobotJoint& joint) {
-  const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSliding : kTurning;
+  const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSlidingUnits : kTurningUnits;
   std::string text = "\n[[joint]]\nname = " + toml_quoted(joint.name) + "\n";
   add(text, "kind = " + toml_quoted(name_of(joint.kind)));
   add(text, "parent = " + toml_quoted(joint.parent));
@@ -104,13 +104,6 @@ std::string joint_lines(const RobotJoint& joint) {
 const char* kind_name(RobotDofKind kind) {
   if (kind == RobotDofKind::kRigid) return "rigid";
   return kind == RobotDofKind::kBreakaway ? "breakaway" : "compliant";
-}
-
-/// A motor is measured as the first joint it drives.
-bool slides(const RobotSpec& robot, const RobotDof& dof) {
-  for (const RobotJoint& joint : robot.joints)
-    if (joint.dof == dof.name) return joint.kind == RobotJointKind::kPrismatic;
-  return false;
 }
 
 std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& in,
@@ -225,8 +218,9 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     text += link_lines(robot.links[i], before.links[i]);
   for (std::size_t i = 0; i < robot.dofs.size(); ++i)
-    text += dof_lines(robot.dofs[i], before.dofs[i],
-                      slides(robot, robot.dofs[i]) ? kSliding : kTurning, closing_guessed);
+    text +=
+        dof_lines(robot.dofs[i], before.dofs[i],
+                  slides(robot, robot.dofs[i]) ? kSlidingUnits : kTurningUnits, closing_guessed);
   for (const RobotJoint& joint : robot.joints) text += joint_lines(joint);
   return text;
 }

@@ -9,8 +9,8 @@
 #include <urdf_parser/urdf_parser.h>
 #include <pugixml.hpp>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_mesh.h"
 #include "data/io/robot/import_xml.h"
@@ -75,9 +75,9 @@ void set_mass(RobotLink& link, const urdf::Inertial& inertial) {
 }
 
 /// Turns one urdfdom model into ours.
-class Translation {
+class UrdfTranslation {
  public:
-  Translation(const urdf::ModelInterface& model, const XmlFile& file, RobotSpec& robot)
+  UrdfTranslation(const urdf::ModelInterface& model, const XmlFile& file, RobotSpec& robot)
       : model_(model), file_(file), robot_(robot) {}
 
   void run() {
@@ -220,7 +220,7 @@ RobotSpec read_urdf(const std::string& path) {
   const urdf::ModelInterfaceSharedPtr model = parse(text, file, robot.warnings);
   robot.name = model->getName();
   robot.closing_stated = robot.approach_stated = false;
-  Translation(*model, file, robot).run();
+  UrdfTranslation(*model, file, robot).run();
   return robot;
 }
 

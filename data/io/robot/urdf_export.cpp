@@ -10,10 +10,10 @@
 #include <fmt/ranges.h>
 #include <pugixml.hpp>
 
-#include "base/shapes/solid.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/link_poses.h"
+#include "geometry/solid.h"
 
 namespace thenar {
 namespace {

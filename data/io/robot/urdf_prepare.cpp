@@ -15,13 +15,13 @@
 namespace thenar::internal {
 namespace {
 
-struct Numbers {
+struct NumberList {
   const char* element;
   const char* attribute;
   std::size_t count;
 };
 
-constexpr Numbers kNumbers[] = {
+constexpr NumberList kNumbers[] = {
     {"origin", "xyz", 3},        {"origin", "rpy", 3},       {"axis", "xyz", 3},
     {"box", "size", 3},          {"cylinder", "radius", 1},  {"cylinder", "length", 1},
     {"capsule", "radius", 1},    {"capsule", "length", 1},   {"sphere", "radius", 1},
@@ -77,7 +77,7 @@ void take_out_unread(Unread& unread, pugi::xml_node node) {
 }
 
 void check_numbers_at(const XmlFile& file, const pugi::xml_node& node) {
-  for (const Numbers& numbers : kNumbers) {
+  for (const NumberList& numbers : kNumbers) {
     const pugi::xml_attribute attribute = node.attribute(numbers.attribute);
     if (std::string(node.name()) != numbers.element || !attribute) continue;
     const std::string what = fmt::format("<{}> {}", node.name(), numbers.attribute);

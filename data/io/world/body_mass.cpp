@@ -1,7 +1,7 @@
 #include "data/io/world/body_mass.h"
 
 #include "base/error.h"
-#include "base/shapes/union_mass.h"
+#include "geometry/union_mass.h"
 
 namespace thenar {
 namespace {

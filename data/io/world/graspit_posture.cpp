@@ -25,9 +25,9 @@ double unit_of(const RobotJoint& joint) {
 }
 
 /// Takes the numbers one after the other.
-class Reader {
+class PostureReader {
  public:
-  Reader(const RobotSpec& robot, const std::vector<double>& numbers)
+  PostureReader(const RobotSpec& robot, const std::vector<double>& numbers)
       : robot_(robot), numbers_(numbers) {}
 
   /// @return none if there are too many numbers, too few, or a flag that is none.
@@ -88,7 +88,7 @@ class Reader {
 GraspitPosture graspit_posture(const RobotSpec& robot, const std::vector<double>& numbers) {
   if (numbers.empty()) return {};
   for (const bool with_flags : {true, false})
-    if (std::optional<GraspitPosture> posture = Reader(robot, numbers).read(with_flags))
+    if (std::optional<GraspitPosture> posture = PostureReader(robot, numbers).read(with_flags))
       return std::move(*posture);
   GraspitPosture none;
   none.warnings.push_back(

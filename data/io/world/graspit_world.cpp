@@ -29,9 +29,9 @@ std::string end_of_chain(const RobotSpec& robot, int n) {
 }
 
 /// A world while it is read.
-class Reader {
+class WorldReader {
  public:
-  explicit Reader(const std::string& path) : file_(path) {
+  explicit WorldReader(const std::string& path) : file_(path) {
     file_.settle_case(
         "world graspableBody obstacle robot connection camera filename transform translation "
         "rotation rotationMatrix fullTransform dofValues parentRobot parentChain childRobot "
@@ -239,6 +239,6 @@ class Reader {
 
 }  // namespace
 
-GraspitWorld read_graspit_world(const std::string& path) { return Reader(path).read(); }
+GraspitWorld read_graspit_world(const std::string& path) { return WorldReader(path).read(); }
 
 }  // namespace thenar

@@ -9,9 +9,9 @@
 
 #include <Eigen/Core>
 
-#include "base/shapes/shape_spec.h"
 #include "base/spatial.h"
 #include "data/io/world/materials.h"
+#include "geometry/shape_spec.h"
 
 namespace thenar {
 

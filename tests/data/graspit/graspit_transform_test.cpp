@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <pugixml.hpp>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 

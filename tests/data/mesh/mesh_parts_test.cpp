@@ -11,15 +11,15 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
-#include "base/shapes/mesh_check.h"
-#include "base/shapes/mesh_mend.h"
-#include "base/shapes/mesh_parts.h"
-#include "base/shapes/tessellate.h"
-#include "base/shapes/union_mass.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/mesh/triangle_soup.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_mend.h"
+#include "geometry/mesh_parts.h"
+#include "geometry/tessellate.h"
+#include "geometry/union_mass.h"
 #include "tests/temporary_folder.h"
 
 namespace thenar {

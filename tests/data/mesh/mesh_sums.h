@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "base/shapes/triangle_mesh.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 

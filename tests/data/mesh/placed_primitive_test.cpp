@@ -8,10 +8,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/shapes/mesh_check.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/mesh/reader_answer.h"
+#include "geometry/mesh_check.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/temporary_folder.h"
 

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/robot/link_poses.h"
 #include "tests/data/robot/named_parts.h"
@@ -21,7 +21,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-constexpr double kRounding = 1e-14;
+constexpr double kGraspitRounding = 1e-14;
 
 /// A joint about z with these Denavit-Hartenberg numbers, 0 to 90 degrees.
 std::string hinge(const std::string& theta, const std::string& a, const std::string& alpha,
@@ -87,12 +87,14 @@ TEST_F(GraspitRobot, PlacesLinksByTheirTable) {
   EXPECT_NO_THROW(check_robot(robot));
   const double half = std::sqrt(0.75);
   std::vector<Pose<double>> X = link_poses(robot, {});
-  EXPECT_TRUE(matrix_near(X[1].p, Eigen::Vector3d(-0.025, 0, 0), kRounding));
-  EXPECT_TRUE(matrix_near(X[1].R.col(2), Eigen::Vector3d(0, 1, 0), kRounding));
+  EXPECT_TRUE(matrix_near(X[1].p, Eigen::Vector3d(-0.025, 0, 0), kGraspitRounding));
+  EXPECT_TRUE(matrix_near(X[1].R.col(2), Eigen::Vector3d(0, 1, 0), kGraspitRounding));
   // The second turns 30 degrees about world y from -x towards its own y, which is world z.
-  EXPECT_TRUE(matrix_near(X[2].p, Eigen::Vector3d(-0.025 - 0.04 * half, 0, 0.02), kRounding));
+  EXPECT_TRUE(
+      matrix_near(X[2].p, Eigen::Vector3d(-0.025 - 0.04 * half, 0, 0.02), kGraspitRounding));
   X = link_poses(robot, {{"d0", kPi / 2}, {"d1", kPi / 3}});
-  EXPECT_TRUE(matrix_near(X[2].p, Eigen::Vector3d(0.025, -0.05 - 0.02, 0.04 * half), kRounding));
+  EXPECT_TRUE(
+      matrix_near(X[2].p, Eigen::Vector3d(0.025, -0.05 - 0.02, 0.04 * half), kGraspitRounding));
 }
 
 // Limits hold for ratio * d: 90 / 0.5 and 90 / 1, of which the tighter counts; offsets do not.
@@ -104,10 +106,10 @@ TEST_F(GraspitRobot, TakesTheTightestRange) {
            "<link dynamicJointType='Revolute'>link.xml</link></chain>");
   EXPECT_THAT(names(robot.links),
               ElementsAre("palm", "chain1 link", "chain1 link after 1", "chain1 link 2"));
-  EXPECT_NEAR(robot.dofs[1].upper, kPi / 2, kRounding);
-  EXPECT_NEAR(robot.dofs[0].lower, -kPi / 2, kRounding);
-  EXPECT_NEAR(robot.dofs[0].upper, 0, kRounding);
-  EXPECT_NEAR(robot.joints[2].damping, 0.05, kRounding);  // 5e7 GraspIt! units, as published
+  EXPECT_NEAR(robot.dofs[1].upper, kPi / 2, kGraspitRounding);
+  EXPECT_NEAR(robot.dofs[0].lower, -kPi / 2, kGraspitRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, 0, kGraspitRounding);
+  EXPECT_NEAR(robot.joints[2].damping, 0.05, kGraspitRounding);  // 5e7 GraspIt! units, as published
 }
 
 TEST_F(GraspitRobot, ReadsMotors) {
@@ -116,14 +118,15 @@ TEST_F(GraspitRobot, ReadsMotors) {
                                "<approachDirection><referenceLocation>0 0 20</referenceLocation>"
                                "<direction>0 3 4</direction></approachDirection>");
   EXPECT_EQ(robot.dofs[0].kind, RobotDofKind::kRigid);
-  EXPECT_NEAR(robot.dofs[0].max_effort, 5, kRounding);
+  EXPECT_NEAR(robot.dofs[0].max_effort, 5, kGraspitRounding);
   EXPECT_TRUE(robot.dofs[0].nominal_effort);
   EXPECT_TRUE(robot.dofs[0].backdrivable);  // the format does not say
   EXPECT_EQ(robot.dofs[1].kind, RobotDofKind::kBreakaway);
   EXPECT_EQ(robot.dofs[1].breakaway, 0.5);
   EXPECT_EQ(robot.dofs[1].speed, 1.5);
-  EXPECT_TRUE(matrix_near(robot.approach.point, Eigen::Vector3d(0, 0, 0.02), kRounding));
-  EXPECT_TRUE(matrix_near(robot.approach.direction, Eigen::Vector3d(0, 0.6, 0.8), kRounding));
+  EXPECT_TRUE(matrix_near(robot.approach.point, Eigen::Vector3d(0, 0, 0.02), kGraspitRounding));
+  EXPECT_TRUE(
+      matrix_near(robot.approach.direction, Eigen::Vector3d(0, 0.6, 0.8), kGraspitRounding));
 }
 
 // Some files have -1 for efforts that nobody knows.
@@ -134,7 +137,7 @@ TEST_F(GraspitRobot, TakesNegativeEffortsForUnknown) {
                                "<link>link.xml</link><link>link.xml</link></chain>");
   EXPECT_EQ(robot.dofs[1].max_effort, 0);
   EXPECT_FALSE(robot.dofs[1].nominal_effort);
-  EXPECT_NEAR(robot.dofs[0].max_effort, 5, kRounding);
+  EXPECT_NEAR(robot.dofs[0].max_effort, 5, kGraspitRounding);
   EXPECT_THAT(robot.warnings, Contains(AllOf(HasSubstr("maxEffort of 'd1' is -1"),
                                              HasSubstr("taken for unknown"))));
 }
@@ -170,9 +173,9 @@ TEST_F(GraspitRobot, SlidesAlongTheTurnedAxis) {
       "<theta>90</theta><d>d0+5</d><a>2</a><alpha>90</alpha><minValue>-10</minValue>"
       "<maxValue>20</maxValue></joint><link dynamicJointType='Prismatic'>link.xml</link></chain>");
   EXPECT_NEAR(robot.dofs[0].max_effort, 50, 1e-12);
-  EXPECT_NEAR(robot.dofs[0].lower, -0.01, kRounding);
+  EXPECT_NEAR(robot.dofs[0].lower, -0.01, kGraspitRounding);
   const Pose<double> X = link_poses(robot, {{"d0", 0.02}})[1];
-  EXPECT_TRUE(matrix_near(X.p, Eigen::Vector3d(0, 0.002, 0.025), kRounding));
+  EXPECT_TRUE(matrix_near(X.p, Eigen::Vector3d(0, 0.002, 0.025), kGraspitRounding));
 }
 
 TEST(GraspitDrive, ParsesItsForms) {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_robot.h"

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/robot/link_poses.h"
 #include "tests/data/robot/named_parts.h"
@@ -24,7 +24,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr double kRounding = 1e-14;  // of a few products of numbers near one
+constexpr double kMjcfRounding = 1e-14;  // of a few products of numbers near one
 
 class Mjcf : public TemporaryFolder {
  protected:
@@ -62,25 +62,25 @@ Eigen::Matrix3d about(int axis, double angle) {
 
 TEST_F(Mjcf, ReadsEveryOrientation) {
   const Eigen::Matrix3d quarter = about(2, kPi / 2);
-  EXPECT_TRUE(matrix_near(turned("quat='1 0 0 1'"), quarter, kRounding));
-  EXPECT_TRUE(matrix_near(turned("axisangle='0 0 2 90'"), quarter, kRounding));
-  EXPECT_TRUE(matrix_near(turned("euler='0 0 90'"), quarter, kRounding));
+  EXPECT_TRUE(matrix_near(turned("quat='1 0 0 1'"), quarter, kMjcfRounding));
+  EXPECT_TRUE(matrix_near(turned("axisangle='0 0 2 90'"), quarter, kMjcfRounding));
+  EXPECT_TRUE(matrix_near(turned("euler='0 0 90'"), quarter, kMjcfRounding));
   EXPECT_TRUE(matrix_near(turned("xyaxes='0 1 0 -1 0.5 0'"), quarter,
-                          kRounding));  // y is made orthogonal to x
-  EXPECT_TRUE(matrix_near(turned("zaxis='1 0 0'"), about(1, kPi / 2), kRounding));
+                          kMjcfRounding));  // y is made orthogonal to x
+  EXPECT_TRUE(matrix_near(turned("zaxis='1 0 0'"), about(1, kPi / 2), kMjcfRounding));
   EXPECT_TRUE(matrix_near(turned("axisangle='0 0 1 1.5707963267948966'", "angle='radian'"), quarter,
-                          kRounding));
+                          kMjcfRounding));
 }
 
 TEST_F(Mjcf, HeedsTheSequenceOfEulerAngles) {
   const double a = radians(10), b = radians(20), c = radians(30);
   const std::string angles = "euler='10 20 30'";
-  EXPECT_TRUE(matrix_near(turned(angles), about(0, a) * about(1, b) * about(2, c), kRounding));
+  EXPECT_TRUE(matrix_near(turned(angles), about(0, a) * about(1, b) * about(2, c), kMjcfRounding));
   EXPECT_TRUE(matrix_near(turned(angles, "eulerseq='zyx'"), about(2, a) * about(1, b) * about(0, c),
-                          kRounding));
+                          kMjcfRounding));
   // Capitals turn about the fixed frame, so later turns stand on the left.
   EXPECT_TRUE(matrix_near(turned(angles, "eulerseq='XYZ'"), about(2, c) * about(1, b) * about(0, a),
-                          kRounding));
+                          kMjcfRounding));
 }
 
 TEST_F(Mjcf, InheritsDefaultsThroughClassesAndChildclass) {
@@ -119,8 +119,8 @@ TEST_F(Mjcf, PutsLinksWithoutMassBetweenTheJointsOfABody) {
   EXPECT_EQ(robot.links[2].mass, 0);
   EXPECT_NO_THROW(check_robot(robot));
   const Pose<double> X = link_poses(robot, {{"1", kPi / 2}, {"2", kPi / 2}})[1];
-  EXPECT_TRUE(matrix_near(X.p, Eigen::Vector3d(-0.1, 0, 0.9), kRounding));
-  EXPECT_TRUE(matrix_near(X.R, about(2, kPi / 2) * about(0, kPi / 2), kRounding));
+  EXPECT_TRUE(matrix_near(X.p, Eigen::Vector3d(-0.1, 0, 0.9), kMjcfRounding));
+  EXPECT_TRUE(matrix_near(X.R, about(2, kPi / 2) * about(0, kPi / 2), kMjcfRounding));
 }
 
 // At qpos = ref the body stands as written.
@@ -128,8 +128,8 @@ TEST_F(Mjcf, StandsAsWrittenAtTheReference) {
   const RobotSpec robot =
       palm("<body name='b' pos='0.1 0 0'><joint name='1' ref='30' range='0 60'/></body>");
   EXPECT_TRUE(matrix_near(link_poses(robot, {{"1", radians(30)}})[1].R, Eigen::Matrix3d::Identity(),
-                          kRounding));
-  EXPECT_TRUE(matrix_near(link_poses(robot, {})[1].R, about(2, radians(-30)), kRounding));
+                          kMjcfRounding));
+  EXPECT_TRUE(matrix_near(link_poses(robot, {})[1].R, about(2, radians(-30)), kMjcfRounding));
 }
 
 TEST_F(Mjcf, KeepsAWorldOnlyWhereItPlacesSomething) {
@@ -154,9 +154,10 @@ TEST_F(Mjcf, TakesFullSizesFromHalfOnes) {
   EXPECT_EQ(shapes[0].size, Eigen::Vector3d(0.2, 0.4, 0.6));
   EXPECT_EQ(shapes[1].size.head<2>(), Eigen::Vector2d(0.1, 0.4));
   EXPECT_EQ(shapes[2].size, Eigen::Vector3d(0.1, 0.2, 0.3));
-  EXPECT_TRUE(matrix_near(shapes[3].size.head<2>(), Eigen::Vector2d(0.01, 0.2), kRounding));
-  EXPECT_TRUE(matrix_near(shapes[3].X_BS.p, Eigen::Vector3d(0.1, 0, 0), kRounding));
-  EXPECT_TRUE(matrix_near(shapes[3].X_BS.R.col(2).cwiseAbs(), Eigen::Vector3d(1, 0, 0), kRounding));
+  EXPECT_TRUE(matrix_near(shapes[3].size.head<2>(), Eigen::Vector2d(0.01, 0.2), kMjcfRounding));
+  EXPECT_TRUE(matrix_near(shapes[3].X_BS.p, Eigen::Vector3d(0.1, 0, 0), kMjcfRounding));
+  EXPECT_TRUE(
+      matrix_near(shapes[3].X_BS.R.col(2).cwiseAbs(), Eigen::Vector3d(1, 0, 0), kMjcfRounding));
 }
 
 // A box of 0.2 x 0.4 x 0.6 of water weighs 48 kg; a ball of given mass 2 kg stands 0.25 to the
@@ -167,7 +168,7 @@ TEST_F(Mjcf, WeighsBodiesByTheirGeoms) {
                                   "<geom size='0.1' pos='0.25 0 0' mass='2'/>")
                                   .links[0];
   EXPECT_NEAR(palm_link.mass, 50, 1e-12);
-  EXPECT_TRUE(matrix_near(palm_link.com, Eigen::Vector3d(0.01, 0, 0), kRounding));
+  EXPECT_TRUE(matrix_near(palm_link.com, Eigen::Vector3d(0.01, 0, 0), kMjcfRounding));
   const double box = 48. / 12 * (0.2 * 0.2 + 0.4 * 0.4), ball = 0.4 * 2 * 0.01;
   EXPECT_NEAR(palm_link.inertia(2, 2), box + ball + 48 * 1e-4 + 2 * 0.24 * 0.24, 1e-12);
 }
@@ -189,10 +190,10 @@ TEST_F(Mjcf, WeighsAndPlacesWrittenMeshes) {
            "<asset><mesh name='corner' vertex='1 1 1  2 1 1  1 2 1  1 1 2' refpos='1 1 1' "
            "face='0 2 1  0 1 3  0 3 2  1 2 3'/></asset>");
   const RobotLink& link = robot.links[0];
-  EXPECT_NEAR(link.mass, 1, kRounding);
-  EXPECT_TRUE(matrix_near(link.com, Eigen::Vector3d::Constant(0.25), kRounding));
-  EXPECT_NEAR(link.inertia(0, 0), 2 * (0.1 - 0.0625), kRounding);
-  EXPECT_NEAR(link.inertia(0, 1), -(0.05 - 0.0625), kRounding);
+  EXPECT_NEAR(link.mass, 1, kMjcfRounding);
+  EXPECT_TRUE(matrix_near(link.com, Eigen::Vector3d::Constant(0.25), kMjcfRounding));
+  EXPECT_NEAR(link.inertia(0, 0), 2 * (0.1 - 0.0625), kMjcfRounding);
+  EXPECT_NEAR(link.inertia(0, 1), -(0.05 - 0.0625), kMjcfRounding);
 }
 
 TEST_F(Mjcf, ReadsInertialsInTheirFrame) {
@@ -202,7 +203,7 @@ TEST_F(Mjcf, ReadsInertialsInTheirFrame) {
                              .links[0];
   EXPECT_EQ(link.mass, 2);
   EXPECT_EQ(link.com, Eigen::Vector3d(0.1, 0, 0));
-  EXPECT_TRUE(matrix_near(link.inertia, Eigen::Vector3d(2, 1, 2.5).asDiagonal(), kRounding));
+  EXPECT_TRUE(matrix_near(link.inertia, Eigen::Vector3d(2, 1, 2.5).asDiagonal(), kMjcfRounding));
   const RobotLink full =
       palm("<inertial mass='2' pos='0 0 0' fullinertia='1 2 2.5 0.1 0.2 0.3'/>").links[0];
   EXPECT_EQ(full.inertia(0, 1), 0.1);
@@ -223,7 +224,7 @@ TEST_F(Mjcf, CouplesJointsByEqualities) {
   EXPECT_DOUBLE_EQ(robot.joints[2].ratio, 1);
   EXPECT_DOUBLE_EQ(robot.joints[2].offset, 0.25);
   // Joint 2 reaches 90 degrees first.
-  EXPECT_NEAR(robot.dofs[0].upper, (kPi / 2 - 0.1) / 2, kRounding);
+  EXPECT_NEAR(robot.dofs[0].upper, (kPi / 2 - 0.1) / 2, kMjcfRounding);
 }
 
 // L = q2 + q3 pulled by one actuator: each goes half the way, and 180 degrees of L are 90 of each.
@@ -238,7 +239,7 @@ TEST_F(Mjcf, SharesATendonAsEqualSpringsWould) {
   EXPECT_EQ(robot.dofs[0].max_effort, 3);
   EXPECT_EQ(robot.dofs[1].kind, RobotDofKind::kCompliant);
   EXPECT_EQ(robot.dofs[1].max_effort, 4);
-  EXPECT_NEAR(robot.dofs[1].upper, kPi, kRounding);
+  EXPECT_NEAR(robot.dofs[1].upper, kPi, kMjcfRounding);
   EXPECT_EQ(robot.joints[1].dof, "t");
   EXPECT_EQ(robot.joints[1].ratio, 0.5);
   EXPECT_EQ(robot.joints[2].ratio, 0.5);
@@ -264,7 +265,7 @@ TEST_F(Mjcf, CouplesJointsByATendonWithoutMuchRoom) {
            "<actuator><position joint='1'/><position joint='2'/></actuator>");
   EXPECT_THAT(names(robot.dofs), ElementsAre("1", "2"));
   EXPECT_EQ(robot.joints[2].dof, "2");
-  EXPECT_NEAR(robot.joints[2].ratio, 0.00805 / 0.00705, kRounding);
+  EXPECT_NEAR(robot.joints[2].ratio, 0.00805 / 0.00705, kMjcfRounding);
   EXPECT_THAT(robot.warnings, Contains(HasSubstr("limits of tendon 't' couple '3' to '2'")));
 }
 
@@ -369,8 +370,9 @@ TEST_F(Mjcf, CarriesFramesOut) {
   const RobotSpec robot = palm(
       "<frame pos='0 0 1' euler='0 0 90'><geom size='0.1' pos='1 0 0'/>"
       "<body name='b' pos='2 0 0'/></frame>");
-  EXPECT_TRUE(matrix_near(robot.links[0].shapes[0].X_BS.p, Eigen::Vector3d(0, 1, 1), kRounding));
-  EXPECT_TRUE(matrix_near(link_poses(robot, {})[1].p, Eigen::Vector3d(0, 2, 1), kRounding));
+  EXPECT_TRUE(
+      matrix_near(robot.links[0].shapes[0].X_BS.p, Eigen::Vector3d(0, 1, 1), kMjcfRounding));
+  EXPECT_TRUE(matrix_near(link_poses(robot, {})[1].p, Eigen::Vector3d(0, 2, 1), kMjcfRounding));
 }
 
 // Steps of 120 degrees about z, then 1 up: copy 2 is at Rz(240) (1, 0, 0) + (0, 0, 2).

@@ -11,9 +11,9 @@
 
 #include <sys/resource.h>
 
-#include "base/angles.h"
 #include "base/error.h"
 #include "base/read_file.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/link_poses.h"
@@ -28,7 +28,8 @@ namespace {
 using testing::Contains;
 using testing::HasSubstr;
 
-constexpr double kPoseTolerance = 1e-12;  // a dozen products of rotations, lengths below 1 m
+constexpr double kExportedPoseTolerance =
+    1e-12;  // a dozen products of rotations, lengths below 1 m
 
 Pose<double> near_pose(std::mt19937& rng) {
   Pose<double> X = sample::random_pose(rng);
@@ -123,11 +124,11 @@ TEST_F(UrdfExport, KeepsWhatLinksHoldInPlaceAtAnyPosture) {
       const RobotLink &a = robot.links[i], &b = back.links[i];
       ASSERT_EQ(a.name, b.name);
       const Pose<double> ball_a = X[i] * a.shapes[0].X_BS, ball_b = Y[i] * b.shapes[0].X_BS;
-      EXPECT_TRUE(matrix_near(ball_b.p, ball_a.p, kPoseTolerance));
-      EXPECT_TRUE(matrix_near(ball_b.R, ball_a.R, kPoseTolerance));
-      EXPECT_TRUE(matrix_near(Y[i] * b.com, X[i] * a.com, kPoseTolerance));
+      EXPECT_TRUE(matrix_near(ball_b.p, ball_a.p, kExportedPoseTolerance));
+      EXPECT_TRUE(matrix_near(ball_b.R, ball_a.R, kExportedPoseTolerance));
+      EXPECT_TRUE(matrix_near(Y[i] * b.com, X[i] * a.com, kExportedPoseTolerance));
       EXPECT_TRUE(matrix_near(Y[i].R * b.inertia * Y[i].R.transpose(),
-                              X[i].R * a.inertia * X[i].R.transpose(), kPoseTolerance));
+                              X[i].R * a.inertia * X[i].R.transpose(), kExportedPoseTolerance));
     }
   }
 }

@@ -4,13 +4,13 @@
 
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
-#include "base/shapes/mass_properties.h"
-#include "base/shapes/solid.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/link_poses.h"
+#include "geometry/mass_properties.h"
+#include "geometry/solid.h"
 #include "tests/data/robot/named_parts.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-constexpr double kRounding = 1e-15;  // of numbers that are read, turned once and compared
+constexpr double kUrdfRounding = 1e-15;  // of numbers that are read, turned once and compared
 
 /// Base, a finger of two joints, the second of which follows the first, and a slide.
 const char* const kGripper = R"(<?xml version="1.0"?>
@@ -136,10 +136,10 @@ TEST_F(Urdf, PlacesLinksAsByHand) {
   const RobotSpec robot = read(kGripper);
   const std::vector<Pose<double>> X = link_poses(robot, {{"knuckle", 1.0}, {"slide", -0.02}});
   EXPECT_TRUE(matrix_near(X[1].p, Eigen::Vector3d(0.1, 0.05 * std::sin(1.0), 0.05 * std::cos(1.0)),
-                          kRounding));
+                          kUrdfRounding));
   EXPECT_TRUE(
-      matrix_near(X[1].R.col(2), Eigen::Vector3d(0, std::sin(1.6), std::cos(1.6)), kRounding));
-  EXPECT_TRUE(matrix_near(X[3].p, Eigen::Vector3d(-0.02, 0, 0), kRounding));
+      matrix_near(X[1].R.col(2), Eigen::Vector3d(0, std::sin(1.6), std::cos(1.6)), kUrdfRounding));
+  EXPECT_TRUE(matrix_near(X[3].p, Eigen::Vector3d(-0.02, 0, 0), kUrdfRounding));
 }
 
 TEST_F(Urdf, FollowsChainsOfMimics) {

@@ -6,14 +6,14 @@
 
 #include <gmock/gmock.h>
 
-#include "base/angles.h"
+#include "base/units.h"
+#include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 
 namespace thenar {
 namespace {
 
-const std::string kData = THENAR_DATA_DIR;
 constexpr double kCellError = 0.005;  // of bodies summed up in cells, as documented
 
 BodySpec body_of(ShapeKind kind, const Eigen::Vector3d& size) {

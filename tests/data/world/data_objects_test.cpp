@@ -6,16 +6,15 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "data/io/world/world.h"
 #include "tests/data/mesh/mesh_sums.h"
+#include "tests/data_folder.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-
-const std::string kData = THENAR_DATA_DIR;
 
 std::vector<fs::path> files_in(const std::string& folder) {
   std::vector<fs::path> paths;

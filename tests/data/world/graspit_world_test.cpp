@@ -36,7 +36,7 @@ const std::string kBody = R"(<?xml version="1.0" ?>
 </root>
 )";
 
-const std::string kWorld = R"(<?xml version="1.0" ?>
+const std::string kGraspitWorld = R"(<?xml version="1.0" ?>
 <world>
   <obstacle>
     <filename>models/cube.off</filename>
@@ -172,7 +172,7 @@ TEST_F(Graspit, BodyIsRefusedWithItsLine) {
 }
 
 TEST_F(Graspit, WorldPlacesItsBodies) {
-  const WorldSpec read = world(kWorld).world;
+  const WorldSpec read = world(kGraspitWorld).world;
   ASSERT_EQ(read.bodies.size(), 3U);
   EXPECT_FALSE(read.bodies[0].dynamic);
   EXPECT_EQ(read.bodies[0].X_WB.p.z(), -0.1);
@@ -183,7 +183,7 @@ TEST_F(Graspit, WorldPlacesItsBodies) {
 }
 
 TEST_F(Graspit, WorldMountsHandsOnArms) {
-  const WorldSpec read = world(kWorld).world;
+  const WorldSpec read = world(kGraspitWorld).world;
   ASSERT_EQ(read.hands.size(), 2U);
   EXPECT_EQ(read.hands[0].file, path("models/arm.xml"));
   EXPECT_EQ(read.hands[1].file, path("models/hand.xml"));
@@ -194,7 +194,7 @@ TEST_F(Graspit, WorldMountsHandsOnArms) {
 
 TEST_F(Graspit, WorldSetsSlidesInMetresAndBrokenAwayJointsAlone) {
   using Posture = std::map<std::string, double>;
-  const WorldSpec read = world(kWorld).world;
+  const WorldSpec read = world(kGraspitWorld).world;
   EXPECT_EQ(read.hands[0].posture, (Posture{{"d0", 0.03}, {"d1", -0.25}}));
   // d0; d1 held by its clutch; d2's motor at 0.3, which its first joint left at 0.25 and its second
   // follows at half the way; d3.
@@ -210,7 +210,8 @@ class GraspitPostures : public Graspit {
  protected:
   using Posture = std::map<std::string, double>;
   [[nodiscard]] std::pair<Posture, bool> hand_with(const std::string& values) const {
-    const GraspitWorld read = world(replaced(kWorld, "+0.5 +0.6 +0 +0.3 +1 +0.25 +0 +0.2", values));
+    const GraspitWorld read =
+        world(replaced(kGraspitWorld, "+0.5 +0.6 +0 +0.3 +1 +0.25 +0 +0.2", values));
     const bool warned =
         std::any_of(read.warnings.begin(), read.warnings.end(), [](const std::string& warning) {
           return warning.find("robot 'hand': ") != std::string::npos;
@@ -251,14 +252,14 @@ TEST_F(GraspitPostures, AreReadWithoutFlagsAndNamedIfTheyFitNeither) {
 }
 
 TEST_F(Graspit, WorldLooksThroughItsCamera) {
-  const Camera camera = world(kWorld).world.camera;
+  const Camera camera = world(kGraspitWorld).world.camera;
   EXPECT_TRUE(matrix_near(camera.eye, Eigen::Vector3d(0, 0, 0.4), kRounding));
   EXPECT_TRUE(matrix_near(camera.target, Eigen::Vector3d(0, 0, 0.1), kRounding));
 }
 
 TEST_F(Graspit, WorldNamesWhatItDoesNotKnow) {
   const std::string file = path("worlds/world.xml");
-  const std::vector<std::string> warnings = world(kWorld).warnings;
+  const std::vector<std::string> warnings = world(kGraspitWorld).warnings;
   for (const std::string warning :
        {":19: MISSING ROBOT 'models/lost.xml': there is no such file; it is left out",
         ":30: <mountFilename> is not understood and was left out",
@@ -268,10 +269,11 @@ TEST_F(Graspit, WorldNamesWhatItDoesNotKnow) {
 }
 
 TEST_F(Graspit, WorldGoesOnWithoutWhatIsMissing) {
-  const GraspitWorld without_object = world(replaced(kWorld, "models/cube.off", "no.off"));
+  const GraspitWorld without_object = world(replaced(kGraspitWorld, "models/cube.off", "no.off"));
   EXPECT_THAT(without_object.warnings, Contains(HasSubstr(":4: MISSING BODY 'no.off'")));
   EXPECT_EQ(without_object.world.bodies.size(), 2U);
-  const GraspitWorld without_arm = world(replaced(kWorld, "models/arm.xml", "models/body.xml"));
+  const GraspitWorld without_arm =
+      world(replaced(kGraspitWorld, "models/arm.xml", "models/body.xml"));
   EXPECT_THAT(without_arm.warnings, Contains(HasSubstr("UNREADABLE ROBOT")));
   EXPECT_THAT(without_arm.warnings, Contains(HasSubstr("robot 0 carries robot 2, one of which")));
   ASSERT_EQ(without_arm.world.hands.size(), 1U);
@@ -280,7 +282,7 @@ TEST_F(Graspit, WorldGoesOnWithoutWhatIsMissing) {
 }
 
 TEST_F(Graspit, WorldSurvivesAsToml) {
-  const WorldSpec read = world(kWorld).world;
+  const WorldSpec read = world(kGraspitWorld).world;
   write_file(path("elsewhere/world.toml"), world_toml(read));
   const WorldSpec again = read_world(path("elsewhere/world.toml"));
   EXPECT_EQ(again.bodies[1].X_WB.R, read.bodies[1].X_WB.R);
@@ -292,7 +294,7 @@ TEST_F(Graspit, WorldSurvivesAsToml) {
 TEST_F(Graspit, WorldIsRefusedWithItsLine) {
   const auto refusal = [&](const std::string& from, const std::string& to) {
     const std::string message =
-        message_of<DataError>([&] { (void)world(replaced(kWorld, from, to)); });
+        message_of<DataError>([&] { (void)world(replaced(kGraspitWorld, from, to)); });
     return message.substr(message.find(".xml") + 4);
   };
   EXPECT_EQ(refusal("<childRobot>2", "<childRobot>3"), ":29: wanted <childRobot> in 0..2, got 3");

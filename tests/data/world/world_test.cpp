@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "base/write_file.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
@@ -33,7 +33,7 @@ kind = "sphere"
 size_mm = [35]
 )";
 
-const std::string kWorld = R"(name = "table"
+const std::string kTableWorld = R"(name = "table"
 source = "Scene"
 
 [sources]
@@ -88,14 +88,14 @@ class World : public TemporaryFolder {
   }
 };
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string with_text(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   EXPECT_NE(at, std::string::npos) << from;
   return text.replace(at, from.size(), to);
 }
 
 TEST_F(World, HoldsHandsBodiesAndCamera) {
-  const WorldSpec world = parsed(kWorld);
+  const WorldSpec world = parsed(kTableWorld);
   ASSERT_EQ(world.hands.size(), 2U);
   const PlacedHand& gripper = world.hands[1];
   EXPECT_EQ(gripper.carrier_link, "flange");
@@ -173,7 +173,7 @@ void expect_same(const WorldSpec& a, const WorldSpec& b) {
 }
 
 TEST_F(World, ComesBackToTheBit) {
-  WorldSpec world = parsed(kWorld);
+  WorldSpec world = parsed(kTableWorld);
   world.description = "quotes \" and\nlines";
   world.hands[1].X_WH.R = rotation_about<double>(Eigen::Vector3d(1, 2, 3).normalized(), 0.1);
   world.hands[1].posture["finger 1/b"] = 0.1 + 0.2;
@@ -195,7 +195,7 @@ TEST_F(World, ThatIsEmptyComesBack) {
 }
 
 TEST_F(World, ExplainsKeysOfBodiesThatCameFromElsewhere) {
-  WorldSpec world = parsed(kWorld);
+  WorldSpec world = parsed(kTableWorld);
   world.bodies[1].body.source = "Elsewhere";
   EXPECT_EQ(parsed(world_toml(world)).own_sources.at("Elsewhere"),
             "As the file says that it was read from");
@@ -206,27 +206,27 @@ TEST_F(World, TakesItsOwnMaterials) {
              "source = \"Seo2009\"\n[[friction]]\nbetween = [\"wood\", \"rubber\"]\nstatic = 0.75\n"
              "kinetic = 0.5\n");
   const WorldSpec world =
-      parsed(replaced(kWorld, "[sources]", "materials = \"own.toml\"\n[sources]"));
+      parsed(with_text(kTableWorld, "[sources]", "materials = \"own.toml\"\n[sources]"));
   EXPECT_EQ(world.materials.between("wood", "rubber").static_coefficient, 0.75);
   EXPECT_EQ(world.materials.between("wood", "wood").static_coefficient, 0.4);
   EXPECT_EQ(parsed(world_toml(world)).materials.between("rubber", "wood").kinetic_coefficient, 0.5);
 }
 
 TEST_F(World, NamesTheLineOfWhatIsWrong) {
-  EXPECT_THAT(refusal(replaced(kWorld, "ball.toml", "bell.toml")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "ball.toml", "bell.toml")),
               testing::AllOf(StartsWith("25: there is no file '"), HasSubstr("bell.toml'")));
-  EXPECT_EQ(refusal(replaced(kWorld, "\"object\"", "\"thing\"")),
+  EXPECT_EQ(refusal(with_text(kTableWorld, "\"object\"", "\"thing\"")),
             "24: wanted 'role' to be one of object, obstacle, got 'thing'");
-  EXPECT_THAT(refusal(replaced(kWorld, "\"rubber\"", "\"ruber\"")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "\"rubber\"", "\"ruber\"")),
               StartsWith("27: no material 'ruber', did you mean 'rubber'?"));
-  EXPECT_THAT(refusal(replaced(kWorld, "carrier = \"arm\"", "carrier = \"leg\"")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "carrier = \"arm\"", "carrier = \"leg\"")),
               HasSubstr("'gripper' is carried by 'leg'"));
-  EXPECT_THAT(refusal(replaced(kWorld, "name = \"my_ball\"", "name = \"top\"")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "name = \"my_ball\"", "name = \"top\"")),
               HasSubstr("two things are called 'top'"));
-  EXPECT_THAT(refusal(replaced(kWorld, "spread = 90}", "slide = 90}")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "spread = 90}", "slide = 90}")),
               HasSubstr("coordinate 'slide' is given twice"));
-  EXPECT_THAT(refusal(replaced(kWorld, "eye_mm", "eyes_mm")), HasSubstr("eye"));
-  EXPECT_THAT(refusal(replaced(kWorld, "density_g_cm3 = 0.5", "colour = \"red\"")),
+  EXPECT_THAT(refusal(with_text(kTableWorld, "eye_mm", "eyes_mm")), HasSubstr("eye"));
+  EXPECT_THAT(refusal(with_text(kTableWorld, "density_g_cm3 = 0.5", "colour = \"red\"")),
               StartsWith("34: unknown key 'colour'"));
 }
 
@@ -238,8 +238,8 @@ TEST(Object, ComesBackToTheBit) {
 
 TEST(Object, MayGiveItsPrincipalMomentsAlone) {
   const BodySpec ball =
-      parse_object(replaced(kBall, "mass_g = 120",
-                            "mass_g = 120\ncom_mm = [0, 0, 1]\ninertia_kg_m2 = [1, 2, 2.5]"),
+      parse_object(with_text(kBall, "mass_g = 120",
+                             "mass_g = 120\ncom_mm = [0, 0, 1]\ninertia_kg_m2 = [1, 2, 2.5]"),
                    "ball.toml");
   ASSERT_TRUE(ball.mass);
   EXPECT_TRUE(
@@ -250,15 +250,15 @@ TEST(Object, RefusesWhatIsNoBody) {
   const auto refusal = [](const std::string& text) {
     return message_of<DataError>([&] { (void)parse_object(text, "o.toml"); });
   };
-  EXPECT_THAT(refusal(replaced(kBall, "mass_g = 120", "mass_g = 120\ndensity_g_cm3 = 1")),
+  EXPECT_THAT(refusal(with_text(kBall, "mass_g = 120", "mass_g = 120\ndensity_g_cm3 = 1")),
               HasSubstr("o.toml:6: give 'mass' or 'density', not both"));
   EXPECT_THAT(refusal(kBall.substr(0, kBall.find("[[shape]]"))), HasSubstr("needs a shape"));
   // A moment larger than the sum of the others.
-  EXPECT_THAT(refusal(replaced(kBall, "mass_g = 120",
-                               "mass_g = 120\ncom_mm = [0, 0, 0]\ninertia_kg_m2 = "
-                               "[1, 1, 3, 0, 0, 0]")),
+  EXPECT_THAT(refusal(with_text(kBall, "mass_g = 120",
+                                "mass_g = 120\ncom_mm = [0, 0, 0]\ninertia_kg_m2 = "
+                                "[1, 1, 3, 0, 0, 0]")),
               HasSubstr("o.toml:7: no body has the principal moments of inertia 1, 1, 3"));
-  EXPECT_THAT(refusal(replaced(kBall, "mass_g = 120", "mass_g = 0")), HasSubstr("o.toml:5: "));
+  EXPECT_THAT(refusal(with_text(kBall, "mass_g = 120", "mass_g = 0")), HasSubstr("o.toml:5: "));
 }
 
 }  // namespace

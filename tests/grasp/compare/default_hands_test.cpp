@@ -8,7 +8,7 @@
 #include "grasp/compare/centre.h"
 #include "grasp/draw_start.h"
 #include "grasp/robot_hand.h"
-#include "tendons/hand/human_hand.h"
+#include "tendons/human/human_hand.h"
 
 namespace thenar {
 namespace {

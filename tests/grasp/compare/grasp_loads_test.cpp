@@ -22,8 +22,8 @@ const std::vector<GraspTask> kTasks{GraspTask::kForceClosure, GraspTask::kHoldWe
                                     GraspTask::kPull};
 
 /// Jaws on a cube of 30 mm: what they hold in the grasp they come to.
-struct Squeeze {
-  explicit Squeeze(const RobotSpec& robot)
+struct SqueezedBall {
+  explicit SqueezedBall(const RobotSpec& robot)
       : hand(robot), scene(sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
     GraspOptions options;
     options.way = 0;
@@ -42,7 +42,7 @@ struct Squeeze {
 // Friction is 1, and the motor's 2 N are the sum of what both jaws press with: along every axis the
 // weight takes w, the motor holds 2 N.
 TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
-  const GraspLoads loads = Squeeze(sample::jaws()).loads();
+  const GraspLoads loads = SqueezedBall(sample::jaws()).loads();
   EXPECT_NEAR(loads.hold, kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("hold-weight"), 2 / kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
@@ -53,7 +53,7 @@ TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
 TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
   RobotSpec robot = sample::jaws();
   robot.dofs[0].nominal_effort = true;
-  const Squeeze squeeze(robot);
+  const SqueezedBall squeeze(robot);
   const GraspLoads loads = squeeze.loads();
   EXPECT_TRUE(std::isnan(loads.margin.at("pull")));
   EXPECT_EQ(loads.reasons.at("pull"), "the effort of 'motor' is unknown");
@@ -64,7 +64,7 @@ TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
 
 // A jaw that nothing drives gives way: the other one presses on nothing.
 TEST(GraspLoads, NameTheJointThatGivesWay) {
-  Squeeze squeeze(sample::jaws());
+  SqueezedBall squeeze(sample::jaws());
   RobotSpec loose = sample::jaws();
   loose.joints[1].dof.clear();
   const RobotHand hand(loose);
@@ -79,7 +79,7 @@ TEST(GraspLoads, NameTheJointThatGivesWay) {
 }
 
 TEST(GraspLoads, NameFrictionWhereThereIsNone) {
-  Squeeze squeeze(sample::jaws());
+  SqueezedBall squeeze(sample::jaws());
   for (HandContact& contact : squeeze.grasp.contacts) contact.contact.friction = 0;
   EXPECT_THAT(squeeze.loads().reasons.at("pull"), HasSubstr("friction"));
   EXPECT_EQ(squeeze.loads().margin.at("pull"), 0);
@@ -89,12 +89,12 @@ TEST(GraspLoads, NameFrictionWhereThereIsNone) {
 TEST(GraspLoads, OfWormsAreThoseOfFrictionAcross) {
   RobotSpec robot = sample::jaws();
   robot.dofs[0].backdrivable = false;
-  EXPECT_NEAR(Squeeze(robot).loads().margin.at("pull"), 2, 1e-6);
+  EXPECT_NEAR(SqueezedBall(robot).loads().margin.at("pull"), 2, 1e-6);
 }
 
 // The palm alone, on all sides of the cube, two contacts a face: no motor is asked, nor a number.
 TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
-  Squeeze squeeze(sample::jaws());
+  SqueezedBall squeeze(sample::jaws());
   const Eigen::Vector3d centre = squeeze.scene.object.com;
   squeeze.grasp.contacts.clear();
   for (int axis = 0; axis < 3; ++axis)
@@ -115,7 +115,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
 // Along x a jaw at most lets go of 2 N, across it friction bears no more; turned about an axis the
 // corners do so: no wrench of 2 N or less needs more than the motor has, some of 2 N do.
 TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {
-  const Squeeze squeeze(sample::jaws());
+  const SqueezedBall squeeze(sample::jaws());
   const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_GT(epsilon.value, 0);
   EXPECT_LE(epsilon.value, 2 + 1e-6);
@@ -125,7 +125,7 @@ TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {
 TEST(HandEpsilon, GrowsWithTheMotor) {
   RobotSpec strong = sample::jaws();
   strong.dofs[0].max_effort *= 10;
-  const Squeeze weak(sample::jaws()), ten(strong);
+  const SqueezedBall weak(sample::jaws()), ten(strong);
   const double one = hand_epsilon(weak.held(), weak.scene.object).value;
   EXPECT_NEAR(hand_epsilon(ten.held(), ten.scene.object).value / one, 10, 0.5);  // 5 % each
 }

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "grasp/compare/abilities.h"
-#include "tendons/hand/human_hand.h"
+#include "tendons/human/human_hand.h"
 
 namespace thenar {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "grasp/compare/abilities.h"
 #include "grasp/robot_hand.h"
-#include "tendons/hand/human_hand.h"
+#include "tendons/human/human_hand.h"
 #include "tests/grasp/closing_samples.h"
 #include "tests/grasp/jaws.h"
 

@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kArm = sample::kLength + sample::kRadius;  // of the tip [m]
+constexpr double kReachOfTip = sample::kLength + sample::kRadius;  // of the tip [m]
 
 /// Two hinges that turn each by itself, by up to 90 degrees.
 RobotSpec planar_arm() {
@@ -56,7 +56,7 @@ TEST(Workspace, OfAPlanarArmHasItsAreaWithinItsError) {
     for (const double cell : {2e-3, 5e-3}) {
       const DigitAbility finger = space_of(planar_arm(), draws, cell);
       EXPECT_EQ(finger.dimension, 2);
-      EXPECT_NEAR(finger.workspace, sample::kLength * kArm * kPi / 2, finger.workspace_error)
+      EXPECT_NEAR(finger.workspace, sample::kLength * kReachOfTip * kPi / 2, finger.workspace_error)
           << draws << " draws, cells of " << cell << " m";
     }
 }
@@ -64,7 +64,7 @@ TEST(Workspace, OfAPlanarArmHasItsAreaWithinItsError) {
 // Between radii r and R: volume  (R^3 - r^3) / 3  pi/2  sin 45 deg.
 TEST(Workspace, OfATelescopeHasThatOfItsShellWithinItsError) {
   const double exact =
-      (std::pow(kArm + 0.06, 3) - std::pow(kArm, 3)) / 3 * kPi / 2 * std::sqrt(0.5);
+      (std::pow(kReachOfTip + 0.06, 3) - std::pow(kReachOfTip, 3)) / 3 * kPi / 2 * std::sqrt(0.5);
   for (const int draws : {5000, 50000})
     for (const double cell : {3e-3, 5e-3}) {
       const DigitAbility tip = space_of(telescope(), draws, cell);

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/grasp/contact/analytic_shapes.h"
+#include "tests/geometry/collision/analytic_shapes.h"
 #include "tests/matrix_near.h"
 #include "tests/message_of.h"
 

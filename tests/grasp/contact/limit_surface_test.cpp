@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
@@ -61,13 +61,13 @@ TEST(LimitSurface, DissipatesMost) {
   }
 }
 
-struct Range {
+struct FrictionRange {
   double least, most;
 };
 
 /// How far the ellipsoid is off the patches that slip, over all ways to turn.
-Range ellipsoid_range(double ratio, PatchPressure pressure) {
-  Range range{2, 0};
+FrictionRange ellipsoid_range(double ratio, PatchPressure pressure) {
+  FrictionRange range{2, 0};
   const double torsion = patch_torsion(1, ratio, pressure, kMu);
   for (const double heading : {0.0, kPi / 4, kPi / 2})
     for (int i = 0; i <= 12; ++i) {
@@ -83,10 +83,10 @@ Range ellipsoid_range(double ratio, PatchPressure pressure) {
 // What docs/theory/grasp_contact.md says of it.
 TEST(LimitSurface, EllipsoidPromisesLittleTooMuch) {
   for (const PatchPressure pressure : kPressures) {
-    const Range disc = ellipsoid_range(1, pressure);
+    const FrictionRange disc = ellipsoid_range(1, pressure);
     EXPECT_GT(disc.least, 0.93);
     EXPECT_LT(disc.most, 1 + kSums);
-    const Range oblong = ellipsoid_range(0.2, pressure);
+    const FrictionRange oblong = ellipsoid_range(0.2, pressure);
     EXPECT_GT(oblong.least, 0.88);
     EXPECT_LT(oblong.most, 1.04);
   }

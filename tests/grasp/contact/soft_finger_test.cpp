@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kFriction = 0.7;
+constexpr double kPadFriction = 0.7;
 
 /// mu int p r dA / int p dA over a disc of radius a, by the midpoint rule.
 double torsion_by_integration(double a, const std::function<double(double)>& pressure) {
@@ -25,7 +25,7 @@ double torsion_by_integration(double a, const std::function<double(double)>& pre
     torque += pressure(r / a) * r * r;
     force += pressure(r / a) * r;
   }
-  return kFriction * torque / force;
+  return kPadFriction * torque / force;
 }
 
 /// The same over an ellipse, ring by ring and ray by ray; p(s), s from centre to rim.
@@ -40,7 +40,7 @@ double torsion_of_ellipse(double a, double b, const std::function<double(double)
       torque += weight * s * std::hypot(a * std::cos(theta), b * std::sin(theta));
     }
   }
-  return kFriction * torque / force;
+  return kPadFriction * torque / force;
 }
 
 TEST(SoftFinger, EllipsesHoldTheTorqueOfTheirMeanRadius) {
@@ -51,9 +51,9 @@ TEST(SoftFinger, EllipsesHoldTheTorqueOfTheirMeanRadius) {
   for (const double b : {0.006, 0.004, 0.002, 0.0006}) {
     const auto expect = [&](PatchPressure pressure, const std::function<double(double)>& p) {
       const double expected = torsion_of_ellipse(kA, b, p);
-      EXPECT_NEAR(patch_torsion(kA, b, pressure, kFriction), expected, kRule * expected) << b;
-      EXPECT_EQ(patch_torsion(kA, b, pressure, kFriction),
-                patch_torsion(b, kA, pressure, kFriction));
+      EXPECT_NEAR(patch_torsion(kA, b, pressure, kPadFriction), expected, kRule * expected) << b;
+      EXPECT_EQ(patch_torsion(kA, b, pressure, kPadFriction),
+                patch_torsion(b, kA, pressure, kPadFriction));
     };
     expect(PatchPressure::kUniform, uniform);
     expect(PatchPressure::kHertz, hertz);
@@ -68,9 +68,9 @@ TEST(SoftFinger, MeanRadiusIsThatOfACircleAndTwoThirdsOfALine) {
 }
 
 TEST(SoftFinger, OblongLayersHoldMoreThanTheirRoot) {
-  const SoftPatch patch = winkler_patch(1, 1e6, 0.003, 0.09, 0.01, kFriction);
+  const SoftPatch patch = winkler_patch(1, 1e6, 0.003, 0.09, 0.01, kPadFriction);
   EXPECT_NEAR(patch.a / patch.b, 3, 1e-12);
-  const double root = 8.0 / 15 * kFriction * std::sqrt(patch.a * patch.b);
+  const double root = 8.0 / 15 * kPadFriction * std::sqrt(patch.a * patch.b);
   EXPECT_NEAR(root / patch.torsion, 0.81, 0.005);  // 19 % too little
 }
 
@@ -78,7 +78,7 @@ TEST(SoftFinger, OblongLayersHoldMoreThanTheirRoot) {
 TEST(SoftFinger, HertzBallsTouchInASmallCircle) {
   const double modulus = contact_modulus(210e9, 0.3, 210e9, 0.3);
   EXPECT_NEAR(modulus, 210e9 / 1.82, 1);
-  const SoftPatch patch = hertz_patch(10, modulus, 0.01, kFriction);
+  const SoftPatch patch = hertz_patch(10, modulus, 0.01, kPadFriction);
   EXPECT_NEAR(patch.a, 86.6e-6, 0.1e-6);
   // p = p0 sqrt(1 - s^2), p0 = 2 E* a / (pi R), carries 2/3 pi a^2 p0.
   const double p0 = 2 * modulus * patch.a / (kPi * 0.01);
@@ -102,7 +102,7 @@ TEST(SoftFinger, ConfinedLayersAreStiffer) {
 // A ball of 10 mm on a mattress: the springs under it carry the load, and hold the torque.
 TEST(SoftFinger, WinklerLayerBalancesItsLoad) {
   constexpr double kForce = 5, kYoung = 1.5e6, kThickness = 0.003, kR = 0.01;
-  const SoftPatch patch = winkler_patch(kForce, kYoung, kThickness, kR, kR, kFriction);
+  const SoftPatch patch = winkler_patch(kForce, kYoung, kThickness, kR, kR, kPadFriction);
   double carried = 0;
   constexpr int kRings = 10'000;
   for (int i = 0; i < kRings; ++i) {
@@ -116,14 +116,14 @@ TEST(SoftFinger, WinklerLayerBalancesItsLoad) {
 }
 
 TEST(SoftFinger, PowerLawHoldsTheTorqueOfHertz) {
-  const SoftPatch patch = power_law_patch(8, 0.002, 1.0 / 3, kFriction);
+  const SoftPatch patch = power_law_patch(8, 0.002, 1.0 / 3, kPadFriction);
   EXPECT_NEAR(patch.a, 0.004, 1e-15);
   const auto hertz = [](double rho) { return std::sqrt(1 - rho * rho); };
   EXPECT_NEAR(patch.torsion, torsion_by_integration(patch.a, hertz), 1e-9);
 }
 
 TEST(SoftFinger, HoldsNothingWithoutLoadOrFriction) {
-  EXPECT_EQ(winkler_patch(0, 1e6, 0.003, 0.01, 0.02, kFriction).torsion, 0);
+  EXPECT_EQ(winkler_patch(0, 1e6, 0.003, 0.01, 0.02, kPadFriction).torsion, 0);
   EXPECT_EQ(winkler_patch(5, 1e6, 0.003, 0.01, 0.02, 0).torsion, 0);
 }
 

@@ -14,7 +14,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kExact = 1e-12;
+constexpr double kExactMotion = 1e-12;
 
 /// Unit components of two soft fingers on one line: n, t1, t2 of each, then its turn about n.
 Eigen::Matrix<double, 6, Eigen::Dynamic> pinch_components() {
@@ -48,7 +48,7 @@ TEST(DrivenMotion, OfASlideIsItsRatio) {
   along_y(1) = 2;
   const DrivenMotion found = driven_motion(pinch_components(), as_one(along_y));
   ASSERT_EQ(found.object.cols(), 1);
-  EXPECT_TRUE(matrix_near((found.object * found.drives(0, 0)).eval(), along_y, kExact));
+  EXPECT_TRUE(matrix_near((found.object * found.drives(0, 0)).eval(), along_y, kExactMotion));
   EXPECT_EQ(manipulability(found.object).rank, 1);
 }
 
@@ -75,8 +75,8 @@ TEST(DrivenMotion, KeepsWhatContactsAllow) {
   J << together(), as_one(along_z);
   const DrivenMotion found = driven_motion(pinch_components(), J);
   ASSERT_EQ(found.drives.cols(), 1);
-  EXPECT_NEAR(found.drives(0, 0), 0, kExact);
-  EXPECT_NEAR(found.object.norm(), 3, kExact);
+  EXPECT_NEAR(found.drives(0, 0), 0, kExactMotion);
+  EXPECT_NEAR(found.object.norm(), 3, kExactMotion);
 }
 
 // Two motors, one a finger: only their difference moves the object, by s / sqrt 2 a unit of both.
@@ -85,8 +85,8 @@ TEST(DrivenMotion, OfTwoMotorsIsTheirDifference) {
   J(0, 0) = J(4, 1) = 1;
   const DrivenMotion found = driven_motion(pinch_components(), J);
   ASSERT_EQ(found.drives.cols(), 1);
-  EXPECT_NEAR(found.drives.col(0).sum(), 0, kExact);
-  EXPECT_NEAR(found.object.norm(), 1 / std::sqrt(2.0), kExact);
+  EXPECT_NEAR(found.drives.col(0).sum(), 0, kExactMotion);
+  EXPECT_NEAR(found.object.norm(), 1 / std::sqrt(2.0), kExactMotion);
 }
 
 TEST(DrivenMotion, RefusesAnObjectThatIsFree) {

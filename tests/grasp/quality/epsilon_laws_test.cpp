@@ -17,8 +17,8 @@ namespace {
 constexpr int kGrasps = 60;
 constexpr double kRounding = 1e-12;
 
-Epsilon epsilon_of(const std::vector<Contact>& contacts, double scale = 1,
-                   ForceLimit limit = ForceLimit::kL1) {
+Epsilon epsilon_at_scale(const std::vector<Contact>& contacts, double scale = 1,
+                         ForceLimit limit = ForceLimit::kL1) {
   EpsilonOptions options;
   options.limit = limit;
   return epsilon(wrench_set(contacts, Eigen::Vector3d::Zero(), scale), options);
@@ -45,7 +45,8 @@ TEST(EpsilonLaws, AnotherContactNeverLowersIt) {
     std::vector<Contact> contacts = random_contacts(rng, 6);
     std::vector<Contact> fewer(contacts.begin(), contacts.end() - 1);
     for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf})
-      EXPECT_LE(epsilon_of(fewer, 1, limit).lower, epsilon_of(contacts, 1, limit).upper);
+      EXPECT_LE(epsilon_at_scale(fewer, 1, limit).lower,
+                epsilon_at_scale(contacts, 1, limit).upper);
   }
 }
 
@@ -56,7 +57,7 @@ TEST(EpsilonLaws, MoreFrictionNeverLowersIt) {
     double before = -std::numeric_limits<double>::infinity();
     for (const double friction : {0.0, 0.1, 0.3, 0.5, 0.51, 0.9}) {
       for (Contact& contact : contacts) contact.friction = friction;
-      const Epsilon e = epsilon_of(contacts);
+      const Epsilon e = epsilon_at_scale(contacts);
       EXPECT_GE(e.upper, before);
       before = e.lower;
     }
@@ -67,7 +68,8 @@ TEST(EpsilonLaws, EachLimitedIsNoLessThanAllTogether) {
   std::mt19937 rng(3);
   for (int i = 0; i < kGrasps; ++i) {
     const std::vector<Contact> contacts = random_contacts(rng, 4);
-    EXPECT_GE(epsilon_of(contacts, 1, ForceLimit::kLinf).upper, epsilon_of(contacts).lower);
+    EXPECT_GE(epsilon_at_scale(contacts, 1, ForceLimit::kLinf).upper,
+              epsilon_at_scale(contacts).lower);
   }
 }
 
@@ -107,12 +109,12 @@ TEST(EpsilonLaws, LengthsAndTorqueScaleTogetherDoNotChangeIt) {
   for (int i = 0; i < kGrasps; ++i) {
     std::vector<Contact> contacts = random_contacts(rng, 4);
     contacts[0].torsion = 0.1;
-    const Epsilon a = epsilon_of(contacts);
+    const Epsilon a = epsilon_at_scale(contacts);
     for (Contact& contact : contacts) {
       contact.p *= 0.0078125;  // a power of 2: no rounding
       contact.torsion *= 0.0078125;
     }
-    const Epsilon b = epsilon_of(contacts, 0.0078125);
+    const Epsilon b = epsilon_at_scale(contacts, 0.0078125);
     EXPECT_EQ(a.lower, b.lower);
     EXPECT_EQ(a.upper, b.upper);
   }
@@ -133,10 +135,10 @@ TEST(EpsilonStability, TorqueScalesFromMillimetresToKilometres) {
         EXPECT_TRUE(e.converged);
         EXPECT_EQ(e.rank, 6);
         // Whether the origin is inside does not depend on the scale.
-        EXPECT_EQ(e.force_closure, epsilon_of(contacts).force_closure) << i << " " << scale;
+        EXPECT_EQ(e.force_closure, epsilon_at_scale(contacts).force_closure) << i << " " << scale;
       }
     }
-    closures += epsilon_of(contacts).force_closure ? 1 : 0;
+    closures += epsilon_at_scale(contacts).force_closure ? 1 : 0;
   }
   EXPECT_GT(closures, kGrasps / 4);
 }
@@ -145,10 +147,10 @@ TEST(EpsilonStability, DuplicatesChangeNothing) {
   std::mt19937 rng(8);
   for (int i = 0; i < kGrasps; ++i) {
     std::vector<Contact> contacts = random_contacts(rng, 4);
-    const Epsilon once = epsilon_of(contacts);
+    const Epsilon once = epsilon_at_scale(contacts);
     const std::vector<Contact> copies = contacts;
     for (int k = 0; k < 3; ++k) contacts.insert(contacts.end(), copies.begin(), copies.end());
-    const Epsilon often = epsilon_of(contacts);
+    const Epsilon often = epsilon_at_scale(contacts);
     EXPECT_TRUE(often.converged);
     EXPECT_LE(often.lower, once.upper);
     EXPECT_LE(once.lower, often.upper);
@@ -231,10 +233,10 @@ TEST(EpsilonStability, NoNumberPasses) {
   std::mt19937 rng(10);
   std::vector<Contact> contacts = random_contacts(rng, 3);
   contacts[1].p.x() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW((void)epsilon_of(contacts), InputError);
+  EXPECT_THROW((void)epsilon_at_scale(contacts), InputError);
   contacts = random_contacts(rng, 3);
   contacts[2].friction = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW((void)epsilon_of(contacts), InputError);
+  EXPECT_THROW((void)epsilon_at_scale(contacts), InputError);
 }
 
 }  // namespace

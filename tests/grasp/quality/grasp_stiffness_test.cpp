@@ -17,7 +17,7 @@ namespace thenar {
 namespace {
 
 constexpr double kRigid = std::numeric_limits<double>::infinity();
-constexpr double kExact = 1e-9;  // of stiffnesses of order 1000 N/m
+constexpr double kExactStiffness = 1e-9;  // of stiffnesses of order 1000 N/m
 const std::vector<PadStiffness> kPads(2, {2000, 1000, 0.3});
 
 GraspStiffness stiffness(const std::vector<PadStiffness>& pads,
@@ -32,9 +32,9 @@ TEST(GraspStiffness, OfAPinchIsDiagonal) {
   const double twist = 2 * 0.3 / (kScale * kScale);
   const Wrench diagonal = (Wrench() << 4000, 2000, 2000, twist, turn, turn).finished();
   const GraspStiffness found = stiffness(kPads);
-  EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExact));
-  EXPECT_NEAR(found.least, twist, kExact);
-  EXPECT_NEAR(std::abs(found.softest(3)), 1, kExact);
+  EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExactStiffness));
+  EXPECT_NEAR(found.least, twist, kExactStiffness);
+  EXPECT_NEAR(std::abs(found.softest(3)), 1, kExactStiffness);
 }
 
 // Springs in series: a joint of k at a lever of l yields like a pad of k / l^2.
@@ -42,16 +42,16 @@ TEST(GraspStiffness, JointsAreInSeriesWithPads) {
   JointStiffness joints{Eigen::MatrixXd::Zero(8, 2), Eigen::Vector2d(0.8, 0.8)};
   joints.J(0, 0) = joints.J(4, 1) = 0.04;
   const double series = 1 / (1 / 2000.0 + 0.04 * 0.04 / 0.8);
-  EXPECT_NEAR(stiffness(kPads, joints).K(0, 0), 2 * series, kExact);
+  EXPECT_NEAR(stiffness(kPads, joints).K(0, 0), 2 * series, kExactStiffness);
   joints.k.setConstant(kRigid);
-  EXPECT_NEAR(stiffness(kPads, joints).K(0, 0), 4000, kExact);
+  EXPECT_NEAR(stiffness(kPads, joints).K(0, 0), 4000, kExactStiffness);
 }
 
 TEST(GraspStiffness, IsZeroWithoutContactsAndAlongWhatNoPadResists) {
   EXPECT_TRUE(grasp_stiffness({}, {0, 0, 0}, kScale, {}).K.isZero(0));
   const GraspStiffness hard = stiffness({2, {2000, 1000, 0}});
-  EXPECT_NEAR(hard.least, 0, kExact);
-  EXPECT_NEAR(std::abs(hard.softest(3)), 1, kExact);
+  EXPECT_NEAR(hard.least, 0, kExactStiffness);
+  EXPECT_NEAR(std::abs(hard.softest(3)), 1, kExactStiffness);
 }
 
 TEST(GraspStiffness, RefusesRigidPadsOnRigidFingers) {
@@ -65,9 +65,9 @@ TEST(Manipulability, IsTheProductOfSingularValues) {
   Eigen::Matrix<double, 2, 3> M;
   M << 3, 0, 0, 0, 4, 0;
   const Manipulability found = manipulability(M);
-  EXPECT_NEAR(found.volume, 12, kExact);
-  EXPECT_NEAR(found.least, 3, kExact);
-  EXPECT_NEAR(found.isotropy, 0.75, kExact);
+  EXPECT_NEAR(found.volume, 12, kExactStiffness);
+  EXPECT_NEAR(found.least, 3, kExactStiffness);
+  EXPECT_NEAR(found.isotropy, 0.75, kExactStiffness);
   EXPECT_EQ(found.rank, 2);
 }
 
@@ -79,8 +79,8 @@ TEST(Manipulability, IsZeroForAStraightArm) {
             b * std::cos(bend))
         .finished();
   };
-  EXPECT_NEAR(manipulability(arm(0.7)).volume, 0.3 * 0.2 * std::sin(0.7), kExact);
-  EXPECT_NEAR(manipulability(arm(0)).volume, 0, kExact);
+  EXPECT_NEAR(manipulability(arm(0.7)).volume, 0.3 * 0.2 * std::sin(0.7), kExactStiffness);
+  EXPECT_NEAR(manipulability(arm(0)).volume, 0, kExactStiffness);
   EXPECT_EQ(manipulability(arm(0)).rank, 1);
 }
 
@@ -99,7 +99,8 @@ TEST(Manipulability, FingersCarryTheObjectAlong) {
     G.middleCols(4 * i, 4) << cap.c, cap.A;
   }
   const Eigen::MatrixXd J = G.transpose();  // both fingers move as one body of six coordinates
-  EXPECT_TRUE(matrix_near(hand_object_jacobian(G, J), Eigen::MatrixXd::Identity(6, 6), kExact));
+  EXPECT_TRUE(
+      matrix_near(hand_object_jacobian(G, J), Eigen::MatrixXd::Identity(6, 6), kExactStiffness));
 }
 
 }  // namespace

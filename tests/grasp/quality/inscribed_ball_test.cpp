@@ -17,7 +17,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kSolved = 1e-8;
+constexpr double kSolvedBall = 1e-8;
 
 /// Generators along both ways of every axis: each component of the wrench is free by itself.
 WrenchSet axes() {
@@ -32,10 +32,10 @@ TEST(InscribedBall, IsExactForPolytopes) {
   for (const auto& [limit, radius] :
        {std::pair(ForceLimit::kL1, 1 / std::sqrt(6.0)), std::pair(ForceLimit::kLinf, 1.0)}) {
     const InscribedBall ball = inscribed_ball(unit_forces(axes(), limit));
-    ASSERT_EQ(ball.status, ConeStatus::kSolved);
-    EXPECT_NEAR(ball.upper, radius, kSolved);
-    EXPECT_LE(ball.lower, radius + kSolved);
-    EXPECT_GE(ball.lower, 0.99 * radius - kSolved);
+    ASSERT_EQ(ball.status, ConeStatus::kSolvedBall);
+    EXPECT_NEAR(ball.upper, radius, kSolvedBall);
+    EXPECT_LE(ball.lower, radius + kSolvedBall);
+    EXPECT_GE(ball.lower, 0.99 * radius - kSolvedBall);
   }
 }
 
@@ -44,10 +44,10 @@ TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
   const WrenchSet set = pinch(0.5, 0.01);
   const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
   const Epsilon expected = epsilon(set);
-  ASSERT_EQ(ball.status, ConeStatus::kSolved);
-  EXPECT_LE(ball.lower, expected.upper + kSolved);
-  EXPECT_GE(ball.upper, expected.lower - kSolved);
-  EXPECT_LE(ball.upper - ball.lower, 0.01 * ball.upper + kSolved);
+  ASSERT_EQ(ball.status, ConeStatus::kSolvedBall);
+  EXPECT_LE(ball.lower, expected.upper + kSolvedBall);
+  EXPECT_GE(ball.upper, expected.lower - kSolvedBall);
+  EXPECT_LE(ball.upper - ball.lower, 0.01 * ball.upper + kSolvedBall);
 }
 
 // What is between the bounds, widened by the residual, holds the closed form: the cross-polytope's
@@ -72,7 +72,7 @@ TEST(InscribedBall, StatesTheResidualOfItsProgrammes) {
 TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   const InscribedBall ball = inscribed_ball(hand);
-  EXPECT_NEAR(ball.upper, 0, kSolved);
+  EXPECT_NEAR(ball.upper, 0, kSolvedBall);
   EXPECT_NEAR(std::abs(ball.worst_load(3)), 1, 1e-3);
 }
 
@@ -91,7 +91,7 @@ TEST(InscribedBall, KeepsItsBoundsInOrderWhereNothingIsWithstood) {
     const WrenchSet set = wrench_set({{p, -p.normalized(), 0.5, 0}}, {0, 0, 0}, 1);
     const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
     ASSERT_LE(ball.lower, ball.upper);
-    ASSERT_LE(ball.upper, kSolved);
+    ASSERT_LE(ball.upper, kSolvedBall);
   }
 }
 
@@ -99,7 +99,7 @@ TEST(TaskWrenches, WorstOfAListCounts) {
   const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
   const Wrench across = Wrench::Unit(2), along = Wrench::Unit(0);
   const TaskMargin margin = margin_of_loads(hand, {along, across});
-  EXPECT_NEAR(margin.lower, 0.25 * 12, kSolved);
+  EXPECT_NEAR(margin.lower, 0.25 * 12, kSolvedBall);
   EXPECT_EQ(margin.worst_load, across);
   EXPECT_EQ(margin_of_loads(hand, {}).lower, std::numeric_limits<double>::infinity());
 }
@@ -110,7 +110,7 @@ TEST(TaskWrenches, BoxIsAsGoodAsItsWorstCorner) {
   half(0) = 2;
   half(4) = 3;
   const TaskMargin margin = margin_of_box(unit_forces(axes(), ForceLimit::kL1), -half, half);
-  EXPECT_NEAR(margin.lower, 1.0 / 5, kSolved);
+  EXPECT_NEAR(margin.lower, 1.0 / 5, kSolvedBall);
 }
 
 // Axes q_i: the cross-polytope's face is at k / sqrt(sum q_i^2), over those that are not zero.
@@ -118,15 +118,15 @@ TEST(TaskWrenches, EllipsoidIsExactInACrossPolytope) {
   const ForceSet forces = unit_forces(axes(), ForceLimit::kL1);
   const Wrench q = (Wrench() << 1, 2, 3, 0.5, 1, 2).finished();
   const TaskMargin full = margin_of_ellipsoid(forces, Eigen::MatrixXd(q.asDiagonal()));
-  ASSERT_EQ(full.status, ConeStatus::kSolved);
-  EXPECT_NEAR(full.upper, 1 / q.norm(), kSolved);
-  EXPECT_GE(full.lower, 0.99 / q.norm() - kSolved);
+  ASSERT_EQ(full.status, ConeStatus::kSolvedBall);
+  EXPECT_NEAR(full.upper, 1 / q.norm(), kSolvedBall);
+  EXPECT_GE(full.lower, 0.99 / q.norm() - kSolvedBall);
   EXPECT_NEAR(full.worst_load.norm(), (q.cwiseProduct(q) / q.norm()).norm(), 1e-3);
   const Eigen::MatrixXd forces_only = Eigen::MatrixXd(q.asDiagonal()).leftCols(3);
   const TaskMargin flat = margin_of_ellipsoid(forces, forces_only);
-  ASSERT_EQ(flat.status, ConeStatus::kSolved);
-  EXPECT_NEAR(flat.upper, 1 / q.head<3>().norm(), kSolved);
-  EXPECT_GE(flat.lower, 0.99 / q.head<3>().norm() - kSolved);
+  ASSERT_EQ(flat.status, ConeStatus::kSolvedBall);
+  EXPECT_NEAR(flat.upper, 1 / q.head<3>().norm(), kSolvedBall);
+  EXPECT_GE(flat.lower, 0.99 / q.head<3>().norm() - kSolvedBall);
 }
 
 // A force k at an angle a to the line of the contacts: one finger presses f = 6, the other
@@ -137,9 +137,9 @@ TEST(TaskWrenches, ForcesWithoutTorqueNeedNoRank) {
   const ForceSet hand = hand_forces(pinch(mu, 0), pinch_torques(mu, 0), pinch_motors(0, 6));
   const TaskMargin margin =
       margin_of_ellipsoid(hand, Eigen::Matrix<double, 6, 3>::Identity(), {2e-2, 1e4, 600});
-  EXPECT_LE(margin.lower, expected + kSolved);
-  EXPECT_GE(margin.upper, expected - kSolved);
-  EXPECT_LE(margin.upper - margin.lower, 2e-2 * margin.upper + kSolved);
+  EXPECT_LE(margin.lower, expected + kSolvedBall);
+  EXPECT_GE(margin.upper, expected - kSolvedBall);
+  EXPECT_LE(margin.upper - margin.lower, 2e-2 * margin.upper + kSolvedBall);
 }
 
 TEST(TaskWrenches, RefusesAFlatEllipsoidOfTooManyAxes) {

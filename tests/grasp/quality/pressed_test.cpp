@@ -23,13 +23,13 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kSolved = 1e-7;  // of forces of order 10 N
+constexpr double kSolvedPress = 1e-7;  // of forces of order 10 N
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 constexpr double kMu = 0.5;
 
 double load(const ForceSet& forces, int axis, double way = 1) {
   const Reach reach = largest_load(forces, way * Wrench::Unit(axis));
-  EXPECT_TRUE(reach.status == ConeStatus::kSolved || reach.status == ConeStatus::kUnbounded);
+  EXPECT_TRUE(reach.status == ConeStatus::kSolvedPress || reach.status == ConeStatus::kUnbounded);
   return reach.value;
 }
 
@@ -55,50 +55,51 @@ ForceSet jaws(double most, const std::vector<int>& stops) {
 // One motor of 10 N for both: they press with 5 N each, on their stop as off it. What pushes them
 // apart the stop bears.
 TEST(Pressed, JawsAtTheirOpenStopPressAsFreeOnes) {
-  EXPECT_NEAR(load(jaws(10, {}), 2), kMu * 10, kSolved);
-  EXPECT_NEAR(load(jaws(10, {0}), 2), kMu * 10, kSolved);
+  EXPECT_NEAR(load(jaws(10, {}), 2), kMu * 10, kSolvedPress);
+  EXPECT_NEAR(load(jaws(10, {0}), 2), kMu * 10, kSolvedPress);
   EXPECT_EQ(load(jaws(10, {0}), 0), kNoLimit);
 }
 
 // The same with coordinates of their own, which share the motor in halves.
 TEST(Pressed, CoupledJawsAtTheirStopsPressAsFreeOnes) {
-  EXPECT_NEAR(load(pinched(motors(Vector2d(0.5, 0.5), 10, {})), 2), kMu * 10, kSolved);
-  EXPECT_NEAR(load(pinched(motors(Vector2d(0.5, 0.5), 10, {0, 1})), 2), kMu * 10, kSolved);
+  EXPECT_NEAR(load(pinched(motors(Vector2d(0.5, 0.5), 10, {})), 2), kMu * 10, kSolvedPress);
+  EXPECT_NEAR(load(pinched(motors(Vector2d(0.5, 0.5), 10, {0, 1})), 2), kMu * 10, kSolvedPress);
 }
 
 // Two stopped fingers with a motor each do not add what the stop of the other pushes back.
 TEST(Pressed, FingersAtTheirStopsDoNotPushEachOtherBack) {
-  EXPECT_NEAR(load(pinched(motors(Eigen::Matrix2d::Identity(), 6, {0, 1})), 2), kMu * 12, kSolved);
+  EXPECT_NEAR(load(pinched(motors(Eigen::Matrix2d::Identity(), 6, {0, 1})), 2), kMu * 12,
+              kSolvedPress);
 }
 
 // Without effort there is the frictionless line between them, and nothing else.
 TEST(Pressed, StopsBearAlongTheirLineAloneWithoutEffort) {
   const ForceSet still = jaws(0, {0});
   EXPECT_EQ(load(still, 0), kNoLimit);
-  for (const int axis : {1, 2, 4, 5}) EXPECT_NEAR(load(still, axis), 0, kSolved);
+  for (const int axis : {1, 2, 4, 5}) EXPECT_NEAR(load(still, axis), 0, kSolvedPress);
 }
 
 // A finger of 6 N opposes one on its stop whose motor does nothing, a lock, or a palm: each pushes
 // back 6 N.
 TEST(Pressed, StopsLocksAndPalmsPushBackAlike) {
   Actuation stopped = motors(Vector2d(6, 0), 1, {1});
-  EXPECT_NEAR(load(pinched(stopped), 2), kMu * 12, kSolved);
+  EXPECT_NEAR(load(pinched(stopped), 2), kMu * 12, kSolvedPress);
   EXPECT_EQ(load(pinched(stopped), 0, 1), kNoLimit);
-  EXPECT_NEAR(load(pinched(stopped), 0, -1), 6, kSolved);
+  EXPECT_NEAR(load(pinched(stopped), 0, -1), 6, kSolvedPress);
   Actuation locked = motors(Vector2d(6, 0), 1, {});
   add_reaction(locked.reactions, Vector2d::UnitY(), -kNoLimit, kNoLimit);
-  EXPECT_NEAR(load(pinched(locked), 2), kMu * 12, kSolved);
+  EXPECT_NEAR(load(pinched(locked), 2), kMu * 12, kSolvedPress);
   const MatrixXd palm = pinch_torques(kMu, 0).topRows(1);
   const Actuation one = motors(VectorXd::Constant(1, 6), 1, {});
-  EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), palm, one), 2), kMu * 12, kSolved);
+  EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), palm, one), 2), kMu * 12, kSolvedPress);
 }
 
 // The stop at the other end pushes the other way, and helps nobody.
 TEST(Pressed, StopThatAContactLiftsOffBearsNothing) {
   Actuation closed = motors(Vector2d(6, 0), 1, {});
   add_reaction(closed.reactions, -Vector2d::UnitY(), 0, kNoLimit);
-  EXPECT_NEAR(load(pinched(closed), 0, 1), 0, kSolved);
-  EXPECT_NEAR(load(pinched(closed), 2), 0, kSolved);
+  EXPECT_NEAR(load(pinched(closed), 0, 1), 0, kSolvedPress);
+  EXPECT_NEAR(load(pinched(closed), 2), 0, kSolvedPress);
 }
 
 // Between two facets of a palm a ball rests along their line, and nothing squeezes it.
@@ -106,7 +107,7 @@ TEST(Pressed, PalmAloneSqueezesNothing) {
   const ForceSet wedged =
       hand_forces(pinch(kMu, 0), MatrixXd::Zero(1, 6), motors(MatrixXd::Identity(1, 1), 6, {}));
   EXPECT_EQ(load(wedged, 0), kNoLimit);
-  EXPECT_NEAR(load(wedged, 2), 0, kSolved);
+  EXPECT_NEAR(load(wedged, 2), 0, kSolvedPress);
 }
 
 // A worm on its stop presses as off it.
@@ -115,9 +116,9 @@ TEST(Pressed, WormAtItsStopPressesByItsMotorAlone) {
     Actuation worms = motors(Eigen::Matrix2d::Identity(), 6, {});
     if (stop) worms = motors(Eigen::Matrix2d::Identity(), 6, {0, 1});
     worms.reactions.held = {0, 1};
-    EXPECT_NEAR(load(pinched(worms), 2), kMu * 12, kSolved) << stop;
+    EXPECT_NEAR(load(pinched(worms), 2), kMu * 12, kSolvedPress) << stop;
     EXPECT_EQ(load(pinched(worms), 0), kNoLimit) << stop;
-    EXPECT_NEAR(load(by_efforts(pinched(worms)), 0), 6, kSolved) << stop;
+    EXPECT_NEAR(load(by_efforts(pinched(worms)), 0), 6, kSolvedPress) << stop;
   }
 }
 
@@ -144,11 +145,11 @@ double friction_of_digit(double knuckle, bool proximal, bool distal) {
 // The outer joint presses 10 N, which the stop of the knuckle bears; the knuckle 10 N more on the
 // phalanx that only it moves, and none without its motor: the stop is not lent.
 TEST(Pressed, StopOfAKnuckleBearsTheOuterPhalanxButPressesNotTheInnerOne) {
-  EXPECT_NEAR(friction_of_digit(1, false, true), kMu * 20, kSolved);
-  EXPECT_NEAR(friction_of_digit(0, false, true), kMu * 20, kSolved);
-  EXPECT_NEAR(friction_of_digit(1, true, false), kMu * 20, kSolved);
-  EXPECT_NEAR(friction_of_digit(1, true, true), kMu * 40, kSolved);
-  EXPECT_NEAR(friction_of_digit(0, true, true), kMu * 20, kSolved);
+  EXPECT_NEAR(friction_of_digit(1, false, true), kMu * 20, kSolvedPress);
+  EXPECT_NEAR(friction_of_digit(0, false, true), kMu * 20, kSolvedPress);
+  EXPECT_NEAR(friction_of_digit(1, true, false), kMu * 20, kSolvedPress);
+  EXPECT_NEAR(friction_of_digit(1, true, true), kMu * 40, kSolvedPress);
+  EXPECT_NEAR(friction_of_digit(0, true, true), kMu * 20, kSolvedPress);
 }
 
 // Jaws of 10 N at 60 degrees to their normals press a ball against a palm. Friction of 1 could
@@ -168,7 +169,7 @@ TEST(Pressed, RoughContactsDoNotJamWithoutLimit) {
   }
   const WrenchSet set = wrench_set(contacts, {0, 0, 0}, 1);
   const Actuation motor = motors(MatrixXd::Identity(1, 1), 10, {});
-  EXPECT_NEAR(load(hand_forces(set, T, motor), 2), 10 / s + 10, kSolved);
+  EXPECT_NEAR(load(hand_forces(set, T, motor), 2), 10 / s + 10, kSolvedPress);
 }
 
 // Two contacts of one slide that oppose each other are one body: its motor moves both, and holds
@@ -177,7 +178,7 @@ TEST(Pressed, ForkSqueezesNothing) {
   MatrixXd T = pinch_torques(kMu, 0).topRows(1);
   T(0, 3) = -1;
   const Actuation motor = motors(MatrixXd::Identity(1, 1), 10, {});
-  EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, motor), 2), 0, kSolved);
+  EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, motor), 2), 0, kSolvedPress);
 }
 
 /// The pinch of two flexors, with a joint each that moves it along z, and `noise` along the normal.
@@ -202,8 +203,8 @@ TEST(Pressed, SidewaysJointsNeitherPressNorHinder) {
   for (const bool stopped : {false, true})
     for (const double sideways : {0.0, 0.1, 50.0})
       for (const double noise : {0.0, 1e-18, -1e-18}) {
-        EXPECT_NEAR(load(with_sideways(6, sideways, stopped, noise), 1), kMu * 12, kSolved);
-        EXPECT_NEAR(load(with_sideways(0, sideways, stopped, noise), 1), 0, kSolved);
+        EXPECT_NEAR(load(with_sideways(6, sideways, stopped, noise), 1), kMu * 12, kSolvedPress);
+        EXPECT_NEAR(load(with_sideways(0, sideways, stopped, noise), 1), 0, kSolvedPress);
       }
 }
 
@@ -218,7 +219,7 @@ TEST(Pressed, ArmsNeitherPressNorHinder) {
         Actuation actuation = motors(MatrixXd::Identity(2, 2), 1, stops);
         actuation.upper = Vector2d(jaw, arm);
         actuation.lower = -actuation.upper;
-        EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, actuation), 2), kMu * jaw, kSolved);
+        EXPECT_NEAR(load(hand_forces(pinch(kMu, 0), T, actuation), 2), kMu * jaw, kSolvedPress);
       }
 }
 
@@ -228,7 +229,7 @@ TEST(Pressed, SpringsTowardsAStopAreOvercomeFirst) {
   for (const double most : {6.0, 1.0}) {
     Actuation sprung = motors(Eigen::Matrix2d::Identity(), most, {0, 1});
     sprung.tau_0.setConstant(-2);
-    EXPECT_NEAR(load(pinched(sprung), 2), kMu * 2 * std::max(0.0, most - 2), kSolved) << most;
+    EXPECT_NEAR(load(pinched(sprung), 2), kMu * 2 * std::max(0.0, most - 2), kSolvedPress) << most;
   }
 }
 
@@ -243,7 +244,7 @@ TEST(Pressed, SpringOfOneFingerStopsNoOther) {
     sprung.upper(2) = third;
     sprung.tau_0.setConstant(-2);
     const ForceSet forces = hand_forces(wrench_set(contacts, {0, 0, 0}, kScale), T, sprung);
-    for (const int axis : {1, 2}) EXPECT_NEAR(load(forces, axis), kMu * 8, kSolved) << third;
+    for (const int axis : {1, 2}) EXPECT_NEAR(load(forces, axis), kMu * 8, kSolvedPress) << third;
   }
 }
 
@@ -294,13 +295,14 @@ double most_squeeze(std::mt19937& rng, double effort) {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
   for (int i = 0; i < kContacts; ++i) program.c(3L * i) = -1;
   const ConeResult result = solve(program);
-  EXPECT_EQ(result.status, ConeStatus::kSolved);
+  EXPECT_EQ(result.status, ConeStatus::kSolvedPress);
   return -result.objective;
 }
 
 TEST(Pressed, NothingIsSqueezedWithoutEffort) {
   std::mt19937 rng(4);
-  for (int trial = 0; trial < 200; ++trial) ASSERT_NEAR(most_squeeze(rng, 0), 0, kSolved) << trial;
+  for (int trial = 0; trial < 200; ++trial)
+    ASSERT_NEAR(most_squeeze(rng, 0), 0, kSolvedPress) << trial;
 }
 
 // Limits are linear in efforts.

@@ -27,14 +27,14 @@ Epsilon sharp(const WrenchSet& set) {
 /// epsilon is a formula".
 double formula(double mu, double e) { return std::min(e, 1 / std::sqrt(1 + 2 / (mu * mu))); }
 
-WrenchSet pinch(double mu, double e) {
+WrenchSet pinch_set(double mu, double e) {
   return wrench_set({{{1, 0, 0}, {-1, 0, 0}, mu, e}, {{-1, 0, 0}, {1, 0, 0}, mu, e}}, {0, 0, 0}, 1);
 }
 
 TEST(ReachProof, CertifiesSymmetricPinchesAtTheFormula) {
   for (const double mu : {0.3, 1.0})
     for (const double e : {0.05, 0.9}) {
-      const Epsilon found = sharp(pinch(mu, e));
+      const Epsilon found = sharp(pinch_set(mu, e));
       EXPECT_TRUE(found.converged);
       EXPECT_LE(found.upper - found.lower, kGap);
       EXPECT_LE(found.lower, formula(mu, e));
@@ -50,7 +50,7 @@ TEST(ReachProof, CertifiesSymmetricPinchesWithSingleLimitsAtTheFormula) {
   for (const double mu : {0.3, 1.0})
     for (const double e : {0.05, 0.9}) {
       const double expected = std::min(2 * e / std::hypot(e, 1), 2 / std::sqrt(4 + 2 / (mu * mu)));
-      const Epsilon found = epsilon(pinch(mu, e), options);
+      const Epsilon found = epsilon(pinch_set(mu, e), options);
       EXPECT_LE(found.upper - found.lower, kGap);
       EXPECT_LE(found.lower, expected);
       EXPECT_GE(found.upper, expected - 1e-14);
@@ -60,7 +60,7 @@ TEST(ReachProof, CertifiesSymmetricPinchesWithSingleLimitsAtTheFormula) {
 // A contact written down twice in another patch brings its force again under Linf, so both twice
 // double epsilon; under L1 it brings nothing.
 TEST(ReachProof, CountsCapsThatAreWrittenDownTwice) {
-  WrenchSet twice = pinch(0.4, 0.3);
+  WrenchSet twice = pinch_set(0.4, 0.3);
   for (const int i : {0, 1}) {
     twice.caps.push_back(twice.caps[static_cast<std::size_t>(i)]);
     twice.caps.back().contact = 2 + i;
@@ -135,7 +135,7 @@ TEST(ReachProof, CertifiesCrookedPinches) {
 // What is no lower bound is not proven, however little it is too large.
 TEST(ReachProof, ProvesNothingFalse) {
   const double epsilon = formula(0.5, 0.3);
-  const internal::Support support(pinch(0.5, 0.3), ForceLimit::kL1);
+  const internal::Support support(pinch_set(0.5, 0.3), ForceLimit::kL1);
   EXPECT_TRUE(internal::prove_reach(support, epsilon - 1e-9, 4).found);
   EXPECT_FALSE(internal::prove_reach(support, epsilon + 1e-9, 4).found);
   EXPECT_FALSE(internal::prove_reach(support, 1.5 * epsilon, 4).found);

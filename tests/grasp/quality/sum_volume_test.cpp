@@ -14,8 +14,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kExact = 1e-12;  // relative, in general position
-constexpr double kTurned = 1e-7;  // relative, where contacts are turned
+constexpr double kExactVolumeError = 1e-12;  // relative, in general position
+constexpr double kTurnedError = 1e-7;        // relative, where contacts are turned
 constexpr double kMost = 1e7;
 
 double sum_of(const WrenchSet& set) {
@@ -44,9 +44,9 @@ WrenchSet on_axes(int contacts, int edges) {
 
 // A cube; three triangles at right angles, 1/2 each; two tetrahedra, 1/6 each.
 TEST(SumVolume, OfDirectSumsIsTheProduct) {
-  EXPECT_NEAR(sum_of(axes(1)), 1, kExact);
-  EXPECT_NEAR(sum_of(axes(2)), 1. / 8, kExact);
-  EXPECT_NEAR(sum_of(axes(3)), 1. / 36, kExact);
+  EXPECT_NEAR(sum_of(axes(1)), 1, kExactVolumeError);
+  EXPECT_NEAR(sum_of(axes(2)), 1. / 8, kExactVolumeError);
+  EXPECT_NEAR(sum_of(axes(3)), 1. / 36, kExactVolumeError);
 }
 
 // Two cones at right angles, of m corners each: the product of (m / 2 sin(2 pi / m)) / 3.
@@ -81,7 +81,7 @@ TEST(SumVolume, OfSegmentsIsTheSumOfDeterminants) {
         if (k != i && k != j) six.col(column++) = segments.col(k);
       volume += std::abs(six.determinant());
     }
-  EXPECT_NEAR(sum_of(set) / volume, 1, kExact);
+  EXPECT_NEAR(sum_of(set) / volume, 1, kExactVolumeError);
 }
 
 // Contacts that stand twice make twice the set: 2^6 times its volume. All their edges are parallel.
@@ -92,14 +92,14 @@ TEST(SumVolume, OfDuplicatesIsThatOfTheSetTwiceAsLarge) {
     cap.contact += 3;
     twice.caps.push_back(cap);
   }
-  EXPECT_NEAR(sum_of(twice) / sum_of(set), 64, 64 * kTurned);
+  EXPECT_NEAR(sum_of(twice) / sum_of(set), 64, 64 * kTurnedError);
 }
 
 TEST(SumVolume, IsThatOfTheHull) {
   VolumeOptions options;
   options.limit = ForceLimit::kLinf;
   for (const WrenchSet& set : {on_axes(4, 4), on_axes(3, 6)})
-    EXPECT_NEAR(sum_of(set) / volume(set, options).estimate, 1, kTurned);
+    EXPECT_NEAR(sum_of(set) / volume(set, options).estimate, 1, kTurnedError);
 }
 
 TEST(SumVolume, IsNotToBeHadOfSoftFingersOrTooManyFaces) {

@@ -16,10 +16,10 @@
 namespace thenar {
 namespace {
 
-constexpr double kSolved = 1e-8;  // of forces of order 10 N
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kSolvedLoad = 1e-8;  // of forces of order 10 N
+constexpr double kNoForceLimit = std::numeric_limits<double>::infinity();
 
-WrenchSet random_set(std::mt19937& rng, int contacts) {
+WrenchSet random_friction_set(std::mt19937& rng, int contacts) {
   const auto number = [&] { return 2.0 * rng() / std::mt19937::max() - 1; };
   std::vector<Contact> result;
   for (int i = 0; i < contacts; ++i) {
@@ -34,13 +34,13 @@ WrenchSet random_set(std::mt19937& rng, int contacts) {
 TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
   std::mt19937 rng(2);
   for (int trial = 0; trial < 100; ++trial) {
-    const WrenchSet set = random_set(rng, 1 + trial % 6);
+    const WrenchSet set = random_friction_set(rng, 1 + trial % 6);
     const Wrench u = Wrench::NullaryExpr([&] { return 2.0 * rng() / std::mt19937::max() - 1; });
     for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
       const Reach reach = farthest_wrench(unit_forces(set, limit), u);
-      ASSERT_EQ(reach.status, ConeStatus::kSolved);
-      ASSERT_NEAR(reach.value, std::max(0.0, support(set, u, limit)), kSolved);
-      ASSERT_NEAR(reach.wrench.dot(u), reach.value, kSolved);
+      ASSERT_EQ(reach.status, ConeStatus::kSolvedLoad);
+      ASSERT_NEAR(reach.value, std::max(0.0, support(set, u, limit)), kSolvedLoad);
+      ASSERT_NEAR(reach.wrench.dot(u), reach.value, kSolvedLoad);
     }
   }
 }
@@ -49,15 +49,15 @@ TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
 TEST(Withstood, LoadAcrossAPinchIsBoundByItsMotors) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   const Reach reach = largest_load(hand, Wrench::Unit(2));
-  ASSERT_EQ(reach.status, ConeStatus::kSolved);
-  EXPECT_NEAR(reach.value, 6, kSolved);
-  EXPECT_TRUE(matrix_near(reach.wrench, -6 * Wrench::Unit(2), kSolved));
+  ASSERT_EQ(reach.status, ConeStatus::kSolvedLoad);
+  EXPECT_NEAR(reach.value, 6, kSolvedLoad);
+  EXPECT_TRUE(matrix_near(reach.wrench, -6 * Wrench::Unit(2), kSolvedLoad));
 }
 
 // Along the line of the contacts one finger gives way first: at 6 N, the other one at 0.
 TEST(Withstood, LoadAlongAPinchIsBoundByOneMotor) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
-  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 6, kSolved);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 6, kSolvedLoad);
 }
 
 // A passive torque of 2 N on each slide adds to what the motors press.
@@ -65,7 +65,7 @@ TEST(Withstood, CountsPassiveTorques) {
   Actuation motors = pinch_motors(0, 6);
   motors.tau_0.setConstant(2);
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), motors);
-  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 8, kSolved);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 8, kSolvedLoad);
 }
 
 // One tendon that pulls both fingers shares its 10 N: 5 N each, and none can press more than the
@@ -74,16 +74,16 @@ TEST(Withstood, OneTendonForTwoFingersBalancesThem) {
   const Actuation tendon{Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d::Zero(),
                          Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 10)};
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), tendon);
-  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 5, kSolved);
-  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 0, kSolved);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(2)).value, 5, kSolvedLoad);
+  EXPECT_NEAR(largest_load(hand, Wrench::Unit(0)).value, 0, kSolvedLoad);
 }
 
 TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
-  const ForceSet hand =
-      hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-kNoLimit, kNoLimit));
+  const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0),
+                                    pinch_motors(-kNoForceLimit, kNoForceLimit));
   const Reach reach = largest_load(hand, Wrench::Unit(2));
   EXPECT_EQ(reach.status, ConeStatus::kUnbounded);
-  EXPECT_EQ(reach.value, kNoLimit);
+  EXPECT_EQ(reach.value, kNoForceLimit);
 }
 
 // Motors that must push apart at least 1 N cannot hold a finger on the ball.
@@ -101,13 +101,13 @@ TEST(Withstood, ToleratesAJointThatFeelsNothing) {
   const Actuation motors{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
                          Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(6)};
   EXPECT_NEAR(largest_load(hand_forces(pinch(0.5, 0), T, motors), Wrench::Unit(2)).value, 6,
-              kSolved);
+              kSolvedLoad);
 }
 
 TEST(Withstood, IsZeroWithoutContactsOrFriction) {
   EXPECT_EQ(largest_load(unit_forces({}, ForceLimit::kL1), Wrench::Unit(2)).value, 0);
   EXPECT_NEAR(largest_load(unit_forces(pinch(0, 0), ForceLimit::kL1), Wrench::Unit(2)).value, 0,
-              kSolved);
+              kSolvedLoad);
 }
 
 TEST(Withstood, RefusesADirectionOfZero) {
@@ -150,7 +150,7 @@ TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
                           Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 40)};
     for (const int axis : {2, 5}) {
       const Reach reach = largest_load(hand_forces(set, T, motor), Wrench::Unit(axis));
-      ASSERT_EQ(reach.status, ConeStatus::kSolved) << trial;
+      ASSERT_EQ(reach.status, ConeStatus::kSolvedLoad) << trial;
       ASSERT_LE(reach.residual, 1e-9) << trial;  // ten times what is asked for
     }
   }
@@ -185,7 +185,7 @@ TEST(Withstood, IsWithoutLimitWhereOnlyRoundingOfNormalsLimitsIt) {
     const ForceSet jaws = worm_jaws(jaws_on_box(rng, 4 + trial % 5), 1e-8);
     const Reach reach = largest_load(jaws, Wrench::Unit(0));
     ASSERT_EQ(reach.status, ConeStatus::kUnbounded) << trial;
-    ASSERT_EQ(reach.value, kNoLimit) << trial;
+    ASSERT_EQ(reach.value, kNoForceLimit) << trial;
   }
 }
 

@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kSolved = 1e-7;
+constexpr double kSolvedPicture = 1e-7;
 const std::array<int, 3> kForces{0, 1, 2};
 
 /// Signed: positive if triangles stand counterclockwise seen from outside.
@@ -37,7 +37,7 @@ TEST(WrenchPicture, ProjectionOfAPinchIsACylinder) {
   EXPECT_EQ(picture.mesh.vertices.cols(), 4 * 6 * 6 + 2);
   for (Eigen::Index i = 0; i < picture.mesh.vertices.cols(); ++i) {
     const Eigen::Vector3d v = picture.mesh.vertices.col(i);
-    EXPECT_NEAR(std::max(std::abs(v.x()), v.tail<2>().norm() / mu), 1, kSolved) << i;
+    EXPECT_NEAR(std::max(std::abs(v.x()), v.tail<2>().norm() / mu), 1, kSolvedPicture) << i;
   }
   const double cylinder = 2 * M_PI * mu * mu;
   EXPECT_GT(volume_of(picture.mesh), 0.8 * cylinder);
@@ -53,7 +53,7 @@ TEST(WrenchPicture, SliceWithoutTorqueIsADoubleCone) {
   EXPECT_EQ(picture.failed, 0);
   for (Eigen::Index i = 0; i < picture.mesh.vertices.cols(); ++i) {
     const Eigen::Vector3d v = picture.mesh.vertices.col(i);
-    EXPECT_NEAR(std::abs(v.x()) + v.tail<2>().norm() / mu, 1, kSolved) << i;
+    EXPECT_NEAR(std::abs(v.x()) + v.tail<2>().norm() / mu, 1, kSolvedPicture) << i;
   }
 }
 
@@ -76,7 +76,7 @@ TEST(WrenchPicture, SliceOfFlushJawsIsACylinder) {
   EXPECT_EQ(picture.failed, 0);
   for (Eigen::Index i = 0; i < picture.mesh.vertices.cols(); ++i) {
     const Eigen::Vector3d v = picture.mesh.vertices.col(i);
-    EXPECT_NEAR(std::max(std::abs(v.x()), v.tail<2>().norm()), 1, kSolved) << i;
+    EXPECT_NEAR(std::max(std::abs(v.x()), v.tail<2>().norm()), 1, kSolvedPicture) << i;
   }
 }
 
@@ -86,12 +86,12 @@ TEST(WrenchPicture, OfAFlatSetIsFlat) {
   for (const PictureKind kind : {PictureKind::kProjection, PictureKind::kSlice}) {
     const WrenchPicture picture = wrench_picture(forces, kForces, kind, 2);
     EXPECT_EQ(picture.failed, 0);
-    EXPECT_NEAR(picture.mesh.vertices.row(0).maxCoeff(), 1, kSolved);
-    EXPECT_NEAR(picture.mesh.vertices.row(0).minCoeff(), -1, kSolved);
-    EXPECT_NEAR(picture.mesh.vertices.bottomRows(2).cwiseAbs().maxCoeff(), 0, kSolved);
+    EXPECT_NEAR(picture.mesh.vertices.row(0).maxCoeff(), 1, kSolvedPicture);
+    EXPECT_NEAR(picture.mesh.vertices.row(0).minCoeff(), -1, kSolvedPicture);
+    EXPECT_NEAR(picture.mesh.vertices.bottomRows(2).cwiseAbs().maxCoeff(), 0, kSolvedPicture);
     const WrenchPicture torques = wrench_picture(forces, {3, 4, 5}, kind, 2);
     EXPECT_EQ(torques.failed, 0);
-    EXPECT_NEAR(torques.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolved);
+    EXPECT_NEAR(torques.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolvedPicture);
   }
 }
 
@@ -101,7 +101,7 @@ TEST(WrenchPicture, SliceThroughARimIsThePointZero) {
       unit_forces(wrench_set({{{0, 0, 1}, {0, 1, 0}, 0, 0}}, {0, 0, 0}, 1), ForceLimit::kL1);
   const WrenchPicture picture = wrench_picture(forces, kForces, PictureKind::kSlice, 2);
   EXPECT_EQ(picture.failed, 0);
-  EXPECT_NEAR(picture.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolved);
+  EXPECT_NEAR(picture.mesh.vertices.cwiseAbs().maxCoeff(), 0, kSolvedPicture);
 }
 
 TEST(WrenchPicture, SaysWhereASetHasNoEnd) {

@@ -7,7 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "hand/segment_mass.h"
 #include "tests/hand/skin/human_subjects.h"
 #include "tests/matrix_near.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/posterior/study/study_inputs.h"
 
 namespace thenar {

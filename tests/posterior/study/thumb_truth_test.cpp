@@ -18,7 +18,7 @@ namespace thenar {
 namespace {
 
 /// Hinges of the thumb in joint order: CMC flexion and abduction, MCP flexion and abduction, IP.
-enum Joint { kCmcFlexion, kCmcAbduction, kMcpFlexion, kMcpAbduction, kIp };
+enum ThumbJoint { kCmcFlexion, kCmcAbduction, kMcpFlexion, kMcpAbduction, kIp };
 
 FitParameters parameters_of(const TendonDigit& digit, const SourceText& settings) {
   return choose_parameters(digit, {}, parse_fit_settings(settings.text, settings.path));

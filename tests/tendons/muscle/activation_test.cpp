@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tendons/muscle/stiff_ode.h"
+#include "solvers/stiff_ode.h"
 
 namespace thenar {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "solvers/stiff_ode.h"
 #include "tendons/muscle/hill_curves.h"
-#include "tendons/muscle/stiff_ode.h"
 
 namespace thenar {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {

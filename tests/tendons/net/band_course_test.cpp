@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -18,8 +18,8 @@ using Eigen::Vector3d;
 constexpr double kRadius = 0.005;
 
 /// One band between two fixed points over a bone of that shape about the origin; z is its axis.
-struct Scene {
-  explicit Scene(SurfaceShape shape, const Vector3d& a, const Vector3d& b) {
+struct BandScene {
+  explicit BandScene(SurfaceShape shape, const Vector3d& a, const Vector3d& b) {
     net.surfaces = {{"bone", -1, shape, {kRadius, 0.01, 0}, {}}};
     net.nodes = {{"a", false, -1, a, {}}, {"b", false, -1, b, {}}};
     NetBand band{"band", 0, 1};
@@ -40,7 +40,7 @@ double length(const std::vector<Vector3d>& points) {
 }
 
 TEST(BandCourse, RunsStraightPastABone) {
-  const Scene scene(SurfaceShape::kCylinder, {-0.02, 0.006, 0}, {0.02, 0.006, 0});
+  const BandScene scene(SurfaceShape::kCylinder, {-0.02, 0.006, 0}, {0.02, 0.006, 0});
   const BandCourse course = scene.course();
   EXPECT_FALSE(course.bent);
   EXPECT_EQ(course.points.size(), 2U);
@@ -48,7 +48,7 @@ TEST(BandCourse, RunsStraightPastABone) {
 
 // From (-2r, 0) to (2r, 0): two tangents of r sqrt(3), and an arc of pi - 2 * 60 degrees.
 TEST(BandCourse, BendsOverACylinderOnItsSide) {
-  const Scene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, 0}, {2 * kRadius, 0, 0});
+  const BandScene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, 0}, {2 * kRadius, 0, 0});
   const BandCourse course = scene.course();
   ASSERT_TRUE(course.bent);
   for (std::size_t i = 1; i + 1 < course.points.size(); ++i) {
@@ -63,7 +63,8 @@ TEST(BandCourse, BendsOverACylinderOnItsSide) {
 
 // Unrolled, a run along the axis as well is the hypotenuse.
 TEST(BandCourse, BendsOverACylinderAsAHelix) {
-  const Scene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, -0.004}, {2 * kRadius, 0, 0.004});
+  const BandScene scene(SurfaceShape::kCylinder, {-2 * kRadius, 0, -0.004},
+                        {2 * kRadius, 0, 0.004});
   const BandCourse course = scene.course();
   const double flat = kRadius * (2 * std::sqrt(3.0) + kPi / 3);
   EXPECT_NEAR(length(course.points), std::hypot(flat, 0.008), 1e-4 * flat);
@@ -71,7 +72,7 @@ TEST(BandCourse, BendsOverACylinderAsAHelix) {
 }
 
 TEST(BandCourse, BendsOverASphereInThePlaneOfItsEnds) {
-  const Scene scene(SurfaceShape::kSphere, {-0.008, 0.003, 0}, {0.008, 0.003, 0});
+  const BandScene scene(SurfaceShape::kSphere, {-0.008, 0.003, 0}, {0.008, 0.003, 0});
   const BandCourse course = scene.course();
   ASSERT_TRUE(course.bent);
   for (const Vector3d& p : course.points) EXPECT_NEAR(p.z(), 0, 1e-15);
@@ -79,7 +80,7 @@ TEST(BandCourse, BendsOverASphereInThePlaneOfItsEnds) {
 }
 
 TEST(BandCourse, RefusesABandThatIsNotThere) {
-  const Scene scene(SurfaceShape::kSphere, {0, 0.01, 0}, {0.01, 0, 0});
+  const BandScene scene(SurfaceShape::kSphere, {0, 0.01, 0}, {0.01, 0, 0});
   EXPECT_THROW((void)band_course(scene.net, {}, scene.rest, 1), InputError);
 }
 

@@ -23,11 +23,11 @@ using internal::RoundBone;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-constexpr double kRadius = 0.005;  // [m]
+constexpr double kRunRadius = 0.005;  // [m]
 constexpr SurfaceShape kRound[] = {SurfaceShape::kSphere, SurfaceShape::kCylinder};
 const Vector3d kSide(0.3, 1, 0.2);
 
-BoneSurface bone_of(SurfaceShape shape) { return {"bone", -1, shape, {kRadius, 0.05, 0}, {}}; }
+BoneSurface bone_of(SurfaceShape shape) { return {"bone", -1, shape, {kRunRadius, 0.05, 0}, {}}; }
 
 Vector6d slope_of(const BandRun& run) {
   Vector6d slope;
@@ -60,7 +60,7 @@ void expect_same(const BandRun& run, const Chord& chord, const Rounding& roundin
 /// An end at that height over the bone.
 Vector3d end_at(std::mt19937& rng, SurfaceShape shape, double height) {
   std::uniform_real_distribution<double> angle(-3.1415, 3.1415), along(-1, 1);
-  const double turn = angle(rng), z = along(rng), rho = kRadius + height;
+  const double turn = angle(rng), z = along(rng), rho = kRunRadius + height;
   const Vector3d out(std::cos(turn), std::sin(turn), 0);
   if (shape == SurfaceShape::kCylinder) return rho * out + Vector3d(0, 0, 0.02 * z);
   return rho * (std::sqrt(1 - z * z) * out + Vector3d(0, 0, z));

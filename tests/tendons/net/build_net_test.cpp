@@ -4,19 +4,18 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/fit_slack.h"
 #include "tendons/net/net_statics.h"
+#include "tests/data_folder.h"
 
 namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-const std::string kData = THENAR_DATA_DIR;
 
 Subject subject(const std::string& name) {
   return read_subject(kData + "/subjects/" + name + ".toml");

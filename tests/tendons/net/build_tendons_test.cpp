@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/net_tendons.h"
+#include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -14,15 +15,16 @@ namespace {
 
 using Eigen::VectorXd;
 
-const std::string kData = THENAR_DATA_DIR;
 const VectorXd kPosture = (VectorXd(4) << 0.5, 0.05, 0.4, 0.3).finished();
 const VectorXd kTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
 
 Subject finger() { return read_subject(kData + "/subjects/an_chao_middle.toml"); }
-NetDescription net(const std::string& name) { return read_net(kData + "/nets/" + name + ".toml"); }
+NetDescription net_named(const std::string& name) {
+  return read_net(kData + "/nets/" + name + ".toml");
+}
 
 TEST(BuildTendons, SaysWhichHoodWasBuilt) {
-  const NetDescription winslow = net("winslow");
+  const NetDescription winslow = net_named("winslow");
   TendonOptions options;
   EXPECT_EQ(build_digit_tendons(finger(), "middle", options)->digit().fidelity.hood,
             Hood::kFractions);
@@ -32,7 +34,7 @@ TEST(BuildTendons, SaysWhichHoodWasBuilt) {
 }
 
 TEST(BuildTendons, WantsANetIfAndOnlyIfTheHoodFloats) {
-  const NetDescription winslow = net("winslow");
+  const NetDescription winslow = net_named("winslow");
   TendonOptions options;
   EXPECT_THROW((void)build_digit_tendons(finger(), "middle", options, &winslow), InputError);
   options.hood = Hood::kFloatingNet;
@@ -48,7 +50,7 @@ TEST(BuildTendons, TipForceIsThatOfTheDigitsStatics) {
 
 // R' t + tau_0 must be the torque, though a net's torque is not linear in t.
 TEST(BuildTendons, StaticsOfANetCarryItsWholeTorque) {
-  const NetDescription winslow = net("winslow");
+  const NetDescription winslow = net_named("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
   const TipStatics statics =
       tip_statics(tendons->digit(), kPosture, kTension, tendons->pull(kPosture, kTension));
@@ -60,7 +62,7 @@ TEST(BuildTendons, StaticsOfANetCarryItsWholeTorque) {
 // With its only band cut, nothing holds the knot that muscles pull.
 TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
-  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
   const std::string trouble = tendons.pull(kPosture, kTension, {}).trouble;
   EXPECT_NE(trouble.find("has drawn in 'ulnar_knot'"), std::string::npos) << trouble;
@@ -68,7 +70,7 @@ TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
 
 TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
-  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
   const TendonTip tip = tip_force(tendons, kPosture, kTension);
   EXPECT_EQ(tip.trouble, tendons.pull(kPosture, kTension, {}).trouble);
@@ -78,7 +80,7 @@ TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
 // A knot in its exit is held there whatever its muscle adds; the rest of the net still has arms.
 TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
-  BuiltNet torn = cut(build_net(finger(), linear->digit(), net("chao_an")), "ulnar");
+  BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
   const TendonPull at = tendons.pull(kPosture, kTension, {});
   constexpr double kStep = 1e-3;  // [N]
@@ -94,7 +96,7 @@ TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
 
 TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
-  BuiltNet built = build_net(finger(), linear->digit(), net("winslow"));
+  BuiltNet built = build_net(finger(), linear->digit(), net_named("winslow"));
   NetSolverOptions hasty;
   hasty.max_iterations = 2;
   const NetTendons tendons(std::move(linear), std::move(built), hasty);
@@ -122,7 +124,7 @@ struct BadTendons : DigitTendons {
 TEST(NetTendons, HandsOnTheTroubleOfThePathsOutside) {
   auto bad = std::make_unique<BadTendons>(
       build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate}));
-  BuiltNet built = build_net(finger(), bad->digit(), net("winslow"));
+  BuiltNet built = build_net(finger(), bad->digit(), net_named("winslow"));
   const NetTendons tendons(std::move(bad), std::move(built));
   EXPECT_EQ(tendons.pull(VectorXd::Zero(4), kTension, {}).trouble, "a path is not taut");
 }
@@ -130,7 +132,7 @@ TEST(NetTendons, HandsOnTheTroubleOfThePathsOutside) {
 // A surface that has grown over an insertion buries the band that bends over it.
 TEST(NetTendons, TellsThatABandIsBuried) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
-  BuiltNet built = build_net(finger(), linear->digit(), net("winslow"));
+  BuiltNet built = build_net(finger(), linear->digit(), net_named("winslow"));
   for (BoneSurface& surface : built.net.surfaces)
     if (surface.name == "DIP_dorsum") surface.size[0] = 0.008;
   const NetTendons tendons(std::move(linear), std::move(built));
@@ -142,7 +144,7 @@ TEST(NetTendons, TellsThatABandIsBuried) {
 // What a pull carries of its rest saves a search and changes nothing: slopes found from its nodes
 // alone are the same.
 TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
-  const auto tendons = build_net_tendons(finger(), "middle", {}, net("winslow"));
+  const auto tendons = build_net_tendons(finger(), "middle", {}, net_named("winslow"));
   TendonPull pull = tendons->pull(kPosture, kTension);
   ASSERT_NE(pull.rest, nullptr);
   EXPECT_TRUE(matrix_near(pull.rest->x, pull.nodes, 0));
@@ -156,7 +158,7 @@ TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
 }
 
 TEST(NetTendons, RefusesAStartOfAnotherNet) {
-  const NetDescription winslow = net("winslow");
+  const NetDescription winslow = net_named("winslow");
   const auto tendons = build_net_tendons(finger(), "middle", {}, winslow);
   EXPECT_THROW((void)tendons->pull(kPosture, kTension, Eigen::Matrix3Xd::Zero(3, 2)), InputError);
 }

@@ -44,15 +44,15 @@ SampleNet sample_of(int seed) {
 }
 
 /// How far a net at rest is off the minimum.
-struct Gap {
+struct EnergyGap {
   double place = 0;    // along directions that are not soft [m]
   double tension = 0;  // [N]
   double energy = 0;   // [J]
   double way = 0;      // sum of all nodes' distances, soft directions too [m]
 };
 
-Gap gap_of(const Net& net, const NetEquilibrium& rest, const oracle::Rest& exact) {
-  Gap gap;
+EnergyGap gap_of(const Net& net, const NetEquilibrium& rest, const oracle::Rest& exact) {
+  EnergyGap gap;
   VectorXd d(exact.H.rows());
   for (Index i = 0; i < rest.x.cols(); ++i) {
     const Eigen::Vector3d off = rest.x.col(i) - exact.x.col(i);
@@ -78,7 +78,7 @@ Gap gap_of(const Net& net, const NetEquilibrium& rest, const oracle::Rest& exact
 
 TEST(ConvexNets, RestWhereAnIndependentProgramSays) {
   int count[5] = {0, 0, 0, 0, 0}, unsure = 0;
-  Gap worst;
+  EnergyGap worst;
   for (int seed = first_net(); seed < first_net() + nets(); ++seed) {
     const SampleNet sample = sample_of(seed);
     const NetEquilibrium rest = NetSolver(sample.net).solve(sample.state(), sample.drive);
@@ -90,7 +90,7 @@ TEST(ConvexNets, RestWhereAnIndependentProgramSays) {
                   static_cast<int>(rest.status));
       continue;
     }
-    const Gap gap = gap_of(sample.net, rest, exact);
+    const EnergyGap gap = gap_of(sample.net, rest, exact);
     if (rest.status >= NetStatus::kStalled) {
       std::printf("seed %d: stalled with %.2g N, off by %.2g m\n", seed, rest.residual, gap.place);
       continue;

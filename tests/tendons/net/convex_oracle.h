@@ -19,8 +19,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "base/nonlinear_program.h"
 #include "hand/chain.h"
+#include "solvers/nonlinear_program.h"
 #include "tendons/net/net.h"
 
 namespace thenar::oracle {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tendons/net/build_tendons.h"
+#include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -12,8 +13,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-const std::string kData = THENAR_DATA_DIR;
-const VectorXd kTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
+const VectorXd kSweepTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
 
 std::unique_ptr<DigitTendons> finger_with_net() {
   const NetDescription winslow = read_net(kData + "/nets/winslow.toml");
@@ -30,9 +30,9 @@ std::vector<VectorXd> bending() {
 TEST(SweepDigit, SolvesEachPostureOnce) {
   const auto tendons = finger_with_net();
   const auto& net = dynamic_cast<const NetTendons&>(*tendons);
-  for (const DigitPoint& point : sweep_digit(*tendons, bending(), kTension)) {
+  for (const DigitPoint& point : sweep_digit(*tendons, bending(), kSweepTension)) {
     EXPECT_EQ(point.pull.nodes, point.rest.x);
-    EXPECT_TRUE(matrix_near(point.pull.tau, net.torque(point.q, kTension, point.rest), 0));
+    EXPECT_TRUE(matrix_near(point.pull.tau, net.torque(point.q, kSweepTension, point.rest), 0));
   }
 }
 
@@ -41,7 +41,7 @@ TEST(SweepDigit, KeepsWhatIsDoneWhereItIsStopped) {
   int asked = 0;
   Progress progress;
   progress.stop_requested = [&] { return ++asked > 3; };
-  EXPECT_EQ(sweep_digit(*tendons, bending(), kTension, progress).size(), 3u);
+  EXPECT_EQ(sweep_digit(*tendons, bending(), kSweepTension, progress).size(), 3u);
 }
 
 }  // namespace

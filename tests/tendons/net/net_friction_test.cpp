@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
 #include "base/error.h"
+#include "base/units.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/net/sample_nets.h"
 
@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRadius = 0.005, kMu = 0.3, kDown = kPi / 6;
+constexpr double kPulleyRadius = 0.005, kMu = 0.3, kDown = kPi / 6;
 
 /// A node on top of a bone, between a muscle and a band of 2 N, 30 degrees down on either side.
 /// With tensions a and b the bone presses with (a + b) sin 30, and friction has (a - b) cos 30 to
@@ -25,13 +25,13 @@ constexpr double kRadius = 0.005, kMu = 0.3, kDown = kPi / 6;
 struct Saddle {
   explicit Saddle(SurfaceShape shape, double mu = kMu) {
     constexpr double kLength = 0.05, kStiff = 200;  // [m], [N]
-    net.surfaces = {{"bone", -1, shape, {kRadius, 0.05, 0}, {}}};
+    net.surfaces = {{"bone", -1, shape, {kPulleyRadius, 0.05, 0}, {}}};
     net.muscles = {"a"};
     net.friction = mu;
-    add_node(net, true, -1, {0, kRadius, 0}, {0});
+    add_node(net, true, -1, {0, kPulleyRadius, 0}, {0});
     for (int side : {1, -1}) {
       const Vector3d way(side * std::cos(kDown), -std::sin(kDown), 0);
-      add_node(net, false, -1, Vector3d(0, kRadius, 0) + kLength * way);
+      add_node(net, false, -1, Vector3d(0, kPulleyRadius, 0) + kLength * way);
     }
     add_band(net, 0, 1, 0, 0, 0, 0);
     add_band(net, 0, 2, kLength / (1 + 2 / kStiff), kStiff);
@@ -42,7 +42,7 @@ struct Saddle {
   Net net;
 };
 
-constexpr SurfaceShape kRound[] = {SurfaceShape::kSphere, SurfaceShape::kCylinder};
+constexpr SurfaceShape kPulleys[] = {SurfaceShape::kSphere, SurfaceShape::kCylinder};
 
 /// Largest a that 2 N on the other side hold:  (a - b) cos = mu (a + b) sin.
 double most_held() {
@@ -51,17 +51,17 @@ double most_held() {
 }
 
 TEST(NetFriction, HoldsANodeWhereItStartedUpToTheLimit) {
-  for (SurfaceShape shape : kRound) {
+  for (SurfaceShape shape : kPulleys) {
     const NetFrictionRest rest = Saddle(shape).rest(most_held() * (1 - 1e-9));
     ASSERT_TRUE(rest.settled);
     ASSERT_EQ(rest.nodes.size(), 1U);
     EXPECT_TRUE(rest.nodes[0].sticks);
-    EXPECT_TRUE(matrix_near(rest.rest.x.col(0), Vector3d(0, kRadius, 0), 0));
+    EXPECT_TRUE(matrix_near(rest.rest.x.col(0), Vector3d(0, kPulleyRadius, 0), 0));
   }
 }
 
 TEST(NetFriction, ReportsTheForcesOfANodeThatSticks) {
-  for (SurfaceShape shape : kRound) {
+  for (SurfaceShape shape : kPulleys) {
     const NetFrictionRest rest = Saddle(shape).rest(2.5);
     ASSERT_EQ(rest.nodes.size(), 1U);
     EXPECT_NEAR(rest.nodes[0].normal, 4.5 * std::sin(kDown), 1e-12);
@@ -113,10 +113,10 @@ double drawn_over_a_quarter(int nodes, NetFrictionRest& rest) {
   Net net;
   net.friction = kMu;
   net.muscles = {"m"};
-  net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kRadius, 0.05, 0}, {}}};
+  net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kPulleyRadius, 0.05, 0}, {}}};
   const double turn = kPi / 2 / nodes;
   const auto on = [&](int i) {
-    return Vector3d(kRadius * std::sin(turn * i), kRadius * std::cos(turn * i), 0);
+    return Vector3d(kPulleyRadius * std::sin(turn * i), kPulleyRadius * std::cos(turn * i), 0);
   };
   constexpr double kStiff = 1e4;  // [N]
   const double slack = (on(1) - on(0)).norm() / (1 + 0.5 / kStiff);
@@ -157,7 +157,7 @@ TEST(NetFriction, LeavesANodeAloneThatIsPulledOff) {
   const NetFrictionRest rest = saddle.rest(2);
   EXPECT_TRUE(rest.settled);
   EXPECT_TRUE(rest.nodes.empty());
-  EXPECT_GT(rest.rest.x(1, 0), kRadius);
+  EXPECT_GT(rest.rest.x(1, 0), kPulleyRadius);
 }
 
 TEST(NetFriction, RefusesToPush) {

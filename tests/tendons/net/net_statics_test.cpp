@@ -107,9 +107,9 @@ Followers followers(const SampleNet& sample, const NetEquilibrium& rest) {
           net_torque(sample.net, sample.tree, sample.state(), rest, sample.coordinates())};
 }
 
-/// Rounding of solutions over a step of 1: places to 1e-14 m, forces of bands that are that much
-/// longer, 1000 N for 1 cm, and their torques at arms of 1 cm; differences take 1.5 of each.
-struct Rounding {
+/// StaticsRounding of solutions over a step of 1: places to 1e-14 m, forces of bands that are that
+/// much longer, 1000 N for 1 cm, and their torques at arms of 1 cm; differences take 1.5 of each.
+struct StaticsRounding {
   double x = 1e-14, tension = 1e-9, tau = 1e-11;
 };
 
@@ -129,7 +129,7 @@ void expect_slope(const SampleNet& sample, const NetEquilibrium& rest, const Net
         matrix_near(got, expected, 2e-6 * expected.cwiseAbs().maxCoeff() + 1.5 * rounding / h))
         << what;
   };
-  const Rounding digits;
+  const StaticsRounding digits;
   near("x", slopes.x.col(i), slope.x, digits.x);
   near("tension", slopes.tension.col(i), slope.tension, digits.tension);
   near("tau", slopes.tau.col(i), slope.tau, digits.tau);

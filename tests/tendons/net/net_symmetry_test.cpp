@@ -21,11 +21,11 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 // Forces are balanced to 1e-9 N in nets that are stiffer than 1e2 N/m.
-constexpr double kPlace = 1e-11;   // [m]
-constexpr double kTension = 1e-8;  // [N]
+constexpr double kSamePlace = 1e-11;   // [m]
+constexpr double kSameTension = 1e-8;  // [N]
 
 /// A net on posed bones under a drive.
-struct Case {
+struct SymmetryCase {
   Net net;
   TreeState<double> state;
   NetDrive drive;
@@ -34,11 +34,11 @@ struct Case {
   }
 };
 
-Case case_of(const SampleNet& sample) { return {sample.net, sample.state(), sample.drive}; }
+SymmetryCase case_of(const SampleNet& sample) { return {sample.net, sample.state(), sample.drive}; }
 
 /// Nets that lie on bone, where all places are stiff.
-std::vector<Case> nets_on_bone() {
-  std::vector<Case> cases;
+std::vector<SymmetryCase> nets_on_bone() {
+  std::vector<SymmetryCase> cases;
   for (const auto& [nodes, bands] : {std::pair{9, 24}, {15, 40}, {15, 55}, {24, 80}})
     cases.push_back(case_of(sample_net_on_bone(nodes, bands)));
   cases.push_back(case_of(net_over_head()));
@@ -46,7 +46,7 @@ std::vector<Case> nets_on_bone() {
 }
 
 /// The other hand: z turned round. Surfaces are their own images in the plane z = 0 of frame S.
-Case mirrored(Case c) {
+SymmetryCase mirrored(SymmetryCase c) {
   const Matrix3d M = Vector3d(1, 1, -1).asDiagonal();
   for (NetNode& node : c.net.nodes) node.p = M * node.p;
   for (BoneSurface& surface : c.net.surfaces) {
@@ -62,7 +62,7 @@ Case mirrored(Case c) {
 }
 
 /// The whole hand somewhere else.
-Case carried(Case c, const Pose<double>& X) {
+SymmetryCase carried(SymmetryCase c, const Pose<double>& X) {
   for (NetNode& node : c.net.nodes)
     if (node.link < 0) node.p = X * node.p;
   for (BoneSurface& surface : c.net.surfaces)
@@ -79,14 +79,14 @@ Pose<double> elsewhere() {
 }
 
 /// Twice the force everywhere.
-Case doubled(Case c) {
+SymmetryCase doubled(SymmetryCase c) {
   for (NetBand& band : c.net.bands) band.EA *= 2;
   c.drive.tension *= 2;
   return c;
 }
 
 /// The same bands told in another order: new[i] = old[order[i]].
-Case reordered(Case c, const std::vector<int>& order) {
+SymmetryCase reordered(SymmetryCase c, const std::vector<int>& order) {
   const Net old = c.net;
   for (std::size_t i = 0; i < order.size(); ++i)
     c.net.bands[i] = old.bands[static_cast<std::size_t>(order[i])];
@@ -102,30 +102,30 @@ std::vector<int> shuffled(std::size_t n) {
 
 TEST(NetSymmetry, TheOtherHandHasTheMirroredShapeAndTheSameTensions) {
   const Vector3d mirror(1, 1, -1);
-  for (const Case& c : nets_on_bone()) {
+  for (const SymmetryCase& c : nets_on_bone()) {
     const NetEquilibrium here = c.rest(), there = mirrored(c).rest();
     ASSERT_EQ(here.status, NetStatus::kBalanced);
     ASSERT_EQ(there.status, NetStatus::kBalanced);
-    EXPECT_TRUE(matrix_near(there.x, mirror.asDiagonal() * here.x, kPlace));
-    EXPECT_TRUE(matrix_near(there.tension, here.tension, kTension));
+    EXPECT_TRUE(matrix_near(there.x, mirror.asDiagonal() * here.x, kSamePlace));
+    EXPECT_TRUE(matrix_near(there.tension, here.tension, kSameTension));
     EXPECT_EQ(there.contacts.size(), here.contacts.size());
   }
 }
 
 TEST(NetSymmetry, WhereTheHandIsDoesNotMatter) {
   const Pose<double> X = elsewhere();
-  for (const Case& c : nets_on_bone()) {
+  for (const SymmetryCase& c : nets_on_bone()) {
     const NetEquilibrium here = c.rest(), there = carried(c, X).rest();
     ASSERT_EQ(here.status, NetStatus::kBalanced);
     ASSERT_EQ(there.status, NetStatus::kBalanced);
-    EXPECT_TRUE(matrix_near(there.x, (X.R * here.x).colwise() + X.p, kPlace));
-    EXPECT_TRUE(matrix_near(there.tension, here.tension, kTension));
+    EXPECT_TRUE(matrix_near(there.x, (X.R * here.x).colwise() + X.p, kSamePlace));
+    EXPECT_TRUE(matrix_near(there.tension, here.tension, kSameTension));
     EXPECT_NEAR(there.energy, here.energy, 1e-14);
   }
 }
 
 TEST(NetSymmetry, TwiceTheForceAndStiffnessKeepTheShape) {
-  for (const Case& c : nets_on_bone()) {
+  for (const SymmetryCase& c : nets_on_bone()) {
     NetSolverOptions doubled_too;
     doubled_too.tolerance *= 2;
     const NetEquilibrium once = c.rest(), twice = doubled(c).rest(doubled_too);
@@ -138,14 +138,15 @@ TEST(NetSymmetry, TwiceTheForceAndStiffnessKeepTheShape) {
 }
 
 TEST(NetSymmetry, TheOrderOfBandsDoesNotMatter) {
-  for (const Case& c : nets_on_bone()) {
+  for (const SymmetryCase& c : nets_on_bone()) {
     const std::vector<int> order = shuffled(c.net.bands.size());
     const NetEquilibrium here = c.rest(), there = reordered(c, order).rest();
     ASSERT_EQ(here.status, NetStatus::kBalanced);
     ASSERT_EQ(there.status, NetStatus::kBalanced);
-    EXPECT_TRUE(matrix_near(there.x, here.x, kPlace));
+    EXPECT_TRUE(matrix_near(there.x, here.x, kSamePlace));
     for (std::size_t i = 0; i < order.size(); ++i)
-      EXPECT_NEAR(there.tension(static_cast<Eigen::Index>(i)), here.tension(order[i]), kTension);
+      EXPECT_NEAR(there.tension(static_cast<Eigen::Index>(i)), here.tension(order[i]),
+                  kSameTension);
   }
 }
 
@@ -156,7 +157,7 @@ TEST(NetSymmetry, HoldsForTensionsOfRandomNets) {
   int compared = 0;
   for (unsigned seed = 0; seed < 200; ++seed) {
     std::mt19937 rng(seed);
-    const Case c = case_of(random_net(rng));
+    const SymmetryCase c = case_of(random_net(rng));
     const NetEquilibrium here = c.rest();
     const NetEquilibrium images[] = {mirrored(c).rest(), carried(c, X).rest(), doubled(c).rest()};
     for (int k = 0; k < 3; ++k) {

@@ -1,4 +1,5 @@
-// Random nets: none lost, none silently wrong. THENAR_NETS sets how many; the default is quick.
+// Random random_net_count: none lost, none silently wrong. THENAR_NETS sets how many; the default
+// is quick.
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +13,7 @@
 namespace thenar {
 namespace {
 
-int nets() {
+int random_net_count() {
   const char* wanted = std::getenv("THENAR_NETS");
   return wanted ? std::atoi(wanted) : 1000;
 }
@@ -22,7 +23,7 @@ class RandomNets : public testing::TestWithParam<bool> {};
 TEST_P(RandomNets, AreBalancedOrSayThatTheyAreNot) {
   constexpr double kPromised = 1e-9;  // residual of a net at rest [N]
   int count[5] = {0, 0, 0, 0, 0};
-  for (int seed = 0; seed < nets(); ++seed) {
+  for (int seed = 0; seed < random_net_count(); ++seed) {
     std::mt19937 rng(static_cast<unsigned>(seed));
     RandomNetOptions options;
     options.bones = GetParam();
@@ -46,8 +47,9 @@ TEST_P(RandomNets, AreBalancedOrSayThatTheyAreNot) {
   }
   std::printf("balanced %d, unstable %d, drawn in %d, stalled %d, wound round %d\n", count[0],
               count[1], count[2], count[3], count[4]);
-  EXPECT_LE(count[static_cast<int>(NetStatus::kStalled)], nets() / 1000);
-  EXPECT_LE(count[static_cast<int>(NetStatus::kWoundRound)], GetParam() ? nets() / 50 : 0);
+  EXPECT_LE(count[static_cast<int>(NetStatus::kStalled)], random_net_count() / 1000);
+  EXPECT_LE(count[static_cast<int>(NetStatus::kWoundRound)],
+            GetParam() ? random_net_count() / 50 : 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(BonesOrNone, RandomNets, testing::Bool());

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kRadius = 0.005;
+constexpr double kBoneRadius = 0.005;
 
 VectorXd angle(double q) { return VectorXd::Constant(1, q); }
 const NetDrive kNothing{VectorXd(0), {}};
@@ -23,7 +23,7 @@ const NetDrive kNothing{VectorXd(0), {}};
 /// is 1 m away: q lowers it by 1 mm for every milliradian.
 struct String {
   String() {
-    net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kRadius, 0.05, 0}, {}}};
+    net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kBoneRadius, 0.05, 0}, {}}};
     add_node(net, true, 0, {0, 0.006, 0}, {0});
     for (double x : {-0.02, 0.02})
       add_band(net, 0, add_node(net, false, 0, {x, 0.006, 0}), 0.015, 100);
@@ -54,7 +54,7 @@ TEST(SolvePostures, KeepsANetOnTheSideOnWhichItCame) {
   for (int k = 0; k <= 8; ++k) down.push_back(angle(1e-3 * k));
   const auto rests = solve_postures(solver, string.tree, down, kNothing);
   for (const NetEquilibrium& rest : rests) EXPECT_EQ(rest.status, NetStatus::kBalanced);
-  EXPECT_GT(rests.back().x(1, 0), 0.9 * kRadius);
+  EXPECT_GT(rests.back().x(1, 0), 0.9 * kBoneRadius);
   const auto at_once = solve_postures(solver, string.tree, {down.back()}, kNothing);
   EXPECT_LT(at_once[0].x(1, 0), 0);
 }
@@ -66,9 +66,9 @@ TEST(SolvePostures, StartsWhereItIsTold) {
   const auto state = pose_tree(string.tree, low);
   Eigen::Matrix3Xd start(3, 3);
   for (int i = 0; i < 3; ++i) start.col(i) = moved(state, 0, string.net.nodes[i].p);
-  start.col(0) = Vector3d(0, kRadius, 0);
+  start.col(0) = Vector3d(0, kBoneRadius, 0);
   const auto rests = solve_postures(solver, string.tree, {low}, kNothing, start);
-  EXPECT_GT(rests[0].x(1, 0), 0.9 * kRadius);
+  EXPECT_GT(rests[0].x(1, 0), 0.9 * kBoneRadius);
 }
 
 TEST(SolvePostures, NamesAPostureOfTooFewCoordinates) {

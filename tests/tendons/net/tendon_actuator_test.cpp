@@ -7,10 +7,11 @@
 
 #include <gtest/gtest.h>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/digit_sweep.h"
+#include "tests/data_folder.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
 
@@ -20,7 +21,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-const std::string kData = THENAR_DATA_DIR;
 constexpr int kPip = 2;  // coordinate of the middle finger
 
 std::unique_ptr<DigitTendons> finger(const std::string& subject, const std::string& digit,

@@ -15,14 +15,14 @@ using Eigen::RowVectorXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-struct Posed {
+struct PosedPath {
   TreeState<double> state;
   std::vector<PathShape> shapes;
   MatrixXd R;
 };
 
-Posed pose(const Tree<double>& tree, const PathSet& set, const VectorXd& q) {
-  Posed posed{pose_tree(tree, q), {}, MatrixXd(set.paths.size(), q.size())};
+PosedPath pose(const Tree<double>& tree, const PathSet& set, const VectorXd& q) {
+  PosedPath posed{pose_tree(tree, q), {}, MatrixXd(set.paths.size(), q.size())};
   posed.shapes = PathSolver(set).solve(posed.state);
   path_arms(tree, posed.state, set, posed.shapes, posed.R);
   return posed;
@@ -48,23 +48,23 @@ PathSet lumbrical() {
   return set;
 }
 
-const VectorXd kBent = Vector3d(0.5, 0.7, 0.4);
+const VectorXd kBentFinger = Vector3d(0.5, 0.7, 0.4);
 
 class PathArmsOver : public testing::TestWithParam<SurfaceShape> {};
 
 TEST_P(PathArmsOver, AreTheSlopesOfTheLength) {
   const PathSet set = sample::extensor(GetParam());
-  const Posed posed = pose(sample::finger(), set, kBent);
+  const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   ASSERT_EQ(posed.shapes[0].status, PathStatus::kTaut);
   ASSERT_EQ(posed.shapes[0].arcs.size(), 2U);
   // Differences of lengths good to 1e-15 m over 1e-3 rad.
   EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(0)),
-                          sample::measured_arms(sample::finger(), set, kBent), 2e-11));
+                          sample::measured_arms(sample::finger(), set, kBentFinger), 2e-11));
 }
 
 TEST_P(PathArmsOver, AreThoseOfTheContactForces) {
   const PathSet set = sample::extensor(GetParam());
-  const Posed posed = pose(sample::finger(), set, kBent);
+  const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 0);
   EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(0)),
                           torque_of(sample::finger(), posed.state, wrenches, 3), 1e-12));
@@ -72,7 +72,7 @@ TEST_P(PathArmsOver, AreThoseOfTheContactForces) {
 
 TEST_P(PathArmsOver, PushTheBonesWithoutPushingTheHand) {
   const PathSet set = sample::extensor(GetParam());
-  const Posed posed = pose(sample::finger(), set, kBent);
+  const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   Vector3d f = Vector3d::Zero(), m = Vector3d::Zero();
   for (const PathWrench& wrench : path_wrenches(posed.state, set, posed.shapes, 0)) {
     f += wrench.f;
@@ -90,14 +90,14 @@ INSTANTIATE_TEST_SUITE_P(EveryShape, PathArmsOver,
 
 TEST(PathArms, OfALumbricalIncludeTheMotionOfItsOrigin) {
   const PathSet set = lumbrical();
-  const Posed posed = pose(sample::finger(), set, kBent);
+  const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(1)),
-                          sample::measured_arms(sample::finger(), set, kBent, 1), 2e-11));
+                          sample::measured_arms(sample::finger(), set, kBentFinger, 1), 2e-11));
 }
 
 TEST(PathArms, OfALumbricalAreThoseOfTheContactForces) {
   const PathSet set = lumbrical();
-  const Posed posed = pose(sample::finger(), set, kBent);
+  const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 1);
   EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(1)),
                           torque_of(sample::finger(), posed.state, wrenches, 3), 1e-14));
@@ -105,7 +105,7 @@ TEST(PathArms, OfALumbricalAreThoseOfTheContactForces) {
 
 // A lumbrical crosses neither distal joint, yet turns them: it takes tension off the deep flexor.
 TEST(PathArms, OfALumbricalExtendTheJointsThatItDoesNotCross) {
-  const Posed posed = pose(sample::finger(), lumbrical(), kBent);
+  const PosedPath posed = pose(sample::finger(), lumbrical(), kBentFinger);
   EXPECT_GT(posed.R(0, 2), 0.002);   // the flexor flexes
   EXPECT_LT(posed.R(1, 2), -0.001);  // the lumbrical extends
 }
@@ -113,11 +113,11 @@ TEST(PathArms, OfALumbricalExtendTheJointsThatItDoesNotCross) {
 TEST(PathArms, GiveThePathsVelocity) {
   const PathSet set = sample::extensor(SurfaceShape::kCapsule);
   const Tree<double> tree = sample::finger();
-  const Posed posed = pose(tree, set, kBent);
+  const PosedPath posed = pose(tree, set, kBentFinger);
   const Vector3d q_dot(0.3, -1.1, 0.7);
   constexpr double h = 1e-4;  // [s]
-  const double measured = (sample::length_at(tree, set, kBent + h * q_dot) -
-                           sample::length_at(tree, set, kBent - h * q_dot)) /
+  const double measured = (sample::length_at(tree, set, kBentFinger + h * q_dot) -
+                           sample::length_at(tree, set, kBentFinger - h * q_dot)) /
                           (2 * h);
   EXPECT_NEAR(path_velocity(tree, posed.state, set, posed.shapes, 0, q_dot), measured, 1e-9);
 }

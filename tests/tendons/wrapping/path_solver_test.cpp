@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "base/angles.h"
+#include "base/units.h"
 #include "tests/tendons/wrapping/wrap_samples.h"
 
 namespace thenar {

@@ -1,0 +1,18 @@
+#pragma once
+
+/// Units for people and files; everything inside is in SI and radians.
+
+namespace thenar {
+
+inline constexpr double kPi = 3.14159265358979323846;  // half a turn [rad]
+inline constexpr double kDegree = kPi / 180;           // [rad]
+inline constexpr double kMm = 1e-3;                    // a millimetre [m]
+inline constexpr double kNmm = 1e-3;                   // a newton millimetre [N m]
+
+/// @param angle [deg]  @return [rad]
+[[nodiscard]] constexpr double radians(double angle) { return angle * kDegree; }
+
+/// @param angle [rad]  @return [deg]
+[[nodiscard]] constexpr double degrees(double angle) { return angle / kDegree; }
+
+}  // namespace thenar

@@ -1,0 +1,228 @@
+#include "geometry/convex_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+using Polygon = std::vector<Vector3d>;
+
+/// What of a polygon lies within a half space. @param cuts  gets the two points of its rim
+/// @param height  of each corner above the plane, 0 where it is on it [m]
+Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, Polygon& cuts) {
+  Polygon kept;
+  kept.reserve(polygon.size() + 1);
+  const std::size_t count = polygon.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = i + 1 == count ? 0 : i + 1;
+    if (height[i] <= 0) kept.push_back(polygon[i]);
+    if (height[i] == 0) cuts.push_back(polygon[i]);
+    if ((height[i] < 0 && height[next] > 0) || (height[i] > 0 && height[next] < 0)) {
+      // From the inner corner outwards, so that both faces of an edge find the same point.
+      const std::size_t in = height[i] < 0 ? i : next, out = height[i] < 0 ? next : i;
+      const double share = height[in] / (height[in] - height[out]);
+      kept.push_back(polygon[in] + share * (polygon[out] - polygon[in]));
+      cuts.push_back(kept.back());
+    }
+  }
+  return kept;
+}
+
+/// The face on a cutting plane: the points of its rim, in turn.
+Polygon cap_of(Polygon cuts, const Vector3d& n) {
+  if (cuts.size() < 3) return {};
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& p : cuts) middle += p / static_cast<double>(cuts.size());
+  const Vector3d u = n.unitOrthogonal(), v = n.cross(u);
+  std::vector<std::pair<double, Vector3d>> turned;
+  turned.reserve(cuts.size());
+  for (const Vector3d& p : cuts)
+    turned.emplace_back(std::atan2(v.dot(p - middle), u.dot(p - middle)), p);
+  std::sort(turned.begin(), turned.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+  Polygon cap;
+  for (const auto& [angle, p] : turned)
+    if (cap.empty() || p != cap.back()) cap.push_back(p);
+  return cap;
+}
+
+/// Adds the tetrahedron between the origin and three corners; signed.
+void add_tetrahedron(const Vector3d& a, const Vector3d& b, const Vector3d& c, Moments& sum) {
+  const double det = a.dot(b.cross(c));
+  const Vector3d s = a + b + c;
+  sum.volume += det / 6;
+  sum.first += det / 24 * s;
+  sum.second +=
+      det / 120 * (s * s.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
+}
+
+/// Moments of what is described from a point other than the origin.
+Moments moved(const Moments& m, const Vector3d& by) {
+  Moments to = m;
+  to.first += m.volume * by;
+  to.second += m.first * by.transpose() + by * m.first.transpose() + m.volume * by * by.transpose();
+  return to;
+}
+
+}  // namespace
+
+Moments& Moments::operator+=(const Moments& other) {
+  volume += other.volume;
+  first += other.first;
+  second += other.second;
+  return *this;
+}
+
+Moments& Moments::operator-=(const Moments& other) {
+  volume -= other.volume;
+  first -= other.first;
+  second -= other.second;
+  return *this;
+}
+
+Moments moments_of(const MassProperties& mass) {
+  const Matrix3d& I = mass.inertia;
+  const Matrix3d about_centre = I.trace() / 2 * Matrix3d::Identity() - I;
+  return moved({mass.mass, Vector3d::Zero(), about_centre}, mass.centre);
+}
+
+MassProperties mass_of(const Moments& moments) {
+  if (!(moments.volume > 0)) return {};
+  const Vector3d centre = moments.first / moments.volume;
+  const Matrix3d second = moved(moments, -centre).second;
+  return {moments.volume, centre, second.trace() * Matrix3d::Identity() - second};
+}
+
+ConvexBody convex_box(const Eigen::AlignedBox3d& box) {
+  ConvexBody body;
+  body.box = box;
+  const Vector3d &low = box.min(), &high = box.max();
+  for (int axis = 0; axis < 3; ++axis)
+    for (const bool upper : {false, true}) {
+      const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+      Polygon face(4, low);
+      for (Vector3d& p : face) p[axis] = upper ? high[axis] : low[axis];
+      face[1][u] = face[2][u] = high[u];
+      face[2][v] = face[3][v] = high[v];
+      if (!upper) std::reverse(face.begin(), face.end());
+      body.faces.push_back(std::move(face));
+      const Vector3d n = (upper ? 1 : -1) * Vector3d::Unit(axis);
+      body.sides.push_back({n, n.dot(upper ? high : low)});
+    }
+  return body;
+}
+
+ConvexBody convex_body(const TriangleMesh& mesh) {
+  if (static_cast<double>(mesh.vertices.cols()) * static_cast<double>(mesh.triangles.cols()) > 3e7)
+    return {};
+  ConvexBody body;
+  for (const auto& p : mesh.vertices.colwise()) body.box.extend(Vector3d(p));
+  const double extent = body.box.diagonal().norm();
+  for (const auto& t : mesh.triangles.colwise()) {
+    const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
+                   c = mesh.vertices.col(t(2));
+    const Vector3d n = (b - a).cross(c - a).normalized();
+    const double offset = n.dot(a);
+    if (!((n.transpose() * mesh.vertices).maxCoeff() - offset <= 1e-6 * extent)) return {};
+    body.faces.push_back({a, b, c});
+    const bool there = std::any_of(body.sides.begin(), body.sides.end(), [&](const HalfSpace& s) {
+      return (s.n - n).squaredNorm() < 1e-24 && std::abs(s.offset - offset) < 1e-12 * extent;
+    });
+    if (!there) body.sides.push_back({n, offset});
+  }
+  return body;
+}
+
+void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
+  // A box on one side of the plane needs no look at its corners.
+  const double middle = side.n.dot(body.box.center()) - side.offset;
+  const double reach = side.n.cwiseAbs().dot(body.box.sizes()) / 2;
+  if (middle + reach <= tolerance) return;
+  const auto above = [&](const Vector3d& p) {
+    const double h = side.n.dot(p) - side.offset;
+    return std::abs(h) <= tolerance ? 0 : h;
+  };
+  const bool beyond = std::any_of(body.faces.begin(), body.faces.end(), [&](const Polygon& face) {
+    return std::any_of(face.begin(), face.end(), [&](const Vector3d& p) { return above(p) > 0; });
+  });
+  if (!beyond) return;
+  std::vector<Polygon> kept;
+  kept.reserve(body.faces.size() + 1);
+  Polygon cuts;
+  std::vector<double> height;
+  for (Polygon& face : body.faces) {
+    height.clear();
+    for (const Vector3d& p : face) height.push_back(above(p));
+    const auto [least, most] = std::minmax_element(height.begin(), height.end());
+    if (*least < 0 && *most > 0) {
+      kept.push_back(cut_polygon(face, height, cuts));
+      continue;
+    }
+    for (std::size_t i = 0; i < face.size(); ++i)
+      if (height[i] == 0) cuts.push_back(face[i]);
+    if (*least < 0) kept.push_back(std::move(face));
+  }
+  Polygon cap = cap_of(std::move(cuts), side.n);
+  body.faces = std::move(kept);
+  if (body.faces.size() < 3 || cap.size() < 3) {
+    body = {};
+    return;
+  }
+  body.faces.push_back(std::move(cap));
+  body.sides.push_back(side);
+  body.box.setEmpty();
+  for (const Polygon& face : body.faces)
+    for (const Vector3d& p : face) body.box.extend(p);
+}
+
+ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double tolerance) {
+  ConvexBody common = a;
+  for (const HalfSpace& side : b.sides) {
+    cut(common, side, tolerance);
+    if (common.empty()) return {};
+  }
+  return common;
+}
+
+Moments moments_of(const ConvexBody& body) {
+  // From a point amid it, so that little cancels out.
+  const Vector3d origin = body.box.center();
+  Moments sum;
+  for (const Polygon& face : body.faces)
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+      add_tetrahedron(face[0] - origin, face[i] - origin, face[i + 1] - origin, sum);
+  return moved(sum, origin);
+}
+
+namespace {
+
+// NOLINTNEXTLINE(misc-no-recursion): as deep as polyhedra lie over each other
+Moments add_union(const std::vector<ConvexBody>& bodies, double tolerance, double& left) {
+  Moments sum;
+  for (std::size_t i = 0; i < bodies.size() && left > 0; ++i) {
+    sum += moments_of(bodies[i]);
+    std::vector<ConvexBody> common;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!bodies[i].box.intersects(bodies[j].box)) continue;
+      left -= static_cast<double>(bodies[j].sides.size() * bodies[i].faces.size());
+      ConvexBody both = intersection(bodies[i], bodies[j], tolerance);
+      if (!both.empty()) common.push_back(std::move(both));
+    }
+    if (!common.empty()) sum -= add_union(common, tolerance, left);
+  }
+  return sum;
+}
+
+}  // namespace
+
+UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance, double most) {
+  UnionMoments result;
+  result.moments = add_union(bodies, tolerance, most);
+  result.complete = most > 0;
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,69 @@
+#pragma once
+
+/// Convex polyhedra, cut by planes, and what they weigh together.
+
+#include <vector>
+
+#include <Eigen/Geometry>
+
+#include "geometry/mass_properties.h"
+
+namespace thenar {
+
+/// Moments at unit density about the origin of their frame; they add up.
+struct Moments {
+  double volume = 0;                                 // [m^3]
+  Eigen::Vector3d first{0, 0, 0};                    // integral of x [m^4] (3)
+  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of x x^T [m^5] (3, 3)
+
+  Moments& operator+=(const Moments& other);
+  Moments& operator-=(const Moments& other);
+};
+
+[[nodiscard]] Moments moments_of(const MassProperties& mass);
+[[nodiscard]] MassProperties mass_of(const Moments& moments);
+
+/// The half space  n . x <= offset.
+struct HalfSpace {
+  Eigen::Vector3d n;  // unit (3)
+  double offset = 0;  // [m]
+};
+
+/// A convex polyhedron by its faces, each a convex polygon, counterclockwise seen from outside.
+struct ConvexBody {
+  std::vector<std::vector<Eigen::Vector3d>> faces;  // corners [m]
+  std::vector<HalfSpace> sides;                     // whose intersection it is
+  Eigen::AlignedBox3d box;
+
+  [[nodiscard]] bool empty() const { return faces.size() < 4; }
+};
+
+[[nodiscard]] ConvexBody convex_box(const Eigen::AlignedBox3d& box);
+
+/// The polyhedron of a mesh. @param mesh  watertight, outward
+/// @return empty if it is not convex: if a corner stands more than 1e-6 of the extent, which is
+/// what files of single precision leave, above the plane of a triangle; or if it has more than 3e7
+/// pairs of both.
+[[nodiscard]] ConvexBody convex_body(const TriangleMesh& mesh);
+
+/// Takes away what does not lie within a half space, unless it is less than `tolerance` high [m].
+void cut(ConvexBody& body, const HalfSpace& side, double tolerance);
+
+/// What two have in common.
+[[nodiscard]] ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double tolerance);
+
+[[nodiscard]] Moments moments_of(const ConvexBody& body);
+
+struct UnionMoments {
+  Moments moments;
+  bool complete = true;  // false: there were too many cuts to make
+};
+
+/// Moments of the union of some polyhedra, exact to rounding:
+///   m(P_1 u .. u P_n) = sum_i m(P_i) - m(union over j < i of P_i n P_j),
+/// in which the sets on the right are convex again.
+/// @param most  faces that may be looked at
+[[nodiscard]] UnionMoments union_moments(const std::vector<ConvexBody>& bodies, double tolerance,
+                                         double most = 2e7);
+
+}  // namespace thenar

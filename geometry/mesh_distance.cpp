@@ -1,0 +1,149 @@
+#include "geometry/mesh_distance.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <iterator>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "base/provenance.h"
+#include "geometry/kept_mesh.h"
+#include "geometry/mesh_edges.h"
+#include "geometry/nearest_grid.h"
+#include "geometry/triangle_tree.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d, Eigen::Vector3i;
+using internal::Feature, internal::NearestTriangle, internal::TriangleForm;
+
+/// Outward directions at a triangle's edges and corners.
+struct Pseudonormals {
+  std::array<Vector3d, 3> edge;
+  std::array<Vector3d, 3> corner;
+};
+
+double angle_at(const TriangleForm& form, int k) {
+  const Vector3d a = form.corner[(k + 1) % 3] - form.corner[k];
+  const Vector3d b = form.corner[(k + 2) % 3] - form.corner[k];
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
+                                         const internal::TriangleTree& tree) {
+  Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
+  std::vector<Vector3d> of_triangle(tree.forms().size());
+  for (std::size_t i = 0; i < tree.forms().size(); ++i) {
+    const TriangleForm& form = tree.forms()[i];
+    const Vector3i v = mesh.triangles.col(tree.order()[i]);
+    of_triangle[static_cast<std::size_t>(tree.order()[i])] = form.normal;
+    for (int k = 0; k < 3; ++k) at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
+  }
+  std::vector<int> place(tree.forms().size());  // of each of the mesh's triangles in the tree
+  for (std::size_t i = 0; i < place.size(); ++i)
+    place[static_cast<std::size_t>(tree.order()[i])] = static_cast<int>(i);
+  std::vector<Pseudonormals> all(tree.forms().size());
+  for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
+    Vector3d sum = Vector3d::Zero();
+    for (const MeshSide* side = first; side != last; ++side)
+      sum += of_triangle[static_cast<std::size_t>(side->triangle)];
+    for (const MeshSide* side = first; side != last; ++side)
+      all[static_cast<std::size_t>(place[static_cast<std::size_t>(side->triangle)])]
+          .edge[static_cast<std::size_t>(side->side)] = sum;
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      all[i].corner[k] = at_vertex.col(mesh.triangles(k, tree.order()[i]));
+  return all;
+}
+
+class MeshDistance final : public Shape {
+ public:
+  explicit MeshDistance(const TriangleMesh& mesh)
+      : tree_(mesh), grid_(tree_), normals_(pseudonormals(mesh, tree_)) {}
+
+  double distance(const Vector3d& p) const override {
+    const NearestTriangle near = grid_.nearest(p, tree_);
+    const double distance = std::sqrt(near.foot.squared);
+    return outward(near).dot(p - near.foot.at) < 0 ? -distance : distance;
+  }
+
+  NearestSurface nearest(const Vector3d& p) const override {
+    const NearestTriangle near = grid_.nearest(p, tree_);
+    const double distance = std::sqrt(near.foot.squared);
+    const Vector3d out = outward(near), arm = p - near.foot.at;
+    const double sign = out.dot(arm) < 0 ? -1 : 1;
+    // On the surface the way to it has no direction left.
+    if (near.foot.feature.kind == Feature::kFace || distance < kOnSurface)
+      return {sign * distance, out.normalized()};
+    return {sign * distance, sign / distance * arm};
+  }
+
+  Eigen::AlignedBox3d bounds() const override { return tree_.bounds(); }
+
+ private:
+  static constexpr double kOnSurface = 1e-12;  // [m]
+
+  const Vector3d& outward(const NearestTriangle& near) const {
+    const Feature& feature = near.foot.feature;
+    if (feature.kind == Feature::kFace) return tree_.forms()[near.triangle].normal;
+    const Pseudonormals& normals = normals_[near.triangle];
+    return feature.kind == Feature::kEdge ? normals.edge[feature.k] : normals.corner[feature.k];
+  }
+
+  internal::TriangleTree tree_;
+  internal::NearestGrid grid_;
+  std::vector<Pseudonormals> normals_;
+};
+
+/// Meshes in use, and the last ones that were: a hand is built several times from the same links.
+/// Sharing shows in time and memory alone, as distances are constant.
+class Recent {
+ public:
+  std::shared_ptr<const Shape> find(const std::string& content) {
+    const std::lock_guard lock(mutex_);
+    const auto found = known_.find(content);
+    return found == known_.end() ? nullptr : found->second.lock();
+  }
+
+  void add(const std::string& content, const std::shared_ptr<const Shape>& shape,
+           Eigen::Index triangles) {
+    const std::lock_guard lock(mutex_);
+    for (auto at = known_.begin(); at != known_.end();)
+      at = at->second.expired() ? known_.erase(at) : std::next(at);
+    known_[content] = shape;
+    held_.push_back({shape, triangles});
+    triangles_ += triangles;
+    while (triangles_ > kMost) {
+      triangles_ -= held_.front().second;
+      held_.pop_front();
+    }
+  }
+
+ private:
+  static constexpr Eigen::Index kMost = 200'000;  // triangles held when nobody uses them, 0.1 GB
+
+  std::mutex mutex_;
+  std::unordered_map<std::string, std::weak_ptr<const Shape>> known_;  // by content
+  std::deque<std::pair<std::shared_ptr<const Shape>, Eigen::Index>> held_;
+  Eigen::Index triangles_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
+  static Recent recent;
+  const std::string content = sha256(bytes_of(mesh));
+  if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
+  auto shape = std::make_shared<MeshDistance>(mesh);
+  recent.add(content, shape, mesh.triangles.cols());
+  return shape;
+}
+
+}  // namespace thenar

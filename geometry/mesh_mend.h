@@ -1,0 +1,33 @@
+#pragma once
+
+/// Meshes that bound no solid, made to.
+
+#include <string>
+
+#include "geometry/triangle_mesh.h"
+
+namespace thenar {
+
+/// A mesh that build_solid() takes, and what was done to it.
+struct MendedMesh {
+  TriangleMesh mesh;
+  std::string done;  // "2 holes closed, the longest 31.4 mm around"; empty: nothing
+};
+
+/// A surface as files of robots and visual models hold it, mended in this order until
+/// solid_parts() takes it: corners closer than 1e-6 (1e-5, 1e-4 if that leaves fewer open edges) of
+/// its extent become one; triangles with a corner of others on their edge are cut there; triangles
+/// of no area or there twice are dropped, pairs that face each other both; all are turned to agree;
+/// holes are closed by fans; parts that enclose nothing are left out. Parts that are still no
+/// solid, and the whole if most of its area would be left out, give way to their convex hulls.
+/// @throws InputError if even the convex hull of the whole is flat, or a corner is no vertex or not
+/// finite.
+[[nodiscard]] MendedMesh mend_mesh(const TriangleMesh& mesh);
+
+/// mend_mesh(), and what build_solid() forgives put right as well: triangles that face inwards are
+/// turned, those of no area or there twice dropped, so that check_mesh() finds nothing and a volume
+/// above 0.
+/// @throws InputError as mend_mesh().
+[[nodiscard]] MendedMesh watertight_mesh(const TriangleMesh& mesh);
+
+}  // namespace thenar

@@ -1,0 +1,172 @@
+#include "geometry/mesh_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_edges.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// @param number  of each vertex of the mesh, -1; left so
+TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
+                       std::vector<int>& number) {
+  TriangleMesh part{{}, Eigen::Matrix3Xi(3, triangles.size())};
+  std::vector<int> vertices;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const int old = mesh.triangles(k, triangles[i]);
+      int& now = number[static_cast<std::size_t>(old)];
+      if (now < 0) {
+        now = static_cast<int>(vertices.size());
+        vertices.push_back(old);
+      }
+      part.triangles(k, static_cast<Eigen::Index>(i)) = now;
+    }
+  part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
+    number[static_cast<std::size_t>(vertices[i])] = -1;
+  }
+  return part;
+}
+
+void turn(TriangleMesh& mesh) { mesh.triangles.row(1).swap(mesh.triangles.row(2)); }
+
+/// How often a closed surface goes round a point: the solid angles of its triangles over 4 pi.
+/// Source: [VanOosterom1983].
+double windings(const TriangleMesh& mesh, const Vector3d& p) {
+  double sum = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    Eigen::Matrix3d A;
+    for (int k = 0; k < 3; ++k) A.col(k) = mesh.vertices.col(mesh.triangles(k, t)) - p;
+    const Eigen::RowVector3d r = A.colwise().norm();
+    const double below = r.prod() + A.col(0).dot(A.col(1)) * r(2) + A.col(1).dot(A.col(2)) * r(0) +
+                         A.col(2).dot(A.col(0)) * r(1);
+    sum += 2 * std::atan2(A.determinant(), below);
+  }
+  return sum / (4 * kPi);
+}
+
+/// A closed surface, and what it encloses.
+struct Part {
+  TriangleMesh mesh;
+  double volume = 0;  // negative: it faces inwards [m^3]
+  Eigen::AlignedBox3d box;
+};
+
+/// Whether a part lies within another, by the box and up to 64 of its vertices.
+bool is_within(const Part& inner, const Part& outer) {
+  if (!outer.box.contains(inner.box)) return false;
+  const Eigen::Index count = inner.mesh.vertices.cols();
+  const Eigen::Index step = std::max<Eigen::Index>(1, count / 64);
+  for (Eigen::Index i = 0; i < count; i += step)
+    if (windings(outer.mesh, inner.mesh.vertices.col(i)) < 0.5) return false;
+  return true;
+}
+
+Part closed_part(TriangleMesh mesh) {
+  const MeshReport report = check_mesh(mesh);
+  require(report.watertight(), "a mesh bounds no solid: {}", describe(report));
+  require(report.volume != 0, "a mesh bounds no solid: no volume");
+  Part part{std::move(mesh), report.volume, {}};
+  for (Eigen::Index i = 0; i < part.mesh.vertices.cols(); ++i)
+    part.box.extend(Vector3d(part.mesh.vertices.col(i)));
+  return part;
+}
+
+/// Puts cavities to the smallest part around them, turns all else outwards.
+std::vector<TriangleMesh> outward(std::vector<Part> parts) {
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
+    return std::abs(a.volume) < std::abs(b.volume);
+  });
+  std::vector<std::vector<std::size_t>> cavities(parts.size());
+  std::vector<bool> is_cavity(parts.size(), false);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t j = i + 1; j < parts.size() && parts[i].volume < 0 && !is_cavity[i]; ++j)
+      if (parts[j].volume > 0 && is_within(parts[i], parts[j])) {
+        cavities[j].push_back(i);
+        is_cavity[i] = true;
+      }
+    if (parts[i].volume < 0 && !is_cavity[i]) turn(parts[i].mesh);
+  }
+  std::vector<TriangleMesh> solids;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (is_cavity[i]) continue;
+    std::vector<TriangleMesh> shells{std::move(parts[i].mesh)};
+    for (const std::size_t cavity : cavities[i]) shells.push_back(std::move(parts[cavity].mesh));
+    solids.push_back(joined(shells));
+  }
+  return solids;
+}
+
+}  // namespace
+
+TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
+  if (parts.size() == 1) return parts.front();
+  Eigen::Index vertices = 0, triangles = 0;
+  for (const TriangleMesh& part : parts) {
+    vertices += part.vertices.cols();
+    triangles += part.triangles.cols();
+  }
+  TriangleMesh whole{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, triangles)};
+  vertices = triangles = 0;
+  for (const TriangleMesh& part : parts) {
+    whole.vertices.middleCols(vertices, part.vertices.cols()) = part.vertices;
+    whole.triangles.middleCols(triangles, part.triangles.cols()) =
+        part.triangles.array() + static_cast<int>(vertices);
+    vertices += part.vertices.cols();
+    triangles += part.triangles.cols();
+  }
+  return whole;
+}
+
+std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
+  const Eigen::Matrix3Xi across = neighbours_across(mesh);
+  std::vector<bool> seen(static_cast<std::size_t>(mesh.triangles.cols()), false);
+  std::vector<int> number(static_cast<std::size_t>(mesh.vertices.cols()), -1);
+  std::vector<TriangleMesh> parts;
+  for (std::size_t first = 0; first < seen.size(); ++first) {
+    if (seen[first]) continue;
+    std::vector<int> members{static_cast<int>(first)};
+    seen[first] = true;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const int other = across(k, members[i]);
+        if (other < 0) continue;
+        if (seen[static_cast<std::size_t>(other)]) continue;
+        seen[static_cast<std::size_t>(other)] = true;
+        members.push_back(other);
+      }
+    if (members.size() == seen.size()) return {mesh};
+    std::sort(members.begin(), members.end());
+    parts.push_back(taken_out(mesh, members, number));
+  }
+  return parts;
+}
+
+std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
+  require(!mesh.empty(), "a mesh has no triangle");
+  const MeshReport found = check_mesh(mesh);
+  require(found.holes.empty(), "a mesh bounds no solid: {}", describe(found));
+  const bool sound = found.watertight() && found.volume > 0;
+  std::vector<TriangleMesh> meshes =
+      connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
+  require(!meshes.empty(), "a mesh bounds no solid: no volume");
+  if (sound && meshes.size() == 1) return meshes;
+  std::vector<Part> parts;
+  for (TriangleMesh& part : meshes) parts.push_back(closed_part(std::move(part)));
+  return outward(std::move(parts));
+}
+
+}  // namespace thenar

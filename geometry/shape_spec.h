@@ -1,0 +1,52 @@
+#pragma once
+
+/// Shapes as plain data, as files give them.
+
+#include <string>
+#include <vector>
+
+#include "base/spatial.h"
+#include "geometry/triangle_mesh.h"
+
+namespace thenar {
+
+/// Kinds of shapes; what `size` means is said in ShapeSpec.
+enum class ShapeKind {
+  kSphere,
+  kBox,
+  kCylinder,
+  kCapsule,
+  kTaperedCapsule,
+  kEllipsoid,
+  kSuperellipsoid,
+  kMesh
+};
+
+/// One shape, placed in the frame of its body. In its own frame, centred at the origin:
+///   sphere          radius size[0]
+///   box             full edges size[0..2]
+///   cylinder        radius size[0], full height size[1], about z
+///   capsule         radius size[0] about the segment |z| <= size[1] / 2
+///   tapered capsule radius size[0] at z = -size[2] / 2, size[1] at z = +size[2] / 2
+///   ellipsoid       semi-axes size[0..2]
+///   superellipsoid  semi-axes size[0..2];  ((x/a)^(2/e2) + (y/b)^(2/e2))^(e2/e1) + (z/c)^(2/e1) =
+///   1
+///                   with (e1, e2) = exponents, each in [0.1, 2]. Source: [Barr1981].
+///   mesh            the surface of `mesh`, which stands in its file's frame, in metres
+struct ShapeSpec {
+  ShapeKind kind = ShapeKind::kSphere;
+  Eigen::Vector3d size{0, 0, 0};    // [m] (3)
+  Eigen::Vector2d exponents{1, 1};  // e1 (latitude), e2 (longitude) of a superellipsoid [1]
+  TriangleMesh mesh;                // of kMesh
+  std::string mesh_file;            // where it was read from, as written there; may be empty
+  double mesh_scale = 1;            // [m] per unit of the file, already applied to `mesh`
+  Pose<double> X_BS;                // the shape's frame in its body's
+};
+
+/// "sphere", "tapered capsule"... as in data files.
+[[nodiscard]] std::string name_of(ShapeKind kind);
+
+/// All names, in the order of ShapeKind.
+[[nodiscard]] const std::vector<std::string>& shape_names();
+
+}  // namespace thenar

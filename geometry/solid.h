@@ -1,0 +1,34 @@
+#pragma once
+
+/// A body's geometry in the forms that contacts, inertia and pictures need.
+
+#include <memory>
+#include <vector>
+
+#include "geometry/shape.h"
+#include "geometry/shape_spec.h"
+
+namespace thenar {
+
+/// A surface swept by a ball: everything within `radius` of the core. A capsule is a segment
+/// (a degenerate triangle) with a radius, a mesh has radius 0. Several stand for their union.
+struct RoundedMesh {
+  TriangleMesh core;
+  double radius = 0;  // [m]
+};
+
+/// Constant once built; all in one body frame.
+struct Solid {
+  std::shared_ptr<const Shape> shape;  // asked for distances; shared: hands are copied, grids large
+  std::vector<RoundedMesh> touch;      // what searches another shape's distance for contacts
+  TriangleMesh picture;                // for drawing and inertia; rounded shapes tessellated
+};
+
+/// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the
+/// union of what solid_parts() finds in it, so that where they overlap is inside; mend_mesh() mends
+/// what that refuses.
+/// @throws InputError if there is none, a size is not positive and finite, or a mesh has holes
+/// (naming them) or no volume.
+[[nodiscard]] Solid build_solid(const std::vector<ShapeSpec>& shapes);
+
+}  // namespace thenar

@@ -1,0 +1,180 @@
+#include "solvers/arrow_factor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// All rows of one block (-1: of none), as (own, shared) columns.
+MatrixXd stack(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, int block) {
+  const Index own = block < 0 ? 0 : layout.own;
+  Index count = 0;
+  for (const ArrowRows& part : rows)
+    if (part.block == block) count += part.shared.rows();
+  MatrixXd all(count, own + layout.shared);
+  Index row = 0;
+  for (const ArrowRows& part : rows) {
+    if (part.block != block) continue;
+    if (own > 0) all.block(row, 0, part.shared.rows(), own) = part.own;
+    all.block(row, own, part.shared.rows(), layout.shared) = part.shared;
+    row += part.shared.rows();
+  }
+  return all;
+}
+
+/// The triangle of a QR factorisation, as many rows as matter.
+MatrixXd triangle(const MatrixXd& A) {
+  if (A.size() == 0) return MatrixXd(0, A.cols());
+  const Eigen::HouseholderQR<MatrixXd> qr(A);
+  const Index rows = std::min(A.rows(), A.cols());
+  return qr.matrixQR().topRows(rows).triangularView<Eigen::Upper>();
+}
+
+MatrixXd below(const MatrixXd& top, const MatrixXd& bottom) {
+  MatrixXd all(top.rows() + bottom.rows(), top.cols());
+  all << top, bottom;
+  return all;
+}
+
+/// Singular values that count, and the directions of all others.
+struct Split {
+  MatrixXd row_space, null_space;  // orthonormal columns
+  MatrixXd column_space;           // orthonormal columns of A
+  VectorXd inverse_values;         // of the singular values that count
+};
+
+Split split(const MatrixXd& A, double tolerance) {
+  const Index n = A.cols();
+  if (A.rows() == 0 || n == 0)
+    return {MatrixXd(n, 0), MatrixXd::Identity(n, n), MatrixXd(A.rows(), 0), VectorXd(0)};
+  const Eigen::JacobiSVD<MatrixXd, Eigen::FullPivHouseholderQRPreconditioner> svd(
+      A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const VectorXd& sigma = svd.singularValues();
+  const double rounding = std::numeric_limits<double>::epsilon() *
+                          static_cast<double>(std::max(A.rows(), n)) * sigma[0];
+  const Index rank = (sigma.array() > std::max(tolerance, rounding)).count();
+  return {svd.matrixV().leftCols(rank), svd.matrixV().rightCols(n - rank),
+          svd.matrixU().leftCols(rank), sigma.head(rank).cwiseInverse()};
+}
+
+}  // namespace
+
+ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>& rows)
+    : layout_(layout) {
+  // Each block leaves rows that hang on the shared coordinates alone.
+  MatrixXd left = stack(layout, rows, -1);
+  for (int b = 0; b < layout.blocks; ++b) {
+    const MatrixXd R = triangle(stack(layout, rows, b));
+    const Index own = layout.own, rest = std::max<Index>(0, R.rows() - own);
+    blocks_.push_back({R.topLeftCorner(own, own), R.topRightCorner(own, layout.shared)});
+    left = below(left, R.bottomRightCorner(rest, layout.shared));
+  }
+  shared_ = triangle(left);
+}
+
+VectorXd ArrowFactor::whiten(const VectorXd& g) const {
+  VectorXd y(g.size());
+  VectorXd shared = g.head(layout_.shared);
+  for (int b = 0; b < layout_.blocks; ++b) {
+    const Block& block = blocks_[b];
+    auto own = y.segment(layout_.first(b), layout_.own);
+    own = block.R.transpose().triangularView<Eigen::Lower>().solve(
+        g.segment(layout_.first(b), layout_.own));
+    shared -= block.S.transpose() * own;
+  }
+  y.head(layout_.shared) = shared_.transpose().triangularView<Eigen::Lower>().solve(shared);
+  return y;
+}
+
+MatrixXd ArrowFactor::inverse() const {
+  const Index p = layout_.shared, d = layout_.own;
+  MatrixXd C(layout_.size(), layout_.size());
+  const MatrixXd root = shared_.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
+  C.topLeftCorner(p, p) = root * root.transpose();
+  for (int b = 0; b < layout_.blocks; ++b) {
+    // The own share of a block, and what the shared coordinates hand on.
+    const Index at = layout_.first(b);
+    const auto R = blocks_[b].R.triangularView<Eigen::Upper>();
+    const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), carried = R.solve(blocks_[b].S);
+    C.block(at, 0, d, p) = -carried * C.topLeftCorner(p, p);
+    C.block(0, at, p, d) = C.block(at, 0, d, p).transpose();
+    for (int other = 0; other <= b; ++other) {
+      const Index to = layout_.first(other);
+      C.block(at, to, d, d) = -carried * C.block(0, to, p, d);
+      if (other == b) C.block(at, to, d, d) += own * own.transpose();
+      C.block(to, at, d, d) = C.block(at, to, d, d).transpose().eval();
+    }
+  }
+  return C;
+}
+
+double ArrowFactor::log_determinant() const {
+  double half = shared_.diagonal().cwiseAbs().array().log().sum();
+  for (const Block& block : blocks_) half += block.R.diagonal().cwiseAbs().array().log().sum();
+  return 2 * half;
+}
+
+double ArrowFactor::squared_norm(const VectorXd& v) const {
+  const VectorXd shared = v.head(layout_.shared);
+  double sum = (shared_ * shared).squaredNorm();
+  for (int b = 0; b < layout_.blocks; ++b)
+    sum += (blocks_[b].R * v.segment(layout_.first(b), layout_.own) + blocks_[b].S * shared)
+               .squaredNorm();
+  return sum;
+}
+
+MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows) {
+  Index count = 0, row = 0;
+  for (const ArrowRows& part : rows) count += part.shared.rows();
+  MatrixXd J = MatrixXd::Zero(count, layout.size());
+  for (const ArrowRows& part : rows) {
+    J.block(row, 0, part.shared.rows(), layout.shared) = part.shared;
+    if (part.block >= 0)
+      J.block(row, layout.first(part.block), part.own.rows(), layout.own) = part.own;
+    row += part.shared.rows();
+  }
+  return J;
+}
+
+ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<ArrowRows>& rows,
+                                double tolerance) {
+  // What a block alone leaves open, and what it asks of the shared coordinates beyond that.
+  std::vector<Split> own;
+  std::vector<MatrixXd> by_shared;
+  MatrixXd asked = stack(layout, rows, -1);
+  for (int b = 0; b < layout.blocks; ++b) {
+    const MatrixXd all = stack(layout, rows, b);
+    own.push_back(split(all.leftCols(layout.own), tolerance));
+    by_shared.push_back(all.rightCols(layout.shared));
+    const MatrixXd& range = own.back().column_space;
+    asked = below(asked, by_shared.back() - range * (range.transpose() * by_shared.back()));
+  }
+  const MatrixXd shared = split(triangle(asked), tolerance).null_space;
+
+  // A shared direction is null if every block can answer it; the answer lies in the block's row
+  // space, square to what the block leaves open alone.
+  ArrowNullSpace out{MatrixXd(layout.size(), shared.cols()), {}};
+  out.together.topRows(layout.shared) = shared;
+  for (int b = 0; b < layout.blocks; ++b) {
+    const Split& block = own[b];
+    out.together.middleRows(layout.first(b), layout.own) =
+        -block.row_space * (block.inverse_values.asDiagonal() *
+                            (block.column_space.transpose() * (by_shared[b] * shared)));
+    out.alone.push_back(block.null_space);
+  }
+  if (shared.cols() == 0) return out;
+  const Eigen::HouseholderQR<MatrixXd> qr(out.together);
+  out.together = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());
+  return out;
+}
+
+}  // namespace thenar

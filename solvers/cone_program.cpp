@@ -1,0 +1,418 @@
+#include "solvers/cone_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <Eigen/QR>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "solvers/second_order_cone.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using internal::ConeScaling;
+using Qr = Eigen::ColPivHouseholderQR<MatrixXd>;
+
+constexpr double kRank = 1e-11;          // pivots below this part of the largest count as zero
+constexpr double kConsistent = 1e-9;     // misfit of dependent equalities that rounding explains
+constexpr int kRefinements = 2;          // of a Newton step
+constexpr int kPatience = 12;            // iterations without a better iterate or certificate
+constexpr double kShyOfBoundary = 0.99;  // part of the step to the boundary that is gone
+
+void check(const ConeProgram& p) {
+  const Index n = p.c.size(), m = p.h.size();
+  require(p.A.cols() == n || p.A.rows() == 0, "c has {} variables, A {}", n, p.A.cols());
+  require(p.A.rows() == p.b.size(), "A has {} rows, b {}", p.A.rows(), p.b.size());
+  require(p.G.rows() == m && p.G.cols() == n, "G is {} x {}, h has {} rows, c {} variables",
+          p.G.rows(), p.G.cols(), m, n);
+  for (const int rows : p.cones) require(rows > 0, "a cone has {} rows", rows);
+  require(std::accumulate(p.cones.begin(), p.cones.end(), 0) == m,
+          "cones have {} rows in all, h {}", std::accumulate(p.cones.begin(), p.cones.end(), 0), m);
+  require(
+      p.c.allFinite() && p.A.allFinite() && p.b.allFinite() && p.G.allFinite() && p.h.allFinite(),
+      "the cone programme must be finite");
+}
+
+/// minimise c' v  subject to  h - G v in K, where x = x0 + N v.
+struct Reduced {
+  VectorXd x0, c, h;
+  MatrixXd N, G;
+};
+
+struct Presolve {
+  std::optional<Reduced> reduced;  // nothing: the equalities contradict each other
+  VectorXd misfit;                 // then A x - b of least length
+  VectorXd falling;                // no cone sees it, the objective falls along it; may be empty
+};
+
+Qr rank_revealing(const MatrixXd& M) {
+  Qr qr;
+  qr.setThreshold(kRank);
+  qr.compute(M);
+  return qr;
+}
+
+/// Orthonormal bases of the columns of M' and of what M maps to zero.
+struct RowSpaces {
+  MatrixXd row_space, null_space;
+};
+RowSpaces row_spaces(const MatrixXd& M) {
+  if (M.size() == 0) return {MatrixXd(M.cols(), 0), MatrixXd::Identity(M.cols(), M.cols())};
+  const Qr qr = rank_revealing(M.transpose());
+  const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(M.cols(), M.cols());
+  return {Q.leftCols(qr.rank()), Q.rightCols(M.cols() - qr.rank())};
+}
+
+/// Removes equalities, then directions that no cone sees.
+Presolve presolve(const ConeProgram& p) {
+  Presolve result;
+  VectorXd x0 = VectorXd::Zero(p.c.size());
+  if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
+  if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
+  if (result.misfit.norm() > kConsistent * (1 + p.b.norm())) return result;
+  MatrixXd N =
+      p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
+  const RowSpaces seen = row_spaces(p.G * N);
+  const VectorXd c = N.transpose() * p.c;
+  const VectorXd unseen = seen.null_space.transpose() * c;
+  if (unseen.norm() > kConsistent * (1 + c.norm())) result.falling = -N * seen.null_space * unseen;
+  N = (N * seen.row_space).eval();
+  result.reduced = Reduced{x0, N.transpose() * p.c, p.h - p.G * x0, N, p.G * N};
+  return result;
+}
+
+/// Solves  [0 G'; G -W W] [x; z] = [a; b]  through the QR factors of W^-1 G.
+class KktSolver {
+ public:
+  KktSolver(const MatrixXd& G, const ConeScaling& W) : G_(G), W_(W), scaled_G_(W.divide(G)) {
+    if (G.cols() > 0) qr_.compute(scaled_G_);
+  }
+
+  /// With refinement: near the optimum W is so far from a multiple of 1 that QR alone loses half of
+  /// the digits.
+  void solve(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+    factored(a, b, x, z);
+    VectorXd left_a = a - G_.transpose() * z, left_b = b - G_ * x + W_.times(W_.times(z)), dx, dz;
+    for (int again = 0; again < kRefinements; ++again) {
+      factored(left_a, left_b, dx, dz);
+      const VectorXd next_x = x + dx, next_z = z + dz;
+      const VectorXd next_a = a - G_.transpose() * next_z,
+                     next_b = b - G_ * next_x + W_.times(W_.times(next_z));
+      if (!(next_a.norm() + next_b.norm() < left_a.norm() + left_b.norm())) return;
+      x = next_x;
+      z = next_z;
+      left_a = next_a;
+      left_b = next_b;
+    }
+  }
+
+ private:
+  void factored(const VectorXd& a, const VectorXd& b, VectorXd& x, VectorXd& z) const {
+    const VectorXd scaled_b = W_.divide(b);
+    x = VectorXd::Zero(a.size());
+    if (a.size() > 0) {
+      const Index n = a.size();
+      const auto R = qr_.matrixQR().topRows(n).triangularView<Eigen::Upper>();
+      const VectorXd Qb = (qr_.householderQ().transpose() * scaled_b).head(n);
+      x = R.solve(R.transpose().solve(a) + Qb);
+    }
+    z = W_.divide(scaled_G_ * x - scaled_b);
+  }
+
+  const MatrixXd& G_;
+  const ConeScaling& W_;
+  MatrixXd scaled_G_;
+  Eigen::HouseholderQR<MatrixXd> qr_;
+};
+
+/// The homogeneous embedding:  G'z + c tau = 0,  s + G x = h tau,  c'x + h'z + kappa = 0.
+class Embedding {
+ public:
+  Embedding(const Reduced& p, const std::vector<int>& cones)
+      : p_(p), cones_(cones), e_(internal::cone_identity(cones)), s(e_), z(e_) {
+    x = VectorXd::Zero(p.c.size());
+  }
+
+  void step() {
+    const ConeScaling W(cones_, s, z);
+    const KktSolver kkt(p_.G, W);
+    const VectorXd lambda = W.times(z);
+    const Step toward_h = solve_for(kkt, -p_.c, p_.h);
+    const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
+    const Step affine = direction(kkt, W, lambda, toward_h, 1, pure, -kappa * tau);
+    const double length = step_length(W, lambda, affine, 1);
+    const double sigma = std::pow(1 - length, 3);
+    const VectorXd corrected =
+        pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
+        sigma * gap_per_cone() * e_;
+    const Step full = direction(kkt, W, lambda, toward_h, 1 - sigma, corrected,
+                                -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone());
+    advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
+  }
+
+  [[nodiscard]] VectorXd dual_residual() const { return p_.G.transpose() * z + p_.c * tau; }
+  [[nodiscard]] VectorXd primal_residual() const { return s + p_.G * x - p_.h * tau; }
+  [[nodiscard]] double gap_residual() const { return kappa + p_.c.dot(x) + p_.h.dot(z); }
+
+ private:
+  struct Step {
+    VectorXd x, s, z;
+    double tau = 0, kappa = 0;
+  };
+
+  static Step solve_for(const KktSolver& kkt, const VectorXd& a, const VectorXd& b) {
+    Step step;
+    kkt.solve(a, b, step.x, step.z);
+    return step;
+  }
+
+  [[nodiscard]] double gap_per_cone() const {
+    return (s.dot(z) + kappa * tau) / (static_cast<double>(cones_.size()) + 1);
+  }
+
+  /// Newton's direction that cuts the residuals by `share` and makes lambda o (...) = product.
+  [[nodiscard]] Step direction(const KktSolver& kkt, const ConeScaling& W, const VectorXd& lambda,
+                               const Step& toward_h, double share, const VectorXd& product,
+                               double kappa_tau) const {
+    const VectorXd ratio = internal::cone_quotient(cones_, lambda, product);
+    Step step =
+        solve_for(kkt, -share * dual_residual(), -share * primal_residual() - W.times(ratio));
+    const double left =
+        -share * gap_residual() - kappa_tau / tau - p_.c.dot(step.x) - p_.h.dot(step.z);
+    step.tau = left / (p_.c.dot(toward_h.x) + p_.h.dot(toward_h.z) - kappa / tau);
+    step.x += step.tau * toward_h.x;
+    step.z += step.tau * toward_h.z;
+    step.kappa = (kappa_tau - kappa * step.tau) / tau;
+    step.s = p_.h * step.tau - p_.G * step.x - share * primal_residual();  // keeps feasibility
+    return step;
+  }
+
+  [[nodiscard]] double step_length(const ConeScaling& W, const VectorXd& lambda, const Step& step,
+                                   double most) const {
+    double length = internal::step_to_cone(cones_, lambda, W.divide(step.s), most);
+    length = internal::step_to_cone(cones_, lambda, W.times(step.z), length);
+    if (step.tau < 0) length = std::min(length, -tau / step.tau);
+    if (step.kappa < 0) length = std::min(length, -kappa / step.kappa);
+    return length;
+  }
+
+  void advance(const Step& step, double length) {
+    x += length * step.x;
+    s += length * step.s;
+    z += length * step.z;
+    tau += length * step.tau;
+    kappa += length * step.kappa;
+  }
+
+  const Reduced& p_;
+  const std::vector<int>& cones_;
+  VectorXd e_;
+
+ public:
+  VectorXd x, s, z;
+  double tau = 1, kappa = 1;
+};
+
+struct IterateQuality {
+  double solved;      // KKT residual of (x, s, z) / tau
+  double infeasible;  // of z as a certificate: |G'z| with h'z = -1
+  double unbounded;   // of x as a certificate: |G x + s| with c'x = -1
+};
+
+IterateQuality progress_of(const Reduced& p, const Embedding& e) {
+  const double cx = p.c.dot(e.x) / e.tau, hz = p.h.dot(e.z) / e.tau;
+  const double primal = e.primal_residual().norm() / e.tau / (1 + p.h.norm());
+  const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
+  const double gap = std::abs(cx + hz) / (1 + std::abs(cx));
+  const double hz_raw = p.h.dot(e.z), cx_raw = p.c.dot(e.x);
+  return {largest_or_nan({primal, dual, gap}),
+          hz_raw < 0 ? (p.G.transpose() * e.z).norm() / -hz_raw : kInfinity,
+          cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
+}
+
+struct Core {
+  ConeStatus status = ConeStatus::kStalled;
+  VectorXd v, z;
+  double residual = kInfinity;
+  double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
+  VectorXd infeasible_z, unbounded_v;                    // what they are made of
+  int iterations = 0, last_better = 0;
+};
+
+void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progress) {
+  if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
+    best.last_better = best.iterations;
+  if (progress.infeasible < best.infeasible) best.infeasible_z = e.z;
+  if (progress.unbounded < best.unbounded) best.unbounded_v = e.x;
+  best.infeasible = std::min(best.infeasible, progress.infeasible);
+  best.unbounded = std::min(best.unbounded, progress.unbounded);
+  if (!(progress.solved < best.residual)) return;
+  best.last_better = best.iterations;
+  best.residual = progress.solved;
+  best.v = e.x / e.tau;
+  best.z = e.z / e.tau;
+}
+
+/// What the best iterate and the best certificates show to a tolerance.
+ConeStatus status_of(const Core& best, double tolerance) {
+  if (best.residual <= tolerance) return ConeStatus::kSolved;
+  if (best.infeasible <= tolerance) return ConeStatus::kInfeasible;
+  if (best.unbounded <= tolerance) return ConeStatus::kUnbounded;
+  return ConeStatus::kStalled;
+}
+
+Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
+  Embedding embedding(p, cones);
+  Core best;
+  best.v = VectorXd::Zero(p.c.size());
+  best.z = VectorXd::Zero(p.h.size());
+  for (;; ++best.iterations) {
+    keep_if_better(best, embedding, progress_of(p, embedding));
+    best.status = status_of(best, options.tolerance);
+    if (best.status != ConeStatus::kStalled) return best;
+    const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
+    if (lost || best.iterations == options.most_iterations ||
+        best.iterations - best.last_better > kPatience) {
+      best.status = status_of(best, options.acceptable);
+      return best;
+    }
+    embedding.step();
+  }
+}
+
+/// Multipliers of the equalities, from  A'y = rest.
+VectorXd equality_multipliers(const ConeProgram& p, const VectorXd& rest) {
+  if (p.A.size() == 0) return VectorXd::Zero(p.b.size());
+  return Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A.transpose()).solve(rest);
+}
+
+/// How far parts of v lie outside of their cones.
+double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
+  double worst = 0;
+  Index row = 0;
+  for (const int size : cones) {
+    worst = largest_or_nan(worst, v.segment(row + 1, size - 1).norm() - v(row));
+    row += size;
+  }
+  return worst;
+}
+
+/// KKT conditions of the programme as it was asked, before anything was removed from it.
+double residual_of(const ConeProgram& p, const ConeResult& r) {
+  const auto over = [](double error, double size) { return error / (1 + size); };
+  VectorXd stationary = p.c + p.G.transpose() * r.z;
+  double equalities = 0;
+  if (p.A.size() > 0) {
+    stationary += p.A.transpose() * r.y;
+    equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
+  }
+  return largest_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+                         over(stationary.norm(), p.c.norm()),
+                         over(outside_cones(r.z, p.cones), r.z.norm()),
+                         over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+}
+
+/// How far y and z are from Farkas' proof: with A'y + G'z = e, z in K and -(b'y + h'z) = g > 0, no
+/// x shorter than g / |e| obeys all. @return |e| / g and how far z is outside of K, infinite if
+/// there is no proof
+double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd& z) {
+  VectorXd e = p.G.transpose() * z;
+  double gain = -p.h.dot(z);
+  if (p.A.size() > 0) e += p.A.transpose() * y;
+  if (p.b.size() > 0) gain -= p.b.dot(y);
+  if (!(gain > 0)) return kInfinity;
+  return largest_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
+}
+
+/// How far a direction d is from one along which the objective falls and everything still holds:
+/// A d = 0, -G d in K, c'd < 0. @return what is missing over -c'd, infinite if it does not fall
+double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
+  const double gain = -p.c.dot(d);
+  if (!(gain > 0)) return kInfinity;
+  const double equalities = p.A.size() > 0 ? (p.A * d).norm() : 0;
+  return largest_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
+}
+
+/// What is said before anything is known.
+ConeResult unanswered(const ConeProgram& p) {
+  return {ConeStatus::kStalled,
+          VectorXd::Zero(p.c.size()),
+          VectorXd::Zero(p.b.size()),
+          VectorXd::Zero(p.h.size()),
+          kInfinity,
+          kInfinity,
+          kInfinity,
+          0};
+}
+
+/// Infeasible, if y and z of the result prove it.
+bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
+  result.residual = misses_infeasible(p, result.y, result.z);
+  if (result.residual <= most) result.status = ConeStatus::kInfeasible;
+  return result.status == ConeStatus::kInfeasible;
+}
+
+/// Unbounded, if the objective falls along a direction, and there is a point to start from; that
+/// there is none may come out instead.
+bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const ConeOptions& options,
+                      double most, ConeResult& result) {
+  const double missing = misses_unbounded(p, direction);
+  if (!(missing <= most)) return false;
+  ConeProgram without_objective = p;
+  without_objective.c.setZero();
+  const ConeResult point = solve(without_objective, options);
+  if (point.status == ConeStatus::kInfeasible) result = point;
+  if (point.status != ConeStatus::kSolved) return point.status == ConeStatus::kInfeasible;
+  result.status = ConeStatus::kUnbounded;
+  result.residual = missing;
+  result.objective = result.dual = -kInfinity;
+  return true;
+}
+
+}  // namespace
+
+ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
+  check(program);
+  const double most = 10 * options.acceptable;
+  const Presolve pre = presolve(program);
+  ConeResult result = unanswered(program);
+  if (!pre.reduced) {
+    result.y = pre.misfit;
+    (void)settle_infeasible(program, most, result);
+    return result;
+  }
+  const Core core = solve_reduced(*pre.reduced, program.cones, options);
+  const MatrixXd& N = pre.reduced->N;
+  result.iterations = core.iterations;
+  result.x = pre.reduced->x0 + N * core.v;
+
+  // That there is no point, or no least one, the method does not say on its own word.
+  if (core.status == ConeStatus::kInfeasible) {
+    result.z = core.infeasible_z;
+    result.y = equality_multipliers(program, -program.G.transpose() * result.z);
+    if (settle_infeasible(program, most, result)) return result;
+  }
+  const bool falls = core.status == ConeStatus::kSolved && pre.falling.size() > 0;
+  if ((core.status == ConeStatus::kUnbounded || falls) &&
+      settle_unbounded(program, falls ? pre.falling : VectorXd(N * core.unbounded_v), options, most,
+                       result))
+    return result;
+
+  result.z = core.z;
+  result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
+  result.objective = program.c.dot(result.x);
+  result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
+  result.residual = largest_or_nan(core.residual, residual_of(program, result));
+  if (core.status == ConeStatus::kSolved && !falls && result.residual <= most)
+    result.status = ConeStatus::kSolved;
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,300 @@
+#include "solvers/least_squares.h"
+
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <Eigen/QR>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+struct MethodName {
+  FitMethod method;
+  const char* name;
+};
+constexpr std::array kLeastSquaresMethods{
+    MethodName{FitMethod::kCeres, "ceres"}, MethodName{FitMethod::kNloptLocal, "nlopt"},
+    MethodName{FitMethod::kNloptGlobal, "nlopt-global"}, MethodName{FitMethod::kIpopt, "ipopt"}};
+
+Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
+                  const SolveOptions& options) {
+  switch (options.method) {
+    case FitMethod::kCeres:
+      return internal::solve_ceres(problem, start, options);
+    case FitMethod::kIpopt:
+      return internal::solve_ipopt_fit(problem, start, options);
+    default:
+      return internal::solve_nlopt(problem, start, options);
+  }
+}
+
+/// A solver that knows no constraints at least says which its answer breaks.
+void tell_broken_constraints(const LeastSquares& problem, Solution& solution) {
+  if (!problem.constraints) return;
+  constexpr double kSlack = 1e-9;  // of rounding in scaled constraints [1]
+  const Eigen::VectorXd c = problem.constraints(solution.z).c;
+  const auto broken = ((c.array() < problem.c_lower.array() - kSlack) ||
+                       (c.array() > problem.c_upper.array() + kSlack))
+                          .count();
+  if (broken > 0)
+    solution.message +=
+        fmt::format("; breaks {} of {} constraints, which only ipopt honours", broken, c.size());
+}
+
+/// Coordinates whose bounds leave them room to move.
+std::vector<int> find_free(const LeastSquares& problem) {
+  constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
+  std::vector<int> free;
+  for (Eigen::Index i = 0; i < problem.lower.size(); ++i)
+    if (problem.upper[i] - problem.lower[i] > kRoom || !std::isfinite(problem.lower[i]))
+      free.push_back(static_cast<int>(i));
+  return free;
+}
+
+/// The problem of the free coordinates, all others held where `at` has them.
+LeastSquares reduce(const LeastSquares& problem, const std::vector<int>& free,
+                    const Eigen::VectorXd& at) {
+  const auto whole = [free, at](const Eigen::VectorXd& some) {
+    Eigen::VectorXd z = at;
+    z(free) = some;
+    return z;
+  };
+  LeastSquares rest;
+  rest.lower = problem.lower(free);
+  rest.upper = problem.upper(free);
+  rest.residuals = [&problem, free, whole](const Eigen::VectorXd& some, WithJacobian want) {
+    Residuals out = problem.residuals(whole(some), want);
+    if (want == WithJacobian::kYes) out.J = out.J(Eigen::all, free).eval();
+    return out;
+  };
+  if (!problem.constraints) return rest;
+  rest.c_lower = problem.c_lower;
+  rest.c_upper = problem.c_upper;
+  rest.constraints = [&problem, free, whole](const Eigen::VectorXd& some) {
+    ConstraintValues out = problem.constraints(whole(some));
+    out.C = out.C(Eigen::all, free).eval();
+    return out;
+  };
+  return rest;
+}
+
+/// Where nothing can move, the start is the answer.
+Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
+  Solution solution;
+  solution.z = start;
+  solution.cost = 0.5 * problem.residuals(start, WithJacobian::kNo).r.squaredNorm();
+  solution.status = SolveStatus::kConverged;
+  solution.message = "bounds leave nothing to move";
+  solution.evaluations = 1;
+  return solution;
+}
+
+/// Does the gradient push a coordinate against a bound it lies on?
+bool held(const LeastSquares& problem, const Eigen::VectorXd& z, double gradient, Eigen::Index i) {
+  constexpr double kOn = 1e-6;  // interior-point solvers stop a little short [1]
+  if (problem.upper[i] - problem.lower[i] <= kOn) return true;
+  return (z[i] < problem.lower[i] + kOn && gradient > 0) ||
+         (z[i] > problem.upper[i] - kOn && gradient < 0);
+}
+
+/// Length of the step that is left where coordinates meet no constraints.
+double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostSlopes slopes) {
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (held(problem, z, slopes.gradient[i], i)) hold_coordinate(slopes, i);
+  return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
+}
+
+/// Rows of constraints that hold the step back, those that let go left out.
+Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
+                            const Eigen::VectorXd& gradient) {
+  constexpr double kOn = 1e-5;  // of scaled constraints [1]
+  const ConstraintValues at = problem.constraints(z);
+  std::vector<Eigen::Index> active;
+  for (Eigen::Index k = 0; k < at.c.size(); ++k)
+    if (at.c[k] < problem.c_lower[k] + kOn || at.c[k] > problem.c_upper[k] - kOn)
+      active.push_back(k);
+  // Drop what pulls instead of pushing, the strongest first.
+  while (!active.empty()) {
+    const Eigen::MatrixXd rows = at.C(active, Eigen::all);
+    const Eigen::VectorXd push = rows.transpose().completeOrthogonalDecomposition().solve(gradient);
+    Eigen::Index worst = -1;
+    double most = 1e-9 * push.cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < push.size(); ++k) {
+      const bool lower = at.c[active[k]] < problem.c_lower[active[k]] + kOn;
+      const double pull = lower ? -push[k] : push[k];
+      if (pull > most) {
+        most = pull;
+        worst = k;
+      }
+    }
+    if (worst < 0) return rows;
+    active.erase(active.begin() + worst);
+  }
+  return {0, z.size()};
+}
+
+/// Orthonormal directions that the rows of A leave, which may hang on each other.
+Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
+  if (A.size() == 0) return Eigen::MatrixXd::Identity(A.cols(), A.cols());
+  constexpr double kDependent = 1e-9;  // of the largest pivot: a row that the others hold [1]
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(A.transpose());
+  qr.setThreshold(kDependent);
+  const Eigen::MatrixXd Q = qr.householderQ();
+  return Q.rightCols(A.cols() - qr.rank());
+}
+
+/// The same where constraints are: within what the active ones leave.
+double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
+                        const CostSlopes& slopes) {
+  std::vector<Eigen::Index> free;
+  for (Eigen::Index i = 0; i < z.size(); ++i)
+    if (!held(problem, z, slopes.gradient[i], i)) free.push_back(i);
+  const Eigen::VectorXd gradient = slopes.gradient(free);
+  const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
+  const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
+  const Eigen::MatrixXd basis = null_basis(A);
+  if (basis.cols() == 0) return 0;
+  const ArrowLayout layout{static_cast<int>(basis.cols())};
+  return ArrowFactor(layout, {{-1, J * basis, {}}}).whiten(basis.transpose() * gradient).norm();
+}
+
+/// Gradient and Jacobian at z; none where the residuals have no Jacobian.
+std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  CostSlopes out;
+  out.gradient = Eigen::VectorXd::Zero(z.size());
+  if (problem.parts.empty()) {
+    Residuals at = problem.residuals(z, WithJacobian::kYes);
+    if (at.J.rows() != at.r.size()) return {};
+    out.layout.shared = static_cast<int>(z.size());
+    out.cost = 0.5 * at.r.squaredNorm();
+    out.gradient = at.J.transpose() * at.r;
+    out.rows.push_back({-1, std::move(at.J), {}});
+    return out;
+  }
+  out.layout = problem.layout;
+  const int shared = out.layout.shared, own = out.layout.own;
+  for (const ResidualPart& part : problem.parts) {
+    const Residuals at = part.residuals(z, WithJacobian::kYes);
+    out.cost += 0.5 * at.r.squaredNorm();
+    out.gradient.head(shared) += at.J.leftCols(shared).transpose() * at.r;
+    out.rows.push_back({part.block, at.J.leftCols(shared), {}});
+    if (part.block < 0) continue;
+    out.gradient.segment(out.layout.first(part.block), own) +=
+        at.J.rightCols(own).transpose() * at.r;
+    out.rows.back().own = at.J.rightCols(own);
+  }
+  return out;
+}
+
+/// Certifies z, and says so in the status.
+void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+  solution.newton_step = std::nan("");
+  const std::optional<CostSlopes> found = slopes_if_any(problem, solution.z);
+  if (!found) return;
+  const CostSlopes& slopes = *found;
+  const bool constrained = problem.constraints && options.method == FitMethod::kIpopt;
+  solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
+                                     : free_step(problem, solution.z, slopes);
+  constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
+  const double allowed = std::max(kStep, std::sqrt(20 * options.tolerance * solution.cost));
+  if (solution.status == SolveStatus::kConverged && !(solution.newton_step <= allowed)) {
+    solution.status = SolveStatus::kStalled;
+    solution.message += fmt::format("; but a step of {:.2g} sds is left", solution.newton_step);
+  }
+}
+
+/// Ceres once more from where it stalled, to the end of its digits.
+void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+  SolveOptions strict = options;
+  strict.tolerance = std::min(options.tolerance, 1e-15);
+  const Solution first = solution;
+  solution = internal::solve_ceres(problem, first.z, strict);
+  solution.evaluations += first.evaluations;
+  certify(problem, options, solution);
+}
+
+/// Solves for what bounds leave free: some solvers fail where a lower bound is the upper one.
+Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
+                    const SolveOptions& options) {
+  const std::vector<int> free = find_free(problem);
+  if (free.empty()) return stay(problem, start);
+  const bool blocks = options.method == FitMethod::kCeres && !problem.parts.empty();
+  if (static_cast<Eigen::Index>(free.size()) == start.size() || blocks)
+    return dispatch(problem, start, options);
+  Solution solution = dispatch(reduce(problem, free, start), start(free), options);
+  Eigen::VectorXd z = start;
+  z(free) = solution.z;
+  solution.z = z;
+  return solution;
+}
+
+}  // namespace
+
+void hold_coordinate(CostSlopes& slopes, Eigen::Index i) {
+  const ArrowLayout& layout = slopes.layout;
+  const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
+  const Eigen::Index at = block < 0 ? i : i - layout.first(block);
+  slopes.gradient[i] = 0;
+  for (ArrowRows& rows : slopes.rows) {
+    if (block < 0) rows.shared.col(at).setZero();
+    if (block >= 0 && rows.block == block) rows.own.col(at).setZero();
+  }
+  ArrowRows unit{block, Eigen::MatrixXd::Zero(1, layout.shared),
+                 Eigen::MatrixXd::Zero(1, block < 0 ? 0 : layout.own)};
+  (block < 0 ? unit.shared : unit.own)(0, at) = 1;
+  slopes.rows.push_back(std::move(unit));
+}
+
+CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z) {
+  std::optional<CostSlopes> slopes = slopes_if_any(problem, z);
+  require(slopes.has_value(), "residuals have no Jacobian");
+  return std::move(*slopes);
+}
+
+Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
+               const SolveOptions& options) {
+  require(start.size() == problem.lower.size() && start.allFinite(),
+          "start needs {} finite entries, got {}", problem.lower.size(), start.size());
+  for (Eigen::Index i = 0; i < start.size(); ++i)
+    require(problem.lower[i] <= problem.upper[i], "bounds {} .. {} of coordinate {} are crossed",
+            problem.lower[i], problem.upper[i], i);
+  require(options.tolerance > 0 && std::isfinite(options.tolerance),
+          "tolerance must be > 0, got {}", options.tolerance);
+  const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
+  require(problem.residuals(inside, WithJacobian::kNo).r.allFinite(),
+          "residuals at the start are not finite");
+  const auto begin = std::chrono::steady_clock::now();
+  Solution solution = solve_free(problem, inside, options);
+  certify(problem, options, solution);
+  if (solution.status == SolveStatus::kStalled && options.method == FitMethod::kCeres)
+    go_on(problem, options, solution);
+  if (options.method != FitMethod::kIpopt) tell_broken_constraints(problem, solution);
+  solution.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return solution;
+}
+
+FitMethod fit_method(const std::string& name) {
+  for (const MethodName& known : kLeastSquaresMethods)
+    if (name == known.name) return known.method;
+  throw InputError(
+      fmt::format("no fit method '{}'; there are ceres, nlopt, nlopt-global, ipopt", name));
+}
+
+std::string name_of(FitMethod method) {
+  for (const MethodName& known : kLeastSquaresMethods)
+    if (method == known.method) return known.name;
+  return {};
+}
+
+std::string name_of(SolveStatus status) {
+  constexpr std::array kNames{"converged", "limit reached", "stopped", "failed", "not stationary"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+}  // namespace thenar

@@ -1,0 +1,121 @@
+#pragma once
+
+/// min 1/2 |r(z)|^2 within bounds, and what the solvers say of it.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/progress.h"
+#include "solvers/arrow_factor.h"
+
+namespace thenar {
+
+enum class WithJacobian { kNo, kYes };
+
+/// Residuals r and, when asked for, J = dr/dz.
+struct Residuals {
+  Eigen::VectorXd r;  // (rows)
+  Eigen::MatrixXd J;  // (rows, n); empty if not asked for
+};
+
+/// Smooth constraints  lower <= c(z) <= upper, with C = dc/dz.
+struct ConstraintValues {
+  Eigen::VectorXd c;  // (constraints)
+  Eigen::MatrixXd C;  // (constraints, n)
+};
+
+/// Residuals that hang on the shared coordinates of a layout and on those of one block.
+struct ResidualPart {
+  int block = -1;  // -1: shared coordinates alone
+  /// r and J by the shared coordinates, then by the block's own; looks at no other entry of z.
+  std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
+};
+
+/// A least-squares problem, however it came about.
+struct LeastSquares {
+  Eigen::VectorXd lower, upper;  // bounds, may be infinite (n)
+  std::function<Residuals(const Eigen::VectorXd& z, WithJacobian want)> residuals;
+  Eigen::VectorXd c_lower, c_upper;  // of the constraints; empty: none
+  std::function<ConstraintValues(const Eigen::VectorXd& z)> constraints;
+  ArrowLayout layout;               // of `parts`
+  std::vector<ResidualPart> parts;  // all residuals once more, where they come in blocks; may be
+                                    // empty: solvers that know blocks take them instead
+};
+
+/// Gradient and Jacobian of the cost at z, in blocks where the problem has them.
+struct CostSlopes {
+  double cost = 0;              // 1/2 |r|^2 [1]
+  Eigen::VectorXd gradient;     // J'r (n)
+  ArrowLayout layout;           // of the rows
+  std::vector<ArrowRows> rows;  // J
+};
+
+/// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
+void hold_coordinate(CostSlopes& slopes, Eigen::Index i);
+
+/// @throws InputError if the residuals have no Jacobian.
+[[nodiscard]] CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z);
+
+/// Which solver. All minimise the same function; only Ipopt honours constraints.
+enum class FitMethod {
+  kCeres,        // Levenberg-Marquardt with exact derivatives
+  kNloptLocal,   // BOBYQA: local, without derivatives
+  kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
+  kIpopt         // interior point, Gauss-Newton Hessian; with constraints
+};
+
+struct SolveOptions {
+  FitMethod method = FitMethod::kCeres;
+  int max_evaluations = 0;  // of the residuals; 0: the method's own limit
+  double tolerance = 1e-8;  // relative change of the cost at which to stop [1]
+  unsigned seed = 1;        // of the global search
+  Progress progress;
+};
+
+enum class SolveStatus {
+  kConverged,  // as certified: see Solution::newton_step
+  kLimit,
+  kStopped,
+  kFailed,
+  kStalled  // the solver says that it has converged, the first-order conditions that it has not
+};
+
+/// The best point found, whatever happened.
+struct [[nodiscard]] Solution {
+  Eigen::VectorXd z;  // (n)
+  double cost = 0;    // 1/2 |r|^2 [1]
+  SolveStatus status = SolveStatus::kFailed;
+  std::string message;     // the solver's own words
+  int evaluations = 0;     // of the residuals
+  double seconds = 0;      // wall time [s]
+  double newton_step = 0;  // length of the Gauss-Newton step that bounds and active constraints
+                           // leave at z, in sds of exp(-cost); NaN: no Jacobian [1]
+};
+
+/// Minimises from `start` (n), which is first brought within the bounds; where a lower bound is the
+/// upper one, the coordinate is held.
+///
+/// What a solver calls converged is certified: with F the coordinates that no bound holds against
+/// the gradient g, the step left is  sqrt(g_F' (J_F'J_F)^-1 g_F), and must be below 0.01 or
+/// sqrt(20 tolerance cost). If it is not, Ceres goes on from there, more strictly; then the status
+/// is kStalled.
+/// @throws InputError if shapes disagree, bounds are crossed, start is not finite, or the residuals
+/// at it are not.
+Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
+               const SolveOptions& options = {});
+
+/// "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError for another name.
+[[nodiscard]] FitMethod fit_method(const std::string& name);
+[[nodiscard]] std::string name_of(FitMethod method);
+[[nodiscard]] std::string name_of(SolveStatus status);
+
+namespace internal {
+Solution solve_ceres(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+Solution solve_ipopt_fit(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+}  // namespace internal
+
+}  // namespace thenar

@@ -1,0 +1,159 @@
+#include <vector>
+
+#include <ceres/ceres.h>
+
+#include "solvers/least_squares.h"
+
+namespace thenar::internal {
+namespace {
+
+using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Some of the residuals, with their exact Jacobian by the shared coordinates and by one block.
+class Cost final : public ceres::CostFunction {
+ public:
+  Cost(const ResidualPart& part, const ArrowLayout& layout, int rows, int& evaluations)
+      : part_(part), layout_(layout), evaluations_(evaluations) {
+    set_num_residuals(rows);
+    mutable_parameter_block_sizes()->push_back(layout.shared);
+    if (part.block >= 0) mutable_parameter_block_sizes()->push_back(layout.own);
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals,
+                double** jacobians) const override {
+    // Entries of other blocks are not looked at.
+    const bool own = part_.block >= 0;
+    Eigen::VectorXd z = Eigen::VectorXd::Zero(layout_.size());
+    z.head(layout_.shared) = Eigen::Map<const Eigen::VectorXd>(parameters[0], layout_.shared);
+    if (own)
+      z.segment(layout_.first(part_.block), layout_.own) =
+          Eigen::Map<const Eigen::VectorXd>(parameters[1], layout_.own);
+    const Residuals out =
+        part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
+    ++evaluations_;
+    Eigen::Map<Eigen::VectorXd>(residuals, out.r.size()) = out.r;
+    if (jacobians != nullptr && jacobians[0] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), layout_.shared) =
+          out.J.leftCols(layout_.shared);
+    if (jacobians != nullptr && own && jacobians[1] != nullptr)
+      Eigen::Map<RowMajor>(jacobians[1], out.J.rows(), layout_.own) = out.J.rightCols(layout_.own);
+    return out.r.allFinite();  // a step into nonsense is shortened, not taken
+  }
+
+ private:
+  const ResidualPart& part_;
+  const ArrowLayout& layout_;
+  int& evaluations_;
+};
+
+/// Reports every iteration and passes a stop request on.
+class Listener final : public ceres::IterationCallback {
+ public:
+  Listener(const Progress& progress, int limit) : progress_(progress), limit_(limit) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary& summary) override {
+    progress_(static_cast<double>(summary.iteration) / limit_, "ceres");
+    return progress_.stop() ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+ private:
+  const Progress& progress_;
+  int limit_;
+};
+
+SolveStatus status_of(const ceres::Solver::Summary& summary) {
+  switch (summary.termination_type) {
+    case ceres::CONVERGENCE:
+      return SolveStatus::kConverged;
+    case ceres::NO_CONVERGENCE:
+      return SolveStatus::kLimit;
+    case ceres::USER_SUCCESS:
+      return SolveStatus::kStopped;
+    default:
+      return SolveStatus::kFailed;
+  }
+}
+
+}  // namespace
+
+namespace {
+
+/// Bounds of one parameter block of Ceres; where they leave no room, the coordinate is held.
+void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
+  constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
+  std::vector<int> held;
+  for (int i = 0; i < count; ++i) {
+    const double lower = problem.lower[first + i], upper = problem.upper[first + i];
+    if (upper - lower <= kRoom) {
+      held.push_back(i);
+      continue;
+    }
+    if (std::isfinite(lower)) ceres.SetParameterLowerBound(z, i, lower);
+    if (std::isfinite(upper)) ceres.SetParameterUpperBound(z, i, upper);
+  }
+  if (static_cast<int>(held.size()) == count)
+    ceres.SetParameterBlockConstant(z);
+  else if (!held.empty())
+    ceres.SetManifold(z, new ceres::SubsetManifold(count, held));
+}
+
+/// The blocks of a problem; an ordinary one is a single part that knows all coordinates.
+struct Blocks {
+  ArrowLayout layout;
+  std::vector<ResidualPart> parts;
+};
+Blocks blocks_of(const LeastSquares& problem) {
+  if (!problem.parts.empty()) return {problem.layout, problem.parts};
+  return {{static_cast<int>(problem.lower.size())}, {{-1, problem.residuals}}};
+}
+
+}  // namespace
+
+Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
+                     const SolveOptions& options) {
+  const Blocks blocks = blocks_of(problem);
+  const ArrowLayout& layout = blocks.layout;
+  Solution solution;
+  solution.z = start;
+
+  // Each part of the residuals sees the shared coordinates and those of its block.
+  ceres::Problem ceres_problem;
+  double* z = solution.z.data();
+  int calls = 0;
+  for (const ResidualPart& part : blocks.parts) {
+    const auto rows = static_cast<int>(part.residuals(start, WithJacobian::kNo).r.size());
+    std::vector<double*> of{z};
+    if (part.block >= 0) of.push_back(z + layout.first(part.block));
+    ceres_problem.AddResidualBlock(new Cost(part, layout, rows, calls), nullptr, of);
+  }
+  bound(problem, 0, layout.shared, z, ceres_problem);
+  for (int b = 0; b < layout.blocks; ++b)
+    bound(problem, layout.first(b), layout.own, z + layout.first(b), ceres_problem);
+
+  // Blocks are eliminated one by one; what is left is as large as what they share.
+  ceres::Solver::Options settings;
+  settings.linear_solver_type =
+      layout.blocks > 0 ? ceres::DENSE_SCHUR : ceres::DENSE_NORMAL_CHOLESKY;
+  if (layout.blocks > 0) {
+    auto* order = new ceres::ParameterBlockOrdering;
+    order->AddElementToGroup(z, 1);
+    for (int b = 0; b < layout.blocks; ++b) order->AddElementToGroup(z + layout.first(b), 0);
+    settings.linear_solver_ordering.reset(order);
+  }
+  settings.max_num_iterations = options.max_evaluations > 0 ? options.max_evaluations : 500;
+  settings.function_tolerance = options.tolerance;
+  settings.parameter_tolerance = 1e-12;
+  settings.gradient_tolerance = 1e-10;
+  settings.logging_type = ceres::SILENT;
+  Listener listener(options.progress, settings.max_num_iterations);
+  settings.callbacks.push_back(&listener);
+  ceres::Solver::Summary summary;
+  ceres::Solve(settings, &ceres_problem, &summary);
+
+  solution.evaluations = calls / static_cast<int>(blocks.parts.size());
+  solution.cost = summary.final_cost;
+  solution.status = status_of(summary);
+  solution.message = summary.message;
+  return solution;
+}
+
+}  // namespace thenar::internal

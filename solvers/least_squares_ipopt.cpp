@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "solvers/least_squares.h"
+#include "solvers/nonlinear_program.h"
+
+namespace thenar::internal {
+namespace {
+
+/// Thrown through the solver to leave it; the best point is kept by then.
+struct StopRequested {};
+
+/// Remembers residuals at the last point, since cost, gradient and Hessian ask for the same one.
+class Evaluator {
+ public:
+  Evaluator(const LeastSquares& problem, const SolveOptions& options, Solution& best)
+      : problem_(problem), options_(options), best_(best) {}
+
+  const Residuals& at(const Eigen::VectorXd& z) {
+    if (z_.size() == z.size() && z_ == z) return last_;
+    z_ = z;
+    last_ = problem_.residuals(z, WithJacobian::kYes);
+    ++best_.evaluations;
+    keep_best();
+    options_.progress(0, "ipopt");
+    if (options_.progress.stop()) throw StopRequested();
+    return last_;
+  }
+
+ private:
+  /// For whoever stops half-way: the lowest cost yet that honours the constraints.
+  void keep_best() {
+    constexpr double kSlack = 1e-6;  // of scaled constraints [1]
+    const double cost = 0.5 * last_.r.squaredNorm();
+    if (!(best_.evaluations == 1 || cost < best_.cost)) return;
+    if (problem_.constraints && best_.evaluations > 1) {
+      const Eigen::VectorXd c = problem_.constraints(z_).c;
+      if ((c.array() < problem_.c_lower.array() - kSlack).any()) return;
+      if ((c.array() > problem_.c_upper.array() + kSlack).any()) return;
+    }
+    best_.cost = cost;
+    best_.z = z_;
+  }
+
+  const LeastSquares& problem_;
+  const SolveOptions& options_;
+  Solution& best_;
+  Eigen::VectorXd z_;
+  Residuals last_;
+};
+
+NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
+  NonlinearProgram program;
+  program.lower = problem.lower;
+  program.upper = problem.upper;
+  program.row_lower = problem.c_lower;
+  program.row_upper = problem.c_upper;
+  program.objective = [&](const Eigen::VectorXd& z) {
+    return 0.5 * evaluator.at(z).r.squaredNorm();
+  };
+  program.gradient = [&](const Eigen::VectorXd& z) -> Eigen::VectorXd {
+    const Residuals& now = evaluator.at(z);
+    return now.J.transpose() * now.r;
+  };
+  // Gauss-Newton: the curvature of residuals and constraints is left out.
+  program.hessian = [&](const Eigen::VectorXd& z, double factor, const Eigen::VectorXd&) {
+    const Residuals& now = evaluator.at(z);
+    return Eigen::MatrixXd(factor * now.J.transpose() * now.J);
+  };
+  if (problem.constraints) {
+    program.constraints = [&](const Eigen::VectorXd& z) { return problem.constraints(z).c; };
+    program.jacobian = [&](const Eigen::VectorXd& z) { return problem.constraints(z).C; };
+  }
+  return program;
+}
+
+SolveStatus status_of(NonlinearStatus status) {
+  if (status == NonlinearStatus::kSolved || status == NonlinearStatus::kAcceptable)
+    return SolveStatus::kConverged;
+  return status == NonlinearStatus::kStalled ? SolveStatus::kLimit : SolveStatus::kFailed;
+}
+
+}  // namespace
+
+Solution solve_ipopt_fit(const LeastSquares& problem, const Eigen::VectorXd& start,
+                         const SolveOptions& options) {
+  Solution best;
+  best.z = start;
+  Evaluator evaluator(problem, options, best);
+  NonlinearOptions settings;
+  // At a minimum of whitened coordinates the scaled gradient falls with the change of the cost.
+  settings.tolerance = options.tolerance;
+  settings.acceptable_tolerance = std::max(1e-7, 10 * options.tolerance);
+  if (options.max_evaluations > 0) settings.max_iterations = options.max_evaluations;
+  try {
+    const NonlinearResult result =
+        thenar::solve_ipopt(program_of(problem, evaluator), start, settings);
+    best.z = result.x;
+    best.status = status_of(result.status);
+    best.message = result.message;
+  } catch (const StopRequested&) {
+    best.status = SolveStatus::kStopped;
+    best.message = "stopped";
+  }
+  best.cost = 0.5 * problem.residuals(best.z, WithJacobian::kNo).r.squaredNorm();
+  return best;
+}
+
+}  // namespace thenar::internal

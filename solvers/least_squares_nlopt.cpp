@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <cmath>
+
+#include <nlopt.hpp>
+
+#include "solvers/least_squares.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr double kFarAway = 8;  // stands for an infinite bound of a standard normal coordinate
+
+/// What the C callback needs; remembers the best point, because a stop throws it away.
+struct Context {
+  const LeastSquares& problem;
+  const SolveOptions& options;
+  nlopt::opt& optimiser;
+  int limit;
+  Solution& best;
+};
+
+double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, void* data) {
+  auto& context = *static_cast<Context*>(data);
+  const Eigen::VectorXd z =
+      Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+  const double value = 0.5 * context.problem.residuals(z, WithJacobian::kNo).r.squaredNorm();
+  Solution& best = context.best;
+  if (++best.evaluations == 1 || value < best.cost) {
+    best.cost = value;
+    best.z = z;
+  }
+  if (best.evaluations % 100 == 0)
+    context.options.progress(static_cast<double>(best.evaluations) / context.limit, "nlopt");
+  if (context.options.progress.stop()) context.optimiser.force_stop();
+  return std::isfinite(value) ? value : HUGE_VAL;
+}
+
+/// Brings bounds or a start within what the solver can search.
+std::vector<double> finite(const Eigen::VectorXd& z) {
+  const Eigen::VectorXd near = z.cwiseMax(-kFarAway).cwiseMin(kFarAway);
+  return {near.data(), near.data() + near.size()};
+}
+
+/// Half a prior sd, or less where the bounds are close: the search must fit in twice over.
+std::vector<double> first_steps(const LeastSquares& problem) {
+  const std::vector<double> lower = finite(problem.lower), upper = finite(problem.upper);
+  std::vector<double> steps;
+  for (std::size_t i = 0; i < lower.size(); ++i)
+    steps.push_back(std::min(0.5, (upper[i] - lower[i]) / 4));
+  return steps;
+}
+
+/// One run of one algorithm from best.z; updates best.
+void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOptions& options,
+         int limit, Solution& best) {
+  nlopt::opt optimiser(algorithm, static_cast<unsigned>(best.z.size()));
+  Context context{problem, options, optimiser, limit, best};
+  optimiser.set_min_objective(cost, &context);
+  optimiser.set_lower_bounds(finite(problem.lower));
+  optimiser.set_upper_bounds(finite(problem.upper));
+  optimiser.set_maxeval(limit);
+  optimiser.set_ftol_rel(options.tolerance);
+  if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(first_steps(problem));
+  std::vector<double> x = finite(best.z);
+  double value = 0;
+  try {
+    const nlopt::result result = optimiser.optimize(x, value);
+    best.status = result == nlopt::MAXEVAL_REACHED ? SolveStatus::kLimit : SolveStatus::kConverged;
+    best.message = nlopt_result_to_string(static_cast<nlopt_result>(result));
+  } catch (const nlopt::forced_stop&) {
+    best.status = SolveStatus::kStopped;
+    best.message = "stopped";
+  } catch (const nlopt::roundoff_limited&) {
+    best.status = SolveStatus::kConverged;
+    best.message = "limited by rounding";
+  } catch (const std::exception& e) {
+    best.status = SolveStatus::kFailed;
+    best.message = e.what();
+  }
+}
+
+}  // namespace
+
+Solution solve_nlopt(const LeastSquares& problem, const Eigen::VectorXd& start,
+                     const SolveOptions& options) {
+  Solution best;
+  best.z = start;
+  const int n = static_cast<int>(start.size());
+  const int limit = options.max_evaluations > 0 ? options.max_evaluations : 500 * (n + 10);
+  nlopt::srand(options.seed);
+  if (options.method == FitMethod::kNloptGlobal)
+    run(nlopt::GN_CRS2_LM, problem, options, limit, best);
+  if (best.status != SolveStatus::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);
+  return best;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,135 @@
+#include "solvers/linear_certificate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/LU>
+
+#include "base/numbers.h"
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+
+constexpr double kFeasible = 1e-12;   // of max(1, terms of the row)
+constexpr double kPriced = 1e-11;     // of max(1, terms of the price)
+constexpr double kGap = 1e-11;        // of max(1, |objective|)
+constexpr int kBasisRefinements = 2;  // of a linear system: rounding is reached after one
+
+/// Column k of [A, -1].
+VectorXd column(const LinearProgram& program, Index k) {
+  const Index n = program.A.cols();
+  return k < n ? VectorXd(program.A.col(k)) : VectorXd(-VectorXd::Unit(program.A.rows(), k - n));
+}
+
+/// S x = b, with residuals in long double.
+template <typename Solver>
+VectorXd refined(const Solver& solver, const MatrixXd& S, const LongVector& b) {
+  LongVector x = LongVector::Zero(b.size());
+  for (int k = 0; k <= kBasisRefinements; ++k) {
+    const LongVector residual = b - S.cast<long double>() * x;
+    x += solver.solve(VectorXd(residual.cast<double>())).template cast<long double>();
+  }
+  return x.cast<double>();
+}
+
+/// One price and the variable that it pushes to a bound.
+struct Push {
+  long double price;
+  double terms;  // sum of what the price was computed from, absolute
+  double value, lower, upper;
+};
+
+void add(const Push& push, LinearCertificate& certificate) {
+  const auto price = static_cast<double>(std::abs(push.price));
+  const double bound = push.price > 0 ? push.upper : push.lower;
+  if (price == 0) return;
+  if (std::isfinite(bound)) {
+    certificate.gap += price * std::abs(bound - push.value);
+    return;
+  }
+  certificate.unpriced = largest_or_nan(certificate.unpriced, price / std::max(1.0, push.terms));
+  certificate.gap += price * std::abs(push.value);
+}
+
+double violation(double value, double lower, double upper, double terms) {
+  return largest_or_nan({0.0, lower - value, value - upper}) / std::max(1.0, terms);
+}
+
+}  // namespace
+
+PricedPoint vertex_of(const LinearProgram& program, const Basis& basis) {
+  const Index n = program.A.cols(), rows = program.A.rows();
+  VectorXd all = basis.at, costs = VectorXd::Zero(n + rows), basic_costs(rows);
+  costs.head(n) = program.objective;
+  MatrixXd B(rows, rows);
+  for (Index k = 0; k < rows; ++k) {
+    const Index variable = basis.basic[static_cast<std::size_t>(k)];
+    B.col(k) = column(program, variable);
+    basic_costs(k) = costs(variable);
+    all(variable) = 0;
+  }
+  if (rows == 0) return {all.cwiseMax(program.lower).cwiseMin(program.upper), VectorXd(0)};
+
+  // What the others leave for the basic variables, and the prices that make these indifferent.
+  const LongVector others = all.cast<long double>();
+  const LongVector left = others.tail(rows) - program.A.cast<long double>() * others.head(n);
+  const Eigen::PartialPivLU<MatrixXd> lu(B);
+  const VectorXd values = refined(lu, B, left);
+  const MatrixXd B_turned = B.transpose();
+  const Eigen::PartialPivLU<MatrixXd> lu_turned(B_turned);
+  const VectorXd prices = refined(lu_turned, B_turned, basic_costs.cast<long double>());
+
+  for (Index k = 0; k < rows; ++k) all(basis.basic[static_cast<std::size_t>(k)]) = values(k);
+  const VectorXd x = all.head(n);
+  if (!x.allFinite()) return {x, prices};
+  return {x.cwiseMax(program.lower).cwiseMin(program.upper), prices};
+}
+
+LinearCertificate certify(const LinearProgram& program, const PricedPoint& point) {
+  LinearCertificate certificate{0, 0, 0};
+  const VectorXd &x = point.x, &y = point.prices;
+  if (!x.allFinite() || !y.allFinite()) {
+    return {kNaN, kNaN, kNaN};
+  }
+  const auto largest = [&](double value) {
+    certificate.violation = largest_or_nan(certificate.violation, value);
+  };
+
+  // Columns: what is left of the objective after the rows are paid.
+  for (Index j = 0; j < x.size(); ++j) {
+    long double price = program.objective(j);
+    double terms = std::abs(program.objective(j));
+    for (Index i = 0; i < y.size(); ++i) {
+      price -= static_cast<long double>(program.A(i, j)) * y(i);
+      terms += std::abs(program.A(i, j) * y(i));
+    }
+    largest(violation(x(j), program.lower(j), program.upper(j), std::abs(x(j))));
+    add({price, terms, x(j), program.lower(j), program.upper(j)}, certificate);
+  }
+
+  // Rows.
+  for (Index i = 0; i < y.size(); ++i) {
+    long double activity = 0;
+    double terms = 0;
+    for (Index j = 0; j < x.size(); ++j) {
+      activity += static_cast<long double>(program.A(i, j)) * x(j);
+      terms += std::abs(program.A(i, j) * x(j));
+    }
+    const auto value = static_cast<double>(activity);
+    largest(violation(value, program.row_lower(i), program.row_upper(i), terms));
+    add({y(i), std::abs(y(i)), value, program.row_lower(i), program.row_upper(i)}, certificate);
+  }
+  return certificate;
+}
+
+bool holds(const LinearCertificate& certificate, double objective) {
+  return certificate.violation <= kFeasible && certificate.unpriced <= kPriced &&
+         certificate.gap <= kGap * std::max(1.0, std::abs(objective));
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,244 @@
+#include "solvers/linear_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include <ClpSimplex.hpp>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "solvers/dense_simplex.h"
+#include "solvers/linear_certificate.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using internal::Basis;
+
+constexpr double kClpTolerance = 1e-12;   // violation of a row that CLP is asked for
+constexpr double kOptimal = 1e-11;        // of reduced costs, likewise
+constexpr double kBarelyFeasible = 1e-9;  // sum of violations that is rounding of the rows
+
+VectorXd clp_bounds(const VectorXd& bounds) {
+  return bounds.cwiseMax(-COIN_DBL_MAX).cwiseMin(COIN_DBL_MAX);
+}
+
+void check(const LinearProgram& program) {
+  const Eigen::Index n = program.objective.size(), rows = program.row_lower.size();
+  require(program.A.cols() == n && program.lower.size() == n && program.upper.size() == n,
+          "objective has {} variables, A {}, bounds {} and {}", n, program.A.cols(),
+          program.lower.size(), program.upper.size());
+  require(program.A.rows() == rows && program.row_upper.size() == rows,
+          "A has {} rows, its bounds {} and {}", program.A.rows(), rows, program.row_upper.size());
+  require(program.A.allFinite() && program.objective.allFinite(),
+          "A and the objective must be finite");
+  const auto any_nan = [](const VectorXd& v) { return v.array().isNaN().any(); };
+  require(!any_nan(program.lower) && !any_nan(program.upper) && !any_nan(program.row_lower) &&
+              !any_nan(program.row_upper),
+          "a bound is NaN");
+}
+
+void load(ClpSimplex& simplex, const LinearProgram& program) {
+  const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
+  const VectorXd row_lower = clp_bounds(program.row_lower);
+  const VectorXd row_upper = clp_bounds(program.row_upper);
+  CoinPackedMatrix A(true, 0, 0);  // by columns
+  A.setDimensions(static_cast<int>(program.A.rows()), static_cast<int>(program.A.cols()));
+  for (int j = 0; j < program.A.cols(); ++j)
+    for (int i = 0; i < program.A.rows(); ++i)
+      if (program.A(i, j) != 0) A.modifyCoefficient(i, j, program.A(i, j));
+  simplex.loadProblem(A, lower.data(), upper.data(), program.objective.data(), row_lower.data(),
+                      row_upper.data());
+  simplex.setOptimizationDirection(-1);  // maximise
+  simplex.scaling(0);  // its scales hide reduced costs of the wrong sign; ours are of order one
+  simplex.setPrimalTolerance(kClpTolerance);
+  simplex.setDualTolerance(kOptimal);
+  simplex.setPerturbation(100);  // none: the same program gives the same vertex
+  simplex.setLogLevel(0);
+}
+
+/// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
+struct Proposal {
+  internal::SimplexEnd end;
+  std::optional<Basis> basis;
+};
+
+/// The basis where CLP stopped; none if it does not have as many variables as there are rows.
+std::optional<Basis> basis_of(const ClpSimplex& simplex, const LinearProgram& program) {
+  const Index n = program.A.cols(), rows = program.A.rows();
+  Basis basis{{}, VectorXd::Zero(n + rows)};
+  const auto add = [&](Index k, ClpSimplex::Status status, double value, double lower,
+                       double upper) {
+    if (status == ClpSimplex::basic) {
+      basis.basic.push_back(k);
+      return;
+    }
+    const bool at_upper = std::abs(value - upper) < std::abs(value - lower);
+    const double nearest = at_upper ? upper : lower;
+    basis.at(k) = std::isfinite(nearest) ? nearest : value;
+  };
+  for (Index j = 0; j < n; ++j)
+    add(j, simplex.getColumnStatus(static_cast<int>(j)), simplex.primalColumnSolution()[j],
+        program.lower(j), program.upper(j));
+  for (Index i = 0; i < rows; ++i)
+    add(n + i, simplex.getRowStatus(static_cast<int>(i)), simplex.primalRowSolution()[i],
+        program.row_lower(i), program.row_upper(i));
+  if (static_cast<Index>(basis.basic.size()) != rows) return std::nullopt;
+  return basis;
+}
+
+enum class Method { kClpPrimal, kClpDual, kDense };
+constexpr Method kLinearMethods[] = {Method::kClpPrimal, Method::kClpDual, Method::kDense};
+
+Proposal propose(const LinearProgram& program, Method method) {
+  using internal::SimplexEnd;
+  if (method == Method::kDense) {
+    const internal::SimplexVertex vertex = internal::dense_simplex(program);
+    return {vertex.end, vertex.basis};
+  }
+  ClpSimplex simplex;
+  load(simplex, program);
+  method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
+  const auto end = [&] {
+    switch (simplex.status()) {
+      case 0:
+        return SimplexEnd::kOptimal;
+      case 1:
+        return SimplexEnd::kInfeasible;
+      case 2:
+        return SimplexEnd::kUnbounded;
+      default:
+        return SimplexEnd::kStalled;
+    }
+  }();
+  return {end, basis_of(simplex, program)};
+}
+
+LinearResult unsolved(const LinearProgram& program, LinearStatus status) {
+  return {status,
+          VectorXd::Zero(program.A.cols()),
+          kNaN,
+          VectorXd::Zero(program.A.rows()),
+          {kNaN, kNaN, kNaN}};
+}
+
+/// The vertex of a basis, if its certificate holds.
+std::optional<LinearResult> certified(const LinearProgram& program, const Proposal& proposal) {
+  if (!proposal.basis) return std::nullopt;
+  const internal::PricedPoint point = internal::vertex_of(program, *proposal.basis);
+  const double objective = program.objective.dot(point.x);
+  const LinearCertificate certificate = internal::certify(program, point);
+  if (!internal::holds(certificate, objective)) return std::nullopt;
+  return LinearResult{LinearStatus::kSolved, point.x, objective, point.prices, certificate};
+}
+
+/// Every method in turn, until an answer is certified; for programs that have one.
+LinearResult optimum(const LinearProgram& program) {
+  for (const Method method : kLinearMethods)
+    if (const auto result = certified(program, propose(program, method))) return *result;
+  return unsolved(program, LinearStatus::kStalled);
+}
+
+/// maximise  -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper:  it has an optimum
+/// always, and its prices are a Farkas ray where that is not zero.
+LinearProgram elastic(const LinearProgram& program) {
+  const Index n = program.A.cols(), rows = program.A.rows();
+  LinearProgram result = program;
+  result.A.resize(rows, n + 2 * rows);
+  result.A << program.A, MatrixXd::Identity(rows, rows), -MatrixXd::Identity(rows, rows);
+  result.objective = -VectorXd::Ones(n + 2 * rows);
+  result.objective.head(n).setZero();
+  result.lower = VectorXd::Zero(n + 2 * rows);
+  result.lower.head(n) = program.lower;
+  result.upper = VectorXd::Constant(n + 2 * rows, kInfinity);
+  result.upper.head(n) = program.upper;
+  return result;
+}
+
+/// The directions in which the program never ends, no component longer than one.
+LinearProgram recession(LinearProgram program) {
+  const auto homogeneous = [](double bound) { return std::isfinite(bound) ? 0.0 : bound; };
+  program.row_lower = program.row_lower.unaryExpr(homogeneous);
+  program.row_upper = program.row_upper.unaryExpr(homogeneous);
+  program.lower = program.lower.unaryExpr(homogeneous).cwiseMax(-1);
+  program.upper = program.upper.unaryExpr(homogeneous).cwiseMin(1);
+  return program;
+}
+
+/// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
+LinearStatus find_feasible(LinearProgram& program, LinearResult& proof) {
+  proof = optimum(elastic(program));
+  if (proof.status != LinearStatus::kSolved) return LinearStatus::kStalled;
+  if (-proof.objective > kBarelyFeasible) return LinearStatus::kInfeasible;
+  const Index rows = program.A.rows();
+  const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
+  program.row_lower -= added;
+  program.row_upper += proof.x.tail(rows);
+  return LinearStatus::kSolved;
+}
+
+/// No method's optimum was certified: prove that there is none, or meet the rows to rounding.
+LinearResult without_optimum(const LinearProgram& asked) {
+  LinearProgram program = asked;
+  LinearResult proof;
+  const LinearStatus feasible = find_feasible(program, proof);
+  if (feasible != LinearStatus::kSolved) {
+    LinearResult result = unsolved(program, feasible);
+    result.certificate = proof.certificate;
+    return result;
+  }
+  const LinearResult ray = optimum(recession(program));
+  if (ray.status == LinearStatus::kSolved && ray.objective > kBarelyFeasible) {
+    LinearResult result = unsolved(program, LinearStatus::kUnbounded);
+    result.certificate = ray.certificate;
+    return result;
+  }
+  // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.
+  LinearResult result = optimum(program);
+  if (result.status == LinearStatus::kSolved)
+    result.certificate.violation = internal::certify(asked, {result.x, result.prices}).violation;
+  return result;
+}
+
+bool bounds_cross(const LinearProgram& program) {
+  return (program.lower.array() > program.upper.array()).any() ||
+         (program.row_lower.array() > program.row_upper.array()).any();
+}
+
+/// The program with prices and objective of order one.
+LinearResult solve_scaled(const LinearProgram& program) {
+  // A method that stops without an optimum ends the round: its word is proved or refuted below.
+  for (const Method method : kLinearMethods) {
+    const Proposal proposal = propose(program, method);
+    if (const auto result = certified(program, proposal)) return *result;
+    if (proposal.end == internal::SimplexEnd::kInfeasible ||
+        proposal.end == internal::SimplexEnd::kUnbounded) {
+      const LinearResult result = without_optimum(program);
+      if (result.status != LinearStatus::kStalled) return result;
+    }
+  }
+  return without_optimum(program);
+}
+
+}  // namespace
+
+LinearResult solve(const LinearProgram& program) {
+  check(program);
+  if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
+  const double size = program.objective.size() > 0 ? program.objective.cwiseAbs().maxCoeff() : 0;
+  if (size == 0) return solve_scaled(program);
+  LinearProgram scaled = program;
+  scaled.objective /= size;
+  LinearResult result = solve_scaled(scaled);
+  if (result.status != LinearStatus::kSolved) return result;
+  result.objective = program.objective.dot(result.x);
+  result.prices *= size;
+  result.certificate.gap *= size;
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,99 @@
+#include "solvers/matrix_inequality.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kFirstWeight = 1, kMostWeight = 1e15, kGrowth = 8;
+constexpr int kMaxNewtonSteps = 30;  // of Newton for one weight
+constexpr double kQuadratic = 0.06;  // decrement squared below which full steps converge [1]
+constexpr double kCentred = 1e-3;    // decrement squared at which the weight may grow [1]
+constexpr double kRegular = 1e-14;   // added to the scaled Hessian's diagonal [1]
+constexpr int kMostHalvings = 50;
+
+struct Slope {
+  VectorXd g;
+  MatrixXd H;
+};
+
+/// Of the barrier alone.
+Slope slope_at(const std::vector<MatrixInequality>& inequalities, const VectorXd& y) {
+  Slope out{VectorXd::Zero(y.size()), MatrixXd::Zero(y.size(), y.size())};
+  for (const MatrixInequality& each : inequalities) {
+    // Z_k = L^-1 M_k L^-T: trace(Z_k) and trace(Z_k Z_l) are the derivatives of log det.
+    const Eigen::LLT<MatrixXd> factor(value_at(each, y));
+    std::vector<MatrixXd> Z;
+    for (const auto& [k, M] : each.terms) {
+      const MatrixXd half = factor.matrixL().solve(M);
+      Z.emplace_back(factor.matrixL().solve(half.transpose()));
+      out.g(k) -= Z.back().trace();
+    }
+    for (std::size_t a = 0; a < Z.size(); ++a)
+      for (std::size_t b = 0; b <= a; ++b) {
+        const double entry = Z[a].cwiseProduct(Z[b]).sum();
+        const int k = each.terms[a].first, l = each.terms[b].first;
+        out.H(k, l) += entry;
+        if (k != l) out.H(l, k) += entry;
+      }
+  }
+  return out;
+}
+
+bool holds(const std::vector<MatrixInequality>& inequalities, const VectorXd& y) {
+  return std::all_of(inequalities.begin(), inequalities.end(), [&](const MatrixInequality& each) {
+    return Eigen::LLT<MatrixXd>(value_at(each, y)).info() == Eigen::Success;
+  });
+}
+
+/// A Newton step that stays inside. @returns the decrement squared before it; 0: no way on
+double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int which,
+            double weight) {
+  Slope slope = slope_at(inequalities, y);
+  slope.g(which) -= weight;
+  const VectorXd D = slope.H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  MatrixXd scaled = D.asDiagonal() * slope.H * D.asDiagonal();
+  scaled.diagonal().array() += kRegular;
+  const VectorXd way = -D.cwiseProduct(scaled.ldlt().solve(D.cwiseProduct(slope.g)));
+  const double decrement = -slope.g.dot(way);
+  if (!(decrement > 0) || !way.allFinite()) return 0;
+  double length = decrement < kQuadratic ? 1 : 1 / (1 + std::sqrt(decrement));
+  for (int i = 0; i < kMostHalvings; ++i, length /= 2)
+    if (const VectorXd next = y + length * way; holds(inequalities, next)) {
+      y = next;
+      return decrement;
+    }
+  return 0;
+}
+
+}  // namespace
+
+MatrixXd value_at(const MatrixInequality& inequality, const VectorXd& y) {
+  MatrixXd value = inequality.C;
+  for (const auto& [k, M] : inequality.terms) value += y(k) * M;
+  return value;
+}
+
+Raised raise(const std::vector<MatrixInequality>& inequalities, VectorXd y, int which,
+             double enough) {
+  Eigen::Index rows = 0;
+  for (const MatrixInequality& each : inequalities) rows += each.C.rows();
+  for (double weight = kFirstWeight; weight < kMostWeight; weight *= kGrowth) {
+    double decrement = 1;
+    for (int i = 0; i < kMaxNewtonSteps && decrement > kCentred; ++i) {
+      decrement = step(inequalities, y, which, weight);
+      if (y(which) > enough) return {y, true};
+    }
+    // Twice the way that is left from the centre of the barrier.
+    if (decrement <= kCentred && y(which) + 2 * static_cast<double>(rows) / weight < enough) break;
+  }
+  return {y, false};
+}
+
+}  // namespace thenar::internal

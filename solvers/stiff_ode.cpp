@@ -1,0 +1,185 @@
+#include "solvers/stiff_ode.h"
+
+#include <exception>
+#include <utility>
+
+// Simbody exports functions of the same names, of an older SUNDIALS. Hidden symbols are never taken
+// from a shared library.
+#pragma GCC visibility push(hidden)
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+#pragma GCC visibility pop
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+Eigen::Map<Eigen::VectorXd> values(N_Vector v) {
+  return {N_VGetArrayPointer(v), static_cast<Eigen::Index>(N_VGetLength(v))};
+}
+
+OdeStatus status_of(int flag) {
+  switch (flag) {
+    case CV_SUCCESS:
+    case CV_TSTOP_RETURN:
+    case CV_WARNING:
+      return OdeStatus::kStepped;
+    case CV_TOO_MUCH_WORK:
+      return OdeStatus::kTooMany;
+    case CV_ERR_FAILURE:
+    case CV_CONV_FAILURE:
+      return OdeStatus::kTooStiff;
+    case CV_RHSFUNC_FAIL:
+    case CV_FIRST_RHSFUNC_ERR:
+    case CV_REPTD_RHSFUNC_ERR:
+    case CV_UNREC_RHSFUNC_ERR:
+      return OdeStatus::kNotFinite;
+    case CV_LINIT_FAIL:
+    case CV_LSETUP_FAIL:
+    case CV_LSOLVE_FAIL:
+      return OdeStatus::kSingular;
+    case CV_TOO_MUCH_ACC:
+    case CV_TOO_CLOSE:
+      return OdeStatus::kImpossible;
+    default:
+      return OdeStatus::kFailed;
+  }
+}
+
+void silent(int, const char*, const char*, char*, void*) {}
+
+}  // namespace
+
+struct __attribute__((visibility("hidden"))) StiffOde::Parts {
+  Parts(OdeSlope f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
+      : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
+    require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
+    state = N_VNew_Serial(y.size(), context);
+    scratch = N_VNew_Serial(y.size(), context);
+    matrix = SUNDenseMatrix(y.size(), y.size(), context);
+    solver = SUNLinSol_Dense(state, matrix, context);
+    cvode = CVodeCreate(CV_BDF, context);
+    values(state) = y;
+    values(scratch) = o.absolute;
+    const bool ready = CVodeInit(cvode, &Parts::call, time, state) == CV_SUCCESS &&
+                       CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
+                       CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
+                       (!jacobian || CVodeSetJacFn(cvode, &Parts::turn) == CV_SUCCESS) &&
+                       CVodeSetUserData(cvode, this) == CV_SUCCESS &&
+                       CVodeSetErrHandlerFn(cvode, silent, nullptr) == CV_SUCCESS;
+    require(ready, "CVODE could not be set up for {} states", y.size());
+  }
+
+  ~Parts() {
+    CVodeFree(&cvode);
+    SUNLinSolFree(solver);
+    SUNMatDestroy(matrix);
+    N_VDestroy(scratch);
+    N_VDestroy(state);
+    SUNContext_Free(&context);
+  }
+
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  /// C code is in between: no exception may pass through it.
+  static int call(double t, N_Vector y, N_Vector y_dot, void* user) {
+    auto& parts = *static_cast<Parts*>(user);
+    try {
+      const Eigen::VectorXd at = values(y);
+      if (!at.allFinite()) return 1;
+      values(y_dot) = parts.slope(t, at);
+      return values(y_dot).allFinite() ? 0 : 1;  // 1: try a shorter step
+    } catch (...) {
+      parts.thrown = std::current_exception();
+      return -1;
+    }
+  }
+
+  /// As call().
+  static int turn(double t, N_Vector y, N_Vector, SUNMatrix J, void* user, N_Vector, N_Vector,
+                  N_Vector) {
+    auto& parts = *static_cast<Parts*>(user);
+    try {
+      const Eigen::VectorXd at = values(y);
+      Eigen::Map<Eigen::MatrixXd> out(SUNDenseMatrix_Data(J), at.size(), at.size());
+      if (!at.allFinite()) return 1;
+      out = parts.jacobian(t, at);
+      return out.allFinite() ? 0 : 1;
+    } catch (...) {
+      parts.thrown = std::current_exception();
+      return -1;
+    }
+  }
+
+  OdeCounts counts() const {
+    long steps = 0, slopes = 0, by_jacobian = 0, jacobians = 0;
+    CVodeGetNumSteps(cvode, &steps);
+    CVodeGetNumRhsEvals(cvode, &slopes);
+    CVodeGetNumLinRhsEvals(cvode, &by_jacobian);
+    CVodeGetNumJacEvals(cvode, &jacobians);
+    return {before.steps + steps, before.slopes + slopes + by_jacobian,
+            before.jacobians + jacobians};
+  }
+
+  OdeSlope slope;
+  OdeJacobian jacobian;
+  int max_steps;
+  double time;
+  std::exception_ptr thrown;
+  OdeCounts before;  // the last restart
+  SUNContext context = nullptr;
+  N_Vector state = nullptr;
+  N_Vector scratch = nullptr;
+  SUNMatrix matrix = nullptr;
+  SUNLinearSolver solver = nullptr;
+  void* cvode = nullptr;
+};
+
+StiffOde::StiffOde(OdeSlope slope, double time, const Eigen::VectorXd& y,
+                   const StiffOdeOptions& options) {
+  require(y.size() > 0 && y.allFinite(), "wanted a state of finite numbers, got {} entries",
+          y.size());
+  require(options.relative > 0, "relative tolerance must be positive, got {}", options.relative);
+  require(options.absolute.size() == y.size(), "{} absolute tolerances for {} states",
+          options.absolute.size(), y.size());
+  require((options.absolute.array() > 0).all(), "absolute tolerances must be positive, least is {}",
+          options.absolute.minCoeff());
+  parts_ = std::make_unique<Parts>(std::move(slope), time, y, options);
+}
+StiffOde::~StiffOde() = default;
+StiffOde::StiffOde(StiffOde&&) noexcept = default;
+StiffOde& StiffOde::operator=(StiffOde&&) noexcept = default;
+
+OdeStatus StiffOde::step(double stop) {
+  require(stop > parts_->time, "cannot step from {} s to {} s", parts_->time, stop);
+  if (counts().steps >= parts_->max_steps) return OdeStatus::kTooMany;
+  CVodeSetStopTime(parts_->cvode, stop);
+  const int flag = CVode(parts_->cvode, stop, parts_->state, &parts_->time, CV_ONE_STEP);
+  if (parts_->thrown) std::rethrow_exception(std::exchange(parts_->thrown, nullptr));
+  return status_of(flag);
+}
+
+void StiffOde::restart() {
+  parts_->before = parts_->counts();
+  require(CVodeReInit(parts_->cvode, parts_->time, parts_->state) == CV_SUCCESS,
+          "CVODE could not start anew at {} s", parts_->time);
+}
+
+double StiffOde::time() const { return parts_->time; }
+
+Eigen::VectorXd StiffOde::state() const { return values(parts_->state); }
+
+Eigen::VectorXd StiffOde::state_at(double time) const {
+  if (time == parts_->time) return state();
+  require(CVodeGetDky(parts_->cvode, time, 0, parts_->scratch) == CV_SUCCESS,
+          "{} s is not within the last step, which ended at {} s", time, parts_->time);
+  return values(parts_->scratch);
+}
+
+OdeCounts StiffOde::counts() const { return parts_->counts(); }
+
+}  // namespace thenar

@@ -1,0 +1,49 @@
+#pragma once
+
+/// All tendons of a hand as something that moves its joints, from call to call.
+
+#include <memory>
+#include <vector>
+
+#include "tendons/human/tendon_hand.h"
+#include "tendons/net/tendon_actuator.h"
+
+namespace thenar {
+
+/// What the tendons of a hand do at a posture under tensions, and how that changes.
+struct [[nodiscard]] HandAction {
+  TendonStatus status = TendonStatus::kSound;  // the worst of all digits: read this first
+  bool snapped = false;                        // a knot of a net has jumped since the state before
+  bool slopes = true;                          // all digits have theirs; else B and K lack them
+  Eigen::VectorXd tau;     // of the tendons, without passive joints [N m] (coordinates)
+  Eigen::MatrixXd B;       // d tau/du [m/rad] (coordinates, actuators)
+  Eigen::MatrixXd K;       // d tau/dq [N m/rad] (coordinates, coordinates)
+  Eigen::VectorXd length;  // of each actuator's line but for a constant [m] (actuators)
+  std::vector<const TendonAction*> digits;  // parts; null: a digit without muscles
+};
+
+/// One TendonActuator a digit. A muscle of two digits adds up both.
+/// For one thread; the hand must outlive it.
+class HandActuator {
+ public:
+  explicit HandActuator(const TendonHand& hand, const NetWalkOptions& options = {});
+
+  /// Moves the state to (q, u).
+  /// @param q  (coordinates) [rad];  @param u  tensions, each >= 0 [N] (actuators)
+  /// @return what the tendons do there; overwritten by the next call
+  /// @throws InputError if a length is wrong, or an entry negative or not finite.
+  const HandAction& act(const Eigen::VectorXd& q, const Eigen::VectorXd& u);
+
+  /// Forgets the state.
+  void reset();
+
+  /// Of one digit, to keep its nodes or go on from others; null: it has no muscles.
+  [[nodiscard]] TendonActuator* digit(std::size_t i) { return digits_[i].get(); }
+
+ private:
+  const TendonHand& hand_;
+  std::vector<std::unique_ptr<TendonActuator>> digits_;
+  HandAction action_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,222 @@
+#include "tendons/human/human_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "data/io/net.h"
+#include "tendons/human/hand_use.h"
+#include "tendons/human/joint_strength.h"
+#include "tendons/human/muscle_forces.h"
+#include "tendons/human/tendon_hand.h"
+#include "tendons/human/thumb_axes.h"
+#include "tendons/net/build_tendons.h"
+
+namespace thenar {
+namespace internal {
+const std::map<std::string, std::string_view>& human_files();
+}  // namespace internal
+
+namespace {
+
+std::string built_in(const std::string& file) {
+  return std::string(internal::human_files().at(file));
+}
+
+const NetDescription& finger_net() {
+  static const NetDescription net = parse_net(built_in("winslow.toml"), "winslow.toml");
+  return net;
+}
+
+/// The wrist at its reference, or as near as its limits allow; and what was asked for.
+std::map<std::string, double> frozen_joints(const Subject& subject,
+                                            const std::map<std::string, double>& asked) {
+  std::map<std::string, double> frozen = asked;
+  for (const std::string& name : shared_joints(subject))
+    for (const JointAxis& joint : subject.joints)
+      if (joint.name == name) frozen.emplace(name, std::clamp(0.0, joint.lower, joint.upper));
+  return frozen;
+}
+
+bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
+
+/// Path rung that the digit's strands can stand on.
+TendonOptions tendon_options(const Subject& subject, const std::string& digit,
+                             const std::map<std::string, double>& frozen, Path path) {
+  TendonOptions options;
+  options.path = path;
+  for (const auto& [joint, angle] : frozen)
+    for (const JointAxis& each : subject.joints)
+      if (each.name == joint) options.frozen[joint] = angle;
+  for (const Digit& each : subject.digits)
+    if (each.name == digit) options.hood = each.hood ? Hood::kFractions : Hood::kSeparate;
+  // Subjects that state arms instead of points have strands without a path.
+  if (std::all_of(subject.strands.begin(), subject.strands.end(),
+                  [](const Strand& strand) { return strand.path.empty(); }))
+    options.path = Path::kConstant;
+  return options;
+}
+
+std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::string& digit,
+                                          TendonOptions options,
+                                          std::vector<std::string>& warnings) {
+  TendonOptions floating = options;
+  floating.hood = Hood::kFloatingNet;
+  if (digit != "thumb") try {
+      return build_digit_tendons(subject, digit, floating, &finger_net());
+    } catch (const InputError& error) {
+      warnings.push_back(fmt::format("{}: no net, {}", digit, error.what()));
+    }
+  return build_digit_tendons(subject, digit, options);
+}
+
+enum class Extensors { kLinear, kNet };
+
+HandTendons hand_tendons(const Subject& subject, Extensors extensors,
+                         const std::map<std::string, double>& frozen, Path path,
+                         std::vector<std::string>& warnings) {
+  HandTendons tendons;
+  std::vector<std::string> muscles;
+  for (const Digit& digit : subject.digits) {
+    const TendonOptions options = tendon_options(subject, digit.name, frozen, path);
+    tendons.digits.push_back(extensors == Extensors::kNet
+                                 ? net_or_less(subject, digit.name, options, warnings)
+                                 : build_digit_tendons(subject, digit.name, options));
+    for (const std::string& name : tendons.digits.back()->digit().names.muscles)
+      if (std::count(muscles.begin(), muscles.end(), name) == 0) muscles.push_back(name);
+  }
+  MuscleForces forces = muscle_forces(subject, muscles);
+  tendons.max_force = std::move(forces.max_force);
+  for (const std::string& assumed : forces.assumed)
+    warnings.push_back("largest tension assumed, " + assumed);
+  return tendons;
+}
+
+/// Strength of joints by their names.
+std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& skeleton,
+                                                                HandTendons tendons) {
+  const TendonHand hand(skeleton, std::move(tendons));
+  const TorqueLimits limits = joint_strength(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
+  std::map<std::string, std::pair<double, double>> strength;
+  for (int i = 0; i < skeleton.coordinates(); ++i)
+    if (limits.upper[i] > limits.lower[i])
+      strength[skeleton.coordinate_names[i]] = {limits.lower[i], limits.upper[i]};
+  return strength;
+}
+
+const std::map<std::string, std::pair<double, double>>& default_strength() {
+  static const auto strength = [] {
+    const Subject& human = default_human();
+    const auto frozen = frozen_joints(human, {});
+    std::vector<std::string> unheard;
+    return named_strength(build_skeleton(human, {{}, frozen}),
+                          hand_tendons(human, Extensors::kNet, frozen, Path::kViaPoint, unheard));
+  }();
+  return strength;
+}
+
+TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
+                          const Skeleton& skeleton, const std::map<std::string, double>& frozen,
+                          Path path, std::vector<std::string>& warnings) {
+  std::map<std::string, std::pair<double, double>> own;
+  if (has_tendons(subject)) try {
+      own =
+          named_strength(skeleton, hand_tendons(subject, Extensors::kNet, frozen, path, warnings));
+    } catch (const InputError& error) {
+      warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
+    }
+  const double scale = std::pow(anatomy.length / find_anatomy(default_human()).length, 3);
+  TorqueLimits limits{Eigen::VectorXd(skeleton.coordinates()),
+                      Eigen::VectorXd(skeleton.coordinates())};
+  std::string borrowed;
+  for (int i = 0; i < skeleton.coordinates(); ++i) {
+    const std::string& joint = skeleton.coordinate_names[i];
+    auto found = own.find(joint);
+    double by = 1;
+    if (found == own.end()) {
+      const auto other = default_strength().find(joint);
+      require(other != default_strength().end(), "nothing tells how strong joint '{}' of '{}' is",
+              joint, subject.name);
+      found = own.emplace(joint, other->second).first;
+      by = scale;
+      borrowed += (borrowed.empty() ? "" : ", ") + joint;
+    }
+    limits.lower[i] = by * found->second.first;
+    limits.upper[i] = by * found->second.second;
+  }
+  if (!borrowed.empty())
+    warnings.push_back(fmt::format("strength of {} is that of '{}' times {:.2f}", borrowed,
+                                   default_human().name, scale));
+  return limits;
+}
+
+std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleton,
+                                 const HumanHandOptions& options) {
+  switch (options.cover) {
+    case Cover::kSkin:
+      return human_surfaces(subject, skeleton, options.skin);
+    case Cover::kBones:
+      return bone_surfaces(subject, skeleton);
+    case Cover::kNone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHandOptions& options) {
+  const Subject subject = tier == HumanTier::kOrthogonalThumb ? orthogonal_thumb(given) : given;
+  // Skin lies around the joints as measured, whatever becomes of the thumb's axes.
+  const HandAnatomy anatomy = find_anatomy(given);
+  const auto frozen = frozen_joints(subject, options.frozen);
+  const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
+  HumanHand human;
+  human.contact =
+      tier < HumanTier::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
+  human.patches = skin_patches(anatomy, skeleton);
+  human.targets = kapandji_targets(anatomy, skeleton);
+  human.warnings = anatomy.warnings;
+  std::vector<LinkSurface> surfaces = covered(given, skeleton, options);
+  if (tier == HumanTier::kTendonNet) {
+    require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
+            subject.name);
+    HandTendons tendons =
+        hand_tendons(subject, Extensors::kNet, frozen, options.path, human.warnings);
+    for (std::size_t i = 0; i < subject.digits.size(); ++i)
+      require(!tendons.digits[i]->digit().names.muscles.empty(),
+              "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
+              subject.name, subject.digits[i].name);
+    std::vector<std::string> unheard;
+    const TendonHand straight(
+        skeleton, hand_tendons(subject, Extensors::kLinear, frozen, options.path, unheard));
+    HandUse use = tendon_use(anatomy, subject, skeleton, straight.layout().actuators,
+                             straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
+    human.hand = std::make_unique<TendonHand>(skeleton, std::move(tendons), std::move(surfaces),
+                                              std::move(use));
+    return human;
+  }
+  TorqueLimits limits =
+      motor_limits(subject, anatomy, skeleton, frozen, options.path, human.warnings);
+  human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
+                                              motor_use(anatomy, subject, skeleton));
+  return human;
+}
+
+HumanTier human_tier(const std::string& name) {
+  const std::vector<std::string> names{"tier1", "tier2", "tier3", "tier4"};
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "no human '{}'; there are tier1, tier2, tier3, tier4", name);
+  return static_cast<HumanTier>(found - names.begin());
+}
+
+const Subject& default_human() {
+  static const Subject human =
+      parse_subject(built_in("mirakhorlo2016.toml"), "mirakhorlo2016.toml");
+  return human;
+}
+
+}  // namespace thenar

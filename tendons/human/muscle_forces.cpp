@@ -1,0 +1,70 @@
+#include "tendons/human/muscle_forces.h"
+
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "hand/skin/hand_anatomy.h"
+
+namespace thenar {
+namespace {
+
+const MuscleUnit* muscle_named(const Subject& subject, const std::string& name) {
+  for (const MuscleUnit& muscle : subject.muscles)
+    if (muscle.name == name) return &muscle;
+  return nullptr;
+}
+
+/// A muscle of the ring or little finger and its like on the middle finger.
+struct Namesake {
+  std::string muscle, digit;
+};
+
+std::optional<Namesake> namesake_of(const std::string& name) {
+  static const std::map<std::string, Namesake> table{
+      {"EDC4", {"EDC3", "ring"}},   {"FDS4", {"FDS3", "ring"}},   {"FDP4", {"FDP3", "ring"}},
+      {"PI3", {"DI3", "ring"}},     {"DI4", {"DI2", "ring"}},     {"EDM", {"EDC3", "little"}},
+      {"FDS5", {"FDS3", "little"}}, {"FDP5", {"FDP3", "little"}}, {"PI4", {"DI3", "little"}},
+      {"FDM", {"DI3", "little"}},   {"ADM", {"DI3", "little"}}};
+  const auto found = table.find(name);
+  return found == table.end() ? std::nullopt : std::optional<Namesake>(found->second);
+}
+
+/// Cross-section of a finger over that of the middle finger [1].
+double section_ratio(const HandAnatomy& hand, const std::string& digit) {
+  const DigitAnatomy *one = digit_named(hand, digit), *middle = digit_named(hand, "middle");
+  if (one == nullptr || middle == nullptr) return 1;
+  const double ratio = one->bones[0].radius / middle->bones[0].radius;
+  return ratio * ratio;
+}
+
+}  // namespace
+
+MuscleForces muscle_forces(const Subject& subject, const std::vector<std::string>& muscles) {
+  MuscleForces forces;
+  std::optional<HandAnatomy> hand;
+  for (const std::string& name : muscles) {
+    const MuscleUnit* muscle = muscle_named(subject, name);
+    require(muscle != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
+    if (muscle->max_force) {
+      forces.max_force[name] = *muscle->max_force;
+      continue;
+    }
+    const auto like = namesake_of(name);
+    const MuscleUnit* other = like ? muscle_named(subject, like->muscle) : nullptr;
+    require(
+        other != nullptr && other->max_force,
+        "largest tension of muscle '{}' of '{}' is unknown, and so is that of a like one on the "
+        "middle finger",
+        name, subject.name);
+    if (!hand) hand = find_anatomy(subject);
+    const double ratio = section_ratio(*hand, like->digit);
+    forces.max_force[name] = ratio * *other->max_force;
+    forces.assumed.push_back(fmt::format("{}: {:.1f} N, as {} times {:.2f}", name,
+                                         forces.max_force[name], like->muscle, ratio));
+  }
+  return forces;
+}
+
+}  // namespace thenar

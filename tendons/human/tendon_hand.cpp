@@ -1,0 +1,132 @@
+#include "tendons/human/tendon_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "tendons/human/hand_actuator.h"
+
+namespace thenar {
+namespace {
+
+TorqueLimits no_motors(const Skeleton& skeleton) {
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(skeleton.coordinates());
+  return {zero, zero};
+}
+
+/// Index of a name, or the size if it is not there.
+int place_of(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+}  // namespace
+
+TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
+                       std::vector<LinkSurface> surfaces, HandUse use)
+    : bones_(skeleton, no_motors(skeleton), std::move(surfaces), std::move(use)),
+      digits_(std::move(tendons.digits)),
+      working_share_(tendons.working_share),
+      layout_(bones_.layout()) {
+  require(working_share_ > 0 && working_share_ <= 1, "share of F0 must be in (0, 1], got {}",
+          working_share_);
+  layout_.actuators.clear();
+  std::vector<double> force;
+  for (const auto& tendons_of : digits_) {
+    const TendonNames& names = tendons_of->digit().names;
+    Place place;
+    for (const std::string& name : names.coordinates) {
+      place.coordinates.push_back(place_of(layout_.coordinates, name));
+      require(place.coordinates.back() < skeleton.coordinates(),
+              "tendons move joint '{}', which the hand lacks", name);
+    }
+    for (const std::string& name : names.muscles) {
+      place.actuators.push_back(place_of(layout_.actuators, name));
+      if (place.actuators.back() < static_cast<int>(force.size())) continue;
+      const auto found = tendons.max_force.find(name);
+      require(found != tendons.max_force.end(), "no largest tension for muscle '{}'", name);
+      require(found->second > 0 && std::isfinite(found->second),
+              "largest tension of muscle '{}' must be > 0 N, got {}", name, found->second);
+      layout_.actuators.push_back(name);
+      force.push_back(found->second);
+    }
+    places_.push_back(place);
+  }
+  max_force_ = Eigen::Map<const Eigen::VectorXd>(force.data(), static_cast<int>(force.size()));
+}
+
+namespace {
+
+ActuationStatus status_of(TendonStatus status) {
+  if (status == TendonStatus::kSound || status == TendonStatus::kRough)
+    return ActuationStatus::kExact;
+  return status < TendonStatus::kAstray ? ActuationStatus::kDoubtful : ActuationStatus::kUnbalanced;
+}
+
+/// Long steps to a single posture: who asks for one does not ask for small snaps on the way.
+constexpr NetWalkOptions kHandWalk{2e-3};
+
+/// One digit of a hand at a posture, its tendons as a secant.
+struct DigitSecant {
+  Eigen::MatrixXd B;      // (coordinates, actuators)
+  Eigen::VectorXd tau_0;  // [N m] (coordinates)
+  ActuationStatus status;
+  std::string trouble;
+};
+
+DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                   const Eigen::VectorXd& t) {
+  const auto* net = dynamic_cast<const NetTendons*>(&tendons);
+  if (net == nullptr) {
+    const TendonPull pull = tendons.pull(q, t);
+    return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
+            pull.trouble};
+  }
+  TendonActuator slackened(tendons, kHandWalk), pulled(tendons, kHandWalk);
+  const TendonAction& at = pulled.act(q, t);
+  const TendonAction& slack = slackened.act(q, Eigen::VectorXd::Zero(t.size()));
+  DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.trouble};
+  if (out.status == ActuationStatus::kExact) out.status = ActuationStatus::kLinearised;
+  const Eigen::VectorXd pulls = net->shares().colwise().sum().transpose();
+  const Eigen::VectorXd w = (pulls.array() > 0).select(t, 0);
+  if (w.squaredNorm() > 0)
+    out.B += (at.tau - slack.tau - out.B * t) * w.transpose() / w.squaredNorm();
+  return out;
+}
+
+void note(ActuationStatus status, const std::string& trouble, ActuationStatus& worst,
+          std::string& all) {
+  worst = std::max(worst, status);
+  if (!trouble.empty()) all += (all.empty() ? "" : "; ") + trouble;
+}
+
+}  // namespace
+
+Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
+  Actuation actuation = bones_.actuation(q);  // tau_0 has the passive torque
+  const Eigen::Index m = max_force_.size();
+  actuation.B = Eigen::MatrixXd::Zero(q.size(), m);
+  actuation.lower = Eigen::VectorXd::Zero(m);
+  actuation.upper = max_force_;
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
+    const Place& place = places_[i];
+    if (place.actuators.empty()) continue;  // a digit without muscles
+    const DigitSecant here =
+        secant(*digits_[i], q(place.coordinates), working_share_ * max_force_(place.actuators));
+    note(here.status, here.trouble, actuation.status, actuation.trouble);
+    actuation.tau_0(place.coordinates) += here.tau_0;
+    actuation.B(place.coordinates, place.actuators) += here.B;
+  }
+  return actuation;
+}
+
+Effort TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  HandActuator actuator(*this, kHandWalk);
+  const HandAction& action = actuator.act(q, u);
+  Effort effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
+  for (const TendonAction* digit : action.digits)
+    if (digit != nullptr)
+      note(status_of(digit->status), digit->trouble, effort.status, effort.trouble);
+  return effort;
+}
+
+}  // namespace thenar

@@ -1,0 +1,295 @@
+// Tests for solvers/least_squares.cpp and the solvers behind it.
+
+#include "solvers/least_squares.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "tests/kinematics_fit/fit_samples.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+class EveryMethod : public testing::TestWithParam<FitMethod> {
+ protected:
+  SolveOptions options() const {
+    SolveOptions options;
+    options.method = GetParam();
+    return options;
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Solvers, EveryMethod,
+                         testing::Values(FitMethod::kCeres, FitMethod::kNloptLocal,
+                                         FitMethod::kNloptGlobal, FitMethod::kIpopt),
+                         [](const auto& test) {
+                           std::string name = name_of(test.param);
+                           for (char& c : name)
+                             if (c == '-') c = '_';
+                           return name;
+                         });
+
+/// r = (z - target), plainly.
+LeastSquares distance_to(const VectorXd& target, double lower, double upper) {
+  LeastSquares problem;
+  problem.lower = VectorXd::Constant(target.size(), lower);
+  problem.upper = VectorXd::Constant(target.size(), upper);
+  problem.residuals = [target](const VectorXd& z, WithJacobian) {
+    return Residuals{z - target, Eigen::MatrixXd::Identity(z.size(), z.size())};
+  };
+  return problem;
+}
+
+/// Rosenbrock's valley, 1/2 (100 (y - x^2)^2 + (1 - x)^2), with its least value at (1, 1).
+LeastSquares valley() {
+  LeastSquares problem;
+  problem.lower = Vector2d(-5, -5);
+  problem.upper = Vector2d(5, 5);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    Residuals out{Vector2d(10 * (z[1] - z[0] * z[0]), 1 - z[0]), Eigen::MatrixXd(2, 2)};
+    out.J << -20 * z[0], 10, -1, 0;
+    return out;
+  };
+  return problem;
+}
+
+// A search without derivatives that may stop when the cost falls by 3 % does so half-way along the
+// valley, and calls it success.
+TEST(Solve, DoesNotBelieveASolverThatStopsShort) {
+  SolveOptions options;
+  options.method = FitMethod::kNloptLocal;
+  options.tolerance = 0.03;
+  const Solution fit = solve(valley(), Vector2d(-1.2, 1), options);
+  ASSERT_GT((fit.z - Vector2d(1, 1)).norm(), 0.5) << "it went all the way";
+  EXPECT_EQ(fit.status, SolveStatus::kStalled) << fit.message;
+  // The step left, by hand: J is square, so that the Gauss-Newton step takes r to zero.
+  EXPECT_NEAR(fit.newton_step, std::sqrt(2 * fit.cost), 1e-9);
+}
+
+TEST(Solve, CertifiesWhatHasConverged) {
+  const Solution fit = solve(valley(), Vector2d(-1.2, 1));
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_LT(fit.newton_step, 1e-3);
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 1), 1e-4));
+}
+
+TEST_P(EveryMethod, RespectsBounds) {
+  const LeastSquares problem = distance_to(Vector2d(3, 0.2), -1, 1);
+  const Solution fit = solve(problem, VectorXd::Zero(2), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 0.2), 1e-4));
+  EXPECT_LE(fit.z.maxCoeff(), 1 + 1e-7);  // Ipopt relaxes bounds by 1e-8 of themselves
+  EXPECT_NEAR(fit.cost, 2, 1e-6);
+}
+
+/// x <= 1, asked `times` times over.
+void cap_first(LeastSquares& problem, int times) {
+  const Eigen::Index n = problem.lower.size();
+  problem.c_lower = VectorXd::Constant(times, -10);
+  problem.c_upper = VectorXd::Constant(times, 1);
+  problem.constraints = [times, n](const VectorXd& z) {
+    ConstraintValues out{VectorXd::Constant(times, z[0]), Eigen::MatrixXd::Zero(times, n)};
+    out.C.col(0).setOnes();
+    return out;
+  };
+}
+
+TEST(Solve, CertifiesWhereMoreConstraintsAreActiveThanCoordinatesFree) {
+  LeastSquares problem = distance_to(VectorXd::Constant(1, 3), -5, 5);
+  cap_first(problem, 2);
+  SolveOptions options;
+  options.method = FitMethod::kIpopt;
+  const Solution fit = solve(problem, VectorXd::Zero(1), options);
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_NEAR(fit.z[0], 1, 1e-5);
+  EXPECT_EQ(fit.newton_step, 0);
+}
+
+// At (1, -1) the constraint x <= 1 holds x, so that a step of 1.2 along y is left.
+TEST(Solve, CountsAConstraintOnceThatIsAskedTwice) {
+  for (int times = 1; times <= 3; ++times) {
+    LeastSquares problem = distance_to(Vector2d(3, 0.2), -kInfinity, kInfinity);
+    cap_first(problem, times);
+    SolveOptions options;
+    options.method = FitMethod::kIpopt;
+    options.progress.stop_requested = [] { return true; };
+    const Solution start = solve(problem, Vector2d(1, -1), options);
+    ASSERT_TRUE(matrix_near(start.z, Vector2d(1, -1), 1e-12)) << start.message;
+    EXPECT_NEAR(start.newton_step, 1.2, 1e-12) << times;
+  }
+}
+
+TEST_P(EveryMethod, BringsTheStartWithinBounds) {
+  const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -1, 1);
+  const Solution fit = solve(problem, Vector2d(50, -50), options());
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4));
+}
+
+TEST_P(EveryMethod, StartsFarAwayWhereNothingBoundsIt) {
+  const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -kInfinity, kInfinity);
+  const Solution fit = solve(problem, Vector2d(50, -50), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4));
+}
+
+TEST_P(EveryMethod, StaysOutOfNonsense) {
+  LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -2, 2);
+  problem.residuals = [plain = problem.residuals](const VectorXd& z, WithJacobian want) {
+    Residuals out = plain(z, want);
+    if (z[0] > 1) out.r.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return out;
+  };
+  const Solution fit = solve(problem, Vector2d(-1, 1), options());
+  EXPECT_TRUE(std::isfinite(fit.cost));
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4)) << fit.message;
+}
+
+TEST_P(EveryMethod, HoldsWhatBoundsPin) {
+  LeastSquares problem = distance_to(Eigen::Vector3d(3, 0.2, 1), -1, 1);
+  problem.lower[2] = problem.upper[2] = 0.5;
+  const Solution fit = solve(problem, VectorXd::Zero(3), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Eigen::Vector3d(1, 0.2, 0.5), 1e-4));
+  problem.lower = problem.upper = Eigen::Vector3d(0.1, 0.2, 0.3);
+  const Solution pinned = solve(problem, VectorXd::Zero(3), options());
+  EXPECT_EQ(pinned.status, SolveStatus::kConverged) << pinned.message;
+  EXPECT_EQ(pinned.z, problem.lower);
+}
+
+TEST_P(EveryMethod, FitsIntoNarrowBounds) {
+  LeastSquares problem = distance_to(Vector2d(0.2, 0.2), -1, 1);
+  problem.lower[0] = -0.01;
+  problem.upper[0] = 0.01;
+  const Solution fit = solve(problem, VectorXd::Zero(2), options());
+  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.01, 0.2), 1e-4));
+}
+
+TEST(LeastSquares, IpoptHeedsTheTolerance) {
+  const FitProblem problem =
+      sample::middle_finger("[[parameter]]\nmatch='axis/*/direction/*'\nstate='free'\n").problem();
+  SolveOptions options;
+  options.method = FitMethod::kIpopt;
+  options.tolerance = 1e-2;
+  const Solution rough = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  options.tolerance = 1e-10;
+  const Solution fine = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  EXPECT_LT(rough.evaluations, fine.evaluations);
+}
+
+const char* const kFewFree = R"(
+[[parameter]]
+match = "axis/*/direction/*"
+state = "free"
+sd_deg = 0
+between_sd_deg = 4
+)";
+
+TEST_P(EveryMethod, ReachesTheSameCostOnAFinger) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  const VectorXd start = VectorXd::Zero(problem.size());
+  SolveOptions exact;
+  exact.tolerance = 1e-14;
+  const Solution reference = solve(least_squares(problem), start, exact);
+  SolveOptions options = this->options();
+  options.tolerance = 1e-12;
+  const Solution fit = solve(least_squares(problem), start, options);
+  EXPECT_NEAR(fit.cost, reference.cost, 1e-6 * reference.cost) << fit.message;
+  const VectorXd r = problem.evaluate(fit.z, WithJacobian::kNo).r;
+  EXPECT_NEAR(fit.cost, 0.5 * r.squaredNorm(), 1e-12 * fit.cost);  // says what it has found
+}
+
+TEST_P(EveryMethod, StopRequestReturnsTheBestPointYet) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  int asked = 0;
+  SolveOptions options = this->options();
+  options.progress.stop_requested = [&] { return ++asked > 2; };
+  const VectorXd start = VectorXd::Zero(problem.size());
+  const Solution fit = solve(least_squares(problem), start, options);
+  EXPECT_EQ(fit.status, SolveStatus::kStopped) << fit.message;
+  EXPECT_TRUE(fit.z.allFinite());
+  EXPECT_TRUE((fit.z.array() >= problem.lower().array()).all());
+  EXPECT_TRUE((fit.z.array() <= problem.upper().array()).all());
+  const double before = 0.5 * problem.evaluate(start, WithJacobian::kNo).r.squaredNorm();
+  EXPECT_LE(fit.cost, before);
+  EXPECT_NEAR(fit.cost, 0.5 * problem.evaluate(fit.z, WithJacobian::kNo).r.squaredNorm(), 1e-9);
+}
+
+TEST_P(EveryMethod, SaysWhenTheLimitCameFirst) {
+  const FitProblem problem = sample::middle_finger(kFewFree).problem();
+  SolveOptions options = this->options();
+  options.max_evaluations = 2;
+  if (GetParam() == FitMethod::kNloptLocal || GetParam() == FitMethod::kNloptGlobal)
+    options.max_evaluations = 30;  // more than its first interpolation needs
+  const Solution fit = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
+  EXPECT_EQ(fit.status, SolveStatus::kLimit) << fit.message;
+}
+
+/// Two valleys at x = -1 and x = 1; the second is deeper.
+LeastSquares two_valleys() {
+  LeastSquares problem;
+  problem.lower = VectorXd::Constant(2, -3);
+  problem.upper = VectorXd::Constant(2, 3);
+  problem.residuals = [](const VectorXd& z, WithJacobian) {
+    Residuals out{Eigen::Vector3d(4 * (z[0] * z[0] - 1), 0.3 * (z[0] - 1), z[1]),
+                  Eigen::MatrixXd::Zero(3, 2)};
+    out.J << 8 * z[0], 0, 0.3, 0, 0, 1;
+    return out;
+  };
+  return problem;
+}
+
+TEST(LeastSquares, OnlyTheGlobalSearchLeavesTheWrongValley) {
+  SolveOptions options;
+  EXPECT_LT(solve(two_valleys(), Vector2d(-1.2, 0.5), options).z[0], 0);
+  options.method = FitMethod::kNloptGlobal;
+  const Solution global = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  EXPECT_TRUE(matrix_near(global.z, Vector2d(1, 0), 1e-3));
+}
+
+TEST(LeastSquares, GlobalSearchRepeatsItselfForTheSameSeed) {
+  SolveOptions options;
+  options.method = FitMethod::kNloptGlobal;
+  options.seed = 7;
+  const Solution a = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  const Solution b = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
+  EXPECT_EQ(a.z, b.z);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+}
+
+TEST(LeastSquares, RefusesAStartThatIsNonsense) {
+  LeastSquares problem = distance_to(Vector2d(0, 0), -1, 1);
+  EXPECT_THROW((void)solve(problem, VectorXd::Zero(3)), InputError);
+  EXPECT_THROW((void)solve(problem, Vector2d(0, NAN)), InputError);
+  problem.residuals = [](const VectorXd&, WithJacobian) {
+    return Residuals{VectorXd::Constant(1, NAN), {}};
+  };
+  try {
+    (void)solve(problem, VectorXd::Zero(2));
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "residuals at the start are not finite");
+  }
+}
+
+TEST(LeastSquares, MethodsHaveNames) {
+  for (const char* name : {"ceres", "nlopt", "nlopt-global", "ipopt"})
+    EXPECT_EQ(name_of(fit_method(name)), name);
+  try {
+    (void)fit_method("newton");
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "no fit method 'newton'; there are ceres, nlopt, nlopt-global, ipopt");
+  }
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,309 @@
+// Tests for tendons/human/human_hand.cpp, hand_use.cpp, muscle_forces.cpp and joint_strength.cpp.
+
+#include "tendons/human/human_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+
+#include "base/error.h"
+#include "base/spatial.h"
+#include "base/units.h"
+#include "tendons/human/hand_use.h"
+#include "tendons/human/joint_strength.h"
+#include "tendons/human/muscle_forces.h"
+#include "tendons/human/tendon_hand.h"
+#include "tendons/linear_tendons.h"
+#include "tests/hand/hand_laws.h"
+#include "tests/hand/skin/human_subjects.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using testing::HasSubstr;
+
+HumanHandOptions bare() {
+  HumanHandOptions options;
+  options.cover = Cover::kNone;
+  return options;
+}
+
+int index_of(const std::vector<std::string>& names, const std::string& name) {
+  return static_cast<int>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+const Drive& drive_of(const Hand& hand, const std::string& name) {
+  for (const Drive& drive : hand.layout().drives)
+    if (drive.name == name) return drive;
+  throw InputError("no drive " + name);
+}
+
+class HumanTiers : public testing::TestWithParam<HumanTier> {};
+
+TEST_P(HumanTiers, ObeysTheLawsOfHands) {
+  const HumanHand human = build_human_hand(default_human(), GetParam(), bare());
+  expect_hand_laws(*human.hand, 5);
+  const HandLayout& layout = human.hand->layout();
+  EXPECT_EQ(layout.coordinates.size(), 20U);  // the wrist is welded
+  EXPECT_EQ(layout.tips.size(), 5U);
+  EXPECT_EQ(human.patches.size(), 10U);
+  EXPECT_EQ(human.targets.size(), 10U);
+  EXPECT_NEAR(layout.approach.direction.norm(), 1, 1e-12);
+  EXPECT_LT(layout.approach.direction.z(), -0.9);  // z is dorsal
+}
+
+// Every coordinate belongs to exactly one drive; flexion joints move inwards, others stand.
+TEST_P(HumanTiers, DrivesEveryDigit) {
+  const HumanHand human = build_human_hand(default_human(), GetParam(), bare());
+  const HandLayout& layout = human.hand->layout();
+  std::vector<int> moved(layout.coordinates.size(), 0);
+  for (const Drive& drive : layout.drives)
+    for (const Driven& driven : drive.moves) {
+      ++moved[driven.coordinate];
+      EXPECT_GT(driven.ratio, 0);
+      EXPECT_EQ(drive.speed > 0,
+                layout.coordinates[driven.coordinate].find("_AA") == std::string::npos);
+    }
+  for (const int times : moved) EXPECT_EQ(times, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, HumanTiers,
+                         testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
+                                         HumanTier::kSoftPads, HumanTier::kTendonNet));
+
+const JointAxis& joint_of(const Subject& subject, const std::string& name) {
+  for (const JointAxis& joint : subject.joints)
+    if (joint.name == name) return joint;
+  throw InputError("no joint " + name);
+}
+
+Eigen::Vector3d first_metacarpal(const Subject& subject) {
+  for (const Segment& segment : subject.segments)
+    if (segment.name == "MC1") return (segment.distal - segment.proximal).normalized();
+  throw InputError("no MC1");
+}
+
+// 0.3 deg about CMC1_FE and 35.7 deg about CMC1_AA bring the digitised metacarpal to where that of
+// the ARMS model is neutral (both frames: x radial, y proximal, z dorsal); so ranges counted from
+// there, -44.7 .. 28.6 and -44.7 .. 40.1 deg of the MyoHand, are shifted by as much.
+TEST(DefaultHuman, CountsTheThumbsRangesFromItsNeutralPosture) {
+  const Subject& human = default_human();
+  const Subject arms = read_subject(std::string(THENAR_DATA_DIR) + "/subjects/arms_thumb.toml");
+  const JointAxis &flexion = joint_of(human, "CMC1_FE"), &abduction = joint_of(human, "CMC1_AA");
+  const Eigen::Vector3d turned = rotation_about<double>(flexion.direction, 0.3 * kDegree) *
+                                 rotation_about<double>(abduction.direction, 35.7 * kDegree) *
+                                 first_metacarpal(human);
+  EXPECT_LT(std::acos(turned.dot(first_metacarpal(arms))), 0.15 * kDegree);
+  EXPECT_NEAR(flexion.lower, (-44.7 + 0.3) * kDegree, 1e-12);
+  EXPECT_NEAR(flexion.upper, (28.6 + 0.3) * kDegree, 1e-12);
+  EXPECT_NEAR(abduction.lower, (-44.7 + 35.7) * kDegree, 1e-12);
+  EXPECT_NEAR(abduction.upper, (40.1 + 35.7) * kDegree, 1e-12);
+}
+
+// Each step changes one thing.
+TEST(HumanHand, GrowsRicherByOneThingAtATime) {
+  const HumanHand a = build_human_hand(default_human(), HumanTier::kOrthogonalThumb, bare());
+  const HumanHand b = build_human_hand(default_human(), HumanTier::kSkewedThumb, bare());
+  const HumanHand c = build_human_hand(default_human(), HumanTier::kSoftPads, bare());
+  const HumanHand d = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const Eigen::VectorXd q = Eigen::VectorXd::Constant(20, 0.1);
+  const auto tip = [&](const HumanHand& human, int digit) {
+    const HandTip& at = human.hand->layout().tip_points[digit];
+    return Eigen::Vector3d(human.hand->pose(q)[at.link] * at.p);
+  };
+  EXPECT_GT((tip(a, 0) - tip(b, 0)).norm(), 1e-3);
+  for (int digit = 1; digit < 5; ++digit) EXPECT_EQ(tip(a, digit), tip(b, digit));
+  EXPECT_EQ(b.contact, ContactModel::kHardPoint);
+  EXPECT_EQ(c.contact, ContactModel::kSoftFinger);
+  EXPECT_EQ(tip(b, 0), tip(c, 0));
+  EXPECT_EQ(c.hand->actuation(q).upper, b.hand->actuation(q).upper);
+  EXPECT_EQ(tip(c, 0), tip(d, 0));
+  EXPECT_EQ(c.hand->layout().actuators.size(), 20U);
+  EXPECT_EQ(d.hand->layout().actuators.size(), 35U);  // muscles that cross joints of digits
+}
+
+// Motors can do at the reference posture whatever the tendons can, and no joint more.
+TEST(HumanHand, HasMotorsAsStrongAsItsTendons) {
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(20);
+  const HumanHand motors = build_human_hand(default_human(), HumanTier::kSoftPads, bare());
+  const HumanHand tendons = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const Actuation box = motors.hand->actuation(q), pull = tendons.hand->actuation(q);
+  sample::Draw draw(9);
+  for (int trial = 0; trial < 1000; ++trial) {
+    Eigen::VectorXd u = pull.upper;
+    for (double& tension : u) tension *= draw.number(0, 1) < 0.5 ? 0 : 1;
+    const Eigen::VectorXd tau = pull.B * u;
+    EXPECT_TRUE((tau.array() <= box.upper.array() + 1e-12).all());
+    EXPECT_TRUE((tau.array() >= box.lower.array() - 1e-12).all());
+  }
+  for (int joint = 0; joint < 20; ++joint) {
+    const Eigen::VectorXd u =
+        (pull.B.row(joint).transpose().array() > 0).select(pull.upper, Eigen::VectorXd::Zero(35));
+    EXPECT_NEAR(pull.B.row(joint).dot(u), box.upper[joint], 1e-12);
+  }
+}
+
+TEST(HumanHand, CarriesNetsOnAllFingers) {
+  const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  for (const std::string& warning : human.warnings)
+    EXPECT_THAT(warning, testing::Not(HasSubstr("no net")));
+  const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
+  EXPECT_EQ(actuation.status, ActuationStatus::kLinearised);
+  EXPECT_EQ(actuation.trouble, "");
+}
+
+// Of the deep flexor of the index finger, which no net moves.
+TEST(HumanHand, RunsTendonsOnThePathsThatWereAsked) {
+  std::vector<double> arms;
+  for (const Path path : {Path::kViaPoint, Path::kFitted}) {
+    HumanHandOptions options = bare();
+    options.path = path;
+    const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, options);
+    TendonOptions alone;
+    alone.path = path;
+    const auto finger = build_linear_tendons(default_human(), "index", alone);
+    const HandLayout& layout = human.hand->layout();
+    const int pip = index_of(layout.coordinates, "PIP2");
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(20);
+    q[pip] = 0.9;
+    const TendonNames& names = finger->digit().names;
+    Eigen::VectorXd q_finger = Eigen::VectorXd::Zero(4);
+    q_finger[index_of(names.coordinates, "PIP2")] = 0.9;
+    const Eigen::MatrixXd R =
+        finger->pull(q_finger, Eigen::VectorXd::Zero(static_cast<int>(names.muscles.size()))).R;
+    arms.push_back(human.hand->actuation(q).B(pip, index_of(layout.actuators, "FDP2")));
+    EXPECT_NEAR(arms.back(),
+                R(index_of(names.muscles, "FDP2"), index_of(names.coordinates, "PIP2")), 1e-12);
+  }
+  EXPECT_GT(std::abs(arms[1] - arms[0]), 1e-7);  // [m/rad]
+}
+
+TEST(HumanHand, TouchesWithSkinOrBones) {
+  HumanHandOptions options;
+  options.cover = Cover::kBones;
+  const HumanHand bones =
+      build_human_hand(sample::subject("arms_thumb"), HumanTier::kSkewedThumb, options);
+  ASSERT_EQ(bones.hand->surfaces().size(), 3U);
+  EXPECT_EQ(bones.hand->surfaces().front().material, "bone");
+  const HumanHand skin = build_human_hand(sample::subject("arms_thumb"), HumanTier::kSoftPads);
+  ASSERT_EQ(skin.hand->surfaces().size(), 3U);
+  EXPECT_EQ(skin.hand->surfaces().front().material, "skin");
+}
+
+// A flat hand has no tendons: strength is borrowed, twice as long is eight times as strong.
+TEST(HumanHand, BorrowsStrengthByTheCubeOfLength) {
+  const auto strength = [](double scale) {
+    const Subject subject = sample::scaled({0.195 * scale, 0.085 * scale});
+    const HumanHand human = build_human_hand(subject, HumanTier::kSkewedThumb, bare());
+    EXPECT_THAT(human.warnings, testing::Contains(HasSubstr("'mirakhorlo2016' times")));
+    return human.hand->actuation(Eigen::VectorXd::Zero(20)).upper;
+  };
+  const Eigen::VectorXd one = strength(1), two = strength(2);
+  EXPECT_GT(one.minCoeff(), 0);
+  EXPECT_LT((two - 8 * one).norm(), 1e-12 * two.norm());
+}
+
+TEST(HumanHand, RefusesTendonsWhereThereAreNone) {
+  EXPECT_EQ(
+      message_of([] { (void)build_human_hand(sample::scaled(), HumanTier::kTendonNet, bare()); }),
+      "subject 'buchholz1992' has no tendons for the fourth version");
+  // Its fingers have no muscles: motors borrow, tendons cannot.
+  const Subject thumb_only = sample::subject("graspit_skewed_thumb");
+  EXPECT_NO_THROW((void)build_human_hand(thumb_only, HumanTier::kSkewedThumb, bare()));
+  EXPECT_EQ(message_of([&] { (void)build_human_hand(thumb_only, HumanTier::kTendonNet, bare()); }),
+            "no muscle of 'graspit_skewed_thumb' moves its index; the fourth version wants tendons "
+            "at every digit");
+  EXPECT_EQ(human_tier("tier3"), HumanTier::kSoftPads);
+  EXPECT_EQ(message_of([] { (void)human_tier("tier5"); }),
+            "no human 'tier5'; there are tier1, tier2, tier3, tier4");
+}
+
+// -- Strength and closing ---------------------------------------------------------------------
+
+// By hand: the middle finger's FDP has 4.1 cm^2 at 45 N/cm^2 = 184.5 N; the ring finger's section
+// is (8.39 / 9.28)^2 of the middle finger's.
+TEST(MuscleForces, TakeNamesakesOfTheMiddleFinger) {
+  const MuscleForces forces = muscle_forces(default_human(), {"FDP3", "FDP4", "FPL"});
+  EXPECT_NEAR(forces.max_force.at("FDP3"), 184.5, 1e-9);
+  EXPECT_NEAR(forces.max_force.at("FDP4"), 184.5 * 8.39 * 8.39 / (9.28 * 9.28), 1e-9);
+  EXPECT_NEAR(forces.max_force.at("FPL"), 201, 1e-9);
+  EXPECT_THAT(forces.assumed, testing::ElementsAre("FDP4: 150.8 N, as FDP3 times 0.82"));
+  EXPECT_THAT(message_of([] { (void)muscle_forces(default_human(), {"FCR"}); }),
+              HasSubstr("largest tension of muscle 'FCR' of 'mirakhorlo2016' is unknown"));
+}
+
+/// Two joints, three tendons.
+class ThreeTendons final : public Hand {
+ public:
+  ThreeTendons() {
+    layout_.coordinates = {"J1", "J2"};
+    layout_.actuators = {"FDP", "FDS", "EDC"};
+  }
+  const HandLayout& layout() const override { return layout_; }
+  std::vector<Pose<double>> pose(const Eigen::VectorXd&) const override { return {}; }
+  Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(const Eigen::VectorXd&, int,
+                                                    const Eigen::Vector3d&) const override {
+    return {};
+  }
+  Actuation actuation(const Eigen::VectorXd&) const override {
+    Actuation actuation;
+    actuation.B.resize(2, 3);
+    actuation.B << 0.010, 0.008, -0.006, 0.005, 0.000, -0.004;
+    actuation.tau_0 = Eigen::Vector2d(9, 9);
+    actuation.lower = Eigen::Vector3d::Zero();
+    actuation.upper = Eigen::Vector3d(100, 50, 20);
+    return actuation;
+  }
+  const std::vector<LinkSurface>& surfaces() const override { return surfaces_; }
+
+ private:
+  HandLayout layout_;
+  std::vector<LinkSurface> surfaces_;
+};
+
+TEST(JointStrength, IsTheBoxAboutTheTorques) {
+  const TorqueLimits limits = joint_strength(ThreeTendons(), Eigen::Vector2d::Zero());
+  EXPECT_TRUE(matrix_near(limits.upper, Eigen::Vector2d(1.4, 0.5), 1e-12));
+  EXPECT_TRUE(matrix_near(limits.lower, Eigen::Vector2d(-0.12, -0.08), 1e-12));
+}
+
+TEST(HandUse, PullsFlexorsAlone) {
+  const ThreeTendons hand;
+  const Actuation actuation = hand.actuation(Eigen::Vector2d::Zero());
+  EXPECT_TRUE(
+      matrix_near(flexor_pull(hand.layout().actuators, actuation), Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_TRUE(matrix_near(flexor_pull(hand), Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_THROW((void)flexor_pull({"FDP"}, actuation), InputError);
+}
+
+// Ratios of the flexors' torques at their largest tensions, by the hand's own B.
+TEST(HandUse, ClosesByTheTendonsTorques) {
+  const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const HandLayout& layout = human.hand->layout();
+  const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
+  const Drive& index = drive_of(*human.hand, "index");
+  EXPECT_EQ(index.coupled, Coupled::kCompliant);
+  ASSERT_EQ(index.moves.size(), 3U);
+  const int fds = index_of(layout.actuators, "FDS2"), fdp = index_of(layout.actuators, "FDP2");
+  const auto torque = [&](const Driven& driven) {
+    return actuation.B(driven.coordinate, fds) * actuation.upper[fds] +
+           actuation.B(driven.coordinate, fdp) * actuation.upper[fdp];
+  };
+  for (const Driven& driven : index.moves)
+    EXPECT_NEAR(driven.ratio / index.moves[0].ratio, torque(driven) / torque(index.moves[0]), 1e-9);
+}
+
+TEST(HandUse, CurlsMotorFingersByConvention) {
+  const HumanHand human = build_human_hand(sample::scaled(), HumanTier::kSkewedThumb, bare());
+  const Drive& index = drive_of(*human.hand, "index");
+  EXPECT_EQ(index.coupled, Coupled::kBreakaway);
+  ASSERT_EQ(index.moves.size(), 3U);
+  EXPECT_EQ(index.moves[0].ratio, 1);
+  EXPECT_EQ(index.moves[1].ratio, 1);
+  EXPECT_NEAR(index.moves[2].ratio, 2.0 / 3, 1e-15);
+}
+
+}  // namespace
+}  // namespace thenar

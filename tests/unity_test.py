@@ -1,0 +1,114 @@
+"""Files of one folder are compiled together (unity builds): no two of them may define the same thing.
+
+Looks at what stands in unnamed namespaces, wherever CMake draws the line between two batches. Functions
+may share a name if their parameters differ; types may not have the name of a header's type. Run from the repository root; prints every offence.
+"""
+import collections
+import pathlib
+import re
+import sys
+
+COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
+STRING = re.compile(r'R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+NAMED = re.compile(r"\b(?:struct|class|enum(?: class)?) (\w+)[^;{}()]*$")
+USING = re.compile(r"^using (\w+) = (.*)$", re.S)
+FUNCTION = re.compile(r"([\w~]+)\s*\(([^{}]*)\)[^(){}]*$", re.S)
+VARIABLE = re.compile(r"^(?:inline |static )?(?:constexpr|const) [^=({;]*?\b(\w+)(?:\[[^\]]*\])*$", re.S)
+
+
+def parameters(text):
+    """The types of a parameter list, names and defaults left out."""
+    depth, out, one = 0, [], ""
+    for c in text + ",":
+        depth += (c in "<({[") - (c in ">)}]")
+        if c == "," and depth == 0:
+            one = re.sub(r"=.*", "", one, flags=re.S).strip()
+            out.append(re.sub(r"\s+", " ", re.sub(r"(?<=[\s&*>])\w+$", "", one)).strip())
+            one = ""
+        else:
+            one += c
+    return "(" + ", ".join(out) + ")"
+
+
+def definitions(text):
+    """(line, what) of everything in unnamed namespaces, at their top level."""
+    text = STRING.sub(lambda m: '""' + "\n" * m[0].count("\n"), COMMENT.sub(lambda m: "\n" * m[0].count("\n"), text))
+    text = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", lambda m: "\n" * m[0].count("\n"), text, flags=re.M)
+    stack, start, round_brackets = [], 0, 0
+    for i, c in enumerate(text):
+        round_brackets += (c == "(") - (c == ")")
+        if c not in "{};" or (c == ";" and round_brackets):
+            continue
+        head = text[start:i].strip()
+        inside = bool(stack) and stack[-1] == "unnamed" and all(s in ("unnamed", "named") for s in stack)
+        line = text.count("\n", 0, start + len(text[start:i]) - len(text[start:i].lstrip())) + 1
+        if c == "{":
+            if re.fullmatch(r"(inline )?namespace", head):
+                stack.append("unnamed")
+            elif re.match(r"(inline )?namespace\b", head):
+                stack.append("named")
+            else:
+                if inside:
+                    yield line, head
+                stack.append("body")
+        elif c == "}":
+            stack.pop() if stack else None
+        elif inside:
+            yield line, head
+        start = i + 1
+
+
+def name_of(head):
+    """What `head` defines: a name, with its parameters if it is a function; None: nothing."""
+    head = re.sub(r"^template\s*<[^{};]*?>\s*(?=\w|\[)", "", head).strip()
+    head = re.sub(r"\[\[.*?\]\]\s*", "", head)
+    if using := USING.match(head):
+        return f"using {using[1]}", re.sub(r"\s+", " ", using[2])
+    if head.startswith(("using", "friend", "static_assert")) or not head:
+        return None
+    before = head.split("=")[0].strip() if re.match(r"(inline |static )?(constexpr|const) ", head) and "(" not in head.split("=")[0] else head
+    if variable := VARIABLE.match(before):
+        return variable[1], ""
+    if named := NAMED.search(head):
+        return named[1], ""
+    if (function := FUNCTION.search(head)) and not re.search(r"\b\w+::\w+\s*\($", head[:function.start(2)]):
+        return function[1] + parameters(function[2]), ""
+    return None
+
+
+def public_types():
+    """Types that headers declare, by name."""
+    types = {}
+    for path in sorted(pathlib.Path(".").rglob("*.h")):
+        if path.parts[0] not in ("build", "out", "bench", "tests") and "node_modules" not in path.parts:
+            for declared in re.finditer(r"^(?:struct|class|enum class) (\w+)[^;]*?\{", path.read_text(), re.M):
+                types.setdefault(declared[1], path)
+    return types
+
+
+def offences():
+    types = public_types()
+    folders = collections.defaultdict(list)
+    for path in sorted(pathlib.Path(".").rglob("*.cpp")):
+        if path.parts[0] not in ("build", "out", "bench") and "node_modules" not in path.parts and not path.parts[0].startswith("."):
+            folders[path.parent].append(path)
+    for folder, paths in folders.items():
+        first = {}
+        for path in paths:
+            own = set()
+            for line, head in definitions(path.read_text()):
+                found = name_of(head)
+                if not found or found[0] in own:
+                    continue
+                own.add(found[0])
+                name, value = found
+                if name in types and re.match(r"(struct|class|enum)", head):
+                    yield f"{path}:{line}: {name} is a type of {types[name]}, too"
+                if name in first and not (value and value == first[name][1]):
+                    yield f"{path}:{line}: {name} is in {first[name][0]}, too"
+                first.setdefault(name, (path, value))
+
+
+bad = [*offences()]
+print("\n".join(bad))
+sys.exit(bool(bad))
