@@ -18,7 +18,7 @@
 #include "apps/schedule.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -38,7 +38,8 @@ void run_close(const CloseArguments& options) {
   const GraspQuestion question = ask_world(options.choice, schedule.next(kHand));
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
-  const TouchingHand touching = touching_hand(*question.hand.named.hand, question.scene.materials);
+  const CollisionHand touching =
+      collision_hand(*question.hand.named.hand, question.scene.materials);
   const std::clock_t start = std::clock();
   GraspAnswer found = answer(question, touching, 0, schedule.next(kClose));
   require(found.grasp.outcome != GraspOutcome::kOverlaps, "{}: {}", question.path,

@@ -20,9 +20,8 @@
 #include "apps/progress_bar.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/file_lock.h"
-#include "base/write_file.h"
-#include "grasp/compare/compare.h"
+#include "base/file_io.h"
+#include "grasp/compare/compare_hands.h"
 
 namespace thenar {
 namespace {

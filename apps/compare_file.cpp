@@ -241,7 +241,7 @@ OrderedJson digit_json(const DigitAbility& digit) {
     out["workspace_error_" + unit] = digit.workspace_error;
   }
   out["closing_force_N"] = number_json(digit.closing_force);
-  out["largest_force_N"] = number_json(digit.largest_force);
+  out["largest_force_N"] = number_json(digit.max_tip_force);
   return out;
 }
 

@@ -48,7 +48,7 @@ ComparedHand to_compare(const NamedHand& named) {
   hand.rates = named.rates;
   hand.warnings = named.warnings;
   if (named.targets.empty()) return hand;
-  const SkinMark& thumb = pad_of(named.patches, "thumb");
+  const SkinLandmark& thumb = pad_of(named.patches, "thumb");
   hand.thumb = {"thumb", thumb.link, thumb.p, 0};
   for (const OppositionTarget& target : named.targets)
     hand.places.push_back({target.name, target.mark.link, target.mark.p, target.score});
@@ -108,7 +108,7 @@ std::vector<ComparedHand> hands_of(const CompareQuestion& question,
     if (read_object(object_file(name, question.data)).material.empty())
       for (ComparedHand& hand : hands)
         hand.warnings.push_back(fmt::format("no material is stated of object '{}': {} is taken",
-                                            name, kGuessedMaterial));
+                                            name, kDefaultMaterial));
   return hands;
 }
 
@@ -117,7 +117,7 @@ std::vector<BodySpec> objects_of(const CompareQuestion& question) {
   for (const std::string& name : question.objects)
     objects.push_back(read_object(object_file(name, question.data)));
   for (BodySpec& object : objects)
-    if (object.material.empty()) object.material = kGuessedMaterial;
+    if (object.material.empty()) object.material = kDefaultMaterial;
   return objects;
 }
 

@@ -13,10 +13,10 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
-#include "grasp/quality/planar.h"
-#include "grasp/quality/pyramid.h"
-#include "grasp/quality/regions.h"
-#include "grasp/quality/withstood.h"
+#include "grasp/contact/contact.h"
+#include "grasp/contact/friction_pyramid.h"
+#include "grasp/limits/wrench_support.h"
+#include "grasp/quality/planar_grasp.h"
 
 namespace thenar {
 namespace {
@@ -31,7 +31,7 @@ bool is_polytope(const WrenchSet& set) {
                      [](const WrenchCap& cap) { return cap.A.cols() == 0; });
 }
 
-double largest_wrench(const WrenchSet& set) {
+double max_tip_wrench(const WrenchSet& set) {
   double largest = 0;
   for (const WrenchCap& cap : set.caps) largest = std::max(largest, cap.c.norm());
   return largest;
@@ -41,13 +41,14 @@ double largest_wrench(const WrenchSet& set) {
 void turn(WrenchSet& set, double angle) {
   for (WrenchCap& cap : set.caps) {
     if (cap.A.cols() < 2) continue;
-    const Wrench a = cap.A.col(0), b = cap.A.col(1);
+    const ScaledWrench a = cap.A.col(0), b = cap.A.col(1);
     cap.A.col(0) = std::cos(angle) * a + std::sin(angle) * b;
     cap.A.col(1) = std::cos(angle) * b - std::sin(angle) * a;
   }
 }
 
-/// Numbers of regions that share a limit, one a contact of the file. Wrenches have no place.
+/// Numbers of contact_regions that share a limit, one a contact of the file. Wrenches have no
+/// place.
 std::vector<int> regions_of(const ContactFile& file) {
   std::vector<Contact> contacts;
   int fresh = 0;  // a patch that nobody has
@@ -57,7 +58,7 @@ std::vector<int> regions_of(const ContactFile& file) {
     int& patch = contacts.back().patch;
     if (patch < 0 && !each.wrenches.empty()) patch = fresh++;
   }
-  return regions(contacts);
+  return contact_regions(contacts);
 }
 
 WrenchSet cones_of(const ContactFile& file, const Contact& contact,
@@ -75,7 +76,7 @@ WrenchSet wrenches_of(const ContactFile& file, const ContactQuestion& question) 
   WrenchSet set;
   for (std::size_t i = 0; i < file.contacts.size(); ++i) {
     const FileContact& contact = file.contacts[i];
-    for (const Wrench& wrench : contact.wrenches) set.caps.push_back({wrench, {}, region[i]});
+    for (const ScaledWrench& wrench : contact.wrenches) set.caps.push_back({wrench, {}, region[i]});
     if (!contact.wrenches.empty()) continue;
     for (WrenchCap& cap : cones_of(file, contact.contact, question).caps) {
       cap.contact = region[i];
@@ -94,7 +95,7 @@ Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file, const ContactQ
   EpsilonOptions wanted;
   wanted.limit = question.limit;
   wanted.gap = question.gap;
-  const double sharp = kPolytopeGap * largest_wrench(set);
+  const double sharp = kPolytopeGap * max_tip_wrench(set);
   if (is_polytope(set) && sharp > 0) wanted.gap = std::min(question.gap, sharp);
   Epsilon found = epsilon(set, wanted);
   found.converged = found.upper - found.lower <= question.gap;
@@ -135,15 +136,16 @@ std::optional<GraspMatrixMeasures> matrix_of(const ContactFile& file) {
 }
 
 /// Each load by itself; the margin is the least of them.
-TaskAnswer answer_loads(const ForceSet& forces, const std::vector<Wrench>& loads, double largest) {
-  TaskAnswer found{{ConeStatus::kSolved, kInfinity, kInfinity, Wrench::Zero(), 0}, {}};
-  for (const Wrench& load : loads) {
+TaskAnswer answer_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads,
+                        double largest) {
+  TaskAnswer found{{ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0}, {}};
+  for (const ScaledWrench& load : loads) {
     if (load.isZero(0)) {
       found.squeezes.push_back(0);
       continue;
     }
-    const Reach reach = largest_load(forces, load);
-    found.margin.residual = largest_or_nan(found.margin.residual, reach.residual);
+    const WrenchSupport reach = load_margin(forces, load);
+    found.margin.residual = max_or_nan(found.margin.residual, reach.residual);
     if (reach.status != ConeStatus::kSolved) {
       found.squeezes.push_back(std::numeric_limits<double>::quiet_NaN());
       found.margin.status = reach.status;
@@ -161,15 +163,15 @@ TaskAnswer answer_loads(const ForceSet& forces, const std::vector<Wrench>& loads
 std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
                                   const ContactQuestion& question) {
   if (file.task.kind == FileTask::Kind::kNone) return {};
-  std::vector<Wrench> loads = file.task.loads;
-  for (Wrench& load : loads) load.tail<3>() /= file.torque_scale;
+  std::vector<ScaledWrench> loads = file.task.loads;
+  for (ScaledWrench& load : loads) load.tail<3>() /= file.torque_scale;
   const ForceSet forces = unit_forces(set, question.limit);
   TaskAnswer found;
   if (set.caps.empty()) {
     found.margin = {ConeStatus::kSolved, 0, 0, loads[0], 0};
     if (file.task.kind == FileTask::Kind::kLoads) found.squeezes.assign(loads.size(), kInfinity);
   } else if (file.task.kind == FileTask::Kind::kLoads) {
-    found = answer_loads(forces, loads, largest_wrench(set));
+    found = answer_loads(forces, loads, max_tip_wrench(set));
   } else if (file.task.kind == FileTask::Kind::kBox) {
     found.margin = margin_of_box(forces, loads[0], loads[1]);
   } else {
@@ -180,17 +182,19 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
   }
   // Below this nothing is borne, but for the programmes' rounding.
   const double none =
-      kNothing * largest_wrench(set) / std::max(found.margin.worst_load.norm(), 1e-300);
+      kNothing * max_tip_wrench(set) / std::max(found.margin.worst_load.norm(), 1e-300);
   if (found.margin.upper < none) found.margin.lower = found.margin.upper = 0;
   found.margin.worst_load.tail<3>() *= file.torque_scale;
   return found;
 }
 
 /// Without minus zeros.
-OrderedJson plain(const Wrench& w) { return to_json(Wrench((w.array() + 0.0).matrix())); }
+OrderedJson plain(const ScaledWrench& w) {
+  return to_json(ScaledWrench((w.array() + 0.0).matrix()));
+}
 
 /// Of a plane f_x, f_y and the torque.
-OrderedJson wrench_json(const Wrench& w, bool planar) {
+OrderedJson wrench_json(const ScaledWrench& w, bool planar) {
   return planar ? OrderedJson{w(0) + 0.0, w(1) + 0.0, w(5) + 0.0} : plain(w);
 }
 
@@ -237,7 +241,7 @@ std::string task_words(const TaskAnswer& task, bool planar) {
                      json_text(wrench_json(task.margin.worst_load, planar), -1));
 }
 
-std::string words(const Wrench& w, bool planar) {
+std::string words(const ScaledWrench& w, bool planar) {
   if (planar)
     return fmt::format("force ({}), torque / scale {}", fmt::join(cells(w.head<2>(), 4), ", "),
                        fmt::join(cells(w.tail<1>(), 4), ", "));

@@ -10,13 +10,13 @@
 #include "apps/contact_file.h"
 #include "grasp/quality/epsilon.h"
 #include "grasp/quality/grasp_matrix.h"
-#include "grasp/quality/task_wrenches.h"
+#include "grasp/quality/task_margin.h"
 #include "grasp/quality/volume.h"
 
 namespace thenar {
 
 struct ContactQuestion {
-  ForceLimit limit = ForceLimit::kL1;
+  ForceNorm limit = ForceNorm::kL1;
   double gap = 1e-3;      // of epsilon, in unit forces [1]
   int edges = 0;          // of friction pyramids; 0: cones
   double first_edge = 0;  // about the normal, from the first tangent [deg]

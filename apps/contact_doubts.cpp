@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/contact_file.h"
-#include "grasp/quality/regions.h"
+#include "grasp/contact/contact.h"
 
 namespace thenar {
 namespace {
@@ -87,7 +87,7 @@ std::vector<std::string> contact_doubts(const ContactFile& file) {
 
   std::vector<Contact> places;
   for (const Numbered& cone : cones) places.push_back(cone.contact->contact);
-  const std::vector<int> region = regions(places);
+  const std::vector<int> region = contact_regions(places);
   std::set<int> met;
   std::vector<int> repeated;
   for (std::size_t i = 0; i < cones.size(); ++i)

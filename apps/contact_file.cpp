@@ -10,8 +10,8 @@
 #include "apps/contact_doubts.h"
 #include "apps/json_line.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "data/io/file_guard.h"
-#include "data/io/nearest_name.h"
 
 namespace thenar {
 namespace {
@@ -88,10 +88,10 @@ class JsonValue {
   }
 
   /// Force and torque; of a plane f_x, f_y and the torque.
-  [[nodiscard]] Wrench wrench(bool planar) const {
+  [[nodiscard]] ScaledWrench wrench(bool planar) const {
     if (!planar) return vector<6>();
     const Eigen::Vector3d flat = vector<3>();
-    return (Wrench() << flat.x(), flat.y(), 0, 0, 0, flat.z()).finished();
+    return (ScaledWrench() << flat.x(), flat.y(), 0, 0, 0, flat.z()).finished();
   }
 
   /// An integer >= 0.
@@ -187,8 +187,8 @@ FileContact file_contact(const JsonValue& value, bool planar) {
   return result;
 }
 
-std::vector<Wrench> wrenches_in(const JsonValue& list, bool planar, const char* what) {
-  std::vector<Wrench> wrenches;
+std::vector<ScaledWrench> wrenches_in(const JsonValue& list, bool planar, const char* what) {
+  std::vector<ScaledWrench> wrenches;
   for (const JsonValue& each : list.entries(what)) wrenches.push_back(each.wrench(planar));
   if (wrenches.empty()) list.fail_wanted(what);
   return wrenches;

@@ -5,21 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 
 namespace thenar {
 
 struct FileContact {
-  Contact contact;               // its point, normal and coefficients
-  double normal_length = 1;      // as given, before it was made unit [1]
-  std::vector<Wrench> wrenches;  // torque already divided by the scale; empty: its cone counts
+  Contact contact;           // its point, normal and coefficients
+  double normal_length = 1;  // as given, before it was made unit [1]
+  std::vector<ScaledWrench>
+      wrenches;  // torque already divided by the scale; empty: its cone counts
 };
 
 /// What a grasp is for: loads on the object, about its centre of mass [N, N m] (6).
 struct FileTask {
   enum class Kind { kNone, kLoads, kBox, kEllipsoid };
   Kind kind = Kind::kNone;
-  std::vector<Wrench> loads;  // each load; or the lower and upper end of a box; or semi-axes
+  std::vector<ScaledWrench> loads;  // each load; or the lower and upper end of a box; or semi-axes
 };
 
 struct ContactFile {

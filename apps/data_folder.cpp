@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "base/read_file.h"
-#include "data/io/nearest_name.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {

@@ -20,8 +20,8 @@
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
 #include "apps/read_source.h"
+#include "base/file_io.h"
 #include "base/units.h"
-#include "base/write_file.h"
 #include "tendons/net/build_tendons.h"
 #include "viewer/fit_pages.h"
 #include "viewer/hood_page.h"
@@ -46,10 +46,10 @@ StudyInputs inputs_of(const DemoArguments& options) {
                                  read("experiments/synek2019_H02.toml")};
   inputs.population_subject = read("subjects/synek2019_middle.toml");
   inputs.unseen = {read("experiments/synek2019_B01.toml")};
-  inputs.rivals = {{"Published calibrated model", inputs.population_subject},
-                   {"Normative finger", inputs.specimen.subject}};
-  inputs.methods = {FitMethod::kCeres, FitMethod::kIpopt, FitMethod::kNloptLocal,
-                    FitMethod::kNloptGlobal};
+  inputs.baselines = {{"Published calibrated model", inputs.population_subject},
+                      {"Normative finger", inputs.specimen.subject}};
+  inputs.methods = {LeastSquaresMethod::kCeres, LeastSquaresMethod::kIpopt,
+                    LeastSquaresMethod::kNloptLocal, LeastSquaresMethod::kNloptGlobal};
   return inputs;
 }
 

@@ -5,7 +5,7 @@
 
 #include "apps/compare_inputs.h"
 #include "apps/compare_report.h"
-#include "grasp/compare/compare.h"
+#include "grasp/compare/compare_hands.h"
 #include "viewer/blocks.h"
 #include "viewer/compare_tables.h"
 

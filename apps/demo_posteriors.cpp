@@ -37,7 +37,7 @@ Json row(const Named& named, const Experiment& experiment, const std::string& ho
   const ForceError& error = prediction.error;
   return {named.name,
           experiment.name,
-          prediction.start_has_seen ? how + "; the subject has seen it" : how,
+          prediction.calibrated_on_specimen ? how + "; the subject has seen it" : how,
           error.relative,
           error.relative_flexion,
           100 * error.covered.value_or(0)};
@@ -57,7 +57,7 @@ Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>&
             named.name);
     const LeaveOneOut& loo = left_out->result;
     const Convergence& c = named.run.convergence;
-    runs.push_back({named.name, posterior.size(), c.worst_r_hat, c.least_bulk_ess, c.divergent,
+    runs.push_back({named.name, posterior.size(), c.worst_r_hat, c.min_bulk_ess, c.divergent,
                     named.run.modes.size(), loo.elpd, loo.se, loo.effective_parameters,
                     (loo.k.array() > loo.good_k).count(), named.run.draws.seconds});
   }

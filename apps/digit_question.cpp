@@ -10,9 +10,9 @@
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "hand/tip_mobility.h"
+#include "hand/tip_manipulability.h"
+#include "tendons/forces/tip_map.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/published_map.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
@@ -42,7 +42,7 @@ DigitAtPosture digit_from_map(const Subject& subject, const std::string& digit,
   DigitAtPosture at{subject.name, digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}, {}, 1};
   at.built = fmt::format("published tip map '{}', in its own x, y, z", map.name);
   for (const std::string& moment : moment_rows(map)) at.rows.push_back(moment);
-  at.statics = map_statics(subject, map);
+  at.statics = statics_from_tip_map(subject, map);
   return at;
 }
 
@@ -67,10 +67,10 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
   const Eigen::VectorXd q = parse_posture(digit.skeleton, question.posture);
   warn_of_limits(digit.skeleton, q);
   warn_of_collapse(*tendons, q);
-  const TendonPull pull = tendons->pull(
+  const TendonTorque pull = tendons->pull(
       q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
-  require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.trouble);
-  if (!pull.trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", pull.trouble);
+  require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+  if (!pull.warning.empty()) fmt::print(stderr, "thenar: warning: {}\n", pull.warning);
   const TipStatics statics = tip_statics(*tendons, q);
   const TreeState<double> state = pose_tree(digit.model.tree, q);
   const int link = digit.model.tip_link;
@@ -84,8 +84,8 @@ DigitAtPosture digit_from_bones(const Subject& subject, const std::string& name,
           q,
           turned * digit.model.tip_axes,
           statics,
-          statics_slopes(*tendons, q),
-          tip_mobility(statics.J).condition};
+          statics_derivatives(*tendons, q),
+          tip_manipulability(statics.J).condition};
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/io/subject.h"
-#include "tendons/posture_slopes.h"
+#include "tendons/forces/posture_sensitivity.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -37,8 +37,8 @@ struct DigitAtPosture {
   Eigen::VectorXd q;                        // [rad] (joints); empty for a map
   std::optional<Eigen::Matrix3d> tip_axes;  // proximal, dorsal, radial now, in world axes (3, 3)
   TipStatics statics;
-  std::vector<StaticsSlope> slopes;  // by each joint; empty for a map
-  double condition;                  // of the tip's Jacobian [1]
+  std::vector<StaticsDerivative> slopes;  // by each joint; empty for a map
+  double condition;                       // of the tip's Jacobian [1]
 };
 
 /// Reads the subject and builds the digit; warns on stderr of angles outside their limits.

@@ -5,10 +5,10 @@
 #include "apps/explanation.h"
 #include "apps/median_time.h"
 #include "base/error.h"
-#include "tendons/feasible_force.h"
-#include "tendons/feasible_set.h"
-#include "tendons/tip_force.h"
-#include "tendons/tip_wrench.h"
+#include "tendons/forces/feasible_force_set.h"
+#include "tendons/forces/max_tip_force.h"
+#include "tendons/forces/tip_force.h"
+#include "tendons/forces/tip_wrench.h"
 
 namespace thenar {
 namespace {
@@ -71,7 +71,7 @@ Section explain_cost(const Subject& subject, const std::string& name, const Tend
   clocked.add("tip wrench, rigid", "static", [&] { keep(tip_wrench(statics, t)); });
   if (statics.max_tension.allFinite()) {
     clocked.add("largest force one way", "static, force bounds",
-                [&] { keep(largest_force(statics, Eigen::Vector3d::UnitX())); });
+                [&] { keep(max_tip_force(statics, Eigen::Vector3d::UnitX())); });
     clocked.add("all feasible forces", "static, force bounds",
                 [&] { keep(feasible_force_set(statics)); });
   }

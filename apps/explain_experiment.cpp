@@ -28,7 +28,7 @@ Section explain_protocol(const Experiment& experiment) {
       experiment.description,
       fmt::format("{} of specimen {} ({}); source {}", experiment.digit, experiment.specimen,
                   experiment.species, experiment.source),
-      experiment.hold == TipHold::kRigid
+      experiment.hold == TipConstraint::kRigid
           ? "hold rigid: the tip was clamped to the load cell, which took forces and moments"
           : "hold pinned: the tip touched the load cell at a point, which took forces only",
       fmt::format("forces are of the tip on the world, in axes fixed in {}: 1 {}, 2 {}, 3 {}",

@@ -46,12 +46,13 @@ Section explain_learnt(const Fit& fit) {
                   "What the data taught, in prior sds; sd 1: nothing",
                   {},
                   {{"coordinate", "estimate", "sd_after", "not_identifiable_share"}, {}}};
-  for (const int i : by_knowledge(fit.covariance)) {
-    const Learnt& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+  for (const int i : sorted_by_sd(fit.covariance)) {
+    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
     section.table.rows.push_back(
         {learnt.name, shown(learnt.z, 3), shown(learnt.sd, 3), shown(learnt.null_share, 3)});
   }
-  for (const NullDirection& null : fit.covariance.nulls) section.lines.push_back(null.text);
+  for (const NullDirection& null : fit.covariance.null_directions)
+    section.lines.push_back(null.text);
   return section;
 }
 

@@ -23,8 +23,8 @@ std::string sizes_of(const ShapeSpec& shape) {
 
 std::string mass_of(const BodySpec& body) {
   if (body.mass) return shown(body.mass->mass / kG, 1) + " g, as stated with its inertia";
-  if (body.spread_mass > 0)
-    return shown(body.spread_mass / kG, 1) + " g, spread evenly over the shapes";
+  if (body.uniform_mass > 0)
+    return shown(body.uniform_mass / kG, 1) + " g, spread evenly over the shapes";
   if (body.density > 0) return shown(body.density, 0) + " kg/m3 times the volume";
   return "unknown";
 }

@@ -9,7 +9,7 @@
 
 #include "apps/print_table.h"
 #include "data/io/experiment.h"
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "data/io/robot/robot.h"
 #include "data/io/subject.h"
 #include "data/io/world/world.h"

@@ -2,7 +2,7 @@
 //
 // The largest force of a fingertip along a direction, or all the forces it can make.
 
-#include "tendons/feasible_force.h"
+#include "tendons/forces/max_tip_force.h"
 
 #include <memory>
 
@@ -57,8 +57,8 @@ void run_feasible_force(const FeasibleForceArguments& options) {
   std::string text = text_header(at) + "\n";
   if (!options.direction.empty()) {
     const Eigen::Vector3d d(options.direction.data());
-    const LargestForce largest =
-        largest_force(at.statics, axes.to_world * d, {options.tolerance_deg * kDegree});
+    const MaxTipForce largest =
+        max_tip_force(at.statics, axes.to_world * d, {options.tolerance_deg * kDegree});
     json.update(json_of(at, axes, largest));
     text += text_of(at, axes, largest);
   }

@@ -5,7 +5,7 @@
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/units.h"
-#include "tendons/posture_slopes.h"
+#include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {
 namespace {
@@ -61,23 +61,23 @@ std::string name_of(ForceStatus status) {
 }
 
 Eigen::VectorXd magnitude_change(const DigitAtPosture& at, const ForceAxes& axes,
-                                 const LargestForce& largest) {
+                                 const MaxTipForce& largest) {
   if (largest.status != ForceStatus::kSolved || largest.magnitude < kNoForce || !at.map.empty())
     return {};
-  return largest_force_slopes(at.statics, at.slopes, largest,
-                              axes.name == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld);
+  return max_tip_force_gradient(at.statics, at.slopes, largest,
+                                axes.name == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld);
 }
 
 WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes) {
   WholeSet whole{feasible_force_set(at.statics), {}};
   for (int k = 0; k < 6; ++k)
     whole.along.push_back(
-        largest_force(at.statics, (k % 2 == 0 ? 1 : -1) * axes.to_world.col(k / 2)));
+        max_tip_force(at.statics, (k % 2 == 0 ? 1 : -1) * axes.to_world.col(k / 2)));
   return whole;
 }
 
 nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
-                               const LargestForce& largest) {
+                               const MaxTipForce& largest) {
   nlohmann::ordered_json json{{"status", name_of(largest.status)},
                               {"axes", axes.name},
                               {"force_N", to_json(axes.to_world.transpose() * largest.force)},
@@ -113,7 +113,7 @@ nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
             {"largest_N", largest}}}};
 }
 
-std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const LargestForce& largest) {
+std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const MaxTipForce& largest) {
   if (largest.status != ForceStatus::kSolved) return status_line(largest.status) + "\n";
   if (largest.magnitude < kNoForce)
     return "Largest force: none; " + meaning(ForceStatus::kInfeasible) + "\n\n";

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "apps/digit_question.h"
-#include "tendons/feasible_force.h"
-#include "tendons/feasible_set.h"
+#include "tendons/forces/feasible_force_set.h"
+#include "tendons/forces/max_tip_force.h"
 
 namespace thenar {
 
@@ -22,13 +22,13 @@ struct ForceAxes {
 /// The set, and the largest pure force along each axis.
 struct WholeSet {
   FeasibleForceSet set;
-  std::vector<LargestForce> along;  // +1, -1, +2, -2, +3, -3 (6)
+  std::vector<MaxTipForce> along;  // +1, -1, +2, -2, +3, -3 (6)
 };
 
 /// Derivative of the largest force by each joint, the direction held in the axes that it was given
 /// in; empty unless there is such a force, and for a map [N/rad] (n).
 [[nodiscard]] Eigen::VectorXd magnitude_change(const DigitAtPosture& at, const ForceAxes& axes,
-                                               const LargestForce& largest);
+                                               const MaxTipForce& largest);
 
 [[nodiscard]] WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes);
 
@@ -36,10 +36,10 @@ struct WholeSet {
 [[nodiscard]] std::string name_of(ForceStatus status);
 
 [[nodiscard]] nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
-                                             const LargestForce& largest);
+                                             const MaxTipForce& largest);
 [[nodiscard]] nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole);
 [[nodiscard]] std::string text_of(const DigitAtPosture& at, const ForceAxes& axes,
-                                  const LargestForce& largest);
+                                  const MaxTipForce& largest);
 [[nodiscard]] std::string text_of(const ForceAxes& axes, const WholeSet& whole);
 
 }  // namespace thenar

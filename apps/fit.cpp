@@ -58,12 +58,12 @@ nlohmann::json error_json(const Prediction& prediction) {
           {"rms_error_N", prediction.error.rms},
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
-          {"start_has_seen_specimen", prediction.start_has_seen}};
+          {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
 }
 
 /// Says behind an error that it is of no stranger.
 const char* mark(const Prediction& prediction) {
-  return prediction.start_has_seen ? " (the subject has seen this specimen)" : "";
+  return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
 }
 
 nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& validations) {
@@ -78,7 +78,7 @@ nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& valid
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e)
     out["in_sample"].push_back(
         error_json(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e))));
-  for (const NullDirection& null : fit.covariance.nulls)
+  for (const NullDirection& null : fit.covariance.null_directions)
     out["not_identifiable"].push_back(null.text);
   for (const CrossValidation& validation : validations)
     for (const Prediction& prediction : validation.experiments) {
@@ -92,23 +92,24 @@ nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& valid
 
 /// The coordinates that the data moved or pinned down most.
 void print_learnt(const Fit& fit, std::size_t count) {
-  const std::vector<int> order = by_knowledge(fit.covariance);
+  const std::vector<int> order = sorted_by_sd(fit.covariance);
   fmt::print("\nlearnt most (estimate and sd in units of the prior sd):\n");
   for (std::size_t k = 0; k < std::min(count, order.size()); ++k) {
-    const Learnt& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
+    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
     fmt::print("  {:<34} {:+6.2f} +- {:.2f}{}\n", learnt.name, learnt.z, learnt.sd,
                learnt.at_bound ? ", at its bound" : "");
   }
 }
 
 void print_nulls(const Fit& fit, std::size_t count) {
-  const auto& nulls = fit.covariance.nulls;
-  if (nulls.empty()) return;
-  fmt::print("\n{} of {} directions are known from the prior alone:\n", nulls.size(),
+  const auto& null_directions = fit.covariance.null_directions;
+  if (null_directions.empty()) return;
+  fmt::print("\n{} of {} directions are known from the prior alone:\n", null_directions.size(),
              fit.problem.size());
-  for (std::size_t i = 0; i < std::min(count, nulls.size()); ++i)
-    fmt::print("  {}\n", nulls[i].text);
-  if (nulls.size() > count) fmt::print("  ... all are in the result file (--json lists them)\n");
+  for (std::size_t i = 0; i < std::min(count, null_directions.size()); ++i)
+    fmt::print("  {}\n", null_directions[i].text);
+  if (null_directions.size() > count)
+    fmt::print("  ... all are in the result file (--json lists them)\n");
 }
 
 void print_summary(const Fit& fit, const std::vector<CrossValidation>& validations,
@@ -144,7 +145,7 @@ void run_fit(const FitArguments& options) {
     return;
   }
   SolveOptions solve_options;
-  solve_options.method = fit_method(options.method);
+  solve_options.method = least_squares_method(options.method);
   solve_options.seed = options.seed;
   solve_options.max_evaluations = options.max_evaluations;
   solve_options.progress = terminal_progress();

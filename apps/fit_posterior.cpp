@@ -13,9 +13,9 @@
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "posterior/run/agreed_work.h"
 #include "posterior/run/posterior_file.h"
-#include "sampling/durable_file.h"
+#include "sampling/run/communicator.h"
+#include "sampling/run/durable_file.h"
 
 namespace thenar {
 namespace {
@@ -38,7 +38,7 @@ PosteriorSettings settings_of(const ChainOptions& options, const FitInputs& inpu
   run.groups = options.chains;
   run.walkers = options.walkers;
   run.temperatures = options.temperatures;
-  run.least_temper = options.least_temper;
+  run.min_beta = options.min_beta;
   run.swap_every = options.swap_every;
   // An ensemble has more than twice as many walkers as parameters, all of which draw.
   const int sparse = run.method == SamplingMethod::kStretchMove ? 10 : 1;
@@ -63,7 +63,7 @@ void forget_run(const std::string& folder) {
 }
 
 PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
-                    const Ranks& ranks) try {
+                    const Communicator& ranks) try {
   return sample_posterior(inputs, settings, ranks);
 } catch (const CheckpointError& refusal) {
   const bool damaged = refusal.kind() == CheckpointError::Kind::kDamaged;
@@ -92,22 +92,22 @@ void tell(const PosteriorRun& run, const ChainOptions& options, const std::strin
         "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on", output,
         run.draws.draws(), folder));
   // Chains that have not converged may be asked for more draws.
-  if (run.convergence.reasons.empty() || options.allow_unconverged) forget_run(folder);
+  if (run.convergence.warnings.empty() || options.allow_unconverged) forget_run(folder);
   require_converged(run, options.allow_unconverged);
 }
 
 /// All that ranks do together; whatever it throws, it throws on all of them.
 void fit_together(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
-                  const std::string& output, bool json, const Ranks& ranks) {
+                  const std::string& output, bool json, const Communicator& ranks) {
   PosteriorSettings settings;
-  agreed_work(ranks, [&] {
+  collective_call(ranks, [&] {
     settings = settings_of(options, inputs, seed, output);
     if (ranks.rank() > 0) settings.run.progress.report = nullptr;
     if (ranks.rank() == 0) require_result_path(output);
     if (ranks.rank() == 0 && options.fresh) forget_run(settings.run.folder);
   });
   const PosteriorRun run = sample(inputs, settings, ranks);
-  agreed_work(ranks, [&] {
+  collective_call(ranks, [&] {
     if (ranks.rank() == 0) tell(run, options, output, json);
   });
 }
@@ -135,7 +135,7 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
   add("--thin", options.thin, "Steps a draw (default 1, stretch 10)")->check(CLI::PositiveNumber);
   add("--temperatures", options.temperatures, "Rungs of parallel tempering (1: none)")
       ->check(CLI::PositiveNumber);
-  add("--least-temper", options.least_temper, "Power of the likelihood on the hottest rung")
+  add("--least-temper", options.min_beta, "Power of the likelihood on the hottest rung")
       ->check(CLI::Range(0.0, 1.0));
   add("--swap-every", options.swap_every, "Steps between swaps of temperatures")
       ->check(CLI::PositiveNumber);
@@ -158,16 +158,16 @@ void add_chain_options(CLI::App& command, ChainOptions& options) {
 void fit_posterior(const FitInputs& inputs, const ChainOptions& options, unsigned seed,
                    const std::string& output, bool json) {
   require_ending(output, {".nc"});
-  std::exception_ptr trouble;
+  std::exception_ptr warning;
   {
-    const std::unique_ptr<Ranks> ranks = world_ranks();
+    const std::unique_ptr<Communicator> ranks = world_communicator();
     try {
       fit_together(inputs, options, seed, output, json, *ranks);
     } catch (const std::exception&) {
-      if (ranks->rank() == 0) trouble = std::current_exception();
+      if (ranks->rank() == 0) warning = std::current_exception();
     }
   }  // MPI ends in peace before the first rank fails alone
-  if (trouble) std::rethrow_exception(trouble);
+  if (warning) std::rethrow_exception(warning);
 }
 
 }  // namespace thenar

@@ -18,7 +18,7 @@ struct ChainOptions {
   int mode_starts = 16, max_depth = 10;
   int thin = 0;                    // 0: 1, of ensembles of many walkers 10
   long warm_up = 1000, draws = 0;  // 0: 1000 steps in all
-  double least_temper = 0, checkpoint_every_s = 10;
+  double min_beta = 0, checkpoint_every_s = 10;
   double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
   bool fixed_noise = false, allow_unconverged = false, fresh = false;
 };

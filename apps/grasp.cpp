@@ -21,8 +21,8 @@
 #include "apps/schedule.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/write_file.h"
-#include "grasp/closing_drives.h"
+#include "base/file_io.h"
+#include "grasp/closing/closing_drives.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -84,7 +84,7 @@ void save(const GraspQuestion& question, const GraspAnswer& found, const std::st
 }
 
 void add_measures(const GraspArguments& options, const GraspQuestion& question,
-                  const TouchingHand& touching, Schedule& schedule, GraspAnswer& found) {
+                  const CollisionHand& touching, Schedule& schedule, GraspAnswer& found) {
   if (found.grasp.outcome != GraspOutcome::kGrasped) return;
   found.measures = std::make_shared<const GraspMeasures>(
       measure(question, touching, found, schedule.next(kMeasures)));
@@ -104,21 +104,22 @@ void warn_of_tendons(const GraspAnswer& found, NamedHand& hand) {
   hand.warnings.push_back(fmt::format(
       "the joint torques of this posture, and the loads and efforts that follow from them, {}: {}",
       here.status == ActuationStatus::kDoubtful ? "are doubtful" : "must not be used",
-      here.trouble));
+      here.warning));
 }
 
 void run_grasp(const GraspArguments& options) {
   check(options);
   Schedule schedule(terminal_progress(), seconds(options));
   GraspQuestion question = ask(options, schedule.next(kHand));
-  question.limit = options.norm == "l1" ? ForceLimit::kL1 : ForceLimit::kLinf;
+  question.limit = options.norm == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
   question.gap = options.gap;
   question.edges = options.edges;
   question.starts = options.random;
   question.seed = options.seed;
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
-  const TouchingHand touching = touching_hand(*question.hand.named.hand, question.scene.materials);
+  const CollisionHand touching =
+      collision_hand(*question.hand.named.hand, question.scene.materials);
   const bool mounted = question.hand.parts.size() > 1;  // an arm's foot does not fly
   require(!mounted || options.random == 0, "hand '{}' is mounted: it cannot start anywhere",
           question.hand.named.name);

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/schedule.h"
-#include "grasp/quality/pyramid.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -27,11 +27,12 @@ GraspOptions options_of(const GraspQuestion& question) {
 }
 
 /// One start, measured as was asked.
-Grasp grasp_from(const GraspQuestion& question, const TouchingHand& touching, const Trial& start) {
+Grasp grasp_from(const GraspQuestion& question, const CollisionHand& touching,
+                 const Pregrasp& start) {
   const GraspOptions options = options_of(question);
   GraspOptions here = options;
   here.way = 0;
-  Grasp found = start.way > 0 ? try_grasp(touching, start, question.scene, options)
+  Grasp found = start.way > 0 ? attempt_grasp(touching, start, question.scene, options)
                               : grasp(touching, start.X_WH, start.q, question.scene, here);
   if (question.edges > 0 && found.outcome == GraspOutcome::kGrasped)
     found.quality = epsilon(wrenches_of(question, found.contacts), options.epsilon);
@@ -39,7 +40,7 @@ Grasp grasp_from(const GraspQuestion& question, const TouchingHand& touching, co
 }
 
 /// Counts a start, and keeps it if it is the best so far.
-void note(GraspAnswer& found, Grasp grasp, int number, const Trial& start) {
+void note(GraspAnswer& found, Grasp grasp, int number, const Pregrasp& start) {
   ++found.outcomes[static_cast<std::size_t>(grasp.outcome)];
   found.closures += grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure ? 1 : 0;
   if (number > 0 && !is_better(grasp, found.grasp)) return;
@@ -52,31 +53,31 @@ void note(GraspAnswer& found, Grasp grasp, int number, const Trial& start) {
 
 WrenchSet wrenches_of(const GraspQuestion& question, const std::vector<HandContact>& contacts) {
   const SceneBody& object = question.scene.object;
-  const WrenchSet set = wrench_set(plain(contacts), object.com, object.reach);
+  const WrenchSet set = wrench_set(contacts_without_hand(contacts), object.com, object.reach);
   return question.edges > 0 ? pyramids(set, question.edges) : set;
 }
 
-GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching, double way,
+GraspAnswer answer(const GraspQuestion& question, const CollisionHand& touching, double way,
                    const Progress& progress) {
   GraspAnswer found;
   if (question.starts == 0) {
     report_or_stop(progress, 0, "closing the hand");
-    const Trial own{question.hand.X_WH, question.hand.q, way};
+    const Pregrasp own{question.hand.X_WH, question.hand.q, way};
     note(found, grasp_from(question, touching, own), -1, own);
   }
   for (int i = 0; i < question.starts && (i == 0 || !progress.stop()); ++i) {
     report_or_stop(progress, static_cast<double>(i) / question.starts,
                    fmt::format("start {} of {}", i + 1, question.starts));
-    const Trial drawn = draw_trial(touching, question.scene.object, question.seed, i);
+    const Pregrasp drawn = sample_pregrasp(touching, question.scene.object, question.seed, i);
     note(found, grasp_from(question, touching, drawn), i, drawn);
   }
   found.wrenches = wrenches_of(question, found.grasp.contacts);
   return found;
 }
 
-Grasp regrasp(const GraspQuestion& question, const TouchingHand& touching,
+Grasp regrasp(const GraspQuestion& question, const CollisionHand& touching,
               const GraspAnswer& answer, const Scene& scene) {
-  return try_grasp(touching, answer.start, scene, options_of(question));
+  return attempt_grasp(touching, answer.start, scene, options_of(question));
 }
 
 double cpu_since(std::clock_t start) {

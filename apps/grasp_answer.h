@@ -11,7 +11,7 @@
 
 #include "apps/grasp_question.h"
 #include "base/progress.h"
-#include "grasp/compare/trial.h"
+#include "grasp/compare/pregrasp.h"
 
 namespace thenar {
 
@@ -30,7 +30,7 @@ struct GraspAnswer {
   std::array<int, 6> outcomes{};                      // of all starts, by GraspOutcome
   int closures = 0;                                   // starts that ended in force closure
   int best = -1;                                      // its start; -1: none was drawn
-  Trial start;                                        // where the best began
+  Pregrasp start;                                     // where the best began
   double cpu = 0;                                     // of all, measures included [s]
   std::shared_ptr<const GraspMeasures> measures;      // const, so shared by copies; null: no grasp
   std::shared_ptr<const GraspRobustness> robustness;  // the same; null: not asked
@@ -38,18 +38,18 @@ struct GraspAnswer {
   [[nodiscard]] int started() const { return std::accumulate(outcomes.begin(), outcomes.end(), 0); }
 };
 
-/// Starts, and keeps the best. Start n of several is draw_trial() n, as in `thenar compare`, and
-/// the object yields to jaws as in centred_grasp(); so it does where the world's own hand goes at
-/// it.
+/// Starts, and keeps the best. Start n of several is sample_pregrasp() n, as in `thenar compare`,
+/// and the object yields to jaws as in centred_grasp(); so it does where the world's own hand goes
+/// at it.
 /// @param way  farthest approach from the world's own start [m]; 0: the hand stays there
 /// Where progress says stop it is the best of the starts until then.
 /// @throws Interrupted where that is before the first
-[[nodiscard]] GraspAnswer answer(const GraspQuestion& question, const TouchingHand& touching,
+[[nodiscard]] GraspAnswer answer(const GraspQuestion& question, const CollisionHand& touching,
                                  double way, const Progress& progress = {});
 
 /// The grasp of an answer once more, in a scene that is a little different; the object yields to
 /// jaws as in centred_grasp(), also where the hand stays.
-[[nodiscard]] Grasp regrasp(const GraspQuestion& question, const TouchingHand& touching,
+[[nodiscard]] Grasp regrasp(const GraspQuestion& question, const CollisionHand& touching,
                             const GraspAnswer& answer, const Scene& scene);
 
 /// Processor time from then on [s].

@@ -5,7 +5,7 @@
 #include "apps/grasp_report.h"
 #include "apps/grasp_robustness.h"
 #include "apps/to_json.h"
-#include "grasp/quality/wrench_picture.h"
+#include "grasp/quality/wrench_set_mesh.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -13,7 +13,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson stopped_json(const GraspQuestion& question, const TouchingHand& touching,
+OrderedJson stopped_json(const GraspQuestion& question, const CollisionHand& touching,
                          const std::vector<JointRow>& rows) {
   OrderedJson list = OrderedJson::array();
   const HandLayout& layout = question.hand.named.hand->layout();
@@ -28,7 +28,7 @@ OrderedJson stopped_json(const GraspQuestion& question, const TouchingHand& touc
   return list;
 }
 
-OrderedJson contacts_json(const TouchingHand& touching, const std::vector<HandContact>& contacts) {
+OrderedJson contacts_json(const CollisionHand& touching, const std::vector<HandContact>& contacts) {
   OrderedJson list = OrderedJson::array();
   for (const HandContact& found : contacts) {
     const LinkSurface& surface = touching.hand->surfaces()[static_cast<std::size_t>(found.surface)];
@@ -69,17 +69,17 @@ OrderedJson starts_json(const GraspQuestion& question, const GraspAnswer& answer
           {"force_closures", answer.closures}};
 }
 
-OrderedJson mesh_json(const WrenchPicture& picture) {
+OrderedJson mesh_json(const WrenchSetMesh& picture) {
   if (picture.failed > 0) return nullptr;  // unbounded, or without the origin
   return {{"vertices_N", to_json(Eigen::MatrixXd(picture.mesh.vertices.transpose()))},
           {"triangles", to_json(Eigen::MatrixXi(picture.mesh.triangles.transpose()))}};
 }
 
 /// Projections onto forces and onto torques, and the slices where the others are zero.
-OrderedJson wrench_set_json(const WrenchSet& wrenches, ForceLimit limit) {
+OrderedJson wrench_set_json(const WrenchSet& wrenches, ForceNorm limit) {
   const ForceSet forces = unit_forces(wrenches, limit);
   const auto mesh = [&](int first, PictureKind kind) {
-    return mesh_json(wrench_picture(forces, {first, first + 1, first + 2}, kind));
+    return mesh_json(wrench_set_mesh(forces, {first, first + 1, first + 2}, kind));
   };
   return {{"forces", mesh(0, PictureKind::kProjection)},
           {"forces_without_torque", mesh(0, PictureKind::kSlice)},
@@ -97,7 +97,7 @@ void drop_signs_of_zeros(OrderedJson& json) {
 
 }  // namespace
 
-OrderedJson grasp_json(const GraspQuestion& question, const TouchingHand& touching,
+OrderedJson grasp_json(const GraspQuestion& question, const CollisionHand& touching,
                        const GraspAnswer& answer, bool pictures) {
   const Grasp& grasp = answer.grasp;
   const Pose<double>& X = grasp.approached.X_WH;

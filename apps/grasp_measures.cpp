@@ -7,8 +7,8 @@
 #include "apps/print_table.h"
 #include "apps/schedule.h"
 #include "base/error.h"
-#include "data/io/world/body_mass.h"
-#include "grasp/quality/task_wrenches.h"
+#include "data/io/world/world.h"
+#include "grasp/quality/task_margin.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -24,10 +24,10 @@ Measured<Value> none(const std::string& reason) {
 /// Everything that loads are asked of.
 struct Asked {
   const GraspQuestion& question;
-  const TouchingHand& touching;
+  const CollisionHand& touching;
   const Grasp& grasp;
-  Held hand;
-  HeldForces held;
+  HeldObject hand;
+  HandForceInputs held;
   ForceSet forces;  // within what drives the hand
 };
 
@@ -43,52 +43,54 @@ Measured<double> weight_of(const GraspQuestion& question) {
   return none<double>("the object's mass is unknown");
 }
 
-/// Exactly zero against a load that is proven not to be borne: bounds within kNoLoad of zero are
-/// the programmes' rounding, and so is the direction that comes with them.
+/// Exactly zero against a load that is proven not to be passive_contacts: bounds within
+/// kNegligibleLoad of zero are the programmes' rounding, and so is the direction that comes with
+/// them.
 Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
-  const Wrench unborne = unborne_load(asked.forces);
+  const ScaledWrench unborne = unsupported_load(asked.forces);
   if (!unborne.isZero(0)) ball.worst_load = unborne;
-  if (unborne.isZero(0) && !(ball.upper < kNoLoad))
+  if (unborne.isZero(0) && !(ball.upper < kNegligibleLoad))
     return none<InscribedBall>("the search gave up early" +
                                (std::isfinite(ball.upper)
                                     ? fmt::format("; at most {} N", shown(ball.upper))
                                     : std::string()));
   ball.status = ConeStatus::kSolved;
   ball.lower = ball.upper = 0;
-  return {ball, why_nothing_holds(asked.held, {ball.worst_load})};
+  return {ball, explain_zero_margin(asked.held, {ball.worst_load})};
 }
 
 Measured<InscribedBall> ball_of(const Asked& asked) {
-  const std::string unknown = unknown_effort(asked.held);
+  const std::string unknown = explain_unknown_effort(asked.held);
   if (!unknown.empty()) return none<InscribedBall>(unknown);
   const InscribedBall ball = inscribed_ball(asked.forces);
   if (ball.status == ConeStatus::kInfeasible)
     return none<InscribedBall>("no effort keeps the hand's own torques in balance");
-  if (ball.status == ConeStatus::kUnbounded) return none<InscribedBall>(kBorneByStructure);
-  if (ball.lower >= kNoLoad || ball.upper <= -kNoLoad) return {ball, ""};
+  if (ball.status == ConeStatus::kUnbounded) return none<InscribedBall>(kSupportedByStructure);
+  if (ball.lower >= kNegligibleLoad || ball.upper <= -kNegligibleLoad) return {ball, ""};
   return zero_ball(asked, ball);
 }
 
-Measured<double> hold_of(const ForceSet& forces, const Wrench& load, const std::string& failure) {
-  const HoldForce hold = smallest_hold(forces, load, Squeeze::kSum);
+Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
+                         const std::string& failure) {
+  const GraspForce hold = minimum_grasp_force(forces, load, GraspForceObjective::kSum);
   if (hold.status == ConeStatus::kInfeasible) return none<double>(failure);
   if (hold.status != ConeStatus::kSolved) return none<double>("the programme did not converge");
-  return {hold.squeeze, ""};
+  return {hold.objective, ""};
 }
 
 /// The weight as the object stands: along -z of the world.
-Wrench weight_load(const SceneBody& object, double weight) {
-  Wrench load = Wrench::Zero();
+ScaledWrench weight_load(const SceneBody& object, double weight) {
+  ScaledWrench load = ScaledWrench::Zero();
   load.head<3>() = -weight * object.X_WB.R.transpose().col(2);
   return load;
 }
 
 /// Why what drives the hand does not hold a load: it bears none of it, or not all.
-std::string why_not_held(const Asked& asked, const Wrench& load) {
-  const Reach reach = largest_load(asked.forces, load);
+std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
+  const WrenchSupport reach = load_margin(asked.forces, load);
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";
-  if (reach.status != ConeStatus::kSolved || reach.value * load.norm() < kNoLoad)
-    return cannot + why_nothing_holds(asked.held, {load});
+  if (reach.status != ConeStatus::kSolved || reach.value * load.norm() < kNegligibleLoad)
+    return cannot + explain_zero_margin(asked.held, {load});
   return cannot + fmt::format("it bears {:.3g} N of it", reach.value * load.norm());
 }
 
@@ -97,14 +99,14 @@ void add_holds(const Asked& asked, GraspMeasures& measures) {
     measures.hold = measures.hold_actuated = none<double>(measures.weight.reason);
     return;
   }
-  const Wrench load = weight_load(asked.question.scene.object, *measures.weight.value);
+  const ScaledWrench load = weight_load(asked.question.scene.object, *measures.weight.value);
   measures.hold = hold_of(free_forces(asked.held.set), load,
                           "no forces within friction hold the weight as the object stands");
   if (!measures.hold.value) {
     measures.hold_actuated = none<double>(measures.hold.reason);
     return;
   }
-  const std::string unknown = unknown_effort(asked.held);
+  const std::string unknown = explain_unknown_effort(asked.held);
   measures.hold_actuated =
       unknown.empty() ? hold_of(asked.forces, load, "") : none<double>(unknown);
   if (!measures.hold_actuated.value && measures.hold_actuated.reason.empty())
@@ -122,9 +124,9 @@ Measured<double> margin_of(const GraspLoads& loads, GraspTask task) {
 
 /// Says how much of a load efforts hold by themselves, where that is less than half of it.
 void tell_efforts(const Asked& asked, GraspTask task, double weight, Measured<double>& margin) {
-  if (margin.value.value_or(0) == 0 || asked.forces.borne.empty()) return;
+  if (margin.value.value_or(0) == 0 || asked.forces.passive_contacts.empty()) return;
   const TaskMargin pressed = margin_of_loads(
-      by_efforts(asked.forces), task_loads(task, weight, asked.question.scene.object.reach));
+      active_only(asked.forces), task_loads(task, weight, asked.question.scene.object.reach));
   if (pressed.status == ConeStatus::kSolved && pressed.lower < *margin.value / 2)
     margin.reason = fmt::format("{:.4g} by efforts and friction, the rest is borne by structure",
                                 pressed.lower);
@@ -138,7 +140,7 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
   measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
                                                 : none<double>(measures.weight.reason);
   if (measures.times_weight.value == 0.0) {  // along one axis, maybe not along z
-    const Wrench unborne = unborne_load(asked.forces);
+    const ScaledWrench unborne = unsupported_load(asked.forces);
     if (!unborne.head<3>().isZero(0))
       measures.times_weight.reason += ": nothing withstands " + direction_words(unborne);
   }
@@ -152,13 +154,13 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
 Measured<GraspStiffness> stiffness_of(const Asked& asked) {
   const SceneBody& object = asked.question.scene.object;
   const Materials& materials = asked.question.scene.materials;
-  const PosedHand posed{asked.touching, asked.grasp.approached.X_WH,
-                        asked.touching.hand->pose(asked.grasp.closed.q)};
+  const PosedCollisionHand posed{asked.touching, asked.grasp.approached.X_WH,
+                                 asked.touching.hand->pose(asked.grasp.closed.q)};
   const PadBody held{object.solid, materials.at(object.material), {}};
   PadOptions options;
   options.force = kPadForce;
   std::vector<PadStiffness> pads;
-  for (const ContactPatch& patch : regions_of(asked.grasp.contacts)) {
+  for (const ContactPatch& patch : patches_of(asked.grasp.contacts)) {
     const int surface = patch.contacts[0].surface;
     const LinkSurface& link = asked.touching.hand->surfaces()[static_cast<std::size_t>(surface)];
     const PadBody pad{*link.solid, materials.at(link.material),
@@ -170,13 +172,16 @@ Measured<GraspStiffness> stiffness_of(const Asked& asked) {
                       object.material, link.name));
     pads.insert(pads.end(), patch.contacts.size(), *springs);
   }
-  return {grasp_stiffness(plain(asked.grasp.contacts), object.com, object.reach, pads), ""};
+  return {
+      grasp_stiffness(contacts_without_hand(asked.grasp.contacts), object.com, object.reach, pads),
+      ""};
 }
 
 Measured<ObjectMotion> manipulability_of(const Asked& asked) {
   try {
-    return {object_motion(*asked.touching.hand, asked.grasp.closed.q, plain(asked.grasp.contacts),
-                          asked.question.scene.object, asked.held.T),
+    return {object_motion(*asked.touching.hand, asked.grasp.closed.q,
+                          contacts_without_hand(asked.grasp.contacts), asked.question.scene.object,
+                          asked.held.T),
             ""};
   } catch (const InputError& free) {
     return none<ObjectMotion>(free.what());
@@ -185,13 +190,13 @@ Measured<ObjectMotion> manipulability_of(const Asked& asked) {
 
 }  // namespace
 
-GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
+GraspMeasures measure(const GraspQuestion& question, const CollisionHand& touching,
                       const GraspAnswer& answer, const Progress& progress) {
   const Grasp& grasp = answer.grasp;
   const SceneBody& object = question.scene.object;
-  const Held hand{*touching.hand, grasp.closed.q, grasp.contacts,
-                  grasp.approached.X_WH.inverse() * object.X_WB};
-  HeldForces held = forces_of(hand, object);
+  const HeldObject hand{*touching.hand, grasp.closed.q, grasp.contacts,
+                        grasp.approached.X_WH.inverse() * object.X_WB};
+  HandForceInputs held = hand_force_inputs(hand, object);
   ForceSet forces = hand_forces(held.set, held.T, held.actuation);
   const Asked asked{question, touching, grasp, hand, std::move(held), std::move(forces)};
   VolumeOptions of_volume;

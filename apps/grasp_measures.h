@@ -8,8 +8,8 @@
 
 #include "apps/grasp_motion.h"
 #include "grasp/compare/grasp_loads.h"
+#include "grasp/limits/grasp_force.h"
 #include "grasp/quality/grasp_stiffness.h"
-#include "grasp/quality/hold_force.h"
 #include "grasp/quality/inscribed_ball.h"
 #include "grasp/quality/volume.h"
 #include "viewer/grasp_page.h"
@@ -44,7 +44,7 @@ inline constexpr double kPadForce = 1;  // on every contact, for the stiffness o
 /// Measures a grasp that is one. Friction is of true cones, but for the volume, which is of the
 /// answer's wrenches. Pads are springs of pad_stiffness() under kPadForce.
 /// @throws Interrupted where progress says stop
-[[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const TouchingHand& touching,
+[[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const CollisionHand& touching,
                                     const GraspAnswer& answer, const Progress& progress = {});
 
 /// With units in the names of keys; null where there is no value, `reasons` says why.

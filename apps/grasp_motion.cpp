@@ -4,8 +4,8 @@
 #include <Eigen/SVD>
 
 #include "apps/to_json.h"
-#include "grasp/quality/driven_motion.h"
 #include "grasp/quality/grasp_matrix.h"
+#include "grasp/quality/manipulability.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -45,7 +45,7 @@ Eigen::MatrixXd drive_ratios(const Hand& hand, const Eigen::VectorXd& q) {
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(n);
   for (const Drive& drive : layout.drives) {
     Eigen::VectorXd column = Eigen::VectorXd::Zero(n);
-    for (const Driven& driven : drive.moves) column[driven.coordinate] = driven.ratio;
+    for (const DrivenCoordinate& driven : drive.moves) column[driven.coordinate] = driven.ratio;
     if (column.isZero(0)) continue;
     moved += column.cwiseAbs();
     columns.push_back(column);
@@ -64,8 +64,8 @@ ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                            const std::vector<Contact>& contacts, const SceneBody& object,
                            const Eigen::MatrixXd& T) {
   const Eigen::MatrixXd ratios = drive_ratios(hand, q);
-  const DrivenMotion motion = driven_motion(grasp_matrix(contacts, object.com, object.reach),
-                                            unit_velocities(contacts, object, T) * ratios);
+  const NoSlipMobility motion = no_slip_mobility(grasp_matrix(contacts, object.com, object.reach),
+                                                 unit_velocities(contacts, object, T) * ratios);
   Eigen::VectorXd speeds;
   if (motion.object.cols() > 0)
     speeds = Eigen::JacobiSVD<Eigen::MatrixXd>(motion.object).singularValues();

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// The object's velocity, turns times its reach, per drive speed of driven_motion().
+/// The object's velocity, turns times its reach, per drive speed of no_slip_mobility().
 struct ObjectMotion {
   Manipulability manipulability;
   Eigen::VectorXd speeds;  // singular values, descending: of what drives can do without slip
@@ -27,7 +27,7 @@ struct ObjectMotion {
 /// Unit components of all contacts: normal, both tangents where there is friction, and the turn
 /// about the normal, times the reach, where there is torsion.
 /// @param T  torque_map() of the same contacts
-/// @throws InputError as driven_motion(): the contacts leave the object free.
+/// @throws InputError as no_slip_mobility(): the contacts leave the object free.
 [[nodiscard]] ObjectMotion object_motion(const Hand& hand, const Eigen::VectorXd& q,
                                          const std::vector<Contact>& contacts,
                                          const SceneBody& object, const Eigen::MatrixXd& T);

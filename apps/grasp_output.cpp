@@ -74,7 +74,7 @@ std::vector<std::string> folded(const std::vector<std::string>& warnings) {
   return lines;
 }
 
-std::string grasp_text(const GraspQuestion& question, const TouchingHand& touching,
+std::string grasp_text(const GraspQuestion& question, const CollisionHand& touching,
                        const GraspAnswer& answer) {
   const Grasp& grasp = answer.grasp;
   std::string text = fmt::format("{} and {}: {}\n", question.hand.named.name,

@@ -13,9 +13,9 @@ namespace thenar {
 
 /// @param pictures  projections and slices of the wrench set as meshes, too
 [[nodiscard]] nlohmann::ordered_json grasp_json(const GraspQuestion& question,
-                                                const TouchingHand& touching,
+                                                const CollisionHand& touching,
                                                 const GraspAnswer& answer, bool pictures = false);
-[[nodiscard]] std::string grasp_text(const GraspQuestion& question, const TouchingHand& touching,
+[[nodiscard]] std::string grasp_text(const GraspQuestion& question, const CollisionHand& touching,
                                      const GraspAnswer& answer);
 
 /// One line for all warnings of a kind, those that begin alike up to the first comma or colon: the
@@ -24,7 +24,7 @@ namespace thenar {
 
 /// A page of the grasp; human hands are smoothest where the question asked for pictures. @throws
 /// InputError
-void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
+void write_grasp_report(const GraspQuestion& question, const CollisionHand& touching,
                         const GraspAnswer& answer, const std::string& path);
 
 }  // namespace thenar

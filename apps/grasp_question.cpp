@@ -3,7 +3,7 @@
 #include "apps/data_folder.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
-#include "grasp/closing_drives.h"
+#include "grasp/closing/closing_drives.h"
 
 namespace thenar {
 namespace {

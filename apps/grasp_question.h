@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "apps/world_hand.h"
-#include "grasp/grasp.h"
+#include "grasp/closing/grasp.h"
 
 namespace thenar {
 
@@ -17,7 +17,7 @@ struct GraspQuestion {
   WorldSpec world;
   WorldHand hand;
   Scene scene;
-  ForceLimit limit = ForceLimit::kL1;
+  ForceNorm limit = ForceNorm::kL1;
   double gap = 1e-3;  // of epsilon's bounds
   int edges = 0;      // of friction pyramids; 0: cones
   int starts = 0;     // drawn at random; 0: the world's own

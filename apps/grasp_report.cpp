@@ -25,12 +25,12 @@ Json provenance(const GraspQuestion& question) {
 
 }  // namespace
 
-std::vector<JointRow> joint_rows(const GraspQuestion& question, const TouchingHand& touching,
+std::vector<JointRow> joint_rows(const GraspQuestion& question, const CollisionHand& touching,
                                  const GraspAnswer& answer) {
   const ClosedHand& closed = answer.grasp.closed;
   if (closed.stopped.empty()) return {};
   const Hand& hand = *touching.hand;
-  const PosedHand posed{touching, answer.grasp.approached.X_WH, hand.pose(closed.q)};
+  const PosedCollisionHand posed{touching, answer.grasp.approached.X_WH, hand.pose(closed.q)};
   const std::vector<std::string> why =
       stop_words(touching, closed, find_touching(posed, question.scene, kTouches));
   std::vector<JointRow> rows;
@@ -43,7 +43,7 @@ std::vector<JointRow> joint_rows(const GraspQuestion& question, const TouchingHa
   return rows;
 }
 
-Table contact_table(const TouchingHand& touching, const std::vector<HandContact>& contacts) {
+Table contact_table(const CollisionHand& touching, const std::vector<HandContact>& contacts) {
   Table table{{"surface", "x_mm", "y_mm", "z_mm", "nx", "ny", "nz", "friction", "torsion_mm"}, {}};
   for (const HandContact& found : contacts) {
     const Contact& c = found.contact;
@@ -56,7 +56,7 @@ Table contact_table(const TouchingHand& touching, const std::vector<HandContact>
   return table;
 }
 
-void write_grasp_report(const GraspQuestion& question, const TouchingHand& touching,
+void write_grasp_report(const GraspQuestion& question, const CollisionHand& touching,
                         const GraspAnswer& answer, const std::string& path) {
   const Hand& hand = *question.hand.named.hand;
   const Grasp& grasp = answer.grasp;

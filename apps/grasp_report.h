@@ -18,11 +18,11 @@ struct JointRow {
 
 /// Of every coordinate; none where nothing was closed.
 [[nodiscard]] std::vector<JointRow> joint_rows(const GraspQuestion& question,
-                                               const TouchingHand& touching,
+                                               const CollisionHand& touching,
                                                const GraspAnswer& answer);
 
 /// Position [mm], normal and friction of contacts, object frame.
-[[nodiscard]] Table contact_table(const TouchingHand& touching,
+[[nodiscard]] Table contact_table(const CollisionHand& touching,
                                   const std::vector<HandContact>& contacts);
 
 }  // namespace thenar

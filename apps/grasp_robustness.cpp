@@ -7,7 +7,7 @@
 #include "apps/schedule.h"
 #include "apps/to_json.h"
 #include "base/units.h"
-#include "grasp/draw_uniform.h"
+#include "grasp/closing/approach_sampling.h"
 #include "viewer/grasp_words.h"
 
 namespace thenar {
@@ -19,8 +19,8 @@ using OrderedJson = nlohmann::ordered_json;
 Eigen::Vector3d draw_normal(std::mt19937& random) {
   Eigen::Vector3d normal;
   for (double& each : normal) {
-    const double radius = std::sqrt(-2 * std::log(1 - draw_uniform(random)));
-    each = radius * std::cos(2 * kPi * draw_uniform(random));
+    const double radius = std::sqrt(-2 * std::log(1 - sample_uniform(random)));
+    each = radius * std::cos(2 * kPi * sample_uniform(random));
   }
   return normal;
 }
@@ -75,7 +75,7 @@ std::string share_words(const Robustness& found) {
 
 }  // namespace
 
-GraspRobustness robustness_of(const GraspQuestion& question, const TouchingHand& touching,
+GraspRobustness robustness_of(const GraspQuestion& question, const CollisionHand& touching,
                               const GraspAnswer& answer, const RobustnessQuestion& asked,
                               const Progress& progress) {
   const SceneBody& object = question.scene.object;
@@ -88,7 +88,7 @@ GraspRobustness robustness_of(const GraspQuestion& question, const TouchingHand&
   options.edges = question.edges;
   Watch watch(progress, asked.draws);
 
-  const std::vector<Contact> contacts = plain(answer.grasp.contacts);
+  const std::vector<Contact> contacts = contacts_without_hand(answer.grasp.contacts);
   std::mt19937 random(asked.seed);
   const Robustness of_contacts = robustness(
       [&](std::mt19937& rng) {
@@ -105,7 +105,7 @@ GraspRobustness robustness_of(const GraspQuestion& question, const TouchingHand&
         const Eigen::Vector3d way = asked.place * draw_normal(rng);
         scene.object.X_WB = moved(object, way, asked.turn * draw_normal(rng));
         const Grasp again = regrasp(question, touching, answer, scene);
-        return again.outcome == GraspOutcome::kGrasped ? plain(again.contacts)
+        return again.outcome == GraspOutcome::kGrasped ? contacts_without_hand(again.contacts)
                                                        : std::vector<Contact>{};
       },
       random, options);

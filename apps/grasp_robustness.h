@@ -35,7 +35,8 @@ struct GraspRobustness {
 /// question's.
 /// @throws Interrupted where progress says stop
 [[nodiscard]] GraspRobustness robustness_of(const GraspQuestion& question,
-                                            const TouchingHand& touching, const GraspAnswer& answer,
+                                            const CollisionHand& touching,
+                                            const GraspAnswer& answer,
                                             const RobustnessQuestion& asked,
                                             const Progress& progress);
 

@@ -10,15 +10,15 @@
 #include "apps/path_option.h"
 #include "apps/progress_bar.h"
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
-#include "data/io/nearest_name.h"
 #include "data/io/robot/import_robot.h"
-#include "grasp/guess_hand.h"
-#include "grasp/robot_hand.h"
-#include "grasp/tendon_closing.h"
-#include "tendons/human/hand_use.h"
+#include "grasp/closing/tendon_closing.h"
+#include "grasp/robot/infer_hand.h"
+#include "grasp/robot/robot_hand.h"
+#include "tendons/human/closing_synergy.h"
 
 namespace thenar {
 namespace {
@@ -38,7 +38,8 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.patches = std::move(built.patches);
   hand.targets = std::move(built.targets);
   hand.warnings = std::move(built.warnings);
-  if (tier == kTendons) hand.rates = tendon_closing_rates(*hand.hand, flexor_pull(*hand.hand));
+  if (tier == kTendons)
+    hand.rates = tendon_closing_rates(*hand.hand, max_flexor_tensions(*hand.hand));
   return hand;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "grasp/close_hand.h"
+#include "grasp/closing/close_hand.h"
 #include "hand/hand.h"
 #include "tendons/human/human_hand.h"
 

@@ -17,18 +17,18 @@
 #include "apps/output_ending.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/file_kind.h"
 #include "data/io/graspit/xml_file.h"
-#include "data/io/mesh/mend_shape.h"
 #include "data/io/mesh/mesh_file.h"
-#include "data/io/robot/urdf_export.h"
+#include "data/io/mesh/repair_shape.h"
+#include "data/io/robot/urdf.h"
 #include "data/io/toml_node.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
 #include "geometry/mesh_check.h"
-#include "geometry/mesh_mend.h"
-#include "grasp/guess_hand.h"
+#include "geometry/repair_to_solid.h"
+#include "grasp/robot/infer_hand.h"
 
 namespace thenar {
 namespace {
@@ -129,7 +129,7 @@ void settle_meshes(BodySpec& body, const ImportArguments& options, bool dynamic,
     note_turned(body.shapes, owner, warnings);
     return;
   }
-  mend_shapes(body.shapes, owner, warnings);
+  repair_shapes(body.shapes, owner, warnings);
   if (body.shapes.empty())
     throw DataError(options.file, 1, fmt::format("{} is left without a shape", owner));
 }
@@ -207,7 +207,7 @@ Imported import_mesh(const ImportArguments& options) {
   std::string repaired;
   const std::size_t holes = check_mesh(mesh).holes.size();
   if (options.repair) {
-    MendedMesh mended = watertight_mesh(mesh);
+    RepairedSolid mended = watertight_mesh(mesh);
     mesh = std::move(mended.mesh);
     repaired = mended.done;
   }

@@ -8,10 +8,10 @@
 #include "apps/to_json.h"
 #include "base/error.h"
 #include "data/io/robot/link_poses.h"
-#include "data/io/world/body_mass.h"
+#include "data/io/world/world.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_parts.h"
-#include "geometry/union_mass.h"
+#include "geometry/shape_mass.h"
 
 namespace thenar {
 namespace {
@@ -132,8 +132,8 @@ OrderedJson shapes(const std::vector<ShapeSpec>& specs) {
 
 OrderedJson mass_json(const BodySpec& body) {
   if (body.mass) return body.mass->mass;
-  if (!(body.spread_mass > 0) && body.density > 0) return body_mass(body).mass;
-  return body.spread_mass > 0 ? OrderedJson(body.spread_mass) : OrderedJson(nullptr);
+  if (!(body.uniform_mass > 0) && body.density > 0) return body_mass(body).mass;
+  return body.uniform_mass > 0 ? OrderedJson(body.uniform_mass) : OrderedJson(nullptr);
 }
 
 constexpr double kLargestMesh = 10;  // a larger one is in another unit [m]

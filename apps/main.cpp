@@ -15,7 +15,7 @@
 #include "apps/progress_bar.h"
 #include "base/cache.h"
 #include "base/error.h"
-#include "data/io/nearest_name.h"
+#include "base/nearest_name.h"
 
 namespace thenar {
 namespace {

@@ -9,9 +9,9 @@
 #include "apps/read_source.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/provenance.h"
 #include "base/units.h"
-#include "base/write_file.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/trajectory_table.h"
 #include "viewer/motion_page.h"
@@ -24,11 +24,11 @@ std::string ending(const std::string& path) { return std::filesystem::path(path)
 
 std::string name_of(MotionStatus status) {
   switch (status) {
-    case MotionStatus::kDone:
+    case MotionStatus::kCompleted:
       return "done";
     case MotionStatus::kStopped:
       return "stopped";
-    case MotionStatus::kStuck:
+    case MotionStatus::kIntegratorFailed:
       return "stuck";
     case MotionStatus::kNoProgress:
       return "no progress";
@@ -43,7 +43,7 @@ ResultFile result_file(const MotionAnswer& motion) {
   ResultFile file;
   file.add("format", "thenar motion 1");
   file.add("status", name_of(t.status));
-  file.add("trouble", t.trouble);
+  file.add("trouble", t.warning);
   file.add("subject", motion.subject);
   file.add("digit", motion.digit);
   file.add("name/joint", t.joints);
@@ -61,10 +61,10 @@ ResultFile result_file(const MotionAnswer& motion) {
   file.add("tip", t.tip, "m", {"instant", "axis"});
   file.add("energy", t.energy, "J", {"instant"});
   file.add("work", t.work, "J", {"instant"});
-  file.add("lost", t.lost, "J", {"instant"});
+  file.add("lost", t.dissipated, "J", {"instant"});
   file.add("energy_error", t.balance.error, "J");
   file.add("turned_over", t.balance.turned_over, "J");
-  file.add("stray", t.stray, "m");
+  file.add("stray", t.drift, "m");
   file.add("tolerance", t.tolerance, "1");
   int k = 0;
   for (const auto& [path, text] : motion.inputs) {
@@ -128,7 +128,7 @@ void print_text(const MotionAnswer& motion) {
   fmt::print("tip at the end: ({}) mm\n",
              fmt::join(cells(Eigen::Vector3d(t.tip.row(last).transpose() / kMm), 2), ", "));
   fmt::print("work {:.4g} mJ, lost {:.4g} mJ; out of nothing {:.2g} mJ of {:.4g} mJ turned over\n",
-             1e3 * t.work[last], 1e3 * t.lost[last], 1e3 * t.balance.error,
+             1e3 * t.work[last], 1e3 * t.dissipated[last], 1e3 * t.balance.error,
              1e3 * t.balance.turned_over);
   fmt::print("{} steps to a tolerance of {:.2g}\n", t.counts.steps, t.tolerance);
 }
@@ -138,7 +138,7 @@ nlohmann::ordered_json json_of(const MotionAnswer& motion) {
   const Eigen::Index last = t.time.size() - 1;
   nlohmann::ordered_json json{
       {"subject", motion.subject},   {"digit", motion.digit}, {"fidelity", describe(t.fidelity)},
-      {"status", name_of(t.status)}, {"trouble", t.trouble},  {"instants", t.time.size()}};
+      {"status", name_of(t.status)}, {"trouble", t.warning},  {"instants", t.time.size()}};
   json["last"] = {{"time_s", t.time[last]},
                   {"posture_deg", to_json(t.joints, t.angle.row(last).transpose() / kDegree)},
                   {"speed_deg_s", to_json(t.joints, t.speed.row(last).transpose() / kDegree)},
@@ -149,10 +149,10 @@ nlohmann::ordered_json json_of(const MotionAnswer& motion) {
                                       t.slips.row(last).transpose())},
                   {"tip_mm", to_json(t.tip.row(last).transpose() / kMm)}};
   json["work_J"] = t.work[last];
-  json["lost_J"] = t.lost[last];
+  json["lost_J"] = t.dissipated[last];
   json["energy_error_J"] = t.balance.error;
   json["turned_over_J"] = t.balance.turned_over;
-  json["stray_mm"] = t.stray / kMm;
+  json["stray_mm"] = t.drift / kMm;
   json["tolerance"] = t.tolerance;
   json["steps"] = t.counts.steps;
   json["slopes"] = t.counts.slopes;

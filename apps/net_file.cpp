@@ -7,7 +7,7 @@
 #include "apps/print_table.h"
 #include "apps/read_source.h"
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace internal {

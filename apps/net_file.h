@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "kinematics_fit/fit.h"
 
 namespace thenar {

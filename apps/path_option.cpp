@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "tendons/collapsed_arms.h"
+#include "tendons/vanishing_arms.h"
 
 namespace thenar {
 namespace {
@@ -33,7 +33,7 @@ Path path_meant(const std::string& name) {
 
 void warn_of_collapse(const DigitTendons& linear, const Eigen::VectorXd& q) {
   std::vector<std::string> arms;
-  for (const CollapsedArm& arm : collapsed_arms(linear, q))
+  for (const VanishingArm& arm : vanishing_arms(linear, q))
     arms.push_back(fmt::format("{} at {}: {:.2g} mm, {:.2g} mm elsewhere in its range", arm.muscle,
                                arm.joint, 1e3 * arm.arm, 1e3 * arm.most));
   if (arms.empty()) return;

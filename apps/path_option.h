@@ -17,7 +17,7 @@ void add_path_option(CLI::App& command, std::string& path);
 /// @throws InputError listing the names.
 [[nodiscard]] Path path_meant(const std::string& name);
 
-/// Warns on stderr where an arm collapses at this posture, see collapsed_arms(), with what may
+/// Warns on stderr where an arm collapses at this posture, see vanishing_arms(), with what may
 /// help.
 /// @param linear  tendons of the digit without a net
 void warn_of_collapse(const DigitTendons& linear, const Eigen::VectorXd& q);

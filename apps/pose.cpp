@@ -16,7 +16,7 @@
 #include "apps/posture_options.h"
 #include "apps/robot_pose.h"
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/file_kind.h"
 #include "data/io/robot/import_robot.h"
 

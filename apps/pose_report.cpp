@@ -56,7 +56,7 @@ TipNow tip_now(const Skeleton& skeleton, const TreeState<double>& state, const S
     now.J.col(static_cast<Eigen::Index>(now.joints.size())) = J.col(c);
     now.joints.push_back(skeleton.coordinate_names[static_cast<std::size_t>(c)]);
   }
-  if (!now.joints.empty()) now.mobility = tip_mobility(now.J);
+  if (!now.joints.empty()) now.mobility = tip_manipulability(now.J);
   return now;
 }
 
@@ -83,7 +83,7 @@ PoseReport pose_report(const Subject& subject, const Skeleton& skeleton, const E
 std::string mobility_in_words(const TipNow& tip) {
   constexpr double kNearlySingular = 100;  // of the condition number
   if (tip.joints.empty()) return "fixed: every joint between wrist and tip is frozen";
-  const TipMobility& can = tip.mobility;
+  const TipManipulability& can = tip.mobility;
   if (can.rank == 3 && can.condition < kNearlySingular)
     return fmt::format("regular: condition {:.3g}; moves least along {}", can.condition,
                        direction(can.directions.col(2)));

@@ -7,7 +7,7 @@
 
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
-#include "hand/tip_mobility.h"
+#include "hand/tip_manipulability.h"
 
 namespace thenar {
 
@@ -32,7 +32,7 @@ struct TipNow {
   Eigen::Matrix3d axes;             // columns proximal, dorsal, radial, world (3, 3)
   std::vector<std::string> joints;  // free joints that move it, columns of J
   Eigen::Matrix3Xd J;               // position Jacobian, world [m/rad] (3, joints)
-  TipMobility mobility;             // not set if no joint moves the tip
+  TipManipulability mobility;       // not set if no joint moves the tip
 };
 
 struct PoseReport {

@@ -15,7 +15,7 @@ bool is_hamiltonian(SamplingMethod method) {
 bool stuck_in_modes(const PosteriorRun& run) {
   int visited = 0;
   for (const ModeMass& mode : run.mode_table.modes) visited += mode.mass > 0;
-  return visited > 1 && !run.mode_table.doubts.empty();
+  return visited > 1 && !run.mode_table.warnings.empty();
 }
 
 bool swaps_seldom(const PosteriorRun& run) {
@@ -28,8 +28,7 @@ bool too_short(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   const ConvergenceLimits& limits = run.settings.limits;
   const double least = limits.ess_per_chain * run.settings.run.groups;
-  return !(c.worst_r_hat <= limits.r_hat) ||
-         !(std::min(c.least_bulk_ess, c.least_tail_ess) >= least);
+  return !(c.worst_r_hat <= limits.r_hat) || !(std::min(c.min_bulk_ess, c.min_tail_ess) >= least);
 }
 
 /// Against divergent trajectories: a target halfway from here to 1.
@@ -44,7 +43,7 @@ std::string against_divergence(const SamplerOptions& options) {
 std::vector<std::string> advise(const PosteriorRun& run) {
   std::vector<std::string> advice;
   const RunOptions& options = run.settings.run;
-  if (run.convergence.reasons.empty()) return advice;
+  if (run.convergence.warnings.empty()) return advice;
   if (options.groups < 2) advice.emplace_back("one chain has none to be held against: --chains 4");
   if (run.convergence.divergent > 0 && is_hamiltonian(options.method))
     advice.push_back(against_divergence(options.sampler));
@@ -55,7 +54,7 @@ std::vector<std::string> advise(const PosteriorRun& run) {
     advice.push_back(
         fmt::format("neighbouring temperatures seldom swap: more --temperatures (was {}), or a "
                     "higher --least-temper (was {:.4g})",
-                    options.temperatures, options.least_temper));
+                    options.temperatures, options.min_beta));
   if (!too_short(run)) return advice;
   advice.push_back(fmt::format("more draws: --draws {}, with which the same command goes on",
                                4 * options.draws));

@@ -21,20 +21,20 @@ json convergence_json(const PosteriorRun& run) {
           {"warm_up", run.draws.warm_up},
           {"complete", run.draws.complete},
           {"seconds", run.draws.seconds},
-          {"converged", c.reasons.empty()},
-          {"reasons", c.reasons},
+          {"converged", c.warnings.empty()},
+          {"reasons", c.warnings},
           {"advice", advise(run)},
           {"warnings", run.posterior->problem().warnings()},
           {"worst_r_hat", c.worst_r_hat},
-          {"least_bulk_ess", c.least_bulk_ess},
-          {"least_tail_ess", c.least_tail_ess},
+          {"least_bulk_ess", c.min_bulk_ess},
+          {"least_tail_ess", c.min_tail_ess},
           {"divergent", c.divergent},
           {"depth_limit", c.depth_limit},
-          {"broken", c.broken},
-          {"temper", vector_json(run.draws.temper)}};
+          {"broken", c.non_finite},
+          {"temper", vector_json(run.draws.beta)}};
 }
 
-json estimate_json(const ReadQuantity& q, const Estimate& e) {
+json estimate_json(const PosteriorQuantity& q, const Estimate& e) {
   return {{"name", q.name},          {"unit", q.unit},
           {"mean", e.mean},          {"sd", e.sd},
           {"prior_sd", prior_sd(q)}, {"mcse_mean", e.mcse_mean},
@@ -77,8 +77,8 @@ json check_json(const ExperimentCheck& of) {
            {"numbers", of.check.rank_share.size()},
            {"p", of.check.p},
            {"trial_p", vector_json(of.check.trial_p)},
-           {"doubts", of.check.doubts},
-           {"start_has_seen_specimen", of.prediction.start_has_seen}};
+           {"doubts", of.check.warnings},
+           {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
   for (const Coverage& coverage : of.check.coverage)
     out["coverage"].push_back(
         {{"level", coverage.level}, {"share", coverage.share}, {"error", coverage.error}});
@@ -91,7 +91,7 @@ json left_out_json(const LeftOutObservations& of) {
            {"effective_parameters", of.result.effective_parameters},
            {"good_k", of.result.good_k},
            {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
-           {"doubts", of.result.doubts},
+           {"doubts", of.result.warnings},
            {"observations", json::array()}};
   for (std::size_t i = 0; i < of.observations.size(); ++i)
     out["observations"].push_back({{"name", of.observations[i]},
@@ -115,7 +115,7 @@ json summary_json(const PosteriorRun& run) {
     out["experiments"].push_back(check_json(experiment));
   if (summary.left_out) out["leave_one_out"] = left_out_json(*summary.left_out);
   out["modes"] = modes_json(run);
-  out["mode_doubts"] = run.mode_table.doubts;
+  out["mode_doubts"] = run.mode_table.warnings;
   return out;
 }
 

@@ -14,7 +14,7 @@ namespace thenar {
 namespace {
 
 /// Quantities from the one that was learnt most about to the least, by sd over the prior's.
-std::vector<std::size_t> by_knowledge(const PosteriorSummary& summary) {
+std::vector<std::size_t> sorted_by_sd(const PosteriorSummary& summary) {
   std::vector<double> left;
   for (std::size_t i = 0; i < summary.quantities.size(); ++i)
     left.push_back(summary.estimates[i].sd / prior_sd(summary.quantities[i]));
@@ -26,10 +26,10 @@ std::vector<std::size_t> by_knowledge(const PosteriorSummary& summary) {
 }
 
 void print_banner(const PosteriorRun& run) {
-  if (run.convergence.reasons.empty()) return;
+  if (run.convergence.warnings.empty()) return;
   const std::string line(78, '!');
   fmt::print("{}\n!! NOT CONVERGED: do not use these draws.\n", line);
-  for (const std::string& reason : run.convergence.reasons) fmt::print("!!  * {}\n", reason);
+  for (const std::string& reason : run.convergence.warnings) fmt::print("!!  * {}\n", reason);
   fmt::print("{}\n", line);
 }
 
@@ -38,7 +38,7 @@ void print_figures(const PosteriorRun& run) {
   fmt::print(
       "{}\nworst R-hat {:.4f}, least ESS {:.0f} (bulk) and {:.0f} (tail), {} divergent, "
       "{} broken densities\n",
-      describe_run(run), c.worst_r_hat, c.least_bulk_ess, c.least_tail_ess, c.divergent, c.broken);
+      describe_run(run), c.worst_r_hat, c.min_bulk_ess, c.min_tail_ess, c.divergent, c.non_finite);
   if (run.draws.swap_rate.size() > 0) {
     std::string rates;
     for (const double rate : run.draws.swap_rate.rowwise().mean())
@@ -47,8 +47,8 @@ void print_figures(const PosteriorRun& run) {
   }
 }
 
-void print_doubts(const std::string& about, const std::vector<std::string>& doubts) {
-  for (const std::string& doubt : doubts) fmt::print("  ! {}: {}\n", about, doubt);
+void print_doubts(const std::string& about, const std::vector<std::string>& warnings) {
+  for (const std::string& doubt : warnings) fmt::print("  ! {}: {}\n", about, doubt);
 }
 
 void print_checks(const PosteriorSummary& summary) {
@@ -66,7 +66,7 @@ void print_checks(const PosteriorSummary& summary) {
   }
   print_table("forces as they would be measured again, beside those measured", table);
   for (const ExperimentCheck& experiment : summary.experiments)
-    print_doubts(experiment.prediction.experiment, experiment.check.doubts);
+    print_doubts(experiment.prediction.experiment, experiment.check.warnings);
   fmt::print("\n");
 }
 
@@ -78,7 +78,7 @@ void print_left_out(const PosteriorSummary& summary) {
       "{} of {} observations with k above {:.2f}\n",
       loo.elpd, loo.se, loo.effective_parameters, (loo.k.array() > loo.good_k).count(),
       loo.k.size(), loo.good_k);
-  print_doubts("leave-one-out", loo.doubts);
+  print_doubts("leave-one-out", loo.warnings);
   Eigen::Index worst;
   if (loo.k.maxCoeff(&worst) > loo.good_k)
     fmt::print("  ! number {} is {}\n", worst + 1,
@@ -90,10 +90,10 @@ void print_quantities(const PosteriorSummary& summary, std::size_t rows) {
   Table table{{"parameter", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95", "mcse",
                "r_hat", "bulk_ess", "tail_ess"},
               {}};
-  const std::vector<std::size_t> order = by_knowledge(summary);
+  const std::vector<std::size_t> order = sorted_by_sd(summary);
   for (std::size_t k = 0; k < std::min(rows, order.size()); ++k) {
     const Estimate& e = summary.estimates[order[k]];
-    const ReadQuantity& q = summary.quantities[order[k]];
+    const PosteriorQuantity& q = summary.quantities[order[k]];
     table.rows.push_back({q.name, q.unit, shown(e.mean), shown(e.sd), shown(prior_sd(q)),
                           shown(e.q05), shown(e.median), shown(e.q95), shown(e.mcse_mean),
                           shown(e.r_hat, 3), shown(e.bulk_ess, 0), shown(e.tail_ess, 0)});
@@ -127,7 +127,7 @@ void print_modes(const PosteriorRun& run) {
       row.push_back(cell);
   }
   print_table("modes, by the draws in each and by the search before", table);
-  print_doubts("modes", run.mode_table.doubts);
+  print_doubts("modes", run.mode_table.warnings);
 }
 
 }  // namespace
@@ -146,11 +146,11 @@ void print_summary(const PosteriorRun& run, std::size_t rows) {
 }
 
 void require_converged(const PosteriorRun& run, bool allowed) {
-  if (run.convergence.reasons.empty()) return;
+  if (run.convergence.warnings.empty()) return;
   std::string text = "the chains have NOT converged; do not use these draws";
   if (!allowed) text += " (--allow-unconverged to exit without error)";
   text += ":";
-  for (const std::string& reason : run.convergence.reasons) text += "\n  * " + reason;
+  for (const std::string& reason : run.convergence.warnings) text += "\n  * " + reason;
   text += "\nWhat may help:";
   for (const std::string& sentence : advise(run)) text += "\n  * " + sentence;
   if (!allowed) throw Error(text);

@@ -12,7 +12,7 @@
 #include "apps/print_prediction.h"
 #include "apps/read_source.h"
 #include "apps/to_json.h"
-#include "kinematics_fit/experiment_warnings.h"
+#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/prediction.h"
 
 namespace thenar {

@@ -50,7 +50,7 @@ nlohmann::json prediction_json(const Prediction& prediction, const std::string& 
           {"specimen", specimen},
           {"specimen_was_fitted", by != PredictedBy::kStranger},
           {"predicted_by", by == PredictedBy::kOwn ? "own parameters" : "population"},
-          {"start_has_seen_specimen", prediction.start_has_seen},
+          {"start_has_seen_specimen", prediction.calibrated_on_specimen},
           {"rms_error_N", prediction.error.rms},
           {"relative_error", prediction.error.relative},
           {"relative_error_flexion_plane", prediction.error.relative_flexion},
@@ -62,7 +62,7 @@ nlohmann::json prediction_json(const Prediction& prediction, const std::string& 
 
 void print_prediction(const Prediction& prediction, const Experiment& experiment, PredictedBy by) {
   fmt::print("{}: specimen {} {}\n", prediction.experiment, experiment.specimen, in_words(by));
-  if (prediction.start_has_seen)
+  if (prediction.calibrated_on_specimen)
     fmt::print("  the subject that the fit started from has seen this specimen\n");
   fmt::print("  forces are ({}) of {}\n", component_names(experiment), experiment.force_segment);
   fmt::print("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",

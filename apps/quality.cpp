@@ -16,7 +16,7 @@
 #include "apps/contact_answer.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {
@@ -80,7 +80,7 @@ void check(const QualityArguments& options) {
 /// File by file, so that Ctrl-C leaves what is done, and a broken file does not hinder others.
 void run_quality(QualityArguments options) {
   check(options);
-  options.question.limit = options.norm == "l1" ? ForceLimit::kL1 : ForceLimit::kLinf;
+  options.question.limit = options.norm == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
   bool all = true;
   if (options.files[0] == "-") {
     all = answer_stream(options.question);

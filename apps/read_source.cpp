@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_kind.h"
 #include "data/io/toml_node.h"

@@ -10,11 +10,11 @@
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "base/units.h"
-#include "data/io/nearest_name.h"
 #include "data/io/robot/link_poses.h"
-#include "grasp/guess_hand.h"
-#include "grasp/robot_tips.h"
+#include "grasp/robot/infer_hand.h"
+#include "grasp/robot/robot_tips.h"
 
 namespace thenar {
 namespace {
@@ -160,7 +160,7 @@ RobotPose pose_robot(const RobotSpec& robot, const std::vector<std::string>& tex
   }
   if (std::all_of(at.links.begin(), at.links.end(),
                   [](const RobotLink& link) { return link.digit.empty(); }))
-    (void)guess_digits(at);
+    (void)infer_digits(at);
   for (const RobotTip& tip : find_tips(at, X))
     pose.tips.push_back({tip.digit, at.links[static_cast<std::size_t>(tip.link)].name, tip.p});
   return pose;

@@ -38,7 +38,7 @@ struct RobotPose {
 };
 
 /// Where joints, links and tips of a robot are. Tips are those of find_tips(); digits that no file
-/// states are those of guess_digits().
+/// states are those of infer_digits().
 /// @param posture  NAME=value [deg], of slides [mm], of degrees of freedom or joints; or plain
 /// values in the order of degrees of freedom; what is left out stands at 0
 /// @throws InputError for an unknown name, a wrong count, what is no number, a joint that nothing

@@ -121,9 +121,10 @@ Trajectory trajectory_of(const SimulateArguments& options, const Subject& subjec
 /// Refuses what has been printed or written already, but must not be taken for the answer.
 void require_end(const Trajectory& trajectory) {
   const EnergyBalance& balance = trajectory.balance;
-  require(trajectory.status != MotionStatus::kStuck, "the motion is stuck: {}", trajectory.trouble);
+  require(trajectory.status != MotionStatus::kIntegratorFailed, "the motion is stuck: {}",
+          trajectory.warning);
   require(trajectory.status != MotionStatus::kNoProgress, "the motion does not get on: {}",
-          trajectory.trouble);
+          trajectory.warning);
   require(trajectory.status != MotionStatus::kUnbalanced,
           "energy does not balance: {:.2g} mJ of {:.4g} mJ turned over came of nothing",
           1e3 * balance.error, 1e3 * balance.turned_over);
@@ -155,10 +156,10 @@ void run_simulate(const SimulateArguments& options) {
   else
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
-  const bool told = trajectory.status == MotionStatus::kStuck ||
+  const bool told = trajectory.status == MotionStatus::kIntegratorFailed ||
                     trajectory.status == MotionStatus::kNoProgress;  // by require_end()
-  if (!trajectory.trouble.empty() && !told)
-    fmt::print(stderr, "thenar: warning: {}\n", trajectory.trouble);
+  if (!trajectory.warning.empty() && !told)
+    fmt::print(stderr, "thenar: warning: {}\n", trajectory.warning);
   require_end(trajectory);
   if (trajectory.status == MotionStatus::kStopped)
     throw Interrupted(fmt::format("stopped; all up to then is {}",

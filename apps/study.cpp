@@ -13,8 +13,8 @@
 #include "apps/progress_bar.h"
 #include "apps/provenance_json.h"
 #include "apps/to_json.h"
+#include "base/file_io.h"
 #include "base/units.h"
-#include "base/write_file.h"
 #include "viewer/report_page.h"
 #include "viewer/thumb_study_page.h"
 
@@ -46,7 +46,7 @@ Json fit_json(const ThumbFit& fit) {
            {"tasks_fitted", fit.settings.with_tasks},
            {"prior_width", fit.settings.prior_width},
            {"converged", fit.converged()},
-           {"reasons", fit.run.convergence.reasons},
+           {"reasons", fit.run.convergence.warnings},
            {"pulls_direction_deg", degrees(fit.direction)},
            {"pulls_direction_sd_deg", degrees(fit.direction_sd)},
            {"pulls_off_truth", fit.relative_error},
@@ -78,7 +78,7 @@ Json study_json(const ThumbStudy& study, const std::optional<ThumbCalibration>& 
   judged = {{"simulations", calibration->rank.cols()},
             {"not_converged", calibration->not_converged},
             {"covered_90", calibration->covered},
-            {"reasons", calibration->judged.reasons}};
+            {"reasons", calibration->judged.warnings}};
   for (const ParameterCalibration& parameter : calibration->judged.parameters)
     judged["parameters"].push_back({{"name", parameter.name},
                                     {"band_p", parameter.band_p},

@@ -8,8 +8,8 @@
 #include "apps/print_table.h"
 #include "apps/to_json.h"
 #include "base/units.h"
+#include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/band_course.h"
-#include "tendons/posture_slopes.h"
 
 namespace thenar {
 namespace {
@@ -97,12 +97,12 @@ void print_net(const TendonCase& at, const DigitPoint& point) {
 
 }  // namespace
 
-std::string trouble_of(const DigitPoint& point) { return point.pull.trouble; }
+std::string warning_of(const DigitPoint& point) { return point.pull.warning; }
 
 std::string tip_note(const TipForce& tip) {
   constexpr double kNone = 1e-9;  // torque [N m]
-  if (tip.rank < std::min<Eigen::Index>(3, tip.tau_left.size()))
-    return tip.tau_left.cwiseAbs().maxCoeff() < kNone
+  if (tip.rank < std::min<Eigen::Index>(3, tip.tau_residual.size()))
+    return tip.tau_residual.cwiseAbs().maxCoeff() < kNone
                ? "singular posture: some force of the tip meets no torque, and the least one is "
                  "told"
                : "singular posture: torques are left that no force of the tip balances, and the "
@@ -127,7 +127,7 @@ nlohmann::ordered_json json_of(const TendonCase& at, const DigitPoint& point) {
   const TendonNames& names = at.bones().names;
   nlohmann::ordered_json json{{"posture_deg", to_json(names.coordinates, point.q / kDegree)}};
   if (at.net != nullptr) add_net(at, point, json);
-  if (!trouble_of(point).empty()) json["trouble"] = trouble_of(point);
+  if (!warning_of(point).empty()) json["trouble"] = warning_of(point);
   const SlipTension& slips = point.pull.slips;
   json["slips_N"] = {{"central", slips.central},
                      {"radial", slips.radial},
@@ -141,7 +141,7 @@ nlohmann::ordered_json json_of(const TendonCase& at, const DigitPoint& point) {
   json["force_N"] = to_json(point.tip.f_W);
   json["force_tip_axes_N"] =
       to_json({"proximal", "dorsal", "radial"}, force_in_tip_axes(at, point));
-  json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_left / kNmm);
+  json["leftover_torque_N_mm"] = to_json(names.coordinates, point.tip.tau_residual / kNmm);
   json["condition"] = number_or_null(point.tip.condition);
   if (const std::string note = tip_note(point.tip); !note.empty()) json["note"] = note;
   return json;
@@ -165,7 +165,7 @@ void print_text(const TendonCase& at, const DigitPoint& point) {
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
     torque.rows.push_back({names.coordinates[i],
                            shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4),
-                           shown(point.tip.tau_left[static_cast<Eigen::Index>(i)] / kNmm, 4)});
+                           shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
   print_table(
       "Joint torque of all tendons, flexion positive; left: what no force of the tip balances",
       torque);

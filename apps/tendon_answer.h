@@ -11,7 +11,7 @@
 namespace thenar {
 
 /// Why not to trust a point, in words; empty: nothing.
-[[nodiscard]] std::string trouble_of(const DigitPoint& point);
+[[nodiscard]] std::string warning_of(const DigitPoint& point);
 
 /// What to beware of in the force of the tip, in words; empty: nothing.
 [[nodiscard]] std::string tip_note(const TipForce& tip);

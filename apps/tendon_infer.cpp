@@ -21,11 +21,11 @@
 #include "apps/read_source.h"
 #include "apps/tendon_commands.h"
 #include "apps/to_json.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "kinematics_fit/net_records.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
-#include "tendons/topology/explore_nets.h"
+#include "tendons/topology/search_nets.h"
 #include "tendons/topology/select_bands.h"
 #include "viewer/blocks.h"
 #include "viewer/report_page.h"
@@ -45,7 +45,7 @@ struct TendonInferArguments {
 /// What was inferred, and the tests that would tell most now.
 struct NetAnswer {
   InferredNet net;
-  std::vector<TestPromise> next;
+  std::vector<RankedTest> next;
   std::string stop;  // why the search for nets ended; empty: it is no search
 };
 
@@ -55,7 +55,7 @@ struct Case {
   CandidateNet candidate;
   std::vector<TendonRecord> records;
   std::vector<TendonTest> pool;
-  ReadingNoise noise;
+  MeasurementNoise noise;
   Json provenance;
 };
 
@@ -84,27 +84,27 @@ Case read_case(const TendonInferArguments& options) {
 
 NetAnswer by_selection(const Case& at, const Progress& progress) {
   BandFitter fitter(at.candidate, at.records);
-  TriedNets tried(fitter);
+  FittedNets tried(fitter);
   (void)select_bands(tried, {}, progress);
-  NetAnswer out{weigh_bands(tried, {}, progress), {}, ""};
+  NetAnswer out{assess_bands(tried, {}, progress), {}, ""};
   if (!out.net.found) return out;
   // Models weigh, and readings differ, by the noise that the best of them leaves.
-  std::vector<TriedNet> nets = out.net.alike;
-  for (TriedNet& net : nets) net.fit.misfit /= out.net.inflation * out.net.inflation;
-  ReadingNoise noise = at.noise;
+  std::vector<FittedNet> nets = out.net.alike;
+  for (FittedNet& net : nets) net.fit.misfit /= out.net.inflation * out.net.inflation;
+  MeasurementNoise noise = at.noise;
   noise.floor *= out.net.inflation;
   noise.relative *= out.net.inflation;
-  NetForward forecast(at.candidate, at.pool);
+  NetForwardModel forecast(at.candidate, at.pool);
   out.next = rank_tests(forecast, at.pool, nets, fitter.typical(), noise);
   return out;
 }
 
 NetAnswer by_search(const Case& at, unsigned seed, const Progress& progress) {
   std::mt19937 random(seed);
-  ExploreOptions options;
+  NetSearchOptions options;
   options.noise = at.noise;
-  Exploration found =
-      explore_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
+  NetSearchResult found =
+      search_nets(at.candidate, at.records, at.pool, {}, random, options, progress);
   return {std::move(found.net), std::move(found.next), to_string(found.stop)};
 }
 

@@ -83,17 +83,17 @@ std::string text_header(const TendonCase& at) {
 
 std::string name_of(TendonStatus status) {
   switch (status) {
-    case TendonStatus::kSound:
+    case TendonStatus::kValid:
       return "sound";
-    case TendonStatus::kRough:
+    case TendonStatus::kApproximate:
       return "rough";
-    case TendonStatus::kBuried:
+    case TendonStatus::kBandInsideBone:
       return "buried";
-    case TendonStatus::kDrawnIn:
+    case TendonStatus::kNodeCollapsed:
       return "drawn in";
     case TendonStatus::kOutOfRange:
       return "out of range";
-    case TendonStatus::kAstray:
+    case TendonStatus::kInvalidPath:
       return "astray";
     case TendonStatus::kUnstable:
       return "unstable";
@@ -109,11 +109,11 @@ std::string name_of(NetStatus status) {
       return "balanced";
     case NetStatus::kUnstable:
       return "unstable";
-    case NetStatus::kDrawnIn:
+    case NetStatus::kNodeCollapsed:
       return "drawn in";
     case NetStatus::kStalled:
       return "stalled";
-    case NetStatus::kWoundRound:
+    case NetStatus::kFarSideWrap:
       return "wound round";
   }
   return "";

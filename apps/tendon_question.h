@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "data/io/subject.h"
-#include "tendons/net/digit_sweep.h"
+#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 

@@ -13,7 +13,7 @@
 #include "apps/tendon_report.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {
@@ -42,10 +42,10 @@ void run_tendon_solve(const TendonSolveArguments& options) {
     write_tendon_report(options.question, at, {*at.tendons, at.t, points, {0}, 1}, options.output);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
 
-  const std::string trouble = trouble_of(point);
+  const std::string warning = warning_of(point);
   require(trusted(point.pull.status), "the tendons are not to be trusted here ({}): {}",
-          name_of(point.pull.status), trouble);
-  if (!trouble.empty()) fmt::print(stderr, "thenar: warning: {}\n", trouble);
+          name_of(point.pull.status), warning);
+  if (!warning.empty()) fmt::print(stderr, "thenar: warning: {}\n", warning);
 }
 
 }  // namespace

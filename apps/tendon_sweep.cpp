@@ -19,7 +19,7 @@
 #include "apps/to_json.h"
 #include "apps/varied_joints.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {
@@ -69,13 +69,13 @@ void warn_of(const TendonCase& at, const VariedJoints& varied,
                std::count_if(first, points.end(), doubtful), points.size(),
                angles_in_words(at, varied, first->q), tip_note(first->tip));
   for (const DigitPoint& point : points) {
-    const std::string trouble = trouble_of(point);
+    const std::string warning = warning_of(point);
     if (point.snapped)
       fmt::print(stderr, "thenar: note: the net snaps on the way to {}\n",
                  angles_in_words(at, varied, point.q));
-    if (!trouble.empty())
+    if (!warning.empty())
       fmt::print(stderr, "thenar: warning: at {}: {}\n", angles_in_words(at, varied, point.q),
-                 trouble);
+                 warning);
   }
 }
 
@@ -89,7 +89,7 @@ void refuse_untrusted(const TendonCase& at, const VariedJoints& varied,
   throw InputError(fmt::format(
       "the tendons are not to be trusted at {} of {} postures, first at {} ({}): {}",
       std::count_if(first, points.end(), refused), points.size(),
-      angles_in_words(at, varied, first->q), name_of(first->pull.status), trouble_of(*first)));
+      angles_in_words(at, varied, first->q), name_of(first->pull.status), warning_of(*first)));
 }
 
 void run_tendon_sweep(const TendonSweepArguments& options) {

@@ -85,7 +85,7 @@ std::string quoted(const std::string& text) {
 /// rest.
 std::string status_of(const TendonCase& at, const DigitPoint& point) {
   const bool net = at.net != nullptr && (point.rest.status != NetStatus::kBalanced ||
-                                         point.pull.status == TendonStatus::kSound);
+                                         point.pull.status == TendonStatus::kValid);
   return net ? name_of(point.rest.status) : name_of(point.pull.status);
 }
 
@@ -102,7 +102,7 @@ std::string csv_of(const TendonCase& at, const std::vector<DigitPoint>& points) 
     for (const Field& field : angles) text += fmt::format("{:.10g},", field.value(point));
     text += status_of(at, point) + ",";
     if (at.net != nullptr) text += point.snapped ? "1," : "0,";
-    text += quoted(trouble_of(point));
+    text += quoted(warning_of(point));
     for (const Field& field : numbers) text += fmt::format(",{:.10g}", field.value(point));
     text += "\n";
   }
@@ -116,7 +116,7 @@ nlohmann::ordered_json json_of(const TendonCase& at, const std::vector<DigitPoin
   for (const DigitPoint& point : points) {
     json["status"].push_back(status_of(at, point));
     if (at.net != nullptr) json["snapped"].push_back(point.snapped);
-    json["trouble"].push_back(trouble_of(point));
+    json["trouble"].push_back(warning_of(point));
     for (const Field& field : fields) json[field.name].push_back(field.value(point));
   }
   return json;

@@ -2,7 +2,7 @@
 //
 // The static force of one fingertip under given tendon tensions.
 
-#include "tendons/tip_force.h"
+#include "tendons/forces/tip_force.h"
 
 #include <memory>
 
@@ -15,8 +15,8 @@
 #include "apps/to_json.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "tendons/posture_slopes.h"
-#include "tendons/tip_wrench.h"
+#include "tendons/forces/posture_sensitivity.h"
+#include "tendons/forces/tip_wrench.h"
 
 namespace thenar {
 namespace {
@@ -44,20 +44,21 @@ void add_note(const std::string& note, TipAnswer& answer) {
 
 TipAnswer pinned(const DigitAtPosture& at, const Eigen::VectorXd& t) {
   const TipForce result = tip_force(at.statics, t);
-  TipAnswer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_left, result.condition, {}, ""};
+  TipAnswer answer{result.f_W, Eigen::Vector3d::Zero(), result.tau_residual, result.condition, {},
+                   ""};
   if (result.rank < 3)
     answer.note = "singular posture: of the forces that leave the least torque, this is the least";
   if (!at.map.empty()) return answer;
-  answer.change = tip_force_slopes(at.statics, at.slopes, t).colwise().norm();
+  answer.change = tip_force_jacobian(at.statics, at.slopes, t).colwise().norm();
   if (result.rank == 3) add_note(posture_note(at, result.condition, answer.change), answer);
   return answer;
 }
 
 TipAnswer held(const DigitAtPosture& at, const Eigen::VectorXd& t, double length) {
   const TipWrench result = tip_wrench(at.statics, t, {length});
-  TipAnswer answer{result.f_W, result.m_W, result.tau_left, result.condition, {}, ""};
+  TipAnswer answer{result.f_W, result.m_W, result.tau_residual, result.condition, {}, ""};
   answer.change =
-      tip_wrench_slopes(at.statics, at.slopes, t, {length}).bottomRows<3>().colwise().norm();
+      tip_wrench_jacobian(at.statics, at.slopes, t, {length}).bottomRows<3>().colwise().norm();
   if (result.minimum_norm)
     answer.note = fmt::format(
         "minimum norm: {} joints leave the wrench of a held tip open, and of those that balance "

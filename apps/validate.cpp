@@ -12,7 +12,7 @@
 #include "apps/file_summary.h"
 #include "apps/to_json.h"
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {

@@ -8,12 +8,12 @@
 
 #include "apps/data_folder.h"
 #include "base/error.h"
-#include "base/write_file.h"
-#include "data/io/nearest_name.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
 #include "data/io/robot/import_robot.h"
-#include "grasp/closing_drives.h"
-#include "grasp/guess_hand.h"
-#include "grasp/robot_hand.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/robot/infer_hand.h"
+#include "grasp/robot/robot_hand.h"
 
 namespace thenar {
 namespace {
@@ -187,12 +187,12 @@ bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector
   return true;
 }
 
-/// Bodies of which no material is known are taken for kGuessedMaterial, and named.
+/// Bodies of which no material is known are taken for kDefaultMaterial, and named.
 void name_bare_bodies(const WorldSpec& world, std::vector<std::string>& warnings) {
   for (const PlacedBody& placed : world.bodies)
     if (placed.body.material.empty())
       warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
-                                     placed.body.name, kGuessedMaterial));
+                                     placed.body.name, kDefaultMaterial));
 }
 
 void require_within(const WorldHand& hand, const std::string& path) {

@@ -105,11 +105,11 @@ void make_room(const CacheOptions& options) {
   std::vector<Entry> entries = entries_in(options.folder);
   std::uintmax_t total = 0;
   for (const Entry& entry : entries) total += entry.size;
-  if (total <= options.most_bytes) return;
+  if (total <= options.max_bytes) return;
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {
-    if (static_cast<double>(total) <= kRoom * static_cast<double>(options.most_bytes)) return;
+    if (static_cast<double>(total) <= kRoom * static_cast<double>(options.max_bytes)) return;
     std::error_code ignored;
     fs::remove(entry.path, ignored);
     total -= entry.size;
@@ -162,7 +162,7 @@ CacheOptions cache_options_of_user() {
   }
   const double megabytes = std::strtod(environment("THENAR_CACHE_MB").c_str(), nullptr);
   if (megabytes > 0 && megabytes < 1e9)
-    options.most_bytes = static_cast<std::uintmax_t>(1e6 * megabytes);
+    options.max_bytes = static_cast<std::uintmax_t>(1e6 * megabytes);
   return options;
 }
 
@@ -191,7 +191,7 @@ std::optional<std::string> kept(const std::string& kind, const std::string& inpu
 
 void keep(const std::string& kind, const std::string& input, const std::string& result) {
   const CacheOptions options = current_options();
-  if (options.folder.empty() || result.size() > options.most_bytes / 2) return;
+  if (options.folder.empty() || result.size() > options.max_bytes / 2) return;
   try {
     write_entry(options, name_of_entry(kind, input), result);
   } catch (const std::exception&) {

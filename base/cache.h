@@ -9,8 +9,8 @@
 namespace thenar {
 
 struct CacheOptions {
-  std::string folder;                     // empty: nothing is kept
-  std::uintmax_t most_bytes = 500000000;  // of all entries; the least recently used give way
+  std::string folder;                    // empty: nothing is kept
+  std::uintmax_t max_bytes = 500000000;  // of all entries; the least recently used give way
 };
 
 /// From now on, kept() and keep() of this process use this folder. A program asks for it; the

@@ -17,25 +17,25 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // is unknown. The functions below return NaN instead.
 
 /// The largest of two; NaN if either is.
-[[nodiscard]] inline double largest_or_nan(double a, double b) {
+[[nodiscard]] inline double max_or_nan(double a, double b) {
   return a >= b || std::isnan(a) ? a : b;
 }
 
 /// The smallest of two; NaN if either is.
-[[nodiscard]] inline double smallest_or_nan(double a, double b) {
+[[nodiscard]] inline double min_or_nan(double a, double b) {
   return a <= b || std::isnan(a) ? a : b;
 }
 
 /// The largest of several; NaN if any is.
-[[nodiscard]] inline double largest_or_nan(std::initializer_list<double> all) {
+[[nodiscard]] inline double max_or_nan(std::initializer_list<double> all) {
   double most = *all.begin();
-  for (const double each : all) most = largest_or_nan(most, each);
+  for (const double each : all) most = max_or_nan(most, each);
   return most;
 }
 
 /// The largest entry, which Eigen's maxCoeff() may miss beside NaN; NaN if any is.
 template <typename Derived>
-[[nodiscard]] double largest_or_nan(const Eigen::DenseBase<Derived>& entries) {
+[[nodiscard]] double max_or_nan(const Eigen::DenseBase<Derived>& entries) {
   return entries.template maxCoeff<Eigen::PropagateNaN>();
 }
 

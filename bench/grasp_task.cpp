@@ -4,12 +4,11 @@
 #include <random>
 
 #include "base/units.h"
-#include "grasp/approach.h"
-#include "grasp/close_hand.h"
-#include "grasp/closing_drives.h"
-#include "grasp/draw_start.h"
-#include "grasp/draw_uniform.h"
-#include "grasp/grasp.h"
+#include "grasp/closing/approach.h"
+#include "grasp/closing/approach_sampling.h"
+#include "grasp/closing/close_hand.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/closing/grasp.h"
 
 namespace thenar::bench {
 namespace {
@@ -43,14 +42,14 @@ void add_lap(double& sum, double& start) {
 void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, GraspTimes& times) {
   std::mt19937 random(number);
   Eigen::VectorXd q = open_posture(task.hand.layout());
-  const double spread = draw_between(0, kPi, random);
+  const double spread = sample_between(0, kPi, random);
   q = task.hand.posture((Eigen::Vector4d() << spread, 0, 0, 0).finished());
-  const Pose<double> X_WH = draw_start(task.touching, q, scene.object, random);
-  const double way = way_past(task.touching, q, scene.object);
+  const Pose<double> X_WH = sample_approach_pose(task.touching, q, scene.object, random);
+  const double way = approach_distance(task.touching, q, scene.object);
 
   ++times.starts;
   double lap = now();
-  const Approached approached = approach(task.touching, X_WH, q, scene, way);
+  const ApproachResult approached = approach(task.touching, X_WH, q, scene, way);
   add_lap(times.approach, lap);
   if (!approached.touches) return;
   const ClosedHand closed = close_hand(task.touching, approached.X_WH, q, scene);
@@ -59,7 +58,7 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
       find_contacts({task.touching, approached.X_WH, task.hand.pose(closed.q)}, scene);
   add_lap(times.contacts, lap);
   const Epsilon quality =
-      epsilon(wrench_set(plain(contacts), scene.object.com, scene.object.reach));
+      epsilon(wrench_set(contacts_without_hand(contacts), scene.object.com, scene.object.reach));
   add_lap(times.quality, lap);
   if (!contacts.empty()) ++times.grasped;
   if (quality.force_closure) ++times.closures;
@@ -70,7 +69,7 @@ void time_grasp(const GraspTask& task, const Scene& scene, unsigned number, Gras
 std::unique_ptr<const GraspTask> build_grasp_task() {
   auto task = std::make_unique<GraspTask>(
       GraspTask{RobotHand(read_robot(THENAR_DATA_DIR "/robots/barrett.toml")), {}, {}});
-  task->touching = touching_hand(task->hand);
+  task->touching = collision_hand(task->hand);
   for (const double e1 : {0.3, 1.0, 1.7})
     for (const double e2 : {0.3, 1.0, 1.7})
       task->scenes.push_back({superellipsoid(e1, e2), {}, built_in_materials()});

@@ -5,16 +5,16 @@
 #include <memory>
 #include <vector>
 
-#include "grasp/robot_hand.h"
-#include "grasp/scene.h"
-#include "grasp/touching_hand.h"
+#include "grasp/closing/collision_hand.h"
+#include "grasp/closing/scene.h"
+#include "grasp/robot/robot_hand.h"
 
 namespace thenar::bench {
 
 /// What all threads look at and none changes.
 struct GraspTask {
   RobotHand hand;
-  TouchingHand touching;
+  CollisionHand touching;
   std::vector<Scene> scenes;  // one for each object
 };
 

@@ -36,13 +36,14 @@ void BM_Chain(benchmark::State& state) {
 BENCHMARK(BM_Chain)->Unit(benchmark::kMicrosecond);
 
 // The same without the heap, on what every processor has and on what this one has.
-void BM_FastKinematics(benchmark::State& state, Simd simd) {
+void BM_FastKinematics(benchmark::State& state, InstructionSet simd) {
   Bench bench;
   const FastKinematics fast(bench.skeleton, simd);
   for (auto _ : state) benchmark::DoNotOptimize(fast.pose(bench.q()));
 }
-BENCHMARK_CAPTURE(BM_FastKinematics, baseline, Simd::kBaseline)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(BM_FastKinematics, best, Simd::kBest)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_FastKinematics, baseline, InstructionSet::kBaseline)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(BM_FastKinematics, best, InstructionSet::kBest)->Unit(benchmark::kMicrosecond);
 
 void BM_MultibodyBuild(benchmark::State& state) {
   const Bench bench;

@@ -48,7 +48,7 @@ void BM_Simulate(benchmark::State& state) {
     const Trajectory path =
         simulate(finger.model(), constant_excitation(excitation()),
                  {Eigen::VectorXd::Constant(4, 0.2), {}, Eigen::VectorXd::Zero(7)}, options);
-    if (path.status != MotionStatus::kDone) state.SkipWithError(path.trouble.c_str());
+    if (path.status != MotionStatus::kCompleted) state.SkipWithError(path.warning.c_str());
     steps = path.counts.steps;
   }
   state.counters["steps"] = static_cast<double>(steps);
@@ -81,8 +81,8 @@ void BM_SlopeUnderNet(benchmark::State& state) {
   FingerMotion motion({*tendons, *finger.contraction});
   const MotionState at =
       motion.start(Eigen::VectorXd::Constant(4, 0.2), Eigen::VectorXd::Ones(4), excitation()).state;
-  const std::string trouble = motion.accept(at).trouble;
-  if (!trouble.empty()) state.SkipWithError(trouble.c_str());
+  const std::string warning = motion.accept(at).warning;
+  if (!warning.empty()) state.SkipWithError(warning.c_str());
   for (auto _ : state) benchmark::DoNotOptimize(motion.slope(at, excitation()));
 }
 BENCHMARK(BM_SlopeUnderNet)->ArgName("rung")->Arg(0)->Arg(1)->Unit(benchmark::kMicrosecond);

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include "bench/chart_main.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/pyramid.h"
 #include "tests/grasp/quality/qhull_hull.h"
 #include "tests/grasp/quality/random_grasps.h"
 #include "viewer/blocks.h"
@@ -48,7 +48,7 @@ std::vector<Task> tasks() {
     if (!epsilon(set).force_closure) continue;
     EpsilonOptions options;
     options.gap = kReferenceGap;
-    options.most_facets = 2000000;
+    options.max_facets = 2000000;
     out.push_back({set, epsilon(set, options).lower});
   }
   return out;
@@ -104,7 +104,7 @@ std::vector<Line> lines() {
   const auto whole = [](const Task& task, double m) {
     const WrenchSet cut = pyramids(task.set, static_cast<int>(m));
     return task.epsilon -
-           qhull_hull(vertices_of(cut, ForceLimit::kL1), "qhull Qt Pp", false).nearest;
+           qhull_hull(vertices_of(cut, ForceNorm::kL1), "qhull Qt Pp", false).nearest;
   };
   return {line("true cones, certified gap (thenar)", "gap",
                {0.1, 3e-2, 1e-2, 3e-3, 1e-3, 1e-4, 1e-5}, grasps, cones),

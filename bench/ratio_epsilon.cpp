@@ -5,8 +5,8 @@
 #include <ctime>
 
 #include "bench/ratios.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/pyramid.h"
 #include "tests/grasp/quality/qhull_hull.h"
 #include "tests/grasp/quality/random_grasps.h"
 
@@ -31,7 +31,7 @@ std::vector<WrenchSet> closures(int of_each) {
 }
 
 double rival(const WrenchSet& set, int edges) {
-  return qhull_hull(vertices_of(pyramids(set, edges), ForceLimit::kL1), "qhull Qt Pp", false)
+  return qhull_hull(vertices_of(pyramids(set, edges), ForceNorm::kL1), "qhull Qt Pp", false)
       .nearest;
 }
 

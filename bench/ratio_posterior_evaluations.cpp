@@ -22,16 +22,19 @@ struct Thumb {
       for (Eigen::Index c = 0; c < u.rows(); ++c)
         u(c, k) = 0.2 * p.all[p.leader[c]].sd * normal(rng);
   }
-  [[nodiscard]] Eigen::MatrixXd forces(const std::vector<kernel::Unit>& units) const {
-    return kernel::run_batch(program, units, u, kernel::KeepTape::kNo).forces;
+  [[nodiscard]] Eigen::MatrixXd forces(
+      const std::vector<kernel::SimdBackend>& simd_backends) const {
+    return kernel::run_batch(program, simd_backends, u, kernel::KeepTape::kNo).forces;
   }
-  [[nodiscard]] Eigen::MatrixXd gradient(const std::vector<kernel::Unit>& units) const {
-    const kernel::Batch batch = kernel::run_batch(program, units, u, kernel::KeepTape::kYes);
-    return kernel::pull_batch(program, batch, weights);
+  [[nodiscard]] Eigen::MatrixXd gradient(
+      const std::vector<kernel::SimdBackend>& simd_backends) const {
+    const kernel::Batch batch =
+        kernel::run_batch(program, simd_backends, u, kernel::KeepTape::kYes);
+    return kernel::adjoint_batch(program, batch, weights);
   }
   /// Greatest difference from Ceres' J' w, relative.
   [[nodiscard]] double gradient_error() const {
-    const Eigen::MatrixXd ours = gradient(kernel::units());
+    const Eigen::MatrixXd ours = gradient(kernel::simd_backends());
     double error = 0;
     for (Eigen::Index k = 0; k < u.cols(); ++k) {
       const Eigen::VectorXd expected =
@@ -52,7 +55,8 @@ struct Thumb {
 
 Row ratio_posterior_lanes() {
   const Thumb thumb;
-  const std::vector<kernel::Unit> widest{kernel::units().front()}, scalar{kernel::units().back()};
+  const std::vector<kernel::SimdBackend> widest{kernel::simd_backends().front()},
+      scalar{kernel::simd_backends().back()};
   Duel duel{"thumb forces, 8 points in " + std::string(widest[0].name) + " lanes", {}, {}, 4, 0, 0};
   duel.error = (thumb.forces(widest) - thumb.forces(scalar)).cwiseAbs().maxCoeff();
   duel.ours = [&] { keep(thumb.forces(widest)); };
@@ -62,22 +66,22 @@ Row ratio_posterior_lanes() {
 
 Row ratio_posterior_gradient() {
   const Thumb thumb;
-  const std::vector<kernel::Unit>& units = kernel::units();
+  const std::vector<kernel::SimdBackend>& simd_backends = kernel::simd_backends();
   Duel duel{"the same with gradient, against 4 times forces", {}, {}, 1, 0, 1e-10};
   duel.error = thumb.gradient_error();
-  duel.ours = [&] { keep(thumb.gradient(units)); };
+  duel.ours = [&] { keep(thumb.gradient(simd_backends)); };
   duel.rival = [&] {
-    for (int i = 0; i < 4; ++i) keep(thumb.forces(units));
+    for (int i = 0; i < 4; ++i) keep(thumb.forces(simd_backends));
   };
   return measure(duel);
 }
 
 Row ratio_posterior_jets() {
   const Thumb thumb;
-  const std::vector<kernel::Unit>& units = kernel::units();
+  const std::vector<kernel::SimdBackend>& simd_backends = kernel::simd_backends();
   Duel duel{"the same, against derivatives by jets", {}, {}, 0, 0, 1e-10};
   duel.error = thumb.gradient_error();
-  duel.ours = [&] { keep(thumb.gradient(units)); };
+  duel.ours = [&] { keep(thumb.gradient(simd_backends)); };
   duel.rival = [&] {
     for (Eigen::Index k = 0; k < thumb.u.cols(); ++k)
       keep(force_jacobian(thumb.problem.digit(), thumb.problem.parameters(),

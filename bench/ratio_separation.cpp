@@ -8,8 +8,8 @@
 
 #include "base/units.h"
 #include "bench/ratios.h"
-#include "geometry/collision/fcl_separation.h"
-#include "geometry/collision/separation.h"
+#include "geometry/collision/fcl_distance.h"
+#include "geometry/collision/signed_distance.h"
 #include "geometry/mesh_distance.h"
 #include "geometry/tessellate.h"
 
@@ -27,7 +27,7 @@ TriangleMesh turned(double length, int rings, int sides, double (*radius)(double
     profile.emplace_back(radius(s), length * (s - 0.5));
   }
   profile.emplace_back(0, length / 2);
-  return lathe(profile, sides);
+  return surface_of_revolution(profile, sides);
 }
 
 /// A vase about 12 cm high: 51 x 50 strips, 5,100 triangles.
@@ -46,7 +46,7 @@ TriangleMesh capsule_mesh(int sides, int steps) {
       profile.emplace_back(kRadius * std::cos(up), end * kHalf + kRadius * std::sin(up));
     }
   profile.front().x() = profile.back().x() = 0;
-  return lathe(profile, sides);
+  return surface_of_revolution(profile, sides);
 }
 
 Solid capsule() {
@@ -70,23 +70,23 @@ std::vector<Pose<double>> poses() {
 Row against_fcl(const std::string& name, double required, const TriangleMesh& mesh_A,
                 const Solid& solid_A) {
   const TriangleMesh mesh_B = vase();
-  const TouchBody a = touch_body(solid_A);
+  const CollisionTree a = collision_tree(solid_A);
   const auto b = build_mesh_distance(mesh_B);
   const FclMesh fcl_A(mesh_A), fcl_B(mesh_B);
   const std::vector<Pose<double>> at = poses();
 
-  SeparationOptions options;
+  SignedDistanceOptions options;
   options.tolerance = kTolerance;
   Duel duel{name, {}, {}, required, 0, 2 * kTolerance};  // ours, and the mesh's
   for (const Pose<double>& X : at) {
-    const double ours = separation(a, X, *b, options).distance;
+    const double ours = signed_distance(a, X, *b, options).distance;
     // FCL's has no sign: an overlap is 0.
     duel.error = std::max(
         duel.error, std::abs(std::max(0.0, ours) - fcl_distance(fcl_A, X, fcl_B, {}, kTolerance)));
   }
   for (int pass = 0; pass < 300; ++pass)  // until all cubes are filled that will be
-    for (const Pose<double>& X : at) keep(separation(a, X, *b, options));
-  duel.ours = [&, i = 0U]() mutable { keep(separation(a, at[i++ % kPoses], *b, options)); };
+    for (const Pose<double>& X : at) keep(signed_distance(a, X, *b, options));
+  duel.ours = [&, i = 0U]() mutable { keep(signed_distance(a, at[i++ % kPoses], *b, options)); };
   duel.rival = [&, i = 0U]() mutable {
     keep(fcl_distance(fcl_A, at[i++ % kPoses], fcl_B, {}, kTolerance));
   };

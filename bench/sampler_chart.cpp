@@ -82,7 +82,7 @@ Trace run(const HandPosterior& posterior, const Contender& who, unsigned seed,
   options.groups = who.groups;
   options.walkers = who.walkers;
   options.temperatures = who.temperatures;
-  options.least_temper = 0.2;
+  options.min_beta = 0.2;
   options.thin = who.thin;
   options.threads = 1;
   options.draws = 10000000;  // the clock ends it

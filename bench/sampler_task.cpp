@@ -7,8 +7,8 @@
 
 #include "bench/sampler_rivals/adaptive_metropolis.h"
 #include "bench/sampler_rivals/thumb_density.h"
-#include "posterior/run/laplace.h"
 #include "sampling/diagnostics/convergence.h"
+#include "sampling/methods/laplace_covariance.h"
 #include "tests/posterior/thumb_scene.h"
 
 namespace thenar::bench {
@@ -48,7 +48,7 @@ double processor_seconds() { return double(std::clock()) / CLOCKS_PER_SEC; }
 Prepared prepare(const HandPosterior& posterior, int chains, unsigned seed) {
   const double start = processor_seconds();
   const LeastSquares problem = least_squares(posterior.problem());
-  ModeSearch search;
+  ModeSearchOptions search;
   search.also = Eigen::VectorXd::Zero(posterior.problem().size());
   search.seed = seed;
   Prepared out;

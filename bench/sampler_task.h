@@ -6,7 +6,7 @@
 
 #include "posterior/find_modes.h"
 #include "posterior/hand_posterior.h"
-#include "sampling/run_chains.h"
+#include "sampling/run/run_chains.h"
 
 namespace thenar::bench {
 

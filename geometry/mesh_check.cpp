@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "geometry/mesh_edges.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "base/provenance.h"
-#include "geometry/kept_mesh.h"
-#include "geometry/mesh_edges.h"
+#include "geometry/cached_mesh.h"
 #include "geometry/nearest_grid.h"
+#include "geometry/triangle_mesh.h"
 #include "geometry/triangle_tree.h"
 
 namespace thenar {

@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/mesh_check.h"
-#include "geometry/mesh_edges.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {

@@ -1,13 +1,18 @@
 #include "geometry/shape_mass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/convex_body.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_parts.h"
+#include "geometry/solid.h"
 
 namespace thenar {
 namespace {
@@ -116,6 +121,267 @@ MassProperties together(const std::vector<MassProperties>& parts) {
                    part.mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   }
   return sum;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kDepth = 7;           // cubes of the tree are halved so often
+constexpr double kRounding = 1e-9;  // of the extent: what parts may touch by without overlapping
+constexpr double kMostFaces = 2e7;  // of convex parts that are cut out of each other
+constexpr double kMostLooks = 1e7;  // at distances of primitives to middles of cubes
+constexpr double kMeshLook = 10;    // at one of a mesh or superellipsoid, which takes longer
+constexpr int kCoarseDepth = 4;     // for what no closed form weighs, where work is too much
+
+/// One of the shapes whose union is asked for.
+struct UnionPart {
+  std::shared_ptr<const Shape> shape;  // body frame
+  Eigen::AlignedBox3d box;
+  bool has_moments = false;  // a closed form
+  Moments moments;
+  ConvexBody convex;  // empty: it is no convex polyhedron
+  double look = 1;    // what one look at its distance counts
+};
+
+ConvexBody placed(ConvexBody body, const Pose<double>& X) {
+  body.box.setEmpty();
+  for (auto& face : body.faces)
+    for (Vector3d& p : face) {
+      p = X * p;
+      body.box.extend(p);
+    }
+  for (HalfSpace& side : body.sides) {
+    side.n = X.R * side.n;
+    side.offset += side.n.dot(X.p);
+  }
+  return body;
+}
+
+UnionPart part_of(const ShapeSpec& spec) {
+  UnionPart part;
+  part.shape = build_solid({spec}).shape;
+  part.box = part.shape->bounds();
+  part.has_moments = spec.kind != ShapeKind::kTaperedCapsule;
+  if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
+  if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
+    part.look = kMeshLook;
+  if (spec.kind == ShapeKind::kBox)
+    part.convex = placed(convex_box({-spec.size / 2, spec.size / 2}), spec.X_BS);
+  if (spec.kind == ShapeKind::kMesh) part.convex = placed(convex_body(spec.mesh), spec.X_BS);
+  return part;
+}
+
+std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
+  std::vector<UnionPart> parts;
+  for (const ShapeSpec& shape : shapes) {
+    if (shape.kind != ShapeKind::kMesh) {
+      parts.push_back(part_of(shape));
+      continue;
+    }
+    for (TriangleMesh& mesh : solid_parts(shape.mesh)) {
+      ShapeSpec one;
+      one.kind = ShapeKind::kMesh;
+      one.mesh = std::move(mesh);
+      one.X_BS = shape.X_BS;
+      parts.push_back(part_of(one));
+    }
+  }
+  return parts;
+}
+
+/// What two boxes have in common; of those that only touch, nothing.
+Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
+  if (!a.box.intersects(b.box)) return {};
+  const Eigen::AlignedBox3d box = a.box.intersection(b.box);
+  const double least = kRounding * a.box.merged(b.box).diagonal().norm();
+  return !box.isEmpty() && box.sizes().minCoeff() > least ? box : Eigen::AlignedBox3d();
+}
+
+/// Parts whose boxes overlap, directly or through others.
+std::vector<std::vector<const UnionPart*>> clusters_of(const std::vector<UnionPart>& parts) {
+  std::vector<std::size_t> group(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    group[i] = i;
+    for (std::size_t j = 0; j < i; ++j) {
+      if (group[j] == group[i] || common_box(parts[i], parts[j]).isEmpty()) continue;
+      const std::size_t from = group[j], to = group[i];
+      std::replace(group.begin(), group.begin() + static_cast<std::ptrdiff_t>(i) + 1, from, to);
+    }
+  }
+  std::vector<std::vector<const UnionPart*>> clusters(parts.size());
+  for (std::size_t i = 0; i < parts.size(); ++i) clusters[group[i]].push_back(&parts[i]);
+  return clusters;
+}
+
+/// Sums over the cubes of a tree: the union of some parts, or how much more they are than it.
+class CubeSum {
+ public:
+  /// @param excess  the sum of the parts less their union; else their union
+  /// @param looks  that it may take
+  CubeSum(const std::vector<const UnionPart*>& parts, bool excess, int depth, double looks)
+      : parts_(parts), excess_(excess), depth_(depth), left_(looks) {}
+
+  /// Whether it got to the end; else what it summed means nothing.
+  [[nodiscard]] bool complete() const { return left_ >= 0; }
+
+  Moments over(const Eigen::AlignedBox3d& box) {
+    sum_ = {};
+    tolerance_ = 1e-12 * box.diagonal().norm();
+    add(box, 0, parts_);
+    return sum_;
+  }
+
+ private:
+  // NOLINTNEXTLINE(misc-no-recursion): as deep as cubes are halved
+  void add(const Eigen::AlignedBox3d& box, int level, const std::vector<const UnionPart*>& above,
+           int whole = 0) {
+    // Parts that fill the cube, and those whose surfaces may pass through it.
+    const double reach = box.diagonal().norm() / 2;
+    std::vector<const UnionPart*> through;
+    left_ -= kPass * static_cast<double>(above.size());
+    if (!complete()) return;
+    for (const UnionPart* part : above) {
+      if (part->box.exteriorDistance(box.center()) > reach) continue;
+      left_ -= part->look;
+      const double distance = part->shape->distance(box.center()), slack = part->shape->accuracy();
+      if (distance < -reach - slack) ++whole;
+      if (std::abs(distance) <= reach + slack) through.push_back(part);
+    }
+    const auto passing = static_cast<int>(through.size());
+    if (whole + passing < (excess_ ? 2 : 1)) return;
+    if (passing == 0 || (!excess_ && whole > 0)) {
+      const Moments cube = moments_of(convex_box(box));
+      for (int i = 0; i < (excess_ ? whole - 1 : 1); ++i) sum_ += cube;
+      return;
+    }
+    if (level == depth_) {
+      add_cut(box, through, whole);
+      return;
+    }
+    const Vector3d half = box.sizes() / 2;
+    for (int c = 0; c < 8; ++c) {
+      const Vector3d low = box.min() + half.cwiseProduct(Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1));
+      add({low, low + half}, level + 1, through, whole);
+    }
+  }
+
+  /// In a smallest cube, each part is what lies below the plane nearest to the middle.
+  void add_cut(const Eigen::AlignedBox3d& box, const std::vector<const UnionPart*>& through,
+               int whole) {
+    std::vector<ConvexBody> filled;
+    for (const UnionPart* part : through) {
+      const NearestSurface near = part->shape->nearest(box.center());
+      ConvexBody body = convex_box(box);
+      cut(body, {near.normal, near.normal.dot(box.center()) - near.distance}, tolerance_);
+      if (!body.empty()) filled.push_back(std::move(body));
+    }
+    if (whole == 0) {
+      const Moments all = union_moments(filled, tolerance_).moments;
+      if (!excess_) sum_ += all;
+      if (excess_) sum_ -= all;
+    } else if (excess_) {
+      const Moments cube = moments_of(convex_box(box));
+      for (int i = 1; i < whole; ++i) sum_ += cube;
+    }
+    if (excess_)
+      for (const ConvexBody& body : filled) sum_ += moments_of(body);
+  }
+
+  static constexpr double kPass = 0.1;  // what passing by a part counts
+
+  const std::vector<const UnionPart*>& parts_;
+  bool excess_;
+  int depth_;
+  double left_;
+  double tolerance_ = 0;
+  Moments sum_;
+};
+
+/// A cube around all that two parts may have in common, or around all parts.
+Eigen::AlignedBox3d cube_around(const std::vector<const UnionPart*>& parts, bool excess) {
+  Eigen::AlignedBox3d box;
+  for (const UnionPart* a : parts) {
+    if (!excess) box.extend(a->box);
+    for (const UnionPart* b : parts)
+      if (excess && a < b) box.extend(common_box(*a, *b));
+  }
+  // Faces of the parts' boxes shall not be faces of cubes.
+  const Vector3d half = Vector3d::Constant(0.5013 * box.sizes().maxCoeff());
+  return {box.center() - half, box.center() + half};
+}
+
+struct Summed {
+  Moments moments;
+  double error = 0;  // [m^3]
+};
+
+/// The sum of the parts, however they overlap: their union is at least the largest of them.
+Summed upper_bound(const std::vector<const UnionPart*>& parts) {
+  Summed result;
+  double largest = 0;
+  for (const UnionPart* part : parts) {
+    const std::vector<const UnionPart*> alone{part};
+    const Moments own =
+        part->has_moments
+            ? part->moments
+            : CubeSum(alone, false, kCoarseDepth, kMostLooks).over(cube_around(alone, false));
+    result.moments += own;
+    largest = std::max(largest, own.volume);
+  }
+  result.error = result.moments.volume - largest;
+  return result;
+}
+
+/// @param looks  that it may take; else it is the upper bound
+Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
+  const bool excess = std::all_of(parts.begin(), parts.end(),
+                                  [](const UnionPart* part) { return part->has_moments; });
+  const Eigen::AlignedBox3d cube = cube_around(parts, excess);
+  CubeSum fine(parts, excess, kDepth, looks), coarse(parts, excess, kDepth - 1, looks);
+  const double before = coarse.over(cube).volume;
+  if (!coarse.complete()) return upper_bound(parts);
+  Summed result{fine.over(cube), 0};
+  if (!fine.complete()) return upper_bound(parts);
+  result.error = std::abs(result.moments.volume - before);
+  if (!excess) return result;
+  Moments all;
+  for (const UnionPart* part : parts) all += part->moments;
+  all -= result.moments;
+  result.moments = all;
+  return result;
+}
+
+/// @param share  of all work that these parts may take
+Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double share) {
+  if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
+  std::vector<ConvexBody> convex;
+  double extent = 0;
+  for (const UnionPart* part : parts) {
+    if (part->convex.empty()) return sum_cubes(parts, share * kMostLooks);
+    convex.push_back(part->convex);
+    extent = std::max(extent, part->box.diagonal().norm());
+  }
+  const UnionMoments exact = union_moments(convex, 1e-12 * extent, share * kMostFaces);
+  if (!exact.complete) return sum_cubes(parts, share * kMostLooks);
+  return {exact.moments, 0};
+}
+
+}  // namespace
+
+UnionMass union_mass(const std::vector<ShapeSpec>& shapes) {
+  require(!shapes.empty(), "a solid needs at least one shape");
+  const std::vector<UnionPart> parts = parts_of(shapes);
+  Moments sum;
+  double error = 0;
+  for (const auto& cluster : clusters_of(parts)) {
+    if (cluster.empty()) continue;
+    const double share = static_cast<double>(cluster.size()) / static_cast<double>(parts.size());
+    const Summed found = moments_of_cluster(cluster, share);
+    sum += found.moments;
+    error += found.error;
+  }
+  return {mass_of(sum), sum.volume > 0 ? error / sum.volume : 0};
 }
 
 }  // namespace thenar

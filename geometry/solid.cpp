@@ -6,10 +6,10 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/compound.h"
 #include "geometry/mesh_distance.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/primitives.h"
+#include "geometry/shape_union.h"
 #include "geometry/superellipsoid.h"
 #include "geometry/tessellate.h"
 
@@ -74,7 +74,7 @@ std::shared_ptr<const Shape> shape_of(const ShapeSpec& spec) {
 TriangleMesh cylinder_mesh(double radius, double height, double tolerance) {
   const int sides = sides_of_circle(radius, tolerance);
   const double rho = radius * (1 + outside_by(sides)), z = height / 2;
-  return lathe({{0, -z}, {rho, -z}, {rho, z}, {0, z}}, sides);
+  return surface_of_revolution({{0, -z}, {rho, -z}, {rho, z}, {0, z}}, sides);
 }
 
 /// The profile's arcs have corners where the side's line begins and ends.
@@ -97,7 +97,7 @@ TriangleMesh tapered_capsule_mesh(const Vector3d& size, double tolerance) {
   };
   arc(lower, -half, -kPi / 2, slope, below);
   arc(upper, half, slope, kPi / 2, above);
-  return lathe(profile, sides);
+  return surface_of_revolution(profile, sides);
 }
 
 /// Surface in the shape's own frame, within `tolerance` of it on either side

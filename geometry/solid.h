@@ -25,8 +25,8 @@ struct Solid {
 };
 
 /// The union of some shapes in the frame of their body. A mesh of several closed surfaces is the
-/// union of what solid_parts() finds in it, so that where they overlap is inside; mend_mesh() mends
-/// what that refuses.
+/// union of what solid_parts() finds in it, so that where they overlap is inside; repair_to_solid()
+/// mends what that refuses.
 /// @throws InputError if there is none, a size is not positive and finite, or a mesh has holes
 /// (naming them) or no volume.
 [[nodiscard]] Solid build_solid(const std::vector<ShapeSpec>& shapes);

@@ -166,7 +166,7 @@ int sides_of_circle(double radius, double tolerance) {
 
 double outside_by(int sides) { return 2 / (1 + std::cos(kPi / sides)) - 1; }
 
-TriangleMesh lathe(const std::vector<Vector2d>& profile, int sides) {
+TriangleMesh surface_of_revolution(const std::vector<Vector2d>& profile, int sides) {
   Growing surface;
   const int rings = static_cast<int>(profile.size()) - 2;
   const int bottom = surface.add({0, 0, profile.front().y()});

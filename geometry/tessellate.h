@@ -18,7 +18,8 @@ namespace thenar {
 /// to the right.
 /// @param profile  at least three points [m] (2)
 /// @param sides    at least three
-[[nodiscard]] TriangleMesh lathe(const std::vector<Eigen::Vector2d>& profile, int sides);
+[[nodiscard]] TriangleMesh surface_of_revolution(const std::vector<Eigen::Vector2d>& profile,
+                                                 int sides);
 
 /// Sides of a regular polygon that crosses a circle and leaves it by no more
 /// than `tolerance` either way, when its corners stand outside by outside_by().

@@ -3,17 +3,17 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "hand/lanes.h"
+#include "base/simd.h"
 
 #pragma GCC diagnostic ignored "-Wpsabi"  // inlined functions have no calling convention
 
 namespace thenar {
 namespace {
 
-using internal::Lanes;
+using internal::Double4;
+using internal::Double4Sse;
 using internal::load;
 using internal::store;
-using internal::TwoLanes;
 using Column = std::array<double, 4>;
 
 /// x, y and z of the base, and its origin.
@@ -35,14 +35,14 @@ struct FastKinematics::Angles {
   alignas(32) std::array<double, kMaxFastHinges> angle, sine, cosine;
 };
 
-FastKinematics::FastKinematics(const Skeleton& skeleton, Simd simd)
+FastKinematics::FastKinematics(const Skeleton& skeleton, InstructionSet simd)
     : coordinates_(skeleton.coordinates()),
-      avx2_(simd != Simd::kBaseline && __builtin_cpu_supports("avx2")) {
+      avx2_(simd != InstructionSet::kBaseline && __builtin_cpu_supports("avx2")) {
   require(skeleton.tree.size() <= kMaxFastHinges, "at most {} hinges here, the skeleton has {}",
           kMaxFastHinges, skeleton.tree.size());
   require(skeleton.tips.size() <= kMaxFastTips, "at most {} tips here, the skeleton has {}",
           kMaxFastTips, skeleton.tips.size());
-  require(simd != Simd::kAvx2 || avx2_, "this processor has no AVX2");
+  require(simd != InstructionSet::kAvx2 || avx2_, "this processor has no AVX2");
   for (const Hinge<double>& hinge : skeleton.tree) {
     turns_.push_back({column(hinge.direction), column(hinge.point), hinge.parent});
     drives_.push_back({hinge.coordinate, hinge.ratio, hinge.offset});
@@ -58,10 +58,10 @@ FastKinematics::FastKinematics(const Skeleton& skeleton, Simd simd)
 
 /// Everything, in the instructions of whoever this is inlined into.
 template <typename V>
-THENAR_INLINE void FastKinematics::run(Angles& a, PosedHand& hand) const {
+THENAR_INLINE void FastKinematics::run(Angles& a, FastHandPose& hand) const {
   const std::size_t hinges = turns_.size();
   for (std::size_t i = 0; i < hinges; i += 4) {
-    const auto sc = internal::sin_cos(load<Lanes>(&a.angle[i]));
+    const auto sc = internal::sin_cos(load<Double4>(&a.angle[i]));
     store(&a.sine[i], sc.sine);
     store(&a.cosine[i], sc.cosine);
   }
@@ -115,16 +115,16 @@ THENAR_INLINE void FastKinematics::run(Angles& a, PosedHand& hand) const {
   }
 }
 
-void FastKinematics::run_baseline(Angles& angles, PosedHand& hand) const {
-  run<TwoLanes>(angles, hand);
+void FastKinematics::run_baseline(Angles& angles, FastHandPose& hand) const {
+  run<Double4Sse>(angles, hand);
 }
 
 __attribute__((target("avx2"))) void FastKinematics::run_avx2(Angles& angles,
-                                                              PosedHand& hand) const {
-  run<Lanes>(angles, hand);
+                                                              FastHandPose& hand) const {
+  run<Double4>(angles, hand);
 }
 
-PosedHand FastKinematics::pose(const Eigen::Ref<const Eigen::VectorXd>& q) const {
+FastHandPose FastKinematics::pose(const Eigen::Ref<const Eigen::VectorXd>& q) const {
   require(q.size() == coordinates_, "the skeleton has {} coordinates, q has {}", coordinates_,
           q.size());
   Angles angles;
@@ -138,7 +138,7 @@ PosedHand FastKinematics::pose(const Eigen::Ref<const Eigen::VectorXd>& q) const
   }
   for (; i % 4 != 0; ++i) angles.angle[i] = 0;
 
-  PosedHand hand;
+  FastHandPose hand;
   hand.coordinates_ = coordinates_;
   if (avx2_)
     run_avx2(angles, hand);

@@ -15,7 +15,7 @@
 namespace thenar {
 
 /// Which instructions to use.
-enum class Simd {
+enum class InstructionSet {
   kBest,      // whatever this processor offers
   kBaseline,  // what every x86-64 has
   kAvx2       // four doubles at a time; the processor must have it
@@ -25,7 +25,7 @@ inline constexpr int kMaxFastHinges = 32;  // that a hand may have here
 inline constexpr int kMaxFastTips = 6;     // that a hand may have here
 
 /// All links and tips at one posture.
-class PosedHand {
+class FastHandPose {
  public:
   using Jacobian = Eigen::Map<const Eigen::Matrix3Xd, Eigen::Aligned16, Eigen::OuterStride<4>>;
 
@@ -47,7 +47,7 @@ class PosedHand {
   friend class FastKinematics;
   using Column = std::array<double, 4>;  // a vector and a fourth number of no meaning
 
-  PosedHand() {}  // NOLINT(modernize-use-equals-default): `= default` would zero 10 kB
+  FastHandPose() {}  // NOLINT(modernize-use-equals-default): `= default` would zero 10 kB
 
   alignas(32) std::array<std::array<Column, 4>, kMaxFastHinges> X_;  // columns of [R p]
   alignas(32) std::array<std::array<Column, kMaxFastHinges>, kMaxFastTips> J_;
@@ -60,14 +60,14 @@ class FastKinematics {
  public:
   /// @throws InputError if there are more than kMaxFastHinges hinges or kMaxFastTips tips, or
   ///   the processor has no AVX2 though it was asked for.
-  explicit FastKinematics(const Skeleton& skeleton, Simd simd = Simd::kBest);
+  explicit FastKinematics(const Skeleton& skeleton, InstructionSet simd = InstructionSet::kBest);
 
   /// @param q  (coordinates) [rad]
   /// @throws InputError if q has the wrong length.
-  [[nodiscard]] PosedHand pose(const Eigen::Ref<const Eigen::VectorXd>& q) const;
+  [[nodiscard]] FastHandPose pose(const Eigen::Ref<const Eigen::VectorXd>& q) const;
 
  private:
-  using Column = PosedHand::Column;
+  using Column = FastHandPose::Column;
 
   /// One hinge.
   struct alignas(32) Turn {
@@ -95,9 +95,9 @@ class FastKinematics {
   struct Angles;
 
   template <typename V>
-  void run(Angles& angles, PosedHand& hand) const;
-  void run_baseline(Angles& angles, PosedHand& hand) const;
-  void run_avx2(Angles& angles, PosedHand& hand) const;
+  void run(Angles& angles, FastHandPose& hand) const;
+  void run_baseline(Angles& angles, FastHandPose& hand) const;
+  void run_avx2(Angles& angles, FastHandPose& hand) const;
 
   std::vector<Turn> turns_;    // of every hinge
   std::vector<Drive> drives_;  // of every hinge

@@ -15,18 +15,18 @@ namespace thenar {
 
 /// Torques that come by themselves, without effort: of stops, locks and clutches.
 struct Reactions {
-  Eigen::MatrixXd R;      // (coordinates, reactions)
-  Eigen::VectorXd least;  // of each: 0 is one-sided, -infinity both ways (reactions)
-  Eigen::VectorXd most;   // of each (reactions)
-  std::vector<int> held;  // coordinates whose drive cannot be driven back: worms
+  Eigen::MatrixXd R;                  // (coordinates, reactions)
+  Eigen::VectorXd least;              // of each: 0 is one-sided, -infinity both ways (reactions)
+  Eigen::VectorXd most;               // of each (reactions)
+  std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worms
 };
 
 /// How far to believe what a hand says of its torques, from good to bad.
 enum class ActuationStatus {
   kExact,       // torque is linear in the efforts
   kLinearised,  // it is not: B is exact at u = 0 and at one working effort, see the hand
-  kDoubtful,    // a tendon is where its model does not hold: see `trouble`
-  kUnbalanced   // a part of the torque is that of no balance, and not to be used: see `trouble`
+  kDoubtful,    // a tendon is where its model does not hold: see `warning`
+  kUnbalanced   // a part of the torque is that of no balance, and not to be used: see `warning`
 };
 
 /// The joint torques a hand can make at a posture:
@@ -40,26 +40,26 @@ struct Actuation {
   Eigen::VectorXd upper;  // of u, infinite if unknown (actuators)
   Reactions reactions{};  // none if empty
   ActuationStatus status = ActuationStatus::kExact;
-  std::string trouble{};  // what a status beyond kLinearised stands for, in words
+  std::string warning{};  // what a status beyond kLinearised stands for, in words
 };
 
 /// The torque that one effort makes, exactly.
-struct Effort {
+struct AppliedTorque {
   Eigen::VectorXd tau;                               // passive torque included [N m] (coordinates)
   Eigen::MatrixXd B;                                 // d tau/du there (coordinates, actuators)
   ActuationStatus status = ActuationStatus::kExact;  // never kLinearised
-  std::string trouble{};
+  std::string warning{};
 };
 
 /// What happens to the other coordinates of a drive when one is blocked by a contact.
-enum class Coupled {
+enum class DriveCoupling {
   kRigid,      // all stop
   kBreakaway,  // those further out go on
   kCompliant   // all others go on
 };
 
 /// A coordinate that a drive moves.
-struct Driven {
+struct DrivenCoordinate {
   int coordinate;
   double ratio;  // coordinate speed per drive speed
 };
@@ -68,8 +68,8 @@ struct Driven {
 /// base outwards.
 struct Drive {
   std::string name;
-  Coupled coupled = Coupled::kRigid;
-  std::vector<Driven> moves;
+  DriveCoupling coupled = DriveCoupling::kRigid;
+  std::vector<DrivenCoordinate> moves;
   double speed = 0;          // in closing; 0: it stays where it is [1/s]
   double breakaway = 0;      // effort at which a clutch opens [N m]
   bool backdrivable = true;  // false: a worm or brake, which holds whatever pushes it back
@@ -112,7 +112,7 @@ struct HandLayout {
                            // what `drives` move at the limit it comes from, the rest next to 0
 };
 
-/// A hand of any kind; every implementation obeys the laws in tests/hand/hand_laws_test.cpp.
+/// A hand of any kind; every implementation obeys the laws in tests/hand/skeleton_hand_test.cpp.
 class Hand {
  public:
   virtual ~Hand() = default;
@@ -131,9 +131,10 @@ class Hand {
 
   /// What one effort does, without the linearisation that actuation() may have.
   /// @param u  (actuators)
-  [[nodiscard]] virtual Effort effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+  [[nodiscard]] virtual AppliedTorque effort(const Eigen::VectorXd& q,
+                                             const Eigen::VectorXd& u) const {
     Actuation actuation = this->actuation(q);
-    return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.trouble};
+    return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.warning};
   }
 
   /// What can touch; empty: a hand of bones without surfaces.

@@ -28,7 +28,7 @@ HandLayout layout_of(const Skeleton& skeleton) {
 }  // namespace
 
 SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
-                           std::vector<LinkSurface> surfaces, HandUse use)
+                           std::vector<LinkSurface> surfaces, ClosingSynergy use)
     : skeleton_(std::move(skeleton)),
       limits_(std::move(limits)),
       layout_(layout_of(skeleton_)),
@@ -41,7 +41,7 @@ SkeletonHand::SkeletonHand(Skeleton skeleton, TorqueLimits limits,
     require(limits_.lower[i] <= limits_.upper[i], "torque limits of joint '{}' cross: {} .. {} N m",
             layout_.coordinates[i], limits_.lower[i], limits_.upper[i]);
   for (const Drive& drive : use.drives)
-    for (const Driven& driven : drive.moves)
+    for (const DrivenCoordinate& driven : drive.moves)
       require(driven.coordinate >= 0 && driven.coordinate < n,
               "drive '{}' moves coordinate {}; there are {}", drive.name, driven.coordinate, n);
   require(use.open.size() == 0 || use.open.size() == n,

@@ -16,7 +16,7 @@ struct TorqueLimits {
 };
 
 /// How a hand is used: what closes it, from where, and which way it goes at things.
-struct HandUse {
+struct ClosingSynergy {
   std::vector<Drive> drives;
   PalmApproach approach;
   Eigen::VectorXd open{};  // as HandLayout::open
@@ -28,7 +28,7 @@ class SkeletonHand final : public Hand {
   /// @throws InputError if the limits have the wrong length or cross, or a drive moves a coordinate
   /// that is not there, or the open posture has the wrong length.
   SkeletonHand(Skeleton skeleton, TorqueLimits limits, std::vector<LinkSurface> surfaces = {},
-               HandUse use = {});
+               ClosingSynergy use = {});
 
   [[nodiscard]] const HandLayout& layout() const override { return layout_; }
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;

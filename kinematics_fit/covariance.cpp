@@ -83,25 +83,27 @@ std::vector<ArrowRows> prior_rows(const ArrowLayout& layout) {
 }
 
 /// Length of coordinate i within the null space, squared.
-double null_share(const ArrowLayout& layout, const ArrowNullSpace& nulls, Eigen::Index i) {
-  const double together = nulls.together.row(i).squaredNorm();
+double null_share(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
+                  Eigen::Index i) {
+  const double together = null_directions.together.row(i).squaredNorm();
   if (i < layout.shared) return together;
   const Eigen::Index block = (i - layout.shared) / layout.own;
-  return together + nulls.alone[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
+  return together +
+         null_directions.alone[block].row(i - layout.first(static_cast<int>(block))).squaredNorm();
 }
 
 /// Every null direction by name: those of shared coordinates, then those of each block.
-void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& nulls,
+void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions,
                 const std::vector<std::string>& names, std::vector<NullDirection>& out) {
   const auto add = [&](const Eigen::VectorXd& direction) {
     const Eigen::VectorXd unit = direction.normalized();
     out.push_back({describe(unit, names), unit});
   };
   // What a block leaves open can be added to a direction of all, until its pivots drop out.
-  Eigen::MatrixXd together = nulls.together.transpose();
+  Eigen::MatrixXd together = null_directions.together.transpose();
   std::vector<PivotedRows> alone;
   for (int b = 0; b < layout.blocks; ++b) {
-    alone.push_back(sparse_basis(nulls.alone[b].transpose(), layout.own));
+    alone.push_back(sparse_basis(null_directions.alone[b].transpose(), layout.own));
     auto own = together.middleCols(layout.first(b), layout.own);
     own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
   }
@@ -127,21 +129,22 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   out.effective_parameters = static_cast<double>(z.size()) - out.C.trace();
 
   // What the data leave open, by singular values of their own rows.
-  const ArrowNullSpace nulls = arrow_null_space(data.layout, data.rows, std::sqrt(kNullCurvature));
+  const ArrowNullSpace null_directions =
+      arrow_null_space(data.layout, data.rows, std::sqrt(kNullCurvature));
   const std::vector<std::string> names = problem.names();
-  name_nulls(data.layout, nulls, names, out.nulls);
+  name_nulls(data.layout, null_directions, names, out.null_directions);
 
   constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound =
         z[i] < problem.lower()[i] + kOnBound || z[i] > problem.upper()[i] - kOnBound;
-    out.learnt.push_back(
-        {names[i], z[i], std::sqrt(out.C(i, i)), null_share(data.layout, nulls, i), at_bound});
+    out.learnt.push_back({names[i], z[i], std::sqrt(out.C(i, i)),
+                          null_share(data.layout, null_directions, i), at_bound});
   }
   return out;
 }
 
-std::vector<int> by_knowledge(const Covariance& covariance) {
+std::vector<int> sorted_by_sd(const Covariance& covariance) {
   std::vector<int> order(covariance.learnt.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {

@@ -10,7 +10,7 @@
 namespace thenar {
 
 /// Belief about one coordinate after the fit.
-struct Learnt {
+struct CoordinateEstimate {
   std::string name;   // of the entry of z
   double z;           // estimate, in prior sds [1]
   double sd;          // afterwards, in prior sds: 1 = nothing learnt [1]
@@ -26,18 +26,18 @@ struct NullDirection {
 };
 
 /// Gaussian approximation of the posterior at z:  C = (J'J)^-1 with J of data and priors. Bounds
-/// and axis distances are left out: see Learnt::at_bound.
+/// and axis distances are left out: see CoordinateEstimate::at_bound.
 struct Covariance {
-  Eigen::MatrixXd C;                 // of z (size, size) [1]
-  std::vector<Learnt> learnt;        // one per entry of z
-  std::vector<NullDirection> nulls;  // data curvature below 1e-9 of a prior's
-  double effective_parameters = 0;   // trace of data curvature times C [1]
+  Eigen::MatrixXd C;                           // of z (size, size) [1]
+  std::vector<CoordinateEstimate> learnt;      // one per entry of z
+  std::vector<NullDirection> null_directions;  // data curvature below 1e-9 of a prior's
+  double effective_parameters = 0;             // trace of data curvature times C [1]
 };
 
 /// @param z  the fitted point (size)
 [[nodiscard]] Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z);
 
 /// Coordinates from the best known to the least, by their sd afterwards (entries of z).
-[[nodiscard]] std::vector<int> by_knowledge(const Covariance& covariance);
+[[nodiscard]] std::vector<int> sorted_by_sd(const Covariance& covariance);
 
 }  // namespace thenar

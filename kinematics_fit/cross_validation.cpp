@@ -72,7 +72,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
           name_of(what), out.folds.empty() ? "" : out.folds.front());
   for (const Experiment& experiment : problem.experiments())
     out.experiments.push_back(
-        {experiment.name, {}, {}, start_has_seen(problem.digit(), experiment)});
+        {experiment.name, {}, {}, calibrated_on_specimen(problem.digit(), experiment)});
 
   for (const std::string& fold : out.folds) {
     options.progress(static_cast<double>(out.folds_done) / static_cast<double>(out.folds.size()),

@@ -6,6 +6,8 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/provenance.h"
+#include "kinematics_fit/prediction.h"
 
 namespace thenar {
 namespace internal {
@@ -89,6 +91,173 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
                   std::sqrt(std::max(0.0, variance[parameters.coordinate[at]])) * scale;
   }
   return out;
+}
+
+// The result file of a fit: everything needed to run it again, and everything it found.
+namespace {
+
+constexpr const char* kFormat = "thenar fit 1";
+
+void add_inputs(const FitInputs& inputs, ResultFile& file) {
+  const auto add = [&](const std::string& key, const SourceText& source) {
+    file.add(key + "/path", source.path);
+    file.add(key + "/text", source.text);
+    file.add("provenance/sha256/" + key, sha256(source.text));
+  };
+  add("inputs/subject", inputs.subject);
+  add("inputs/settings", inputs.settings);
+  for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
+    add(fmt::format("inputs/experiment{}", e), inputs.experiments[e]);
+  file.add("inputs/also_free", inputs.also_free);
+}
+
+/// What the fit has seen: the experiments it was fitted to, and those that its start was.
+void add_seen(const FitProblem& problem, ResultFile& file) {
+  std::vector<std::string> experiments, specimens;
+  for (const Experiment& experiment : problem.experiments()) {
+    experiments.push_back(experiment.name);
+    specimens.push_back(experiment.specimen);
+  }
+  for (const CalibratedOn& on : problem.digit().calibrated_on) {
+    if (std::find(experiments.begin(), experiments.end(), on.experiment) != experiments.end())
+      continue;
+    experiments.push_back(on.experiment);
+    specimens.push_back(on.specimen);
+  }
+  file.add("fit/calibrated_on/experiment", experiments);
+  file.add("fit/calibrated_on/specimen", specimens);
+}
+
+FitInputs inputs_of(const ResultFile& file) {
+  const auto get = [&](const std::string& key) {
+    return SourceText{file.text(key + "/path"), file.text(key + "/text")};
+  };
+  FitInputs inputs{
+      get("inputs/subject"), get("inputs/settings"), {}, file.list("inputs/also_free")};
+  for (int e = 0; file.texts.count(fmt::format("inputs/experiment{}/text", e)) > 0; ++e)
+    inputs.experiments.push_back(get(fmt::format("inputs/experiment{}", e)));
+  return inputs;
+}
+
+/// Values and sds of every parameter, of the population and of each specimen.
+void add_parameters(const Fit& fit, ResultFile& file) {
+  std::vector<std::string> names, units;
+  for (const Parameter& parameter : fit.problem.parameters().all) {
+    names.push_back(parameter.name);
+    units.push_back(display_unit(parameter));
+  }
+  file.add("parameters/name", names);
+  file.add("parameters/unit", units);
+  const auto add = [&](const std::string& group, int specimen) {
+    const FittedValues fitted = fitted_values(fit, specimen);
+    file.add(group + "/value", fitted.value, "see parameters/unit", {"parameter"});
+    file.add(group + "/sd", fitted.sd, "see parameters/unit", {"parameter"});
+  };
+  add("parameters/population", -1);
+  for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
+    add("parameters/specimens/" + fit.problem.specimens()[s], static_cast<int>(s));
+}
+
+void add_predictions(const Fit& fit, ResultFile& file) {
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Prediction prediction = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
+    const std::string group = "predictions/" + prediction.experiment;
+    const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
+    Eigen::MatrixXd measured(trials, 3), predicted(trials, 3);
+    std::vector<std::string> postures, loads;
+    for (Eigen::Index i = 0; i < trials; ++i) {
+      postures.push_back(prediction.trials[i].posture);
+      loads.push_back(prediction.trials[i].loads);
+      measured.row(i) = prediction.trials[i].measured;
+      predicted.row(i) = prediction.trials[i].predicted;
+    }
+    file.add(group + "/posture", postures);
+    file.add(group + "/loads", loads);
+    file.add(group + "/measured", measured, "N", {"trial", "component"});
+    file.add(group + "/predicted", predicted, "N", {"trial", "component"});
+    file.add(group + "/relative_error", prediction.error.relative, "1");
+    file.add(group + "/start_has_seen_specimen", prediction.calibrated_on_specimen ? 1 : 0, "1");
+  }
+}
+
+void add_provenance(const Fit& fit, ResultFile& file) {
+  for (const auto& [name, version] : versions()) file.add("provenance/versions/" + name, version);
+  file.add("provenance/fidelity", describe(fit.problem.digit().fidelity));
+  file.add("provenance/method", name_of(fit.method));
+  file.add("provenance/seed", fit.seed, "1");
+}
+
+SolveStatus status_of(const std::string& name) {
+  for (const SolveStatus status :
+       {SolveStatus::kConverged, SolveStatus::kLimit, SolveStatus::kStopped, SolveStatus::kFailed,
+        SolveStatus::kStalled})
+    if (name_of(status) == name) return status;
+  throw InputError(fmt::format("no solver status '{}'", name));
+}
+
+/// @throws InputError for what is missing or does not fit together.
+Fit fit_of(const ResultFile& file) {
+  const FitInputs inputs = inputs_of(file);
+  FitProblem problem = build_problem(inputs);
+  const Eigen::VectorXd z = file.matrix("fit/z");
+  require(z.size() == problem.size(), "the fit has {} coordinates, its inputs give {}", z.size(),
+          problem.size());
+  require(z.allFinite(), "fit/z is not finite");
+  const std::vector<std::string>& names = file.list("fit/name");
+  const std::vector<std::string> wanted = problem.names();
+  for (std::size_t i = 0; i < wanted.size(); ++i)
+    require(i < names.size() && names[i] == wanted[i],
+            "coordinate {} of the fit is '{}', its inputs give '{}'", i,
+            i < names.size() ? names[i] : "", wanted[i]);
+  Solution solution{z,
+                    file.number("fit/cost"),
+                    status_of(file.text("fit/status")),
+                    file.text("fit/message"),
+                    static_cast<int>(file.number("fit/evaluations")),
+                    file.number("fit/seconds")};
+  Covariance covariance = posterior_covariance(problem, z);
+  return {inputs,
+          std::move(problem),
+          least_squares_method(file.text("provenance/method")),
+          static_cast<unsigned>(file.number("provenance/seed")),
+          std::move(solution),
+          std::move(covariance)};
+}
+
+}  // namespace
+
+void write_fit(const Fit& fit, const std::string& path) {
+  ResultFile file;
+  file.add("format", kFormat);
+  add_inputs(fit.inputs, file);
+  file.add("fit/z", fit.solution.z, "1", {"coordinate"});
+  file.add("fit/name", fit.problem.names());
+  file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
+  file.add("fit/cost", fit.solution.cost, "1");
+  file.add("fit/status", name_of(fit.solution.status));
+  file.add("fit/message", fit.solution.message);
+  file.add("fit/evaluations", fit.solution.evaluations, "1");
+  file.add("fit/seconds", fit.solution.seconds, "s");
+  std::vector<std::string> null_directions;
+  for (const NullDirection& null : fit.covariance.null_directions)
+    null_directions.push_back(null.text);
+  file.add("fit/not_identifiable", null_directions);
+  add_seen(fit.problem, file);
+  add_parameters(fit, file);
+  add_predictions(fit, file);
+  add_provenance(fit, file);
+  write_result(file, path);
+}
+
+Fit read_fit(const std::string& path) {
+  const ResultFile file = read_result(path);
+  if (file.texts.count("format") == 0 || file.text("format") != kFormat)
+    throw DataError(path, 1, fmt::format("wanted a '{}' file", kFormat));
+  try {
+    return fit_of(file);
+  } catch (const InputError& e) {
+    throw DataError(path, 1, e.what());
+  }
 }
 
 }  // namespace thenar

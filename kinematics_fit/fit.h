@@ -29,7 +29,7 @@ struct FitInputs {
 struct Fit {
   FitInputs inputs;
   FitProblem problem;
-  FitMethod method;
+  LeastSquaresMethod method;
   unsigned seed;
   Solution solution;
   Covariance covariance;

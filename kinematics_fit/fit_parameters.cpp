@@ -50,7 +50,7 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
                 std::vector<Choice>& choices) {
   bool matched = false;
   for (std::size_t p = 0; p < all.size(); ++p) {
-    if (!matches(rule.match, all[p].name)) continue;
+    if (!matches_glob(rule.match, all[p].name)) continue;
     matched = true;
     require_dimension(rule, file, all[p]);
     apply_belief(rule, all[p]);

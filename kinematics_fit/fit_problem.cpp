@@ -7,14 +7,14 @@
 
 #include <fmt/ranges.h>
 
-#include "kinematics_fit/bounded_normal.h"
-#include "kinematics_fit/experiment_warnings.h"
+#include "base/bounded_normal.h"
+#include "kinematics_fit/experiment_plan.h"
 
 namespace thenar {
 namespace {
 
 /// Shrinks the three residuals of one trial so that |r|^2 becomes c^2 log(1 + |r|^2 / c^2).
-void shrink(double c, Eigen::Ref<Eigen::Vector3d> r, Eigen::Ref<Eigen::MatrixXd> J) {
+void apply_cauchy_loss(double c, Eigen::Ref<Eigen::Vector3d> r, Eigen::Ref<Eigen::MatrixXd> J) {
   const double s = r.squaredNorm() / (c * c);
   if (s < 1e-12) return;  // the factor is 1 - s/4 + ...
   const double factor = std::sqrt(std::log1p(s) / s);
@@ -295,8 +295,8 @@ Residuals FitProblem::data_residuals(const Eigen::VectorXd& z, int e, WithJacobi
     out.J = plan.sd.reshaped().cwiseInverse().asDiagonal() * out.J;
   }
   for (Eigen::Index row = 0; row < rows && robust_scale_ > 0; row += 3)
-    shrink(robust_scale_, out.r.segment<3>(row),
-           out.J.middleRows(jacobian ? row : 0, jacobian ? 3 : 0));
+    apply_cauchy_loss(robust_scale_, out.r.segment<3>(row),
+                      out.J.middleRows(jacobian ? row : 0, jacobian ? 3 : 0));
   return out;
 }
 

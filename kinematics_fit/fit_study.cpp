@@ -16,13 +16,15 @@ Progress part_of(const Progress& whole, double begin, double share) {
   return part;
 }
 
-std::vector<Rival> rivals_of(const StudyInputs& inputs, const Experiment& experiment) {
-  std::vector<Rival> rivals;
-  for (const NamedSubject& rival : inputs.rivals)
-    rivals.push_back({rival.name, "as published", predict_as_published(rival.source, experiment)});
-  rivals.push_back(
+std::vector<BaselinePrediction> baselines_of(const StudyInputs& inputs,
+                                             const Experiment& experiment) {
+  std::vector<BaselinePrediction> baselines;
+  for (const NamedSubject& baseline : inputs.baselines)
+    baselines.push_back(
+        {baseline.name, "as published", predict_as_published(baseline.source, experiment)});
+  baselines.push_back(
       {"Mean of other postures", "other postures", mean_of_other_postures(experiment)});
-  return rivals;
+  return baselines;
 }
 
 std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs& inputs,
@@ -46,7 +48,7 @@ std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
   ProfileOptions options;
   options.solver.progress = progress;
   std::vector<Profile> profiles;
-  for (const int i : by_knowledge(fit.covariance)) {
+  for (const int i : sorted_by_sd(fit.covariance)) {
     if (profiles.size() == kProfiles) break;
     profiles.push_back(profile_likelihood(fit.problem, fit.solution.z, i, options));
   }
@@ -67,9 +69,9 @@ SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experi
   CrossValidation tendons = cross_validate(fit.problem, LeaveOut::kTendon, options);
   std::vector<Profile> profiles = profiles_of(fit, part_of(progress, 0.1, 0.1));
   std::vector<SolverRun> runs = run_solvers(fit.problem, inputs, part_of(progress, 0.2, 0.8));
-  std::vector<Rival> rivals = rivals_of(inputs, measured);
+  std::vector<BaselinePrediction> baselines = baselines_of(inputs, measured);
   return {std::move(fit),  std::move(in_sample), std::move(postures), std::move(tendons),
-          std::move(runs), std::move(profiles),  std::move(rivals)};
+          std::move(runs), std::move(profiles),  std::move(baselines)};
 }
 
 }  // namespace
@@ -91,7 +93,7 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
   options.progress = part_of(progress, 0, 0.3);
   Fit fit = run_fit(together, options);
   std::vector<Prediction> own, as_unseen;
-  std::vector<Unseen> unseen;
+  std::vector<UnseenSpecimen> unseen;
   const auto predict = [&](const Experiment& experiment, int specimen) {
     return predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment, specimen);
   };
@@ -101,7 +103,8 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
   }
   for (const SourceText& source : inputs.unseen) {
     const Experiment experiment = parse_experiment(source.text, source.path);
-    unseen.push_back({experiment.specimen, predict(experiment, -1), rivals_of(inputs, experiment)});
+    unseen.push_back(
+        {experiment.specimen, predict(experiment, -1), baselines_of(inputs, experiment)});
   }
   options.progress = part_of(progress, 0.3, 0.7);
   CrossValidation specimens = cross_validate(fit.problem, LeaveOut::kSpecimen, options);
@@ -115,8 +118,8 @@ Prediction predict_as_published(const SourceText& subject, const Experiment& exp
   const FitParameters fixed = choose_parameters(digit, {}, {});
   const Eigen::Matrix3Xd force = force_values(
       digit, fixed, plan_experiment(digit, fixed, experiment), Eigen::VectorXd::Zero(0));
-  return compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
-                 start_has_seen(digit, experiment));
+  return compare_forces(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
+                        calibrated_on_specimen(digit, experiment));
 }
 
 Prediction mean_of_other_postures(const Experiment& experiment) {

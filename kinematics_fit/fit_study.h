@@ -1,6 +1,6 @@
 #pragma once
 
-/// All that one asks of a fit: every solver, what is left out, and the rivals on the same rows.
+/// All that one asks of a fit: every solver, what is left out, and the baselines on the same rows.
 
 #include <string>
 #include <vector>
@@ -14,13 +14,13 @@ namespace thenar {
 
 /// One solver on one problem.
 struct SolverRun {
-  FitMethod method;
+  LeastSquaresMethod method;
   Solution solution;
   ForceError error;  // in sample
 };
 
 /// Predictions of the same experiment by something else.
-struct Rival {
+struct BaselinePrediction {
   std::string name;
   std::string note;  // what it has seen of the data
   Prediction prediction;
@@ -34,23 +34,23 @@ struct SpecimenStudy {
   CrossValidation tendons;        // leave one tendon out
   std::vector<SolverRun> runs;    // every solver from the same start
   std::vector<Profile> profiles;  // of the coordinates that the data taught most about
-  std::vector<Rival> rivals;
+  std::vector<BaselinePrediction> baselines;
 };
 
-/// An experiment that was not fitted, by the population and by its rivals.
-struct Unseen {
+/// An experiment that was not fitted, by the population and by its baselines.
+struct UnseenSpecimen {
   std::string specimen;
   Prediction prediction;
-  std::vector<Rival> rivals;
+  std::vector<BaselinePrediction> baselines;
 };
 
 /// Several specimens, fitted together.
 struct PopulationStudy {
   Fit fit;
-  std::vector<Prediction> own;        // each specimen by its own parameters
-  std::vector<Prediction> as_unseen;  // each by the population alone, in sample
-  CrossValidation specimens;          // leave one specimen out
-  std::vector<Unseen> unseen;         // experiments that were not fitted
+  std::vector<Prediction> own;         // each specimen by its own parameters
+  std::vector<Prediction> as_unseen;   // each by the population alone, in sample
+  CrossValidation specimens;           // leave one specimen out
+  std::vector<UnseenSpecimen> unseen;  // experiments that were not fitted
 };
 
 /// A subject by the name it goes by in the report.
@@ -61,11 +61,11 @@ struct NamedSubject {
 
 /// What a study fits, and what it compares with.
 struct StudyInputs {
-  FitInputs specimen;                // subject and settings of the single fits; all experiments
-  SourceText population_subject;     // where the population starts
-  std::vector<SourceText> unseen;    // experiments to predict and never to fit
-  std::vector<NamedSubject> rivals;  // used as they are, in the plane of the finger
-  std::vector<FitMethod> methods;
+  FitInputs specimen;                   // subject and settings of the single fits; all experiments
+  SourceText population_subject;        // where the population starts
+  std::vector<SourceText> unseen;       // experiments to predict and never to fit
+  std::vector<NamedSubject> baselines;  // used as they are, in the plane of the finger
+  std::vector<LeastSquaresMethod> methods;
 };
 
 /// Every specimen of the inputs, alone.

@@ -5,12 +5,12 @@
 #include <set>
 
 #include "base/error.h"
+#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/net_records.h"
-#include "kinematics_fit/predict_forces.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
-#include "tendons/net/net_sweep.h"
+#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 namespace {
@@ -57,17 +57,18 @@ std::vector<std::string> find_hood_muscles(const Subject& subject, const Experim
 
 HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
                       const Experiment& experiment, const std::vector<std::string>& of_hood) {
-  const HeldForces forces = held_forces(tendons, experiment);
-  HoodRung rung{name,
-                tendons.digit().fidelity.path,
-                tendons.digit().fidelity.hood,
-                compare(experiment, forces.force, Eigen::Matrix3Xd::Zero(3, forces.force.cols()),
-                        start_has_seen(tendons.digit(), experiment)),
-                {},
-                {},
-                0,
-                forces.seconds,
-                {}};
+  const TrialForces forces = trial_forces(tendons, experiment);
+  HoodRung rung{
+      name,
+      tendons.digit().fidelity.path,
+      tendons.digit().fidelity.hood,
+      compare_forces(experiment, forces.force, Eigen::Matrix3Xd::Zero(3, forces.force.cols()),
+                     calibrated_on_specimen(tendons.digit(), experiment)),
+      {},
+      {},
+      0,
+      forces.seconds,
+      {}};
   const auto in_hood = [&](const Trial& trial) {
     const std::vector<std::string> muscles = loaded(trial);
     return std::all_of(muscles.begin(), muscles.end(), [&](const std::string& muscle) {
@@ -79,10 +80,10 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
     if (const auto alone = loaded(trial); alone.size() == 1)
       rung.muscle[alone.front()] =
           error_of(rung.prediction, experiment, [&](const Trial& t) { return loaded(t) == alone; });
-  for (std::size_t i = 0; i < forces.trouble.size(); ++i)
-    if (!forces.trouble[i].empty())
-      rung.trouble.push_back(fmt::format("{}, {}: {}", rung.prediction.trials[i].posture,
-                                         rung.prediction.trials[i].loads, forces.trouble[i]));
+  for (std::size_t i = 0; i < forces.warning.size(); ++i)
+    if (!forces.warning[i].empty())
+      rung.warning.push_back(fmt::format("{}, {}: {}", rung.prediction.trials[i].posture,
+                                         rung.prediction.trials[i].loads, forces.warning[i]));
   return rung;
 }
 
@@ -97,11 +98,11 @@ double distance(const Prediction& from, const Prediction& to) {
 
 }  // namespace
 
-HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment) {
+TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experiment) {
   const TendonDigit& digit = tendons.digit();
   const FitParameters fixed = choose_parameters(digit, {}, {});
   const ExperimentPlan plan = plan_experiment(digit, fixed, experiment);
-  HeldForces out;
+  TrialForces out;
   out.force.resize(3, plan.force.cols());
   std::vector<double> seconds;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
@@ -109,11 +110,11 @@ HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment
     const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
     const auto began = std::chrono::steady_clock::now();
-    const TendonPull pull = tendons.pull(q, t, start);
+    const TendonTorque pull = tendons.pull(q, t, start);
     out.force.col(i) = cell_map(digit.model, plan, q) * pull.tau;
     seconds.push_back(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
-    out.trouble.push_back(pull.trouble);
+    out.warning.push_back(pull.warning);
   }
   out.seconds = upper_median(std::move(seconds));
   return out;
@@ -146,7 +147,7 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
     add("net " + net.name + ", straight runs", Hood::kFloatingNet, &net, NetRuns::kStraight);
   for (const NetDescription& net : nets) add("net " + net.name, Hood::kFloatingNet, &net);
   for (HoodRung& rung : out.rungs)
-    rung.off_finest = distance(rung.prediction, out.rungs.back().prediction);
+    rung.relative_to_finest = distance(rung.prediction, out.rungs.back().prediction);
   return out;
 }
 

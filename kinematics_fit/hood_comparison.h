@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "kinematics_fit/prediction.h"
 #include "tendons/digit_tendons.h"
 
@@ -20,10 +20,10 @@ struct HoodRung {
   Prediction prediction;                     // all trials
   std::map<std::string, ForceError> muscle;  // by the muscle that pulls, where one pulls alone
   ForceError hood_muscles;                   // of trials whose muscles all pull on the hood
-  double off_finest = 0;             // RMS distance of its forces from those of the last rung,
+  double relative_to_finest = 0;     // RMS distance of its forces from those of the last rung,
                                      // per RMS force of that [1]
   double seconds = 0;                // for one posture and load, a net started where it rests [s]
-  std::vector<std::string> trouble;  // trial and reason, where a net is not to be trusted
+  std::vector<std::string> warning;  // trial and reason, where a net is not to be trusted
 };
 
 struct HoodComparison {
@@ -42,13 +42,13 @@ struct HoodComparison {
                                            const std::vector<NetDescription>& nets);
 
 /// Forces of a held tip in every trial of an experiment.
-struct HeldForces {
+struct TrialForces {
   Eigen::Matrix3Xd force;            // in the experiment's components [N] (3, trials)
-  std::vector<std::string> trouble;  // why not to trust each; empty: nothing (trials)
+  std::vector<std::string> warning;  // why not to trust each; empty: nothing (trials)
   double seconds;                    // for one trial, median [s]
 };
 
 /// @throws InputError if the experiment does not fit the digit.
-[[nodiscard]] HeldForces held_forces(const DigitTendons& tendons, const Experiment& experiment);
+[[nodiscard]] TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experiment);
 
 }  // namespace thenar

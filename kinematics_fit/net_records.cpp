@@ -4,9 +4,9 @@
 
 #include "base/error.h"
 #include "kinematics_fit/fit_parameters.h"
-#include "kinematics_fit/held_tip.h"
+#include "kinematics_fit/tip_constraint.h"
 #include "tendons/net/net_statics.h"
-#include "tendons/net/net_sweep.h"
+#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 namespace {
@@ -41,7 +41,7 @@ VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
   VectorXd largest =
       VectorXd::Zero(static_cast<Eigen::Index>(tendons.digit().names.muscles.size()));
   for (const VectorXd& t : plan.tension)
-    for (const NetPull& pull : tendons.net().pulls)
+    for (const MuscleAttachment& pull : tendons.net().pulls)
       largest(pull.muscle) = std::max(largest(pull.muscle), t(pull.muscle));
   return largest;
 }
@@ -50,7 +50,7 @@ VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
 
 MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
   const TreeState<double> state = pose_tree(model.tree, q);
-  const MatrixXd L = held_loads(model, state, plan.hold, 0.0);
+  const MatrixXd L = tip_constraint_loads(model, state, plan.hold, 0.0);
   const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
   const MatrixX<double> loads =
       L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);

@@ -188,7 +188,7 @@ std::vector<Parameter> list_parameters(const TendonDigit& digit,
   return Lister(digit, postures).take();
 }
 
-bool matches(const std::string& glob, const std::string& name) {
+bool matches_glob(const std::string& glob, const std::string& name) {
   // Remembers the last star and how far it has swallowed; linear in practice.
   std::size_t g = 0, n = 0, star = std::string::npos, swallowed = 0;
   while (n < name.size()) {

@@ -58,6 +58,6 @@ struct Parameter {
                                                      const std::vector<std::string>& postures = {});
 
 /// Does a name match a glob with `*` (any run of characters, also none) and `?`?
-[[nodiscard]] bool matches(const std::string& glob, const std::string& name);
+[[nodiscard]] bool matches_glob(const std::string& glob, const std::string& name);
 
 }  // namespace thenar

@@ -12,13 +12,13 @@ namespace thenar {
 
 /// Names of an experiment resolved against a digit; built once, used at every evaluation.
 struct ExperimentPlan {
-  TipHold hold;
+  TipConstraint hold;
   int force_link;                         // link whose axes the forces use; -1: the base
   Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial)
   std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)
   std::vector<std::string> posture_names;
   std::vector<int> posture_key;   // column of posture_error of each posture; -1: none
-  std::vector<double> condition;  // of each posture's held_loads() before the fit [1]
+  std::vector<double> condition;  // of each posture's tip_constraint_loads() before the fit [1]
   std::vector<int> posture_of_trial;
   std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
   Eigen::Matrix3Xd force;                // measured [N] (3, trials)
@@ -37,11 +37,10 @@ template <typename T>
 [[nodiscard]] SpecimenModel<T> specimen_model(const TendonDigit& digit,
                                               const FitParameters& parameters,
                                               const std::vector<T>& values) {
-  SpecimenModel<T> model =
-      start_model<T>(digit.model, static_cast<int>(parameters.postures.size()));
+  SpecimenModel<T> model = cast_model<T>(digit.model, static_cast<int>(parameters.postures.size()));
   for (std::size_t p = 0; p < parameters.all.size(); ++p)
     set_parameter(digit.model, parameters.all[p], values[p], model);
-  finish_model(model);
+  normalise_axes(model);
   return model;
 }
 

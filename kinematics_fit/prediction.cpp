@@ -38,7 +38,7 @@ AngleBelief angle_belief(const FitParameters& fitted, int joint) {
 
 }  // namespace
 
-FitParameters with_postures(FitParameters fitted, const Experiment& experiment, int joints) {
+FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment, int joints) {
   const FitParameters known = fitted;
   if (known.postures.empty()) return fitted;
   for (const PostureRecord& posture : experiment.postures) {
@@ -76,13 +76,13 @@ std::string describe_loads(const Trial& trial) {
   return loads;
 }
 
-bool start_has_seen(const TendonDigit& digit, const Experiment& experiment) {
+bool calibrated_on_specimen(const TendonDigit& digit, const Experiment& experiment) {
   return has_seen(digit.calibrated_on, experiment.name, experiment.specimen);
 }
 
-Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
-                   const Eigen::Matrix3Xd& sd, bool start_has_seen) {
-  Prediction out{experiment.name, {}, {}, start_has_seen};
+Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
+                          const Eigen::Matrix3Xd& sd, bool calibrated_on_specimen) {
+  Prediction out{experiment.name, {}, {}, calibrated_on_specimen};
   for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
     const Trial& trial = experiment.trials[i];
     out.trials.push_back(
@@ -124,15 +124,15 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   const Experiment& experiment = problem.experiments()[e];
   const Eigen::Matrix3Xd force = problem.predict(z, e, WithJacobian::kNo).force;
-  return compare(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
-                 start_has_seen(problem.digit(), experiment));
+  return compare_forces(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
+                        calibrated_on_specimen(problem.digit(), experiment));
 }
 
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const Eigen::MatrixXd& C, const Experiment& experiment,
                               int specimen) {
   const FitParameters parameters =
-      with_postures(fitted.parameters(), experiment, fitted.digit().model.coordinates);
+      add_posture_errors(fitted.parameters(), experiment, fitted.digit().model.coordinates);
   const int known = fitted.parameters().coordinates();
   const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
@@ -148,9 +148,9 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
         forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);
   variance += Eigen::Map<const Eigen::VectorXd>(plan.sd.data(), plan.sd.size()).cwiseAbs2();
   const Eigen::VectorXd sd = variance.cwiseSqrt();
-  return compare(experiment, forces.force,
-                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()),
-                 start_has_seen(fitted.digit(), experiment));
+  return compare_forces(experiment, forces.force,
+                        Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, forces.force.cols()),
+                        calibrated_on_specimen(fitted.digit(), experiment));
 }
 
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {

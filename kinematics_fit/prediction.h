@@ -40,20 +40,21 @@ struct Prediction {
   ForceError error;
   // The subject that predicts, or that the fit started from, was calibrated on this specimen: the
   // error is no error of a prediction of what was never seen.
-  bool start_has_seen = false;
+  bool calibrated_on_specimen = false;
 };
 
 /// The muscles that pull in a trial: "FDS" or "EDC+FDS".
 [[nodiscard]] std::string describe_loads(const Trial& trial);
 
 /// Has the digit's subject been calibrated on this experiment's specimen?
-[[nodiscard]] bool start_has_seen(const TendonDigit& digit, const Experiment& experiment);
+[[nodiscard]] bool calibrated_on_specimen(const TendonDigit& digit, const Experiment& experiment);
 
 /// Predicted forces beside the measured ones.
 /// @param predicted, sd   [N] (3, trials)
-/// @param start_has_seen  of the digit that predicted
-[[nodiscard]] Prediction compare(const Experiment& experiment, const Eigen::Matrix3Xd& predicted,
-                                 const Eigen::Matrix3Xd& sd, bool start_has_seen);
+/// @param calibrated_on_specimen  of the digit that predicted
+[[nodiscard]] Prediction compare_forces(const Experiment& experiment,
+                                        const Eigen::Matrix3Xd& predicted,
+                                        const Eigen::Matrix3Xd& sd, bool calibrated_on_specimen);
 
 /// @throws InputError if there is no trial, or every measured force is zero.
 [[nodiscard]] ForceError force_error(const std::vector<PredictedTrial>& trials);
@@ -76,8 +77,8 @@ struct Prediction {
 /// The parameters, and after them an angle error of every joint in every posture of the experiment
 /// that they do not name yet, with the mean prior of those that they do.
 /// @param joints  coordinates of the digit
-[[nodiscard]] FitParameters with_postures(FitParameters fitted, const Experiment& experiment,
-                                          int joints);
+[[nodiscard]] FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment,
+                                               int joints);
 
 /// Index of a fitted specimen, or -1.
 [[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);

@@ -69,25 +69,26 @@ Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z
   Profile profile;
   profile.points.push_back(
       {z[i], 0.5 * problem.residuals(z, WithJacobian::kNo).r.squaredNorm(), 0, 0});
-  walk(problem, z, i, std::max(problem.lower[i], z[i] - options.reach), options, profile);
-  walk(problem, z, i, std::min(problem.upper[i], z[i] + options.reach), options, profile);
+  walk(problem, z, i, std::max(problem.lower[i], z[i] - options.half_width), options, profile);
+  walk(problem, z, i, std::min(problem.upper[i], z[i] + options.half_width), options, profile);
   std::sort(profile.points.begin(), profile.points.end(),
             [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; });
 
-  std::vector<double> x, cost, own_free;
+  std::vector<double> x, cost, without_own_prior;
   for (const ProfilePoint& point : profile.points) {
     x.push_back(point.z);
     cost.push_back(point.cost);
-    own_free.push_back(point.cost - 0.5 * point.z * point.z);
+    without_own_prior.push_back(point.cost - 0.5 * point.z * point.z);
   }
-  const double base = least(x, cost), own_free_base = least(x, own_free);
+  const double base = least(x, cost), own_free_base = least(x, without_own_prior);
   for (std::size_t k = 0; k < x.size(); ++k) {
     cost[k] = profile.points[k].rise = cost[k] - base;
-    own_free[k] = profile.points[k].own_free = own_free[k] - own_free_base;
+    without_own_prior[k] = profile.points[k].without_own_prior =
+        without_own_prior[k] - own_free_base;
   }
   profile.bounds = {crossing(x, cost, options.rise, -1), crossing(x, cost, options.rise, 1)};
-  profile.own_free = {crossing(x, own_free, options.rise, -1),
-                      crossing(x, own_free, options.rise, 1)};
+  profile.without_own_prior = {crossing(x, without_own_prior, options.rise, -1),
+                               crossing(x, without_own_prior, options.rise, 1)};
   return profile;
 }
 

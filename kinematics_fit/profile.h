@@ -12,13 +12,13 @@ namespace thenar {
 
 /// The best cost with one coordinate held.
 struct ProfilePoint {
-  double z;         // where it is held, in prior sds [1]
-  double cost;      // 1/2 |r|^2, all others refitted [1]
-  double rise;      // above the least cost of the profile [1]
-  double own_free;  // rise of cost - z^2/2: what data and the other priors say [1]
+  double z;                  // where it is held, in prior sds [1]
+  double cost;               // 1/2 |r|^2, all others refitted [1]
+  double rise;               // above the least cost of the profile [1]
+  double without_own_prior;  // rise of cost - z^2/2: what data and the other priors say [1]
 };
 
-/// Where a profile has risen by ProfileOptions::rise; empty: nowhere within reach, "open".
+/// Where a profile has risen by ProfileOptions::rise; empty: nowhere within half_width, "open".
 struct ProfileBounds {
   std::optional<double> lower, upper;  // in prior sds [1]
 };
@@ -27,14 +27,14 @@ struct Profile {
   std::string name;                  // of the coordinate
   std::vector<ProfilePoint> points;  // by rising z
   ProfileBounds bounds;              // data and all priors
-  ProfileBounds own_free;            // without the coordinate's own prior
+  ProfileBounds without_own_prior;   // without the coordinate's own prior
   int not_converged = 0;             // refits that did not converge [1]
 };
 
 struct ProfileOptions {
-  double reach = 4;    // to each side of the estimate, in prior sds; clipped to bounds [1]
-  int steps = 8;       // to each side [1]
-  double rise = 1.92;  // half the 95 % point of chi squared with one degree of freedom [1]
+  double half_width = 4;  // to each side of the estimate, in prior sds; clipped to bounds [1]
+  int steps = 8;          // to each side [1]
+  double rise = 1.92;     // half the 95 % point of chi squared with one degree of freedom [1]
   SolveOptions solver;
 };
 

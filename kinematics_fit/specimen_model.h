@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "data/io/experiment.h"
-#include "kinematics_fit/held_tip.h"
 #include "kinematics_fit/parameter.h"
+#include "kinematics_fit/tip_constraint.h"
 
 namespace thenar {
 
@@ -23,7 +23,7 @@ struct SpecimenModel {
 
 /// The model on another scalar, every number constant.
 template <typename T>
-[[nodiscard]] SpecimenModel<T> start_model(const TendonModel<double>& from, int postures) {
+[[nodiscard]] SpecimenModel<T> cast_model(const TendonModel<double>& from, int postures) {
   SpecimenModel<T> to;
   to.digit.coordinates = from.coordinates;
   to.digit.tip_link = from.tip_link;
@@ -81,7 +81,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
 }
 
 /// Sets one parameter that the model still has at its start.
-/// Axis directions are left unnormalised: finish_model() puts them back on the sphere, which
+/// Axis directions are left unnormalised: normalise_axes() puts them back on the sphere, which
 /// makes the two tilts a gnomonic chart about the start direction.
 template <typename T>
 void set_parameter(const TendonModel<double>& from, const Parameter& p, const T& value,
@@ -143,7 +143,7 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
 }
 
 template <typename T>
-void finish_model(SpecimenModel<T>& model) {
+void normalise_axes(SpecimenModel<T>& model) {
   for (Hinge<T>& hinge : model.digit.tree) hinge.direction.normalize();
 }
 

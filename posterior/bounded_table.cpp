@@ -10,7 +10,7 @@ constexpr double kReach = 8.5;  // of the table [1]
 constexpr int kPerUnit = 64;    // cells
 constexpr int kCells = static_cast<int>(2 * kReach * kPerUnit);
 
-internal::CellMap cells(const std::vector<double>& coefficients) {
+internal::PiecewisePolynomial cells(const std::vector<double>& coefficients) {
   return {coefficients.data(), -kReach, kPerUnit, kReach};
 }
 
@@ -38,8 +38,8 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
   for (const double c : {a[0], a[1], a[2] / 2, 0.0, 0.0, 0.0}) coefficients_.push_back(c);
 }
 
-void BoundedTable::at_lanes(const double* x, double scale, double* y, double* by_x) const {
-  internal::map_lanes(cells(coefficients_), x, scale, y, by_x);
+void BoundedTable::at_block(const double* x, double scale, double* y, double* by_x) const {
+  internal::map_block(cells(coefficients_), x, scale, y, by_x);
   for (int k = 0; k < internal::kBlock; ++k) {
     if (std::abs(x[k]) <= kReach) continue;
     const BoundedNormal::Image image = exact_.at(x[k]);
@@ -51,7 +51,7 @@ void BoundedTable::at_lanes(const double* x, double scale, double* y, double* by
 BoundedTable::Image BoundedTable::at(double x) const {
   std::array<double, internal::kBlock> same, z, by_x;
   same.fill(x);
-  at_lanes(same.data(), 1, z.data(), by_x.data());
+  at_block(same.data(), 1, z.data(), by_x.data());
   return {z[0], by_x[0]};
 }
 

@@ -1,11 +1,11 @@
 #pragma once
 
-/// The map of kinematics_fit/bounded_normal.h from a table, many points at once.
+/// The map of base/bounded_normal.h from a table, many points at once.
 
 #include <vector>
 
-#include "kinematics_fit/bounded_normal.h"
-#include "posterior/lane_loops.h"
+#include "base/bounded_normal.h"
+#include "posterior/simd_loops.h"
 
 namespace thenar {
 
@@ -21,7 +21,7 @@ class BoundedTable {
   };
   [[nodiscard]] Image at(double x) const;
   /// scale z and scale dz/dx of eight points.
-  void at_lanes(const double* x, double scale, double* y, double* by_x) const;
+  void at_block(const double* x, double scale, double* y, double* by_x) const;
   [[nodiscard]] double inverse(double z) const;
 
  private:

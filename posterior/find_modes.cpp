@@ -8,7 +8,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
-#include "sampling/random_stream.h"
+#include "base/random_stream.h"
 
 namespace thenar {
 namespace {
@@ -28,7 +28,7 @@ struct Curvature {
 ArrowFactor block_curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
   CostSlopes slopes = cost_slopes(problem, z);
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (problem.lower[i] >= problem.upper[i]) hold_coordinate(slopes, i);
+    if (problem.lower[i] >= problem.upper[i]) fix_coordinate(slopes, i);
   return {slopes.layout, slopes.rows};
 }
 
@@ -72,7 +72,7 @@ double log_determinant(const Curvature& at) {
   return at.blocks ? at.blocks->log_determinant() : at.lambda.array().log().sum();
 }
 
-void check(const LeastSquares& problem, const ModeSearch& search) {
+void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& search) {
   require(search.starts >= 0, "starts must be >= 0, got {}", search.starts);
   require(search.global_searches >= 0, "global searches must be >= 0, got {}",
           search.global_searches);
@@ -85,7 +85,8 @@ void check(const LeastSquares& problem, const ModeSearch& search) {
 }
 
 /// Standard normal entries, those outside their bounds drawn again or else set on them.
-Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearch& search, int number) {
+Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions& search,
+                           int number) {
   constexpr int kTrials = 20;
   RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
   Eigen::VectorXd z(problem.lower.size());
@@ -112,9 +113,9 @@ Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
 }
 
 /// A global search, polished.
-Solution search_globally(const LeastSquares& problem, const ModeSearch& search, int number) {
+Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& search, int number) {
   SolveOptions global;
-  global.method = FitMethod::kNloptGlobal;
+  global.method = LeastSquaresMethod::kNloptGlobal;
   global.seed = search.seed + static_cast<unsigned>(number);
   global.progress.stop_requested = search.polish.progress.stop_requested;
   const Solution rough =
@@ -126,7 +127,7 @@ Solution search_globally(const LeastSquares& problem, const ModeSearch& search, 
   return fine;
 }
 
-void run_searches(const LeastSquares& problem, const ModeSearch& search, FoundModes& found) {
+void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
   const int also = static_cast<int>(search.also.cols());
   const int total = also + search.starts + search.global_searches;
   for (int i = 0; i < total; ++i) {
@@ -144,7 +145,7 @@ void run_searches(const LeastSquares& problem, const ModeSearch& search, FoundMo
 }
 
 /// Gathers the ends of all searches, the best first.
-void gather(const LeastSquares& problem, const ModeSearch& search, FoundModes& found) {
+void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
   std::vector<int> order(found.searches.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
@@ -184,11 +185,11 @@ struct Share {
 
 /// Modes that a run could ever visit, and how many starts each gets.
 std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
-  constexpr double kLeastMass = 1e-6;
+  constexpr double kMinMass = 1e-6;
   std::vector<Share> shares;
   for (std::size_t m = 0; m < modes.size(); ++m)
-    if (modes[m].laplace_mass >= kLeastMass) shares.push_back({m, modes[m].laplace_mass});
-  require(!shares.empty(), "no mode has a Laplace mass of {} or more", kLeastMass);
+    if (modes[m].laplace_mass >= kMinMass) shares.push_back({m, modes[m].laplace_mass});
+  require(!shares.empty(), "no mode has a Laplace mass of {} or more", kMinMass);
   const double even = 1 / static_cast<double>(shares.size());
   for (Share& share : shares) share.share = 0.5 * (share.share + even);
   return shares;
@@ -212,8 +213,8 @@ Eigen::MatrixXd root(const Eigen::MatrixXd& C) {
 
 }  // namespace
 
-FoundModes find_modes(const LeastSquares& problem, const ModeSearch& search) {
-  check(problem, search);
+FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& search) {
+  check_mode_search(problem, search);
   FoundModes found;
   run_searches(problem, search, found);
   gather(problem, search, found);

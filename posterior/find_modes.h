@@ -18,7 +18,7 @@ struct Mode {
   SolveStatus status = SolveStatus::kFailed;  // of the best search that ended here
 };
 
-struct ModeSearch {
+struct ModeSearchOptions {
   int starts = 16;           // drawn from N(0, spread^2) within bounds: the prior [1]
   double spread = 1;         // [prior sds]
   int global_searches = 1;   // by NLopt, without derivatives [1]
@@ -45,7 +45,7 @@ struct [[nodiscard]] FoundModes {
 /// search. Directions that neither data nor priors know get the variance 1e12 times the smallest
 /// known of all, so that the covariance stays finite.
 /// @throws InputError if options are out of range or shapes disagree.
-FoundModes find_modes(const LeastSquares& problem, const ModeSearch& search = {});
+FoundModes find_modes(const LeastSquares& problem, const ModeSearchOptions& search = {});
 
 /// Starting points of chains, further out than the posterior reaches: draws from
 ///   sum_m w_m N(z_m, inflation^2 C_m),   w_m = (laplace_mass_m + 1 / modes) / 2,

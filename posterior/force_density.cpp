@@ -26,7 +26,7 @@ ForceNoise::Tail ForceNoise::tail(double m) const {
 }
 
 TaskDensity task_density(const ForceNoise& model, const Eigen::Ref<const Eigen::Matrix3Xd>& unit,
-                         const std::vector<MusclePull>& pulls, const Eigen::Vector3d& force,
+                         const std::vector<MuscleTension>& pulls, const Eigen::Vector3d& force,
                          const Eigen::Vector3d& sd, double noise) {
   Eigen::Vector3d r = force;
   Eigen::Matrix3d S = (noise * sd).cwiseAbs2().asDiagonal();

@@ -29,7 +29,7 @@ struct ForceNoise {
 };
 
 /// What a muscle may have done in a task.
-struct MusclePull {
+struct MuscleTension {
   int column;       // of the unit pulls' forces
   double tension;   // F0 a, expected [N]
   double variance;  // (F0 sd)^2 [N^2]
@@ -49,7 +49,7 @@ struct TaskDensity {
 /// @param noise  factor on sd [1]
 [[nodiscard]] TaskDensity task_density(const ForceNoise& model,
                                        const Eigen::Ref<const Eigen::Matrix3Xd>& unit,
-                                       const std::vector<MusclePull>& pulls,
+                                       const std::vector<MuscleTension>& pulls,
                                        const Eigen::Vector3d& force, const Eigen::Vector3d& sd,
                                        double noise);
 

@@ -24,29 +24,29 @@ ForceKernel::ForceKernel(ForceKernel&&) noexcept = default;
 
 int ForceKernel::coordinates() const { return program_->fit_coordinates; }
 int ForceKernel::trials() const { return program_->trials; }
-int ForceKernel::lanes() { return kernel::units().front().lanes; }
+int ForceKernel::lanes() { return kernel::simd_backends().front().lanes; }
 
 Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
-  return kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kNo).forces;
+  return kernel::run_batch(*program_, kernel::simd_backends(), u, kernel::KeepTape::kNo).forces;
 }
 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
   auto tape = std::make_shared<Tape>(
-      kernel::run_batch(*program_, kernel::units(), u, kernel::KeepTape::kYes));
+      kernel::run_batch(*program_, kernel::simd_backends(), u, kernel::KeepTape::kYes));
   Eigen::MatrixXd forces = std::move(tape->batch.forces);
   return {std::move(forces), std::move(tape)};
 }
 
-Eigen::MatrixXd ForceKernel::pull_back(const Recorded& recorded,
-                                       const Eigen::Ref<const Eigen::MatrixXd>& weights) const {
+Eigen::MatrixXd ForceKernel::adjoint_product(
+    const Recorded& recorded, const Eigen::Ref<const Eigen::MatrixXd>& weights) const {
   require(weights.rows() == 3 * trials() && weights.cols() == recorded.forces.cols(),
           "weights are wanted for {} forces of {} points, got {} x {}", 3 * trials(),
           recorded.forces.cols(), weights.rows(), weights.cols());
-  return kernel::pull_batch(*program_, recorded.tape->batch, weights);
+  return kernel::adjoint_batch(*program_, recorded.tape->batch, weights);
 }
 
 }  // namespace thenar

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/experiment_plan.h"
 
 namespace thenar {
 
@@ -31,7 +31,7 @@ class ForceKernel {
   /// NaN where the held tip is singular.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& u) const;
 
-  /// What forces() went through, for pull_back().
+  /// What forces() went through, for adjoint_product().
   class Tape;
 
   struct Recorded {
@@ -42,8 +42,8 @@ class ForceKernel {
 
   /// J' w for every point, J = d forces / du  (coordinates, points).
   /// @param weights  [1/N times whatever] (3 trials, points)
-  [[nodiscard]] Eigen::MatrixXd pull_back(const Recorded& recorded,
-                                          const Eigen::Ref<const Eigen::MatrixXd>& weights) const;
+  [[nodiscard]] Eigen::MatrixXd adjoint_product(
+      const Recorded& recorded, const Eigen::Ref<const Eigen::MatrixXd>& weights) const;
 
  private:
   struct Program;

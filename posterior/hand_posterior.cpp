@@ -4,7 +4,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "posterior/hand_posterior_parts.h"
+#include "base/random_stream.h"
+#include "posterior/posterior_parts.h"
+#include "posterior/tilt_density.h"
 
 namespace thenar {
 namespace {
@@ -30,9 +32,9 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
       gradient(at, p) += by_y * motion.by_x(at, p);
       if (entry.centre >= 0)
         gradient(entry.centre, p) += by_y * motion.by_centre(at, p) * motion.by_x(entry.centre, p);
-      if (entry.spread >= 0)
-        gradient(parts.entries.spread_at() + entry.spread, p) +=
-            parts.options.spread_sd * by_y * motion.by_spread(at, p);
+      if (entry.specimen_scale >= 0)
+        gradient(parts.entries.specimen_scale_offset() + entry.specimen_scale, p) +=
+            parts.options.specimen_scale_sd * by_y * motion.by_log_specimen_scale(at, p);
     }
 }
 
@@ -50,17 +52,17 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
     const DataDensity one = data_density(parts.model, parts.data[e], recorded.forces.col(p).data(),
                                          motion.log_noise(e, p), by_force.col(p).data(), nullptr);
     at.log_likelihood[p] += one.log_density;
-    if (wanted && parts.entries.noises > 0)
-      at.likelihood_gradient(parts.entries.noise_at() + e, p) +=
+    if (wanted && parts.entries.noise_scales > 0)
+      at.likelihood_gradient(parts.entries.noise_scale_offset() + e, p) +=
           parts.options.noise_sd * one.by_log_noise;
   }
-  if (wanted) by_u[s] += kernel.pull_back(recorded, by_force);
+  if (wanted) by_u[s] += kernel.adjoint_product(recorded, by_force);
 }
 
 /// u of each specimen where bounds hold some coordinates; zero where an entry of x moves it.
 std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
-  for (const int i : entries.held) z[i] = problem.lower()[i];
+  for (const int i : entries.fixed) z[i] = problem.lower()[i];
   std::vector<Eigen::VectorXd> rest;
   for (std::size_t s = 0; s < problem.specimens().size(); ++s) {
     rest.push_back(problem.displacements(z, static_cast<int>(s)));
@@ -71,12 +73,12 @@ std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorE
 
 }  // namespace
 
-PosteriorOptions posterior_options(const PosteriorBeliefs& beliefs) {
+PosteriorOptions posterior_options(const PosteriorPriors& beliefs) {
   PosteriorOptions options;
   options.learn_noise = beliefs.noise_sd > 0;
   options.noise_sd = beliefs.noise_sd;
-  options.learn_spread = beliefs.spread_sd > 0;
-  options.spread_sd = beliefs.spread_sd;
+  options.learn_specimen_scale = beliefs.specimen_scale_sd > 0;
+  options.specimen_scale_sd = beliefs.specimen_scale_sd;
   options.sphere_priors = beliefs.sphere_priors;
   return options;
 }
@@ -86,11 +88,11 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
   Parts& parts = *parts_;
   require(!options.learn_noise || options.noise_sd > 0, "noise_sd must be > 0, got {}",
           options.noise_sd);
-  require(!options.learn_spread || options.spread_sd > 0, "spread_sd must be > 0, got {}",
-          options.spread_sd);
+  require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,
+          "spread_sd must be > 0, got {}", options.specimen_scale_sd);
   const FitProblem& fit = parts.problem;
   parts.entries =
-      list_entries(fit, options.learn_noise, options.learn_spread, options.sphere_priors);
+      list_entries(fit, options.learn_noise, options.learn_specimen_scale, options.sphere_priors);
   require(!parts.entries.coordinates.empty(),
           "nothing to sample: every free parameter shifts an axis along itself, or is held by its "
           "bounds");
@@ -128,7 +130,7 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
     add_experiment(*parts_, e, displaced, motion, by_u, at);
   if (wanted) add_by_entries(*parts_, motion, by_u, at.likelihood_gradient);
   for (Index p = 0; p < x.cols(); ++p)
-    if (displaced.broken[p] != 0) at.log_likelihood[p] = std::nan("");
+    if (displaced.non_finite[p] != 0) at.log_likelihood[p] = std::nan("");
   return at;
 }
 
@@ -139,7 +141,7 @@ MatrixXd HandPosterior::forces(const Points& x, int e) const {
                         .forces(displaced.u[parts_->problem.specimen_of(e)])
                         .topRows(3 * parts_->data[e].trials);
   for (Index p = 0; p < x.cols(); ++p)
-    if (displaced.broken[p] != 0) forces.col(p).setConstant(std::nan(""));
+    if (displaced.non_finite[p] != 0) forces.col(p).setConstant(std::nan(""));
   return forces;
 }
 
@@ -165,7 +167,7 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
       (void)data_density(parts_->model, data, forces.col(p).data(),
                          motion.log_noise(static_cast<Index>(e), p), by_force.data(),
                          summands.data());
-      if (displaced.broken[p] != 0) summands.setConstant(std::nan(""));
+      if (displaced.non_finite[p] != 0) summands.setConstant(std::nan(""));
       out.block(trial, p, data.trials, 1) = summands.head(data.trials);
       out.block(task, p, own, 1) = summands.tail(own);
     }
@@ -173,6 +175,175 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
     task += own;
   }
   return out;
+}
+
+// Between a posterior's x, the z of its fit, and the numbers that people read.
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr std::uint32_t kPriorStream = 0x7072696f;  // purpose of random numbers
+
+/// Values of some parameters [SI].
+VectorXd values_of(const FitParameters& parameters, const std::vector<int>& which,
+                   const VectorXd& u) {
+  const std::vector<double> all = parameter_values<double>(parameters, u);
+  VectorXd some(static_cast<Index>(which.size()));
+  for (Index i = 0; i < some.size(); ++i) some[i] = all[which[i]];
+  return some;
+}
+
+/// z(x) of an entry, where its specimen_scale factor is k.
+double entry_image(const CoordinateEntry& entry, double k, double x) {
+  if (entry.table) return entry.table->at(x).z;
+  const auto bounds = entry.bounds(k);
+  return bounds ? bounds->at(x).z : x;
+}
+
+/// z of an entry whose bounds count from its population's, where the latter's z is set already.
+double centred_entry(const internal::PosteriorParts& parts, const CoordinateEntry& entry, double k,
+                     const VectorXd& z, double x) {
+  const CoordinateEntries& of = parts.problem.entries(entry.coordinate);
+  const double population = of.population_sd * z[of.population];
+  if (k == 1) return x;
+  return deviation_entry(of, population, specimen_deviation(of, population, x, k).u);
+}
+
+/// Finds x of an entry from what it adds to its coordinate.
+double entry_from(const CoordinateEntry& entry, double k, double y) {
+  const double z = y / (k * entry.sd);
+  if (entry.table) return entry.table->inverse(z);
+  const auto bounds = entry.bounds(k);
+  return bounds ? bounds->inverse(z) : z;
+}
+
+}  // namespace
+
+std::vector<std::string> HandPosterior::names() const {
+  const std::vector<std::string> all = parts_->problem.names();
+  std::vector<std::string> names;
+  for (const CoordinateEntry& entry : parts_->entries.coordinates) names.push_back(all[entry.z]);
+  if (parts_->entries.noise_scales > 0)
+    for (const Experiment& experiment : parts_->problem.experiments())
+      names.push_back("noise/" + experiment.name);
+  for (const std::string& kind : specimen_scale_kinds()) names.push_back("spread/" + kind);
+  return names;
+}
+
+std::vector<std::string> HandPosterior::specimen_scale_kinds() const {
+  std::vector<std::string> kinds;
+  for (const ParameterKind kind : parts_->entries.specimen_scales) kinds.push_back(name_of(kind));
+  return kinds;
+}
+
+std::vector<int> HandPosterior::moving_parameters() const {
+  const FitParameters& parameters = parts_->problem.parameters();
+  std::vector<char> moves(parameters.coordinates(), 0);
+  for (const CoordinateEntry& entry : parts_->entries.coordinates) moves[entry.coordinate] = 1;
+  std::vector<int> moving;
+  for (std::size_t p = 0; p < parameters.all.size(); ++p)
+    if (parameters.coordinate[p] >= 0 && moves[parameters.coordinate[p]] != 0)
+      moving.push_back(static_cast<int>(p));
+  return moving;
+}
+
+VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
+  require(x.size() == size(), "the posterior has {} entries, got {}", size(), x.size());
+  const PosteriorEntries& entries = parts_->entries;
+  VectorXd z = VectorXd::Zero(parts_->problem.size());
+  for (const int fixed : entries.fixed) z[fixed] = parts_->problem.lower()[fixed];
+  for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
+    const CoordinateEntry& entry = entries.coordinates[i];
+    const double k = entry.specimen_scale < 0
+                         ? 1
+                         : std::exp(parts_->options.specimen_scale_sd *
+                                    x[entries.specimen_scale_offset() + entry.specimen_scale]);
+    const double own = x[static_cast<Index>(i)];
+    z[entry.z] = entry.centre < 0 ? k * entry_image(entry, k, own)
+                                  : centred_entry(*parts_, entry, k, z, own);
+  }
+  return z;
+}
+
+VectorXd HandPosterior::from_fit(const VectorXd& z) const {
+  require(z.size() == parts_->problem.size() && z.allFinite(),
+          "the fit has {} coordinates, all finite; got {}", parts_->problem.size(), z.size());
+  const PosteriorEntries& entries = parts_->entries;
+  const VectorXd at = without_gauges(parts_->problem, entries.gauges, z);
+  VectorXd x = VectorXd::Zero(size());
+  for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
+    const CoordinateEntry& entry = entries.coordinates[i];
+    x[static_cast<Index>(i)] =
+        entry.centre < 0 ? entry_from(entry, 1, entry.sd * at[entry.z]) : at[entry.z];
+  }
+  return x;
+}
+
+PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x) const {
+  require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
+  const FitProblem& problem = parts_->problem;
+  const PosteriorEntries& entries = parts_->entries;
+  const std::vector<int> moving = moving_parameters();
+  const auto rows = static_cast<Index>(moving.size());
+  PosteriorValues out;
+  out.population.resize(rows, x.cols());
+  out.specimens.assign(problem.specimens().size(), Eigen::MatrixXd(rows, x.cols()));
+  for (Index p = 0; p < x.cols(); ++p) {
+    const VectorXd z = fit_coordinates(x.col(p));
+    const auto row = [&](int specimen) {
+      return values_of(problem.parameters(), moving, problem.displacements(z, specimen));
+    };
+    out.population.col(p) = row(-1);
+    for (std::size_t s = 0; s < out.specimens.size(); ++s)
+      out.specimens[s].col(p) = row(static_cast<int>(s));
+  }
+  const auto experiments = static_cast<Index>(problem.experiments().size());
+  out.noise = Eigen::MatrixXd::Ones(experiments, x.cols());
+  if (entries.noise_scales > 0)
+    out.noise = (parts_->options.noise_sd * x.middleRows(entries.noise_scale_offset(), experiments))
+                    .array()
+                    .exp();
+  out.specimen_scale = (parts_->options.specimen_scale_sd *
+                        x.bottomRows(static_cast<Index>(entries.specimen_scales.size())))
+                           .array()
+                           .exp();
+  return out;
+}
+
+VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
+  RandomStream random(seed, number, 0, kPriorStream);
+  const PosteriorEntries& entries = parts_->entries;
+  VectorXd x(size());
+  for (Index i = 0; i < x.size(); ++i) x[i] = random.normal();
+
+  // Axis directions: from the sphere, until they are within the bounds of their tilts.
+  const auto y = [&](int i) {
+    const CoordinateEntry& entry = entries.coordinates[i];
+    return entry.sd * fit_coordinates(x)[entry.z];
+  };
+  for (const TiltPair& pair : entries.tilts) {
+    const CoordinateEntry& first = entries.coordinates[pair.x[0]];
+    const double k = first.specimen_scale < 0
+                         ? 1
+                         : std::exp(parts_->options.specimen_scale_sd *
+                                    x[entries.specimen_scale_offset() + first.specimen_scale]);
+    Eigen::Vector2d centre(pair.mean[0], pair.mean[1]);
+    for (int c = 0; c < 2; ++c)
+      if (pair.centre[c] >= 0) centre[c] += y(pair.centre[c]);
+    const double concentration = 1 / (k * k * first.sd * first.sd);
+    for (bool inside = false; !inside;) {
+      const Eigen::Vector2d shift = draw_tilt(centre, concentration, random) - centre;
+      inside = true;
+      for (int c = 0; c < 2; ++c) {
+        const CoordinateEntry& entry = entries.coordinates[pair.x[c]];
+        const double z = shift[c] / entry.sd;
+        inside &= entry.lower <= z && z <= entry.upper;
+        x[pair.x[c]] = entry_from(entry, k, shift[c]);
+      }
+    }
+  }
+  return x;
 }
 
 }  // namespace thenar

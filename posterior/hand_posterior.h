@@ -8,28 +8,28 @@
 
 #include "kinematics_fit/fit_problem.h"
 #include "posterior/force_kernel.h"
-#include "sampling/target.h"
+#include "sampling/methods/target.h"
 
 namespace thenar {
 
 /// What the posterior asks beyond the least-squares problem.
 struct PosteriorOptions {
-  bool learn_noise = true;    // a factor on every experiment's noise, log-normal beforehand
-  double noise_sd = 0.5;      // sd of its logarithm [1]
-  bool learn_spread = true;   // with several specimens: a factor on between_sd of each kind
-  double spread_sd = 0.5;     // sd of its logarithm [1]
-  bool sphere_priors = true;  // von Mises-Fisher on axis directions instead of normal tilts
+  bool learn_noise = true;           // a factor on every experiment's noise, log-normal beforehand
+  double noise_sd = 0.5;             // sd of its logarithm [1]
+  bool learn_specimen_scale = true;  // with several specimens: a factor on between_sd of each kind
+  double specimen_scale_sd = 0.5;    // sd of its logarithm [1]
+  bool sphere_priors = true;         // von Mises-Fisher on axis directions instead of normal tilts
 };
 
 /// What a settings file says of them; a sd of zero learns nothing.
-[[nodiscard]] PosteriorOptions posterior_options(const PosteriorBeliefs& beliefs);
+[[nodiscard]] PosteriorOptions posterior_options(const PosteriorPriors& beliefs);
 
 /// The parameters of a digit as people read them.
 struct PosteriorValues {
   Eigen::MatrixXd population;              // [SI] (parameters that move, points)
   std::vector<Eigen::MatrixXd> specimens;  // each the same, by FitProblem::specimens()
   Eigen::MatrixXd noise;                   // factor on the stated noise [1] (experiments, points)
-  Eigen::MatrixXd spread;                  // factor on between_sd [1] (kinds, points)
+  Eigen::MatrixXd specimen_scale;          // factor on between_sd [1] (kinds, points)
 };
 
 /// The posterior of a FitProblem, without its gauge freedoms:
@@ -50,12 +50,14 @@ class HandPosterior : public Target {
 
   [[nodiscard]] const FitProblem& problem() const;
   [[nodiscard]] const PosteriorOptions& options() const;
-  [[nodiscard]] std::vector<std::string> names() const;         // of x: "noise/H01" (size)
-  [[nodiscard]] std::vector<int> moving_parameters() const;     // indices in parameters().all
-  [[nodiscard]] std::vector<std::string> spread_kinds() const;  // of PosteriorValues::spread
+  [[nodiscard]] std::vector<std::string> names() const;      // of x: "noise/H01" (size)
+  [[nodiscard]] std::vector<int> moving_parameters() const;  // indices in parameters().all
+  [[nodiscard]] std::vector<std::string> specimen_scale_kinds()
+      const;  // of PosteriorValues::specimen_scale
 
   [[nodiscard]] PosteriorValues values(const Eigen::Ref<const Eigen::MatrixXd>& x) const;
-  /// z of FitProblem and back; entries that x lacks are zero, noise and spread factors 1 (size).
+  /// z of FitProblem and back; entries that x lacks are zero, noise and specimen_scale factors 1
+  /// (size).
   [[nodiscard]] Eigen::VectorXd fit_coordinates(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd from_fit(const Eigen::VectorXd& z) const;
 

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "posterior/lane_loops.h"
+#include "posterior/simd_loops.h"
 
 namespace thenar {
 namespace {

@@ -9,8 +9,8 @@ namespace thenar {
 
 /// One task with electromyography.
 struct ObservedTask {
-  std::vector<MusclePull> pulls;  // column: of all columns of ObservedForces::plan
-  Eigen::Vector3d force, sd;      // [N] (3)
+  std::vector<MuscleTension> pulls;  // column: of all columns of ObservedForces::plan
+  Eigen::Vector3d force, sd;         // [N] (3)
 };
 
 /// Trials, and after them unit pulls of muscles in the postures of tasks.

@@ -8,8 +8,8 @@ namespace {
 
 class EntryLister {
  public:
-  EntryLister(const FitProblem& problem, bool learn_spread)
-      : problem_(problem), learn_spread_(learn_spread) {
+  EntryLister(const FitProblem& problem, bool learn_specimen_scale)
+      : problem_(problem), learn_spread_(learn_specimen_scale) {
     out_.gauges = find_gauges(problem);
     for (const Gauge& gauge : out_.gauges) left_out_.push_back(gauge.along);
     const int coordinates = problem.parameters().coordinates();
@@ -37,14 +37,14 @@ class EntryLister {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
     constexpr double kRoom = 1e-12;  // less is rounding [prior sds]
     const CoordinateEntries& of = problem_.entries(c);
-    if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is held, too
+    if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is fixed, too
     CoordinateEntry entry{z, c, specimen, sd, problem_.lower()[z], problem_.upper()[z], {}, -1, -1};
     if (entry.upper - entry.lower <= kRoom) {
-      out_.held.push_back(z);
+      out_.fixed.push_back(z);
       return;
     }
-    if (specimen >= 0 && learn_spread_) entry.spread = spread_of(c);
-    if (entry.spread < 0 && entry.bounds(1)) entry.table = table_of(entry);
+    if (specimen >= 0 && learn_spread_) entry.specimen_scale = spread_of(c);
+    if (entry.specimen_scale < 0 && entry.bounds(1)) entry.table = table_of(entry);
     out_.coordinates.push_back(std::move(entry));
   }
 
@@ -71,7 +71,7 @@ class EntryLister {
   int spread_of(int c) {
     const FitParameters& parameters = problem_.parameters();
     const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
-    auto& known = out_.spreads;
+    auto& known = out_.specimen_scales;
     const auto found = std::find(known.begin(), known.end(), kind);
     const int at = static_cast<int>(found - known.begin());
     if (found == known.end()) known.push_back(kind);
@@ -120,12 +120,12 @@ std::optional<BoundedNormal> CoordinateEntry::bounds(double k) const {
   return BoundedNormal(lower / k, upper / k);
 }
 
-PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise, bool learn_spread,
-                              bool sphere_priors) {
-  EntryLister lister(problem, learn_spread && problem.specimens().size() > 1);
+PosteriorEntries list_entries(const FitProblem& problem, bool learn_noise,
+                              bool learn_specimen_scale, bool sphere_priors) {
+  EntryLister lister(problem, learn_specimen_scale && problem.specimens().size() > 1);
   if (sphere_priors) lister.pair_tilts();
   PosteriorEntries out = lister.take();
-  if (learn_noise) out.noises = static_cast<int>(problem.experiments().size());
+  if (learn_noise) out.noise_scales = static_cast<int>(problem.experiments().size());
   return out;
 }
 

@@ -232,7 +232,7 @@ IterateQuality progress_of(const Reduced& p, const Embedding& e) {
   const double dual = e.dual_residual().norm() / e.tau / (1 + p.c.norm());
   const double gap = std::abs(cx + hz) / (1 + std::abs(cx));
   const double hz_raw = p.h.dot(e.z), cx_raw = p.c.dot(e.x);
-  return {largest_or_nan({primal, dual, gap}),
+  return {max_or_nan({primal, dual, gap}),
           hz_raw < 0 ? (p.G.transpose() * e.z).norm() / -hz_raw : kInfinity,
           cx_raw < 0 ? (p.G * e.x + e.s).norm() / -cx_raw : kInfinity};
 }
@@ -278,7 +278,7 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
     best.status = status_of(best, options.tolerance);
     if (best.status != ConeStatus::kStalled) return best;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
-    if (lost || best.iterations == options.most_iterations ||
+    if (lost || best.iterations == options.max_iterations ||
         best.iterations - best.last_better > kPatience) {
       best.status = status_of(best, options.acceptable);
       return best;
@@ -298,7 +298,7 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
   double worst = 0;
   Index row = 0;
   for (const int size : cones) {
-    worst = largest_or_nan(worst, v.segment(row + 1, size - 1).norm() - v(row));
+    worst = max_or_nan(worst, v.segment(row + 1, size - 1).norm() - v(row));
     row += size;
   }
   return worst;
@@ -313,10 +313,10 @@ double residual_of(const ConeProgram& p, const ConeResult& r) {
     stationary += p.A.transpose() * r.y;
     equalities = over((p.A * r.x - p.b).norm(), p.b.norm());
   }
-  return largest_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
-                         over(stationary.norm(), p.c.norm()),
-                         over(outside_cones(r.z, p.cones), r.z.norm()),
-                         over(std::abs(r.objective - r.dual), std::abs(r.objective))});
+  return max_or_nan({equalities, over(outside_cones(p.h - p.G * r.x, p.cones), p.h.norm()),
+                     over(stationary.norm(), p.c.norm()),
+                     over(outside_cones(r.z, p.cones), r.z.norm()),
+                     over(std::abs(r.objective - r.dual), std::abs(r.objective))});
 }
 
 /// How far y and z are from Farkas' proof: with A'y + G'z = e, z in K and -(b'y + h'z) = g > 0, no
@@ -328,7 +328,7 @@ double misses_infeasible(const ConeProgram& p, const VectorXd& y, const VectorXd
   if (p.A.size() > 0) e += p.A.transpose() * y;
   if (p.b.size() > 0) gain -= p.b.dot(y);
   if (!(gain > 0)) return kInfinity;
-  return largest_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
+  return max_or_nan(e.norm() / gain, outside_cones(z, p.cones) / std::max(gain, z.norm()));
 }
 
 /// How far a direction d is from one along which the objective falls and everything still holds:
@@ -337,7 +337,7 @@ double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
   const double gain = -p.c.dot(d);
   if (!(gain > 0)) return kInfinity;
   const double equalities = p.A.size() > 0 ? (p.A * d).norm() : 0;
-  return largest_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
+  return max_or_nan(equalities, outside_cones(-p.G * d, p.cones)) / gain;
 }
 
 /// What is said before anything is known.
@@ -409,7 +409,7 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
-  result.residual = largest_or_nan(core.residual, residual_of(program, result));
+  result.residual = max_or_nan(core.residual, residual_of(program, result));
   if (core.status == ConeStatus::kSolved && !falls && result.residual <= most)
     result.status = ConeStatus::kSolved;
   return result;

@@ -33,7 +33,7 @@ struct ConeOptions {
   double tolerance = 1e-10;  // scaled residual and gap at which it stops [1]
   double acceptable =
       1e-7;  // the same where rounding ends progress: the best iterate or certificate counts [1]
-  int most_iterations = 100;
+  int max_iterations = 100;
 };
 
 struct [[nodiscard]] ConeResult {

@@ -148,13 +148,13 @@ HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const Conv
   for (const HullFacet& facet : hull.facets) {
     const Eigen::VectorXd beyond =
         (points * facet.normal).array() - facet.offset * facet.normal.norm();
-    check.outside = largest_or_nan(check.outside, largest_or_nan(beyond));
-    for (const int row : facet.ring) check.outside = largest_or_nan(check.outside, -beyond(row));
+    check.outside = max_or_nan(check.outside, max_or_nan(beyond));
+    for (const int row : facet.ring) check.outside = max_or_nan(check.outside, -beyond(row));
   }
   check.closed = is_closed(hull.facets, points.cols());
   const Eigen::VectorXd each = volumes(points, hull);
   check.volume = each.mean();
-  check.volume_error = largest_or_nan(each) + largest_or_nan(-each);
+  check.volume_error = max_or_nan(each) + max_or_nan(-each);
   return check;
 }
 

@@ -59,7 +59,7 @@ class DenseSimplex {
       place_basic();
       const VectorXd missing = missing_signs();
       const bool feasible = missing.isZero(0);
-      const std::optional<Entering> entering = choose(prices(feasible, missing), step > patient);
+      const std::optional<Entering> entering = choose(duals(feasible, missing), step > patient);
       if (!entering) return {feasible ? SimplexEnd::kOptimal : SimplexEnd::kInfeasible, basis_};
       const VectorXd rates = -entering->way * lu_.solve(VectorXd(M_.col(entering->variable)));
       const Step move = longest(*entering, rates, missing, step > patient);
@@ -98,7 +98,7 @@ class DenseSimplex {
   }
 
   /// Of every variable: the slope of the objective, or of what is missing while anything is.
-  [[nodiscard]] VectorXd prices(bool feasible, const VectorXd& missing) const {
+  [[nodiscard]] VectorXd duals(bool feasible, const VectorXd& missing) const {
     VectorXd basic_costs = missing, costs = VectorXd::Zero(n_ + rows_);
     if (feasible) costs = cost_;
     for (Index k = 0; feasible && k < rows_; ++k) basic_costs(k) = cost_(basic(k));
@@ -107,7 +107,7 @@ class DenseSimplex {
     return costs - M_.transpose() * y;
   }
 
-  [[nodiscard]] std::optional<Entering> choose(const VectorXd& d, bool least_index) const {
+  [[nodiscard]] std::optional<Entering> choose(const VectorXd& d, bool bland_rule) const {
     std::optional<Entering> best;
     double steepest = kPrice;
     for (Index j = 0; j < n_ + rows_; ++j) {
@@ -115,7 +115,7 @@ class DenseSimplex {
       const double bound = d(j) > 0 ? upper_(j) : lower_(j);
       if (basis_.at(j) == bound) continue;
       best = Entering{j, d(j) > 0 ? 1.0 : -1.0};
-      if (least_index) return best;
+      if (bland_rule) return best;
       steepest = std::abs(d(j));
     }
     return best;
@@ -129,7 +129,7 @@ class DenseSimplex {
   }
 
   [[nodiscard]] Step longest(const Entering& entering, const VectorXd& rates,
-                             const VectorXd& missing, bool least_index) const {
+                             const VectorXd& missing, bool bland_rule) const {
     const Index j = entering.variable;
     Step best{upper_(j) - lower_(j), -1, entering.way > 0 ? upper_(j) : lower_(j)};
     for (Index k = 0; k < rows_; ++k) {
@@ -139,8 +139,8 @@ class DenseSimplex {
       const double length = std::max(0.0, (bound - basis_.at(basic(k))) / rates(k));
       const bool tie = best.leaving >= 0 && std::abs(length - best.length) <= kTie;
       const bool preferred =
-          tie && (least_index ? basic(k) < basic(best.leaving)
-                              : std::abs(rates(k)) > std::abs(rates(best.leaving)));
+          tie && (bland_rule ? basic(k) < basic(best.leaving)
+                             : std::abs(rates(k)) > std::abs(rates(best.leaving)));
       if (preferred || (!tie && length < best.length)) best = {length, k, bound};
     }
     return best;
@@ -162,7 +162,7 @@ class DenseSimplex {
   Index n_, rows_;
   MatrixXd M_;                     // [A, -1]        (r, n + r)
   VectorXd lower_, upper_, cost_;  // of x and z     (n + r)
-  Basis basis_;
+  SimplexBasis basis_;
   std::vector<bool> is_basic_;
   Eigen::PartialPivLU<MatrixXd> lu_;
 };

@@ -9,8 +9,8 @@ namespace thenar::internal {
 enum class SimplexEnd { kOptimal, kInfeasible, kUnbounded, kStalled };
 
 struct SimplexVertex {
-  SimplexEnd end;  // what the method believes; the caller certifies it
-  Basis basis;     // the last one
+  SimplexEnd end;      // what the method believes; the caller certifies it
+  SimplexBasis basis;  // the last one
 };
 
 /// Primal simplex with bounds on all variables, from the basis of row activities.

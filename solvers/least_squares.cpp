@@ -14,20 +14,22 @@ namespace thenar {
 namespace {
 
 struct MethodName {
-  FitMethod method;
+  LeastSquaresMethod method;
   const char* name;
 };
 constexpr std::array kLeastSquaresMethods{
-    MethodName{FitMethod::kCeres, "ceres"}, MethodName{FitMethod::kNloptLocal, "nlopt"},
-    MethodName{FitMethod::kNloptGlobal, "nlopt-global"}, MethodName{FitMethod::kIpopt, "ipopt"}};
+    MethodName{LeastSquaresMethod::kCeres, "ceres"},
+    MethodName{LeastSquaresMethod::kNloptLocal, "nlopt"},
+    MethodName{LeastSquaresMethod::kNloptGlobal, "nlopt-global"},
+    MethodName{LeastSquaresMethod::kIpopt, "ipopt"}};
 
 Solution dispatch(const LeastSquares& problem, const Eigen::VectorXd& start,
                   const SolveOptions& options) {
   switch (options.method) {
-    case FitMethod::kCeres:
+    case LeastSquaresMethod::kCeres:
       return internal::solve_ceres(problem, start, options);
-    case FitMethod::kIpopt:
-      return internal::solve_ipopt_fit(problem, start, options);
+    case LeastSquaresMethod::kIpopt:
+      return internal::solve_ipopt_least_squares(problem, start, options);
     default:
       return internal::solve_nlopt(problem, start, options);
   }
@@ -105,7 +107,7 @@ bool held(const LeastSquares& problem, const Eigen::VectorXd& z, double gradient
 /// Length of the step that is left where coordinates meet no constraints.
 double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostSlopes slopes) {
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    if (held(problem, z, slopes.gradient[i], i)) hold_coordinate(slopes, i);
+    if (held(problem, z, slopes.gradient[i], i)) fix_coordinate(slopes, i);
   return ArrowFactor(slopes.layout, slopes.rows).whiten(slopes.gradient).norm();
 }
 
@@ -197,7 +199,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
   const std::optional<CostSlopes> found = slopes_if_any(problem, solution.z);
   if (!found) return;
   const CostSlopes& slopes = *found;
-  const bool constrained = problem.constraints && options.method == FitMethod::kIpopt;
+  const bool constrained = problem.constraints && options.method == LeastSquaresMethod::kIpopt;
   solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                      : free_step(problem, solution.z, slopes);
   constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
@@ -223,7 +225,7 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
                     const SolveOptions& options) {
   const std::vector<int> free = find_free(problem);
   if (free.empty()) return stay(problem, start);
-  const bool blocks = options.method == FitMethod::kCeres && !problem.parts.empty();
+  const bool blocks = options.method == LeastSquaresMethod::kCeres && !problem.parts.empty();
   if (static_cast<Eigen::Index>(free.size()) == start.size() || blocks)
     return dispatch(problem, start, options);
   Solution solution = dispatch(reduce(problem, free, start), start(free), options);
@@ -235,7 +237,7 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 
 }  // namespace
 
-void hold_coordinate(CostSlopes& slopes, Eigen::Index i) {
+void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
   const Eigen::Index at = block < 0 ? i : i - layout.first(block);
@@ -271,22 +273,22 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = solve_free(problem, inside, options);
   certify(problem, options, solution);
-  if (solution.status == SolveStatus::kStalled && options.method == FitMethod::kCeres)
+  if (solution.status == SolveStatus::kStalled && options.method == LeastSquaresMethod::kCeres)
     go_on(problem, options, solution);
-  if (options.method != FitMethod::kIpopt) tell_broken_constraints(problem, solution);
+  if (options.method != LeastSquaresMethod::kIpopt) tell_broken_constraints(problem, solution);
   solution.seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return solution;
 }
 
-FitMethod fit_method(const std::string& name) {
+LeastSquaresMethod least_squares_method(const std::string& name) {
   for (const MethodName& known : kLeastSquaresMethods)
     if (name == known.name) return known.method;
   throw InputError(
       fmt::format("no fit method '{}'; there are ceres, nlopt, nlopt-global, ipopt", name));
 }
 
-std::string name_of(FitMethod method) {
+std::string name_of(LeastSquaresMethod method) {
   for (const MethodName& known : kLeastSquaresMethods)
     if (method == known.method) return known.name;
   return {};

@@ -54,13 +54,13 @@ struct CostSlopes {
 };
 
 /// Takes a coordinate out: its gradient and column are zero, and a unit row keeps the rank.
-void hold_coordinate(CostSlopes& slopes, Eigen::Index i);
+void fix_coordinate(CostSlopes& slopes, Eigen::Index i);
 
 /// @throws InputError if the residuals have no Jacobian.
 [[nodiscard]] CostSlopes cost_slopes(const LeastSquares& problem, const Eigen::VectorXd& z);
 
 /// Which solver. All minimise the same function; only Ipopt honours constraints.
-enum class FitMethod {
+enum class LeastSquaresMethod {
   kCeres,        // Levenberg-Marquardt with exact derivatives
   kNloptLocal,   // BOBYQA: local, without derivatives
   kNloptGlobal,  // controlled random search, polished by BOBYQA: without derivatives
@@ -68,7 +68,7 @@ enum class FitMethod {
 };
 
 struct SolveOptions {
-  FitMethod method = FitMethod::kCeres;
+  LeastSquaresMethod method = LeastSquaresMethod::kCeres;
   int max_evaluations = 0;  // of the residuals; 0: the method's own limit
   double tolerance = 1e-8;  // relative change of the cost at which to stop [1]
   unsigned seed = 1;        // of the global search
@@ -108,14 +108,15 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
                const SolveOptions& options = {});
 
 /// "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError for another name.
-[[nodiscard]] FitMethod fit_method(const std::string& name);
-[[nodiscard]] std::string name_of(FitMethod method);
+[[nodiscard]] LeastSquaresMethod least_squares_method(const std::string& name);
+[[nodiscard]] std::string name_of(LeastSquaresMethod method);
 [[nodiscard]] std::string name_of(SolveStatus status);
 
 namespace internal {
 Solution solve_ceres(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
 Solution solve_nlopt(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
-Solution solve_ipopt_fit(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);
+Solution solve_ipopt_least_squares(const LeastSquares&, const Eigen::VectorXd& start,
+                                   const SolveOptions&);
 }  // namespace internal
 
 }  // namespace thenar

@@ -81,8 +81,8 @@ SolveStatus status_of(NonlinearStatus status) {
 
 }  // namespace
 
-Solution solve_ipopt_fit(const LeastSquares& problem, const Eigen::VectorXd& start,
-                         const SolveOptions& options) {
+Solution solve_ipopt_least_squares(const LeastSquares& problem, const Eigen::VectorXd& start,
+                                   const SolveOptions& options) {
   Solution best;
   best.z = start;
   Evaluator evaluator(problem, options, best);

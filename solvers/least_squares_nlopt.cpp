@@ -88,7 +88,7 @@ Solution solve_nlopt(const LeastSquares& problem, const Eigen::VectorXd& start,
   const int n = static_cast<int>(start.size());
   const int limit = options.max_evaluations > 0 ? options.max_evaluations : 500 * (n + 10);
   nlopt::srand(options.seed);
-  if (options.method == FitMethod::kNloptGlobal)
+  if (options.method == LeastSquaresMethod::kNloptGlobal)
     run(nlopt::GN_CRS2_LM, problem, options, limit, best);
   if (best.status != SolveStatus::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);
   return best;

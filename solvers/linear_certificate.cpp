@@ -52,17 +52,18 @@ void add(const Push& push, LinearCertificate& certificate) {
     certificate.gap += price * std::abs(bound - push.value);
     return;
   }
-  certificate.unpriced = largest_or_nan(certificate.unpriced, price / std::max(1.0, push.terms));
+  certificate.dual_violation =
+      max_or_nan(certificate.dual_violation, price / std::max(1.0, push.terms));
   certificate.gap += price * std::abs(push.value);
 }
 
 double violation(double value, double lower, double upper, double terms) {
-  return largest_or_nan({0.0, lower - value, value - upper}) / std::max(1.0, terms);
+  return max_or_nan({0.0, lower - value, value - upper}) / std::max(1.0, terms);
 }
 
 }  // namespace
 
-PricedPoint vertex_of(const LinearProgram& program, const Basis& basis) {
+PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basis) {
   const Index n = program.A.cols(), rows = program.A.rows();
   VectorXd all = basis.at, costs = VectorXd::Zero(n + rows), basic_costs(rows);
   costs.head(n) = program.objective;
@@ -75,29 +76,29 @@ PricedPoint vertex_of(const LinearProgram& program, const Basis& basis) {
   }
   if (rows == 0) return {all.cwiseMax(program.lower).cwiseMin(program.upper), VectorXd(0)};
 
-  // What the others leave for the basic variables, and the prices that make these indifferent.
+  // What the others leave for the basic variables, and the duals that make these indifferent.
   const LongVector others = all.cast<long double>();
   const LongVector left = others.tail(rows) - program.A.cast<long double>() * others.head(n);
   const Eigen::PartialPivLU<MatrixXd> lu(B);
   const VectorXd values = refined(lu, B, left);
   const MatrixXd B_turned = B.transpose();
   const Eigen::PartialPivLU<MatrixXd> lu_turned(B_turned);
-  const VectorXd prices = refined(lu_turned, B_turned, basic_costs.cast<long double>());
+  const VectorXd duals = refined(lu_turned, B_turned, basic_costs.cast<long double>());
 
   for (Index k = 0; k < rows; ++k) all(basis.basic[static_cast<std::size_t>(k)]) = values(k);
   const VectorXd x = all.head(n);
-  if (!x.allFinite()) return {x, prices};
-  return {x.cwiseMax(program.lower).cwiseMin(program.upper), prices};
+  if (!x.allFinite()) return {x, duals};
+  return {x.cwiseMax(program.lower).cwiseMin(program.upper), duals};
 }
 
-LinearCertificate certify(const LinearProgram& program, const PricedPoint& point) {
+LinearCertificate certify(const LinearProgram& program, const PrimalDualPoint& point) {
   LinearCertificate certificate{0, 0, 0};
-  const VectorXd &x = point.x, &y = point.prices;
+  const VectorXd &x = point.x, &y = point.duals;
   if (!x.allFinite() || !y.allFinite()) {
     return {kNaN, kNaN, kNaN};
   }
   const auto largest = [&](double value) {
-    certificate.violation = largest_or_nan(certificate.violation, value);
+    certificate.violation = max_or_nan(certificate.violation, value);
   };
 
   // Columns: what is left of the objective after the rows are paid.
@@ -128,7 +129,7 @@ LinearCertificate certify(const LinearProgram& program, const PricedPoint& point
 }
 
 bool holds(const LinearCertificate& certificate, double objective) {
-  return certificate.violation <= kFeasible && certificate.unpriced <= kPriced &&
+  return certificate.violation <= kFeasible && certificate.dual_violation <= kPriced &&
          certificate.gap <= kGap * std::max(1.0, std::abs(objective));
 }
 

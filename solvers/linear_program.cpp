@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using internal::Basis;
+using internal::SimplexBasis;
 
 constexpr double kClpTolerance = 1e-12;   // violation of a row that CLP is asked for
 constexpr double kOptimal = 1e-11;        // of reduced costs, likewise
@@ -64,13 +64,13 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
 /// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
 struct Proposal {
   internal::SimplexEnd end;
-  std::optional<Basis> basis;
+  std::optional<SimplexBasis> basis;
 };
 
 /// The basis where CLP stopped; none if it does not have as many variables as there are rows.
-std::optional<Basis> basis_of(const ClpSimplex& simplex, const LinearProgram& program) {
+std::optional<SimplexBasis> basis_of(const ClpSimplex& simplex, const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
-  Basis basis{{}, VectorXd::Zero(n + rows)};
+  SimplexBasis basis{{}, VectorXd::Zero(n + rows)};
   const auto add = [&](Index k, ClpSimplex::Status status, double value, double lower,
                        double upper) {
     if (status == ClpSimplex::basic) {
@@ -129,11 +129,11 @@ LinearResult unsolved(const LinearProgram& program, LinearStatus status) {
 /// The vertex of a basis, if its certificate holds.
 std::optional<LinearResult> certified(const LinearProgram& program, const Proposal& proposal) {
   if (!proposal.basis) return std::nullopt;
-  const internal::PricedPoint point = internal::vertex_of(program, *proposal.basis);
+  const internal::PrimalDualPoint point = internal::vertex_of(program, *proposal.basis);
   const double objective = program.objective.dot(point.x);
   const LinearCertificate certificate = internal::certify(program, point);
   if (!internal::holds(certificate, objective)) return std::nullopt;
-  return LinearResult{LinearStatus::kSolved, point.x, objective, point.prices, certificate};
+  return LinearResult{LinearStatus::kSolved, point.x, objective, point.duals, certificate};
 }
 
 /// Every method in turn, until an answer is certified; for programs that have one.
@@ -144,7 +144,7 @@ LinearResult optimum(const LinearProgram& program) {
 }
 
 /// maximise  -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper:  it has an optimum
-/// always, and its prices are a Farkas ray where that is not zero.
+/// always, and its duals are a Farkas ray where that is not zero.
 LinearProgram elastic(const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
   LinearProgram result = program;
@@ -200,7 +200,7 @@ LinearResult without_optimum(const LinearProgram& asked) {
   // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.
   LinearResult result = optimum(program);
   if (result.status == LinearStatus::kSolved)
-    result.certificate.violation = internal::certify(asked, {result.x, result.prices}).violation;
+    result.certificate.violation = internal::certify(asked, {result.x, result.duals}).violation;
   return result;
 }
 
@@ -209,7 +209,7 @@ bool bounds_cross(const LinearProgram& program) {
          (program.row_lower.array() > program.row_upper.array()).any();
 }
 
-/// The program with prices and objective of order one.
+/// The program with duals and objective of order one.
 LinearResult solve_scaled(const LinearProgram& program) {
   // A method that stops without an optimum ends the round: its word is proved or refuted below.
   for (const Method method : kLinearMethods) {
@@ -236,7 +236,7 @@ LinearResult solve(const LinearProgram& program) {
   LinearResult result = solve_scaled(scaled);
   if (result.status != LinearStatus::kSolved) return result;
   result.objective = program.objective.dot(result.x);
-  result.prices *= size;
+  result.duals *= size;
   result.certificate.gap *= size;
   return result;
 }

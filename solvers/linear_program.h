@@ -17,9 +17,9 @@ struct LinearProgram {
 
 /// What tells how far x is from feasible, and how much more any feasible point could reach.
 struct LinearCertificate {
-  double violation;  // largest of a bound or row, over max(1, sum |a_ij x_j|)              [1]
-  double unpriced;   // largest price that no finite bound pays, over max(1, its terms)     [1]
-  double gap;        // upper bound of the optimum less objective' x: sum of price x slack
+  double violation;       // largest of a bound or row, over max(1, sum |a_ij x_j|)              [1]
+  double dual_violation;  // largest price that no finite bound pays, over max(1, its terms)     [1]
+  double gap;             // upper bound of the optimum less objective' x: sum of price x slack
 };
 
 enum class LinearStatus {
@@ -33,14 +33,14 @@ struct LinearResult {
   LinearStatus status;            // read this first
   Eigen::VectorXd x;              // optimal vertex if solved, else zero                    (n)
   double objective;               // there, else NaN
-  Eigen::VectorXd prices;         // of the rows: d objective / d row bound if solved, or 0 (r)
-  LinearCertificate certificate;  // of x and prices, or of what proves the status
+  Eigen::VectorXd duals;          // of the rows: d objective / d row bound if solved, or 0 (r)
+  LinearCertificate certificate;  // of x and duals, or of what proves the status
 };
 
 /// Solves by the simplex method and believes no solver.
 ///
-/// CLP proposes a basis. Its vertex and prices are computed again from the basis, with refined
-/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, prices have the sign
+/// CLP proposes a basis. Its vertex and duals are computed again from the basis, with refined
+/// residuals, and certified by weak duality: x obeys rows and bounds to 1e-12, duals have the sign
 /// of the bound that they stand at, and the gap is below 1e-11 of the larger of |objective| and its
 /// largest coefficient. If that
 /// fails, CLP's dual method, then a dense simplex method of our own are asked. Infeasible and

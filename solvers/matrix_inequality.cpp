@@ -80,8 +80,8 @@ MatrixXd value_at(const MatrixInequality& inequality, const VectorXd& y) {
   return value;
 }
 
-Raised raise(const std::vector<MatrixInequality>& inequalities, VectorXd y, int which,
-             double enough) {
+MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequalities, VectorXd y,
+                                      int which, double enough) {
   Eigen::Index rows = 0;
   for (const MatrixInequality& each : inequalities) rows += each.C.rows();
   for (double weight = kFirstWeight; weight < kMostWeight; weight *= kGrowth) {

@@ -19,7 +19,7 @@ struct MatrixInequality {
                                        const Eigen::VectorXd& y);
 
 /// How far one unknown can be raised.
-struct Raised {
+struct MaximisedComponent {
   Eigen::VectorXd y;  // strictly obeys all inequalities
   bool reached;       // y[which] > enough
 };
@@ -31,7 +31,7 @@ struct Raised {
 /// asks checks y.
 /// @param y  where all inequalities hold strictly
 /// Source: [BoydVandenberghe2004], chapter 11.
-[[nodiscard]] Raised raise(const std::vector<MatrixInequality>& inequalities, Eigen::VectorXd y,
-                           int which, double enough);
+[[nodiscard]] MaximisedComponent maximise_component(
+    const std::vector<MatrixInequality>& inequalities, Eigen::VectorXd y, int which, double enough);
 
 }  // namespace thenar::internal

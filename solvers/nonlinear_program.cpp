@@ -13,7 +13,7 @@
 #include <IpTNLP.hpp>
 
 #include "base/error.h"
-#include "solvers/first_order.h"
+#include "solvers/kkt_residual.h"
 
 namespace thenar {
 namespace {
@@ -241,11 +241,11 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
 
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
   const Outcome outcome = outcome_of(status);
-  Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, FirstOrder{}}, 0};
+  Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, KktResidual{}}, 0};
   NonlinearResult& result = run.result;
   if (IsValid(statistics)) result.iterations = statistics->IterationCount();
   if (!result.x.allFinite()) return run;
-  result.first_order = first_order(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
+  result.kkt_residual = kkt_residual(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
   run.slope = slope_terms(program, result.x, tnlp->row_prices(), tnlp->bound_prices());
   return run;
 }
@@ -253,7 +253,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
 /// Does what the status claims hold by our own arithmetic? NaN fails.
 bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, double certified) {
   const NonlinearResult& result = run.result;
-  const FirstOrder& at = result.first_order;
+  const KktResidual& at = result.kkt_residual;
   switch (result.status) {
     case NonlinearStatus::kSolved:
     case NonlinearStatus::kAcceptable: {
@@ -274,7 +274,7 @@ bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, 
 /// The word for an answer whose conditions fail.
 NonlinearResult refuted(NonlinearResult result) {
   if (result.status == NonlinearStatus::kStalled) return result;
-  const FirstOrder& at = result.first_order;
+  const KktResidual& at = result.kkt_residual;
   result.message = fmt::format(
       "{}, but first-order conditions do not hold: violation {:.2g}, stationarity {:.2g}, "
       "complementarity {:.2g}",
@@ -289,7 +289,7 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
                             const NonlinearOptions& options) {
   check(program, x0);
   if (x0.size() == 0) {
-    const FirstOrder at{violation(program, x0), 0, 0};
+    const KktResidual at{violation(program, x0), 0, 0};
     const bool feasible = at.violation <= options.certified;
     return {feasible ? NonlinearStatus::kSolved : NonlinearStatus::kInfeasible,
             "nothing to vary",

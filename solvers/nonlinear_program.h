@@ -47,7 +47,7 @@ enum class NonlinearStatus {
 };
 
 /// What is left of the first-order conditions at x, computed from the functions of the program.
-struct FirstOrder {
+struct KktResidual {
   double violation = kUnknown;        // of a bound or row, over max(1, |bound|)      [1]
   double stationarity = kUnknown;     // largest slope of the Lagrangian  [objective / x]
   double complementarity = kUnknown;  // sum of price times distance to its bound [objective]
@@ -56,12 +56,12 @@ struct FirstOrder {
 };
 
 struct NonlinearResult {
-  NonlinearStatus status;  // read this first
-  std::string message;     // the solver's own word for it
-  Eigen::VectorXd x;       // best point found (n)
-  double objective;        // there
-  int iterations;          // taken
-  FirstOrder first_order;  // there, by arithmetic of our own
+  NonlinearStatus status;    // read this first
+  std::string message;       // the solver's own word for it
+  Eigen::VectorXd x;         // best point found (n)
+  double objective;          // there
+  int iterations;            // taken
+  KktResidual kkt_residual;  // there, by arithmetic of our own
 };
 
 /// Minimises from `x0` by the interior-point method of Ipopt; prints nothing, reads no file.

@@ -54,7 +54,7 @@ void silent(int, const char*, const char*, char*, void*) {}
 }  // namespace
 
 struct __attribute__((visibility("hidden"))) StiffOde::Parts {
-  Parts(OdeSlope f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
+  Parts(OdeRightHandSide f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
       : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
     state = N_VNew_Serial(y.size(), context);
@@ -125,7 +125,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
             before.jacobians + jacobians};
   }
 
-  OdeSlope slope;
+  OdeRightHandSide slope;
   OdeJacobian jacobian;
   int max_steps;
   double time;
@@ -139,7 +139,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   void* cvode = nullptr;
 };
 
-StiffOde::StiffOde(OdeSlope slope, double time, const Eigen::VectorXd& y,
+StiffOde::StiffOde(OdeRightHandSide slope, double time, const Eigen::VectorXd& y,
                    const StiffOdeOptions& options) {
   require(y.size() > 0 && y.allFinite(), "wanted a state of finite numbers, got {} entries",
           y.size());

@@ -12,7 +12,7 @@ namespace thenar {
 /// f(t, y). A result that is not finite makes the integrator try a shorter step; an exception stops
 /// it and comes out of step().
 /// @param time  [s]
-using OdeSlope = std::function<Eigen::VectorXd(double time, const Eigen::VectorXd& y)>;
+using OdeRightHandSide = std::function<Eigen::VectorXd(double time, const Eigen::VectorXd& y)>;
 
 /// df/dy at (t, y) (n, n). It only steers the integrator's Newton steps: what a step is accepted by
 /// is f. One that is not finite makes the integrator try a shorter step.
@@ -47,7 +47,8 @@ class StiffOde {
  public:
   /// @param y  initial state (n)
   /// @throws InputError if a tolerance is not positive, or of the wrong length.
-  StiffOde(OdeSlope slope, double time, const Eigen::VectorXd& y, const StiffOdeOptions& options);
+  StiffOde(OdeRightHandSide slope, double time, const Eigen::VectorXd& y,
+           const StiffOdeOptions& options);
   ~StiffOde();
   StiffOde(StiffOde&&) noexcept;
   StiffOde& operator=(StiffOde&&) noexcept;

@@ -1,10 +1,13 @@
 #include "tendons/digit_tendons.h"
 
+#include <array>
+#include <cmath>
+
 namespace thenar {
 
 Eigen::MatrixXd DigitTendons::torque_by_posture(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                                const TendonPull& at) const {
-  if (TendonSlopes known = slopes(q, t); known.exist) return known.by_posture;
+                                                const TendonTorque& at) const {
+  if (TendonDerivatives known = slopes(q, t); known.exist) return known.by_posture;
   constexpr double kStep = 1e-5;  // [rad]
   Eigen::MatrixXd slope(q.size(), q.size());
   for (Eigen::Index j = 0; j < q.size(); ++j) {
@@ -13,6 +16,34 @@ Eigen::MatrixXd DigitTendons::torque_by_posture(const Eigen::VectorXd& q, const 
         (pull(q + step, t, at.nodes).tau - pull(q - step, t, at.nodes).tau) / (2 * kStep);
   }
   return slope;
+}
+
+Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
+                    const Eigen::VectorXd& to, const Eigen::VectorXd& t) {
+  struct Node {
+    double at, weight;  // on -1..1
+  };
+  static constexpr std::array<Node, 5> kGauss{{{-0.90617984593866399280, 0.23692688505618908751},
+                                               {-0.53846931010568309104, 0.47862867049936646804},
+                                               {0, 0.56888888888888888889},
+                                               {0.53846931010568309104, 0.47862867049936646804},
+                                               {0.90617984593866399280, 0.23692688505618908751}}};
+  constexpr double kPiece = 0.1;  // [rad]
+  const Eigen::VectorXd way = to - from;
+  const double longest = way.size() > 0 ? way.cwiseAbs().maxCoeff() : 0;
+  const int pieces = static_cast<int>(std::ceil(longest / kPiece));
+
+  Excursion sum{Eigen::VectorXd::Zero(t.size()), {}};
+  Eigen::Matrix3Xd nodes;
+  for (int k = 0; k < pieces; ++k)
+    for (const Node& node : kGauss) {
+      const double s = (k + (1 + node.at) / 2) / pieces;
+      const TendonTorque pull = tendons.pull(from + s * way, t, nodes);
+      sum.e -= node.weight / (2 * pieces) * (pull.R * way);
+      if (sum.warning.empty()) sum.warning = pull.warning;
+      nodes = pull.nodes;
+    }
+  return sum;
 }
 
 }  // namespace thenar

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "tendons/path_slopes.h"
+#include "tendons/path.h"
 #include "tendons/strand_paths.h"
 
 namespace thenar {
@@ -32,13 +32,13 @@ class StraightStrands : public StrandPaths {
     model_.friction.setZero();
   }
   [[nodiscard]] StrandArms arms(const TreeState<double>& state, const VectorXd& q) const override {
-    return {strand_arms(model_, state, q), "", TendonStatus::kSound};
+    return {strand_arms(model_, state, q), "", TendonStatus::kValid};
   }
-  [[nodiscard]] StrandSlopes slopes(const TreeState<double>& state,
-                                    const VectorXd& q) const override {
-    StrandSlopes slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
+  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& state,
+                                         const VectorXd& q) const override {
+    StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
-      slopes.dR.push_back(arm_slopes(model_.tree, state, path, model_.coordinates));
+      slopes.dR.push_back(arm_derivatives(model_.tree, state, path, model_.coordinates));
     return slopes;
   }
   [[nodiscard]] VectorXd lengths(const TreeState<double>& state, const VectorXd& q) const override {
@@ -59,7 +59,7 @@ VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const Ve
   VectorXd rate = VectorXd::Zero(static_cast<Eigen::Index>(model.paths.size()));
   if (!model.hood) return rate;
   for (const HoodShare<double>& share : model.hood_shares) {
-    const double by = share.slope * (knuckle_angle(model, q) - kHoodAngle);
+    const double by = share.slope * (mcp_angle(model, q) - kHoodAngle);
     const double c = shift_fraction(share.to_central, by);
     const double more = share.into_hood * share.slope * c * (1 - c) * t[share.muscle];
     const double radial = share.side == HoodSide::kRadial  ? more
@@ -73,14 +73,15 @@ VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const Ve
   return rate;
 }
 
-/// d(bending up to each coordinate)/dq, of what tension_left() sums [1] (coordinates, coordinates).
+/// d(bending up to each coordinate)/dq, of what remaining_tension() sums [1] (coordinates,
+/// coordinates).
 MatrixXd bend_rate(const TendonModel<double>& model, const VectorXd& q) {
   MatrixXd rate = MatrixXd::Zero(model.coordinates, model.coordinates);
   for (const SheathBend& bend : model.bends) {
     const int k = bend.angle.coordinate;
     if (k < 0) continue;
     const double slope = bend.angle.ratio * angle_at(bend.angle, q) / bend_size(bend.angle, q);
-    for (int j = bend.felt_from; j < model.coordinates; ++j) rate(j, k) += slope;
+    for (int j = bend.first_coordinate_beyond; j < model.coordinates; ++j) rate(j, k) += slope;
   }
   return rate;
 }
@@ -93,45 +94,45 @@ class LinearTendons : public DigitTendons {
 
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
 
-  TendonPull pull(const VectorXd& q, const VectorXd& t,
-                  const Eigen::Matrix3Xd& /*start*/) const override {
+  TendonTorque pull(const VectorXd& q, const VectorXd& t,
+                    const Eigen::Matrix3Xd& /*start*/) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     StrandArms arms = paths_->arms(pose_tree(model.tree, q), q);
     for (Eigen::Index s = 0; s < arms.R.rows(); ++s)
       if (model.friction[s] != 0)
         arms.R.row(s) =
-            arms.R.row(s).cwiseProduct(tension_left(model, q, model.friction[s]).transpose());
-    TendonPull pull;
+            arms.R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
+    TendonTorque pull;
     pull.R = strand_matrix(model, q).transpose() * arms.R;
     pull.tau = pull.R.transpose() * t;
     pull.slips = slip_tension(model, q, t);
-    pull.trouble = arms.trouble;
+    pull.warning = arms.warning;
     pull.status = arms.status;
     return pull;
   }
 
   [[nodiscard]] VectorXd lengths(const VectorXd& q, const VectorXd& t,
-                                 const TendonPull& /*at*/) const override {
+                                 const TendonTorque& /*at*/) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     return strand_matrix(model, q).transpose() * paths_->lengths(pose_tree(model.tree, q), q);
   }
 
   /// tau_j = sum over strands of f_s left_sj R_sj, f = S t; each factor may change with posture.
-  [[nodiscard]] TendonSlopes slopes(const VectorXd& q, const VectorXd& t) const override {
+  [[nodiscard]] TendonDerivatives slopes(const VectorXd& q, const VectorXd& t) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     const MatrixXd S = strand_matrix(model, q);
-    const StrandSlopes strands = paths_->slopes(pose_tree(model.tree, q), q);
-    TendonSlopes out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
-                     S.transpose() * strands.length};
+    const StrandDerivatives strands = paths_->slopes(pose_tree(model.tree, q), q);
+    TendonDerivatives out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
+                          S.transpose() * strands.length};
     if (!out.exist) return out;
     const VectorXd f = S * t, f_rate = hood_rate(model, q, t);
     const MatrixXd bending = bend_rate(model, q);
     for (Eigen::Index s = 0; s < f.size(); ++s) {
       const double mu = model.friction[s];
-      const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : tension_left(model, q, mu);
+      const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : remaining_tension(model, q, mu);
       const VectorXd arm = left.cwiseProduct(strands.R.row(s).transpose());
       out.by_posture += f[s] * (left.asDiagonal() * strands.dR[static_cast<std::size_t>(s)] -
                                 mu * MatrixXd(arm.asDiagonal() * bending));

@@ -13,12 +13,12 @@ namespace thenar {
 /// Moment arms at one posture, before friction in sheaths.
 struct [[nodiscard]] StrandArms {
   Eigen::MatrixXd R;                           // flexion + (strands, coordinates) [m/rad]
-  std::string trouble;                         // why not to trust them, in words; empty: nothing
-  TendonStatus status = TendonStatus::kSound;  // the worst of all strands
+  std::string warning;                         // why not to trust them, in words; empty: nothing
+  TendonStatus status = TendonStatus::kValid;  // the worst of all strands
 };
 
 /// Lengths, arms and their slopes at one posture, before friction in sheaths.
-struct [[nodiscard]] StrandSlopes {
+struct [[nodiscard]] StrandDerivatives {
   bool exist = true;                // false: a strand has no slopes here
   Eigen::MatrixXd R;                // as of StrandArms
   Eigen::VectorXd length;           // [m]; of strands with constant arms  -R q (strands)
@@ -31,11 +31,11 @@ class StrandPaths {
   virtual ~StrandPaths() = default;
   [[nodiscard]] virtual StrandArms arms(const TreeState<double>& state,
                                         const Eigen::VectorXd& q) const = 0;
-  /// As of StrandSlopes.
+  /// As of StrandDerivatives.
   [[nodiscard]] virtual Eigen::VectorXd lengths(const TreeState<double>& state,
                                                 const Eigen::VectorXd& q) const = 0;
-  [[nodiscard]] virtual StrandSlopes slopes(const TreeState<double>& state,
-                                            const Eigen::VectorXd& q) const = 0;
+  [[nodiscard]] virtual StrandDerivatives slopes(const TreeState<double>& state,
+                                                 const Eigen::VectorXd& q) const = 0;
 };
 
 /// Geodesics over the subject's surfaces; strands without a path keep their constant arms.

@@ -45,10 +45,10 @@ bool crosses_a_joint(const TendonPath<double>& path) {
                      [&](const PathNode<double>& node) { return node.link != path.front().link; });
 }
 
-/// Joints frozen by name, and the trunk unless it is free.
+/// Joints frozen by name, and the wrist_mode unless it is free.
 std::map<std::string, double> frozen_joints(const Subject& subject, const TendonOptions& options) {
   std::map<std::string, double> frozen = options.frozen;
-  if (options.trunk == Trunk::kWelded)
+  if (options.wrist_mode == WristMode::kWelded)
     for (const std::string& joint : shared_joints(subject)) frozen.emplace(joint, 0);
   return frozen;
 }
@@ -127,7 +127,7 @@ class DigitBuilder {
       const auto beyond =
           std::find_if(bends.begin() + static_cast<std::ptrdiff_t>(k) + 1, bends.end(),
                        [&](const SheathBend& later) { return later.angle.coordinate > before; });
-      if (beyond != bends.end()) bends[k].felt_from = beyond->angle.coordinate;
+      if (beyond != bends.end()) bends[k].first_coordinate_beyond = beyond->angle.coordinate;
     }
   }
 

@@ -33,7 +33,8 @@ template <typename T>
 /// A flexion joint, free, coupled or frozen, about which tendons bend in their sheaths.
 struct SheathBend {
   PostureAngle angle;
-  int felt_from;  // first coordinate whose joint lies beyond the bend; `coordinates` if none does
+  int first_coordinate_beyond;  // first coordinate whose joint lies beyond the bend; `coordinates`
+                                // if none does
 };
 
 /// Numbers of a digit; names are in TendonNames.
@@ -73,7 +74,7 @@ struct TendonDigit {
 };
 
 /// What becomes of joints that other digits share: the wrist.
-enum class Trunk {
+enum class WristMode {
   kWelded,  // at the reference posture, or where `frozen` says: a question of one fingertip
   kFree     // they move, and every tendon across them counts
 };
@@ -83,7 +84,7 @@ struct TendonOptions {
   Path path = Path::kViaPoint;             // kConstant: only the subject's constant arms
   Hood hood = Hood::kFractions;            // kSeparate: every muscle pulls its own strand only
   std::map<std::string, double> frozen{};  // joint -> the angle it is frozen at [rad]
-  Trunk trunk = Trunk::kWelded;
+  WristMode wrist_mode = WristMode::kWelded;
 };
 
 /// Builds one digit of a subject with every muscle that crosses one of its joints.
@@ -98,7 +99,7 @@ struct TendonOptions {
 /// wrist from the one that the hood's central slip crosses, be it free, coupled or frozen. It is 0
 /// without a hood and in a digit without such a joint [rad].
 template <typename T>
-[[nodiscard]] T knuckle_angle(const TendonModel<T>& model, const VectorX<T>& q) {
+[[nodiscard]] T mcp_angle(const TendonModel<T>& model, const VectorX<T>& q) {
   return angle_at(model.knuckle, q);
 }
 
@@ -108,7 +109,7 @@ template <typename T>
   MatrixX<T> S(model.paths.size(), model.pulls.size());
   S.setZero();
   for (std::size_t m = 0; m < model.pulls.size(); ++m) S(model.pulls[m], m) = T(1);
-  if (model.hood) add_hood(*model.hood, model.hood_shares, knuckle_angle(model, q), S);
+  if (model.hood) add_hood(*model.hood, model.hood_shares, mcp_angle(model, q), S);
   return S;
 }
 
@@ -127,15 +128,15 @@ template <typename T>
 /// Frozen joints bend the sheath like others. A joint that abducts feels as much as the flexion
 /// joint before it, so that a universal joint counts as one.
 template <typename T>
-[[nodiscard]] VectorX<T> tension_left(const TendonModel<T>& model, const VectorX<T>& q,
-                                      const T& mu) {
+[[nodiscard]] VectorX<T> remaining_tension(const TendonModel<T>& model, const VectorX<T>& q,
+                                           const T& mu) {
   using std::exp;
   VectorX<T> left = VectorX<T>::Ones(model.coordinates);
   T bent(0);
   auto bend = model.bends.begin();
   for (int j = 0; j < model.coordinates; ++j) {
     if (j > 0) left[j] = left[j - 1];
-    for (; bend != model.bends.end() && bend->felt_from <= j; ++bend) {
+    for (; bend != model.bends.end() && bend->first_coordinate_beyond <= j; ++bend) {
       bent += bend_size(bend->angle, q);
       left[j] = exp(-mu * bent);
     }
@@ -153,7 +154,7 @@ template <typename T>
       R.row(s) = moment_arms(model.tree, state, model.paths[s], model.coordinates);
     // Where derivatives are carried, they must not be lost at zero.
     if (!std::is_same_v<T, double> || model.friction[s] != T(0))
-      R.row(s) = R.row(s).cwiseProduct(tension_left(model, q, model.friction[s]).transpose());
+      R.row(s) = R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
   }
   return R;
 }

@@ -14,7 +14,7 @@ Json error_row(const std::string& specimen, const std::string& what, const std::
                const Prediction& prediction) {
   const ForceError& error = prediction.error;
   return Json::array({specimen, what,
-                      prediction.start_has_seen ? "all rows, in its calibration" : seen,
+                      prediction.calibrated_on_specimen ? "all rows, in its calibration" : seen,
                       error.relative, error.relative_flexion, error.rms, degrees(error.direction)});
 }
 
@@ -27,8 +27,8 @@ Json rows_of(const SpecimenStudy& study) {
                            study.postures.experiments.front()));
   rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
                            study.tendons.experiments.front()));
-  for (const Rival& rival : study.rivals)
-    rows.push_back(error_row(specimen, rival.name, rival.note, rival.prediction));
+  for (const BaselinePrediction& baseline : study.baselines)
+    rows.push_back(error_row(specimen, baseline.name, baseline.note, baseline.prediction));
   return rows;
 }
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "sampling/diagnostics/chain_parts.h"
+#include "sampling/diagnostics/split_chains.h"
 #include "viewer/chain_shapes.h"
 #include "viewer/draw_blocks.h"
 

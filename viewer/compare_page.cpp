@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "base/units.h"
-#include "grasp/closing_drives.h"
+#include "grasp/closing/closing_drives.h"
 #include "viewer/compare_tables.h"
 #include "viewer/grasp_page.h"
 #include "viewer/grasp_view.h"

@@ -59,7 +59,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
     approaches += cell->approaches;
     held += cell->closures > 0 ? 1 : 0;
     best.push_back(cell->quantile(1));
-    limited.push_back(cell->own_epsilon().most);
+    limited.push_back(cell->best_hand_epsilon().most);
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
   return {hand,
@@ -113,8 +113,8 @@ Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
   Json row = Json::array(
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
-       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.own_epsilon().most),
-       finite(cell.least_hold())});
+       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().most),
+       finite(cell.min_grasp_force())});
   for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).most));
   return row;
 }
@@ -183,7 +183,7 @@ Json digit_rows(const Comparison& comparison) {
       rows.push_back({hand.hand, digit.digit, digit.dimension,
                       solid ? finite(rounded_to(1e6 * digit.workspace, error)) : Json(),
                       solid ? finite(rounded_to(error, error)) : Json(),
-                      finite(digit.closing_force), finite(digit.largest_force)});
+                      finite(digit.closing_force), finite(digit.max_tip_force)});
     }
   return rows;
 }
@@ -248,7 +248,9 @@ Json glance_section(const Comparison& comparison) {
 Json cells_section(const Comparison& comparison) {
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
   const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
-  const auto limited = [](const HandOnObject& cell) { return finite(cell.own_epsilon().most); };
+  const auto limited = [](const HandOnObject& cell) {
+    return finite(cell.best_hand_epsilon().most);
+  };
   Json blocks =
       Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),
                    matrix(comparison, "Largest epsilon reached; n/a: no force closure.", 3, best),

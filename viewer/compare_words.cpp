@@ -77,7 +77,7 @@ std::string unknown_words(const HandOnObject& cell, const std::vector<std::strin
     if (load.known < load.of)
       parts.push_back(fmt::format("{} {} of {}", name, load.of - load.known, load.of));
   };
-  tell(kEpsilon, cell.own_epsilon());
+  tell(kEpsilon, cell.best_hand_epsilon());
   for (const std::string& task : tasks) tell(task, cell.load(grasp_task(task)));
   if (parts.empty()) return "";
   const std::string why = why_unknown(cell);

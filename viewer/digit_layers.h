@@ -2,7 +2,7 @@
 
 /// A digit as layers of a 3D scene: bones, joint axes, tendons, forces.
 
-#include "tendons/feasible_set.h"
+#include "tendons/forces/feasible_force_set.h"
 #include "tendons/tendon_model.h"
 #include "viewer/blocks.h"
 

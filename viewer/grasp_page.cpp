@@ -99,7 +99,7 @@ Json contact_section(const GraspStory& story) {
 Json joint_section(const GraspStory& story) {
   const Hand& hand = *story.hand.hand;
   const ClosedHand& closed = story.grasp.closed;
-  const PosedHand posed{story.hand, story.grasp.approached.X_WH, hand.pose(closed.q)};
+  const PosedCollisionHand posed{story.hand, story.grasp.approached.X_WH, hand.pose(closed.q)};
   const std::vector<std::string> words =
       stop_words(story.hand, closed, find_touching(posed, story.scene, kTouches));
   Json rows = Json::array();

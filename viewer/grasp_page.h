@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grasp/grasp.h"
+#include "grasp/closing/grasp.h"
 #include "viewer/grasp_words.h"
 #include "viewer/hand_picture.h"
 
@@ -20,11 +20,11 @@ struct MeasureRow {
 /// What a page tells of a grasp.
 struct GraspStory {
   const HandPicture& picture;  // the hand where it ended
-  const TouchingHand& hand;
+  const CollisionHand& hand;
   const Scene& scene;
   const Grasp& grasp;
   WrenchSet wrenches;               // of the contacts, as they were measured
-  ForceLimit limit;                 // of contact forces
+  ForceNorm limit;                  // of contact forces
   Eigen::Vector3d eye{1, -1, 0.7};  // direction the picture is taken from, world frame (3)
   std::vector<std::string> warnings;
   std::vector<MeasureRow> measures;    // what the hand can do, beside epsilon

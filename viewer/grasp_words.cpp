@@ -14,29 +14,29 @@ constexpr double kShare = 1.0 / 3;         // of the largest part that is still 
 constexpr double kAtLimit = 1e-9;          // as in closing [rad] or [m]
 constexpr double kNoTurn = 1e-12;          // [1]
 constexpr double kEpsilonRounding = 1e-9;  // of an epsilon of unit forces [1]
-constexpr double kSearch = 1.0 / 4;        // of what still touches: how exactly gaps are measured
+constexpr double kSearch = 1.0 / 4;  // of what still touches: how exactly clearances are measured
 
 const std::string& name_of(const Hand& hand, int surface) {
   return hand.surfaces()[static_cast<std::size_t>(surface)].name;
 }
 
 /// Gaps with the scene, and between all surfaces that may meet.
-std::vector<Gap> all_gaps(const PosedHand& posed, const Scene& scene) {
-  std::vector<Gap> gaps = scene_gaps(posed, scene);
+std::vector<Clearance> all_gaps(const PosedCollisionHand& posed, const Scene& scene) {
+  std::vector<Clearance> clearances = scene_clearances(posed, scene);
   for (const SurfacePair& pair : posed.touching.self) {
-    Gap gap{pair.a, pair.b};
-    gap.bound = ball_bound(gap, posed);
-    gaps.push_back(gap);
+    Clearance clearance{pair.a, pair.b};
+    clearance.bound = ball_bound(clearance, posed);
+    clearances.push_back(clearance);
   }
-  return gaps;
+  return clearances;
 }
 
-bool moves(const TouchingHand& hand, int surface, int coordinate) {
+bool moves(const CollisionHand& hand, int surface, int coordinate) {
   return surface >= 0 && hand.moved_by(surface, coordinate);
 }
 
 /// What touches beyond a coordinate: of parts of the hand on both sides of it.
-std::string contact_words(const TouchingHand& hand, int coordinate,
+std::string contact_words(const CollisionHand& hand, int coordinate,
                           const std::vector<Touching>& touching) {
   std::vector<std::string> found;
   for (const Touching& each : touching) {
@@ -48,7 +48,7 @@ std::string contact_words(const TouchingHand& hand, int coordinate,
 }
 
 /// The large parts, those of the first three named `along`, the others `about`.
-std::string large_parts(const Wrench& vector, const char* along, const char* about) {
+std::string large_parts(const ScaledWrench& vector, const char* along, const char* about) {
   const double largest = vector.cwiseAbs().maxCoeff();
   if (!(largest > 0)) return "none";
   std::vector<std::string> parts;
@@ -61,21 +61,24 @@ std::string large_parts(const Wrench& vector, const char* along, const char* abo
 
 }  // namespace
 
-std::vector<Touching> find_touching(const PosedHand& posed, const Scene& scene, double within) {
+std::vector<Touching> find_touching(const PosedCollisionHand& posed, const Scene& scene,
+                                    double within) {
   std::vector<Touching> touching;
-  for (Gap& gap : all_gaps(posed, scene)) {
-    if (gap.bound > within) continue;
-    const double distance = measure(gap, posed, kSearch * within, 2 * within).distance;
-    const bool self = gap.body == nullptr;
+  for (Clearance& clearance : all_gaps(posed, scene)) {
+    if (clearance.bound > within) continue;
+    const double distance =
+        measure_clearance(clearance, posed, kSearch * within, 2 * within).distance;
+    const bool self = clearance.body == nullptr;
     if (distance > within || (self && distance < -within)) continue;  // neighbours overlap
-    touching.push_back({gap.surface,
-                        self ? name_of(*posed.touching.hand, gap.other) : gap.body->name, distance,
-                        self ? gap.other : -1});
+    touching.push_back(
+        {clearance.surface,
+         self ? name_of(*posed.touching.hand, clearance.other) : clearance.body->name, distance,
+         self ? clearance.other : -1});
   }
   return touching;
 }
 
-std::vector<std::string> stop_words(const TouchingHand& hand, const ClosedHand& closed,
+std::vector<std::string> stop_words(const CollisionHand& hand, const ClosedHand& closed,
                                     const std::vector<Touching>& touching) {
   const HandLayout& layout = hand.hand->layout();
   std::vector<std::string> words;
@@ -118,11 +121,11 @@ std::string value_words(double value, bool slides) {
                 : fmt::format("{:.1f} deg", rounded / 10 + 0.0);
 }
 
-std::string direction_words(const Wrench& wrench) {
+std::string direction_words(const ScaledWrench& wrench) {
   return large_parts(wrench, "force along", "torque about");
 }
 
-std::string motion_words(const Wrench& motion) {
+std::string motion_words(const ScaledWrench& motion) {
   return large_parts(motion, "along", "turning about");
 }
 
@@ -139,13 +142,13 @@ std::string overlap_words(const std::vector<Overlap>& overlaps) {
 }
 
 std::string own_overlap_words(const ClosedHand& closed) {
-  if (closed.own.empty()) return "";
+  if (closed.self_overlaps.empty()) return "";
   return "links of the hand begin in each other, and do not stop each other: " +
-         overlap_words(closed.own);
+         overlap_words(closed.self_overlaps);
 }
 
 std::string outcome_words(const Grasp& grasp) {
-  const Approached& way = grasp.approached;
+  const ApproachResult& way = grasp.approached;
   switch (grasp.outcome) {
     case GraspOutcome::kGrasped:
       return fmt::format("{}: {} contact{}, {}",

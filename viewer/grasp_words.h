@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grasp/grasp.h"
+#include "grasp/closing/grasp.h"
 
 namespace thenar {
 
@@ -19,12 +19,12 @@ struct Touching {
 
 /// Everything a posed hand touches, itself included; links of it that overlap by design are not
 /// meant. @param within  what still touches [m]
-[[nodiscard]] std::vector<Touching> find_touching(const PosedHand& posed, const Scene& scene,
-                                                  double within);
+[[nodiscard]] std::vector<Touching> find_touching(const PosedCollisionHand& posed,
+                                                  const Scene& scene, double within);
 
 /// What stopped every coordinate: "at its upper limit", "contact: DP2 on can",
 /// "coupled with one that is stopped", "nothing drives it", "free".
-[[nodiscard]] std::vector<std::string> stop_words(const TouchingHand& hand,
+[[nodiscard]] std::vector<std::string> stop_words(const CollisionHand& hand,
                                                   const ClosedHand& closed,
                                                   const std::vector<Touching>& touching);
 
@@ -36,10 +36,10 @@ struct Touching {
 
 /// The large parts of a direction: "force along -z, torque about +x". Parts below a third of the
 /// largest are left out.
-[[nodiscard]] std::string direction_words(const Wrench& wrench);
+[[nodiscard]] std::string direction_words(const ScaledWrench& wrench);
 
 /// The same of a motion: "along -z, turning about +x".
-[[nodiscard]] std::string motion_words(const Wrench& motion);
+[[nodiscard]] std::string motion_words(const ScaledWrench& motion);
 
 /// An epsilon as it is shown: 0 where it is within 1e-9, to which epsilon() is exact, and never -0.
 [[nodiscard]] double without_rounding(double epsilon);

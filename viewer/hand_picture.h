@@ -4,10 +4,10 @@
 
 #include <vector>
 
+#include "grasp/closing/scene.h"
 #include "grasp/contact/contact.h"
-#include "grasp/scene.h"
 #include "hand/hand.h"
-#include "hand/skin/hand_marks.h"
+#include "hand/skin/skin_landmarks.h"
 #include "viewer/mesh_table.h"
 
 namespace thenar {

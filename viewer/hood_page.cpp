@@ -13,9 +13,9 @@ Json error_table(const std::vector<HoodComparison>& comparisons) {
   for (const HoodComparison& comparison : comparisons)
     for (const HoodRung& rung : comparison.rungs)
       rows.push_back({comparison.experiment, rung_name(rung),
-                      rung.prediction.start_has_seen ? "yes" : "no", rung.prediction.error.relative,
-                      rung.hood_muscles.relative, rung.off_finest, 1e6 * rung.seconds,
-                      rung.trouble.size()});
+                      rung.prediction.calibrated_on_specimen ? "yes" : "no",
+                      rung.prediction.error.relative, rung.hood_muscles.relative,
+                      rung.relative_to_finest, 1e6 * rung.seconds, rung.warning.size()});
   return table_block(
       "Errors of predicted fingertip forces, nothing fitted here (the subject may have been "
       "calibrated on the specimen before): of all trials, of those whose muscles pull on the hood "
@@ -59,7 +59,7 @@ Json time_charts(const std::vector<HoodComparison>& comparisons) {
                                 [](const HoodRung& r) { return r.prediction.error.relative; }));
     distances.push_back(time_chart(comparison, "Distance from the forces of the finest rung, those",
                                    "off finest [1]",
-                                   [](const HoodRung& r) { return r.off_finest; }));
+                                   [](const HoodRung& r) { return r.relative_to_finest; }));
   }
   return {row_block(errors), row_block(distances)};
 }

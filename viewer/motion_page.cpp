@@ -77,7 +77,7 @@ Json motion_section(const DigitTendons& tendons, const Trajectory& t) {
                    lines("Place of the tip in the subject's frame", "tip [mm]", t, {"x", "y", "z"},
                          1e3 * t.tip)});
   std::string text = "Fidelity: " + describe(t.fidelity) + ".";
-  if (!t.trouble.empty()) text += "\n\nTrouble: " + t.trouble + ".";
+  if (!t.warning.empty()) text += "\n\nTrouble: " + t.warning + ".";
   return section("motion", "Motion", text, blocks);
 }
 
@@ -98,7 +98,7 @@ Json muscle_section(const Trajectory& t) {
 
 Json energy_section(const Trajectory& t) {
   Eigen::MatrixXd energy(t.time.size(), 3);
-  energy << (t.energy.array() - t.energy[0]).matrix(), t.work, t.lost;
+  energy << (t.energy.array() - t.energy[0]).matrix(), t.work, t.dissipated;
   return section(
       "energy", "Energy",
       fmt::format("Energy of motion, weights, springs and stops is what tendons put in less what "

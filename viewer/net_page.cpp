@@ -100,7 +100,7 @@ Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint&
   const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
   return {{"type", "scene"},
           {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
-                          (point.pull.trouble.empty() ? "" : "; " + point.pull.trouble)},
+                          (point.pull.warning.empty() ? "" : "; " + point.pull.warning)},
           {"up", list(palm.dorsal)},
           {"view", list(view)},
           {"link", "net"},
@@ -168,12 +168,12 @@ Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std:
 
 /// Where not to trust the sweep, in one line; empty: nowhere.
 std::string trouble_line(const TendonSweep& sweep) {
-  const auto troubled = [](const DigitPoint& point) { return !point.pull.trouble.empty(); };
+  const auto troubled = [](const DigitPoint& point) { return !point.pull.warning.empty(); };
   const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), troubled);
   if (first == sweep.points.end()) return "";
   return fmt::format("{} of {} postures, first {}: {}.",
                      std::count_if(first, sweep.points.end(), troubled), sweep.points.size(),
-                     title(sweep, *first), first->pull.trouble);
+                     title(sweep, *first), first->pull.warning);
 }
 
 Json net_section(const TendonSweep& sweep, const NetTendons& net) {
@@ -236,10 +236,10 @@ Json slip_charts(const TendonSweep& sweep) {
 
 Json tendon_page(const TendonSweep& sweep) {
   Json sections = Json::array();
-  const std::string trouble = trouble_line(sweep);
-  if (!trouble.empty())
+  const std::string warning = trouble_line(sweep);
+  if (!warning.empty())
     sections.push_back(
-        section("trouble", "Not to be trusted", "", Json::array({text_block(trouble)})));
+        section("trouble", "Not to be trusted", "", Json::array({text_block(warning)})));
   const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
   if (net != nullptr) sections.push_back(net_section(sweep, *net));
   if (sweep.row < 2) return sections;

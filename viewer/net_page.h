@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "tendons/net/digit_sweep.h"
+#include "tendons/net/posture_sweep.h"
 #include "viewer/blocks.h"
 
 namespace thenar {

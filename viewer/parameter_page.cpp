@@ -15,7 +15,7 @@ constexpr std::size_t kShown = 24;  // rows of the forest plot
 /// One coordinate of a single-specimen fit, in units of its prior sd.
 Json interval_row(const Fit& fit, int coordinate) {
   const auto c = static_cast<std::size_t>(coordinate);
-  const Learnt& learnt = fit.covariance.learnt[c];
+  const CoordinateEstimate& learnt = fit.covariance.learnt[c];
   const Parameter& p = fit.problem.parameters().all[fit.problem.parameters().leader[c]];
   const double unit = std::hypot(p.sd, p.between_sd) * display_scale(p);
   const double value = p.mean * display_scale(p) + unit * learnt.z;
@@ -32,7 +32,7 @@ Json interval_row(const Fit& fit, int coordinate) {
 
 /// The coordinates that the data pinned down most, then some that they do not know.
 Json forest(const SpecimenStudy& study) {
-  const std::vector<int> order = by_knowledge(study.fit.covariance);
+  const std::vector<int> order = sorted_by_sd(study.fit.covariance);
   Json rows = Json::array();
   for (std::size_t k = 0; k < std::min(kShown, order.size()); ++k)
     rows.push_back(interval_row(study.fit, order[k]));
@@ -70,7 +70,8 @@ Json profiles(const SpecimenStudy& study) {
 
 Json null_table(const SpecimenStudy& study) {
   Json rows = Json::array();
-  for (const NullDirection& null : study.fit.covariance.nulls) rows.push_back({null.text});
+  for (const NullDirection& null : study.fit.covariance.null_directions)
+    rows.push_back({null.text});
   return table_block(
       fmt::format(
           "{}: {} of {} directions are known from the prior alone ({} forces were measured)",

@@ -8,8 +8,8 @@ namespace {
 
 Json row(const std::string& specimen, const std::string& what, const Prediction& prediction) {
   const ForceError& error = prediction.error;
-  return Json::array({specimen, what, prediction.start_has_seen ? "yes" : "no", error.relative,
-                      error.relative_flexion, error.rms,
+  return Json::array({specimen, what, prediction.calibrated_on_specimen ? "yes" : "no",
+                      error.relative, error.relative_flexion, error.rms,
                       error.covered ? Json(100 * *error.covered) : Json(nullptr)});
 }
 
@@ -23,13 +23,13 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
     rows.push_back(row(specimen, "by the population, in sample", study.as_unseen[e]));
     rows.push_back(
         row(specimen, "by the other specimens, left out", study.specimens.experiments[e]));
-    for (const Rival& rival : studies[e].rivals)
-      rows.push_back(row(specimen, rival.name, rival.prediction));
+    for (const BaselinePrediction& baseline : studies[e].baselines)
+      rows.push_back(row(specimen, baseline.name, baseline.prediction));
   }
-  for (const Unseen& unseen : study.unseen) {
+  for (const UnseenSpecimen& unseen : study.unseen) {
     rows.push_back(row(unseen.specimen, "by the population, never fitted", unseen.prediction));
-    for (const Rival& rival : unseen.rivals)
-      rows.push_back(row(unseen.specimen, rival.name, rival.prediction));
+    for (const BaselinePrediction& baseline : unseen.baselines)
+      rows.push_back(row(unseen.specimen, baseline.name, baseline.prediction));
   }
   Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
                                          {{"specimen", ""},
@@ -40,7 +40,7 @@ Json population_page(const PopulationStudy& study, const std::vector<SpecimenStu
                                           {"RMS error", "N", 3},
                                           {"in 95 % interval", "%", 0}},
                                          rows)});
-  for (const Unseen& unseen : study.unseen)
+  for (const UnseenSpecimen& unseen : study.unseen)
     blocks.push_back(force_panels(
         unseen.prediction,
         fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",

@@ -20,17 +20,17 @@ void add(const PosteriorPicture& picture, const std::string& id, const std::stri
          const std::string& text, Json blocks, Json& sections) {
   if (blocks.empty()) return;
   // A reader may come by a link to any section.
-  if (!sections.empty() && !picture.convergence.reasons.empty()) {
+  if (!sections.empty() && !picture.convergence.warnings.empty()) {
     const Json warning{{"type", "banner"}, {"ok", false}, {"title", kNotConverged}};
     blocks.insert(blocks.begin(), warning);
   }
   sections.push_back(section(picture.prefix + id, titled(picture, title), text, std::move(blocks)));
 }
 
-/// A banner of doubts, if there are any.
-void add_doubts(const std::string& title, const std::vector<std::string>& doubts, Json& blocks) {
-  if (!doubts.empty())
-    blocks.push_back({{"type", "banner"}, {"ok", false}, {"title", title}, {"reasons", doubts}});
+/// A banner of warnings, if there are any.
+void add_doubts(const std::string& title, const std::vector<std::string>& warnings, Json& blocks) {
+  if (!warnings.empty())
+    blocks.push_back({{"type", "banner"}, {"ok", false}, {"title", title}, {"reasons", warnings}});
 }
 
 Json convergence_blocks(const PosteriorPicture& picture) {
@@ -78,7 +78,7 @@ Json forces_blocks(const PosteriorPicture& picture) {
   for (const PredictedForces& predicted : picture.predicted)
     blocks.push_back(predictive_block(predicted));
   if (picture.left_out) {
-    add_doubts("Leaving observations out is doubtful", picture.left_out->result.doubts, blocks);
+    add_doubts("Leaving observations out is doubtful", picture.left_out->result.warnings, blocks);
     blocks.push_back(pareto_chart(*picture.left_out));
   }
   return blocks;
@@ -86,14 +86,14 @@ Json forces_blocks(const PosteriorPicture& picture) {
 
 Json mode_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array();
-  add_doubts("The shares of the modes are not to be trusted", picture.modes->doubts, blocks);
+  add_doubts("The shares of the modes are not to be trusted", picture.modes->warnings, blocks);
   blocks.push_back(mode_table(*picture.modes, picture.quantities));
   return blocks;
 }
 
 Json calibration_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array();
-  add_doubts("The sampler is not calibrated", picture.calibration->reasons, blocks);
+  add_doubts("The sampler is not calibrated", picture.calibration->warnings, blocks);
   blocks.push_back(calibration_chart(*picture.calibration));
   return blocks;
 }
@@ -101,15 +101,15 @@ Json calibration_blocks(const PosteriorPicture& picture) {
 }  // namespace
 
 Json convergence_banner(const Convergence& convergence, const std::string& run) {
-  const bool ok = convergence.reasons.empty();
+  const bool ok = convergence.warnings.empty();
   Json banner{{"type", "banner"},
               {"ok", ok},
               {"title", ok ? "The chains agree" : kNotConverged},
-              {"reasons", convergence.reasons}};
+              {"reasons", convergence.warnings}};
   banner["text"] =
       ok ? fmt::format("Largest R-hat {:.4f}, least bulk ESS {:.0f}, least tail ESS {:.0f}. {}",
-                       convergence.worst_r_hat, convergence.least_bulk_ess,
-                       convergence.least_tail_ess, run)
+                       convergence.worst_r_hat, convergence.min_bulk_ess, convergence.min_tail_ess,
+                       run)
          : "No number of this posterior may be relied on: chains that disagree, or remember too "
            "long, do not describe the distribution they were sent to. " +
                run;

@@ -19,10 +19,10 @@ namespace thenar {
 
 /// Simulation-based calibration: ranks of true values among draws of simulated data.
 struct CalibrationRanks {
-  std::vector<std::string> names;    // of the quantities (quantities)
-  Eigen::MatrixXi rank;              // 0 .. draws (quantities, simulations)
-  int draws = 0;                     // of each simulation
-  std::vector<std::string> reasons;  // to doubt the sampler, as RankCalibration::reasons
+  std::vector<std::string> names;     // of the quantities (quantities)
+  Eigen::MatrixXi rank;               // 0 .. draws (quantities, simulations)
+  int draws = 0;                      // of each simulation
+  std::vector<std::string> warnings;  // to doubt the sampler, as RankCalibration::warnings
 };
 
 /// Predicted and measured forces of one experiment.

@@ -16,7 +16,7 @@ constexpr long kPredictiveDraws = 2000;
 constexpr std::size_t kDoubtful = 8;  // quantities shown for their R-hat
 
 /// Which quantities to show, in their order: the most doubtful, and those most was learnt about.
-std::vector<std::size_t> chosen(const std::vector<ReadQuantity>& quantities,
+std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities,
                                 const std::vector<Estimate>& estimates, std::size_t most) {
   std::vector<std::size_t> order(quantities.size());
   std::iota(order.begin(), order.end(), 0);
@@ -36,7 +36,7 @@ std::vector<std::size_t> chosen(const std::vector<ReadQuantity>& quantities,
 /// Adds the quantities, and says which of all they are.
 void add_quantities(const PosteriorRun& run, const PictureOptions& options,
                     PosteriorPicture& picture) {
-  const std::vector<ReadQuantity> read = read_quantities(run);
+  const std::vector<PosteriorQuantity> read = posterior_quantities(run);
   const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
   for (const std::size_t i : chosen(read, estimates, options.most)) {
     picture.quantities.push_back({read[i].name,
@@ -78,7 +78,7 @@ std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
     predicted.push_back({experiment,
                          predict_draws(run, experiment, specimen, kPredictiveDraws).replicated,
                          experiment.name + ", in sample" +
-                             (start_has_seen(run.posterior->problem().digit(), experiment)
+                             (calibrated_on_specimen(run.posterior->problem().digit(), experiment)
                                   ? "; the subject of the prior has seen this specimen"
                                   : "")});
   }

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace internal {

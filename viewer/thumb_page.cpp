@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "tendons/feasible_force.h"
-#include "tendons/feasible_set.h"
+#include "tendons/forces/feasible_force_set.h"
+#include "tendons/forces/max_tip_force.h"
 #include "tendons/tendon_model.h"
 #include "viewer/digit_layers.h"
 
@@ -53,8 +53,8 @@ Json row(const Shown& thumb) {
   Json cells = Json::array(
       {thumb.of.title, thumb.set.dimension, thumb.set.vertices.rows(), thumb.set.volume});
   for (int k = 0; k < 6; ++k) {
-    const LargestForce most =
-        largest_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
+    const MaxTipForce most =
+        max_tip_force(thumb.statics, (k % 2 == 0 ? 1.0 : -1.0) * axes.col(k / 2));
     cells.push_back(most.status == ForceStatus::kSolved
                         ? Json(std::round(1e6 * most.magnitude) / 1e6)
                         : Json(nullptr));

@@ -80,16 +80,16 @@ Json reference_row(const char* name, const ThumbReference& reference, const Json
 }
 
 Json convergence_block(const ThumbStudy& study) {
-  Json reasons = Json::array();
+  Json warnings = Json::array();
   for (const ThumbFit& fit : study.fits)
-    for (const std::string& reason : fit.run.convergence.reasons)
-      reasons.push_back(describe_fit(fit.settings) + ": " + reason);
-  if (!study.complete) reasons.push_back("the study was stopped: some fits are missing");
-  const bool ok = reasons.empty();
+    for (const std::string& reason : fit.run.convergence.warnings)
+      warnings.push_back(describe_fit(fit.settings) + ": " + reason);
+  if (!study.complete) warnings.push_back("the study was stopped: some fits are missing");
+  const bool ok = warnings.empty();
   return {{"type", "banner"},
           {"ok", ok},
           {"title", ok ? "The chains of all fits agree" : "Some fits are NOT to be relied on"},
-          {"reasons", reasons},
+          {"reasons", warnings},
           {"text", fmt::format("{} fits by NUTS, 4 chains each, R-hat below 1.01 asked of every "
                                "number",
                                study.fits.size())}};
@@ -208,11 +208,12 @@ Json thumb_mode_table(const ThumbStudy& study) {
       const ModeMass& mode = fit.run.mode_table.modes[m];
       const bool known = mode.known >= 0;
       const Mode* found = known ? &fit.run.modes[static_cast<std::size_t>(mode.known)] : nullptr;
-      rows.push_back({describe_fit(fit.settings), m + 1, known ? Json(found->cost) : Json(nullptr),
-                      known ? Json(found->hits) : Json(nullptr),
-                      known ? Json(100 * found->laplace_mass) : Json(nullptr), 100 * mode.mass,
-                      100 * mode.mcse, mode.crossings,
-                      fit.run.mode_table.doubts.empty() ? "" : fit.run.mode_table.doubts.front()});
+      rows.push_back(
+          {describe_fit(fit.settings), m + 1, known ? Json(found->cost) : Json(nullptr),
+           known ? Json(found->hits) : Json(nullptr),
+           known ? Json(100 * found->laplace_mass) : Json(nullptr), 100 * mode.mass,
+           100 * mode.mcse, mode.crossings,
+           fit.run.mode_table.warnings.empty() ? "" : fit.run.mode_table.warnings.front()});
     }
   return table_block(
       "Modes of every posterior: searches from many starts that ended there, the share that "
@@ -243,13 +244,13 @@ Json thumb_study_section(const ThumbStudy& study,
   blocks = joined(std::move(blocks), clouds_block(study));
   blocks.push_back(thumb_mode_table(study));
   if (calibration && !calibration->judged.parameters.empty()) {
-    if (!calibration->judged.reasons.empty())
+    if (!calibration->judged.warnings.empty())
       blocks.push_back({{"type", "banner"},
                         {"ok", false},
                         {"title", "The sampler is not calibrated on thumbs"},
-                        {"reasons", calibration->judged.reasons}});
-    blocks.push_back(calibration_chart(
-        {calibration->names, calibration->rank, calibration->ranked, calibration->judged.reasons}));
+                        {"reasons", calibration->judged.warnings}});
+    blocks.push_back(calibration_chart({calibration->names, calibration->rank, calibration->ranked,
+                                        calibration->judged.warnings}));
   }
   return section("thumb-study", "What forces tell of a thumb's axes", kIntroduction,
                  std::move(blocks));

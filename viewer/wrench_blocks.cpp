@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "grasp/quality/force_set.h"
-#include "grasp/quality/wrench_picture.h"
+#include "grasp/limits/force_set.h"
+#include "grasp/quality/wrench_set_mesh.h"
 
 namespace thenar {
 namespace {
@@ -27,7 +27,7 @@ Json number_table(const GraspStory& story) {
   rows.push_back({"signed epsilon", enclosed(e)});
   rows.push_back({"force closure", e.force_closure ? "yes" : "no"});
   rows.push_back({"rank of the wrenches", fmt::format("{} of 6", e.rank)});
-  rows.push_back({"limit of forces", story.limit == ForceLimit::kL1
+  rows.push_back({"limit of forces", story.limit == ForceNorm::kL1
                                          ? "normal forces sum up to 1 (L1)"
                                          : "each normal force is at most 1 (L-infinity)"});
   rows.push_back({"torques divided by",
@@ -72,7 +72,7 @@ Json friction_chart(const GraspStory& story) {
 }
 
 Json mesh_layer(const std::string& name, const std::string& color, double opacity,
-                const WrenchPicture& picture, MeshTable& meshes) {
+                const WrenchSetMesh& picture, MeshTable& meshes) {
   TriangleMesh mesh = picture.mesh;
   mesh.vertices /= 1000;          // the table counts in mm, the scene in N
   constexpr double kCrease = 20;  // [deg]
@@ -100,12 +100,12 @@ Json set_scene(const GraspStory& story, int first, const std::string& caption, M
   const ForceSet forces = unit_forces(story.wrenches, story.limit);
   const std::array<int, 3> coordinates{first, first + 1, first + 2};
   const auto draw = [&](PictureKind kind) {
-    return wrench_picture(forces, coordinates, kind, kPieces);
+    return wrench_set_mesh(forces, coordinates, kind, kPieces);
   };
   Json layers = Json::array({axes_layer()});
   layers.push_back(
       mesh_layer("all wrenches", kShadow, 0.25, draw(PictureKind::kProjection), meshes));
-  const WrenchPicture slice = draw(PictureKind::kSlice);
+  const WrenchSetMesh slice = draw(PictureKind::kSlice);
   if (story.grasp.quality.force_closure && slice.failed == 0)
     layers.push_back(
         mesh_layer(first == 0 ? "without torque" : "without force", kSlice, 0.75, slice, meshes));

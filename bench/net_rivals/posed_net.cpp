@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar::bench {
 namespace {
@@ -16,11 +16,11 @@ BandPull elastic(double EA, double toe, double slack, double length) {
 }
 
 /// The chord of a band in its surface's frame, turned back into the world.
-Chord chord_in_world(const BoneSurface& surface, const Pose<double>& X_WS,
-                     const Eigen::Vector3d& side_S, const Eigen::Vector3d& a,
-                     const Eigen::Vector3d& b) {
+WrappedString chord_in_world(const BoneSurface& surface, const Pose<double>& X_WS,
+                             const Eigen::Vector3d& side_S, const Eigen::Vector3d& a,
+                             const Eigen::Vector3d& b) {
   const Pose<double> X_SW = X_WS.inverse();
-  Chord chord = chord_over(surface, X_SW * a, X_SW * b, side_S);
+  WrappedString chord = wrap_string(surface, X_SW * a, X_SW * b, side_S);
   Eigen::Matrix<double, 6, 6> R = Eigen::Matrix<double, 6, 6>::Zero();
   R.topLeftCorner<3, 3>() = R.bottomRightCorner<3, 3>() = X_WS.R;
   chord.slope = R * chord.slope;
@@ -73,9 +73,9 @@ double PosedNet::recruited(int index) const {
 BandForce PosedNet::band(int index, const Eigen::Matrix3Xd& x) const {
   const NetBand& band = net_.bands[static_cast<std::size_t>(index)];
   const Eigen::Vector3d a = x.col(band.a), b = x.col(band.b);
-  const Chord chord =
+  const WrappedString chord =
       band.over < 0
-          ? straight_chord(a, b)
+          ? straight_string(a, b)
           : chord_in_world(net_.surfaces[static_cast<std::size_t>(band.over)],
                            surface_[static_cast<std::size_t>(band.over)], band.side, a, b);
   const BandPull at = pull(index, chord.length);
@@ -97,8 +97,9 @@ Eigen::Matrix3Xd PosedNet::band_forces(const Eigen::Matrix3Xd& x) const {
     } else {
       const Pose<double>& X = surface_[static_cast<std::size_t>(band.over)];
       const Pose<double> X_SW = X.inverse();
-      const Chord chord = chord_over(net_.surfaces[static_cast<std::size_t>(band.over)],
-                                     X_SW * x.col(band.a), X_SW * x.col(band.b), band.side);
+      const WrappedString chord =
+          wrap_string(net_.surfaces[static_cast<std::size_t>(band.over)], X_SW * x.col(band.a),
+                      X_SW * x.col(band.b), band.side);
       const double tension = pull(static_cast<int>(k), chord.length).tension;
       f.col(band.a) -= tension * (X.R * chord.slope.head<3>());
       f.col(band.b) -= tension * (X.R * chord.slope.tail<3>());

@@ -61,7 +61,7 @@ class Writer {
       if (k + 1 == path.points.size() || path.bends[k].empty()) continue;
       require(path.bends[k].size() == 1, "MuJoCo wraps one surface between two points, '{}' has {}",
               path.name, path.bends[k].size());
-      const Bend& bend = path.bends[k][0];
+      const PathWrap& bend = path.bends[k][0];
       const BoneSurface& surface = set_.surfaces[static_cast<std::size_t>(bend.surface)];
       add_site(point + "_side", surface.link, surface.X * bend.side_S);
       // Without a side site both go over a ball the shorter way.

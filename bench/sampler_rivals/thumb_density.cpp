@@ -15,7 +15,7 @@ ThumbDensity::Compiled::Compiled(const FitProblem& problem) {
 
 ThumbDensity::ThumbDensity(const FitProblem& problem)
     : compiled_(problem),
-      unit_(&kernel::units().back()),
+      unit_(&kernel::simd_backends().back()),
       lower_(problem.lower()),
       upper_(problem.upper()),
       scale_(problem.displacement_jacobian(Eigen::VectorXd::Zero(problem.size()), 0).diagonal()),

@@ -31,11 +31,11 @@ class ThumbDensity {
   };
 
   Compiled compiled_;
-  const kernel::Unit* unit_;
+  const kernel::SimdBackend* unit_;
   Eigen::VectorXd lower_, upper_, scale_;  // of z [1, 1, SI]
   Eigen::VectorXd measured_, precision_;   // [N], 1 / sd [1/N] (3 trials)
   Eigen::VectorXd u_, force_;              // [SI], [N]
-  kernel::Packs tape_, scratch_;
+  kernel::SimdBuffer tape_, scratch_;
 };
 
 }  // namespace thenar::bench

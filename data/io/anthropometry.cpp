@@ -1,5 +1,10 @@
 #include "data/io/anthropometry.h"
 
+#include <cmath>
+
+#include <Eigen/Geometry>
+
+#include "base/error.h"
 #include "data/io/toml_table.h"
 
 namespace thenar {
@@ -62,6 +67,96 @@ HandProportions parse_proportions(const std::string& text, const std::string& pa
 
 HandProportions read_proportions(const std::string& path) {
   return parse_proportions(read_text_file(path), path);
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+const char* const kPalm = "Palm";
+
+/// A digit's own directions on a flat right hand.
+Digit make_digit(const DigitProportion& from) {
+  const Vector3d z = Vector3d::UnitZ();
+  const Vector3d across(std::cos(from.splay), std::sin(from.splay), 0);
+  Digit digit;
+  digit.name = from.name;
+  digit.proximal = Vector3d(-std::sin(from.splay), std::cos(from.splay), 0);
+  digit.radial = std::cos(from.roll) * across - std::sin(from.roll) * z;
+  digit.dorsal = digit.radial.cross(digit.proximal);
+  return digit;
+}
+
+/// Flexion is about the radial direction, abduction (towards radial) about the dorsal one.
+JointAxis make_joint(const SimpleJoint& from, const Digit& digit, const Vector3d& point) {
+  JointAxis joint;
+  joint.name = from.name;
+  joint.direction = from.axis == SimpleAxis::kFlexion ? digit.radial : digit.dorsal;
+  joint.point = point;
+  joint.lower = from.lower;
+  joint.upper = from.upper;
+  return joint;
+}
+
+Segment make_segment(const std::string& name, const Vector3d& proximal, const Vector3d& distal) {
+  Segment segment;
+  segment.name = name;
+  segment.proximal = proximal;
+  segment.distal = distal;
+  segment.com = (proximal + distal) / 2;
+  return segment;
+}
+
+/// Appends the joints in front of a bone, then the bone. Joints but the last move a point-like
+/// link that is named after them.
+void add_segment(const SegmentProportion& from, const Digit& digit, const Vector3d& start,
+                 const Vector3d& end, std::string parent, Subject& subject) {
+  for (const SimpleJoint& simple : from.joints) {
+    const bool last = simple.name == from.joints.back().name;
+    JointAxis joint = make_joint(simple, digit, start);
+    joint.parent = parent;
+    joint.child = last ? from.name : simple.name + "_link";
+    parent = joint.child;
+    subject.segments.push_back(make_segment(joint.child, start, last ? end : start));
+    subject.joints.push_back(joint);
+  }
+}
+
+void add_digit(const DigitProportion& from, const HandSize& size, Subject& subject) {
+  Digit digit = make_digit(from);
+  Vector3d at(from.joint_radial * size.breadth, -from.joint_distal * size.length, 0);
+  std::string parent = kPalm;
+  for (const SegmentProportion& segment : from.segments) {
+    const Vector3d end = at - segment.length * size.length * digit.proximal;
+    add_segment(segment, digit, at, end, parent, subject);
+    parent = segment.name;
+    at = end;
+  }
+  digit.tip_segment = parent;
+  digit.tip = at;
+  subject.digits.push_back(digit);
+}
+
+}  // namespace
+
+Subject scale_hand(const HandProportions& proportions, const HandSize& size) {
+  require(size.length > 0 && std::isfinite(size.length), "hand length must be > 0 m, got {}",
+          size.length);
+  require(size.breadth > 0 && std::isfinite(size.breadth), "hand breadth must be > 0 m, got {}",
+          size.breadth);
+  Subject subject;
+  subject.name = proportions.name;
+  subject.description = proportions.description;
+  subject.side = "right";
+  subject.base = kPalm;
+  subject.lengths = {{"hand_length", size.length}, {"hand_breadth", size.breadth}};
+  double knuckles = 0;
+  for (const DigitProportion& digit : proportions.digits)
+    if (digit.joint_distal > knuckles) knuckles = digit.joint_distal;
+  subject.segments.push_back(
+      make_segment(kPalm, Vector3d::Zero(), Vector3d(0, -knuckles * size.length, 0)));
+  for (const DigitProportion& digit : proportions.digits) add_digit(digit, size, subject);
+  return subject;
 }
 
 }  // namespace thenar

@@ -3,8 +3,8 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "base/file_io.h"
 #include "base/provenance.h"
-#include "base/read_file.h"
 
 namespace thenar {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/LU>
 
-#include "data/io/nearest_name.h"
+#include "base/nearest_name.h"
 #include "data/io/toml_table.h"
 
 namespace thenar {
@@ -46,8 +46,8 @@ void read_force_axes(TomlTable& table, Experiment& experiment) {
 }
 
 Pulley read_protocol(TomlTable& table, Experiment& experiment) {
-  experiment.hold =
-      table.choice("hold", {"rigid", "pinned"}) == "rigid" ? TipHold::kRigid : TipHold::kPinned;
+  experiment.hold = table.choice("hold", {"rigid", "pinned"}) == "rigid" ? TipConstraint::kRigid
+                                                                         : TipConstraint::kPinned;
   Pulley pulley;
   pulley.gravity =
       table.number_or(Dimension::kAcceleration, "gravity", pulley.gravity, Range::kPositive);

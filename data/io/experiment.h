@@ -12,7 +12,7 @@
 namespace thenar {
 
 /// How the fingertip was held.
-enum class TipHold {
+enum class TipConstraint {
   kPinned,  // a point contact: three forces, no moment
   kRigid    // clamped to the load cell: force and moment
 };
@@ -49,7 +49,7 @@ struct Experiment {
   std::string description;
   std::string source;  // citation key
   std::string digit;   // "middle"
-  TipHold hold = TipHold::kPinned;
+  TipConstraint hold = TipConstraint::kPinned;
   std::string force_segment;  // segment whose axes the force components use: "DP3"
   Eigen::Matrix3i axes_of_digit = Eigen::Matrix3i::Identity();
   // row i: component i as signed (proximal, dorsal, radial) of the digit (3, 3)

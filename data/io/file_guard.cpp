@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 namespace {

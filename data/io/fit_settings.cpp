@@ -62,12 +62,12 @@ AxisDistance read_axis_distance(TomlTable& table) {
   return {joints[0], joints[1], range[0], range[1]};
 }
 
-PosteriorBeliefs read_posterior(TomlTable& table) {
-  PosteriorBeliefs beliefs;
+PosteriorPriors read_posterior(TomlTable& table) {
+  PosteriorPriors beliefs;
   beliefs.noise_sd =
       table.number_or(Dimension::kNumber, "noise_sd", beliefs.noise_sd, Range::kNotNegative);
-  beliefs.spread_sd =
-      table.number_or(Dimension::kNumber, "spread_sd", beliefs.spread_sd, Range::kNotNegative);
+  beliefs.specimen_scale_sd = table.number_or(Dimension::kNumber, "spread_sd",
+                                              beliefs.specimen_scale_sd, Range::kNotNegative);
   if (table.has("directions"))
     beliefs.sphere_priors = table.choice("directions", {"sphere", "normal"}) == "sphere";
   table.done();

@@ -36,10 +36,10 @@ struct AxisDistance {
 };
 
 /// What a posterior believes beside the rules; a least-squares fit does not use it.
-struct PosteriorBeliefs {
-  double noise_sd = 0.5;      // of the logarithm of a factor on the stated noise; 0: as stated [1]
-  double spread_sd = 0.5;     // of the logarithm of factors on between_sd; 0: as stated [1]
-  bool sphere_priors = true;  // von Mises-Fisher on axis directions instead of normal tilts
+struct PosteriorPriors {
+  double noise_sd = 0.5;  // of the logarithm of a factor on the stated noise; 0: as stated [1]
+  double specimen_scale_sd = 0.5;  // of the logarithm of factors on between_sd; 0: as stated [1]
+  bool sphere_priors = true;       // von Mises-Fisher on axis directions instead of normal tilts
 };
 
 /// Settings of one kind of fit.
@@ -48,7 +48,7 @@ struct FitSettings {
   std::vector<ParameterRule> rules;
   std::vector<AxisDistance> axis_distances;  // used by the constrained solver
   double robust_scale = 0;                   // Cauchy scale in noise sds; 0: plain squares [1]
-  PosteriorBeliefs posterior;
+  PosteriorPriors posterior;
 };
 
 /// Reads fit settings from TOML; the format is in docs/data_format.md.

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,5 +41,14 @@ class Hdf5Object {
 /// @return keys of all datasets: "group/array", in order of their names
 /// @throws DataError naming the object that does not fit.
 [[nodiscard]] std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path);
+
+/// Does `work` in a copy of this process first, under limits of processor time and memory, to see
+/// whether it comes back: libraries of file formats crash or loop on damaged files. Done again here
+/// on the same bytes, the work takes the same course.
+/// @param path     of the file, for the message
+/// @param seconds  of processor time that it may take
+/// @throws DataError if the copy crashed, took longer, or more than 1 GB beyond what we have; with
+/// its message if the work threw: what fails under limits is not tried without them.
+void try_in_fork(const std::string& path, int seconds, const std::function<void()>& work);
 
 }  // namespace thenar

@@ -7,11 +7,10 @@
 #include <hdf5_hl.h>
 
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/checked_file.h"
 #include "data/io/file_guard.h"
 #include "data/io/hdf5_guard.h"
-#include "data/io/trial_run.h"
 
 namespace thenar {
 namespace {
@@ -297,7 +296,8 @@ ResultFile read_result(const std::string& path) {
     throw DataError(path, 1, "wanted a result file (HDF5) of thenar, got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kResult);
   const Checksum checksum = take_checksum(bytes, path);
-  try_first(path, seconds_to_read(bytes.size()), [&] { (void)read_image(bytes, checksum, path); });
+  try_in_fork(path, seconds_to_read(bytes.size()),
+              [&] { (void)read_image(bytes, checksum, path); });
   return read_image(bytes, checksum, path);
 }
 

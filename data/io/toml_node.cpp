@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/file_guard.h"
 
 namespace {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "data/io/nearest_name.h"
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "data/io/toml_text.h"
 
 namespace thenar {
 namespace {
@@ -356,6 +358,25 @@ void TomlTable::refuse_wrong_unit(const Quantity& wanted) const {
 
 void TomlTable::fail_at(int line, const std::string& what) const {
   throw DataError(file_->path(), line, what);
+}
+
+TomlFile::TomlFile(const std::string& text, std::string path)
+    : path_(std::move(path)), root_(parse_toml(text, path_)), sources_(known_sources()) {
+  const TomlNode* own = root_.find("sources");
+  if (own == nullptr) return;
+  for (const auto& [key, reference] : own->members) {
+    if (reference.kind != TomlKind::kText)
+      throw DataError(path_, reference.line,
+                      fmt::format("wanted the reference of source '{}' as a text, got {}", key,
+                                  kind_name(reference.kind)));
+    sources_.push_back(key);
+  }
+}
+
+TomlTable TomlFile::top() const {
+  TomlTable table(*this, root_, "the top level", {});
+  table.ignore("sources");
+  return table;
 }
 
 }  // namespace thenar

@@ -1,6 +1,9 @@
 #include "data/io/toml_text.h"
 
 #include <cmath>
+#include <map>
+#include <regex>
+#include <string_view>
 
 #include "base/error.h"
 
@@ -57,5 +60,23 @@ std::vector<std::string> keys_in(const std::string& keys) {
 }
 
 std::string toml_keys(const std::string& keys) { return toml_list(keys_in(keys)); }
+
+namespace internal {
+const std::map<std::string, std::string_view>& citations();  // made by cmake/embed.cmake
+}
+
+std::vector<std::string> citation_keys(const std::string& bibtex) {
+  static const std::regex entry("@[a-zA-Z]+\\{([^,\\s]+),");
+  std::vector<std::string> keys;
+  for (std::sregex_iterator it(bibtex.begin(), bibtex.end(), entry), end; it != end; ++it)
+    keys.push_back((*it)[1]);
+  return keys;
+}
+
+const std::vector<std::string>& known_sources() {
+  static const std::vector<std::string> keys =
+      citation_keys(std::string(internal::citations().at("sources.bib")));
+  return keys;
+}
 
 }  // namespace thenar

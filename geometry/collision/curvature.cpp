@@ -28,8 +28,8 @@ PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double ste
   return {mean + half, mean - half, std::cos(turn) * t.e1 + std::sin(turn) * t.e2};
 }
 
-GapCurvatures gap_curvatures(const PrincipalCurvatures& a, const PrincipalCurvatures& b,
-                             double angle) {
+RelativeCurvatures relative_curvatures(const PrincipalCurvatures& a, const PrincipalCurvatures& b,
+                                       double angle) {
   const double A = a.k1 - a.k2, B = b.k1 - b.k2;
   const double mean = (a.k1 + a.k2 + b.k1 + b.k2) / 2;
   const double half = std::hypot(A + B * std::cos(2 * angle), B * std::sin(2 * angle)) / 2;

@@ -27,7 +27,7 @@ struct PrincipalCurvatures {
                                              double step = 1e-3);
 
 /// Curvatures of the gap between two surfaces that touch: its height is (k1 x^2 + k2 y^2) / 2.
-struct GapCurvatures {
+struct RelativeCurvatures {
   double k1 = 0;  // the larger: where the gap opens fastest [1/m]
   double k2 = 0;  // [1/m]
 };
@@ -37,7 +37,7 @@ struct GapCurvatures {
 ///   (k1 - k2)^2 = A^2 + B^2 + 2 A B cos(2 angle),  A = a.k1 - a.k2,  B = b.k1 - b.k2.
 /// @param angle  between both d1 [rad]
 /// Source: [Johnson1985], section 4.1.
-[[nodiscard]] GapCurvatures gap_curvatures(const PrincipalCurvatures& a,
-                                           const PrincipalCurvatures& b, double angle);
+[[nodiscard]] RelativeCurvatures relative_curvatures(const PrincipalCurvatures& a,
+                                                     const PrincipalCurvatures& b, double angle);
 
 }  // namespace thenar

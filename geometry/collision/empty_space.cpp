@@ -1,18 +1,17 @@
 #include "geometry/collision/empty_space.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
-
-#include "geometry/collision/lifted_bound.h"
 
 namespace thenar {
 
 void EmptySpace::add_ball(const Ball& ball) {
-  if (balls_.size() < kMost) balls_.push_back(ball);
+  if (balls_.size() < kMaxKept) balls_.push_back(ball);
 }
 
 void EmptySpace::add_plane(const Eigen::Vector3d& n, double offset) {
-  planes_[planes_seen_ % kMost] = {n, offset};
+  planes_[planes_seen_ % kMaxKept] = {n, offset};
   ++planes_seen_;
 }
 
@@ -32,6 +31,27 @@ double EmptySpace::bound(const Eigen::Matrix3d& corners, double radius) const {
     bound = std::max(bound,
                      (planes_[i].n.transpose() * corners).minCoeff() - planes_[i].offset - radius);
   return bound;
+}
+
+namespace {
+
+constexpr double kHighest = 10;  // lift: farther off, rounding counts [m]
+
+}  // namespace
+
+Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
+                 const NearestSurface& seen, double wanted) {
+  const double lowest =
+      seen.distance + (seen.normal.transpose() * (corners.colwise() - ball.c)).minCoeff();
+  const double spare = lowest - wanted;
+  if (!(spare > 0)) return {ball.c, -std::numeric_limits<double>::infinity()};
+  const double h = std::min(ball.r * ball.r / spare, kHighest);
+  const Eigen::Vector3d above = ball.c + h * seen.normal;
+  return {above, b.distance(above)};
+}
+
+double bound_by(const Ball& empty, const Eigen::Matrix3d& corners) {
+  return empty.r - std::sqrt((corners.colwise() - empty.c).colwise().squaredNorm().maxCoeff());
 }
 
 }  // namespace thenar

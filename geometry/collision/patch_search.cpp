@@ -6,8 +6,8 @@
 #include <map>
 #include <optional>
 
-#include "geometry/collision/lifted_bound.h"
-#include "geometry/collision/triangle_point.h"
+#include "geometry/collision/collision_tree.h"
+#include "geometry/collision/empty_space.h"
 
 namespace thenar {
 namespace {
@@ -40,13 +40,14 @@ std::array<Part, 2> halves_of(const Part& part, const PatchPoint& middle) {
 
 class PatchSearch {
  public:
-  PatchSearch(const TouchBody& a, const Pose<double>& X_BA, const Shape& b, const PatchQuery& query)
+  PatchSearch(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
+              const PatchQuery& query)
       : a_(a), X_BA_(X_BA), b_(b), query_(query) {}
 
   PatchPieces run() {
     std::vector<int> nodes{0};
     while (!nodes.empty()) {
-      const TouchNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
+      const CollisionNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
       nodes.pop_back();
       if (far({X_BA_ * node.ball.c, node.ball.r})) continue;
       if (node.triangle >= 0) {
@@ -68,7 +69,7 @@ class PatchSearch {
   /// It is not asked for, or too much has been asked already.
   bool far_by_place(const Ball& ball) {
     if ((ball.c - query_.within.c).norm() > ball.r + query_.within.r) return true;
-    if (++evaluations_ > query_.most_evaluations) {
+    if (++evaluations_ > query_.max_evaluations) {
       found_.complete = false;
       return true;
     }
@@ -95,7 +96,7 @@ class PatchSearch {
   }
 
   void search(int triangle) {
-    const TouchTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
+    const SweptTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
     std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, {}}};
     while (!parts.empty()) {
       Part part = parts.back();
@@ -204,7 +205,7 @@ class PatchSearch {
     found_.pieces.push_back(std::move(piece));
   }
 
-  const TouchBody& a_;
+  const CollisionTree& a_;
   const Pose<double> X_BA_;
   const Shape& b_;
   const PatchQuery query_;
@@ -215,7 +216,7 @@ class PatchSearch {
 
 }  // namespace
 
-PatchPieces near_pieces(const TouchBody& a, const Pose<double>& X_BA, const Shape& b,
+PatchPieces near_pieces(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b,
                         const PatchQuery& query) {
   return PatchSearch(a, X_BA, b, query).run();
 }

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "base/spatial.h"
-#include "geometry/collision/touch_body.h"
+#include "geometry/collision/collision_tree.h"
 #include "geometry/shape.h"
 
 namespace thenar {
@@ -33,14 +33,14 @@ struct PatchQuery {
   double level = 0;       // points no farther from B than this [m]
   double aim = 0;         // distance to look for at the rim, a little less than the level [m]
   double resolution = 0;  // pieces at the rim are halved down to balls of this radius [m]
-  Ball within{{0, 0, 0}, 1e30};   // nothing outside is looked at [m]
-  int most_evaluations = 50'000;  // of B's distance
-  int halvings = 0;               // of sides that cross the rim, to find where
+  Ball within{{0, 0, 0}, 1e30};  // nothing outside is looked at [m]
+  int max_evaluations = 50'000;  // of B's distance
+  int halvings = 0;              // of sides that cross the rim, to find where
 };
 
 struct PatchPieces {
   std::vector<PatchPiece> pieces;
-  bool complete = true;  // the search ended before most_evaluations
+  bool complete = true;  // the search ended before max_evaluations
 };
 
 /// Pieces of A within a level of B's distance.
@@ -49,7 +49,7 @@ struct PatchPieces {
 /// down to the resolution; of those left at the rim the points count that are inside, among them
 /// where sides cross the rim, and those nearest to the points of B's edges that corners outside lie
 /// over.
-[[nodiscard]] PatchPieces near_pieces(const TouchBody& a, const Pose<double>& X_BA, const Shape& b,
-                                      const PatchQuery& query);
+[[nodiscard]] PatchPieces near_pieces(const CollisionTree& a, const Pose<double>& X_BA,
+                                      const Shape& b, const PatchQuery& query);
 
 }  // namespace thenar

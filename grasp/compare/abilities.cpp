@@ -16,14 +16,14 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
   abilities.hand = hand.name;
   abilities.reach = reach_of_digits(*hand.hand);
   Workspaces spaces =
-      workspaces(*hand.hand, options.workspace_draws, options.workspace_cell, random, progress);
+      workspaces(*hand.hand, options.workspace_draws, options.workspace_voxel, random, progress);
   abilities.overlap = spaces.overlap;
   abilities.digits = std::move(spaces.digits);
   const Eigen::VectorXd q = middle_posture(hand.hand->layout());
   for (std::size_t tip = 0; tip < abilities.digits.size() && !progress.stop(); ++tip) {
     const TipForces forces = tip_forces(*hand.hand, q, static_cast<int>(tip));
     abilities.digits[tip].closing_force = forces.closing;
-    abilities.digits[tip].largest_force = forces.largest;
+    abilities.digits[tip].max_tip_force = forces.largest;
   }
   const Opposition opposed = opposition(hand, random, progress);
   abilities.opposition = opposed.score;

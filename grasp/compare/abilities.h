@@ -13,16 +13,16 @@ namespace thenar {
 [[nodiscard]] HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options,
                                            const Progress& progress = {});
 
-/// Where tips go: postures drawn, tips noted in cells of a grid. A tip that moves in fewer than
-/// three dimensions (principal extent below two cells) is measured in those alone. The estimate is
-/// the cells met less half of those at the rim (with a neighbour not met), +- that half; of cells
-/// of 1/4, 1/2, 1, 2 and 4 times `cell`, those serve each tip that leave the least share. Too large
-/// ones have a thick rim, too small ones holes that no draw met.
+/// Where tips go: postures drawn, tips noted in voxels of a grid. A tip that moves in fewer than
+/// three dimensions (principal extent below two voxels) is measured in those alone. The estimate is
+/// the voxels met less half of those at the rim (with a neighbour not met), +- that half; of voxels
+/// of 1/4, 1/2, 1, 2 and 4 times `voxel`, those serve each tip that leave the least share. Too
+/// large ones have a thick rim, too small ones holes that no draw met.
 struct Workspaces {
   std::vector<DigitAbility> digits;  // forces are not filled in
-  double overlap = 0;  // thumb's, or first digit's, with all others', cells of 2 `cell` [m^3]
+  double overlap = 0;  // thumb's, or first digit's, with all others', voxels of 2 `voxel` [m^3]
 };
-[[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random,
+[[nodiscard]] Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& random,
                                     const Progress& progress = {});
 
 /// The largest tip forces at a posture within what drives the hand, its stops included:
@@ -31,7 +31,7 @@ struct Workspaces {
 /// for the joints that move the tip, J (3, joints) [m/rad]; c its unit way in closing, and o other
 /// tips that a coordinate which closes moves with it: these meet as much, c'f, along their own ways
 /// c_o. So jaws of one motor pinch with half of its effort each, 2 r f = u. A tendon over several
-/// joints of one digit, Coupled::kCompliant, balances f at all of them at once.
+/// joints of one digit, DriveCoupling::kCompliant, balances f at all of them at once.
 ///
 /// Forces that structure bears without effort (J'f = 0) are left out, and so are joints that are
 /// locked or, further in than the outermost held one, bear what it presses: hand_forces(). NaN: an

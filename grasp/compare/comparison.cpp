@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "grasp/closing_drives.h"
-#include "grasp/tip_ways.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/closing/fingertip_paths.h"
 
 namespace thenar {
 namespace {
@@ -46,7 +46,7 @@ LoadFound HandOnObject::load(GraspTask task) const {
   return load;
 }
 
-LoadFound HandOnObject::own_epsilon() const {
+LoadFound HandOnObject::best_hand_epsilon() const {
   LoadFound load;
   load.of = closures;
   load.known = static_cast<int>(hand_epsilon.size());
@@ -54,7 +54,7 @@ LoadFound HandOnObject::own_epsilon() const {
   return load;
 }
 
-double HandOnObject::least_hold() const {
+double HandOnObject::min_grasp_force() const {
   double least = std::numeric_limits<double>::quiet_NaN();
   for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.hold);
   return least;
@@ -62,7 +62,7 @@ double HandOnObject::least_hold() const {
 
 double reach_of_digits(const Hand& hand) {
   const HandLayout& layout = hand.layout();
-  const Eigen::Matrix3Xd tips = tips_at(hand, open_posture(layout));
+  const Eigen::Matrix3Xd tips = fingertip_positions(hand, open_posture(layout));
   double reach = 0;
   for (Eigen::Index t = 0; t < tips.cols(); ++t)
     reach = std::max(reach, (tips.col(t) - layout.approach.point).norm());
@@ -78,7 +78,7 @@ BodySpec scaled(BodySpec body, double scale) {
     shape.X_BS.p *= scale;
   }
   const double volume = std::pow(scale, 3);
-  body.spread_mass *= volume;
+  body.uniform_mass *= volume;
   if (body.mass) {
     body.mass->mass *= volume;
     body.mass->com *= scale;

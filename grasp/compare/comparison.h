@@ -15,7 +15,7 @@
 #include "base/fidelity.h"
 #include "base/progress.h"
 #include "data/io/world/world.h"
-#include "grasp/grasp.h"
+#include "grasp/closing/grasp.h"
 #include "grasp/quality/robustness.h"
 #include "hand/hand.h"
 
@@ -62,7 +62,7 @@ struct CompareOptions {
   bool normalise_size = false;  // objects scaled by reach_of_digits() over the first hand's
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
   int workspace_draws = 150000;                 // postures
-  double workspace_cell = 5e-3;                 // [m]
+  double workspace_voxel = 5e-3;                // [m]
   GraspOptions grasp;                           // `way` is set for each approach
   std::function<void(const Comparison&)> keep;  // hears of every finished cell
 };
@@ -98,24 +98,24 @@ struct HandOnObject {
   std::string hand, object;
   double scale = 1;  // of the object: 1 without normalise_size
   int approaches = 0;
-  std::array<int, 6> outcomes{};     // by GraspOutcome
-  int closures = 0;                  // force closure, certified
-  double success = 0;                // closures by approaches [1]
-  Interval interval{0, 1};           // of its probability, Wilson, 95 %
-  Eigen::VectorXd epsilon;           // of all closures, ascending [unit forces]
-  Eigen::VectorXd hand_epsilon;      // of those where it is known, ascending [N]
-  std::map<std::string, int> types;  // of grasp_type() -> closures
-  std::vector<BestGrasp> best;       // best first
-  double seconds = 0;                // wall time
+  std::array<int, 6> outcomes{};      // by GraspOutcome
+  int closures = 0;                   // force closure, certified
+  double success = 0;                 // closures by approaches [1]
+  ConfidenceInterval interval{0, 1};  // of its probability, Wilson, 95 %
+  Eigen::VectorXd epsilon;            // of all closures, ascending [unit forces]
+  Eigen::VectorXd hand_epsilon;       // of those where it is known, ascending [N]
+  std::map<std::string, int> types;   // of grasp_type() -> closures
+  std::vector<BestGrasp> best;        // best first
+  double seconds = 0;                 // wall time
 
   /// Margins of a task over `best`. Force closure has none: it is `success`.
   [[nodiscard]] LoadFound load(GraspTask task) const;
 
   /// Epsilon of the hand over all closures.
-  [[nodiscard]] LoadFound own_epsilon() const;
+  [[nodiscard]] LoadFound best_hand_epsilon() const;
 
   /// Least `hold` of `best`; NaN if there is none [N].
-  [[nodiscard]] double least_hold() const;
+  [[nodiscard]] double min_grasp_force() const;
 
   /// Of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
@@ -129,7 +129,7 @@ struct DigitAbility {
   double workspace_error = 0;  // half of the cells at its rim [m^dimension]
   double closing_force = 0;    // largest along the tip's way in closing, tip_forces() [N]; NaN:
                                // efforts unknown
-  double largest_force = 0;    // over 64 directions [N]; NaN: efforts unknown
+  double max_tip_force = 0;    // over 64 directions [N]; NaN: efforts unknown
 };
 
 /// What a hand can do without an object.

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/numbers.h"
-#include "grasp/quality/hold_force.h"
-#include "grasp/quality/stops.h"
-#include "grasp/quality/task_wrenches.h"
+#include "grasp/limits/grasp_force.h"
+#include "grasp/limits/joint_limits.h"
+#include "grasp/quality/task_margin.h"
 
 namespace thenar {
 namespace {
@@ -15,28 +18,29 @@ constexpr double kGravity = 9.81;  // [m/s^2]
 constexpr double kGap = 0.05;      // of hand_epsilon(), as a part of it [1]
 
 /// Both ways along axes `first` .. `last` of a wrench: forces 0..2, torques 3..5.
-std::vector<Wrench> both_ways(int first, int last, double size) {
-  std::vector<Wrench> loads;
+std::vector<ScaledWrench> both_ways(int first, int last, double size) {
+  std::vector<ScaledWrench> loads;
   for (int axis = first; axis <= last; ++axis)
-    for (const double sign : {-1.0, 1.0}) loads.emplace_back(sign * size * Wrench::Unit(axis));
+    for (const double sign : {-1.0, 1.0})
+      loads.emplace_back(sign * size * ScaledWrench::Unit(axis));
   return loads;
 }
 
 /// The value, and where it is zero, NaN or infinite the reason. @param size  of a load at value 1
 /// [N]
-Limited limited(const HeldForces& forces, ConeStatus status, double value,
-                const std::vector<Wrench>& loads, double size) {
+ExplainedLoad limited(const HandForceInputs& forces, ConeStatus status, double value,
+                      const std::vector<ScaledWrench>& loads, double size) {
   if (status == ConeStatus::kStalled) return {kNaN, "the programme did not converge"};
-  const std::string unknown = unknown_effort(forces);
+  const std::string unknown = explain_unknown_effort(forces);
   if (!unknown.empty()) return {kNaN, unknown};
-  if (status == ConeStatus::kInfeasible || value * size < kNoLoad)
-    return {0, why_nothing_holds(forces, loads)};
-  return {value, std::isinf(value) ? kBorneByStructure : ""};
+  if (status == ConeStatus::kInfeasible || value * size < kNegligibleLoad)
+    return {0, explain_zero_margin(forces, loads)};
+  return {value, std::isinf(value) ? kSupportedByStructure : ""};
 }
 
 }  // namespace
 
-std::vector<Wrench> task_loads(GraspTask task, double weight, double scale) {
+std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale) {
   switch (task) {
     case GraspTask::kHoldWeight:
       return both_ways(0, 2, weight);
@@ -50,54 +54,131 @@ std::vector<Wrench> task_loads(GraspTask task, double weight, double scale) {
   return {};
 }
 
-Wrench unborne_load(const ForceSet& forces) {
-  for (const Wrench& load : both_ways(0, 5, 1)) {
-    const Reach reach = largest_load(forces, load);
-    if (reach.status == ConeStatus::kSolved && reach.value < kNoLoad) return load;
+ScaledWrench unsupported_load(const ForceSet& forces) {
+  for (const ScaledWrench& load : both_ways(0, 5, 1)) {
+    const WrenchSupport reach = load_margin(forces, load);
+    if (reach.status == ConeStatus::kSolved && reach.value < kNegligibleLoad) return load;
     if (reach.status == ConeStatus::kInfeasible) return load;
   }
-  return Wrench::Zero();
+  return ScaledWrench::Zero();
 }
 
-HeldForces forces_of(const Held& held, const SceneBody& object) {
-  return {held.hand.layout(), wrench_set(plain(held.contacts), object.com, object.reach),
+HandForceInputs hand_force_inputs(const HeldObject& held, const SceneBody& object) {
+  return {held.hand.layout(),
+          wrench_set(contacts_without_hand(held.contacts), object.com, object.reach),
           torque_map(held.hand, held.q, held.contacts, held.X_HO),
-          actuation_with_stops(held.hand, held.q)};
+          actuation_with_joint_limits(held.hand, held.q)};
 }
 
-GraspLoads grasp_loads(const Held& held, const SceneBody& object, double mass,
+GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double mass,
                        const std::vector<GraspTask>& tasks) {
-  const HeldForces held_by = forces_of(held, object);
+  const HandForceInputs held_by = hand_force_inputs(held, object);
   GraspLoads loads;
   const ForceSet friction = free_forces(held_by.set);
-  for (const Wrench& load : both_ways(0, 2, kGravity * mass))
-    loads.hold = std::max(loads.hold, smallest_hold(friction, load, Squeeze::kSum).squeeze);
+  for (const ScaledWrench& load : both_ways(0, 2, kGravity * mass))
+    loads.hold = std::max(loads.hold,
+                          minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
 
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
-    const std::vector<Wrench> list = task_loads(task, kGravity * mass, object.reach);
+    const std::vector<ScaledWrench> list = task_loads(task, kGravity * mass, object.reach);
     if (list.empty()) continue;
     const TaskMargin margin = margin_of_loads(forces, list);
-    const Limited result = limited(held_by, margin.status, margin.lower, list, list.front().norm());
+    const ExplainedLoad result =
+        limited(held_by, margin.status, margin.lower, list, list.front().norm());
     loads.margin[name_of(task)] = result.value;
     if (!result.reason.empty()) loads.reasons[name_of(task)] = result.reason;
   }
   return loads;
 }
 
-Limited hand_epsilon(const Held& held, const SceneBody& object) {
-  const HeldForces held_by = forces_of(held, object);
-  const std::string unknown = unknown_effort(held_by);
+ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
+  const HandForceInputs held_by = hand_force_inputs(held, object);
+  const std::string unknown = explain_unknown_effort(held_by);
   if (!unknown.empty()) return {kNaN, unknown};
   BallOptions options;
   options.gap = kGap;
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
-  const Wrench unborne = unborne_load(forces);
-  if (!unborne.isZero(0)) return {0, why_nothing_holds(held_by, {unborne})};
+  const ScaledWrench unborne = unsupported_load(forces);
+  if (!unborne.isZero(0)) return {0, explain_zero_margin(held_by, {unborne})};
   const InscribedBall ball = inscribed_ball(forces, options);
-  const bool known = ball.status == ConeStatus::kStalled && ball.lower > kNoLoad;  // less sharply
+  const bool known =
+      ball.status == ConeStatus::kStalled && ball.lower > kNegligibleLoad;  // less sharply
   return limited(held_by, known ? ConeStatus::kSolved : ball.status, ball.lower, {ball.worst_load},
                  1);
+}
+
+namespace {
+
+using Eigen::Index;
+
+bool feels(const HandForceInputs& forces, Index coordinate) {
+  return forces.T.cols() > 0 && forces.T.row(coordinate).cwiseAbs().maxCoeff() > 1e-12;
+}
+
+/// The same with a motor of any strength at each of some joints.
+Actuation with_motors(Actuation actuation, const std::vector<int>& joints) {
+  for (const int joint : joints) {
+    const Index old = actuation.B.cols();
+    actuation.B.conservativeResize(actuation.tau_0.size(), old + 1);
+    actuation.B.col(old) = Eigen::VectorXd::Unit(actuation.tau_0.size(), joint);
+    actuation.lower.conservativeResize(old + 1);
+    actuation.lower(old) = -kInfinity;
+    actuation.upper.conservativeResize(old + 1);
+    actuation.upper(old) = kInfinity;
+  }
+  return actuation;
+}
+
+bool holds(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
+  const TaskMargin margin = margin_of_loads(forces, loads);
+  double size = kInfinity;
+  for (const ScaledWrench& load : loads) size = std::min(size, load.norm());
+  return margin.status == ConeStatus::kSolved && margin.lower * size >= kNegligibleLoad;
+}
+
+bool holds_driven(const HandForceInputs& forces, const std::vector<ScaledWrench>& loads,
+                  const std::vector<int>& joints) {
+  return holds(hand_forces(forces.set, forces.T, with_motors(forces.actuation, joints)), loads);
+}
+
+/// Joints that must be driven all together: none of them can be left out.
+std::vector<int> minimal_motors(const HandForceInputs& forces,
+                                const std::vector<ScaledWrench>& loads, std::vector<int> joints) {
+  for (std::size_t i = joints.size(); i-- > 0;) {
+    std::vector<int> fewer = joints;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (holds_driven(forces, loads, fewer)) joints.swap(fewer);
+  }
+  return joints;
+}
+
+}  // namespace
+
+std::string explain_unknown_effort(const HandForceInputs& forces) {
+  const Actuation& a = forces.actuation;
+  for (Index k = 0; k < a.B.cols(); ++k) {
+    if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
+    for (Index j = 0; j < a.B.rows(); ++j)
+      if (a.B(j, k) != 0 && feels(forces, j) && !is_locked(a.reactions, j))
+        return fmt::format("the effort of '{}' is unknown",
+                           forces.layout.actuators[static_cast<std::size_t>(k)]);
+  }
+  return "";
+}
+
+std::string explain_zero_margin(const HandForceInputs& forces,
+                                const std::vector<ScaledWrench>& loads) {
+  if (!holds(free_forces(forces.set), loads)) return "friction at the contacts cannot bear it";
+  std::vector<int> joints;
+  for (Index j = 0; j < forces.T.rows(); ++j)
+    if (feels(forces, j)) joints.push_back(static_cast<int>(j));
+  if (!holds_driven(forces, loads, joints)) return "nothing presses on what its joints bear";
+  std::vector<std::string> names;
+  for (const int joint : minimal_motors(forces, loads, joints))
+    names.push_back(
+        fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
+  return fmt::format("no effort balances {}", fmt::join(names, ", "));
 }
 
 }  // namespace thenar

@@ -16,7 +16,7 @@ struct TouchedSegments {
   bool inner = false;  // a link before the last of a digit
 };
 
-TouchedSegments find_touching(const Hand& hand, const std::vector<HandContact>& contacts) {
+TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandContact>& contacts) {
   std::set<int> last;
   for (const HandTip& tip : hand.layout().tip_points) last.insert(tip.link);
   TouchedSegments touching;
@@ -63,7 +63,7 @@ std::string thumb_of(const Hand& hand) {
 }
 
 std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts) {
-  const TouchedSegments touching = find_touching(hand, contacts);
+  const TouchedSegments touching = find_touched_parts(hand, contacts);
   if (touching.push.empty()) return "palm alone";
   if (touching.palm) return "power, palm, " + counted(touching);
   if (touching.push.size() == 1) return "one digit";

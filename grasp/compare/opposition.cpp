@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <Eigen/Cholesky>
 
+#include "grasp/closing/approach_sampling.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
-#include "grasp/draw_uniform.h"
 
 namespace thenar {
 namespace {
@@ -63,7 +63,8 @@ bool meet(const Hand& hand, const HandPlace& a, const HandPlace& b,
 
 std::vector<Eigen::VectorXd> draw_starts(const HandLayout& layout, std::mt19937& random) {
   std::vector<Eigen::VectorXd> starts{(layout.lower + layout.upper) / 2};
-  while (static_cast<int>(starts.size()) < kStarts) starts.push_back(draw_posture(layout, random));
+  while (static_cast<int>(starts.size()) < kStarts)
+    starts.push_back(sample_posture(layout, random));
   return starts;
 }
 

@@ -5,9 +5,9 @@
 
 #include "base/numbers.h"
 #include "base/units.h"
-#include "grasp/closing_drives.h"
+#include "grasp/closing/closing_drives.h"
 #include "grasp/compare/abilities.h"
-#include "grasp/quality/stops.h"
+#include "grasp/limits/joint_limits.h"
 #include "solvers/cone_program.h"
 
 namespace thenar {
@@ -29,12 +29,13 @@ Eigen::Vector3d direction(int i) {
 std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reactions) {
   std::vector<int> joints;
   int carrier = -1;
-  for (const int j : reactions.held)
+  for (const int j : reactions.non_backdrivable)
     if (!J.col(j).isZero(kStill)) carrier = std::max(carrier, j);
   for (int j = 0; j < J.cols(); ++j) {
-    const bool held =
-        std::find(reactions.held.begin(), reactions.held.end(), j) != reactions.held.end();
-    if (!J.col(j).isZero(kStill) && !is_locked(reactions, j) && (!held || j == carrier))
+    const bool non_backdrivable =
+        std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
+        reactions.non_backdrivable.end();
+    if (!J.col(j).isZero(kStill) && !is_locked(reactions, j) && (!non_backdrivable || j == carrier))
       joints.push_back(j);
   }
   return joints;
@@ -148,7 +149,7 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
   if (place.link < 0) return {kNaN, kNaN};
   const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
-  const Actuation actuation = actuation_with_stops(hand, q);
+  const Actuation actuation = actuation_with_joint_limits(hand, q);
   const std::vector<int> joints = pressing_joints(all, actuation.reactions);
   if (joints.empty()) return {0, 0};
   if (is_unknown(actuation, joints)) return {kNaN, kNaN};

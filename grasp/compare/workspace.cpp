@@ -8,45 +8,45 @@
 #include <Eigen/Eigenvalues>
 
 #include "base/error.h"
+#include "grasp/closing/approach_sampling.h"
+#include "grasp/closing/fingertip_paths.h"
 #include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
-#include "grasp/draw_uniform.h"
-#include "grasp/tip_ways.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, of the cell asked for [1]
-constexpr double kShared = 2;                      // of cells that two tips share [1]
+constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, of the voxel asked for [1]
+constexpr double kShared = 2;                      // of voxels that two tips share [1]
 constexpr int kAsk = 1000;                         // draws between two looks at a stop
 
-using Cell = std::array<int, 3>;
-using Cells = std::vector<Cell>;  // ascending
+using Voxel = std::array<int, 3>;
+using Voxels = std::vector<Voxel>;  // ascending
 
-/// Cells of the points' first `dimension` rows.
-Cells cells_of(const Eigen::Matrix3Xd& points, int dimension, double cell) {
-  Cells cells;
-  cells.reserve(static_cast<std::size_t>(points.cols()));
+/// Voxels of the points' first `dimension` rows.
+Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
+  Voxels voxels;
+  voxels.reserve(static_cast<std::size_t>(points.cols()));
   for (const auto& p : points.colwise()) {
-    Cell at{0, 0, 0};
+    Voxel at{0, 0, 0};
     for (int i = 0; i < dimension; ++i)
-      at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / cell));
-    cells.push_back(at);
+      at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / voxel));
+    voxels.push_back(at);
   }
-  std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  return cells;
+  std::sort(voxels.begin(), voxels.end());
+  voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+  return voxels;
 }
 
-int rim_of(const Cells& cells, int dimension) {
+int rim_of(const Voxels& voxels, int dimension) {
   int rim = 0;
-  for (const Cell& cell : cells) {
+  for (const Voxel& voxel : voxels) {
     bool inside = true;
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
       for (const int step : {-1, 1}) {
-        Cell next = cell;
+        Voxel next = voxel;
         next[i] += step;
-        inside = inside && std::binary_search(cells.begin(), cells.end(), next);
+        inside = inside && std::binary_search(voxels.begin(), voxels.end(), next);
       }
     if (!inside) ++rim;
   }
@@ -61,20 +61,20 @@ Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
   return axes.eigenvectors().rowwise().reverse().transpose() * centred;
 }
 
-DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& points, double cell) {
+DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& points, double voxel) {
   const Eigen::Matrix3Xd along = principal(points);
   DigitAbility ability;
   ability.digit = digit;
   for (int i = 0; i < 3; ++i)
-    if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * cell) ++ability.dimension;
+    if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * voxel) ++ability.dimension;
   if (ability.dimension == 0) return ability;
-  // Large cells have a thick rim, small ones holes between draws: the least share is between.
+  // Large voxels have a thick rim, small ones holes between draws: the least share is between.
   double least = std::numeric_limits<double>::infinity();
   for (const double share : kCells) {
-    const Cells cells = cells_of(along, ability.dimension, share * cell);
-    const double rim = rim_of(cells, ability.dimension);
-    const double unit = std::pow(share * cell, ability.dimension), error = unit * rim / 2;
-    const double size = unit * (static_cast<double>(cells.size()) - rim / 2);
+    const Voxels voxels = voxels_of(along, ability.dimension, share * voxel);
+    const double rim = rim_of(voxels, ability.dimension);
+    const double unit = std::pow(share * voxel, ability.dimension), error = unit * rim / 2;
+    const double size = unit * (static_cast<double>(voxels.size()) - rim / 2);
     if (error >= least * size) continue;
     least = error / size;
     ability.workspace = size;
@@ -85,31 +85,31 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
 
 }  // namespace
 
-Workspaces workspaces(const Hand& hand, int draws, double cell, std::mt19937& random,
+Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& random,
                       const Progress& progress) {
-  require(draws > 0 && cell > 0, "a workspace wants draws and a cell, got {} and {} m", draws,
-          cell);
+  require(draws > 0 && voxel > 0, "a workspace wants draws and a cell, got {} and {} m", draws,
+          voxel);
   const HandLayout& layout = hand.layout();
   std::vector<Eigen::Matrix3Xd> points(layout.tip_points.size(), Eigen::Matrix3Xd(3, draws));
   for (int n = 0; n < draws; ++n) {
     if (n % kAsk == 0 && progress.stop()) return {};
-    const Eigen::Matrix3Xd tips = tips_at(hand, draw_posture(layout, random));
+    const Eigen::Matrix3Xd tips = fingertip_positions(hand, sample_posture(layout, random));
     for (std::size_t t = 0; t < points.size(); ++t)
       points[t].col(n) = tips.col(static_cast<Eigen::Index>(t));
   }
   Workspaces out;
-  std::set<Cell> thumb, others;
+  std::set<Voxel> thumb, others;
   const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
                                    : thumb_of(hand);
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
-    out.digits.push_back(measure_space(digit, points[t], cell));
-    const Cells cells = cells_of(points[t], 3, kShared * cell);
-    (digit == opposing ? thumb : others).insert(cells.begin(), cells.end());
+    out.digits.push_back(measure_space(digit, points[t], voxel));
+    const Voxels voxels = voxels_of(points[t], 3, kShared * voxel);
+    (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
-  for (const Cell& each : thumb)
-    if (others.count(each) > 0) out.overlap += std::pow(kShared * cell, 3);
+  for (const Voxel& each : thumb)
+    if (others.count(each) > 0) out.overlap += std::pow(kShared * voxel, 3);
   return out;
 }
 

@@ -1,11 +1,16 @@
 #include "grasp/contact/contact.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
 namespace thenar {
 
-std::vector<Contact> plain(const std::vector<HandContact>& contacts) {
-  std::vector<Contact> plain;
-  for (const HandContact& contact : contacts) plain.push_back(contact.contact);
-  return plain;
+std::vector<Contact> contacts_without_hand(const std::vector<HandContact>& contacts) {
+  std::vector<Contact> contacts_without_hand;
+  for (const HandContact& contact : contacts) contacts_without_hand.push_back(contact.contact);
+  return contacts_without_hand;
 }
 
 Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
@@ -13,6 +18,60 @@ Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B) {
   contact.p = X_AB * contact_B.p;
   contact.n = X_AB.R * contact_B.n;
   return contact;
+}
+
+namespace {
+
+constexpr double kSamePlace = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
+
+/// Along which points are sorted: few of them are level, unless they are one.
+const Eigen::Vector3d kAcross(0.6180339887, 0.7548776662, 0.5698402910);
+
+double extent(const std::vector<Contact>& contacts) {
+  double most = 0;
+  for (const Contact& each : contacts) most = std::max(most, (each.p - contacts[0].p).norm());
+  return most;
+}
+
+/// For every contact without a patch the first one at its place with its normal, maybe itself.
+std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
+  const double near = kSamePlace * extent(contacts);
+  std::vector<std::size_t> first(contacts.size()), order;
+  std::iota(first.begin(), first.end(), std::size_t{0});
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts[i].patch < 0) order.push_back(i);
+  const auto level = [&](std::size_t i) { return kAcross.dot(contacts[i].p); };
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t j) { return level(i) < level(j); });
+  for (std::size_t a = 0; a < order.size(); ++a)
+    for (std::size_t b = a; b-- > 0;) {
+      const std::size_t i = order[a], j = order[b];
+      if (level(i) - level(j) > 2 * near) break;
+      if ((contacts[i].p - contacts[j].p).norm() > near ||
+          (contacts[i].n - contacts[j].n).norm() > kSamePlace)
+        continue;
+      first[i] = first[j];
+      break;
+    }
+  return first;
+}
+
+}  // namespace
+
+std::vector<int> contact_regions(const std::vector<Contact>& contacts) {
+  const std::vector<std::size_t> first = first_at_place(contacts);
+  std::map<int, int> of_patch;
+  std::map<std::size_t, int> of_place;
+  std::vector<int> numbers;
+  int next = 0;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const int patch = contacts[i].patch;
+    const int number = patch >= 0 ? of_patch.try_emplace(patch, next).first->second
+                                  : of_place.try_emplace(first[i], next).first->second;
+    next = std::max(next, number + 1);
+    numbers.push_back(number);
+  }
+  return numbers;
 }
 
 }  // namespace thenar

@@ -27,9 +27,16 @@ struct HandContact {
 };
 
 /// The contacts without what they say of the hand.
-[[nodiscard]] std::vector<Contact> plain(const std::vector<HandContact>& contacts);
+[[nodiscard]] std::vector<Contact> contacts_without_hand(const std::vector<HandContact>& contacts);
 
 /// A contact seen from another frame, or moved. @param X_AB  (B: the frame it is given in)
 [[nodiscard]] Contact seen_from(const Pose<double>& X_AB, const Contact& contact_B);
+
+// Which points of contact belong together.
+
+/// Numbers of contact_regions, 0, 1, .. in the order of their first points: points with one `patch`
+/// >= 0 share a number, and so do points without one that stand at one place (within 1e-9 of the
+/// farthest point's distance from the first) with one normal (within 1e-9).
+[[nodiscard]] std::vector<int> contact_regions(const std::vector<Contact>& contacts);
 
 }  // namespace thenar

@@ -4,9 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <vector>
 
 #include "base/error.h"
-#include "geometry/collision/contact_normal.h"
+#include "geometry/collision/collision_tree.h"
 #include "geometry/collision/patch_reduction.h"
 #include "geometry/collision/patch_search.h"
 
@@ -102,7 +103,7 @@ double distance_of_hulls(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
 /// Patches in B's frame.
 class PatchFinder {
  public:
-  PatchFinder(const TouchBody& a, const Pose<double>& X_BA, const Shape& b, double friction,
+  PatchFinder(const CollisionTree& a, const Pose<double>& X_BA, const Shape& b, double friction,
               const ContactPatchOptions& options)
       : a_(a), X_BA_(X_BA), b_(b), friction_(friction), options_(options) {}
 
@@ -111,7 +112,7 @@ class PatchFinder {
     PatchQuery coarse;
     coarse.level = options_.tolerance;
     coarse.resolution = kCoarse * options_.resolution;
-    coarse.most_evaluations = options_.most_evaluations;
+    coarse.max_evaluations = options_.max_evaluations;
     std::vector<Pressing> pieces;
     for (PatchPiece& piece : search(coarse)) {
       const Vector3d n = into(piece.points.front());
@@ -128,11 +129,11 @@ class PatchFinder {
  private:
   /// Nothing touches: cheaper to tell than to look for pieces.
   bool is_far() {
-    SeparationOptions roughly;
+    SignedDistanceOptions roughly;
     roughly.tolerance = options_.tolerance;
     roughly.cutoff = options_.tolerance;
-    roughly.most_evaluations = options_.most_evaluations;
-    const Separation s = separation(a_, X_BA_, b_, roughly);
+    roughly.max_evaluations = options_.max_evaluations;
+    const SignedDistance s = signed_distance(a_, X_BA_, b_, roughly);
     return s.distance > options_.tolerance &&
            (std::isinf(s.error) || s.distance - s.error > options_.tolerance);
   }
@@ -151,7 +152,7 @@ class PatchFinder {
     Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
       flat.col(static_cast<Eigen::Index>(i)) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
-    const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.most_points);
+    const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.max_points);
     ContactPatch patch{{}, region.nearest.distance, reduced.loss, region.normal};
     for (const int i : reduced.kept)
       patch.contacts.push_back(contact_at(points[static_cast<std::size_t>(i)]));
@@ -166,7 +167,7 @@ class PatchFinder {
     fine.aim = region.nearest.distance + options_.band / 2;
     fine.resolution = options_.resolution;
     fine.within = region.ball;
-    fine.most_evaluations = options_.most_evaluations;
+    fine.max_evaluations = options_.max_evaluations;
     fine.halvings = kRimHalvings;
     std::vector<PatchPoint> points{region.nearest};
     for (const PatchPiece& piece : search(fine))
@@ -179,12 +180,12 @@ class PatchFinder {
 
   /// The nearest point of A around, to a fraction of the band; if that is beyond the cutoff, any.
   PatchPoint nearest_within(const Ball& ball, double cutoff) {
-    SeparationOptions exactly;
+    SignedDistanceOptions exactly;
     exactly.tolerance = options_.band / 5;
     exactly.cutoff = cutoff;
     exactly.within = ball;
-    exactly.most_evaluations = options_.most_evaluations;
-    const Separation s = separation(a_, X_BA_, b_, exactly);
+    exactly.max_evaluations = options_.max_evaluations;
+    const SignedDistance s = signed_distance(a_, X_BA_, b_, exactly);
     const double radius = a_.triangles[static_cast<std::size_t>(s.triangle)].radius;
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
@@ -205,7 +206,7 @@ class PatchFinder {
   }
 
   [[nodiscard]] Vector3d into(const PatchPoint& point) const {
-    return into_b(point, a_, X_BA_, b_);
+    return contact_normal(point, a_, X_BA_, b_);
   }
 
   [[nodiscard]] HandContact contact_at(const PatchPoint& point) const {
@@ -214,7 +215,7 @@ class PatchFinder {
 
   static constexpr int kRimHalvings = 5;
 
-  const TouchBody& a_;
+  const CollisionTree& a_;
   const Pose<double> X_BA_;
   const Shape& b_;
   const double friction_;
@@ -224,7 +225,7 @@ class PatchFinder {
 
 }  // namespace
 
-ContactPatches contact_patches(const TouchBody& a, const Pose<double>& X_WA, const Solid& b,
+ContactPatches contact_patches(const CollisionTree& a, const Pose<double>& X_WA, const Solid& b,
                                const Pose<double>& X_WB, double friction,
                                const ContactPatchOptions& options) {
   require(friction >= 0 && std::isfinite(friction), "friction must be finite and >= 0, got {}",
@@ -256,7 +257,7 @@ std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
   const ContactPatch& other = &nearer == &x ? y : x;
   all.insert(all.end(), other.contacts.begin(), other.contacts.end());
   const ReducedPoints reduced =
-      reduce_points(flat(all, nearer.normal), options.merge, options.most_points);
+      reduce_points(flat(all, nearer.normal), options.merge, options.max_points);
   ContactPatch one{{}, nearer.gap, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
   for (const int i : reduced.kept) one.contacts.push_back(all[static_cast<std::size_t>(i)]);
   return one;
@@ -273,6 +274,99 @@ std::vector<HandContact> contacts_of(const std::vector<ContactPatch>& patches) {
     ++number;
   }
   return contacts;
+}
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kAround = 1e-4;                   // [m]
+constexpr double kCosFlat = 0.984807753012208;     // of 10 degrees [1]
+constexpr double kCosSharp = 0.86602540378443865;  // of 30 degrees [1]
+
+/// Normals of B at a point and around it.
+struct Around {
+  std::vector<Vector3d> normals;  // unit (3)
+  Vector3d middle;                // of them all, unit (3)
+  bool sharp = false;             // an edge or a corner, not a groove
+};
+
+Around around(const PatchPoint& point, const Shape& b) {
+  const Tangents t = tangents(point.normal);
+  const std::vector<Vector3d> ways{t.e1, -t.e1, t.e2, -t.e2};
+  Around result{{}, point.normal, false};
+  std::vector<Vector3d>& normals = result.normals;
+  for (const Vector3d& way : ways) {
+    normals.push_back(b.nearest(point.on_b + kAround * way).normal);
+    result.middle += normals.back();
+  }
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (normals[i].dot(normals[j]) < kCosSharp &&
+          (normals[i] - normals[j]).dot(ways[i] - ways[j]) > 0)
+        result.sharp = true;
+  const double length = result.middle.norm();
+  result.middle = length > 0.1 ? (result.middle / length).eval() : point.normal;
+  return result;
+}
+
+/// Normals of A's triangles at a point of A's frame.
+std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
+  std::vector<Vector3d> normals;
+  std::vector<int> nodes{0};
+  while (!nodes.empty()) {
+    const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
+    nodes.pop_back();
+    if ((node.ball.c - p).norm() > node.ball.r + kAround) continue;
+    if (node.triangle < 0) {
+      nodes.push_back(node.left);
+      nodes.push_back(node.right);
+      continue;
+    }
+    const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
+    if ((nearest_in_triangle(t.corners, p) - p).norm() <= kAround) normals.push_back(t.n);
+  }
+  return normals;
+}
+
+/// Their mean, or zero if they differ too much, or one is that of a segment or a point.
+Vector3d common(const std::vector<Vector3d>& normals) {
+  Vector3d sum = Vector3d::Zero();
+  for (const Vector3d& x : normals) {
+    for (const Vector3d& y : normals)
+      if (!(x.dot(y) >= kCosSharp)) return Vector3d::Zero();
+    sum += x;
+  }
+  return sum.stableNormalized();
+}
+
+/// The way from the face of A that lies on one of B most nearly; else into the face of B that looks
+/// most nearly as one of A does, as the sides of flush blocks do; else the middle way into B.
+Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
+                 const std::vector<Vector3d>& normals_A) {
+  Vector3d on = -near.middle, beside = -near.middle;
+  double most_on = kCosFlat, most_beside = kCosFlat;
+  for (const Vector3d& n : near.normals)
+    for (const Vector3d& of_a : normals_A) {
+      const Vector3d n_A = R_BA * of_a;
+      const double same = n.dot(n_A);
+      if (-same > most_on) on = n_A, most_on = -same;
+      if (same > most_beside) beside = -n, most_beside = same;
+    }
+  return most_on > kCosFlat ? on : beside;
+}
+
+}  // namespace
+
+Vector3d contact_normal(const PatchPoint& point, const CollisionTree& a, const Pose<double>& X_BA,
+                        const Shape& b) {
+  if (point.radius > 0 && point.distance + point.radius > 0) return -point.normal;
+  const Around near = around(point, b);
+  if (!near.sharp) return -point.normal;
+  const std::vector<Vector3d> normals_A = normals_of(a, X_BA.inverse() * point.core);
+  const Vector3d n = X_BA.R * common(normals_A);
+  if (n.isZero()) return of_face(near, X_BA.R, normals_A);
+  return n.dot(near.middle) > 0 ? (-n).eval() : n;
 }
 
 }  // namespace thenar

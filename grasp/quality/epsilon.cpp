@@ -3,36 +3,37 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
+
+#include <Eigen/QR>
 
 #include "base/error.h"
-#include "grasp/quality/epsilon_start.h"
-#include "grasp/quality/hull.h"
-#include "grasp/quality/min_norm.h"
-#include "grasp/quality/polish.h"
-#include "grasp/quality/reach_proof.h"
+#include "grasp/quality/support_function.h"
+#include "grasp/quality/support_proof.h"
+#include "solvers/incremental_hull.h"
 
 namespace thenar {
 namespace {
 
 using internal::Hull;
-using internal::Reach;
 using internal::Span;
 using internal::span_of;
-using internal::Support;
+using internal::SupportFunction;
+using internal::SupportPoint;
 
 constexpr double kUndecided = 1e-9;  // an epsilon below this part of the size has no sign [1]
 constexpr int kPolishAt = 400;       // facets, and twice as many, ..: a lower bar leaves out more
 constexpr int kProveAgain = 64;      // times as many facets, after a proof that was not found
-constexpr int kFewParts = 8, kMostParts = 64;  // of the sphere in a proof, on the way, at the end
-constexpr int kLinfParts = 4;                  // of Linf at any time: a part takes 20 to 100 ms
-constexpr int kMostTries = 20;                 // of a proof, each from a lower bound from above
+constexpr int kFewParts = 8, kMaxParts = 64;  // of the sphere in a proof, on the way, at the end
+constexpr int kLinfParts = 4;                 // of Linf at any time: a part takes 20 to 100 ms
+constexpr int kMaxTries = 20;                 // of a proof, each from a lower bound from above
 constexpr double kProvable = 1e-9;  // a gap that proofs of two caps reach, in parts of the size [1]
 constexpr double kOutsideGap = 1e-10;  // asked of distances from outside, as it costs little [1]
 
 void require_options(const WrenchSet& set, const EpsilonOptions& options) {
   require(options.gap > 0 && options.gap < std::numeric_limits<double>::infinity(),
           "the gap is {}, wanted > 0", options.gap);
-  require(options.most_facets > 0, "the hull may have {} facets, wanted > 0", options.most_facets);
+  require(options.max_facets > 0, "the hull may have {} facets, wanted > 0", options.max_facets);
   for (std::size_t i = 0; i < set.caps.size(); ++i)
     require(set.caps[i].c.allFinite() && set.caps[i].A.allFinite(), "wrenches {} are not finite",
             i);
@@ -42,14 +43,14 @@ Epsilon nothing() {
   Epsilon out{};
   out.converged = true;
   out.has_missing_direction = true;
-  out.missing_direction = Wrench::Unit(0);
+  out.missing_direction = ScaledWrench::Unit(0);
   out.worst_wrench = -out.missing_direction;
   return out;
 }
 
 /// Distance of the origin from a set that does not hold it in its interior.
 Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& options) {
-  const Support support(set, ForceLimit::kL1);
+  const SupportFunction support(set, ForceNorm::kL1);
   const auto nearest = internal::min_norm(support, std::min(options.gap, kOutsideGap));
   Epsilon out{};
   out.rank = span.rank;
@@ -69,21 +70,21 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
 }
 
 /// What is known of epsilon while the hull grows.
-class Search {
+class EpsilonSearch {
  public:
-  Search(const Support& support, const EpsilonOptions& options)
+  EpsilonSearch(const SupportFunction& support, const EpsilonOptions& options)
       : support_(support), options_(options) {}
 
   /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
   bool run() {
-    const auto simplex = internal::first_simplex(support_, internal::kFlat);
+    const auto simplex = internal::first_simplex(support_, internal::kFlatSimplex);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
     Hull hull(simplex.points);
     lower_ = -support_.size();
     int next_polish = kPolishAt;
     int next_proof = kPolishAt;
-    while (upper_ > 0 && hull.facets() <= options_.most_facets) {
+    while (upper_ > 0 && hull.facets() <= options_.max_facets) {
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
       if (facet < 0) {  // all are beyond the bar
@@ -93,10 +94,10 @@ class Search {
       const Hull::Plane plane = hull.plane(facet);
       lower_ = std::max(lower_, plane.d - hull.error());
       if (settled()) break;
-      const Reach reach = look(plane.n);
+      const SupportPoint reach = look(plane.n);
       if (settled() || !hull.insert(reach.p, facet)) break;
       if (hull.facets() < next_polish) continue;
-      polish();
+      descend_support();
       if (hull.facets() >= next_proof) {
         if (prove(needed_gap(), linf() ? kLinfParts : kFewParts)) break;
         next_proof *= kProveAgain;
@@ -104,9 +105,9 @@ class Search {
       next_polish *= 2;
     }
     facets_ = hull.facets();
-    polish();
+    descend_support();
     for (const double gap : {needed_gap(), kProvable * support_.size()})
-      if (!settled() && prove(gap, linf() ? kLinfParts : kMostParts)) break;
+      if (!settled() && prove(gap, linf() ? kLinfParts : kMaxParts)) break;
     return true;
   }
 
@@ -117,7 +118,7 @@ class Search {
     out.rank = 6;
     out.force_closure = lower_ > 0;
     out.has_missing_direction = false;
-    out.missing_direction = Wrench::Zero();
+    out.missing_direction = ScaledWrench::Zero();
     out.worst_wrench = -worst_;
     out.converged = upper_ - lower_ <= options_.gap;
     out.supports = supports_;
@@ -126,21 +127,22 @@ class Search {
   }
 
   [[nodiscard]] double upper() const { return upper_; }
-  [[nodiscard]] const Wrench& worst() const { return worst_; }
+  [[nodiscard]] const ScaledWrench& worst() const { return worst_; }
 
  private:
   /// Takes the upper bound down to the local minimum.
-  void polish() {
-    if (upper_ > kUndecided * support_.size()) (void)look(internal::polish(support_, worst_));
+  void descend_support() {
+    if (upper_ > kUndecided * support_.size())
+      (void)look(internal::descend_support(support_, worst_));
   }
 
   /// Two caps may be nearest along whole families of directions, whose facets grow with 1 / gap:
   /// the lower bound is then had without facets.
-  bool prove(double gap, int most_parts) {
-    for (int tries = 0; tries < kMostTries; ++tries) {
+  bool prove(double gap, int max_parts) {
+    for (int tries = 0; tries < kMaxTries; ++tries) {
       const double r = upper_ - support_.rounding() - 0.9 * gap;
       if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
-      const internal::ReachProof proof = internal::prove_reach(support_, r, most_parts);
+      const internal::SupportProof proof = internal::prove_support(support_, r, max_parts);
       if (proof.found) {
         lower_ = r;
         return settled();
@@ -151,8 +153,8 @@ class Search {
     return false;
   }
 
-  Reach look(const Wrench& u) {
-    const Reach reach = support_(u);
+  SupportPoint look(const ScaledWrench& u) {
+    const SupportPoint reach = support_(u);
     ++supports_;
     if (reach.h + support_.rounding() < upper_) {
       upper_ = reach.h + support_.rounding();
@@ -161,7 +163,7 @@ class Search {
     return reach;
   }
 
-  [[nodiscard]] bool linf() const { return support_.limit() == ForceLimit::kLinf; }
+  [[nodiscard]] bool linf() const { return support_.limit() == ForceNorm::kLinf; }
 
   /// The gap that also settles the sign.
   [[nodiscard]] double needed_gap() const {
@@ -170,17 +172,17 @@ class Search {
   [[nodiscard]] double bar() const { return upper_ - 0.9 * needed_gap(); }
   [[nodiscard]] bool settled() const { return upper_ - lower_ <= needed_gap(); }
 
-  const Support& support_;
+  const SupportFunction& support_;
   const EpsilonOptions& options_;
   double lower_ = 0, upper_ = std::numeric_limits<double>::infinity();
-  Wrench worst_ = Wrench::Unit(0);
+  ScaledWrench worst_ = ScaledWrench::Unit(0);
   int supports_ = 0, facets_ = 0;
 };
 
 /// kLinf without proof of force closure: the value of kL1, unless that one has the proof; then the
 /// larger set has it, too.
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
-  options.limit = ForceLimit::kL1;
+  options.limit = ForceNorm::kL1;
   const Epsilon l1 = epsilon(set, options);
   if (!l1.force_closure) return l1;
   linf.lower = l1.lower;
@@ -197,12 +199,12 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   const Span span = span_of(set);
   if (span.rank < 6) return outside(set, span, options);
 
-  const Support support(set, options.limit);
-  Search search(support, options);
+  const SupportFunction support(set, options.limit);
+  EpsilonSearch search(support, options);
   if (!search.run() || search.upper() <= support.rounding()) return outside(set, span, options);
   Epsilon out = search.result();
   if (out.force_closure) return out;
-  if (options.limit == ForceLimit::kLinf) return of_l1(set, options, out);
+  if (options.limit == ForceNorm::kLinf) return of_l1(set, options, out);
   // Facets bound nothing from below where the origin is not inside: a needle beside it may have
   // all its planes near it.
   Epsilon beside = outside(set, span, options);
@@ -217,3 +219,96 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
 }
 
 }  // namespace thenar
+
+namespace thenar::internal {
+namespace {
+
+constexpr int kMaxSupports = 2000;
+constexpr double kZero = 1e-14;  // of |x|, in parts of the size [1]
+
+/// Weights of the point of least norm in the affine hull of the columns: y = w0 + D a, w0 the last.
+Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& points) {
+  const Eigen::Index edges = points.cols() - 1;
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.cols());
+  if (edges == 0) return weights;
+  const ScaledWrench last = points.rightCols<1>();
+  const Eigen::MatrixXd D = points.leftCols(edges).colwise() - last;
+  weights.head(edges) = D.completeOrthogonalDecomposition().solve(-last);
+  weights(edges) = 1 - weights.head(edges).sum();
+  return weights;
+}
+
+/// Few points and how their nearest one is mixed from them.
+struct Corral {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> points;
+  Eigen::VectorXd weights;  // >= 0, sum 1
+
+  void add(const ScaledWrench& p) {
+    points.conservativeResize(6, points.cols() + 1);
+    points.rightCols<1>() = p;
+    weights.conservativeResize(points.cols());
+    weights(points.cols() - 1) = 0;
+  }
+
+  void drop(Eigen::Index i) {
+    const Eigen::Index last = points.cols() - 1;
+    points.col(i) = points.col(last);
+    weights(i) = weights(last);
+    points.conservativeResize(6, last);
+    weights.conservativeResize(last);
+  }
+
+  /// Wolfe's minor cycle: to the nearest point of the hull, dropping what it does not need.
+  void settle() {
+    for (;;) {
+      const Eigen::VectorXd wanted = affine_weights(points);
+      if (wanted.minCoeff() >= 0) {
+        weights = wanted;
+        return;
+      }
+      double step = 1;
+      Eigen::Index leaving = 0;
+      for (Eigen::Index i = 0; i < wanted.size(); ++i) {
+        if (wanted(i) >= 0) continue;
+        const double to_zero = weights(i) / (weights(i) - wanted(i));
+        if (to_zero <= step) {
+          step = to_zero;
+          leaving = i;
+        }
+      }
+      weights += step * (wanted - weights);
+      drop(leaving);
+    }
+  }
+};
+
+}  // namespace
+
+MinNorm min_norm(const SupportFunction& support, double gap) {
+  const ScaledWrench start = ScaledWrench::Constant(1 / std::sqrt(6.0));
+  MinNorm out{support(start).p, start, std::numeric_limits<double>::infinity(), 1};
+  Corral corral;
+  corral.add(out.x);
+  corral.weights(0) = 1;
+  ScaledWrench x = out.x;
+  while (out.supports < kMaxSupports) {
+    const double length = x.norm();
+    if (length < out.x.norm()) out.x = x;
+    if (length <= kZero * support.size()) break;
+    const ScaledWrench u = -x / length;
+    const SupportPoint reach = support(u);
+    ++out.supports;
+    if (reach.h < out.reach) {
+      out.reach = reach.h;
+      out.away = u;
+    }
+    if (out.x.norm() + out.reach <= std::max(gap, support.rounding())) break;
+    if (length + reach.h <= support.rounding()) break;  // no progress left
+    corral.add(reach.p);
+    corral.settle();
+    x = corral.points * corral.weights;
+  }
+  return out;
+}
+
+}  // namespace thenar::internal

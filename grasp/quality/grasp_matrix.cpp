@@ -1,7 +1,7 @@
 #include "grasp/quality/grasp_matrix.h"
 
+#include "grasp/contact/wrench_set.h"
 #include "grasp/quality/manipulability.h"
-#include "grasp/quality/wrench_set.h"
 
 namespace thenar {
 

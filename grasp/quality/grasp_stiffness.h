@@ -7,17 +7,9 @@
 
 #include <Eigen/Core>
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 
 namespace thenar {
-
-/// Springs of a pad between fingertip and object. 0: the pad gives no resistance; infinite: rigid,
-/// which needs joints that yield.
-struct PadStiffness {
-  double normal = 0;      // [N/m]
-  double tangential = 0;  // along both tangents [N/m]
-  double twisting = 0;    // about the normal [N m/rad]
-};
 
 /// Joints that yield behind the pads.
 struct JointStiffness {
@@ -26,12 +18,12 @@ struct JointStiffness {
   Eigen::VectorXd k;  // of each joint [N m/rad]; infinite: locked (joints)
 };
 
-/// Wrench on the object per displacement, both with torques and turns in units of force and
+/// ScaledWrench on the object per displacement, both with torques and turns in units of force and
 /// length: turns are multiplied by the torque scale.
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
   double least;                   // eigenvalue: the softest direction [N/m]
-  Wrench softest;                 // unit: motion, turn times scale (6)
+  ScaledWrench softest;           // unit: motion, turn times scale (6)
 };
 
 /// K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in series.

@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "grasp/limits/grasp_force.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/hold_force.h"
 
 namespace thenar {
 namespace {
@@ -14,12 +14,12 @@ namespace {
 constexpr double kNothingNew =
     1e-9;  // a point beyond a facet by less of its size brings nothing new [1]
 
-ForceSet with_strength(ForceSet forces, double strength) {
+ForceSet with_strength(ForceSet forces, double max_total_force) {
   const Eigen::Index rows = forces.G.rows();
   forces.G.conservativeResize(rows + 1, forces.G.cols());
   forces.G.row(rows) = forces.normals;
   forces.h.conservativeResize(rows + 1);
-  forces.h(rows) = strength;
+  forces.h(rows) = max_total_force;
   forces.cones.push_back(1);
   return forces;
 }
@@ -28,19 +28,20 @@ ForceSet with_strength(ForceSet forces, double strength) {
 class BallSearch {
  public:
   BallSearch(const ForceSet& forces, const BallOptions& options)
-      : forces_(with_strength(forces, options.strength)), options_(options) {}
+      : forces_(with_strength(forces, options.max_total_force)), options_(options) {}
 
   InscribedBall run() {
     // Most sets hold the zero wrench, whose neighbourhood is what counts.
-    const HoldForce none = smallest_hold(forces_, Wrench::Zero(), Squeeze::kSum);
+    const GraspForce none =
+        minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum);
     if (none.status == ConeStatus::kSolved) {
-      points_.caps.push_back({Wrench::Zero(), {}});
+      points_.caps.push_back({ScaledWrench::Zero(), {}});
       result_.residual = none.residual;
     }
     ++result_.programs;
     for (int i = 0; i < 6 && ok(); ++i)
-      for (const double sign : {1.0, -1.0}) (void)look(sign * Wrench::Unit(i));
-    while (ok() && result_.programs < options_.most_programs && !refine()) {
+      for (const double sign : {1.0, -1.0}) (void)look(sign * ScaledWrench::Unit(i));
+    while (ok() && result_.programs < options_.max_programs && !refine()) {
     }
     const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
     if (ok() && !met && !exhausted_) result_.status = ConeStatus::kStalled;
@@ -55,20 +56,20 @@ class BallSearch {
   }
 
   /// Asks how far the set reaches. @returns whether the point is new: beyond all others
-  bool look(const Wrench& u) {
-    const Reach reach = farthest_wrench(forces_, u);
+  bool look(const ScaledWrench& u) {
+    const WrenchSupport reach = wrench_support(forces_, u);
     ++result_.programs;
     if (reach.status != ConeStatus::kSolved) {
       result_.status = reach.status;
       return false;
     }
-    result_.residual = largest_or_nan(result_.residual, reach.residual);
+    result_.residual = max_or_nan(result_.residual, reach.residual);
     if (reach.bound < result_.upper) {
       result_.upper = reach.bound;
       result_.worst_load = -u;
     }
     const bool is_new = points_.caps.empty() ||
-                        reach.value > support(points_, u, ForceLimit::kL1) + kNothingNew * size_;
+                        reach.value > support(points_, u, ForceNorm::kL1) + kNothingNew * size_;
     size_ = std::max(size_, reach.wrench.norm());
     points_.caps.push_back({reach.wrench, {}});
     return is_new;
@@ -81,7 +82,7 @@ class BallSearch {
     const Epsilon inner = epsilon(points_, sharp);
     result_.lower = std::min(inner.lower, result_.upper);
     if (result_.upper <= 0 || result_.upper - result_.lower <= gap()) return true;
-    const Wrench& u = -inner.worst_wrench;
+    const ScaledWrench& u = -inner.worst_wrench;
     exhausted_ = !look(u);
     if (inner.rank < 6) exhausted_ = !look(-u) && exhausted_;
     return exhausted_;
@@ -95,7 +96,7 @@ class BallSearch {
   InscribedBall result_{ConeStatus::kSolved,
                         -std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity(),
-                        Wrench::Zero(),
+                        ScaledWrench::Zero(),
                         0,
                         0};
 };
@@ -107,17 +108,17 @@ bool is_unlimited(ForceSet forces, int axes) {
   forces.h.setZero();
   for (int i = 0; i < axes; ++i)
     for (const double sign : {1.0, -1.0})
-      if (largest_load(forces, sign * Wrench::Unit(i)).status != ConeStatus::kUnbounded)
+      if (load_margin(forces, sign * ScaledWrench::Unit(i)).status != ConeStatus::kUnbounded)
         return false;
   return true;
 }
 
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options) {
-  require(options.gap > 0 && options.strength > 0 && options.most_programs > 0,
+  require(options.gap > 0 && options.max_total_force > 0 && options.max_programs > 0,
           "gap, strength and most_programs must be positive, got {}, {}, {}", options.gap,
-          options.strength, options.most_programs);
+          options.max_total_force, options.max_programs);
   if (is_unlimited(forces, 6))
-    return {ConeStatus::kUnbounded, kInfinity, kInfinity, Wrench::Zero(), 12, 0};
+    return {ConeStatus::kUnbounded, kInfinity, kInfinity, ScaledWrench::Zero(), 12, 0};
   return BallSearch(forces, options).run();
 }
 

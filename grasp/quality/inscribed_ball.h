@@ -2,14 +2,15 @@
 
 /// How large a wrench, from whatever direction, forces can make.
 
-#include "grasp/quality/withstood.h"
+#include "grasp/limits/wrench_support.h"
 
 namespace thenar {
 
 struct BallOptions {
-  double gap = 1e-2;        // certified upper - lower, as a part of upper [1]
-  double strength = 1e4;    // sum of normal forces that nothing exceeds: makes the set finite [N]
-  int most_programs = 600;  // cone programmes before giving up
+  double gap = 1e-2;  // certified upper - lower, as a part of upper [1]
+  double max_total_force =
+      1e4;                 // sum of normal forces that nothing exceeds: makes the set finite [N]
+  int max_programs = 600;  // cone programmes before giving up
 };
 
 /// Signed radius of the largest ball about the origin in the wrenches of a force set.
@@ -18,9 +19,9 @@ struct [[nodiscard]] InscribedBall {
                       // kUnbounded: every wrench can be made, bounds are infinite
   double lower;       // [N]: the radius is in [lower, upper], each to within `residual` times 1 N
   double upper;       // and the largest wrench that was met
-  Wrench worst_load;  // unit: the load withstood least (6)
-  int programs;       // cone programmes solved
-  double residual;    // the largest of them: of their KKT conditions, computed anew [1]
+  ScaledWrench worst_load;  // unit: the load withstood least (6)
+  int programs;             // cone programmes solved
+  double residual;          // the largest of them: of their KKT conditions, computed anew [1]
 };
 
 /// epsilon = min over |u| = 1 of h(u), h the support function of the set, a cone programme for

@@ -27,4 +27,49 @@ Eigen::MatrixXd hand_object_jacobian(const Eigen::Matrix<double, 6, Eigen::Dynam
   return Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(Gt).solve(J);
 }
 
+namespace {
+
+constexpr double kRank = 1e-9;  // singular values of G below it of the largest are none [1]
+
+using Svd = Eigen::JacobiSVD<Eigen::MatrixXd>;
+
+constexpr double kNoise = 1e-12;  // rounding of G'^+ J, in parts of |J| / (least of G) [1]
+
+/// Takes away what is no larger than rounding: its singular values become 0.
+void drop_rounding(Eigen::MatrixXd& M, double rounding) {
+  if (M.size() == 0) return;
+  const Svd svd(M, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  Eigen::VectorXd sigma = svd.singularValues();
+  if (sigma(sigma.size() - 1) > rounding) return;
+  for (double& each : sigma)
+    if (each <= rounding) each = 0;
+  M = svd.matrixU() * sigma.asDiagonal() * svd.matrixV().transpose();
+}
+
+double largest_singular_value(const Eigen::MatrixXd& M) { return Svd(M).singularValues()(0); }
+
+}  // namespace
+
+NoSlipMobility no_slip_mobility(const Eigen::Matrix<double, 6, Eigen::Dynamic>& G,
+                                const Eigen::MatrixXd& J, double tolerance) {
+  require(G.cols() == J.rows(), "G has {} force components, J {}", G.cols(), J.rows());
+  require(G.allFinite() && J.allFinite(), "G and J must be finite");
+  const Svd of_contacts(G.transpose(), Eigen::ComputeThinU);
+  const Eigen::VectorXd& sigma = of_contacts.singularValues();
+  require(sigma.size() == 6 && sigma(5) > kRank * sigma(0),
+          "the contacts leave the object free to move by itself");
+  if (J.cols() == 0) return {Eigen::MatrixXd(0, 0), Eigen::MatrixXd(6, 0)};
+
+  // Speeds whose part beside what an object's motion can follow is zero.
+  const Eigen::MatrixXd& U = of_contacts.matrixU();
+  const Svd beside(J - U * (U.transpose() * J), Eigen::ComputeFullV);
+  const double zero = tolerance * largest_singular_value(J);
+  const Eigen::Index stuck = (beside.singularValues().array() > zero).count();
+  NoSlipMobility found;
+  found.drives = beside.matrixV().rightCols(J.cols() - stuck);
+  found.object = hand_object_jacobian(G, J * found.drives);
+  drop_rounding(found.object, kNoise * largest_singular_value(J) / sigma(5));
+  return found;
+}
+
 }  // namespace thenar

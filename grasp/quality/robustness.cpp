@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "base/spatial.h"
+#include "grasp/contact/contact.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/pyramid.h"
-#include "grasp/quality/regions.h"
 
 namespace thenar {
 namespace {
@@ -63,7 +63,7 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
   require(uncertainty.friction >= 0 && uncertainty.place >= 0 && uncertainty.tilt >= 0,
           "standard deviations must be >= 0, got {}, {}, {}", uncertainty.friction,
           uncertainty.place, uncertainty.tilt);
-  const std::vector<int> region = regions(contacts);
+  const std::vector<int> region = contact_regions(contacts);
   std::vector<Eigen::Vector3d> normals;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const auto number = static_cast<std::size_t>(region[i]);
@@ -79,7 +79,7 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
   return result;
 }
 
-Interval wilson_interval(int hits, int trials) {
+ConfidenceInterval wilson_interval(int hits, int trials) {
   require(trials > 0 && hits >= 0 && hits <= trials, "{} hits in {} trials", hits, trials);
   const double n = trials, p = hits / n, z2 = kNormal95 * kNormal95;
   const double middle = (p + z2 / (2 * n)) / (1 + z2 / n);
@@ -117,7 +117,7 @@ Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& 
     result.epsilon(i) = found.lower;
   }
   std::sort(result.epsilon.begin(), result.epsilon.end());
-  const Interval interval = wilson_interval(closed, options.draws);
+  const ConfidenceInterval interval = wilson_interval(closed, options.draws);
   result.closure = static_cast<double>(closed) / options.draws;
   result.closure_lower = interval.lower;
   result.closure_upper = interval.upper;

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 
 namespace thenar {
 
@@ -18,8 +18,8 @@ struct ContactUncertainty {
 };
 
 /// Contacts as they might be: friction log-normal, so never negative; places moved along the
-/// tangent plane; normals turned. Points of one region (regions()) are one rigid face: they are
-/// moved and turned alike, and have the same factor of friction.
+/// tangent plane; normals turned. Points of one region (contact_regions()) are one rigid face: they
+/// are moved and turned alike, and have the same factor of friction.
 [[nodiscard]] std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
                                              const ContactUncertainty& uncertainty,
                                              std::mt19937& rng);
@@ -29,7 +29,7 @@ struct RobustnessOptions {
   double gap = 1e-2;                // of each epsilon, in unit forces [1]
   Eigen::Vector3d centre{0, 0, 0};  // torques are about it [m] (3)
   double torque_scale = 1;          // they are divided by it [m]
-  ForceLimit limit = ForceLimit::kL1;
+  ForceNorm limit = ForceNorm::kL1;
   int edges = 0;  // of friction pyramids, as pyramids(); 0: cones
 };
 
@@ -56,9 +56,9 @@ struct Robustness {
                                     std::mt19937& rng, const RobustnessOptions& options = {});
 
 /// Wilson's interval of a probability seen `hits` times in `trials`, 95 %.
-struct Interval {
+struct ConfidenceInterval {
   double lower, upper;
 };
-[[nodiscard]] Interval wilson_interval(int hits, int trials);
+[[nodiscard]] ConfidenceInterval wilson_interval(int hits, int trials);
 
 }  // namespace thenar

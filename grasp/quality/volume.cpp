@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "grasp/quality/epsilon_start.h"
-#include "grasp/quality/hull.h"
-#include "grasp/quality/pyramid.h"
-#include "grasp/quality/sum_volume.h"
+#include "grasp/contact/friction_pyramid.h"
+#include "grasp/quality/minkowski_volume.h"
+#include "grasp/quality/support_function.h"
+#include "solvers/incremental_hull.h"
 
 namespace thenar {
 namespace {
@@ -19,7 +19,7 @@ namespace {
 constexpr double kBeyond =
     1e-12;  // a point this far beyond a facet, in parts of the size, is on it
 
-constexpr int kLeastEdges = 6;    // with fewer than asked for an estimate to mean much
+constexpr int kMinEdges = 6;      // with fewer than asked for an estimate to mean much
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
 constexpr int kFacetsBeforeSum = 100000;  // of a hull, while there may be a way without it
@@ -27,7 +27,7 @@ constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no oth
 constexpr double kFolded = 1e-4;  // of a larger hull of a sum: faces that are parallel but for
                                   // rounding fold it; 1.3e-5 was met [1]
 constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
-constexpr double kMostChoices = 2e7;    // of faces of a sum: some seconds
+constexpr double kMaxChoices = 2e7;     // of faces of a sum: some seconds
 constexpr double kSumError = 1e-6;  // of the volume of a sum that is not in general position [1]
 
 struct PolytopeVolume {
@@ -43,9 +43,9 @@ struct Rounded {
   WrenchSet set;
   double shrunk;
 };
-Rounded rounded(const WrenchSet& set, ForceLimit limit) {
-  Wrench middle = Wrench::Zero();
-  if (limit == ForceLimit::kL1)
+Rounded rounded(const WrenchSet& set, ForceNorm limit) {
+  ScaledWrench middle = ScaledWrench::Zero();
+  if (limit == ForceNorm::kL1)
     for (const WrenchCap& cap : set.caps) middle += cap.c / static_cast<double>(set.caps.size());
   Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
   const auto append = [&](const Eigen::MatrixXd& columns) {
@@ -57,7 +57,7 @@ Rounded rounded(const WrenchSet& set, ForceLimit limit) {
     append(cap.A);
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeThinU);
-  const Wrench widths = svd.singularValues();
+  const ScaledWrench widths = svd.singularValues();
   const Eigen::Matrix<double, 6, 6> stretch =
       widths.cwiseInverse().asDiagonal() * svd.matrixU().transpose();
   Rounded out{set, widths.prod()};
@@ -74,20 +74,20 @@ double error_of(const internal::Hull& hull, double off) {
   return std::pow(1 + off / hull.inner_radius(), 6) - 1;
 }
 
-/// Of a set without curved caps. @param most_facets  of the hull
-PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, int most_facets) {
-  const ForceLimit limit = options.limit;
+/// Of a set without curved caps. @param max_facets  of the hull
+PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, int max_facets) {
+  const ForceNorm limit = options.limit;
   const Rounded round = rounded(set, limit);
-  const internal::Support support(round.set, limit);
-  const auto simplex = internal::first_simplex(support, internal::kFlat);
+  const internal::SupportFunction support(round.set, limit);
+  const auto simplex = internal::first_simplex(support, internal::kFlatWidth);
   if (!simplex.found) return {0, true, 0};
   internal::Hull hull(simplex.points);
   double off = 0;
   int facet = 0;
-  while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= most_facets &&
+  while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= max_facets &&
          !options.progress.stop()) {
     const internal::Hull::Plane plane = hull.plane(facet);
-    const internal::Reach reach = support(plane.n);
+    const internal::SupportPoint reach = support(plane.n);
     if (reach.h > plane.d + kBeyond * support.size() && hull.insert(reach.p, facet)) continue;
     off = std::max(off, reach.h - plane.d);
   }
@@ -96,9 +96,10 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
 
 /// Of a Minkowski sum without its hull, where that can be.
 std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, const VolumeOptions& options) {
-  if (options.limit != ForceLimit::kLinf) return {};
+  if (options.limit != ForceNorm::kLinf) return {};
   const Rounded round = rounded(set, options.limit);
-  const std::optional<double> sum = internal::sum_volume(round.set, kMostChoices, options.progress);
+  const std::optional<double> sum =
+      internal::minkowski_volume(round.set, kMaxChoices, options.progress);
   if (!sum) return {};
   return PolytopeVolume{*sum * round.shrunk, true, 0, kSumError};
 }
@@ -107,7 +108,7 @@ std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, const VolumeOp
 Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
   const auto find = [&](const WrenchSet& polytopes) {
     const std::optional<PolytopeVolume> sum = volume_of_sum(polytopes, options);
-    return sum ? *sum : hull_volume(polytopes, options, options.most_facets);
+    return sum ? *sum : hull_volume(polytopes, options, options.max_facets);
   };
   PolytopeVolume in = find(polytopes_in(set, options.edges));
   PolytopeVolume about =
@@ -122,7 +123,7 @@ Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
 /// The estimate of the coarser, within the bounds of both.
 Volume tighter(const Volume& fine, Volume coarse) {
   coarse.lower = std::max(coarse.lower, fine.lower);
-  if (coarse.edges < kLeastEdges) coarse.complete = false;
+  if (coarse.edges < kMinEdges) coarse.complete = false;
   coarse.estimate = coarse.complete ? std::max(coarse.estimate, coarse.lower) : kNaN;
   return coarse;
 }
@@ -131,14 +132,14 @@ Volume tighter(const Volume& fine, Volume coarse) {
 /// patience.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   const WrenchSet points = pyramids(set, options.edges);
-  PolytopeVolume v = hull_volume(points, options, std::min(options.most_facets, kFacetsBeforeSum));
+  PolytopeVolume v = hull_volume(points, options, std::min(options.max_facets, kFacetsBeforeSum));
   if (!v.complete || v.error > kSharpVolume) {
     if (const std::optional<PolytopeVolume> sum = volume_of_sum(points, options))
       v = *sum;
     else if (!v.complete)
-      v = hull_volume(points, options, 8 * std::min(options.most_facets, 100000000));
+      v = hull_volume(points, options, 8 * std::min(options.max_facets, 100000000));
   }
-  const bool folded = options.limit == ForceLimit::kLinf && v.facets > kFacetsBeforeSum;
+  const bool folded = options.limit == ForceNorm::kLinf && v.facets > kFacetsBeforeSum;
   if (folded) v.error = std::max(v.error, kFolded);
   if (v.error < kExactVolume) v.error = 0;
   const double lower = v.volume * (1 - std::min(1.0, v.error));
@@ -150,7 +151,7 @@ Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
 
 Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   require(options.edges >= 3, "a pyramid has at least 3 edges, got {}", options.edges);
-  require(options.most_facets > 0, "the hull may have {} facets, wanted > 0", options.most_facets);
+  require(options.max_facets > 0, "the hull may have {} facets, wanted > 0", options.max_facets);
   bool curved = false;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     const WrenchCap& cap = set.caps[i];

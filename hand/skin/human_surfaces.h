@@ -10,7 +10,7 @@
 #include "geometry/triangle_mesh.h"
 #include "hand/hand.h"
 #include "hand/skeleton.h"
-#include "hand/skin/soft_body.h"
+#include "hand/skin/implicit_body.h"
 
 namespace thenar {
 
@@ -34,7 +34,7 @@ struct SkinOptions {
                                                       const SkinOptions& options = {});
 
 /// The skin of one body as triangles, `triangles` at most. @throws InputError below 100.
-[[nodiscard]] TriangleMesh skin_mesh(const SoftBody& body, int triangles);
+[[nodiscard]] TriangleMesh skin_mesh(const ImplicitBody& body, int triangles);
 
 /// Bones of every segment, of material "bone": shafts of 0.45 of the flesh's radius that swell to
 /// two condyles at the distal end and one base at the proximal, 0.6 of it: priors, chosen by eye.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hand/skeleton.h"
+
 namespace thenar {
 namespace {
 
@@ -47,10 +49,10 @@ double joint_radius(const DigitAnatomy& digit, int i) {
 }
 
 /// A phalanx between two joints, with the pulp on its palmar side.
-SoftBody phalanx(const DigitAnatomy& digit, int i) {
+ImplicitBody phalanx(const DigitAnatomy& digit, int i) {
   const DigitBone& bone = digit.bones[i];
   const double r = bone.radius, from = joint_radius(digit, i), to = joint_radius(digit, i + 1);
-  SoftBody body{
+  ImplicitBody body{
       flattened(capsule(bone.proximal, bone.distal, from, to, 0), bone.dorsal, kJointAspect)};
   body.push_back(
       capsule(beside(bone, 0.35, -0.22), beside(bone, 0.65, -0.22), 0.86 * r, 0.86 * r, 0.5 * r));
@@ -58,13 +60,13 @@ SoftBody phalanx(const DigitAnatomy& digit, int i) {
 }
 
 /// The last phalanx: tapers to the tip, bulges at the pad, flatter under the nail.
-SoftBody fingertip(const DigitAnatomy& digit) {
+ImplicitBody fingertip(const DigitAnatomy& digit) {
   const int i = static_cast<int>(digit.bones.size()) - 1;
   const DigitBone& bone = digit.bones[i];
   const double r = bone.radius, length = (bone.distal - bone.proximal).norm(), end = 0.66 * r;
   const double wide = std::sqrt(kTipAspect);
   const double last = 1 - wide * end / length;  // the cap ends at the tip
-  SoftBody body{
+  ImplicitBody body{
       flattened(capsule(bone.proximal, beside(bone, last, -0.1), joint_radius(digit, i), end, 0),
                 bone.dorsal, kTipAspect)};
   const double middle = 1 - 1.15 * r / length;
@@ -88,10 +90,10 @@ ThumbWeb thumb_web(const HandAnatomy& hand, const DigitAnatomy& thumb) {
 }
 
 /// First metacarpal with its share of the thenar muscles and of the web.
-SoftBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
+ImplicitBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
   const DigitBone& bone = thumb.bones.front();
   const double r = bone.radius;
-  SoftBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
+  ImplicitBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
   body.push_back(capsule(beside(bone, 0.22, -0.5), beside(bone, 0.75, -0.35), 0.9 * r, 0.8 * r, r));
   if (hand.palm) {
     const ThumbWeb web = thumb_web(hand, thumb);
@@ -115,7 +117,7 @@ class PalmMaker {
     length_ = (mean - palm_.wrist).dot(palm_.distal);
   }
 
-  SoftBody make() {
+  ImplicitBody make() {
     metacarpals();
     carpus();
     pads();
@@ -200,13 +202,13 @@ class PalmMaker {
   const PalmAnatomy& palm_;
   std::vector<const DigitAnatomy*> fingers_;
   double half_ = 0, length_ = 0;  // half thickness; wrist to knuckles [m]
-  SoftBody body_;
+  ImplicitBody body_;
 };
 
 }  // namespace
 
-std::map<std::string, SoftBody> skin_bodies(const HandAnatomy& hand) {
-  std::map<std::string, SoftBody> bodies;
+std::map<std::string, ImplicitBody> skin_bodies(const HandAnatomy& hand) {
+  std::map<std::string, ImplicitBody> bodies;
   for (const DigitAnatomy& digit : hand.digits) {
     const int last = static_cast<int>(digit.bones.size()) - 1;
     for (int i = 0; i < last; ++i)
@@ -216,6 +218,111 @@ std::map<std::string, SoftBody> skin_bodies(const HandAnatomy& hand) {
   }
   if (hand.palm) bodies[hand.palm->segment] = PalmMaker(hand).make();
   return bodies;
+}
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// A joint between two bodies: the plane through its centre, facing the outer one.
+struct Border {
+  const ImplicitBody* other;
+  Vector3d center, outward;  // outward of the body that asks
+};
+
+/// Appends the border between two segments to both.
+void add_border(const std::map<std::string, ImplicitBody>& bodies, const std::string& inner,
+                const std::string& outer, const Vector3d& center, const Vector3d& outward,
+                std::map<std::string, std::vector<Border>>& borders) {
+  if (bodies.count(inner) == 0 || bodies.count(outer) == 0) return;
+  borders[inner].push_back({&bodies.at(outer), center, outward});
+  borders[outer].push_back({&bodies.at(inner), center, -outward});
+}
+
+std::map<std::string, std::vector<Border>> borders_of(
+    const HandAnatomy& hand, const std::map<std::string, ImplicitBody>& bodies) {
+  std::map<std::string, std::vector<Border>> borders;
+  for (const DigitAnatomy& digit : hand.digits) {
+    std::string inner = digit.root;
+    Vector3d before = (digit.bones[0].distal - digit.bones[0].proximal).normalized();
+    for (const DigitBone& bone : digit.bones) {
+      const Vector3d along = (bone.distal - bone.proximal).normalized();
+      add_border(bodies, inner, bone.segment, bone.proximal, (before + along).normalized(),
+                 borders);
+      inner = bone.segment;
+      before = along;
+    }
+  }
+  return borders;
+}
+
+/// Share of a cell that neighbours leave to a body [1].
+double share_left(const std::vector<Border>& borders, const Vector3d& p, double step) {
+  double share = 1;
+  for (const Border& border : borders) {
+    const double beyond = (p - border.center).dot(border.outward) / step;
+    if (beyond > -0.5 && implicit_height(*border.other, p) < 0)
+      share *= std::max(0.5 - beyond, 0.0);
+  }
+  return share;
+}
+
+/// Sums over the cells of a grid.
+LinkMass integrate(const ImplicitBody& body, const std::vector<Border>& borders) {
+  const Eigen::AlignedBox3d box = implicit_bounds(body);
+  const double step = box.diagonal().norm() / 80;
+  const Eigen::Vector3i cells = (box.sizes() / step).array().ceil().cast<int>();
+  double volume = 0;
+  Vector3d first = Vector3d::Zero();
+  Matrix3d second = Matrix3d::Zero();
+  for (int i = 0; i < cells.x(); ++i)
+    for (int j = 0; j < cells.y(); ++j)
+      for (int k = 0; k < cells.z(); ++k) {
+        const Vector3d p = box.min() + step * Vector3d(i + 0.5, j + 0.5, k + 0.5);
+        double part = std::clamp(0.5 - implicit_height(body, p) / step, 0.0, 1.0);
+        if (part > 0) part *= share_left(borders, p, step);
+        if (part == 0) continue;
+        const Vector3d from = p - box.center();
+        volume += part;
+        first += part * from;
+        second += part * (from * from.transpose() + step * step / 12 * Matrix3d::Identity());
+      }
+  if (volume == 0) return {};
+  const Vector3d com = first / volume;
+  second -= volume * com * com.transpose();
+  const double cell = kHandDensity * step * step * step;
+  return {cell * volume,
+          box.center() + com,
+          cell * (second.trace() * Matrix3d::Identity() - second),
+          {}};
+}
+
+}  // namespace
+
+std::map<std::string, LinkMass> skin_masses(const HandAnatomy& hand,
+                                            const std::map<std::string, ImplicitBody>& bodies) {
+  const auto borders = borders_of(hand, bodies);
+  std::map<std::string, LinkMass> masses;
+  for (const auto& [segment, body] : bodies) {
+    const auto found = borders.find(segment);
+    masses[segment] =
+        integrate(body, found == borders.end() ? std::vector<Border>{} : found->second);
+  }
+  return masses;
+}
+
+Subject with_skin_masses(Subject subject) {
+  const HandAnatomy hand = find_anatomy(subject);
+  const auto masses = skin_masses(hand, skin_bodies(hand));
+  for (Segment& segment : subject.segments) {
+    const auto found = masses.find(segment.name);
+    if (found == masses.end() || segment.mass > 0 || segment.radius > 0) continue;
+    segment.mass = found->second.mass;
+    segment.com = found->second.com;
+    segment.inertia = found->second.inertia;
+  }
+  return subject;
 }
 
 }  // namespace thenar

@@ -15,10 +15,11 @@ inline V angle_at(const AngleStep& angle, const Posed& posed) {
 
 /// Arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
 ///   sum weight u . (axis x (node - point)).
-inline void set_paths(const Program& program, const Numbers& digit, Posed& posed) {
+inline void set_paths(const Program& program, const DigitParameters& digit, Posed& posed) {
   const int n = program.coordinates;
-  for (int i = 0; i < program.strands * n; ++i) posed.bare[i] = digit.number[program.arms + i];
-  for (const int s : program.path_strands) clear(posed.bare + s * n, n);
+  for (int i = 0; i < program.strands * n; ++i)
+    posed.frictionless_arm[i] = digit.number[program.arms + i];
+  for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
   for (int k = 0; k < program.nodes.size(); ++k)
     posed.node[k] = carried(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
   for (int k = 0; k < program.runs.size(); ++k) {
@@ -27,40 +28,41 @@ inline void set_paths(const Program& program, const Numbers& digit, Posed& posed
     posed.length[k] = 1.0 / square_root(dot(way, way));
     const Vec u = posed.run[k] = posed.length[k] * way;
     for (int i = run.first; i < run.last; ++i) {
-      const ClimbStep& climb = program.climbs[i];
+      const ArmTerm& climb = program.arm_terms[i];
       const Vec r = posed.node[climb.node] - posed.point[climb.hinge];
-      posed.bare[climb.arm] += climb.weight * dot(u, cross(posed.axis[climb.hinge], r));
+      posed.frictionless_arm[climb.arm] += climb.weight * dot(u, cross(posed.axis[climb.hinge], r));
     }
   }
 }
 
-inline void pull_paths(const Program& program, const Posed& posed, Posed& bar, Wrenches& on,
-                       Numbers& bar_digit) {
+inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adjoint, Wrenches& on,
+                          DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int k = 0; k < program.runs.size(); ++k) {
     const RunStep& run = program.runs[k];
     const Vec u = posed.run[k];
     Vec u_bar = {V{}, V{}, V{}};
     for (int i = run.first; i < run.last; ++i) {
-      const ClimbStep& climb = program.climbs[i];
-      const V g = climb.weight * bar.bare[climb.arm];
+      const ArmTerm& climb = program.arm_terms[i];
+      const V g = climb.weight * adjoint.frictionless_arm[climb.arm];
       const Vec axis = posed.axis[climb.hinge];
       const Vec r = posed.node[climb.node] - posed.point[climb.hinge];
       const Vec r_bar = g * cross(u, axis);
       u_bar += g * cross(axis, r);
-      bar.axis[climb.hinge] += g * cross(r, u);
-      bar.point[climb.hinge] -= r_bar;
-      bar.node[climb.node] += r_bar;
+      adjoint.axis[climb.hinge] += g * cross(r, u);
+      adjoint.point[climb.hinge] -= r_bar;
+      adjoint.node[climb.node] += r_bar;
     }
     const Vec way_bar = posed.length[k] * (u_bar - dot(u_bar, u) * u);
-    bar.node[run.to] += way_bar;
-    bar.node[run.from] -= way_bar;
+    adjoint.node[run.to] += way_bar;
+    adjoint.node[run.from] -= way_bar;
   }
   for (int k = 0; k < program.nodes.size(); ++k)
-    pull_carried(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k], bar.node[k],
-                 on, bar_digit);
-  for (const int s : program.path_strands) clear(bar.bare + s * n, n);
-  for (int i = 0; i < program.strands * n; ++i) bar_digit.number[program.arms + i] += bar.bare[i];
+    adjoint_carried(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
+                    adjoint.node[k], on, adjoint_digit);
+  for (const int s : program.path_strands) clear(adjoint.frictionless_arm + s * n, n);
+  for (int i = 0; i < program.strands * n; ++i)
+    adjoint_digit.number[program.arms + i] += adjoint.frictionless_arm[i];
 }
 
 /// Size of a bend, smoothed as in bend_size().
@@ -73,19 +75,20 @@ inline V size_of(const BendStep& bend, const Posed& posed) {
 /// Is coordinate j the first to feel some bend?
 inline bool bends_before(const Program& program, int j) {
   for (const BendStep& bend : program.bends)
-    if (bend.felt_from == j) return true;
+    if (bend.first_coordinate_beyond == j) return true;
   return false;
 }
 
-/// arm = bare exp(-mu bent),  bent_j = sum of the bends nearer the muscle than coordinate j.
-inline void set_friction(const Program& program, const Numbers& digit, Posed& posed) {
+/// arm = frictionless_arm exp(-mu bent),  bent_j = sum of the bends nearer the muscle than
+/// coordinate j.
+inline void set_friction(const Program& program, const DigitParameters& digit, Posed& posed) {
   const int n = program.coordinates;
-  for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.bare[i];
+  for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
   if (program.sheaths.size() == 0) return;
   clear(posed.bent, n);
   for (const BendStep& bend : program.bends) {
     const V size = size_of(bend, posed);
-    for (int j = bend.felt_from; j < n; ++j) posed.bent[j] += size;
+    for (int j = bend.first_coordinate_beyond; j < n; ++j) posed.bent[j] += size;
   }
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
@@ -94,28 +97,28 @@ inline void set_friction(const Program& program, const Numbers& digit, Posed& po
         posed.left[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
       else
         posed.left[i] = j == 0 ? splat(1) : posed.left[i - 1];
-      posed.arm[i] = posed.bare[i] * posed.left[i];
+      posed.arm[i] = posed.frictionless_arm[i] * posed.left[i];
     }
 }
 
-inline void pull_friction(const Program& program, const Numbers& digit, const Posed& posed,
-                          Posed& bar, Numbers& bar_digit) {
+inline void adjoint_friction(const Program& program, const DigitParameters& digit,
+                             const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
-  for (int i = 0; i < program.strands * n; ++i) bar.bare[i] = bar.arm[i];
+  for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];
   if (program.sheaths.size() == 0) return;
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
-      bar.bare[i] = bar.arm[i] * posed.left[i];
-      const V lost = bar.arm[i] * posed.arm[i];
-      bar_digit.number[sheath.friction] -= lost * posed.bent[j];
-      bar.bent[j] -= lost * digit.number[sheath.friction];
+      adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.left[i];
+      const V lost = adjoint.arm[i] * posed.arm[i];
+      adjoint_digit.number[sheath.friction] -= lost * posed.bent[j];
+      adjoint.bent[j] -= lost * digit.number[sheath.friction];
     }
   for (const BendStep& bend : program.bends) {
     if (bend.angle.coordinate < 0) continue;
     V size_bar = V{};
-    for (int j = bend.felt_from; j < n; ++j) size_bar += bar.bent[j];
-    bar.angle[bend.angle.coordinate] +=
+    for (int j = bend.first_coordinate_beyond; j < n; ++j) size_bar += adjoint.bent[j];
+    adjoint.angle[bend.angle.coordinate] +=
         size_bar * bend.angle.ratio * angle_at(bend.angle, posed) / size_of(bend, posed);
   }
 }

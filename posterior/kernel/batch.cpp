@@ -8,31 +8,31 @@ namespace thenar::kernel {
 namespace {
 
 constexpr std::align_val_t kAlignment{64};
-constexpr int kMostLanes = 8;
+constexpr int kMaxLanes = 8;
 
 /// Up to whole cache lines.
-long padded(long doubles) { return (doubles + kMostLanes - 1) / kMostLanes * kMostLanes; }
+long padded(long doubles) { return (doubles + kMaxLanes - 1) / kMaxLanes * kMaxLanes; }
 
 /// Columns of a matrix, the last one again in lanes that are left over.
 template <typename Matrix, typename Column>
-std::array<Column, kMostLanes> columns(Matrix& matrix, Eigen::Index first, int count) {
-  std::array<Column, kMostLanes> columns;
-  for (int k = 0; k < kMostLanes; ++k)
+std::array<Column, kMaxLanes> columns(Matrix& matrix, Eigen::Index first, int count) {
+  std::array<Column, kMaxLanes> columns;
+  for (int k = 0; k < kMaxLanes; ++k)
     columns[k] = matrix.data() + (first + std::min(k, count - 1)) * matrix.outerStride();
   return columns;
 }
-std::array<const double*, kMostLanes> columns_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix,
-                                                 Eigen::Index first, int count) {
+std::array<const double*, kMaxLanes> columns_of(const Eigen::Ref<const Eigen::MatrixXd>& matrix,
+                                                Eigen::Index first, int count) {
   return columns<const Eigen::Ref<const Eigen::MatrixXd>, const double*>(matrix, first, count);
 }
-std::array<double*, kMostLanes> columns_of(Eigen::MatrixXd& matrix, Eigen::Index first, int count) {
+std::array<double*, kMaxLanes> columns_of(Eigen::MatrixXd& matrix, Eigen::Index first, int count) {
   return columns<Eigen::MatrixXd, double*>(matrix, first, count);
 }
 
-/// The narrowest unit for so many points, or the widest.
-const Unit& unit_for(const std::vector<Unit>& choice, Eigen::Index points) {
-  for (auto unit = choice.rbegin(); unit != choice.rend(); ++unit)
-    if (unit->lanes >= points) return *unit;
+/// The narrowest backend for so many points, or the widest.
+const SimdBackend& backend_for(const std::vector<SimdBackend>& choice, Eigen::Index points) {
+  for (auto backend = choice.rbegin(); backend != choice.rend(); ++backend)
+    if (backend->lanes >= points) return *backend;
   return choice.front();
 }
 
@@ -42,57 +42,57 @@ struct Division {
   std::vector<long> begins;
   long length = 0;
 };
-Division divide(const Program& program, const std::vector<Unit>& choice, Eigen::Index points,
+Division divide(const Program& program, const std::vector<SimdBackend>& choice, Eigen::Index points,
                 KeepTape keep) {
   Division all;
   for (Eigen::Index first = 0; first < points;) {
-    const Unit& unit = unit_for(choice, points - first);
-    const int count = static_cast<int>(std::min<Eigen::Index>(unit.lanes, points - first));
-    const long tape = padded(unit.lanes * unit.tape_length(program));
+    const SimdBackend& backend = backend_for(choice, points - first);
+    const int count = static_cast<int>(std::min<Eigen::Index>(backend.lanes, points - first));
+    const long tape = padded(backend.lanes * backend.tape_length(program));
     all.begins.push_back(keep == KeepTape::kYes ? all.length : 0);
     all.length = keep == KeepTape::kYes ? all.length + tape : std::max(all.length, tape);
-    all.groups.push_back({&unit, first, count, nullptr});
+    all.groups.push_back({&backend, first, count, nullptr});
     first += count;
   }
   return all;
 }
 
-long scratch_doubles(const Program& program, const Unit& unit) {
-  return padded(unit.lanes * unit.scratch_length(program));
+long scratch_doubles(const Program& program, const SimdBackend& backend) {
+  return padded(backend.lanes * backend.scratch_length(program));
 }
 
 }  // namespace
 
-Packs::Packs(long doubles)
+SimdBuffer::SimdBuffer(long doubles)
     : first_(static_cast<double*>(
           ::operator new(static_cast<std::size_t>(doubles) * sizeof(double), kAlignment))) {}
-void Packs::Free::operator()(double* p) const { ::operator delete(p, kAlignment); }
+void SimdBuffer::Free::operator()(double* p) const { ::operator delete(p, kAlignment); }
 
-Batch run_batch(const Program& program, const std::vector<Unit>& choice,
+Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                 const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep) {
   Division division = divide(program, choice, u.cols(), keep);
   const long scratch = scratch_doubles(program, choice.front());
   Batch batch{Eigen::MatrixXd(3 * program.trials, u.cols()), std::move(division.groups),
-              Packs(scratch + division.length)};
+              SimdBuffer(scratch + division.length)};
   for (std::size_t g = 0; g < batch.groups.size(); ++g) {
     Group& group = batch.groups[g];
     group.tape = batch.memory.first() + scratch + division.begins[g];
-    group.unit->run(program, columns_of(u, group.first, group.count).data(), group.count,
-                    group.tape, batch.memory.first(),
-                    columns_of(batch.forces, group.first, group.count).data(), keep);
+    group.backend->run(program, columns_of(u, group.first, group.count).data(), group.count,
+                       group.tape, batch.memory.first(),
+                       columns_of(batch.forces, group.first, group.count).data(), keep);
   }
   return batch;
 }
 
-Eigen::MatrixXd pull_batch(const Program& program, const Batch& batch,
-                           const Eigen::Ref<const Eigen::MatrixXd>& weights) {
+Eigen::MatrixXd adjoint_batch(const Program& program, const Batch& batch,
+                              const Eigen::Ref<const Eigen::MatrixXd>& weights) {
   Eigen::MatrixXd gradient(program.fit_coordinates, weights.cols());
   if (batch.groups.empty()) return gradient;
-  const Packs scratch(scratch_doubles(program, *batch.groups.front().unit));
+  const SimdBuffer scratch(scratch_doubles(program, *batch.groups.front().backend));
   for (const Group& group : batch.groups)
-    group.unit->pull(program, group.tape, columns_of(weights, group.first, group.count).data(),
-                     group.count, scratch.first(),
-                     columns_of(gradient, group.first, group.count).data());
+    group.backend->run_adjoint(
+        program, group.tape, columns_of(weights, group.first, group.count).data(), group.count,
+        scratch.first(), columns_of(gradient, group.first, group.count).data());
   return gradient;
 }
 

@@ -1,20 +1,20 @@
 #pragma once
 
-/// Many points through a unit, a group of lanes at a time.
+/// Many points through a backend, a group of lanes at a time.
 
 #include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "posterior/kernel/unit.h"
+#include "posterior/kernel/simd_backend.h"
 
 namespace thenar::kernel {
 
-/// Memory for packs of any unit.
-class Packs {
+/// Memory for packs of any backend.
+class SimdBuffer {
  public:
-  explicit Packs(long doubles);
+  explicit SimdBuffer(long doubles);
   [[nodiscard]] double* first() const { return first_.get(); }
 
  private:
@@ -24,9 +24,9 @@ class Packs {
   std::unique_ptr<double, Free> first_;
 };
 
-/// Points that went through a unit together, and what it left behind.
+/// Points that went through a backend together, and what it left behind.
 struct Group {
-  const Unit* unit;
+  const SimdBackend* backend;
   Eigen::Index first;  // point
   int count;           // of points
   double* tape;        // in the batch's memory
@@ -35,17 +35,17 @@ struct Group {
 struct Batch {
   Eigen::MatrixXd forces;  // [N] (3 trials, points)
   std::vector<Group> groups;
-  Packs memory;  // of all tapes, or of one that all groups wrote over
+  SimdBuffer memory;  // of all tapes, or of one that all groups wrote over
 };
 
-/// @param choice  units to take, widest first; what is left over goes to the narrowest that holds
-/// it
+/// @param choice  simd_backends to take, widest first; what is left over goes to the narrowest that
+/// holds it
 /// @param u       (fit coordinates, points)
-[[nodiscard]] Batch run_batch(const Program& program, const std::vector<Unit>& choice,
+[[nodiscard]] Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                               const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep);
 
 /// J' w (fit coordinates, points) for weights w (3 trials, points).
-[[nodiscard]] Eigen::MatrixXd pull_batch(const Program& program, const Batch& batch,
-                                         const Eigen::Ref<const Eigen::MatrixXd>& weights);
+[[nodiscard]] Eigen::MatrixXd adjoint_batch(const Program& program, const Batch& batch,
+                                            const Eigen::Ref<const Eigen::MatrixXd>& weights);
 
 }  // namespace thenar::kernel

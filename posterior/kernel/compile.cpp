@@ -3,9 +3,109 @@
 #include <algorithm>
 #include <cmath>
 
-#include "posterior/kernel/layout.h"
-
 namespace thenar::kernel {
+namespace {
+
+template <typename Matrix>
+void append(const Matrix& values, std::vector<double>& row) {
+  for (Eigen::Index i = 0; i < values.rows(); ++i)
+    for (Eigen::Index j = 0; j < values.cols(); ++j) row.push_back(values(i, j));
+}
+
+/// The numbers of a model in the order of Layout; shifts of hood fractions are zero.
+std::vector<double> row_of(const SpecimenModel<double>& model) {
+  std::vector<double> row;
+  for (const auto& hinge : model.digit.tree) append(hinge.direction, row);
+  for (const auto& hinge : model.digit.tree) append(hinge.point, row);
+  for (const auto& path : model.digit.paths)
+    for (const auto& node : path) append(node.p, row);
+  append(model.digit.constant_arms, row);
+  append(model.digit.friction, row);
+  for (const auto& share : model.digit.hood_shares) row.insert(row.end(), {0, 0, share.slope});
+  append(model.digit.tip, row);
+  append(model.sensor_tilt, row);
+  append(model.angle_error, row);
+  append(model.posture_error.transpose(), row);
+  row.push_back(model.out_of_plane);
+  append(model.gain, row);
+  return row;
+}
+
+/// Hood fractions are no straight lines of their parameters, but their logits are.
+void set_hood_shift(const Parameter& p, double value, const Layout& layout,
+                    std::vector<double>& row) {
+  if (p.kind == ParameterKind::kHoodEntry) row[layout.into(p.item)] = value;
+  if (p.kind == ParameterKind::kHoodCentral) row[layout.central(p.item)] = value;
+}
+
+/// A digit of which every number is zero.
+SpecimenModel<double> zeros(const TendonDigit& digit, int postures) {
+  SpecimenModel<double> model = cast_model<double>(digit.model, postures);
+  for (auto& hinge : model.digit.tree) {
+    hinge.direction.setZero();
+    hinge.point.setZero();
+  }
+  for (auto& path : model.digit.paths)
+    for (auto& node : path) node.p.setZero();
+  for (auto& share : model.digit.hood_shares) share.slope = 0;
+  model.digit.constant_arms.setZero();
+  model.digit.friction.setZero();
+  model.digit.tip.setZero();
+  model.gain.setZero();
+  return model;
+}
+
+}  // namespace
+
+Layout::Layout(const TendonModel<double>& model, int posture_count)
+    : hinges(static_cast<int>(model.tree.size())),
+      coordinates(model.coordinates),
+      postures(posture_count) {
+  const int strands = static_cast<int>(model.paths.size());
+  int count = 0;
+  for (const auto& path : model.paths) {
+    first_node.push_back(count);
+    count += static_cast<int>(path.size());
+  }
+  directions = 0;
+  points = directions + 3 * hinges;
+  nodes = points + 3 * hinges;
+  arms = nodes + 3 * count;
+  frictions = arms + strands * coordinates;
+  shares = frictions + strands;
+  tip = shares + 3 * static_cast<int>(model.hood_shares.size());
+  tilt = tip + 3;
+  angle_errors = tilt + 3;
+  posture_errors = angle_errors + coordinates;
+  out_of_plane = posture_errors + coordinates * postures;
+  gains = out_of_plane + 1;
+  size = gains + static_cast<int>(model.pulls.size());
+}
+
+std::vector<double> initial_parameters(const TendonDigit& digit, const FitParameters& parameters,
+                                       const Layout& layout) {
+  SpecimenModel<double> model = cast_model<double>(digit.model, layout.postures);
+  for (const Parameter& p : parameters.all) set_parameter(digit.model, p, p.mean, model);
+  std::vector<double> row = row_of(model);
+  for (const Parameter& p : parameters.all) set_hood_shift(p, p.mean, layout, row);
+  return row;
+}
+
+std::vector<LinearTerm> parameter_terms(const TendonDigit& digit, const FitParameters& parameters,
+                                        const Layout& layout) {
+  std::vector<LinearTerm> moves;
+  for (std::size_t p = 0; p < parameters.all.size(); ++p) {
+    if (parameters.coordinate[p] < 0) continue;
+    SpecimenModel<double> model = zeros(digit, layout.postures);
+    set_parameter(digit.model, parameters.all[p], parameters.ratio[p], model);
+    std::vector<double> row = row_of(model);
+    set_hood_shift(parameters.all[p], parameters.ratio[p], layout, row);
+    for (int i = 0; i < layout.size; ++i)
+      if (row[i] != 0) moves.push_back({i, parameters.coordinate[p], row[i]});
+  }
+  return moves;
+}
+
 namespace {
 
 AngleStep step_of(const PostureAngle& angle) {
@@ -25,14 +125,14 @@ class Compiler {
       : model_(digit.model),
         plan_(plan),
         layout_(digit.model, static_cast<int>(parameters.postures.size())),
-        moves_(number_moves(digit, parameters, layout_)),
-        start_(start_numbers(digit, parameters, layout_)),
+        moves_(parameter_terms(digit, parameters, layout_)),
+        start_(initial_parameters(digit, parameters, layout_)),
         mean_(specimen_model(
             digit, parameters,
             parameter_values<double>(
                 parameters, Eigen::VectorXd(Eigen::VectorXd::Zero(parameters.coordinates()))))),
         to_(program) {
-    for (const Move& move : moves_) moving_.push_back(move.number);
+    for (const LinearTerm& move : moves_) moving_.push_back(move.number);
     std::sort(moving_.begin(), moving_.end());
     to_.coordinates = model_.coordinates;
     to_.fit_coordinates = parameters.coordinates();
@@ -44,7 +144,7 @@ class Compiler {
     set_hood();
     set_trials();
     set_hold();
-    set_cell();
+    set_load_cell();
     to_.start = start_;
     to_.moves = moves_;
   }
@@ -105,7 +205,7 @@ class Compiler {
   void set_paths() {
     std::vector<NodeStep> nodes;
     std::vector<RunStep> runs;
-    std::vector<ClimbStep> climbs;
+    std::vector<ArmTerm> arm_terms;
     std::vector<int> strands;
     for (int s = 0; s < static_cast<int>(model_.paths.size()); ++s) {
       const TendonPath<double>& path = model_.paths[s];
@@ -114,27 +214,28 @@ class Compiler {
       for (int k = 0; k < static_cast<int>(path.size()); ++k) {
         nodes.push_back({path[k].link, layout_.node(s, k)});
         if (k == 0 || path[k].link == path[k - 1].link) continue;
-        const int to = static_cast<int>(nodes.size()) - 1, first = static_cast<int>(climbs.size());
-        climb(s, path[k - 1].link, path[k].link, to, climbs);
-        runs.push_back({to - 1, to, first, static_cast<int>(climbs.size())});
+        const int to = static_cast<int>(nodes.size()) - 1,
+                  first = static_cast<int>(arm_terms.size());
+        climb(s, path[k - 1].link, path[k].link, to, arm_terms);
+        runs.push_back({to - 1, to, first, static_cast<int>(arm_terms.size())});
       }
     }
     to_.strands = static_cast<int>(model_.paths.size());
     to_.arms = layout_.arms;
     to_.nodes = std::move(nodes);
     to_.runs = std::move(runs);
-    to_.climbs = std::move(climbs);
+    to_.arm_terms = std::move(arm_terms);
     to_.path_strands = std::move(strands);
   }
 
-  /// The hinges between two links, as moment_arms() climbs them.
-  void climb(int strand, int a, int b, int to, std::vector<ClimbStep>& climbs) const {
+  /// The hinges between two links, as moment_arms() arm_terms them.
+  void climb(int strand, int a, int b, int to, std::vector<ArmTerm>& arm_terms) const {
     while (a != b) {
       const bool climb_b = b > a;
       const int i = climb_b ? b : a;
       const Hinge<double>& h = model_.tree[i];
-      climbs.push_back({i, climb_b ? to : to - 1, strand * layout_.coordinates + h.coordinate,
-                        climb_b ? -h.ratio : h.ratio});
+      arm_terms.push_back({i, climb_b ? to : to - 1, strand * layout_.coordinates + h.coordinate,
+                           climb_b ? -h.ratio : h.ratio});
       (climb_b ? b : a) = h.parent;
     }
   }
@@ -142,7 +243,7 @@ class Compiler {
   void set_sheaths() {
     std::vector<BendStep> bends;
     for (const SheathBend& bend : model_.bends)
-      bends.push_back({step_of(bend.angle), bend.felt_from});
+      bends.push_back({step_of(bend.angle), bend.first_coordinate_beyond});
     std::vector<SheathStep> sheaths;
     for (int s = 0; s < to_.strands; ++s)
       if (moves(layout_.frictions + s, 1) || mean_.digit.friction[s] != 0)
@@ -181,7 +282,7 @@ class Compiler {
   void set_trials() {
     std::vector<PostureStep> postures;
     std::vector<TrialStep> trials;
-    std::vector<PullStep> pulls;
+    std::vector<TensionStep> pulls;
     std::vector<double> torque;
     for (std::size_t k = 0; k < plan_.postures.size(); ++k) {
       const int first = static_cast<int>(trials.size()), own = plan_.posture_key[k];
@@ -212,7 +313,7 @@ class Compiler {
 
   void set_hold() {
     const bool out_of_plane = mean_.out_of_plane != 0 || moves(layout_.out_of_plane, 1);
-    to_.loads = plan_.hold == TipHold::kPinned ? 3 : out_of_plane ? 6 : 4;
+    to_.loads = plan_.hold == TipConstraint::kPinned ? 3 : out_of_plane ? 6 : 4;
     to_.hold_length = kHoldLength;
     to_.out_of_plane = layout_.out_of_plane;
     to_.tip_link = model_.tip_link;
@@ -223,7 +324,7 @@ class Compiler {
     to_.tip_hinges = std::move(hinges);
   }
 
-  void set_cell() {
+  void set_load_cell() {
     to_.cell_moves = plan_.force_link != model_.tip_link || moves(layout_.tilt, 3);
     to_.sensor_tilt = layout_.tilt;
     to_.force_link = plan_.force_link;
@@ -234,7 +335,7 @@ class Compiler {
   const TendonModel<double>& model_;
   const ExperimentPlan& plan_;
   Layout layout_;
-  std::vector<Move> moves_;
+  std::vector<LinearTerm> moves_;
   std::vector<double> start_;
   SpecimenModel<double> mean_;
   std::vector<int> moving_;  // numbers that move, in order

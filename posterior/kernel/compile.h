@@ -1,11 +1,45 @@
 #pragma once
 
-/// From a digit, its parameters and an experiment to a program.
+/// All numbers of a digit in a row, in which every parameter is a straight line.
 
-#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/experiment_plan.h"
 #include "posterior/kernel/program.h"
 
 namespace thenar::kernel {
+
+/// Where the numbers of a SpecimenModel stand in the row.
+struct Layout {
+  explicit Layout(const TendonModel<double>& model, int postures);
+
+  int hinges, coordinates, postures;
+  std::vector<int> first_node;  // of each strand
+  // Places of the first of each kind.
+  int directions, points, nodes, arms, frictions, shares, tip, tilt, angle_errors, posture_errors,
+      out_of_plane, gains, size;
+
+  [[nodiscard]] int direction(int hinge) const { return directions + 3 * hinge; }
+  [[nodiscard]] int point(int hinge) const { return points + 3 * hinge; }
+  [[nodiscard]] int node(int strand, int k) const { return nodes + 3 * (first_node[strand] + k); }
+  [[nodiscard]] int into(int share) const { return shares + 3 * share; }
+  [[nodiscard]] int central(int share) const { return shares + 3 * share + 1; }
+  [[nodiscard]] int slope(int share) const { return shares + 3 * share + 2; }
+  [[nodiscard]] int posture_error(int posture) const {
+    return posture_errors + coordinates * posture;
+  }
+};
+
+/// The row of a digit whose parameters are at their means, axis directions as set_parameter() left
+/// them and hood fractions as shifts of their logits.
+[[nodiscard]] std::vector<double> initial_parameters(const TendonDigit& digit,
+                                                     const FitParameters& parameters,
+                                                     const Layout& layout);
+
+/// What of the row each coordinate moves, and how far: set_parameter() on a digit of zeros.
+[[nodiscard]] std::vector<LinearTerm> parameter_terms(const TendonDigit& digit,
+                                                      const FitParameters& parameters,
+                                                      const Layout& layout);
+
+// From a digit, its parameters and an experiment to a program.
 
 /// Fills a program; parameters without a coordinate become constants.
 void compile(const TendonDigit& digit, const FitParameters& parameters, const ExperimentPlan& plan,

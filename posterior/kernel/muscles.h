@@ -27,7 +27,7 @@ inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int
 }
 
 /// row = arms of the strand pulled + h (c central + (1 - c) lateral)
-inline void set_rows(const Program& program, const Numbers& digit, Posed& posed) {
+inline void set_rows(const Program& program, const DigitParameters& digit, Posed& posed) {
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
@@ -46,11 +46,12 @@ inline void set_rows(const Program& program, const Numbers& digit, Posed& posed)
   }
 }
 
-inline void pull_rows(const Program& program, const Numbers& digit, const Posed& posed, Posed& bar,
-                      Numbers& bar_digit) {
+inline void adjoint_rows(const Program& program, const DigitParameters& digit, const Posed& posed,
+                         Posed& adjoint, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
-    for (int j = 0; j < n; ++j) bar.arm[program.pulls_strand[m] * n + j] += bar.row[m * n + j];
+    for (int j = 0; j < n; ++j)
+      adjoint.arm[program.pulls_strand[m] * n + j] += adjoint.row[m * n + j];
   const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
   const HoodSteps& hood = program.hood;
   for (int b = 0; b < program.shares.size(); ++b) {
@@ -58,58 +59,58 @@ inline void pull_rows(const Program& program, const Numbers& digit, const Posed&
     const V h = posed.into[b], c = posed.central[b];
     V by_central = V{}, by_lateral = V{};
     for (int j = 0; j < n; ++j) {
-      const V push = bar.row[share.muscle * n + j];
+      const V push = adjoint.row[share.muscle * n + j];
       const Fed strands = fed(program, share, posed.arm, j);
       by_central += push * strands.central;
       by_lateral += push * strands.lateral;
       const V central = h * c * push, lateral = h * (1.0 - c) * push;
-      bar.arm[hood.central_slip * n + j] += central;
-      bar.arm[hood.radial_band * n + j] += share.radial * lateral;
-      bar.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
-      bar.arm[hood.terminal_slip * n + j] += lateral;
+      adjoint.arm[hood.central_slip * n + j] += central;
+      adjoint.arm[hood.radial_band * n + j] += share.radial * lateral;
+      adjoint.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
+      adjoint.arm[hood.terminal_slip * n + j] += lateral;
     }
     const V h_bar = c * by_central + (1.0 - c) * by_lateral;
     const V c_bar = h * (by_central - by_lateral);
-    bar_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
+    adjoint_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
     const V logit_bar = c_bar * c * (1.0 - c);
-    bar_digit.number[share.central_shift] += logit_bar;
-    bar_digit.number[share.slope] += logit_bar * bent;
+    adjoint_digit.number[share.central_shift] += logit_bar;
+    adjoint_digit.number[share.slope] += logit_bar * bent;
     if (program.knuckle.coordinate >= 0)
-      bar.angle[program.knuckle.coordinate] +=
+      adjoint.angle[program.knuckle.coordinate] +=
           logit_bar * digit.number[share.slope] * program.knuckle.ratio;
   }
 }
 
 /// torque = sum over muscles of  gain tension row
-inline void set_torques(const Program& program, int k, const Numbers& digit, Posed& posed) {
+inline void set_torques(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   clear(posed.torque, (posture.last_trial - posture.first_trial) * n);
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
     V* torque = posed.torque + (i - posture.first_trial) * n;
     for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
-      const PullStep& pull = program.pulls[t];
+      const TensionStep& pull = program.pulls[t];
       const V tension = pull.tension * digit.number[program.gain + pull.muscle];
       for (int j = 0; j < n; ++j) torque[j] += tension * posed.row[pull.muscle * n + j];
     }
   }
 }
 
-inline void pull_torques(const Program& program, int k, const Numbers& digit, const Posed& posed,
-                         Posed& bar, Numbers& bar_digit) {
+inline void adjoint_torques(const Program& program, int k, const DigitParameters& digit,
+                            const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
-    const V* push = bar.torque + (i - posture.first_trial) * n;
+    const V* push = adjoint.torque + (i - posture.first_trial) * n;
     for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
-      const PullStep& pull = program.pulls[t];
+      const TensionStep& pull = program.pulls[t];
       const V tension = pull.tension * digit.number[program.gain + pull.muscle];
       V along = V{};
       for (int j = 0; j < n; ++j) {
-        bar.row[pull.muscle * n + j] += tension * push[j];
+        adjoint.row[pull.muscle * n + j] += tension * push[j];
         along += posed.row[pull.muscle * n + j] * push[j];
       }
-      bar_digit.number[program.gain + pull.muscle] += pull.tension * along;
+      adjoint_digit.number[program.gain + pull.muscle] += pull.tension * along;
     }
   }
 }

@@ -18,7 +18,7 @@ inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, c
 }
 
 /// Sines and cosines of all hinges in posture `k`.
-inline void set_angles(const Program& program, int k, const Numbers& digit, Posed& posed) {
+inline void set_angles(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
   const int n = program.coordinates, own = program.postures[k].own_error;
   for (int j = 0; j < n; ++j) {
     posed.angle[j] = program.q[k * n + j] + digit.number[program.angle_error + j];
@@ -36,16 +36,17 @@ inline void set_angles(const Program& program, int k, const Numbers& digit, Pose
   }
 }
 
-inline void pull_angles(const Program& program, int k, const Posed& bar, Numbers& bar_digit) {
+inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
+                           DigitParameters& adjoint_digit) {
   const int own = program.postures[k].own_error;
   for (int j = 0; j < program.coordinates; ++j) {
-    bar_digit.number[program.angle_error + j] += bar.angle[j];
-    if (own >= 0) bar_digit.number[own + j] += bar.angle[j];
+    adjoint_digit.number[program.angle_error + j] += adjoint.angle[j];
+    if (own >= 0) adjoint_digit.number[own + j] += adjoint.angle[j];
   }
 }
 
 /// Link by link:  axis = R_parent d,  point = where the parent carries it,  R = R_parent turn.
-inline void pose(const Program& program, const Numbers& digit, Posed& posed) {
+inline void pose(const Program& program, const DigitParameters& digit, Posed& posed) {
   for (int i = 0; i < program.hinges.size(); ++i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
@@ -69,14 +70,14 @@ inline void pose(const Program& program, const Numbers& digit, Posed& posed) {
 ///   angle_bar = axis . M,
 ///   d_bar     = R_parent' (sin M + (1 - cos) M x axis + axis_bar),
 ///   p_bar     = R_parent' (F + point_bar) - R' F.
-inline void pull_pose(const Program& program, const Posed& posed, Wrenches& on, Posed& bar,
-                      Numbers& bar_digit) {
+inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& on, Posed& adjoint,
+                         DigitParameters& adjoint_digit) {
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
-    bar.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
-    Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + bar.axis[i];
-    const Vec carried = F + bar.point[i];
+    adjoint.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
+    Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + adjoint.axis[i];
+    const Vec carried = F + adjoint.point[i];
     Vec shift = carried;
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
@@ -84,17 +85,17 @@ inline void pull_pose(const Program& program, const Posed& posed, Wrenches& on, 
       shift = turned_back(posed.R[parent], shift);
       on.force[parent] += carried;
       on.moment[parent] +=
-          M + cross(axis, bar.axis[i]) + cross(posed.point[i] - posed.point[parent], carried);
+          M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], carried);
     }
-    if (hinge.tilts) bar_digit.direction[i] += tilt;
+    if (hinge.tilts) adjoint_digit.direction[i] += tilt;
     if (hinge.shifts)
-      add_vector(bar_digit.number + hinge.point, shift - turned_back(posed.R[i], F));
+      add_vector(adjoint_digit.number + hinge.point, shift - turned_back(posed.R[i], F));
   }
 }
 
 /// Where a link carries a point now, link -1 being the base.
-inline Vec carried(const Program& program, const Numbers& digit, const Posed& posed, int link,
-                   int place) {
+inline Vec carried(const Program& program, const DigitParameters& digit, const Posed& posed,
+                   int link, int place) {
   const Vec p = vector_at(digit.number + place);
   if (link < 0) return p;
   return posed.point[link] +
@@ -102,12 +103,12 @@ inline Vec carried(const Program& program, const Numbers& digit, const Posed& po
 }
 
 /// Adjoint: a force `push` at x, the point carried, is felt by its link.
-inline void pull_carried(const Posed& posed, int link, int place, const Vec& x, const Vec& push,
-                         Wrenches& on, Numbers& bar_digit) {
+inline void adjoint_carried(const Posed& posed, int link, int place, const Vec& x, const Vec& push,
+                            Wrenches& on, DigitParameters& adjoint_digit) {
   if (link < 0) {
-    add_vector(bar_digit.number + place, push);
+    add_vector(adjoint_digit.number + place, push);
   } else {
-    add_vector(bar_digit.number + place, turned_back(posed.R[link], push));
+    add_vector(adjoint_digit.number + place, turned_back(posed.R[link], push));
     on.force[link] += push;
     on.moment[link] += cross(x - posed.point[link], push);
   }

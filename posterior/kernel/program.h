@@ -1,14 +1,47 @@
 #pragma once
 
-/// The force model of one digit in one experiment as flat lists: what is computed, in which order,
-/// from which numbers. Plain numbers alone, since sources for other processors read it.
+/// Rows of plain numbers that sources for different processors may share.
 
-#include "posterior/kernel/array.h"
+#include <utility>
+#include <vector>
 
 namespace thenar::kernel {
 
+/// A vector that never changes. Reading it is always inlined: were it a function, the linker might
+/// pick the copy that was compiled for a processor other than this one.
+template <typename T>
+class Array {
+ public:
+  explicit Array(std::vector<T> rows = {})
+      : rows_(std::move(rows)), first_(rows_.data()), size_(static_cast<int>(rows_.size())) {}
+  Array(const Array&) = delete;
+  Array& operator=(const Array&) = delete;
+  Array& operator=(std::vector<T> rows) {
+    rows_ = std::move(rows);
+    first_ = rows_.data();
+    size_ = static_cast<int>(rows_.size());
+    return *this;
+  }
+  ~Array() = default;
+
+  [[nodiscard]] __attribute__((always_inline)) const T* begin() const { return first_; }
+  [[nodiscard]] __attribute__((always_inline)) const T* end() const { return first_ + size_; }
+  [[nodiscard]] __attribute__((always_inline)) const T& operator[](int i) const {
+    return first_[i];
+  }
+  [[nodiscard]] __attribute__((always_inline)) int size() const { return size_; }
+
+ private:
+  std::vector<T> rows_;
+  const T* first_;
+  int size_;
+};
+
+// The force model of one digit in one experiment as flat lists: what is computed, in which order,
+// from which numbers. Plain numbers alone, since sources for other processors read it.
+
 /// number[i] += weight u[coordinate]
-struct Move {
+struct LinearTerm {
   int number, coordinate;
   double weight;
 };
@@ -35,23 +68,23 @@ struct NodeStep {
 };
 
 /// What a run of tendon adds to the arm about one hinge:  weight u (axis x (node - point)).
-struct ClimbStep {
+struct ArmTerm {
   int hinge;
   int node;
   int arm;        // entry of the arms (strands, coordinates)
-  double weight;  // ratio of the hinge; negative where the end further out climbs
+  double weight;  // ratio of the hinge; negative where the end further out arm_terms
 };
 
 /// A straight run of tendon between two links, u its direction.
 struct RunStep {
   int from, to;     // nodes
-  int first, last;  // of the climbs
+  int first, last;  // of the arm_terms
 };
 
-/// A bend of the sheaths, felt by all coordinates from felt_from on.
+/// A bend of the sheaths, felt by all coordinates from first_coordinate_beyond on.
 struct BendStep {
   AngleStep angle;
-  int felt_from;
+  int first_coordinate_beyond;
 };
 
 /// A strand with friction.
@@ -74,7 +107,7 @@ struct ShareStep {
 };
 
 /// tension of a muscle in a trial [N]
-struct PullStep {
+struct TensionStep {
   int muscle;
   double tension;
 };
@@ -101,10 +134,10 @@ struct Program {
   int coordinates = 0;      // entries of q
   int fit_coordinates = 0;  // entries of u
   int trials = 0;
-  int loads = 0;  // columns of held_loads()
+  int loads = 0;  // columns of tip_constraint_loads()
 
   Array<double> start;  // the numbers at u = 0
-  Array<Move> moves;
+  Array<LinearTerm> moves;
 
   Array<HingeStep> hinges;
   Array<PostureStep> postures;
@@ -118,7 +151,7 @@ struct Program {
   int arms = 0;  // place of the constant arms (strands, coordinates)
   Array<NodeStep> nodes;
   Array<RunStep> runs;
-  Array<ClimbStep> climbs;
+  Array<ArmTerm> arm_terms;
   Array<int> path_strands;  // strands whose arms follow from their paths
   Array<BendStep> bends;
   Array<SheathStep> sheaths;
@@ -128,7 +161,7 @@ struct Program {
   Array<ShareStep> shares;
   Array<int> pulls_strand;  // of each muscle
   int gain = 0;             // place of the first gain
-  Array<PullStep> pulls;
+  Array<TensionStep> pulls;
   Array<TrialStep> trial_steps;  // by posture
 
   int tip_link = 0;

@@ -71,7 +71,7 @@ inline void product_with(const V* P, const V* P_bar, int n, int c, V* Z) {
 }
 
 /// L_bar = -P' Z'
-inline void pull_square(const V* P, const V* Z, int n, int c, V* L_bar) {
+inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < c; ++k) {
       V sum = -(P[j] * Z[k * 3]);
@@ -81,8 +81,8 @@ inline void pull_square(const V* P, const V* Z, int n, int c, V* L_bar) {
 }
 
 /// L_bar += (P_bar' - L Z) P P'
-inline void pull_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
-                          V* L_bar, V* G) {
+inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
+                             V* L_bar, V* G) {
   for (int b = 0; b < 3; ++b)  // first three rows of P P'
     for (int k = 0; k < c; ++k) {
       V sum = P[b * n] * P[k * n];
@@ -101,7 +101,8 @@ inline void pull_residual(const V* L, const V* P, const V* P_bar, const V* Z, in
 }
 
 /// L_bar = P' (Z (I - P L) - Z')
-inline void pull_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar, V* work) {
+inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar,
+                               V* work) {
   V *N = work, *W = N + 3 * c;
   for (int b = 0; b < 3; ++b)  // first three rows of I - P L
     for (int k = 0; k < c; ++k) {
@@ -128,14 +129,15 @@ inline void pull_least_norm(const V* L, const V* P, const V* Z, int n, int c, V*
 ///   n < c:   L_bar = P' (Z (I - P L) - Z').
 /// @param P_bar  (3, n) row-major     @param work  (6 c + c c)
 /// Source: [Golub1973] for the derivative, dP = -P dL P + P P' dL' (I - L P) + (I - P L) dL' P' P.
-inline void pull_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar, V* work) {
+inline void adjoint_pseudo_inverse(const V* L, const V* P, const V* P_bar, int n, int c, V* L_bar,
+                                   V* work) {
   V* Z = work;
   product_with(P, P_bar, n, c, Z);
   if (n < c) {
-    pull_least_norm(L, P, Z, n, c, L_bar, Z + 3 * c);
+    adjoint_least_norm(L, P, Z, n, c, L_bar, Z + 3 * c);
   } else {
-    pull_square(P, Z, n, c, L_bar);
-    if (n > c) pull_residual(L, P, P_bar, Z, n, c, L_bar, Z + 3 * c);
+    adjoint_square(P, Z, n, c, L_bar);
+    if (n > c) adjoint_residual(L, P, P_bar, Z, n, c, L_bar, Z + 3 * c);
   }
 }
 

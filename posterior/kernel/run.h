@@ -2,12 +2,11 @@
 
 /// The whole model and its adjoint: steps forwards, and the same steps backwards.
 
-#include "posterior/kernel/cell.h"
-#include "posterior/kernel/forces.h"
-#include "posterior/kernel/hold.h"
+#include "posterior/kernel/load_cell.h"
 #include "posterior/kernel/muscles.h"
-#include "posterior/kernel/numbers.h"
-#include "posterior/kernel/unit.h"
+#include "posterior/kernel/parameters.h"
+#include "posterior/kernel/simd_backend.h"
+#include "posterior/kernel/tip_constraint.h"
 
 namespace thenar::kernel {
 namespace {
@@ -19,8 +18,8 @@ inline int work_length(const Program& program) {
 }
 
 /// One posture forwards.
-inline void run_posture(const Program& program, int k, const Numbers& digit, Posed& posed, V* work,
-                        V* force) {
+inline void run_posture(const Program& program, int k, const DigitParameters& digit, Posed& posed,
+                        V* work, V* force) {
   set_angles(program, k, digit, posed);
   pose(program, digit, posed);
   if (program.arms_move) {
@@ -31,45 +30,45 @@ inline void run_posture(const Program& program, int k, const Numbers& digit, Pos
   }
   set_loads(program, digit, posed);
   invert_loads(posed.load, program.coordinates, program.loads, posed.inverse, work);
-  set_cell(program, digit, posed);
+  set_load_cell(program, digit, posed);
   set_forces(program, k, posed, force);
 }
 
-/// One posture backwards. `bar` and `on` are zero beforehand.
-inline void pull_posture(const Program& program, int k, const Numbers& digit, const Posed& posed,
-                         const V* force_bar, Posed& bar, Wrenches& on, Numbers& bar_digit,
-                         V* work) {
-  const Mat cell_bar = pull_forces(program, k, posed, force_bar, bar);
-  pull_cell(program, digit, posed, cell_bar, on, bar_digit);
-  pull_inverse(posed.load, posed.inverse, bar.inverse, program.coordinates, program.loads, bar.load,
-               work);
-  pull_loads(program, digit, posed, bar.load, bar, on, bar_digit);
+/// One posture backwards. `adjoint` and `on` are zero beforehand.
+inline void adjoint_posture(const Program& program, int k, const DigitParameters& digit,
+                            const Posed& posed, const V* force_bar, Posed& adjoint, Wrenches& on,
+                            DigitParameters& adjoint_digit, V* work) {
+  const Mat cell_bar = adjoint_forces(program, k, posed, force_bar, adjoint);
+  adjoint_load_cell(program, digit, posed, cell_bar, on, adjoint_digit);
+  adjoint_pseudo_inverse(posed.load, posed.inverse, adjoint.inverse, program.coordinates,
+                         program.loads, adjoint.load, work);
+  adjoint_loads(program, digit, posed, adjoint.load, adjoint, on, adjoint_digit);
   if (program.arms_move) {
-    pull_torques(program, k, digit, posed, bar, bar_digit);
-    pull_rows(program, digit, posed, bar, bar_digit);
-    pull_friction(program, digit, posed, bar, bar_digit);
-    pull_paths(program, posed, bar, on, bar_digit);
+    adjoint_torques(program, k, digit, posed, adjoint, adjoint_digit);
+    adjoint_rows(program, digit, posed, adjoint, adjoint_digit);
+    adjoint_friction(program, digit, posed, adjoint, adjoint_digit);
+    adjoint_paths(program, posed, adjoint, on, adjoint_digit);
   }
-  pull_pose(program, posed, on, bar, bar_digit);
-  pull_angles(program, k, bar, bar_digit);
+  adjoint_pose(program, posed, on, adjoint, adjoint_digit);
+  adjoint_angles(program, k, adjoint, adjoint_digit);
 }
 
 /// Everything that one run leaves, in order: numbers, then postures.
 inline long tape_length(const Program& program) {
-  Bump bump(nullptr);
-  Numbers numbers(program, bump);
+  BumpAllocator bump(nullptr);
+  DigitParameters numbers(program, bump);
   for (const PostureStep& posture : program.postures) Posed(program, posture, bump);
   return bump.used();
 }
 
 /// Room for u and forces, work space, and the adjoints of numbers and one posture.
 inline long scratch_length(const Program& program) {
-  Bump bump(nullptr);
-  Numbers numbers(program, bump);
+  BumpAllocator bump(nullptr);
+  DigitParameters numbers(program, bump);
   Wrenches wrenches(program, bump);
   long most = 0;
   for (const PostureStep& posture : program.postures) {
-    Bump own(nullptr);
+    BumpAllocator own(nullptr);
     Posed(program, posture, own);
     most = own.used() > most ? own.used() : most;
   }
@@ -88,15 +87,15 @@ inline void scatter(const V* from, int rows, int count, double* const* points) {
 
 inline void run(const Program& program, const double* const* u, int count, double* tape,
                 double* scratch, double* const* forces, KeepTape keep) {
-  Bump kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
+  BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
   V* displacement = passing.take<V>(program.fit_coordinates);
   V* force = passing.take<V>(3 * program.trials);
   V* work = passing.take<V>(work_length(program));
   gather(u, program.fit_coordinates, displacement);
-  Numbers digit(program, kept);
-  set_numbers(program, displacement, digit);
+  DigitParameters digit(program, kept);
+  set_parameters(program, displacement, digit);
   for (int k = 0; k < program.postures.size(); ++k) {
-    Bump own = kept;
+    BumpAllocator own = kept;
     Posed posed(program, program.postures[k], own);
     if (keep == KeepTape::kYes) kept = own;
     run_posture(program, k, digit, posed, work, force);
@@ -104,27 +103,27 @@ inline void run(const Program& program, const double* const* u, int count, doubl
   scatter(force, 3 * program.trials, count, forces);
 }
 
-inline void pull(const Program& program, double* tape, const double* const* weights, int count,
-                 double* scratch, double* const* gradient) {
-  Bump kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
+inline void run_adjoint(const Program& program, double* tape, const double* const* weights,
+                        int count, double* scratch, double* const* gradient) {
+  BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
   V* u_bar = passing.take<V>(program.fit_coordinates);
   V* force_bar = passing.take<V>(3 * program.trials);
   V* work = passing.take<V>(work_length(program));
   gather(weights, 3 * program.trials, force_bar);
-  const Numbers digit(program, kept);
+  const DigitParameters digit(program, kept);
   const long before = passing.used();
-  Numbers bar_digit(program, passing);
+  DigitParameters adjoint_digit(program, passing);
   clear(u_bar, program.fit_coordinates);
   clear(u_bar + before, passing.used() - before);
   for (int k = 0; k < program.postures.size(); ++k) {
-    Bump own = passing;
+    BumpAllocator own = passing;
     const Posed posed(program, program.postures[k], kept);
-    Posed bar(program, program.postures[k], own);
+    Posed adjoint(program, program.postures[k], own);
     Wrenches on(program, own);
     clear(u_bar + passing.used(), own.used() - passing.used());
-    pull_posture(program, k, digit, posed, force_bar, bar, on, bar_digit, work);
+    adjoint_posture(program, k, digit, posed, force_bar, adjoint, on, adjoint_digit, work);
   }
-  pull_numbers(program, digit, bar_digit, u_bar);
+  adjoint_parameters(program, digit, adjoint_digit, u_bar);
   scatter(u_bar, program.fit_coordinates, count, gradient);
 }
 

@@ -2,16 +2,16 @@
 
 /// Where a run leaves everything that its adjoint needs, and the adjoints themselves.
 
-#include "posterior/kernel/pack.h"
 #include "posterior/kernel/program.h"
+#include "posterior/kernel/simd.h"
 
 namespace thenar::kernel {
 namespace {
 
 /// Hands out parts of one block of memory; given none, it counts.
-class Bump {
+class BumpAllocator {
  public:
-  explicit Bump(V* first) : first_(first) {}
+  explicit BumpAllocator(V* first) : first_(first) {}
   template <typename T>
   T* take(int count) {
     T* part = first_ == nullptr ? nullptr : reinterpret_cast<T*>(first_ + used_);
@@ -25,13 +25,13 @@ class Bump {
   long used_ = 0;
 };
 
-/// Numbers of the digit, the same in all postures.
-struct Numbers {
+/// DigitParameters of the digit, the same in all postures.
+struct DigitParameters {
   V* number;       // all of them, axis directions not of unit length
   Vec* direction;  // of unit length (hinges)
   V* shrink;       // 1 / length before (hinges)
 
-  Numbers(const Program& program, Bump& bump)
+  DigitParameters(const Program& program, BumpAllocator& bump)
       : number(bump.take<V>(program.start.size())),
         direction(bump.take<Vec>(program.hinges.size())),
         shrink(bump.take<V>(program.hinges.size())) {}
@@ -44,25 +44,25 @@ struct Posed {
   Mat* R;             // of each link (hinges)
   Vec *axis, *point;  // of each hinge, where it is now (hinges)
 
-  Vec* node;          // points of paths, where they are now
-  Vec* run;           // unit directions of runs
-  V* length;          // 1 / length of each run [1/m]
-  V* bare;            // arms of strands without friction (strands, coordinates)
-  V* left;            // tension left (strands, coordinates)
-  V* arm;             // their product (strands, coordinates)
-  V* bent;            // sum of bends (coordinates) [rad]
-  V *into, *central;  // fractions (shares)
-  V* row;             // arms of muscles (muscles, coordinates)
-  V* torque;          // (trials of the posture, coordinates) [N m]
+  Vec* node;            // points of paths, where they are now
+  Vec* run;             // unit directions of runs
+  V* length;            // 1 / length of each run [1/m]
+  V* frictionless_arm;  // arms of strands without friction (strands, coordinates)
+  V* left;              // tension left (strands, coordinates)
+  V* arm;               // their product (strands, coordinates)
+  V* bent;              // sum of bends (coordinates) [rad]
+  V *into, *central;    // fractions (shares)
+  V* row;               // arms of muscles (muscles, coordinates)
+  V* torque;            // (trials of the posture, coordinates) [N m]
 
   Vec* tip;    // one
   Mat* axes;   // proximal, dorsal, radial of the tip: one
-  V* load;     // held_loads() (coordinates, loads)
+  V* load;     // tip_constraint_loads() (coordinates, loads)
   V* inverse;  // its pseudo-inverse (loads, coordinates)
   Mat* cell;   // the cell's components from the tip's: one
   V* map;      // forces per torque (3, coordinates)
 
-  Posed(const Program& p, const PostureStep& posture, Bump& bump) {
+  Posed(const Program& p, const PostureStep& posture, BumpAllocator& bump) {
     const int n = p.coordinates, hinges = p.hinges.size();
     angle = bump.take<V>(n);
     sine = bump.take<V>(hinges), cosine = bump.take<V>(hinges);
@@ -72,7 +72,7 @@ struct Posed {
       node = bump.take<Vec>(p.nodes.size());
       run = bump.take<Vec>(p.runs.size());
       length = bump.take<V>(p.runs.size());
-      bare = bump.take<V>(p.strands * n), left = bump.take<V>(p.strands * n);
+      frictionless_arm = bump.take<V>(p.strands * n), left = bump.take<V>(p.strands * n);
       arm = bump.take<V>(p.strands * n);
       bent = bump.take<V>(n);
       into = bump.take<V>(p.shares.size()), central = bump.take<V>(p.shares.size());
@@ -92,7 +92,7 @@ struct Wrenches {
   Vec* force;   // on points of the link: adjoints of their places (hinges)
   Vec* moment;  // of those about the hinge's point, and on directions of the link (hinges)
 
-  Wrenches(const Program& program, Bump& bump)
+  Wrenches(const Program& program, BumpAllocator& bump)
       : force(bump.take<Vec>(program.hinges.size())),
         moment(bump.take<Vec>(program.hinges.size())) {}
 };

@@ -1,12 +1,96 @@
+#include "posterior/run/posterior_file.h"
+
 #include <ctime>
+#include <type_traits>
 
 #include <fmt/format.h>
 
+#include "base/error.h"
 #include "base/provenance.h"
-#include "posterior/run/posterior_attributes.h"
-#include "posterior/run/posterior_file.h"
 #include "posterior/run/posterior_groups.h"
-#include "posterior/run/run_quantities.h"
+#include "posterior/run/posterior_quantities.h"
+#include "posterior/run/sample_posterior.h"
+
+namespace thenar::internal {
+namespace {
+
+void add_source(const std::string& key, const SourceText& source, Attributes& to) {
+  to[key + "_path"] = source.path;
+  to[key + "_text"] = source.text;
+  to[key + "_sha256"] = sha256(source.text);
+}
+
+}  // namespace
+
+void add_inputs(const FitInputs& inputs, Attributes& to) {
+  add_source("input_subject", inputs.subject, to);
+  add_source("input_settings", inputs.settings, to);
+  for (std::size_t e = 0; e < inputs.experiments.size(); ++e)
+    add_source(fmt::format("input_experiment{}", e), inputs.experiments[e], to);
+  std::string free;
+  for (const std::string& glob : inputs.also_free) free += glob + "\n";
+  to["input_also_free"] = free;
+}
+
+void add_settings(const PosteriorSettings& settings, Attributes& to) {
+  const RunOptions& run = settings.run;
+  const PosteriorOptions& options = settings.posterior;
+  const auto add = [&](const std::string& name, auto value) {
+    to["setting_" + name] = fmt::format("{}", value);
+  };
+  add("sampler", name_of(run.method));
+  add("seed", run.sampler.seed);
+  add("warm_up", run.sampler.warm_up);
+  add("target_acceptance", run.sampler.target_acceptance);
+  add("max_depth", run.sampler.max_depth);
+  add("groups", run.groups);
+  add("walkers", run.walkers);
+  add("temperatures", run.temperatures);
+  add("least_temper", run.min_beta);
+  add("swap_every", run.swap_every);
+  add("thin", run.thin);
+  add("draws", run.draws);
+  add("mode_starts", settings.mode_starts);
+  add("learn_noise", int{options.learn_noise});
+  add("noise_sd", options.noise_sd);
+  add("learn_spread", int{options.learn_specimen_scale});
+  add("spread_sd", options.specimen_scale_sd);
+  add("sphere_priors", int{options.sphere_priors});
+}
+
+FitInputs inputs_of(const AttributeReader& given) {
+  FitInputs inputs{given.source("input_subject"), given.source("input_settings"), {}, {}};
+  for (int e = 0; given.has(fmt::format("input_experiment{}_text", e)); ++e)
+    inputs.experiments.push_back(given.source(fmt::format("input_experiment{}", e)));
+  std::string rest = given.text("input_also_free");
+  for (std::size_t end; (end = rest.find('\n')) != std::string::npos; rest.erase(0, end + 1))
+    inputs.also_free.push_back(rest.substr(0, end));
+  return inputs;
+}
+
+PosteriorSettings settings_of(const AttributeReader& given) {
+  PosteriorSettings settings;
+  settings.posterior = {given.integer("learn_noise") != 0, given.number("noise_sd"),
+                        given.integer("learn_spread") != 0, given.number("spread_sd"),
+                        given.integer("sphere_priors") != 0};
+  settings.mode_starts = given.integer("mode_starts");
+  RunOptions& run = settings.run;
+  run.method = sampling_method(given.text("setting_sampler"));
+  run.sampler.seed = static_cast<unsigned>(given.number("seed"));
+  run.sampler.warm_up = static_cast<long>(given.number("warm_up"));
+  run.sampler.target_acceptance = given.number("target_acceptance");
+  run.sampler.max_depth = given.integer("max_depth");
+  run.groups = given.integer("groups");
+  run.walkers = given.integer("walkers");
+  run.temperatures = given.integer("temperatures");
+  run.min_beta = given.number("least_temper");
+  run.swap_every = given.integer("swap_every");
+  run.thin = given.integer("thin");
+  run.draws = static_cast<long>(given.number("draws"));
+  return settings;
+}
+
+}  // namespace thenar::internal
 
 namespace thenar {
 namespace {
@@ -27,8 +111,8 @@ void add_run(const Draws& draws, InferenceGroup& stats) {
                            "1",
                            "independent chain or ensemble that the chain belongs to",
                            true};
-  stats.lengths["temperature"] = static_cast<std::size_t>(draws.temper.size());
-  stats.arrays["temper"] = {{draws.temper.data(), draws.temper.data() + draws.temper.size()},
+  stats.lengths["temperature"] = static_cast<std::size_t>(draws.beta.size());
+  stats.arrays["temper"] = {{draws.beta.data(), draws.beta.data() + draws.beta.size()},
                             {"temperature"},
                             "1",
                             "power of the likelihood"};
@@ -53,7 +137,7 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
                      {"created_at", now()},
                      {"fidelity", describe(posterior.problem().digit().fidelity)},
                      {"complete", run.draws.complete ? "yes" : "no"},
-                     {"converged", run.convergence.reasons.empty() ? "yes" : "no"},
+                     {"converged", run.convergence.warnings.empty() ? "yes" : "no"},
                      {"sampling_time", fmt::format("{}", run.draws.seconds)}};
   for (const auto& [name, version] : versions()) file.attributes["version_" + name] = version;
   internal::add_inputs(run.inputs, file.attributes);
@@ -75,6 +159,124 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
 
 void write_posterior(const PosteriorRun& run, const std::string& path) {
   write_inference(describe_posterior(run), path);
+}
+
+namespace {
+
+using internal::AttributeReader;
+
+const InferenceArray& array(const InferenceFile& file, const std::string& group,
+                            const std::string& name) {
+  const auto found = file.groups.find(group);
+  require(found != file.groups.end(), "the group '{}' is missing", group);
+  const auto values = found->second.arrays.find(name);
+  require(values != found->second.arrays.end(), "'{}/{}' is missing", group, name);
+  return values->second;
+}
+
+/// x of every chain (n, draws).
+std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
+  const std::vector<double>& values = array(file, "unconstrained_posterior", "x").values;
+  const InferenceGroup& group = file.groups.at("unconstrained_posterior");
+  const auto chains = group.lengths.at("chain"), draws = group.lengths.at("draw");
+  require(group.lengths.at("coordinate") == static_cast<std::size_t>(n),
+          "the draws have {} coordinates, the inputs in the file give {}",
+          group.lengths.at("coordinate"), n);
+  std::vector<Eigen::MatrixXd> x;
+  for (std::size_t c = 0; c < chains; ++c) {
+    x.emplace_back(
+        Eigen::Map<const Eigen::MatrixXd>(values.data() + c * draws * static_cast<std::size_t>(n),
+                                          n, static_cast<Eigen::Index>(draws)));
+    require(x.back().allFinite(), "chain {} has draws that are not finite", c);
+  }
+  return x;
+}
+
+std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::size_t chains,
+                                             std::size_t draws) {
+  std::vector<std::vector<StepStats>> stats(chains, std::vector<StepStats>(draws));
+  const auto fill = [&](const std::string& name, auto StepStats::*field) {
+    const std::vector<double>& values = array(file, "sample_stats", name).values;
+    for (std::size_t c = 0; c < chains; ++c)
+      for (std::size_t k = 0; k < draws; ++k) {
+        auto& to = stats[c][k].*field;
+        to = static_cast<std::decay_t<decltype(to)>>(values.at(c * draws + k));
+      }
+  };
+  fill("log_prior", &StepStats::log_prior);
+  fill("log_likelihood", &StepStats::log_likelihood);
+  fill("acceptance_rate", &StepStats::acceptance);
+  fill("step_size", &StepStats::step_size);
+  fill("energy", &StepStats::energy);
+  fill("tree_depth", &StepStats::depth);
+  fill("n_steps", &StepStats::evaluations);
+  fill("broken", &StepStats::non_finite);
+  fill("diverging", &StepStats::divergent);
+  return stats;
+}
+
+Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
+  Draws draws;
+  draws.x = chains_of(file, n);
+  draws.stats = stats_of(file, draws.x.size(), static_cast<std::size_t>(draws.draws()));
+  for (const double group : array(file, "sample_stats", "group").values)
+    draws.group.push_back(static_cast<int>(group));
+  const std::vector<double>& beta = array(file, "sample_stats", "temper").values;
+  draws.beta =
+      Eigen::Map<const Eigen::VectorXd>(beta.data(), static_cast<Eigen::Index>(beta.size()));
+  const InferenceGroup& stats = file.groups.at("sample_stats");
+  if (const auto rates = stats.arrays.find("swap_rate"); rates != stats.arrays.end())
+    draws.swap_rate = Eigen::Map<const Eigen::MatrixXd>(
+        rates->second.values.data(), static_cast<Eigen::Index>(stats.lengths.at("neighbours")),
+        static_cast<Eigen::Index>(stats.lengths.at("ladder")));
+  draws.warm_up = static_cast<long>(given.number("warm_up"));
+  draws.complete = given.text("complete") == "yes";
+  draws.seconds = std::stod(given.text("sampling_time"));
+  return draws;
+}
+
+std::vector<Mode> modes_of(const InferenceFile& file, const HandPosterior& posterior) {
+  const std::vector<double>& x = array(file, "modes", "x").values;
+  const std::vector<double>& cost = array(file, "modes", "cost").values;
+  std::vector<Mode> modes(cost.size());
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    modes[m].z = posterior.fit_coordinates(Eigen::Map<const Eigen::VectorXd>(
+        x.data() + m * static_cast<std::size_t>(posterior.size()), posterior.size()));
+    modes[m].cost = cost[m];
+    modes[m].hits = static_cast<int>(array(file, "modes", "hits").values[m]);
+    modes[m].laplace_mass = array(file, "modes", "laplace_mass").values[m];
+    modes[m].status = SolveStatus::kConverged;
+  }
+  return modes;
+}
+
+/// @throws InputError for what is missing or does not fit together.
+PosteriorRun run_of(const InferenceFile& file) {
+  const AttributeReader given(file.attributes);
+  require(given.has("thenar_format") && given.text("thenar_format") == internal::kPosteriorFormat,
+          "not a '{}' file", internal::kPosteriorFormat);
+  PosteriorRun run;
+  run.inputs = internal::inputs_of(given);
+  run.settings = internal::settings_of(given);
+  run.posterior =
+      std::make_shared<const HandPosterior>(build_problem(run.inputs), run.settings.posterior);
+  run.modes = modes_of(file, *run.posterior);
+  run.draws = draws_of(file, given, run.posterior->size());
+  assess_run(run);
+  return run;
+}
+
+}  // namespace
+
+PosteriorRun read_posterior(const std::string& path) {
+  const InferenceFile file = read_inference(path);
+  try {
+    return run_of(file);
+  } catch (const std::logic_error& e) {  // of std::stod and at()
+    throw DataError(path, 0, fmt::format("not a posterior of thenar: {}", e.what()));
+  } catch (const InputError& e) {
+    throw DataError(path, 0, fmt::format("not a posterior of thenar: {}", e.what()));
+  }
 }
 
 }  // namespace thenar

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "kinematics_fit/prediction.h"
+#include "posterior/run/posterior_quantities.h"
 #include "posterior/run/predict_draws.h"
-#include "posterior/run/run_quantities.h"
 
 namespace thenar::internal {
 namespace {
@@ -137,8 +137,8 @@ InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::Matr
   if (posterior.options().learn_noise)
     add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
                 "factor on the stated sd of the forces");
-  add_factors(group, "spread", "spread_kind", posterior.spread_kinds(), values.spread,
-              "factor on the sd between specimens");
+  add_factors(group, "spread", "spread_kind", posterior.specimen_scale_kinds(),
+              values.specimen_scale, "factor on the sd between specimens");
   return group;
 }
 
@@ -173,8 +173,9 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
   add("tree_depth", "of the trajectory", [](const StepStats& s) { return s.depth; }).integer = true;
   add("n_steps", "densities asked for", [](const StepStats& s) { return s.evaluations; }).integer =
       true;
-  add("broken", "densities that were NaN", [](const StepStats& s) { return s.broken; }).integer =
-      true;
+  add("broken", "densities that were NaN", [](const StepStats& s) {
+    return s.non_finite;
+  }).integer = true;
   add("diverging", "energy error above 1000", [](const StepStats& s) {
     return s.divergent ? 1 : 0;
   }).boolean = true;

@@ -39,7 +39,7 @@ PosteriorSummary summarise_posterior(const PosteriorRun& run) {
   require(run.draws.draws() * run.draws.chains() >= 2, "a summary needs 2 draws, got {}",
           run.draws.draws() * run.draws.chains());
   PosteriorSummary summary;
-  summary.quantities = read_quantities(run);
+  summary.quantities = posterior_quantities(run);
   summary.estimates = estimates_of(summary.quantities, run.draws.group);
   summary.directions = directions_of(run);
   for (const Experiment& experiment : run.posterior->problem().experiments())

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "kinematics_fit/prediction.h"
-#include "posterior/run/run_quantities.h"
-#include "sampling/diagnostics/directions.h"
+#include "posterior/run/posterior_quantities.h"
+#include "sampling/diagnostics/learnt_directions.h"
+#include "sampling/diagnostics/leave_one_out.h"
 #include "sampling/diagnostics/predictive.h"
-#include "sampling/diagnostics/psis.h"
 
 namespace thenar {
 
@@ -31,7 +31,7 @@ struct ExperimentCheck {
 
 /// Everything that a summary tells beside the run's own convergence, modes and swap rates.
 struct PosteriorSummary {
-  std::vector<ReadQuantity> quantities;
+  std::vector<PosteriorQuantity> quantities;
   std::vector<Estimate> estimates;           // of the quantities, in their units
   LearntDirections directions;               // of the sampled coordinates, in prior sds
   std::vector<ExperimentCheck> experiments;  // those with trials

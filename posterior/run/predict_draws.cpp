@@ -4,15 +4,15 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/random_stream.h"
 #include "posterior/force_density.h"
-#include "sampling/random_stream.h"
 
 namespace thenar {
 namespace {
 
-enum Purpose : std::uint32_t { kReplicate = 101, kStranger, kMeasure };
+enum Purpose : std::uint32_t { kReplicate = 101, kNewSpecimen, kMeasure };
 
-/// Columns evenly spread over all draws (size, columns).
+/// Columns evenly specimen_scale over all draws (size, columns).
 Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
   const long kept = std::min<long>(count, all.cols());
   Eigen::MatrixXd x(all.rows(), kept);
@@ -23,19 +23,19 @@ Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
 /// Factor of the draw on the sd between specimens of each coordinate (coordinates).
 Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& parameters,
                           const PosteriorValues& values, Eigen::Index draw) {
-  const std::vector<std::string> kinds = posterior.spread_kinds();
+  const std::vector<std::string> kinds = posterior.specimen_scale_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
     const ParameterKind kind = parameters.all[static_cast<std::size_t>(parameters.leader[c])].kind;
     const auto found = std::find(kinds.begin(), kinds.end(), name_of(kind));
-    if (found != kinds.end()) factor[c] = values.spread(found - kinds.begin(), draw);
+    if (found != kinds.end()) factor[c] = values.specimen_scale(found - kinds.begin(), draw);
   }
   return factor;
 }
 
-/// A stranger's deviation from the population [SI], drawn until their sum is within the bounds of
-/// the parameter.
-double stranger(const Parameter& leader, double population, double sd, RandomStream& random) {
+/// A new_specimen's deviation from the population [SI], drawn until their sum is within the bounds
+/// of the parameter.
+double new_specimen(const Parameter& leader, double population, double sd, RandomStream& random) {
   constexpr int kMaxTries = 1000;  // bounds enclose the population, so that one soon falls inside
   const double mean = leader.mean + population;
   double u = sd * random.normal();
@@ -44,14 +44,14 @@ double stranger(const Parameter& leader, double population, double sd, RandomStr
   return u;
 }
 
-/// Displacements of one draw, a stranger's deviation and unknown postures drawn (coordinates).
+/// Displacements of one draw, a new_specimen's deviation and unknown postures drawn (coordinates).
 Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values,
                           const FitParameters& parameters, const Eigen::VectorXd& x,
                           Eigen::Index draw, int specimen) {
   const FitProblem& problem = run.posterior->problem();
   const int known = problem.parameters().coordinates();
   RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(draw), 0,
-                      kStranger);
+                      kNewSpecimen);
   const Eigen::VectorXd factor = spread_of(*run.posterior, parameters, values, draw);
   const auto leader = [&](int c) -> const Parameter& {
     return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
@@ -62,7 +62,7 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const std::vector<int> moving = run.posterior->moving_parameters();
   for (int c = 0; c < known && specimen < 0; ++c)
     if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))
-      u[c] += stranger(leader(c), u[c], factor[c] * sd[c], random);
+      u[c] += new_specimen(leader(c), u[c], factor[c] * sd[c], random);
   for (int c = known; c < parameters.coordinates(); ++c)
     u[c] = factor[c] * leader(c).between_sd * random.normal();
   return u;
@@ -109,7 +109,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const HandPosterior& posterior = *run.posterior;
   const TendonDigit& digit = posterior.problem().digit();
   const FitParameters parameters =
-      with_postures(posterior.problem().parameters(), experiment, digit.model.coordinates);
+      add_posture_errors(posterior.problem().parameters(), experiment, digit.model.coordinates);
   const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
   const Eigen::MatrixXd x = spread_columns(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
@@ -122,7 +122,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
                      ForceKernel(digit, parameters, plan).forces(u),
                      {},
                      {},
-                     start_has_seen(digit, experiment)};
+                     calibrated_on_specimen(digit, experiment)};
   out.replicated = out.expected;
   out.sd.resize(out.expected.rows(), out.expected.cols());
   const ForceNoise noise(posterior.problem().robust_scale());
@@ -140,9 +140,9 @@ Prediction summarise(const PredictedDraws& predicted) {
   Eigen::VectorXd sd(mean.size());
   for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
-  return compare(predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
-                 Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials),
-                 predicted.start_has_seen);
+  return compare_forces(
+      predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),
+      Eigen::Map<const Eigen::Matrix3Xd>(sd.data(), 3, trials), predicted.calibrated_on_specimen);
 }
 
 Eigen::MatrixXd replicated_forces(const HandPosterior& posterior, const Eigen::MatrixXd& x,

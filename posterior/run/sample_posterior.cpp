@@ -7,10 +7,9 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
-#include "posterior/run/agreed_work.h"
-#include "posterior/run/assess_run.h"
-#include "posterior/run/laplace.h"
-#include "sampling/swap_temperatures.h"
+#include "sampling/methods/laplace_covariance.h"
+#include "sampling/methods/parallel_tempering.h"
+#include "sampling/run/communicator.h"
 
 namespace thenar {
 namespace {
@@ -23,13 +22,13 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
   for (const SourceText& source : inputs.experiments) text += '\n' + source.text;
   for (const std::string& free : inputs.also_free) text += '\n' + free;
   const PosteriorOptions& o = settings.posterior;
-  text += fmt::format("\n{} {} {} {} {} {}", o.learn_noise, o.noise_sd, o.learn_spread, o.spread_sd,
-                      o.sphere_priors, settings.mode_starts);
+  text += fmt::format("\n{} {} {} {} {} {}", o.learn_noise, o.noise_sd, o.learn_specimen_scale,
+                      o.specimen_scale_sd, o.sphere_priors, settings.mode_starts);
   return sha256(text);
 }
 
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
-  ModeSearch search;
+  ModeSearchOptions search;
   search.starts = settings.mode_starts;
   // A global search without derivatives finds nothing among more coordinates than this.
   if (problem.size() > kGlobalSearch) search.global_searches = 0;
@@ -42,9 +41,9 @@ FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& sett
 
 /// Entries at the end of x that are factors of noise and spread.
 Eigen::Index count_factors(const HandPosterior& posterior) {
-  const std::size_t noises =
+  const std::size_t noise_scales =
       posterior.options().learn_noise ? posterior.problem().experiments().size() : 0;
-  return static_cast<Eigen::Index>(noises + posterior.spread_kinds().size());
+  return static_cast<Eigen::Index>(noise_scales + posterior.specimen_scale_kinds().size());
 }
 
 /// Points about the modes where the density is not zero (size, count).
@@ -72,7 +71,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
 }
 
 /// Chains of one sampler, where nobody says how many: of an ensemble two for each entry, and two.
-int least_walkers(SamplingMethod method, int n) {
+int min_walkers(SamplingMethod method, int n) {
   if (method == SamplingMethod::kStretchMove) return 2 * n + 2;
   return method == SamplingMethod::kDreamZs ? 3 : 1;
 }
@@ -80,7 +79,7 @@ int least_walkers(SamplingMethod method, int n) {
 /// What run_chains() would refuse, said before the search rather than after it.
 void check_chains(const RunOptions& options, int n) {
   (void)build_sampler(options.method, Eigen::MatrixXd::Zero(n, options.walkers), options.sampler);
-  (void)temperature_ladder(options.temperatures, options.least_temper);
+  (void)temperature_ladder(options.temperatures, options.min_beta);
 }
 
 /// Where chains begin, and the first guess of how far they reach.
@@ -102,7 +101,8 @@ std::optional<Beginning> begin(PosteriorRun& run, const RunOptions& options) {
 }
 
 /// What rank 0 has, on all ranks.
-Eigen::MatrixXd shared_out(const Ranks& ranks, const Eigen::MatrixXd& mine, Eigen::Index rows) {
+Eigen::MatrixXd broadcast(const Communicator& ranks, const Eigen::MatrixXd& mine,
+                          Eigen::Index rows) {
   return ranks.all_gather(ranks.rank() == 0 ? Eigen::VectorXd(mine.reshaped()) : Eigen::VectorXd())
       .reshaped(rows, Eigen::AutoSize);
 }
@@ -131,17 +131,16 @@ Eigen::MatrixXd pooled(const Draws& draws) {
 }
 
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
-                              const Ranks& ranks) {
+                              const Communicator& ranks) {
   PosteriorRun run;
   run.inputs = inputs;
   run.settings = settings;
   RunOptions options = settings.run;
   std::optional<Beginning> beginning;
-  agreed_work(ranks, [&] {
+  collective_call(ranks, [&] {
     run.posterior =
         std::make_shared<const HandPosterior>(build_problem(inputs), settings.posterior);
-    if (options.walkers == 0)
-      options.walkers = least_walkers(options.method, run.posterior->size());
+    if (options.walkers == 0) options.walkers = min_walkers(options.method, run.posterior->size());
     check_chains(options, run.posterior->size());
     // The others need not search for what they are told.
     if (ranks.rank() == 0) beginning = begin(run, options);
@@ -150,16 +149,29 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
   if (stopped) return run;
   if (!beginning) beginning.emplace();
   const Eigen::Index n = run.posterior->size();
-  const Eigen::MatrixXd starts = shared_out(ranks, beginning->starts, n);
-  options.sampler.covariance = shared_out(ranks, beginning->covariance, n);
+  const Eigen::MatrixXd starts = broadcast(ranks, beginning->starts, n);
+  options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
   options.fingerprint = fingerprint(inputs, settings);
   run.draws = run_chains(*run.posterior, starts, options, ranks);
-  agreed_work(ranks, [&] { assess_run(run); });
+  collective_call(ranks, [&] { assess_run(run); });
   return run;
 }
 
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings) {
-  return sample_posterior(inputs, settings, *one_rank());
+  return sample_posterior(inputs, settings, *single_process());
+}
+
+void assess_run(PosteriorRun& run) {
+  if (run.draws.draws() == 0) return;
+  ConvergenceLimits limits = run.settings.limits;
+  limits.max_depth = run.settings.run.sampler.max_depth;
+  run.convergence = assess(run.draws, run.posterior->names(), limits);
+  std::vector<KnownMode> known;
+  for (const Mode& mode : run.modes) {
+    const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);
+    known.push_back({centre, laplace_covariance(*run.posterior, centre), mode.laplace_mass});
+  }
+  run.mode_table = tabulate_modes(run.draws, known);
 }
 
 }  // namespace thenar

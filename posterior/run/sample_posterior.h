@@ -11,7 +11,7 @@
 #include "posterior/hand_posterior.h"
 #include "sampling/diagnostics/convergence.h"
 #include "sampling/diagnostics/modes.h"
-#include "sampling/run_chains.h"
+#include "sampling/run/run_chains.h"
 
 namespace thenar {
 
@@ -43,7 +43,8 @@ struct PosteriorRun {
 /// @throws InputError or DataError as build_problem() and run_chains() do, and if no start of
 /// finite density is found; on all ranks alike.
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
-                                            const PosteriorSettings& settings, const Ranks& ranks);
+                                            const PosteriorSettings& settings,
+                                            const Communicator& ranks);
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
                                             const PosteriorSettings& settings);
 
@@ -52,5 +53,9 @@ struct PosteriorRun {
 
 /// All draws of all chains side by side, chain by chain (size, chains * draws).
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
+
+/// Judges the draws of a run and shares them out among its modes: fills
+/// `convergence` and `mode_table`. Nothing if there are no draws.
+void assess_run(PosteriorRun& run);
 
 }  // namespace thenar

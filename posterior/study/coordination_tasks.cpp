@@ -8,17 +8,17 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "base/random_stream.h"
 #include "posterior/study/thumb_experiment.h"
-#include "sampling/random_stream.h"
 #include "solvers/least_squares.h"
-#include "tendons/tip_force.h"
+#include "tendons/forces/tip_force.h"
 
 namespace thenar {
 namespace {
 
-constexpr std::uint32_t kHabit = 211, kReading = 212;  // purposes of random streams
-constexpr double kTorque = 0.1;                        // weighs torque against activation [N m]
-constexpr double kThrift = 0.1;                        // weighs activation [1]
+constexpr std::uint32_t kHabit = 211, kTaskReading = 212;  // purposes of random streams
+constexpr double kTorque = 0.1;                            // weighs torque against activation [N m]
+constexpr double kThrift = 0.1;                            // weighs activation [1]
 
 /// Proximal, dorsal and radial of the tip at a posture, world frame (3, 3).
 Eigen::Matrix3d tip_axes(const TendonDigit& digit, const Eigen::VectorXd& q) {
@@ -35,7 +35,7 @@ Eigen::VectorXd angles_of(const TendonDigit& digit, const PostureRecord& record)
   return q;
 }
 
-/// Activations of least cost, see perform_tasks().
+/// Activations of least cost, see simulate_tasks().
 Eigen::VectorXd share_load(const TipStatics& statics, const Eigen::Vector3d& f,
                            const Eigen::VectorXd& cost) {
   const Eigen::Index n = statics.J.cols(), m = cost.size();
@@ -77,14 +77,14 @@ ActivationRow read_task(const TendonDigit& truth, const Eigen::VectorXd& q,
 
 }  // namespace
 
-Experiment perform_tasks(const TendonDigit& truth, const TaskOptions& options) {
+Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options) {
   require(truth.max_tension.allFinite(), "every muscle of '{}' needs a max_force", "thumb");
   const std::array<Eigen::Vector3d, 5> directions{
       {{0, -1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {-1, 0, 0}}};
-  PullOptions pulls;
+  SimulatedPullOptions pulls;
   pulls.postures = options.postures;
   pulls.add_noise = false;
-  Experiment tasks = pull_muscles(truth, pulls);
+  Experiment tasks = simulate_pulls(truth, pulls);
   tasks.name = "tasks";
   tasks.trials.clear();
   for (int person = 0; person < options.people; ++person) {
@@ -99,7 +99,7 @@ Experiment perform_tasks(const TendonDigit& truth, const TaskOptions& options) {
             share_load(tip_statics(truth, q), options.force * (axes * direction), cost);
         const auto number = static_cast<std::uint32_t>(tasks.activations.size());
         tasks.activations.push_back(read_task(truth, q, activation, options,
-                                              RandomStream(options.seed, number, 0, kReading)));
+                                              RandomStream(options.seed, number, 0, kTaskReading)));
         tasks.activations.back().posture = record.name;
       }
     }

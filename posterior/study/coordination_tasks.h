@@ -14,7 +14,7 @@ struct TaskOptions {
   int people = 8;               // who share the load among their muscles differently [1]
   double force = 20;            // wanted: palmar, dorsal, radial, ulnar and distal [N]
   double habit = 0.5;           // sd of the logarithm of what each person's muscles cost [1]
-  double noise = 0.1;           // of the force, as PullOptions::noise [1]
+  double noise = 0.1;           // of the force, as SimulatedPullOptions::noise [1]
   double floor = 0.01;          // [N]
   double activation_sd = 0.05;  // of electromyography [1]
   unsigned seed = 1;
@@ -24,7 +24,7 @@ struct TaskOptions {
 ///   |R' F0 a - J' f|^2 / (0.1 N m)^2 + sum (c_i a_i)^2 / 100,   log c_i ~ N(0, habit^2):
 /// the wanted force with as little torque left over as the thumb allows. What the tip really makes
 /// of them (tip_force()) is read with noise; readings of activations are kept within 0 to 1.
-[[nodiscard]] Experiment perform_tasks(const TendonDigit& truth, const TaskOptions& options);
+[[nodiscard]] Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options);
 
 /// What a model makes of one task, driven by the measured activations.
 struct TaskMisfit {
@@ -38,6 +38,6 @@ struct TaskMisfit {
                                                    const Experiment& tasks);
 
 /// 95 % point of chi squared with three degrees of freedom: a task is explained below it [1].
-inline constexpr double kExplained = 7.814728;
+inline constexpr double kChiSquare3At95 = 7.814728;
 
 }  // namespace thenar

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/random_stream.h"
 #include "posterior/study/thumb_fit.h"
-#include "sampling/random_stream.h"
 
 namespace thenar {
 namespace {
@@ -75,11 +75,11 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
 
   const TendonDigit start =
       build_tendon_digit(parse_subject(inputs.start.text, inputs.start.path), "thumb");
-  PullOptions pulls;
+  SimulatedPullOptions pulls;
   pulls.noise = settings.thumb.noise;
   pulls.postures = settings.thumb.postures;
   pulls.add_noise = false;
-  internal::ThumbData data{start, start, pull_muscles(start, pulls), {}};
+  internal::ThumbData data{start, start, simulate_pulls(start, pulls), {}};
   const Experiment base = data.pulls;
   const HandPosterior prior(build_problem(internal::thumb_fit_inputs(inputs, settings.thumb, data)),
                             sampling.posterior);
@@ -98,7 +98,7 @@ ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
     const PosteriorRun run = internal::sample_with_retries(
         internal::thumb_fit_inputs(inputs, settings.thumb, data), sampling, settings.retries);
     out.rank.col(done) = ranks_of(simulation, run, settings.ranked);
-    if (!run.convergence.reasons.empty()) ++out.not_converged;
+    if (!run.convergence.warnings.empty()) ++out.not_converged;
   }
   out.rank.conservativeResize(Eigen::NoChange, done);
   if (done >= 20) judge(out);

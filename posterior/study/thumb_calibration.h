@@ -3,7 +3,7 @@
 /// Are posteriors of thumbs what they claim to be? Truths from the prior, forces from the model.
 
 #include "posterior/study/thumb_study.h"
-#include "sampling/diagnostics/calibration.h"
+#include "sampling/diagnostics/simulation_based_calibration.h"
 
 namespace thenar {
 

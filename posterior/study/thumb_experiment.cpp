@@ -3,10 +3,12 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/ranges.h>
+
 #include "base/error.h"
+#include "base/random_stream.h"
 #include "base/units.h"
 #include "kinematics_fit/force_jacobian.h"
-#include "sampling/random_stream.h"
 
 namespace thenar {
 namespace {
@@ -34,7 +36,7 @@ Eigen::Matrix3Xd true_forces(const TendonDigit& truth, const Experiment& experim
                       Eigen::VectorXd());
 }
 
-Experiment pull_muscles(const TendonDigit& truth, const PullOptions& options) {
+Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& options) {
   const std::vector<PostureRecord> postures = thumb_postures();
   require(options.postures >= 1 && options.postures <= static_cast<int>(postures.size()),
           "there are 1 to {} postures, asked for {}", postures.size(), options.postures);
@@ -44,7 +46,7 @@ Experiment pull_muscles(const TendonDigit& truth, const PullOptions& options) {
   experiment.species = "human";
   experiment.source = "made up";
   experiment.digit = "thumb";
-  experiment.hold = TipHold::kPinned;
+  experiment.hold = TipConstraint::kPinned;
   experiment.force_segment = "DP1";
   experiment.postures.assign(postures.begin(), postures.begin() + options.postures);
   for (const PostureRecord& record : experiment.postures)
@@ -65,6 +67,61 @@ Experiment pull_muscles(const TendonDigit& truth, const PullOptions& options) {
     for (int k = 0; k < 3 && options.add_noise; ++k) trial.force[k] += sd * random.normal();
   }
   return experiment;
+}
+
+namespace {
+
+std::string list(const Eigen::Vector3d& v) {
+  return fmt::format("[{}, {}, {}]", v.x(), v.y(), v.z());
+}
+
+std::string table(const std::map<std::string, double>& values) {
+  std::vector<std::string> parts;
+  for (const auto& [name, value] : values) parts.push_back(fmt::format("{} = {}", name, value));
+  return fmt::format("{{{}}}", fmt::join(parts, ", "));
+}
+
+std::string row_of(const Trial& trial, const std::string& experiment) {
+  require(trial.sd.has_value(), "a trial of '{}' in posture '{}' has no sd", experiment,
+          trial.posture);
+  return fmt::format("  {{posture = \"{}\", tension_N = {}, force_N = {}, sd_N = {}}},\n",
+                     trial.posture, table(trial.tension), list(trial.force), list(*trial.sd));
+}
+
+std::string activation_of(const ActivationRow& row, const std::string& experiment) {
+  require(row.force_sd.has_value() && !row.sd.empty(),
+          "a row of activations of '{}' in posture '{}' has no sd", experiment, row.posture);
+  return fmt::format(
+      "\n[[activation]]\nposture = \"{}\"\nactivation = {}\nactivation_sd = {}\n"
+      "activation_sd_of = {}\nforce_N = {}\nsd_N = {}\n",
+      row.posture, table(row.activation), row.sd.begin()->second, table(row.sd), list(row.force),
+      list(*row.force_sd));
+}
+
+}  // namespace
+
+std::string experiment_text(const Experiment& experiment) {
+  require(experiment.axes_of_digit == Eigen::Matrix3i::Identity(),
+          "forces of '{}' are not along proximal, dorsal and radial", experiment.name);
+  std::string text = fmt::format(
+      "name = \"{}\"\nspecimen = \"{}\"\nspecies = \"{}\"\ndescription = \"{}\"\n"
+      "source = \"judgement\"\ndigit = \"{}\"\n\n[sources]\njudgement = \"Made up: {}\"\n\n"
+      "[protocol]\nhold = \"{}\"\n\n[force]\nsegment = \"{}\"\n"
+      "components = [\"proximal\", \"dorsal\", \"radial\"]\n",
+      experiment.name, experiment.specimen, experiment.species, experiment.description,
+      experiment.digit, experiment.source,
+      experiment.hold == TipConstraint::kPinned ? "pinned" : "rigid", experiment.force_segment);
+  for (const PostureRecord& posture : experiment.postures)
+    text += fmt::format("\n[[posture]]\nname = \"{}\"\nangles_rad = {}\n", posture.name,
+                        table(posture.angles));
+  if (!experiment.trials.empty()) {
+    text += "\n[trials]\nrows = [\n";
+    for (const Trial& trial : experiment.trials) text += row_of(trial, experiment.name);
+    text += "]\n";
+  }
+  for (const ActivationRow& row : experiment.activations)
+    text += activation_of(row, experiment.name);
+  return text;
 }
 
 }  // namespace thenar

@@ -15,7 +15,7 @@ namespace thenar {
 /// bent, opposition abducted and less bent, the other two to either side of them.
 [[nodiscard]] std::vector<PostureRecord> thumb_postures();
 
-struct PullOptions {
+struct SimulatedPullOptions {
   int postures = 2;       // the first of thumb_postures() [1]
   double tension = 10;    // of one muscle after the other [N]
   double noise = 0.1;     // sd of every component, as a part of the true force's size [1]
@@ -26,7 +26,8 @@ struct PullOptions {
 
 /// Pulls every muscle of the digit in turn, tip pinned, and reads the force with its sds, which are
 /// known as if from repeated readings: sd^2 = floor^2 + (noise |f|)^2, f the true force.
-[[nodiscard]] Experiment pull_muscles(const TendonDigit& truth, const PullOptions& options);
+[[nodiscard]] Experiment simulate_pulls(const TendonDigit& truth,
+                                        const SimulatedPullOptions& options);
 
 /// The true forces of its trials [N] (3, trials).
 [[nodiscard]] Eigen::Matrix3Xd true_forces(const TendonDigit& truth, const Experiment& experiment);

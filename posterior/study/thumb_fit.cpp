@@ -82,10 +82,10 @@ void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
 }
 
 std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& fitted) {
-  const std::vector<ReadQuantity> quantities = read_quantities(fitted.run);
+  const std::vector<PosteriorQuantity> quantities = posterior_quantities(fitted.run);
   const std::vector<Parameter>& all = fitted.run.posterior->problem().parameters().all;
   std::vector<LearntNumber> learnt;
-  for (const ReadQuantity& quantity : quantities) {
+  for (const PosteriorQuantity& quantity : quantities) {
     const auto parameter = std::find_if(
         all.begin(), all.end(), [&](const Parameter& p) { return p.name == quantity.name; });
     if (parameter == all.end() || parameter->name.find("/along") != std::string::npos) continue;
@@ -150,7 +150,7 @@ PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings sett
     settings.run.sampler.target_acceptance =
         kAcceptance[static_cast<std::size_t>(std::min(attempt, 2))];
     PosteriorRun run = sample_posterior(inputs, settings);
-    if (attempt == retries || !run.draws.complete || run.convergence.reasons.empty()) return run;
+    if (attempt == retries || !run.draws.complete || run.convergence.warnings.empty()) return run;
     settings.run.draws *= 2;
     settings.run.sampler.warm_up *= 2;
   }

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "posterior/run/run_quantities.h"
+#include "posterior/run/posterior_quantities.h"
 #include "posterior/run/sample_posterior.h"
 #include "posterior/study/coordination_tasks.h"
 #include "posterior/study/thumb_experiment.h"
-#include "sampling/diagnostics/psis.h"
+#include "sampling/diagnostics/leave_one_out.h"
 
 namespace thenar {
 
@@ -62,7 +62,7 @@ struct ThumbStudySettings {
 struct TaskScores {
   double direction = 0, direction_sd = 0;  // misdirection [rad]
   double torque = 0, torque_sd = 0;        // joint torque that is not balanced [N m]
-  double explained = 0;                    // share of tasks within kExplained, 0..1
+  double explained = 0;                    // share of tasks within kChiSquare3At95, 0..1
 };
 [[nodiscard]] TaskScores task_scores(const std::vector<TaskMisfit>& misfits);
 
@@ -83,7 +83,7 @@ struct ThumbFit {
   TaskScores tasks;                        // not fitted unless with_tasks
   std::vector<LearntNumber> learnt;        // every free or tied parameter of axes, and free arms
   LeaveOneOut left_out;                    // of the trials
-  [[nodiscard]] bool converged() const { return run.convergence.reasons.empty(); }
+  [[nodiscard]] bool converged() const { return run.convergence.warnings.empty(); }
 };
 
 /// Thumbs that were not fitted, on the same data.

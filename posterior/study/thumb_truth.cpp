@@ -47,7 +47,7 @@ std::optional<double> true_value(const Parameter& parameter, const TendonDigit& 
   return e.dot(apart - from.direction.dot(apart) / along * to.direction);
 }
 
-AxisGap axis_gap(const Hinge<double>& a, const Hinge<double>& b) {
+AxisOffset axis_offset(const Hinge<double>& a, const Hinge<double>& b) {
   const Eigen::Vector3d normal = a.direction.cross(b.direction), apart = b.point - a.point;
   const double sine = normal.norm();
   const double angle = std::atan2(sine, std::abs(a.direction.dot(b.direction)));

@@ -24,10 +24,10 @@ namespace thenar {
                                                const TendonDigit& truth);
 
 /// Angle between two axes, whichever way they point [rad], and the length of their common normal.
-struct AxisGap {
+struct AxisOffset {
   double angle;     // 0..pi/2 [rad]
   double distance;  // [m]
 };
-[[nodiscard]] AxisGap axis_gap(const Hinge<double>& a, const Hinge<double>& b);
+[[nodiscard]] AxisOffset axis_offset(const Hinge<double>& a, const Hinge<double>& b);
 
 }  // namespace thenar

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "sampling/draws.h"
+#include "sampling/run/draws.h"
 
 namespace thenar {
 
@@ -64,12 +64,12 @@ struct ConvergenceLimits {
   int max_depth = 10;          // of trees of NUTS: steps that reach it are counted [1]
 };
 
-/// Empty `reasons`: converged as far as anyone can tell.
+/// Empty `warnings`: converged as far as anyone can tell.
 struct Convergence {
   std::vector<Estimate> estimates;  // of every entry of x, as named
-  double worst_r_hat = 0, least_bulk_ess = 0, least_tail_ess = 0;
-  long divergent = 0, broken = 0, depth_limit = 0;  // steps
-  std::vector<std::string> reasons;                 // each a sentence with the figure and its limit
+  double worst_r_hat = 0, min_bulk_ess = 0, min_tail_ess = 0;
+  long divergent = 0, non_finite = 0, depth_limit = 0;  // steps
+  std::vector<std::string> warnings;  // each a sentence with the figure and its limit
 };
 
 [[nodiscard]] Convergence assess(const Draws& draws, const std::vector<std::string>& names,

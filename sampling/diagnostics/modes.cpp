@@ -64,25 +64,25 @@ ModeMass describe(const Draws& draws, const Eigen::MatrixXi& labels, int label) 
 }
 
 /// Of `visited` modes that hold draws, which stand first, and others that hold none.
-std::vector<std::string> find_doubts(const ModeTable& table, std::size_t visited,
-                                     const std::vector<KnownMode>& known, long least_crossings) {
-  std::vector<std::string> doubts;
+std::vector<std::string> mode_warnings(const ModeTable& table, std::size_t visited,
+                                       const std::vector<KnownMode>& known, long min_crossings) {
+  std::vector<std::string> warnings;
   const bool apart = visited > 1 && table.crossings == 0;
   if (apart)
-    doubts.emplace_back(
+    warnings.emplace_back(
         "no chain crosses between modes: their masses only repeat where the chains began");
   for (std::size_t m = 0; m < table.modes.size(); ++m) {
     const ModeMass& mode = table.modes[m];
     const double draws = double(table.of_draw.size());
     if (m >= visited && !(known[mode.known].mass * draws < 1))
-      doubts.push_back(fmt::format("mode {}, known beforehand, holds no draw", m + 1));
-    if (m < visited && visited > 1 && !apart && mode.crossings < least_crossings)
-      doubts.push_back(
+      warnings.push_back(fmt::format("mode {}, known beforehand, holds no draw", m + 1));
+    if (m < visited && visited > 1 && !apart && mode.crossings < min_crossings)
+      warnings.push_back(
           fmt::format("chains cross into or out of mode {} only {} times, fewer than {}: its mass "
                       "of {:.3g} is not to be trusted",
-                      m + 1, mode.crossings, least_crossings, mode.mass));
+                      m + 1, mode.crossings, min_crossings, mode.mass));
   }
-  return doubts;
+  return warnings;
 }
 
 /// Modes that hold no draw come last, in the order in which they were known.
@@ -106,8 +106,8 @@ ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known
                          const ModeOptions& options) {
   ModeTable table;
   if (draws.draws() == 0) return table;
-  const Eigen::MatrixXi clumps = find_clumps(draws.x, options.clumps);
-  const Eigen::MatrixXi labels = known.empty() ? clumps : nearest_known(draws, known);
+  const Eigen::MatrixXi clusters = find_clusters(draws.x, options.clusters);
+  const Eigen::MatrixXi labels = known.empty() ? clusters : nearest_known(draws, known);
   table.of_draw = by_falling_mass(labels);
 
   const int count = table.of_draw.maxCoeff() + 1;
@@ -124,11 +124,11 @@ ModeTable tabulate_modes(const Draws& draws, const std::vector<KnownMode>& known
   append_empty(known, visited, draws.chains(), table);
   if (table.modes.size() == 1) table.modes[0].mcse = 0;
 
-  table.doubts = find_doubts(table, std::size_t(count), known, options.least_crossings);
-  if (!known.empty() && clumps.maxCoeff() + 1 > count)
-    table.doubts.push_back(
+  table.warnings = mode_warnings(table, std::size_t(count), known, options.min_crossings);
+  if (!known.empty() && clusters.maxCoeff() + 1 > count)
+    table.warnings.push_back(
         fmt::format("the draws fall into {} clumps, more than the {} known modes that they visit",
-                    clumps.maxCoeff() + 1, count));
+                    clusters.maxCoeff() + 1, count));
   return table;
 }
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sampling/diagnostics/clumps.h"
-#include "sampling/draws.h"
+#include "sampling/diagnostics/clusters.h"
+#include "sampling/run/draws.h"
 
 namespace thenar {
 
@@ -20,8 +20,8 @@ struct KnownMode {
 };
 
 struct ModeOptions {
-  ClumpOptions clumps;
-  long least_crossings = 10;  // fewer into and out of a mode: its mass is not to be trusted [1]
+  ClusterOptions clusters;
+  long min_crossings = 10;  // fewer into and out of a mode: its mass is not to be trusted [1]
 };
 
 /// One mode, from the draws that are in it.
@@ -36,15 +36,15 @@ struct ModeMass {
 };
 
 struct ModeTable {
-  std::vector<ModeMass> modes;      // heaviest first
-  Eigen::MatrixXi of_draw;          // index in `modes` (draws, chains)
-  long crossings = 0;               // steps of all chains from one mode to another [1]
-  std::vector<std::string> doubts;  // sentences; empty: the masses can be trusted
+  std::vector<ModeMass> modes;        // heaviest first
+  Eigen::MatrixXi of_draw;            // index in `modes` (draws, chains)
+  long crossings = 0;                 // steps of all chains from one mode to another [1]
+  std::vector<std::string> warnings;  // sentences; empty: the masses can be trusted
 };
 
 /// Sorts draws into modes. Known ones: each draw goes to the mode m of the largest normal density
 ///   -1/2 (x - c_m)' C_m^-1 (x - c_m) - 1/2 log |C_m|.
-/// None known: by find_clumps(), whose header says what it cannot see.
+/// None known: by find_clusters(), whose header says what it cannot see.
 ///
 /// A mass is a mean of indicators, so that its standard error is theirs, of ensembles where
 /// draws.group says that chains are walkers; it means nothing where chains do not cross: masses

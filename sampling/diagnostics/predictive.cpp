@@ -58,22 +58,22 @@ Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicate
   return {level, double(inside) / m, std::sqrt(level * (1 - level) / m)};
 }
 
-std::vector<std::string> find_doubts(const PredictiveCheck& of) {
-  std::vector<std::string> doubts;
+std::vector<std::string> predictive_warnings(const PredictiveCheck& of) {
+  std::vector<std::string> warnings;
   if (of.p < kOddP || of.p > 1 - kOddP)
-    doubts.push_back(
+    warnings.push_back(
         fmt::format("{:.3g} % of replicated measurements are further from the model "
                     "than the measured ones: the model is too {}",
                     100 * of.p, of.p < 0.5 ? "sure" : "unsure"));
   for (Eigen::Index t = 0; t < of.trial_p.size(); ++t)
     if (of.trial_p[t] < kOddP / double(of.trial_p.size()))
-      doubts.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates", t + 1,
-                                   100 * (1 - of.trial_p[t])));
+      warnings.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates",
+                                     t + 1, 100 * (1 - of.trial_p[t])));
   for (const Coverage& interval : of.coverage)
     if (std::abs(interval.share - interval.level) > kOddCoverage * interval.error)
-      doubts.push_back(fmt::format("{:.3g} % of measurements lie in their {:.3g} % intervals",
-                                   100 * interval.share, 100 * interval.level));
-  return doubts;
+      warnings.push_back(fmt::format("{:.3g} % of measurements lie in their {:.3g} % intervals",
+                                     100 * interval.share, 100 * interval.level));
+  return warnings;
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ PredictiveCheck check_predictive(const Eigen::Ref<const Eigen::VectorXd>& measur
   const Eigen::VectorXd all_seen = seen.colwise().sum(), all_again = again.colwise().sum();
   of.p = exceedance(all_again, all_seen);
   of.mean_chi_square = all_seen.mean();
-  of.doubts = find_doubts(of);
+  of.warnings = predictive_warnings(of);
   return of;
 }
 

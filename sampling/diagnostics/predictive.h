@@ -24,12 +24,12 @@ struct Coverage {
 };
 
 struct PredictiveCheck {
-  std::vector<Coverage> coverage;   // of 50, 80 and 95 %
-  Eigen::VectorXd rank_share;       // of replicates below each measured number, 0..1 (m)
-  Eigen::VectorXd trial_p;          // Bayesian p of every trial's chi-square, 0..1 (trials)
-  double p = 0;                     // of the whole chi-square, 0..1
-  double mean_chi_square = 0;       // of the measured numbers, mean over draws [1]
-  std::vector<std::string> doubts;  // sentences; empty: nothing odd
+  std::vector<Coverage> coverage;     // of 50, 80 and 95 %
+  Eigen::VectorXd rank_share;         // of replicates below each measured number, 0..1 (m)
+  Eigen::VectorXd trial_p;            // Bayesian p of every trial's chi-square, 0..1 (trials)
+  double p = 0;                       // of the whole chi-square, 0..1
+  double mean_chi_square = 0;         // of the measured numbers, mean over draws [1]
+  std::vector<std::string> warnings;  // sentences; empty: nothing odd
 };
 
 /// Bayesian p-values  P(T(y_rep, x) > T(y, x)), ties half, of

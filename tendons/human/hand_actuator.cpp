@@ -4,7 +4,8 @@
 
 namespace thenar {
 
-HandActuator::HandActuator(const TendonHand& hand, const NetWalkOptions& options) : hand_(hand) {
+HandActuator::HandActuator(const TendonHand& hand, const NetContinuationOptions& options)
+    : hand_(hand) {
   for (std::size_t i = 0; i < hand.digits().size(); ++i) {
     const bool pulled = !hand.places()[i].actuators.empty();
     digits_.push_back(pulled ? std::make_unique<TendonActuator>(*hand.digits()[i], options)
@@ -17,7 +18,7 @@ const HandAction& HandActuator::act(const Eigen::VectorXd& q, const Eigen::Vecto
   const Eigen::Index m = hand_.max_force().size();
   require(q.size() == n && u.size() == m, "wanted {} angles and {} tensions, got {} and {}", n, m,
           q.size(), u.size());
-  action_.status = TendonStatus::kSound;
+  action_.status = TendonStatus::kValid;
   action_.snapped = false;
   action_.slopes = true;
   action_.tau.setZero(n);

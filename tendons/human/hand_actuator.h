@@ -12,7 +12,7 @@ namespace thenar {
 
 /// What the tendons of a hand do at a posture under tensions, and how that changes.
 struct [[nodiscard]] HandAction {
-  TendonStatus status = TendonStatus::kSound;  // the worst of all digits: read this first
+  TendonStatus status = TendonStatus::kValid;  // the worst of all digits: read this first
   bool snapped = false;                        // a knot of a net has jumped since the state before
   bool slopes = true;                          // all digits have theirs; else B and K lack them
   Eigen::VectorXd tau;     // of the tendons, without passive joints [N m] (coordinates)
@@ -26,7 +26,7 @@ struct [[nodiscard]] HandAction {
 /// For one thread; the hand must outlive it.
 class HandActuator {
  public:
-  explicit HandActuator(const TendonHand& hand, const NetWalkOptions& options = {});
+  explicit HandActuator(const TendonHand& hand, const NetContinuationOptions& options = {});
 
   /// Moves the state to (q, u).
   /// @param q  (coordinates) [rad];  @param u  tensions, each >= 0 [N] (actuators)

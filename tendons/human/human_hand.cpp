@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "data/io/net.h"
-#include "tendons/human/hand_use.h"
-#include "tendons/human/joint_strength.h"
+#include "data/io/net_description.h"
+#include "hand/skin/hand_anatomy.h"
+#include "tendons/human/closing_synergy.h"
 #include "tendons/human/muscle_forces.h"
 #include "tendons/human/tendon_hand.h"
-#include "tendons/human/thumb_axes.h"
+#include "tendons/name_conventions.h"
 #include "tendons/net/build_tendons.h"
 
 namespace thenar {
@@ -99,7 +100,8 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
 std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& skeleton,
                                                                 HandTendons tendons) {
   const TendonHand hand(skeleton, std::move(tendons));
-  const TorqueLimits limits = joint_strength(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
+  const TorqueLimits limits =
+      joint_torque_limits(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
   std::map<std::string, std::pair<double, double>> strength;
   for (int i = 0; i < skeleton.coordinates(); ++i)
     if (limits.upper[i] > limits.lower[i])
@@ -193,8 +195,9 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
     std::vector<std::string> unheard;
     const TendonHand straight(
         skeleton, hand_tendons(subject, Extensors::kLinear, frozen, options.path, unheard));
-    HandUse use = tendon_use(anatomy, subject, skeleton, straight.layout().actuators,
-                             straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
+    ClosingSynergy use =
+        tendon_synergy(anatomy, subject, skeleton, straight.layout().actuators,
+                       straight.actuation(Eigen::VectorXd::Zero(skeleton.coordinates())));
     human.hand = std::make_unique<TendonHand>(skeleton, std::move(tendons), std::move(surfaces),
                                               std::move(use));
     return human;
@@ -202,7 +205,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   TorqueLimits limits =
       motor_limits(subject, anatomy, skeleton, frozen, options.path, human.warnings);
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
-                                              motor_use(anatomy, subject, skeleton));
+                                              motor_synergy(anatomy, subject, skeleton));
   return human;
 }
 
@@ -217,6 +220,51 @@ const Subject& default_human() {
   static const Subject human =
       parse_subject(built_in("mirakhorlo2016.toml"), "mirakhorlo2016.toml");
   return human;
+}
+
+namespace {
+
+/// The bone that a joint moves, straight or through links of a universal joint; nullptr if it is
+/// none of the thumb's.
+const DigitBone* bone_moved(const Subject& subject, const DigitAnatomy& thumb, std::string child) {
+  for (std::size_t step = 0; step <= subject.joints.size(); ++step) {
+    for (const DigitBone& bone : thumb.bones)
+      if (bone.segment == child) return &bone;
+    const JointAxis* next = nullptr;
+    for (const JointAxis& joint : subject.joints)
+      if (joint.parent == child) {
+        if (next != nullptr && next->child != joint.child) return nullptr;  // the palm: it forks
+        next = &joint;
+      }
+    if (next == nullptr) return nullptr;
+    child = next->child;
+  }
+  return nullptr;
+}
+
+Eigen::Vector3d axis_of(const JointAxis& joint, const DigitBone& bone) {
+  if (ends_with(joint.name, "_AA")) return bone.dorsal;
+  if (ends_with(joint.name, "_PS")) return (bone.distal - bone.proximal).normalized();
+  return bone.radial;
+}
+
+}  // namespace
+
+Subject orthogonal_thumb(Subject subject) {
+  const HandAnatomy hand = find_anatomy(subject);
+  const DigitAnatomy* thumb = digit_named(hand, "thumb");
+  require(thumb != nullptr, "subject '{}' has no thumb", subject.name);
+  for (JointAxis& joint : subject.joints) {
+    // A wrist that carries nothing but a thumb is no joint of the thumb.
+    if (joint.child == thumb->root) continue;
+    const DigitBone* bone = bone_moved(subject, *thumb, joint.child);
+    if (bone == nullptr) continue;
+    const Eigen::Vector3d axis = axis_of(joint, *bone);
+    joint.direction = joint.direction.dot(axis) < 0 ? Eigen::Vector3d(-axis) : axis;
+    joint.point = bone->proximal;
+    joint.direction_sd = joint.point_sd = 0;
+  }
+  return subject;
 }
 
 }  // namespace thenar

@@ -10,8 +10,8 @@
 #include "base/fidelity.h"
 #include "data/io/subject.h"
 #include "hand/hand.h"
-#include "hand/skin/hand_marks.h"
 #include "hand/skin/human_surfaces.h"
+#include "hand/skin/skin_landmarks.h"
 
 namespace thenar {
 
@@ -50,7 +50,7 @@ struct HumanHand {
 
 /// Builds a version of a subject's hand: its digits on a welded wrist, the forearm left out.
 ///
-/// Motors of the first three have the joint_strength() of the fourth at the reference posture.
+/// Motors of the first three have the joint_torque_limits() of the fourth at the reference posture.
 /// Where the subject has none for a joint, that of default_human() serves, times the cube of the
 /// ratio of hand lengths (forces grow as sections, arms as lengths), and a warning says so. The
 /// fourth lays the net "winslow" on every finger that can carry it, and takes separate tendons
@@ -64,5 +64,17 @@ struct HumanHand {
 
 /// The human of comparisons, [Mirakhorlo2016].
 [[nodiscard]] const Subject& default_human();
+
+// The same hand with a simpler thumb.
+
+/// The subject with the axes of its thumb as machines have them: each through the joint's centre
+/// (see find_anatomy()), flexion about the radial direction square to the bone, abduction about
+/// the dorsal one, so that the two of a joint cross at a right angle. Senses of turning, ranges,
+/// bones and tendon points stay.
+///
+/// Hinges whose name ends in "_AA" abduct, all others flex; "_PS" (pronation) turns about the bone.
+/// This is the thumb of the founding paper's first hand, the skewed one of its third [Miller2005].
+/// @throws InputError if there is no digit "thumb".
+[[nodiscard]] Subject orthogonal_thumb(Subject subject);
 
 }  // namespace thenar

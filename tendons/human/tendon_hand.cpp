@@ -22,7 +22,7 @@ int place_of(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
-                       std::vector<LinkSurface> surfaces, HandUse use)
+                       std::vector<LinkSurface> surfaces, ClosingSynergy use)
     : bones_(skeleton, no_motors(skeleton), std::move(surfaces), std::move(use)),
       digits_(std::move(tendons.digits)),
       working_share_(tendons.working_share),
@@ -57,34 +57,35 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
 namespace {
 
 ActuationStatus status_of(TendonStatus status) {
-  if (status == TendonStatus::kSound || status == TendonStatus::kRough)
+  if (status == TendonStatus::kValid || status == TendonStatus::kApproximate)
     return ActuationStatus::kExact;
-  return status < TendonStatus::kAstray ? ActuationStatus::kDoubtful : ActuationStatus::kUnbalanced;
+  return status < TendonStatus::kInvalidPath ? ActuationStatus::kDoubtful
+                                             : ActuationStatus::kUnbalanced;
 }
 
 /// Long steps to a single posture: who asks for one does not ask for small snaps on the way.
-constexpr NetWalkOptions kHandWalk{2e-3};
+constexpr NetContinuationOptions kHandWalk{2e-3};
 
 /// One digit of a hand at a posture, its tendons as a secant.
 struct DigitSecant {
   Eigen::MatrixXd B;      // (coordinates, actuators)
   Eigen::VectorXd tau_0;  // [N m] (coordinates)
   ActuationStatus status;
-  std::string trouble;
+  std::string warning;
 };
 
 DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
                    const Eigen::VectorXd& t) {
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
   if (net == nullptr) {
-    const TendonPull pull = tendons.pull(q, t);
+    const TendonTorque pull = tendons.pull(q, t);
     return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
-            pull.trouble};
+            pull.warning};
   }
   TendonActuator slackened(tendons, kHandWalk), pulled(tendons, kHandWalk);
   const TendonAction& at = pulled.act(q, t);
   const TendonAction& slack = slackened.act(q, Eigen::VectorXd::Zero(t.size()));
-  DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.trouble};
+  DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.warning};
   if (out.status == ActuationStatus::kExact) out.status = ActuationStatus::kLinearised;
   const Eigen::VectorXd pulls = net->shares().colwise().sum().transpose();
   const Eigen::VectorXd w = (pulls.array() > 0).select(t, 0);
@@ -93,10 +94,10 @@ DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
   return out;
 }
 
-void note(ActuationStatus status, const std::string& trouble, ActuationStatus& worst,
+void note(ActuationStatus status, const std::string& warning, ActuationStatus& worst,
           std::string& all) {
   worst = std::max(worst, status);
-  if (!trouble.empty()) all += (all.empty() ? "" : "; ") + trouble;
+  if (!warning.empty()) all += (all.empty() ? "" : "; ") + warning;
 }
 
 }  // namespace
@@ -112,21 +113,26 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
     if (place.actuators.empty()) continue;  // a digit without muscles
     const DigitSecant here =
         secant(*digits_[i], q(place.coordinates), working_share_ * max_force_(place.actuators));
-    note(here.status, here.trouble, actuation.status, actuation.trouble);
+    note(here.status, here.warning, actuation.status, actuation.warning);
     actuation.tau_0(place.coordinates) += here.tau_0;
     actuation.B(place.coordinates, place.actuators) += here.B;
   }
   return actuation;
 }
 
-Effort TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
+AppliedTorque TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
   HandActuator actuator(*this, kHandWalk);
   const HandAction& action = actuator.act(q, u);
-  Effort effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
+  AppliedTorque effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
   for (const TendonAction* digit : action.digits)
     if (digit != nullptr)
-      note(status_of(digit->status), digit->trouble, effort.status, effort.trouble);
+      note(status_of(digit->status), digit->warning, effort.status, effort.warning);
   return effort;
+}
+
+TorqueLimits joint_torque_limits(const Hand& tendons, const Eigen::VectorXd& q) {
+  const Actuation actuation = tendons.actuation(q);
+  return {actuation.B.cwiseMin(0) * actuation.upper, actuation.B.cwiseMax(0) * actuation.upper};
 }
 
 }  // namespace thenar

@@ -36,7 +36,7 @@ class TendonHand final : public Hand {
   /// @throws InputError if a digit has a coordinate that the skeleton lacks, a muscle no F0, or F0
   /// is not positive and finite; or as SkeletonHand.
   TendonHand(const Skeleton& skeleton, HandTendons tendons, std::vector<LinkSurface> surfaces = {},
-             HandUse use = {});
+             ClosingSynergy use = {});
 
   [[nodiscard]] const HandLayout& layout() const override { return layout_; }
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override {
@@ -49,7 +49,8 @@ class TendonHand final : public Hand {
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
   /// @param u  tensions, each >= 0 [N] (actuators)
   /// @throws InputError if a length is wrong, or a tension negative or not finite.
-  [[nodiscard]] Effort effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const override;
+  [[nodiscard]] AppliedTorque effort(const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& u) const override;
   [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override {
     return bones_.surfaces();
   }
@@ -77,5 +78,14 @@ class TendonHand final : public Hand {
   double working_share_;
   HandLayout layout_;
 };
+
+// What the tendons of a hand could do at each joint alone: limits for a hand of motors.
+
+/// The largest and least torque of each coordinate at posture q,
+///   upper_j = sum_i max(B_ji, 0) upper_i,   lower_j = sum_i min(B_ji, 0) upper_i.
+/// It is the least box about the torques that the tendons make, passive torque aside: a hand of
+/// motors with these limits can do at least as much, as its joints do not share muscles.
+/// @param tendons  a hand whose least tensions are 0
+[[nodiscard]] TorqueLimits joint_torque_limits(const Hand& tendons, const Eigen::VectorXd& q);
 
 }  // namespace thenar

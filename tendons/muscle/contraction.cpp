@@ -12,16 +12,16 @@ class Bounds : public Contraction {
  public:
   using Contraction::Contraction;
   Muscle rung() const override { return Muscle::kBounds; }
-  bool feels_velocity() const override { return false; }
-  bool has_reach() const override { return false; }
+  bool depends_on_velocity() const override { return false; }
+  bool has_fibre_state() const override { return false; }
   double tension(int m, const MuscleState& state) const override {
     return std::max(0.0, state.activation) * muscle(m).F0;  // an integrator may pass below 0
   }
-  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
+  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
     return {state.activation < 0 ? 0 : muscle(m).F0, 0, 0, 0};
   }
-  double reach_rate(int, const MuscleState&) const override { return 0; }
-  double reach_at_rest(int, double, double) const override { return 0; }
+  double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
+  double projected_fibre_at_rest(int, double, double) const override { return 0; }
   double fibre(int, const MuscleState&) const override { return 0; }
 };
 
@@ -30,26 +30,27 @@ class ElasticTendon : public Contraction {
   ElasticTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
       : Contraction(std::move(muscles)), options_(options) {}
   Muscle rung() const override { return Muscle::kElasticTendon; }
-  bool feels_velocity() const override { return false; }
-  bool has_reach() const override { return true; }
+  bool depends_on_velocity() const override { return false; }
+  bool has_fibre_state() const override { return true; }
   double tension(int m, const MuscleState& state) const override {
-    return elastic_tendon_tension(muscle(m), options_, state.length, state.reach);
+    return elastic_tendon_tension(muscle(m), options_, state.length, state.projected_fibre);
   }
-  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
-    return elastic_tendon_slopes(muscle(m), options_, state.length, state.reach);
+  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
+    return elastic_tendon_derivatives(muscle(m), options_, state.length, state.projected_fibre);
   }
-  ReachRateSlopes reach_rate_slopes(int m, const MuscleState& state) const override {
-    return thenar::reach_rate_slopes(muscle(m), options_, state.activation, state.length,
-                                     state.reach);
+  FibreRateDerivatives fibre_rate_derivatives(int m, const MuscleState& state) const override {
+    return thenar::fibre_rate_derivatives(muscle(m), options_, state.activation, state.length,
+                                          state.projected_fibre);
   }
-  double reach_rate(int m, const MuscleState& state) const override {
-    return thenar::reach_rate(muscle(m), options_, state.activation, state.length, state.reach);
+  double projected_fibre_rate(int m, const MuscleState& state) const override {
+    return thenar::projected_fibre_rate(muscle(m), options_, state.activation, state.length,
+                                        state.projected_fibre);
   }
-  double reach_at_rest(int m, double activation, double length) const override {
-    return thenar::reach_at_rest(muscle(m), options_, activation, length);
+  double projected_fibre_at_rest(int m, double activation, double length) const override {
+    return thenar::projected_fibre_at_rest(muscle(m), options_, activation, length);
   }
   double fibre(int m, const MuscleState& state) const override {
-    return fibre_length(muscle(m), state.reach);
+    return fibre_length(muscle(m), state.projected_fibre);
   }
 
  private:
@@ -61,21 +62,22 @@ class RigidTendon : public Contraction {
   RigidTendon(std::vector<Musculotendon> muscles, const HillOptions& options)
       : Contraction(std::move(muscles)), options_(options) {}
   Muscle rung() const override { return Muscle::kRigidTendon; }
-  bool feels_velocity() const override { return true; }
-  bool has_reach() const override { return false; }
+  bool depends_on_velocity() const override { return true; }
+  bool has_fibre_state() const override { return false; }
   double tension(int m, const MuscleState& state) const override {
     return rigid_tendon_tension(muscle(m), options_, state.activation, state.length,
                                 state.velocity);
   }
-  TensionSlopes tension_slopes(int m, const MuscleState& state) const override {
-    return rigid_tendon_slopes(muscle(m), options_, state.activation, state.length, state.velocity);
+  TensionDerivatives tension_derivatives(int m, const MuscleState& state) const override {
+    return rigid_tendon_derivatives(muscle(m), options_, state.activation, state.length,
+                                    state.velocity);
   }
-  double reach_rate(int, const MuscleState&) const override { return 0; }
-  double reach_at_rest(int, double, double) const override { return 0; }
+  double projected_fibre_rate(int, const MuscleState&) const override { return 0; }
+  double projected_fibre_at_rest(int, double, double) const override { return 0; }
   double fibre(int m, const MuscleState& state) const override {
     return fibre_length(muscle(m), state.length - muscle(m).slack);
   }
-  std::unique_ptr<Contraction> softened(double strain) const override {
+  std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
     std::vector<Musculotendon> short_ones = muscles();
     for (Musculotendon& m : short_ones) m.slack = m.optimal;
     HillOptions options = options_;

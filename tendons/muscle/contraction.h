@@ -13,10 +13,10 @@ namespace thenar {
 
 /// One muscle now.
 struct MuscleState {
-  double activation = 0;  // 0..1 [1]
-  double length = 0;      // of muscle and tendon [m]
-  double velocity = 0;    // rate of that [m/s]
-  double reach = 0;       // of the fibre along the tendon, where it is a state [m]
+  double activation = 0;       // 0..1 [1]
+  double length = 0;           // of muscle and tendon [m]
+  double velocity = 0;         // rate of that [m/s]
+  double projected_fibre = 0;  // of the fibre along the tendon, where it is a state [m]
 };
 
 /// All muscles of a digit on one rung.
@@ -30,32 +30,35 @@ class Contraction {
   [[nodiscard]] virtual Muscle rung() const = 0;
 
   /// Does tension depend on the velocity?
-  [[nodiscard]] virtual bool feels_velocity() const = 0;
+  [[nodiscard]] virtual bool depends_on_velocity() const = 0;
 
-  /// Is the reach of the fibres a state?
-  [[nodiscard]] virtual bool has_reach() const = 0;
+  /// Is the projected_fibre of the fibres a state?
+  [[nodiscard]] virtual bool has_fibre_state() const = 0;
 
   /// Tension of muscle m, >= 0 [N].
   [[nodiscard]] virtual double tension(int m, const MuscleState& state) const = 0;
 
-  /// Rate of the reach of muscle m [m/s]; 0 where it is no state.
-  [[nodiscard]] virtual double reach_rate(int m, const MuscleState& state) const = 0;
+  /// Rate of the projected_fibre of muscle m [m/s]; 0 where it is no state.
+  [[nodiscard]] virtual double projected_fibre_rate(int m, const MuscleState& state) const = 0;
 
   /// Slopes of tension() by the state of muscle m.
-  [[nodiscard]] virtual TensionSlopes tension_slopes(int m, const MuscleState& state) const = 0;
+  [[nodiscard]] virtual TensionDerivatives tension_derivatives(int m,
+                                                               const MuscleState& state) const = 0;
 
-  /// Slopes of reach_rate() by the state of muscle m; 0 where it is no state.
-  [[nodiscard]] virtual ReachRateSlopes reach_rate_slopes(int /*m*/,
-                                                          const MuscleState& /*state*/) const {
+  /// Slopes of projected_fibre_rate() by the state of muscle m; 0 where it is no state.
+  [[nodiscard]] virtual FibreRateDerivatives fibre_rate_derivatives(
+      int /*m*/, const MuscleState& /*state*/) const {
     return {};
   }
 
   /// Reach of muscle m at rest [m]; 0 where it is no state.
-  [[nodiscard]] virtual double reach_at_rest(int m, double activation, double length) const = 0;
+  [[nodiscard]] virtual double projected_fibre_at_rest(int m, double activation,
+                                                       double length) const = 0;
 
   /// The same fibres on a short tendon, as long as a fibre, that stretches by `strain` at F0, so
   /// that tension is a function of states alone; null where it does not depend on velocity.
-  [[nodiscard]] virtual std::unique_ptr<Contraction> softened(double /*strain*/) const {
+  [[nodiscard]] virtual std::unique_ptr<Contraction> with_compliant_tendon(
+      double /*strain*/) const {
     return nullptr;
   }
 
@@ -72,7 +75,7 @@ class Contraction {
 };
 
 /// Bounds: tension = activation F0. Rigid tendon: by length and velocity. Elastic tendon: by length
-/// and reach, whose rate follows from the balance of fibre and tendon.
+/// and projected_fibre, whose rate follows from the balance of fibre and tendon.
 [[nodiscard]] std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscles,
                                                              Muscle rung,
                                                              const HillOptions& options = {});

@@ -4,9 +4,9 @@
 
 #include "hand/multibody.h"
 #include "tendons/digit_tendons.h"
-#include "tendons/muscle/activation.h"
 #include "tendons/muscle/contraction.h"
 #include "tendons/muscle/joint_resistance.h"
+#include "tendons/muscle/musculotendon.h"
 
 namespace thenar {
 
@@ -23,7 +23,7 @@ inline constexpr double kRigidStrain = 0.01;
 
 /// How fast excursions that have strayed from the lengths of lines come back, a choice of ours
 /// [1/s]: within what a fibre takes to follow.
-inline constexpr double kReturn = 1e3;
+inline constexpr double kBaumgarteRate = 1e3;
 
 /// Everything about a digit in motion that is constant. Refers to the tendons and the contraction,
 /// which must outlive it; temporaries are refused.
@@ -45,39 +45,39 @@ struct MotionModel {
 
 /// All states of a digit in motion.
 struct MotionState {
-  Eigen::VectorXd q;           // posture [rad] (coordinates)
-  Eigen::VectorXd q_dot;       // [rad/s] (coordinates)
-  Eigen::VectorXd activation;  // [1] (muscles)
-  Eigen::VectorXd excursion;   // lengthening since the reference posture [m] (muscles)
-  Eigen::VectorXd reach;       // of the fibres [m] (muscles; empty where it is no state)
-  double work = 0;             // of the tendons on the joints [J]
-  double lost = 0;             // in the dampers of the joints [J]
+  Eigen::VectorXd q;                // posture [rad] (coordinates)
+  Eigen::VectorXd q_dot;            // [rad/s] (coordinates)
+  Eigen::VectorXd activation;       // [1] (muscles)
+  Eigen::VectorXd excursion;        // lengthening since the reference posture [m] (muscles)
+  Eigen::VectorXd projected_fibre;  // of the fibres [m] (muscles; empty where it is no state)
+  double work = 0;                  // of the tendons on the joints [J]
+  double dissipated = 0;            // in the dampers of the joints [J]
 };
 
 /// Where a motion begins.
 struct [[nodiscard]] MotionOnset {
   MotionState state;
-  std::string trouble;  // why not to trust its excursion; empty: nothing
+  std::string warning;  // why not to trust its excursion; empty: nothing
 };
 
 /// What follows from a state.
 struct MotionInstant {
   Eigen::VectorXd tension;  // [N] (muscles)
   Eigen::VectorXd fibre;    // length over optimal length [1] (muscles)
-  TendonPull pull;
+  TendonTorque pull;
 };
 
 /// States change by
 ///   M q'' = tau_tendons + tau_springs_and_stops - damping q' + weights and inertia,
-///   a' by activation_rate,  excursion' = -R q' - G t' - kReturn stray,  reach' by the contraction,
-///   work' = tau_tendons . q',  lost' = q' . damping q'.
+///   a' by activation_rate,  excursion' = -R q' - G t' - kBaumgarteRate drift,  projected_fibre' by
+///   the contraction, work' = tau_tendons . q',  dissipated' = q' . damping q'.
 /// A muscle and its tendon are optimal_length + excursion long: by a choice of ours every fibre is
 /// at its optimal length at the subject's reference posture, as no subject says better.
 ///
 /// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
 /// the last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
-/// moment arms, on tension; under a net they are softened by kRigidStrain, so that the reach of the
-/// fibres is a state and tension follows from states alone.
+/// moment arms, on tension; under a net they are with_compliant_tendon by kRigidStrain, so that the
+/// projected_fibre of the fibres is a state and tension follows from states alone.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -105,8 +105,8 @@ class FingerMotion {
 
   /// What tendons are in an accepted state.
   struct Accepted {
-    std::string trouble;    // why not to trust them; empty: nothing
-    Eigen::VectorXd stray;  // of muscles that pull; 0 of slack ones [m] (muscles)
+    std::string warning;    // why not to trust them; empty: nothing
+    Eigen::VectorXd drift;  // of muscles that pull; 0 of slack ones [m] (muscles)
   };
 
   /// Later searches start from here.
@@ -132,18 +132,19 @@ class FingerMotion {
     return blended_ ? *blended_ : model_.tendons;
   }
   [[nodiscard]] const Contraction& contraction() const {
-    return softened_ ? *softened_ : model_.contraction;
+    return compliant_ ? *compliant_ : model_.contraction;
   }
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
 
   /// How far excursions are from the lengths of lines, less those at the start: what integration
   /// has left, and what a net that has jumped to another rest has changed; 0 without a net, and
   /// where friction in sheaths takes part of R [m] (muscles).
-  [[nodiscard]] Eigen::VectorXd stray(const MotionState& state, const MotionInstant& now) const;
+  [[nodiscard]] Eigen::VectorXd drift(const MotionState& state, const MotionInstant& now) const;
 
   /// How excursions and tensions change. Under a net t' depends in turn on excursion':
-  ///   A excursion' = -R q' - kReturn stray - G (t' at excursion' = 0),  A = 1 + G dt/dexcursion.
-  /// The lengths of lines then change by  -R q' - G t',  so that  stray' = -kReturn stray.
+  ///   A excursion' = -R q' - kBaumgarteRate drift - G (t' at excursion' = 0),  A = 1 + G
+  ///   dt/dexcursion.
+  /// The lengths of lines then change by  -R q' - G t',  so that  drift' = -kBaumgarteRate drift.
   /// Source: [Baumgarte1972].
   struct TensionRate {
     Eigen::VectorXd excursion;  // [m/s] (muscles)
@@ -154,8 +155,8 @@ class FingerMotion {
                                          const Eigen::VectorXd& excitation) const;
 
   MotionModel model_;
-  std::unique_ptr<DigitTendons> blended_;  // null: the model's own
-  std::unique_ptr<Contraction> softened_;  // null: the model's own
+  std::unique_ptr<DigitTendons> blended_;   // null: the model's own
+  std::unique_ptr<Contraction> compliant_;  // null: the model's own
   Multibody multibody_;
   Eigen::VectorXd damping_;  // [N m s/rad] (coordinates)
   double tonus_;             // [N]

@@ -39,14 +39,14 @@ double active_force(double length) {
   return kB11 * bell_1(length) + second + bell_3(length);
 }
 
-double active_force_slope(double length) {
+double active_force_derivative(double length) {
   const double second = length > 0.15 ? slope_2(length) : 0;
   return kB11 * slope_1(length) + second + slope_3(length);
 }
 
 double force_velocity(double velocity) { return kD1 * std::asinh(kD2 * velocity + kD3) + kD4; }
 
-double force_velocity_slope(double velocity) {
+double force_velocity_derivative(double velocity) {
   return kD1 * kD2 / std::hypot(kD2 * velocity + kD3, 1);
 }
 
@@ -54,7 +54,7 @@ double passive_force(double length) {
   return std::max(0.0, std::expm1(4 * (length - 1) / 0.6) / std::expm1(4.0));
 }
 
-double passive_force_slope(double length) {
+double passive_force_derivative(double length) {
   if (length < 1) return 0;
   return 4 / 0.6 * std::exp(4 * (length - 1) / 0.6) / std::expm1(4.0);
 }
@@ -64,7 +64,7 @@ double tendon_force(double length, double strain) {
   return std::max(0.0, 0.2 * std::exp(35 * (published + 0.005)) - 0.25);
 }
 
-double tendon_force_slope(double length, double strain) {
+double tendon_force_derivative(double length, double strain) {
   if (length < taut_tendon(strain)) return 0;
   const double published = (length - 1) * kTendonStrain / strain;
   return 7 * kTendonStrain / strain * std::exp(35 * (published + 0.005));

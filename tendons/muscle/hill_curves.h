@@ -17,7 +17,7 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 [[nodiscard]] double active_force(double length);
 
 /// d active_force / d length.
-[[nodiscard]] double active_force_slope(double length);
+[[nodiscard]] double active_force_derivative(double length);
 
 /// Force over speed,  d1 asinh(d2 v + d3) + d4:  0 at v = -1, the largest speed of shortening, and
 /// 1 at v = 0. Grows without end in lengthening, as a logarithm; negative beyond v = -1.
@@ -25,14 +25,14 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 [[nodiscard]] double force_velocity(double velocity);
 
 /// d force_velocity / d velocity, positive.
-[[nodiscard]] double force_velocity_slope(double velocity);
+[[nodiscard]] double force_velocity_derivative(double velocity);
 
 /// Force of the fibre at rest,  (exp(4 (l - 1) / 0.6) - 1) / (exp(4) - 1),  0 where shorter than 1:
 /// there the published curve pushes, which fibres cannot.
 [[nodiscard]] double passive_force(double length);
 
 /// d passive_force / d length.
-[[nodiscard]] double passive_force_slope(double length);
+[[nodiscard]] double passive_force_derivative(double length);
 
 /// Force of the tendon,  0.2 exp(35 (l - 0.995)) - 0.25,  0 where that is negative, that is up to a
 /// strain of 0.0014. Another strain at F0 stretches the curve along the strain.
@@ -41,7 +41,7 @@ inline constexpr double kTendonStrain = 0.047359470392808856;
 [[nodiscard]] double tendon_force(double length, double strain = kTendonStrain);
 
 /// d tendon_force / d length.
-[[nodiscard]] double tendon_force_slope(double length, double strain = kTendonStrain);
+[[nodiscard]] double tendon_force_derivative(double length, double strain = kTendonStrain);
 
 /// Length up to which that is 0, over the slack length [1].
 [[nodiscard]] double taut_tendon(double strain = kTendonStrain);

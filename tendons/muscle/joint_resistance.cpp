@@ -12,18 +12,18 @@ double beyond(const CoordinateLimits& limits, double angle) {
   return angle - std::clamp(angle, limits.lower, limits.upper);
 }
 
-double stop_torque(const JointResistance& stop, double d) {
+double limit_torque(const JointResistance& stop, double d) {
   const double size = std::abs(d);
   const double torque = size < stop.toe ? stop.stiffness * size * size / (2 * stop.toe)
                                         : stop.stiffness * (size - stop.toe / 2);
   return d > 0 ? -torque : torque;
 }
 
-double stop_slope(const JointResistance& stop, double d) {
+double limit_derivative(const JointResistance& stop, double d) {
   return -stop.stiffness * std::min(std::abs(d) / stop.toe, 1.0);
 }
 
-double stop_energy(const JointResistance& stop, double d) {
+double limit_energy(const JointResistance& stop, double d) {
   const double toe = stop.toe, size = std::abs(d);
   if (size < toe) return stop.stiffness * size * size * size / (6 * toe);
   return stop.stiffness * (toe * toe / 6 + (size * size - size * toe) / 2);
@@ -31,30 +31,30 @@ double stop_energy(const JointResistance& stop, double d) {
 
 }  // namespace
 
-VectorXd holding_torque(const Skeleton& skeleton, const JointResistance& resistance,
-                        const VectorXd& q) {
+VectorXd resistance_torque(const Skeleton& skeleton, const JointResistance& resistance,
+                           const VectorXd& q) {
   VectorXd tau = passive_torque(skeleton, q);
   for (Eigen::Index i = 0; i < q.size(); ++i)
-    tau[i] += stop_torque(resistance, beyond(skeleton.limits[static_cast<std::size_t>(i)], q[i]));
+    tau[i] += limit_torque(resistance, beyond(skeleton.limits[static_cast<std::size_t>(i)], q[i]));
   return tau;
 }
 
-VectorXd holding_slope(const Skeleton& skeleton, const JointResistance& resistance,
-                       const VectorXd& q) {
+VectorXd resistance_derivative(const Skeleton& skeleton, const JointResistance& resistance,
+                               const VectorXd& q) {
   return VectorXd::NullaryExpr(q.size(), [&](Eigen::Index i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
-    return -limits.stiffness + stop_slope(resistance, beyond(limits, q[i]));
+    return -limits.stiffness + limit_derivative(resistance, beyond(limits, q[i]));
   });
 }
 
-double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,
-                      const VectorXd& q) {
+double resistance_energy(const Skeleton& skeleton, const JointResistance& resistance,
+                         const VectorXd& q) {
   double energy = 0;
   for (Eigen::Index i = 0; i < q.size(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
     const double stretch = q[i] - limits.rest;
     energy +=
-        limits.stiffness * stretch * stretch / 2 + stop_energy(resistance, beyond(limits, q[i]));
+        limits.stiffness * stretch * stretch / 2 + limit_energy(resistance, beyond(limits, q[i]));
   }
   return energy;
 }

@@ -18,18 +18,18 @@ struct JointResistance {
 };
 
 /// Torque of springs and stops [N m] (coordinates); the damping is apart.
-[[nodiscard]] Eigen::VectorXd holding_torque(const Skeleton& skeleton,
-                                             const JointResistance& resistance,
-                                             const Eigen::VectorXd& q);
+[[nodiscard]] Eigen::VectorXd resistance_torque(const Skeleton& skeleton,
+                                                const JointResistance& resistance,
+                                                const Eigen::VectorXd& q);
 
-/// d holding_torque / d q, diagonal [N m/rad] (coordinates).
-[[nodiscard]] Eigen::VectorXd holding_slope(const Skeleton& skeleton,
-                                            const JointResistance& resistance,
-                                            const Eigen::VectorXd& q);
+/// d resistance_torque / d q, diagonal [N m/rad] (coordinates).
+[[nodiscard]] Eigen::VectorXd resistance_derivative(const Skeleton& skeleton,
+                                                    const JointResistance& resistance,
+                                                    const Eigen::VectorXd& q);
 
 /// Energy stored in them; its slope is minus the torque [J].
-[[nodiscard]] double holding_energy(const Skeleton& skeleton, const JointResistance& resistance,
-                                    const Eigen::VectorXd& q);
+[[nodiscard]] double resistance_energy(const Skeleton& skeleton, const JointResistance& resistance,
+                                       const Eigen::VectorXd& q);
 
 /// Damping of every coordinate [N m s/rad] (coordinates).
 [[nodiscard]] Eigen::VectorXd joint_damping(const Skeleton& skeleton,

@@ -6,17 +6,17 @@
 namespace thenar {
 namespace {
 
-constexpr double kShortest = 0.05, kFading = 0.10;  // reach / optimal [1]
+constexpr double kShortest = 0.05, kFading = 0.10;  // projected_fibre / optimal [1]
 
 /// Cosine of the fibre's angle to the tendon.
-double cosine(const Musculotendon& muscle, double reach) {
-  return reach / std::hypot(reach, muscle.optimal * std::sin(muscle.pennation));
+double cosine(const Musculotendon& muscle, double projected_fibre) {
+  return projected_fibre / std::hypot(projected_fibre, muscle.optimal * std::sin(muscle.pennation));
 }
 
-/// d cosine / d reach [1/m].
-double cosine_slope(const Musculotendon& muscle, double reach) {
+/// d cosine / d projected_fibre [1/m].
+double cosine_slope(const Musculotendon& muscle, double projected_fibre) {
   const double height = muscle.optimal * std::sin(muscle.pennation);
-  const double fibre = std::hypot(reach, height);
+  const double fibre = std::hypot(projected_fibre, height);
   return height * height / (fibre * fibre * fibre);
 }
 
@@ -27,7 +27,7 @@ double balancing_velocity(double strength, double beta, double force) {
   for (int i = 0; i < 100 && high - low > 1e-15 * (1 + high - low); ++i) {
     const double excess = strength * force_velocity(v) + beta * v - force;
     (excess > 0 ? high : low) = v;
-    const double newton = v - excess / (strength * force_velocity_slope(v) + beta);
+    const double newton = v - excess / (strength * force_velocity_derivative(v) + beta);
     if (newton == v) break;
     v = newton > low && newton < high ? newton : (low + high) / 2;
   }
@@ -40,32 +40,33 @@ double optimal_length(const Musculotendon& muscle) {
   return muscle.slack + muscle.optimal * std::cos(muscle.pennation);
 }
 
-double fibre_length(const Musculotendon& muscle, double reach) {
-  return std::hypot(reach / muscle.optimal, std::sin(muscle.pennation));
+double fibre_length(const Musculotendon& muscle, double projected_fibre) {
+  return std::hypot(projected_fibre / muscle.optimal, std::sin(muscle.pennation));
 }
 
 double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double velocity) {
-  const double reach = length - muscle.slack;
-  if (reach <= 0) return 0;
-  const double l = fibre_length(muscle, reach), along = cosine(muscle, reach);
+  const double projected_fibre = length - muscle.slack;
+  if (projected_fibre <= 0) return 0;
+  const double l = fibre_length(muscle, projected_fibre), along = cosine(muscle, projected_fibre);
   const double v = velocity * along / (options.max_velocity * muscle.optimal);
   const double force = activation * active_force(l) * force_velocity(v) + passive_force(l);
   return std::max(0.0, muscle.F0 * (force + options.damping * v) * along);
 }
 
-TensionSlopes rigid_tendon_slopes(const Musculotendon& muscle, const HillOptions& options,
-                                  double activation, double length, double velocity) {
+TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle, const HillOptions& options,
+                                            double activation, double length, double velocity) {
   if (rigid_tendon_tension(muscle, options, activation, length, velocity) <= 0) return {};
-  const double reach = length - muscle.slack;
-  const double l = fibre_length(muscle, reach), along = cosine(muscle, reach);
-  const double turn = cosine_slope(muscle, reach), top = options.max_velocity * muscle.optimal;
+  const double projected_fibre = length - muscle.slack;
+  const double l = fibre_length(muscle, projected_fibre), along = cosine(muscle, projected_fibre);
+  const double turn = cosine_slope(muscle, projected_fibre),
+               top = options.max_velocity * muscle.optimal;
   const double v = velocity * along / top, fl = active_force(l), fv = force_velocity(v);
 
-  // force is F0 f cos;  l grows by cos / optimal a reach, v by velocity cos' / top
+  // force is F0 f cos;  l grows by cos / optimal a projected_fibre, v by velocity cos' / top
   const double f = activation * fl * fv + passive_force(l) + options.damping * v;
-  const double f_l = activation * active_force_slope(l) * fv + passive_force_slope(l);
-  const double f_v = activation * fl * force_velocity_slope(v) + options.damping;
+  const double f_l = activation * active_force_derivative(l) * fv + passive_force_derivative(l);
+  const double f_v = activation * fl * force_velocity_derivative(v) + options.damping;
   const double by_length =
       (f_l * along / muscle.optimal + f_v * velocity * turn / top) * along + f * turn;
   return {muscle.F0 * fl * fv * along, muscle.F0 * by_length, muscle.F0 * f_v * along * along / top,
@@ -73,54 +74,57 @@ TensionSlopes rigid_tendon_slopes(const Musculotendon& muscle, const HillOptions
 }
 
 double elastic_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
-                              double length, double reach) {
-  return muscle.F0 * tendon_force((length - reach) / muscle.slack, options.tendon_strain);
+                              double length, double projected_fibre) {
+  return muscle.F0 * tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain);
 }
 
-TensionSlopes elastic_tendon_slopes(const Musculotendon& muscle, const HillOptions& options,
-                                    double length, double reach) {
+TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
+                                              const HillOptions& options, double length,
+                                              double projected_fibre) {
   const double stiffness =
       muscle.F0 / muscle.slack *
-      tendon_force_slope((length - reach) / muscle.slack, options.tendon_strain);
+      tendon_force_derivative((length - projected_fibre) / muscle.slack, options.tendon_strain);
   return {0, stiffness, 0, -stiffness};
 }
 
-double reach_rate(const Musculotendon& muscle, const HillOptions& options, double activation,
-                  double length, double reach) {
-  const double r = std::max(reach, kShortest * muscle.optimal);
+double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
+                            double activation, double length, double projected_fibre) {
+  const double r = std::max(projected_fibre, kShortest * muscle.optimal);
   const double l = fibre_length(muscle, r), along = cosine(muscle, r);
-  const double pull = tendon_force((length - reach) / muscle.slack, options.tendon_strain);
+  const double pull =
+      tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain);
   const double v = balancing_velocity(activation * active_force(l), options.damping,
                                       pull / along - passive_force(l));
   const double rate = v * options.max_velocity * muscle.optimal / along;
-  const double fade = (reach / muscle.optimal - kShortest) / (kFading - kShortest);
+  const double fade = (projected_fibre / muscle.optimal - kShortest) / (kFading - kShortest);
   return rate < 0 ? rate * std::clamp(fade, 0.0, 1.0) : rate;
 }
 
-ReachRateSlopes reach_rate_slopes(const Musculotendon& muscle, const HillOptions& options,
-                                  double activation, double length, double reach) {
-  const double shortest = kShortest * muscle.optimal, r = std::max(reach, shortest);
-  const double moves = reach > shortest ? 1 : 0;  // of r with the reach
+FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const HillOptions& options,
+                                            double activation, double length,
+                                            double projected_fibre) {
+  const double shortest = kShortest * muscle.optimal, r = std::max(projected_fibre, shortest);
+  const double moves = projected_fibre > shortest ? 1 : 0;  // of r with the projected_fibre
   const double l = fibre_length(muscle, r), along = cosine(muscle, r);
   const double turn = moves * cosine_slope(muscle, r), stretch = moves * along / muscle.optimal;
-  const double tendon = (length - reach) / muscle.slack, fl = active_force(l);
+  const double tendon = (length - projected_fibre) / muscle.slack, fl = active_force(l);
   const double pull = tendon_force(tendon, options.tendon_strain);
-  const double stiffness = tendon_force_slope(tendon, options.tendon_strain) / muscle.slack;
+  const double stiffness = tendon_force_derivative(tendon, options.tendon_strain) / muscle.slack;
   const double v =
       balancing_velocity(activation * fl, options.damping, pull / along - passive_force(l));
 
   // activation fl fv(v) + beta v = pull / along - fp  differentiated
   const double fv = force_velocity(v);
-  const double grip = activation * fl * force_velocity_slope(v) + options.damping;
+  const double grip = activation * fl * force_velocity_derivative(v) + options.damping;
   const double v_a = -fl * fv / grip, v_length = stiffness / along / grip;
   const double v_reach =
       (-stiffness / along - pull * turn / (along * along) -
-       (passive_force_slope(l) + activation * active_force_slope(l) * fv) * stretch) /
+       (passive_force_derivative(l) + activation * active_force_derivative(l) * fv) * stretch) /
       grip;
 
   // rate = v top / along, faded where it shortens
   const double top = options.max_velocity * muscle.optimal / along;
-  const double ramp = (reach / muscle.optimal - kShortest) / (kFading - kShortest);
+  const double ramp = (projected_fibre / muscle.optimal - kShortest) / (kFading - kShortest);
   const bool fades = v < 0 && ramp < 1;
   const double fade = v < 0 ? std::clamp(ramp, 0.0, 1.0) : 1;
   const double thins = fades && ramp > 0 ? 1 / (muscle.optimal * (kFading - kShortest)) : 0;
@@ -128,12 +132,12 @@ ReachRateSlopes reach_rate_slopes(const Musculotendon& muscle, const HillOptions
           fade * top * (v_reach - v * turn / along) + thins * top * v};
 }
 
-double reach_at_rest(const Musculotendon& muscle, const HillOptions& options, double activation,
-                     double length) {
-  const auto excess = [&](double reach) {
-    const double l = fibre_length(muscle, reach);
-    return tendon_force((length - reach) / muscle.slack, options.tendon_strain) -
-           cosine(muscle, reach) * (activation * active_force(l) + passive_force(l));
+double projected_fibre_at_rest(const Musculotendon& muscle, const HillOptions& options,
+                               double activation, double length) {
+  const auto excess = [&](double projected_fibre) {
+    const double l = fibre_length(muscle, projected_fibre);
+    return tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain) -
+           cosine(muscle, projected_fibre) * (activation * active_force(l) + passive_force(l));
   };
   double low = kShortest * muscle.optimal;
   double high = length - taut_tendon(options.tendon_strain) * muscle.slack;
@@ -144,6 +148,18 @@ double reach_at_rest(const Musculotendon& muscle, const HillOptions& options, do
     (excess(middle) >= 0 ? low : high) = middle;
   }
   return low;
+}
+
+double activation_rate(double excitation, double activation, const ActivationTimes& times) {
+  const double wanted = excitation - activation, speed = 0.5 + 1.5 * activation;
+  return wanted > 0 ? wanted / (times.rise * speed) : wanted * speed / times.fall;
+}
+
+double activation_rate_derivative(double excitation, double activation,
+                                  const ActivationTimes& times) {
+  const double wanted = excitation - activation, speed = 0.5 + 1.5 * activation;
+  if (wanted > 0) return -(1 + 1.5 * wanted / speed) / (times.rise * speed);
+  return (1.5 * wanted - speed) / times.fall;
 }
 
 }  // namespace thenar

@@ -3,8 +3,8 @@
 /// One muscle with its tendon: numbers, and Hill's model with a rigid and with an elastic tendon.
 ///
 /// The fibre lies at an angle to the tendon and keeps its height over it, optimal sin(pennation);
-/// its other leg, along the tendon, is its reach. The tendon goes on from there:
-///   length = tendon + reach.
+/// its other leg, along the tendon, is its projected_fibre. The tendon goes on from there:
+///   length = tendon + projected_fibre.
 /// Forces balance along the tendon:
 ///   tension = F0 (a fl(l) fv(v) + fp(l) + beta v) cos(angle),   l = fibre / optimal,
 /// v = rate of the fibre / (max_velocity optimal). The damper beta keeps v finite where a fl = 0.
@@ -35,8 +35,8 @@ struct HillOptions {
 /// Length of muscle and tendon where the fibre is optimal and the tendon just slack [m].
 [[nodiscard]] double optimal_length(const Musculotendon& muscle);
 
-/// Length of a fibre of this reach over its optimal length [1].
-[[nodiscard]] double fibre_length(const Musculotendon& muscle, double reach);
+/// Length of a fibre of this projected_fibre over its optimal length [1].
+[[nodiscard]] double fibre_length(const Musculotendon& muscle, double projected_fibre);
 
 /// Tension with a tendon that is always `slack` long; 0 where the fibre would push, or where muscle
 /// and tendon are shorter than the tendon.
@@ -48,50 +48,73 @@ struct HillOptions {
                                           double activation, double length, double velocity);
 
 /// Slopes of a tension; 0 where it is cut off.
-struct TensionSlopes {
+struct TensionDerivatives {
   double by_activation = 0;  // [N]
   double by_length = 0;      // [N/m]
   double by_velocity = 0;    // [N s/m]
-  double by_reach = 0;       // [N/m]
+  double by_fibre = 0;       // [N/m]
 };
 
 /// Of rigid_tendon_tension(), whose arguments they are.
-[[nodiscard]] TensionSlopes rigid_tendon_slopes(const Musculotendon& muscle,
-                                                const HillOptions& options, double activation,
-                                                double length, double velocity);
+[[nodiscard]] TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle,
+                                                          const HillOptions& options,
+                                                          double activation, double length,
+                                                          double velocity);
 
-/// Tension of an elastic tendon beside a fibre of this reach [m].
+/// Tension of an elastic tendon beside a fibre of this projected_fibre [m].
 /// @return [N]
 [[nodiscard]] double elastic_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
-                                            double length, double reach);
+                                            double length, double projected_fibre);
 
 /// Of elastic_tendon_tension(), whose arguments they are.
-[[nodiscard]] TensionSlopes elastic_tendon_slopes(const Musculotendon& muscle,
-                                                  const HillOptions& options, double length,
-                                                  double reach);
+[[nodiscard]] TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
+                                                            const HillOptions& options,
+                                                            double length, double projected_fibre);
 
-/// Rate of the reach at which forces balance: the root of an increasing function, so there is one.
-/// Shortening fades out where the reach falls below a tenth of the optimal length: fibres beside a
-/// slack tendon would go on to nothing, and there a fl is below 0.004.
+/// Rate of the projected_fibre at which forces balance: the root of an increasing function, so
+/// there is one. Shortening fades out where the projected_fibre falls below a tenth of the optimal
+/// length: fibres beside a slack tendon would go on to nothing, and there a fl is below 0.004.
 /// @return [m/s]
-[[nodiscard]] double reach_rate(const Musculotendon& muscle, const HillOptions& options,
-                                double activation, double length, double reach);
+[[nodiscard]] double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
+                                          double activation, double length, double projected_fibre);
 
-/// Slopes of a rate of the reach.
-struct ReachRateSlopes {
+/// Slopes of a rate of the projected_fibre.
+struct FibreRateDerivatives {
   double by_activation = 0;  // [m/s]
   double by_length = 0;      // [1/s]
-  double by_reach = 0;       // [1/s]
+  double by_fibre = 0;       // [1/s]
 };
 
-/// Of reach_rate(), whose arguments they are; by the implicit function theorem.
-[[nodiscard]] ReachRateSlopes reach_rate_slopes(const Musculotendon& muscle,
-                                                const HillOptions& options, double activation,
-                                                double length, double reach);
+/// Of projected_fibre_rate(), whose arguments they are; by the implicit function theorem.
+[[nodiscard]] FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle,
+                                                          const HillOptions& options,
+                                                          double activation, double length,
+                                                          double projected_fibre);
 
-/// The reach at which forces balance at rest; with a slack tendon, that at which it is just taut,
-/// or a twentieth of the optimal length if even this is too long [m].
-[[nodiscard]] double reach_at_rest(const Musculotendon& muscle, const HillOptions& options,
-                                   double activation, double length);
+/// The projected_fibre at which forces balance at rest; with a slack tendon, that at which it is
+/// just taut, or a twentieth of the optimal length if even this is too long [m].
+[[nodiscard]] double projected_fibre_at_rest(const Musculotendon& muscle,
+                                             const HillOptions& options, double activation,
+                                             double length);
+
+// How fast a muscle follows its excitation.
+
+/// Time constants of activation, of young adults. Source: [Thelen2003].
+struct ActivationTimes {
+  double rise = 0.015;  // [s]
+  double fall = 0.050;  // [s]
+};
+
+/// Rate of activation a under excitation e:
+///   a' = (e - a) / (rise (0.5 + 1.5 a))   where e > a,
+///   a' = (e - a) (0.5 + 1.5 a) / fall     elsewhere.
+/// Keeps a within the range of e, so within 0..1. Source: [Thelen2003].
+/// @return [1/s]
+[[nodiscard]] double activation_rate(double excitation, double activation,
+                                     const ActivationTimes& times);
+
+/// d activation_rate / d activation [1/s]; at a = e, where it has a corner, that of falling.
+[[nodiscard]] double activation_rate_derivative(double excitation, double activation,
+                                                const ActivationTimes& times);
 
 }  // namespace thenar

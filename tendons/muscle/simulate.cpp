@@ -33,7 +33,8 @@ class Recorder {
     kept_.fidelity = digit.fidelity | Fidelity(Motion::kDynamic, model.contraction.rung());
     const auto joints = static_cast<Index>(kept_.joints.size());
     const auto muscles = static_cast<Index>(kept_.muscles.size());
-    for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.lost}) v->resize(room_);
+    for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
+      v->resize(room_);
     for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed}) m->resize(room_, joints);
     for (Eigen::MatrixXd* m :
          {&kept_.excitation, &kept_.activation, &kept_.tension, &kept_.excursion, &kept_.fibre})
@@ -64,57 +65,57 @@ class Recorder {
     kept_.tip.row(i) = moved(pose_tree(bones.tree, state.q), bones.tip_link, bones.tip);
     kept_.energy[i] = motion_.energy(state);
     kept_.work[i] = state.work;
-    kept_.lost[i] = state.lost;
-    note(now.pull.trouble, next());
+    kept_.dissipated[i] = state.dissipated;
+    note(now.pull.warning, next());
     ++next_;
   }
 
-  /// Keeps the first trouble, with its time.
-  void note(const std::string& trouble, double time) {
-    if (trouble.empty() || !kept_.trouble.empty()) return;
-    kept_.trouble = fmt::format("{} (at {:.4g} s)", trouble, time);
+  /// Keeps the first warning, with its time.
+  void note(const std::string& warning, double time) {
+    if (warning.empty() || !kept_.warning.empty()) return;
+    kept_.warning = fmt::format("{} (at {:.4g} s)", warning, time);
   }
 
   void note_accepted(const FingerMotion::Accepted& accepted, double time) {
-    note(accepted.trouble, time);
-    if (accepted.stray.size() == 0) return;
+    note(accepted.warning, time);
+    if (accepted.drift.size() == 0) return;
     Index most = 0;
-    const double stray = accepted.stray.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
-    if (stray <= kept_.stray || std::isnan(kept_.stray)) return;
-    if (kept_.stray <= kJump) jumped_ = time;
-    kept_.stray = stray;
+    const double drift = accepted.drift.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
+    if (drift <= kept_.drift || std::isnan(kept_.drift)) return;
+    if (kept_.drift <= kJump) jumped_ = time;
+    kept_.drift = drift;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
   }
 
   /// Why it ended comes before whatever was noted on the way.
   void note_end(const std::string& why, double time) {
     if (why.empty()) return;
-    const std::string before = std::exchange(kept_.trouble, "");
+    const std::string before = std::exchange(kept_.warning, "");
     note(why, time);
-    if (!before.empty()) kept_.trouble += "; " + before;
+    if (!before.empty()) kept_.warning += "; " + before;
   }
 
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
-    if (!(kept_.stray <= kJump))
+    if (!(kept_.drift <= kJump))
       note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
                            "what that sets free is in no balance, and the motion after it may "
                            "hang on the tolerance",
-                           strays_, 1e3 * kept_.stray),
+                           strays_, 1e3 * kept_.drift),
                jumped_);
     note_end(why, ode.time());
     kept_.status = status;
     kept_.balance = balance;
     kept_.tolerance = tolerance_;
     kept_.counts = ode.counts();
-    for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.lost})
+    for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
       v->conservativeResize(next_);
     for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed, &kept_.excitation, &kept_.activation,
                                &kept_.tension, &kept_.excursion, &kept_.fibre})
       m->conservativeResize(next_, Eigen::NoChange);
     kept_.slips.conservativeResize(next_, Eigen::NoChange);
     kept_.tip.conservativeResize(next_, Eigen::NoChange);
-    kept_.balance.error = largest_or_nan(balance.error, energy_error(kept_));
+    kept_.balance.error = max_or_nan(balance.error, energy_error(kept_));
     if (model_.contraction.rung() == Muscle::kBounds) kept_.fibre.resize(0, 0);
     return std::move(kept_);
   }
@@ -124,8 +125,8 @@ class Recorder {
   FingerMotion& motion_;
   double sample_, seconds_, tolerance_;
   Index room_, next_ = 0;
-  double jumped_ = 0;   // when the stray first was beyond kJump [s]
-  std::string strays_;  // muscle of the largest stray
+  double jumped_ = 0;   // when the drift first was beyond kJump [s]
+  std::string strays_;  // muscle of the largest drift
   Trajectory kept_;
 };
 
@@ -158,12 +159,12 @@ class Account {
   }
 
   void add(const MotionState& state) {
-    const double made = motion_.energy(state) - begin_ - state.work + state.lost;
-    error_ = largest_or_nan(error_, std::abs(made));
-    kinetic_ = largest_or_nan(kinetic_, motion_.kinetic_energy(state));
+    const double made = motion_.energy(state) - begin_ - state.work + state.dissipated;
+    error_ = max_or_nan(error_, std::abs(made));
+    kinetic_ = max_or_nan(kinetic_, motion_.kinetic_energy(state));
     turned_ += std::abs(state.work - work_);
     work_ = state.work;
-    lost_ = state.lost;
+    lost_ = state.dissipated;
   }
 
   EnergyBalance balance() const { return {error_, kinetic_ + turned_ + lost_}; }
@@ -181,7 +182,7 @@ class Patience {
   /// @return false: give up
   bool go_on(double time) {
     if (++count_ < steps_) return true;
-    const bool far = time - since_ >= kCreep;
+    const bool far = time - since_ >= kStallTime;
     since_ = time;
     count_ = 0;
     return far;
@@ -199,9 +200,9 @@ void check(const SimulateOptions& options) {
           options.sample, options.tolerance);
   require(options.seconds / options.sample < 1e7, "{} s in samples of {} s are too many",
           options.seconds, options.sample);
-  require(options.max_steps > 0 && options.patience > 0,
+  require(options.max_steps > 0 && options.stall_steps > 0,
           "wanted at least one step and some patience, got {} and {}", options.max_steps,
-          options.patience);
+          options.stall_steps);
 }
 
 /// One integration.
@@ -210,15 +211,15 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
   const ExcitationPiece* piece = &pieces.front();
   FingerMotion motion(model);
   const VectorXd still = VectorXd::Zero(start.q.size());
-  const auto [first, trouble] =
+  const auto [first, warning] =
       motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
                    start.activation.size() > 0 ? start.activation : piece->first);
   Recorder recorder(model, motion, options);
-  recorder.note(trouble, 0);
-  recorder.note(motion.accept(first).trouble, 0);
+  recorder.note(warning, 0);
+  recorder.note(motion.accept(first).warning, 0);
   recorder.keep(first, piece->first);
   Account account(motion, first);
-  Patience patience(options.patience);
+  Patience stall_steps(options.stall_steps);
 
   const auto slope = [&](double time, const VectorXd& y) {
     return motion.pack(motion.slope(motion.unpack(y), piece->at(time)));
@@ -238,7 +239,8 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
     if (piece->jumps) ode.restart();
     while (ode.time() < piece->end) {
       const OdeStatus status = ode.step(piece->end);
-      if (status != OdeStatus::kStepped) return take(MotionStatus::kStuck, reason(status));
+      if (status != OdeStatus::kStepped)
+        return take(MotionStatus::kIntegratorFailed, reason(status));
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
       const MotionState now = motion.unpack(ode.state());
@@ -246,13 +248,13 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
       account.add(now);
       options.progress(ode.time() / options.seconds, "simulating");
       if (options.progress.stop()) return take(MotionStatus::kStopped, "");
-      if (!patience.go_on(ode.time()))
+      if (!stall_steps.go_on(ode.time()))
         return take(MotionStatus::kNoProgress,
                     fmt::format("{} steps took it less than {:.2g} s on, so it gave up",
-                                options.patience, kCreep));
+                                options.stall_steps, kStallTime));
     }
   }
-  return take(MotionStatus::kDone, "");
+  return take(MotionStatus::kCompleted, "");
 }
 
 }  // namespace
@@ -267,7 +269,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
 
   Trajectory path = integrate(model, pieces, start, options);
   const bool balanced = path.balance.holds();
-  if (path.status != MotionStatus::kDone || (balanced && path.stray <= kJump)) return path;
+  if (path.status != MotionStatus::kCompleted || (balanced && path.drift <= kJump)) return path;
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
   // Smaller steps do not help a net that jumps by itself.
@@ -276,21 +278,21 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
         std::min<double>(options.max_steps, kMoreSteps * static_cast<double>(path.counts.steps)));
   Trajectory again = integrate(model, pieces, start, finer);
   if (again.status == MotionStatus::kStopped) return again;
-  const bool better = again.status == MotionStatus::kDone && again.balance.holds() &&
-                      (!balanced || !(again.stray >= path.stray));
+  const bool better = again.status == MotionStatus::kCompleted && again.balance.holds() &&
+                      (!balanced || !(again.drift >= path.drift));
   if (better) path = std::move(again);
   if (!path.balance.holds()) path.status = MotionStatus::kUnbalanced;
   return path;
 }
 
-VectorXd energy_made(const Trajectory& trajectory) {
+VectorXd energy_drift(const Trajectory& trajectory) {
   if (trajectory.energy.size() == 0) return {};
   return trajectory.energy.array() - trajectory.energy[0] -
-         (trajectory.work - trajectory.lost).array();
+         (trajectory.work - trajectory.dissipated).array();
 }
 
 double energy_error(const Trajectory& trajectory) {
-  return trajectory.energy.size() > 0 ? largest_or_nan(energy_made(trajectory).cwiseAbs()) : 0;
+  return trajectory.energy.size() > 0 ? max_or_nan(energy_drift(trajectory).cwiseAbs()) : 0;
 }
 
 }  // namespace thenar

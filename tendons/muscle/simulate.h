@@ -21,36 +21,38 @@ struct SimulateOptions {
   double sample = 0.005;    // between the instants that are kept [s]
   double tolerance = 1e-6;  // error of one step, of each state's size [1]
   int max_steps = 1000000;  // of one integration
-  int patience = 500;       // steps; if all of them together take it less than kCreep, it gives up
+  int stall_steps =
+      500;  // steps; if all of them together take it less than kStallTime, it gives up
   Progress progress{};
 };
 
-/// Time that `patience` steps must take a motion on [s]: a hundredth of what is fast in a finger.
-inline constexpr double kCreep = 2e-5;
+/// Time that `stall_steps` steps must take a motion on [s]: a hundredth of what is fast in a
+/// finger.
+inline constexpr double kStallTime = 2e-5;
 
 /// Share of the energy turned over that an integration may make of nothing, and what is none [J].
 inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
 
 enum class MotionStatus {
-  kDone,        // all the time that was asked for, and its energy balances
-  kStopped,     // asked to stop: all up to then
-  kStuck,       // the integrator found no step: all up to then, and `trouble` says why
-  kNoProgress,  // it hardly gets on, see SimulateOptions::patience: all up to then
-  kUnbalanced   // all the time, but energy came of nothing: not to be believed
+  kCompleted,         // all the time that was asked for, and its energy balances
+  kStopped,           // asked to stop: all up to then
+  kIntegratorFailed,  // the integrator found no step: all up to then, and `warning` says why
+  kNoProgress,        // it hardly gets on, see SimulateOptions::stall_steps: all up to then
+  kUnbalanced         // all the time, but energy came of nothing: not to be believed
 };
 
 /// What an integration did with energy, over all its steps and not only the instants kept.
 struct EnergyBalance {
-  double error = 0;        // largest |energy - energy at the start - work + lost| [J]
+  double error = 0;        // largest |energy - energy at the start - work + dissipated| [J]
   double turned_over = 0;  // largest kinetic energy, plus loss, plus all |work| of the steps [J]
   [[nodiscard]] bool holds() const { return error <= kEnergyShare * turned_over + kNoEnergy; }
 };
 
 /// A digit over time; one row an instant.
 struct [[nodiscard]] Trajectory {
-  MotionStatus status = MotionStatus::kStuck;  // read this first
-  std::string trouble;                         // why not to trust this; empty: nothing
-  Fidelity fidelity;                           // what was simulated
+  MotionStatus status = MotionStatus::kIntegratorFailed;  // read this first
+  std::string warning;                                    // why not to trust this; empty: nothing
+  Fidelity fidelity;                                      // what was simulated
   std::vector<std::string> joints, muscles;
   Eigen::VectorXd time;        // [s] (instants)
   Eigen::MatrixXd angle;       // posture [rad] (instants, joints)
@@ -64,26 +66,26 @@ struct [[nodiscard]] Trajectory {
   Eigen::MatrixX3d tip;        // world [m] (instants, 3)
   Eigen::VectorXd energy;      // of motion, weights, springs and stops [J] (instants)
   Eigen::VectorXd work;        // of the tendons on the joints [J] (instants)
-  Eigen::VectorXd lost;        // in the dampers of the joints [J] (instants)
+  Eigen::VectorXd dissipated;  // in the dampers of the joints [J] (instants)
   EnergyBalance balance;       // of the whole integration
-  double stray = 0;            // largest of an excursion from the length of its line, over all
+  double drift = 0;            // largest of an excursion from the length of its line, over all
                                // steps: FingerMotion::Accepted [m]
   double tolerance = 0;        // that it was integrated to [1]
   OdeCounts counts;            // what it took
 };
 
 /// Integrates to the tolerance; if energy then does not balance, or a net has jumped to another
-/// rest (`stray` above 0.1 mm), once more to a hundredth of it. A net that jumps there, too, or
-/// needs many more steps, does so by itself: `trouble` says when.
+/// rest (`drift` above 0.1 mm), once more to a hundredth of it. A net that jumps there, too, or
+/// needs many more steps, does so by itself: `warning` says when.
 /// Who is asked to stop, is stuck or gives up says so and keeps what there is.
 /// @throws InputError if the model or the start does not fit, a joint moves nothing that has mass,
 /// or an option is not positive.
 Trajectory simulate(const MotionModel& model, const Excitation& excitation,
                     const MotionStart& start, const SimulateOptions& options = {});
 
-/// energy - energy at the start - work + lost:  what the integration has made of nothing up to each
-/// instant [J] (instants).
-[[nodiscard]] Eigen::VectorXd energy_made(const Trajectory& trajectory);
+/// energy - energy at the start - work + dissipated:  what the integration has made of nothing up
+/// to each instant [J] (instants).
+[[nodiscard]] Eigen::VectorXd energy_drift(const Trajectory& trajectory);
 
 /// Largest of them in size [J].
 [[nodiscard]] double energy_error(const Trajectory& trajectory);

@@ -33,8 +33,8 @@ TrajectoryTable trajectory_table(const Trajectory& t) {
   add(table, "tip_", {"x", "y", "z"}, "_mm", t.tip / kMm);
   add(table, "energy_J", {""}, "", t.energy);
   add(table, "work_J", {""}, "", t.work);
-  add(table, "lost_J", {""}, "", t.lost);
-  add(table, "energy_error_J", {""}, "", energy_made(t));
+  add(table, "lost_J", {""}, "", t.dissipated);
+  add(table, "energy_error_J", {""}, "", energy_drift(t));
   return table;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar {
 namespace {
@@ -19,7 +19,7 @@ double angle_from(const Vector3d& side, const Vector3d& p) {
 
 /// A point of the run on the bone from touch to touch, in the surface's frame: a helix by way of
 /// `side`, or a great circle. @param part  0..1
-Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const Chord& chord,
+Vector3d on_bone(const BoneSurface& surface, const Vector3d& side, const WrappedString& chord,
                  double part) {
   const Vector3d &a = chord.touch_a, &b = chord.touch_b;
   if (surface.shape == SurfaceShape::kCylinder) {
@@ -45,7 +45,7 @@ BandCourse band_course(const Net& net, const TreeState<double>& state, const Net
   if (wanted.over < 0) return {false, {a, b}};
   const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(wanted.over)];
   const Pose<double> X_WS = surface_pose(surface, state), X_SW = X_WS.inverse();
-  const Chord chord = chord_over(surface, X_SW * a, X_SW * b, wanted.side);
+  const WrappedString chord = wrap_string(surface, X_SW * a, X_SW * b, wanted.side);
   if (!chord.bent) return {false, {a, b}};
   BandCourse course{true, {a}};
   for (int k = 0; k <= kSteps; ++k)

@@ -24,7 +24,7 @@ Law law(double p, double toe, double q) {
 
 }  // namespace
 
-BandPull blended_pull(double length, double slack, double EA, double toe, double blend) {
+BandResponse smoothed_response(double length, double slack, double EA, double toe, double blend) {
   const double e = (length - slack) / slack, q = blend * blend / 4;
   const double root = std::hypot(e, blend), root_0 = std::hypot(1, blend);
   const double p = e > 0 ? (e + root) / 2 : 2 * q / (root - e), p_0 = 2 * q / (root_0 + 1);

@@ -7,7 +7,7 @@
 namespace thenar {
 
 /// A band stretched to some length.
-struct BandPull {
+struct BandResponse {
   double energy;     // integral of the tension over the length [J]
   double tension;    // >= 0 [N]
   double stiffness;  // d tension / d length [N/m]
@@ -17,7 +17,8 @@ struct BandPull {
 ///   0                    for e <= 0
 ///   EA e^2 / (2 toe)     for e <= toe
 ///   EA (e - toe / 2)     beyond
-[[nodiscard]] inline BandPull band_pull(double length, double slack, double EA, double toe) {
+[[nodiscard]] inline BandResponse band_response(double length, double slack, double EA,
+                                                double toe) {
   const double e = (length - slack) / slack;
   if (e <= 0) return {0, 0, 0};
   if (e < toe)
@@ -30,7 +31,7 @@ struct BandPull {
 ///   p = (e + sqrt(e^2 + blend^2)) / 2,    tension = T(p(e)) - T(p(-1)):
 /// smooth, above 0 at any length above 0 and 0 at none. Taut, T(p) = EA e (1 + blend^2 / (2 e)^2);
 /// slack, EA blend^2 (1 / |e| - 1) / 4. The energy is its integral, by e = p - blend^2 / (4 p).
-[[nodiscard]] BandPull blended_pull(double length, double slack, double EA, double toe,
-                                    double blend);
+[[nodiscard]] BandResponse smoothed_response(double length, double slack, double EA, double toe,
+                                             double blend);
 
 }  // namespace thenar

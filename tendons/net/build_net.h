@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "tendons/net/finger_frame.h"
 #include "tendons/net/net.h"
 
@@ -33,7 +33,7 @@ struct NetBuildOptions {
 };
 
 /// How one muscle of the digit pulls the net.
-struct NetPull {
+struct MuscleAttachment {
   int muscle;    // of the digit's
   double share;  // of its tension [1]
 };
@@ -47,8 +47,8 @@ struct NetMuscle {
 
 /// A net with all that ties it to its digit.
 struct BuiltNet {
-  Net net;                     // its `muscles` are the pulls
-  std::vector<NetPull> pulls;  // one a muscle of the net
+  Net net;                              // its `muscles` are the pulls
+  std::vector<MuscleAttachment> pulls;  // one a muscle of the net
   std::vector<NetMuscle> muscles;
   std::vector<int> central, radial, ulnar, terminal;  // bands of the slips
   FingerFrame frame;

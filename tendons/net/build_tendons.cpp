@@ -31,7 +31,7 @@ std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject, const st
 }
 
 TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                       const TendonPull& pull) {
+                       const TendonTorque& pull) {
   TipStatics statics = tip_statics(digit, q);
   statics.R = pull.R;
   statics.tau_0 += pull.tau - pull.R.transpose() * t;
@@ -40,8 +40,8 @@ TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q, const
 
 TendonTip tip_force(const DigitTendons& tendons, const Eigen::VectorXd& q,
                     const Eigen::VectorXd& t) {
-  const TendonPull pull = tendons.pull(q, t);
-  return {tip_force(tip_statics(tendons.digit(), q, t, pull), t), pull.trouble};
+  const TendonTorque pull = tendons.pull(q, t);
+  return {tip_force(tip_statics(tendons.digit(), q, t, pull), t), pull.warning};
 }
 
 }  // namespace thenar

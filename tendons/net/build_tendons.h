@@ -6,8 +6,8 @@
 #include <string>
 
 #include "tendons/digit_tendons.h"
+#include "tendons/forces/tip_force.h"
 #include "tendons/net/build_net.h"
-#include "tendons/tip_force.h"
 
 namespace thenar {
 
@@ -29,12 +29,12 @@ namespace thenar {
 /// Everything at the tip for the tensions t that gave `pull`; R' t + tau_0 is the tendons' torque
 /// and the passive one, which for a net holds at these tensions only: tau_0 takes what R' t misses.
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q,
-                                     const Eigen::VectorXd& t, const TendonPull& pull);
+                                     const Eigen::VectorXd& t, const TendonTorque& pull);
 
 /// Force of a pinned tip, and why not to trust it.
 struct [[nodiscard]] TendonTip {
   TipForce force;
-  std::string trouble;  // of the tendons; empty: nothing
+  std::string warning;  // of the tendons; empty: nothing
 };
 
 /// J' f = tau(q, t) + tau_0.

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {

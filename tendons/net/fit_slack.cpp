@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "tendons/net/band_course.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar {
 namespace {
@@ -20,7 +20,7 @@ double band_length(const Net& net, const TreeState<double>& state, const NetBand
   if (band.over < 0) return (p_a - p_b).norm();
   const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
   const Pose<double> X = surface_pose(surface, state);
-  const Chord chord = chord_over(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
+  const WrappedString chord = wrap_string(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
   require(chord.possible, "band '{}' of net '{}' starts inside surface '{}', over which it bends",
           band.name, net.name, surface.name);
   return chord.length;
@@ -43,7 +43,7 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
   double off = 0;
   for (int round = 0; round < rounds; ++round) {
     const NetEquilibrium rest = solver.solve(state, {load, {}}, round == 0 ? nullptr : &start);
-    if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kDrawnIn)
+    if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kNodeCollapsed)
       return std::numeric_limits<double>::infinity();
     const auto strain = [&](int b) {
       const double slack = net.bands[static_cast<std::size_t>(b)].slack;

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/net/net_rates.h"
+#include "tendons/net/tangent_net.h"
 
 namespace thenar {
 namespace {
@@ -11,12 +11,12 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using internal::NetInput;
+using internal::NetPerturbation;
 using internal::TangentNet;
 
 TangentNet tangent_at(const Net& net, const TreeState<double>& state, const NetDrive& drive,
                       const NetEquilibrium& rest, double settled = 0) {
-  const std::string why = no_slopes(net, rest, settled);
+  const std::string why = why_not_differentiable(net, rest, settled);
   require(why.empty(), "net {}: no slopes, since {}", net.name, why);
   return {net, state, drive, rest};
 }
@@ -53,7 +53,7 @@ MatrixXd length_by_posture(const TangentNet& tangent, const Tree<double>& tree,
                            const TreeState<double>& state, int coordinates) {
   MatrixXd slopes(static_cast<Index>(tangent.band.size()), coordinates);
   for (int l = 0; l < coordinates; ++l) {
-    const NetInput input = internal::turning(tangent.net, tree, state, l);
+    const NetPerturbation input = internal::joint_perturbation(tangent.net, tree, state, l);
     const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
     for (Index b = 0; b < slopes.rows(); ++b)
       slopes(b, l) = internal::band_rate(tangent, b, input, v).length;
@@ -62,19 +62,19 @@ MatrixXd length_by_posture(const TangentNet& tangent, const Tree<double>& tree,
 }
 
 /// One column of slopes an input.
-NetSlopes follow(const TangentNet& tangent, const Tree<double>& tree,
-                 const TreeState<double>& state, const std::vector<NetInput>& inputs,
-                 int coordinates) {
+NetJacobian follow(const TangentNet& tangent, const Tree<double>& tree,
+                   const TreeState<double>& state, const std::vector<NetPerturbation>& inputs,
+                   int coordinates) {
   const auto count = static_cast<Index>(inputs.size());
   const auto bands = static_cast<Index>(tangent.band.size());
-  NetSlopes out{MatrixXd(tangent.rest.x.size(), count), MatrixXd(bands, count),
-                MatrixXd(coordinates, count)};
+  NetJacobian out{MatrixXd(tangent.rest.x.size(), count), MatrixXd(bands, count),
+                  MatrixXd(coordinates, count)};
   for (Index i = 0; i < count; ++i) {
-    const NetInput& input = inputs[static_cast<std::size_t>(i)];
+    const NetPerturbation& input = inputs[static_cast<std::size_t>(i)];
     const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
     out.x.col(i) = Eigen::Map<const VectorXd>(v.data(), v.size());
     for (Index b = 0; b < bands; ++b)
-      out.tension(b, i) = tangent.drawn[static_cast<std::size_t>(b)] >= 0
+      out.tension(b, i) = tangent.collapsed[static_cast<std::size_t>(b)] >= 0
                               ? 0
                               : internal::band_rate(tangent, b, input, v).tension;
     out.tau.col(i) = internal::torque_rate(tangent, tree, state, input, v, coordinates);
@@ -83,8 +83,9 @@ NetSlopes follow(const TangentNet& tangent, const Tree<double>& tree,
 }
 
 /// Inputs that change tensions at fixed lengths, one a column of D (bands, inputs).
-std::vector<NetInput> tightening(const TangentNet& tangent, std::size_t links, const MatrixXd& D) {
-  std::vector<NetInput> inputs;
+std::vector<NetPerturbation> tightening(const TangentNet& tangent, std::size_t links,
+                                        const MatrixXd& D) {
+  std::vector<NetPerturbation> inputs;
   for (Index i = 0; i < D.cols(); ++i) {
     inputs.push_back(internal::still(tangent.net, links));
     inputs.back().tension = D.col(i);
@@ -94,13 +95,13 @@ std::vector<NetInput> tightening(const TangentNet& tangent, std::size_t links, c
 
 }  // namespace
 
-std::string no_slopes(const Net& net, const NetEquilibrium& rest, double settled) {
+std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest, double settled) {
   const bool stalled = rest.status == NetStatus::kStalled && !(rest.residual < settled);
-  if (stalled || rest.status == NetStatus::kWoundRound)
+  if (stalled || rest.status == NetStatus::kFarSideWrap)
     return fmt::format("it is not balanced: {:.2g} N are left", rest.residual);
   if (rest.status == NetStatus::kUnstable) return "it is at a saddle";
-  for (const NetDrawnBand& drawn : rest.drawn) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(drawn.band)];
+  for (const CollapsedBand& collapsed : rest.collapsed) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(collapsed.band)];
     if (net.nodes[static_cast<std::size_t>(band.a)].free &&
         net.nodes[static_cast<std::size_t>(band.b)].free)
       return fmt::format("band '{}' has drawn two floating nodes together", band.name);
@@ -121,13 +122,13 @@ MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeSta
          tension_by_drive(tangent, drive);
 }
 
-MatrixXd pulled_by_drive(const Net& net, const TreeState<double>& state, const NetDrive& drive,
-                         const NetEquilibrium& rest) {
+MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state, const NetDrive& drive,
+                           const NetEquilibrium& rest) {
   const TangentNet tangent = tangent_at(net, state, drive, rest);
   const MatrixXd D = tension_by_drive(tangent, drive);
   MatrixXd length(D.rows(), D.cols());
   Index i = 0;
-  for (const NetInput& input : tightening(tangent, state.size(), D)) {
+  for (const NetPerturbation& input : tightening(tangent, state.size(), D)) {
     const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
     for (Index b = 0; b < D.rows(); ++b)
       length(b, i) = internal::band_rate(tangent, b, input, v).length;
@@ -141,7 +142,7 @@ MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree, const TreeS
   const TangentNet tangent = tangent_at(net, state, drive, rest);
   MatrixXd slope(coordinates, coordinates);
   for (int l = 0; l < coordinates; ++l) {
-    const NetInput input = internal::turning(net, tree, state, l);
+    const NetPerturbation input = internal::joint_perturbation(net, tree, state, l);
     slope.col(l) = internal::torque_rate(tangent, tree, state, input,
                                          internal::node_rates(tangent, input), coordinates);
   }
@@ -159,9 +160,10 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
     slack(static_cast<Index>(b)) =
         driven_by_length(drive, net.bands[b].muscle) ? 0 : by_slack(tangent, b);
   }
-  std::vector<NetInput> turns;
-  for (int l = 0; l < coordinates; ++l) turns.push_back(internal::turning(net, tree, state, l));
-  const auto slopes = [&](const std::vector<NetInput>& inputs) {
+  std::vector<NetPerturbation> turns;
+  for (int l = 0; l < coordinates; ++l)
+    turns.push_back(internal::joint_perturbation(net, tree, state, l));
+  const auto slopes = [&](const std::vector<NetPerturbation>& inputs) {
     return follow(tangent, tree, state, inputs, coordinates);
   };
   return {slopes(turns), slopes(tightening(tangent, tree.size(), tension_by_drive(tangent, drive))),

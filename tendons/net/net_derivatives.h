@@ -19,20 +19,21 @@
 namespace thenar {
 
 /// Why an equilibrium has no slopes; empty: it has. It must be balanced and not at a saddle, which
-/// it leaves at the least push, and no band may have drawn two floating nodes together. A node that
-/// is drawn into a fixed exit has slopes: it rides on the exit.
+/// it leaves at the least push, and no band may have collapsed two floating nodes together. A node
+/// that is collapsed into a fixed exit has slopes: it rides on the exit.
 /// @param settled  residual of a stalled net below which it counts as balanced [N]
-[[nodiscard]] std::string no_slopes(const Net& net, const NetEquilibrium& rest, double settled = 0);
+[[nodiscard]] std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest,
+                                                 double settled = 0);
 
 /// dL/dq of all bands while the net stays at rest (bands, coordinates) [m/rad].
-/// @throws InputError as of no_slopes().
+/// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 int coordinates, double settled = 0);
 
 /// d tau/d drive: by each muscle's tension [m/rad], or length [N] (coordinates, muscles).
-/// @throws InputError as of no_slopes().
+/// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree,
                                               const TreeState<double>& state, const NetDrive& drive,
                                               const NetEquilibrium& rest, int coordinates);
@@ -40,34 +41,34 @@ namespace thenar {
 /// d length/d tension: of the bands that each muscle pulls, by the tension of each [m/N] (muscles,
 /// muscles). Symmetric, with no positive eigenvalue, as the second derivative of
 /// min_x E + sum t length.
-/// @throws InputError as of no_slopes().
-[[nodiscard]] Eigen::MatrixXd pulled_by_drive(const Net& net, const TreeState<double>& state,
-                                              const NetDrive& drive, const NetEquilibrium& rest);
+/// @throws InputError as of why_not_differentiable().
+[[nodiscard]] Eigen::MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state,
+                                                const NetDrive& drive, const NetEquilibrium& rest);
 
 /// d tau/dq while the net stays at rest: minus its stiffness at the joints, symmetric [N m/rad]
 /// (coordinates, coordinates).
-/// @throws InputError as of no_slopes().
+/// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 int coordinates);
 
 /// Slopes of (x, tension, tau) by one group of inputs.
-struct NetSlopes {
+struct NetJacobian {
   Eigen::MatrixXd x;        // of all nodes, stacked (3 nodes, inputs)
   Eigen::MatrixXd tension;  // of all bands (bands, inputs)
   Eigen::MatrixXd tau;      // of the joint torque (coordinates, inputs)
 };
 
 struct NetDerivatives {
-  NetSlopes by_posture;  // by q [1/rad]
-  NetSlopes by_drive;    // by each muscle's tension [1/N], or length [1/m]
-  NetSlopes by_EA;       // by each band's EA [1/N]
-  NetSlopes by_slack;    // by each band's slack length [1/m]
+  NetJacobian by_posture;  // by q [1/rad]
+  NetJacobian by_drive;    // by each muscle's tension [1/N], or length [1/m]
+  NetJacobian by_EA;       // by each band's EA [1/N]
+  NetJacobian by_slack;    // by each band's slack length [1/m]
 };
 
 /// All of them: a solve an input, where the torque alone needs fewer.
-/// @throws InputError as of no_slopes().
+/// @throws InputError as of why_not_differentiable().
 [[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                              const TreeState<double>& state, const NetDrive& drive,
                                              const NetEquilibrium& rest, int coordinates);

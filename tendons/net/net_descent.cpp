@@ -1,9 +1,11 @@
 #include "tendons/net/net_descent.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
-#include "tendons/net/world_surface.h"
+#include "tendons/net/node_contact.h"
 
 namespace thenar::internal {
 namespace {
@@ -29,12 +31,12 @@ NetDescent::NetDescent(const Net& net, const NetSolverOptions& options)
       contact_(plan_.pattern.size()),
       contact_next_(plan_.pattern.size()) {}
 
-void NetDescent::settle_start(int k) {
+void NetDescent::project_start(int k) {
   const int i = plan_.node[k];
   const NetNode& node = plan_.net.nodes[i];
   NodeContact& touch = contact_[k];
   touch.pressed = touch.touching = 0;
-  touch.drawn = 0;
+  touch.collapsed = 0;
   double depth = 0;
   for (int s : node.surfaces) {
     const double gap = gap_world(plan_.net, scene_, s, x_[i]).gap;
@@ -42,7 +44,7 @@ void NetDescent::settle_start(int k) {
     if (std::abs(gap) <= kLying && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
   const Vector3d before = x_[i];
-  if (!settle_node(plan_.net, scene_, node, x_[i], touch)) {
+  if (!project_node(plan_.net, scene_, node, x_[i], touch)) {
     x_[i] = before;
     touch.pressed = touch.touching = 0;
   }
@@ -56,7 +58,7 @@ void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* s
                                : moved(state, node.link, node.p);
   }
   pushed_out_.clear();
-  for (int k = 0; k < rows(); ++k) settle_start(k);
+  for (int k = 0; k < rows(); ++k) project_start(k);
   x_next_ = x_;
 }
 
@@ -71,7 +73,7 @@ NetStatus NetDescent::descend(int patience) {
   radius_ = kLongest;
   for (iterations_ = 0;; ++iterations_) {
     balance();
-    if (let_out()) {
+    if (release_from_exit()) {
       evaluate(plan_, scene_, x_, at_);
       balance();
     }
@@ -79,17 +81,17 @@ NetStatus NetDescent::descend(int patience) {
       if (grip()) {
         evaluate(plan_, scene_, x_, at_);
         balance();
-      } else if (steady()) {
+      } else if (is_minimum()) {
         return NetStatus::kBalanced;
-      } else if (!escape()) {
+      } else if (!leave_saddle()) {
         return NetStatus::kUnstable;
       } else {
         continue;
       }
     }
     if (iterations_ >= patience) return NetStatus::kStalled;
-    if (leave_ridge()) continue;
-    if (!direction() || !search()) return NetStatus::kStalled;
+    if (leave_saddle_early()) continue;
+    if (!direction() || !line_search()) return NetStatus::kStalled;
   }
 }
 
@@ -105,7 +107,7 @@ NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& dri
 
 /// Weak pulls swing a taut net like a linkage, in steps as short as (8 pull L^2 / stiffness)^(1/3):
 /// where that is too slow, the net is first pulled hard, and then ten times less each time.
-NetStatus NetDescent::ease(const TreeState<double>& state, const NetDrive& drive) {
+NetStatus NetDescent::load_continuation(const TreeState<double>& state, const NetDrive& drive) {
   const double most = drive.tension.size() > 0 ? drive.tension.maxCoeff() : 0;
   if (!(most > 0) || most > kHard) return NetStatus::kStalled;
   const std::vector<int> pushed_out = pushed_out_;
@@ -126,9 +128,278 @@ NetStatus NetDescent::ease(const TreeState<double>& state, const NetDrive& drive
 NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
                                const Eigen::Matrix3Xd* start) {
   NetStatus status = settle(state, drive, start, options_.max_iterations / 2);
-  if (status == NetStatus::kStalled && wound().empty()) status = ease(state, drive);
-  if (status == NetStatus::kStalled && wound().empty()) status = descend(options_.max_iterations);
+  if (status == NetStatus::kStalled && far_side_bands().empty())
+    status = load_continuation(state, drive);
+  if (status == NetStatus::kStalled && far_side_bands().empty())
+    status = descend(options_.max_iterations);
   return report(status);
+}
+
+}  // namespace thenar::internal
+
+// What presses the nodes of a net on the bones, and what is left out of balance.
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kLift = 1e-11;   // lift from a bone that no number here can tell from none [m]
+constexpr double kDigit = 1e-17;  // rounding of a lift [m]
+
+}  // namespace
+
+/// What bands that bend over a surface hold a node on it with, at the least lift that its place can
+/// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
+/// rounding of the lift by kDigit changes it by S kDigit / sqrt(2 lift radius).
+double NetDescent::clasp(int k, int surface) const {
+  double sum = 0;
+  for (int b : plan_.wrapping_bands[k]) {
+    const NetBand& band = plan_.net.bands[b];
+    if (band.over != surface) continue;
+    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    if (now.chord.bent) sum += now.pull.tension;
+  }
+  const double radius = plan_.net.surfaces[surface].size[0];
+  return sum *
+         std::max(std::sqrt(2 * kLift / radius), 4 * kDigit * sum / (options_.tolerance * radius));
+}
+
+/// The part along the normal of what bands that bend over a surface pull a node on it with: they
+/// leave along the surface, so all of it is rounding of the node's lift, the same as in at_.g [N].
+double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) const {
+  double sum = 0;
+  for (int b : plan_.wrapping_bands[k]) {
+    const NetBand& band = plan_.net.bands[b];
+    BandGeometry run;
+    if (band.over != surface || scene_.collapsed[b]) continue;
+    const WrapState bend = wrap_over(scene_.bone[b], x_[band.a], x_[band.b], run);
+    if (bend == WrapState::kStraight) continue;
+    if (bend == WrapState::kDegenerate) {
+      const WrappedString chord = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]).chord;
+      if (!chord.bent) continue;
+      run.ua = chord.slope.head<3>(), run.ub = chord.slope.tail<3>();
+    }
+    sum += at_.tension[b] * normal.dot(plan_.bands[b].ka == k ? run.ua : run.ub);
+  }
+  return sum;
+}
+
+void NetDescent::balance() {
+  residual_ = 0;
+  for (int k = 0; k < rows(); ++k) {
+    NodeContact& c = contact_[k];
+    const Vector3d& x = x_[plan_.node[k]];
+    std::array<double, 3> slop{};
+    slop.fill(options_.tolerance);
+    const int touching = c.touching;
+    balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
+    if (c.pressed < touching && !plan_.wrapping_bands[k].empty()) {
+      for (int i = 0; i < touching; ++i) slop[i] += clasp(k, c.surface[i]);
+      balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
+    }
+    residual_ = std::max(residual_, c.left.norm());
+  }
+}
+
+}  // namespace thenar::internal
+
+// In which direction the nodes of a net go down, by Newton.
+
+namespace thenar::internal {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// H - sum force curvature, turned so that pressed normals come first, and these pinned.
+void NetDescent::reduce() {
+  for (int k = 0; k < rows(); ++k) {
+    const NodeContact& c = contact_[k];
+    Matrix3d& D = reduced_.diagonal[k];
+    D = c.Q * (at_.H.diagonal[k] - c.bend) * c.Q.transpose();
+    double scale = at_.H.diagonal[k].trace();
+    if (scale <= 0) scale = 1, D.setIdentity();  // nothing holds it: it stays
+    for (int r = 0; r < c.pinned; ++r) {
+      D.row(r).setZero();
+      D.col(r).setZero();
+      D(r, r) = scale;
+    }
+  }
+  for (int s = 0; s < plan_.pattern.blocks(); ++s) {
+    const auto [i, j] = plan_.pattern.rows_of(s);
+    Matrix3d& B = reduced_.off[s];
+    B = contact_[i].Q * at_.H.off[s] * contact_[j].Q.transpose();
+    B.topRows(contact_[i].pinned).setZero();
+    B.leftCols(contact_[j].pinned).setZero();
+  }
+}
+
+/// Solves for the step. @return the longest move of a node [m]
+double NetDescent::solve_step() {
+  for (int k = 0; k < rows(); ++k) {
+    step_[k] = -(contact_[k].Q * at_.g[k]);
+    step_[k].head(contact_[k].pinned).setZero();
+  }
+  factor_.solve(step_);
+  double longest = 0;
+  for (int k = 0; k < rows(); ++k) {
+    step_[k] = contact_[k].Q.transpose() * step_[k].eval();
+    longest = std::max(longest, step_[k].norm());
+  }
+  return longest;
+}
+
+/// Newton's step, shifted where the stiffness is not positive definite or the step leaves the
+/// radius within which the last steps were good.
+bool NetDescent::direction() {
+  reduce();
+  definite_ = factor_.factorise(reduced_, 0);
+  longest_ = std::numeric_limits<double>::infinity();
+  if (definite_ || factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9))
+    longest_ = solve_step();
+  for (double shift = 0.1 * residual_ / radius_; longest_ > radius_; shift *= 4) {
+    if (!(shift < 1e30)) return false;
+    if (factor_.factorise(reduced_, shift)) longest_ = solve_step();
+  }
+  return true;
+}
+
+/// After a step too long: bands that it stretches get the stiffness that they show over it, slack
+/// ones too, so that the next direction knows them. @return whether there were any
+bool NetDescent::add_secant_stiffness() {
+  bool any = false;
+  for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
+    const double more = next_.tension[b] - at_.tension[b], dL = next_.length[b] - at_.length[b];
+    if (scene_.pull[b] >= 0 || !(more > 0) || !(dL > 0)) continue;
+    const BandPlan& at = plan_.bands[b];
+    const NetBand& band = plan_.net.bands[b];
+    const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+    const double k = more / dL - now.pull.stiffness;
+    if (!(k > 1e-3 * now.pull.stiffness)) continue;
+    const Vector3d ua = now.chord.slope.head<3>(), ub = now.chord.slope.tail<3>();
+    if (at.ka >= 0) at_.H.diagonal[at.ka] += k * ua * ua.transpose();
+    if (at.kb >= 0) at_.H.diagonal[at.kb] += k * ub * ub.transpose();
+    if (at.slot >= 0)
+      at_.H.off[at.slot] += at.flip ? k * ub * ua.transpose() : k * ua * ub.transpose();
+    any = true;
+  }
+  return any;
+}
+
+}  // namespace thenar::internal
+
+// How far they go.
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kNear = 1e-3;   // lift over radius below which clasping bands go as its root [1]
+constexpr double kKinks = 1e-4;  // steps below which slack bands that become taut decide [m]
+
+}  // namespace
+
+/// Where bands clasp a node, its lift h is pulled at as sqrt(h): Newton's step dh is taken in
+/// sqrt(h), which makes it  h (1 + dh / 2h)^2  and exact.
+void NetDescent::lift(int k, Vector3d& there) const {
+  const NodeContact& c = contact_[k];
+  const Vector3d& x = x_[plan_.node[k]];
+  int before = -1;
+  for (int b : plan_.wrapping_bands[k]) {
+    const int s = plan_.net.bands[b].over;
+    const int* last = c.surface.data() + c.pressed;
+    if (s == before || std::find(c.surface.data(), last, s) != last) continue;
+    before = s;
+    const double radius = plan_.net.surfaces[s].size[0];
+    const SurfaceGap at = gap_world(plan_.net, scene_, s, x);
+    if (at.gap > kNear * radius) continue;
+    const double h = std::max(at.gap, 0.5e-14 * radius), dh = at.normal.dot(there - x);
+    if (dh <= -2 * h) continue;
+    const double more = dh * dh / (4 * h), most = kNear * radius;
+    if (h + dh + more <= most)
+      there += more * at.normal;
+    else if (h + dh < most)
+      there += (most - h - dh) * at.normal;
+  }
+}
+
+/// Moves along the step by `part`, staying outside bones; `slope` is that of E along it [J].
+bool NetDescent::try_step(double part, double& slope) {
+  slope = 0;
+  for (int k = 0; k < rows(); ++k) {
+    const int i = plan_.node[k];
+    contact_next_[k] = contact_[k];
+    x_next_[i] = x_[i] + part * step_[k];
+    const double straight = part * at_.g[k].dot(step_[k]);
+    if (contact_[k].collapsed > 0 || plan_.net.nodes[i].surfaces.empty()) {
+      slope += straight;
+      continue;
+    }
+    if (!plan_.wrapping_bands[k].empty()) lift(k, x_next_[i]);
+    if (!project_node(plan_.net, scene_, plan_.net.nodes[i], x_next_[i], contact_next_[k]))
+      return false;
+    const bool hit = contact_next_[k].touching > contact_[k].pressed;
+    slope += hit ? at_.g[k].dot(x_next_[i] - x_[i]) : straight;
+  }
+  evaluate(plan_, scene_, x_next_, next_);
+  return true;
+}
+
+/// Part of the step at which the first band of constant pull passes its exit; 1 if none does.
+double NetDescent::step_to_exit() const {
+  double part = 1;
+  for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    if (!(scene_.pull[b] > 0)) continue;
+    const BandPlan& at = plan_.bands[b];
+    const NetBand& band = plan_.net.bands[b];
+    Vector3d move = Vector3d::Zero();
+    if (at.ka >= 0) move += step_[at.ka];
+    if (at.kb >= 0) move -= step_[at.kb];
+    const Vector3d d = x_[band.a] - x_[band.b];
+    if (is_regularised(scene_, static_cast<int>(b), d.norm())) continue;  // it is there
+    const double way = -d.dot(move), whole = move.squaredNorm();
+    if (way > 0 && way < whole && whole > 0.1 * d.squaredNorm()) part = std::min(part, way / whole);
+  }
+  return part;
+}
+
+/// What rounding of places may change E by: tension times the last digits of places [J].
+double NetDescent::rounding() const {
+  double reach = 0, sum = 0;
+  for (const Vector3d& x : x_) reach = std::max(reach, x.norm());
+  for (double T : at_.tension) sum += T;
+  return 2e-16 * reach * sum + 1e-15 * at_.size;
+}
+
+/// Shortens the step until E falls. @return whether it did
+bool NetDescent::line_search() {
+  const double noise = rounding();
+  const double exit = step_to_exit();
+  double part = exit > 1e-3 && exit < 0.9 ? exit : 1;
+  bool at_exit = part < 1;
+  int looks = iterations_ % 2 == 0 ? 5 : 0;  // every other time: either way alone may creep
+  for (int tries = 0; tries < 60; ++tries) {
+    double slope = 0;
+    const bool possible = try_step(part, slope);
+    if (possible && next_.energy <= at_.energy + 1e-4 * std::min(slope, 0.0) + noise) {
+      accept();
+      if (part < 0.3)
+        radius_ = std::max({2 * part * longest_, 0.1 * std::min(longest_, radius_), 1e-7});
+      else
+        radius_ = std::min(std::max(radius_, 4 * longest_), kLongest);
+      longest_ *= part;
+      return true;
+    }
+    if (part == 1 && possible && longest_ < kKinks && looks-- > 0 && add_secant_stiffness()) {
+      if (!direction()) return false;
+      definite_ = false;  // of what it was made to be
+      continue;
+    }
+    part = at_exit ? 1 : 0.5 * part;
+    at_exit = false;
+  }
+  return false;
 }
 
 }  // namespace thenar::internal

@@ -33,45 +33,45 @@ class NetDescent {
 
   // net_descent.cpp: from the start to rest.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
-  void settle_start(int k);
+  void project_start(int k);
   void accept();
   NetStatus descend(int patience);
   NetStatus settle(const TreeState<double>& state, const NetDrive& drive,
                    const Eigen::Matrix3Xd* start, int patience);
-  NetStatus ease(const TreeState<double>& state, const NetDrive& drive);
+  NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
   // net_balance.cpp: what presses nodes on bones, and what is left out of balance.
   double clasp(int k, int surface) const;
-  double stray(int k, int surface, const Eigen::Vector3d& normal) const;
+  double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();
 
   // net_direction.cpp: in which direction it goes down.
   void reduce();
   double solve_step();
   bool direction();
-  bool look_ahead();
+  bool add_secant_stiffness();
 
   // net_search.cpp: how far it goes.
   void lift(int k, Eigen::Vector3d& there) const;
   bool try_step(double part, double& slope);
-  double part_at_exit() const;
+  double step_to_exit() const;
   [[nodiscard]] double rounding() const;
-  bool search();
+  bool line_search();
 
   // net_exit.cpp: nodes that a muscle draws into its exit.
-  bool draw_in(int band);
-  bool let_out();
+  bool collapse_to_exit(int band);
+  bool release_from_exit();
   bool grip();
 
   // net_saddle.cpp: a minimum or a saddle.
-  bool steady();
-  bool escape();
-  bool leave_ridge();
+  bool is_minimum();
+  bool leave_saddle();
+  bool leave_saddle_early();
 
   // net_report.cpp: what is said of it.
-  std::vector<int> wound() const;
+  std::vector<int> far_side_bands() const;
   void report_band(int b, NetEquilibrium& out) const;
-  std::vector<int> loose(const NetEquilibrium& at) const;
+  std::vector<int> undetermined(const NetEquilibrium& at) const;
   NetEquilibrium report(NetStatus status) const;
 
   NetPlan plan_;

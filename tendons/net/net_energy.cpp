@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tendons/net/band_course.h"
+#include "tendons/net/net.h"
 
 namespace thenar::internal {
 namespace {
@@ -11,7 +12,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// Turns the derivatives and points of a chord from frame S to the world.
-void turn(const Pose<double>& X, Chord& chord) {
+void turn(const Pose<double>& X, WrappedString& chord) {
   for (int i = 0; i < 6; i += 3) {
     chord.slope.segment<3>(i) = X.R * chord.slope.segment<3>(i).eval();
     for (int j = 0; j < 6; j += 3)
@@ -28,11 +29,11 @@ Matrix3d block(const BandState& band, int i, int j) {
          band.pull.tension * band.chord.curve.block<3, 3>(3 * i, 3 * j);
 }
 
-/// The run of a gripped band, told by a chord whose slope is p / t.
-Chord grip_chord(double t, double grip, const Vector3d& hold, const Vector3d& a,
-                 const Vector3d& b) {
-  Chord chord = straight_chord(a, b);
-  const Vector3d d = a - b, w = hold + grip * d;
+/// The run of a is_regularised band, told by a chord whose slope is p / t.
+WrappedString grip_chord(double t, double grip, const Vector3d& multiplier, const Vector3d& a,
+                         const Vector3d& b) {
+  WrappedString chord = straight_string(a, b);
+  const Vector3d d = a - b, w = multiplier + grip * d;
   const double pull = w.norm();
   const bool in = pull <= t;
   const Vector3d p = in ? w : Vector3d(t / pull * w);
@@ -40,18 +41,19 @@ Chord grip_chord(double t, double grip, const Vector3d& hold, const Vector3d& a,
   if (!in) H = grip / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
   chord.slope << p / t, -p / t;
   chord.curve << H, -H, -H, H;
-  chord.length = (p.dot(d) - (p - hold).squaredNorm() / (2 * grip)) / t + t / (2 * grip);
+  chord.length = (p.dot(d) - (p - multiplier).squaredNorm() / (2 * grip)) / t + t / (2 * grip);
   return chord;
 }
 
-BandPull law(const Net& net, const NetScene& scene, int i, double L) {
+BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
   if (scene.pull[i] >= 0) return {scene.pull[i] * L, scene.pull[i], 0};
   const NetBand& band = net.bands[i];
-  if (net.blend > 0) return blended_pull(L, scene.slack[i], band.EA, band.toe, net.blend);
-  return band_pull(L, scene.slack[i], band.EA, band.toe);
+  if (net.blend > 0) return smoothed_response(L, scene.slack[i], band.EA, band.toe, net.blend);
+  return band_response(L, scene.slack[i], band.EA, band.toe);
 }
 
-/// Stiffness that bands can set against a gripped node: sum EA / slack at both ends, and more.
+/// Stiffness that bands can set against a is_regularised node: sum EA / slack at both ends, and
+/// more.
 double grip_of(const Net& net, const NetScene& scene, int i) {
   const NetBand& band = net.bands[i];
   double against = scene.pull[i] / 1e-5;
@@ -66,8 +68,9 @@ double grip_of(const Net& net, const NetScene& scene, int i) {
 
 }  // namespace
 
-bool gripped(const NetScene& scene, int i, double length) {
-  return scene.pull[i] > 0 && (length * scene.grip[i] < scene.pull[i] || !scene.hold[i].isZero(0));
+bool is_regularised(const NetScene& scene, int i, double length) {
+  return scene.pull[i] > 0 &&
+         (length * scene.grip[i] < scene.pull[i] || !scene.multiplier[i].isZero(0));
 }
 
 NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
@@ -87,28 +90,28 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
     scene.slack.push_back(by_length ? drive.length(band.muscle) : band.slack);
     scene.pull.push_back(band.muscle < 0 || by_length ? -1 : drive.tension(band.muscle));
   }
-  scene.hold.assign(net.bands.size(), Vector3d::Zero());
-  scene.drawn.assign(net.bands.size(), false);
+  scene.multiplier.assign(net.bands.size(), Vector3d::Zero());
+  scene.collapsed.assign(net.bands.size(), false);
   for (int i = 0; i < static_cast<int>(net.bands.size()); ++i)
     scene.grip.push_back(scene.pull[i] > 0 ? grip_of(net, scene, i) : 0);
   return scene;
 }
 
-Chord band_chord(const Net& net, const NetScene& scene, int i, const Vector3d& a,
-                 const Vector3d& b) {
+WrappedString band_string(const Net& net, const NetScene& scene, int i, const Vector3d& a,
+                          const Vector3d& b) {
   const NetBand& band = net.bands[i];
-  if (band.over < 0) return straight_chord(a, b);
+  if (band.over < 0) return straight_string(a, b);
   const Pose<double> X = scene.surface[band.over], back = X.inverse();
-  Chord chord = chord_over(net.surfaces[band.over], back * a, back * b, band.side);
+  WrappedString chord = wrap_string(net.surfaces[band.over], back * a, back * b, band.side);
   turn(X, chord);
   return chord;
 }
 
 BandState band_state(const Net& net, const NetScene& scene, int i, const Vector3d& a,
                      const Vector3d& b) {
-  BandState out{band_chord(net, scene, i, a, b), {}};
-  if (!out.chord.bent && gripped(scene, i, out.chord.length))
-    out.chord = grip_chord(scene.pull[i], scene.grip[i], scene.hold[i], a, b);
+  BandState out{band_string(net, scene, i, a, b), {}};
+  if (!out.chord.bent && is_regularised(scene, i, out.chord.length))
+    out.chord = grip_chord(scene.pull[i], scene.grip[i], scene.multiplier[i], a, b);
   out.pull = law(net, scene, i, out.chord.length);
   return out;
 }
@@ -123,7 +126,7 @@ inline void add(Matrix3d& A, double c, const Vector3d& u, const Vector3d& v) {
   }
 }
 
-void add_bent(const BandPlan& at, const BandRun& run, double T, double k, NetEnergy& out) {
+void add_bent(const BandPlan& at, const BandGeometry& run, double T, double k, NetEnergy& out) {
   if (at.ka >= 0) {
     out.g[at.ka] += T * run.ua;
     Matrix3d& H = out.H.diagonal[at.ka];
@@ -161,7 +164,7 @@ void add_straight(const BandPlan& at, const Vector3d& u, double T, double k, dou
   if (at.slot >= 0) out.H.off[at.slot] -= K;
 }
 
-/// Bands of no length, gripped ones, ends inside a bone.
+/// Bands of no length, is_regularised ones, ends inside a bone.
 void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
   if (at.ka >= 0) {
     out.g[at.ka] += now.pull.tension * now.chord.slope.head<3>();
@@ -175,25 +178,26 @@ void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
 }
 
 /// Adds band i and returns its pull.
-BandPull add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
-                  const Vector3d& b, NetEnergy& out) {
-  BandRun run;
-  const Bend bend = plan.net.bands[i].over < 0 ? Bend::kClear : bend_over(scene.bone[i], a, b, run);
-  if (bend == Bend::kBent) {
-    const BandPull pull = law(plan.net, scene, i, run.length);
+BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
+                      const Vector3d& b, NetEnergy& out) {
+  BandGeometry run;
+  const WrapState bend =
+      plan.net.bands[i].over < 0 ? WrapState::kStraight : wrap_over(scene.bone[i], a, b, run);
+  if (bend == WrapState::kBent) {
+    const BandResponse pull = law(plan.net, scene, i, run.length);
     out.length[i] = run.length;
     if (pull.tension > 0) add_bent(plan.bands[i], run, pull.tension, pull.stiffness, out);
     return pull;
   }
   const Vector3d d = a - b;
   const double L = d.norm();
-  if (bend == Bend::kOdd || L == 0 || gripped(scene, i, L)) {
+  if (bend == WrapState::kDegenerate || L == 0 || is_regularised(scene, i, L)) {
     const BandState now = band_state(plan.net, scene, i, a, b);
     out.length[i] = now.chord.bent ? now.chord.length : L;
     add_odd(plan.bands[i], now, out);
     return now.pull;
   }
-  const BandPull pull = law(plan.net, scene, i, L);
+  const BandResponse pull = law(plan.net, scene, i, L);
   out.length[i] = L;
   if (pull.tension > 0) add_straight(plan.bands[i], d / L, pull.tension, pull.stiffness, L, out);
   return pull;
@@ -208,12 +212,60 @@ void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vect
   for (Matrix3d& H : out.H.diagonal) H.setZero();
   for (Matrix3d& H : out.H.off) H.setZero();
   for (int i = 0; i < static_cast<int>(plan.bands.size()); ++i) {
-    if (scene.drawn[i]) continue;
+    if (scene.collapsed[i]) continue;
     const NetBand& band = plan.net.bands[i];
-    const BandPull pull = add_band(plan, scene, i, x[band.a], x[band.b], out);
+    const BandResponse pull = add_band(plan, scene, i, x[band.a], x[band.b], out);
     out.tension[i] = pull.tension;
     out.energy += pull.energy;
     out.size += std::abs(pull.energy);
+  }
+}
+
+namespace {
+
+/// Numbers of the free nodes, in file order; -1 for others.
+std::vector<int> number_free(const Net& net) {
+  std::vector<int> number;
+  int next = 0;
+  for (const NetNode& node : net.nodes) number.push_back(node.free ? next++ : -1);
+  return number;
+}
+
+BlockPattern pattern_of(const Net& net) {
+  const std::vector<int> number = number_free(net);
+  std::vector<std::pair<int, int>> edges;
+  int free = 0;
+  for (int i : number) free += i >= 0;
+  for (const NetBand& band : net.bands)
+    if (number[band.a] >= 0 && number[band.b] >= 0)
+      edges.emplace_back(number[band.a], number[band.b]);
+  return {free, edges};
+}
+
+const Net& checked(const Net& net) {
+  check_net(net);
+  return net;
+}
+
+}  // namespace
+
+NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net)) {
+  row = number_free(net);
+  node.resize(pattern.size());
+  for (int i = 0; i < static_cast<int>(row.size()); ++i)
+    if (row[i] >= 0) {
+      row[i] = pattern.place(row[i]);
+      node[row[i]] = i;
+    }
+  wrapping_bands.resize(node.size());
+  for (const NetBand& band : net.bands) {
+    BandPlan plan{row[band.a], row[band.b], -1, row[band.a] < row[band.b]};
+    if (plan.ka >= 0 && plan.kb >= 0)
+      plan.slot = plan.flip ? pattern.slot(plan.kb, plan.ka) : pattern.slot(plan.ka, plan.kb);
+    if (band.over >= 0)
+      for (int k : {plan.ka, plan.kb})
+        if (k >= 0) wrapping_bands[k].push_back(static_cast<int>(bands.size()));
+    bands.push_back(plan);
   }
 }
 

@@ -5,12 +5,36 @@
 #include <vector>
 
 #include "hand/chain.h"
+#include "solvers/block_matrix.h"
+#include "tendons/net/band_geometry.h"
 #include "tendons/net/band_law.h"
-#include "tendons/net/band_run.h"
-#include "tendons/net/net_plan.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/net/net.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar::internal {
+
+// What never changes while one net is solved: who is free, who is joined, in which order to
+// eliminate.
+
+/// A band with its places in the stiffness matrix.
+struct BandPlan {
+  int ka, kb;     // rows of its ends; -1: not free
+  int slot = -1;  // of the block that joins them
+  bool flip;      // the block is (kb, ka), not (ka, kb)
+};
+
+struct NetPlan {
+  /// @throws InputError naming the node or band that is wrong.
+  explicit NetPlan(const Net& net);
+
+  Net net;
+  BlockPattern pattern;
+  std::vector<int> row;         // of each node; -1: not free
+  std::vector<int> node;        // of each row
+  std::vector<BandPlan> bands;  // in the order of the net's
+  std::vector<std::vector<int>>
+      wrapping_bands;  // of each row: bands that end there and bend over a bone
+};
 
 /// Bones and drive of one solve.
 struct NetScene {
@@ -18,30 +42,30 @@ struct NetScene {
   std::vector<Pose<double>> surface;  // world from S
   std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
   std::vector<double> slack;          // of each band [m]
-  // A constant pull t has no slope at length zero, where the node is drawn into the exit. There its
-  // energy  t |d|, d = a - b,  is written  max_{|p| <= t} p.d - |p - hold|^2 / (2 grip).
-  std::vector<double> grip;           // [N/m]
-  std::vector<Eigen::Vector3d> hold;  // force on end a that was found; zero: not held [N]
-  std::vector<bool> drawn;  // its end lies in the exit and counts as fixed: no force, no energy
+  // A constant pull t has no slope at length zero, where the node is collapsed into the exit. There
+  // its energy  t |d|, d = a - b,  is written  max_{|p| <= t} p.d - |p - multiplier|^2 / (2 grip).
+  std::vector<double> grip;                 // [N/m]
+  std::vector<Eigen::Vector3d> multiplier;  // force on end a that was found; zero: not held [N]
+  std::vector<bool> collapsed;  // its end lies in the exit and counts as fixed: no force, no energy
 };
 
 [[nodiscard]] NetScene pose_scene(const Net& net, const TreeState<double>& state,
                                   const NetDrive& drive);
 
 /// Whether a straight band of constant pull is so short that `grip` takes its place.
-[[nodiscard]] bool gripped(const NetScene& scene, int band, double length);
+[[nodiscard]] bool is_regularised(const NetScene& scene, int band, double length);
 
 /// The surfaces alone.
 [[nodiscard]] NetScene pose_surfaces(const Net& net, const TreeState<double>& state);
 
 /// The run of one band from a to b, all in world axes.
-[[nodiscard]] Chord band_chord(const Net& net, const NetScene& scene, int band,
-                               const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+[[nodiscard]] WrappedString band_string(const Net& net, const NetScene& scene, int band,
+                                        const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
 /// One band where it is now.
 struct BandState {
-  Chord chord;  // in world axes
-  BandPull pull;
+  WrappedString chord;  // in world axes
+  BandResponse pull;
 };
 
 [[nodiscard]] BandState band_state(const Net& net, const NetScene& scene, int band,

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/net/check_net.h"
-#include "tendons/net/world_surface.h"
+#include "tendons/net/net.h"
+#include "tendons/net/node_contact.h"
 
 namespace thenar {
 namespace {
@@ -117,10 +117,10 @@ class Rounds {
     rest.x = rest.x.leftCols(x_.cols()).eval();
     rest.length = rest.length.head(bands).eval();
     rest.tension = rest.tension.head(bands).eval();
-    const auto foreign = [&](const NetDrawnBand& drawn) { return drawn.band >= bands; };
-    rest.drawn.erase(std::remove_if(rest.drawn.begin(), rest.drawn.end(), foreign),
-                     rest.drawn.end());
-    if (rest.status == NetStatus::kDrawnIn && rest.drawn.empty())
+    const auto foreign = [&](const CollapsedBand& collapsed) { return collapsed.band >= bands; };
+    rest.collapsed.erase(std::remove_if(rest.collapsed.begin(), rest.collapsed.end(), foreign),
+                         rest.collapsed.end());
+    if (rest.status == NetStatus::kNodeCollapsed && rest.collapsed.empty())
       rest.status = NetStatus::kBalanced;
     x_ = rest.x;
   }
@@ -131,8 +131,8 @@ class Rounds {
     for (std::size_t b = 0; b < net_.bands.size(); ++b) {
       const NetBand& band = net_.bands[b];
       if (band.a != node && band.b != node) continue;
-      const Chord chord =
-          internal::band_chord(net_, scene_, static_cast<int>(b), x_.col(band.a), x_.col(band.b));
+      const WrappedString chord =
+          internal::band_string(net_, scene_, static_cast<int>(b), x_.col(band.a), x_.col(band.b));
       const double T = out_.rest.tension(static_cast<Eigen::Index>(b));
       f -= T * (band.a == node ? chord.slope.head<3>() : chord.slope.tail<3>());
     }

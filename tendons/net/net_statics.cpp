@@ -30,9 +30,9 @@ LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetE
     const NetBand& band = net.bands[i];
     const Vector3d a = rest.x.col(band.a), b = rest.x.col(band.b);
     const Vector3d* held = nullptr;  // force on end a of a band of no length
-    for (const NetDrawnBand& drawn : rest.drawn)
-      if (drawn.band == static_cast<int>(i)) held = &drawn.force;
-    const Chord chord = internal::band_chord(net, scene, static_cast<int>(i), a, b);
+    for (const CollapsedBand& collapsed : rest.collapsed)
+      if (collapsed.band == static_cast<int>(i)) held = &collapsed.force;
+    const WrappedString chord = internal::band_string(net, scene, static_cast<int>(i), a, b);
     const double t = rest.tension(static_cast<Eigen::Index>(i));
     const Vector3d fa = held ? *held : Vector3d(-t * chord.slope.head<3>());
     const Vector3d fb = held ? Vector3d(-fa) : Vector3d(-t * chord.slope.tail<3>());

@@ -9,7 +9,7 @@
 #include "tendons/net/band_course.h"
 #include "tendons/net/net_derivatives.h"
 #include "tendons/net/net_statics.h"
-#include "tendons/path_slopes.h"
+#include "tendons/path.h"
 
 namespace thenar {
 namespace {
@@ -23,11 +23,11 @@ double sum_of(const VectorXd& tension, const std::vector<int>& bands) {
   return sum;
 }
 
-/// Which bands have drawn which knots.
+/// Which bands have collapsed which knots.
 std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
   std::vector<std::string> which;
-  for (const NetDrawnBand& drawn : rest.drawn) {
-    const NetBand& band = net.bands[static_cast<std::size_t>(drawn.band)];
+  for (const CollapsedBand& collapsed : rest.collapsed) {
+    const NetBand& band = net.bands[static_cast<std::size_t>(collapsed.band)];
     which.push_back(fmt::format("'{}' has drawn in '{}'", band.name,
                                 net.nodes[static_cast<std::size_t>(band.a)].name));
   }
@@ -52,14 +52,14 @@ std::string buried_band(const Net& net, const TreeState<double>& state,
   return "";
 }
 
-void add_trouble(const std::string& more, TendonPull& pull) {
-  if (!pull.trouble.empty() && !more.empty()) pull.trouble += "; ";
-  pull.trouble += more;
+void add_warning(const std::string& more, TendonTorque& pull) {
+  if (!pull.warning.empty() && !more.empty()) pull.warning += "; ";
+  pull.warning += more;
 }
 
 }  // namespace
 
-VectorXd pulled_length(const Net& net, const NetEquilibrium& rest) {
+VectorXd muscle_band_length(const Net& net, const NetEquilibrium& rest) {
   VectorXd length = VectorXd::Zero(static_cast<Eigen::Index>(net.muscles.size()));
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0)
@@ -76,16 +76,17 @@ TendonStatus net_status(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
   switch (rest.status) {
     case NetStatus::kStalled:
-    case NetStatus::kWoundRound:
+    case NetStatus::kFarSideWrap:
       return TendonStatus::kUnbalanced;
     case NetStatus::kUnstable:
       return TendonStatus::kUnstable;
-    case NetStatus::kDrawnIn:
-      return TendonStatus::kDrawnIn;
+    case NetStatus::kNodeCollapsed:
+      return TendonStatus::kNodeCollapsed;
     case NetStatus::kBalanced:
       break;
   }
-  return buried_band(net, state, rest).empty() ? TendonStatus::kSound : TendonStatus::kBuried;
+  return buried_band(net, state, rest).empty() ? TendonStatus::kValid
+                                               : TendonStatus::kBandInsideBone;
 }
 
 NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& options,
@@ -106,17 +107,17 @@ NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& opti
   return rest;
 }
 
-std::string net_trouble(const Net& net, const TreeState<double>& state,
+std::string net_warning(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
   switch (rest.status) {
     case NetStatus::kStalled:
       return fmt::format("net '{}' is not balanced: {:.2g} N are left", net.name, rest.residual);
-    case NetStatus::kWoundRound:
+    case NetStatus::kFarSideWrap:
       return fmt::format("net '{}' is not balanced: band '{}' has wound round its bone", net.name,
-                         net.bands[static_cast<std::size_t>(rest.wound.front())].name);
+                         net.bands[static_cast<std::size_t>(rest.far_side_bands.front())].name);
     case NetStatus::kUnstable:
       return fmt::format("net '{}' is at a saddle: the least push moves it elsewhere", net.name);
-    case NetStatus::kDrawnIn:
+    case NetStatus::kNodeCollapsed:
       return drawn_in(net, rest);
     case NetStatus::kBalanced:
       break;
@@ -152,28 +153,28 @@ NetEquilibrium NetTendons::rest(const VectorXd& q, const VectorXd& t,
                         start.cols() == 0 ? nullptr : &start);
 }
 
-TendonPull NetTendons::pull_outside(const VectorXd& q, const VectorXd& t) const {
-  return pull_outside(q, t, pose_tree(digit_.model.tree, q));
+TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t) const {
+  return torque_outside(q, t, pose_tree(digit_.model.tree, q));
 }
 
-TendonSlopes NetTendons::slopes_outside(const VectorXd& q, const VectorXd& t) const {
+TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const VectorXd& t) const {
   const TendonModel<double>& model = digit_.model;
   VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
   for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
-  TendonSlopes slopes = linear_->slopes(q, whole.cwiseProduct(t));
+  TendonDerivatives slopes = linear_->slopes(q, whole.cwiseProduct(t));
   const TreeState<double> state = pose_tree(model.tree, q);
   slopes.length = whole.cwiseProduct(slopes.length);
   for (const NetMuscle& m : net_.muscles) {
     slopes.by_posture +=
-        m.to_net * t[m.muscle] * arm_slopes(model.tree, state, m.own, model.coordinates);
+        m.to_net * t[m.muscle] * arm_derivatives(model.tree, state, m.own, model.coordinates);
     slopes.length[m.muscle] += m.to_net * path_length(state, m.own);
   }
   return slopes;
 }
 
-TendonPull NetTendons::pull_outside(const VectorXd& q, const VectorXd& t,
-                                    const TreeState<double>& state) const {
-  TendonPull pull = linear_->pull(q, t);
+TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t,
+                                        const TreeState<double>& state) const {
+  TendonTorque pull = linear_->pull(q, t);
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
     pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
@@ -186,63 +187,64 @@ VectorXd NetTendons::torque(const VectorXd& q, const VectorXd& t,
                             const NetEquilibrium& rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  return pull_outside(q, t, state).tau +
+  return torque_outside(q, t, state).tau +
          net_torque(net_.net, model.tree, state, rest, model.coordinates);
 }
 
-TendonPull NetTendons::pull(const VectorXd& q, const VectorXd& t,
-                            const Eigen::Matrix3Xd& start) const {
-  return pull_at(q, t, rest(q, t, start));
+TendonTorque NetTendons::pull(const VectorXd& q, const VectorXd& t,
+                              const Eigen::Matrix3Xd& start) const {
+  return torque_at_rest(q, t, rest(q, t, start));
 }
 
-std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonPull& at, const VectorXd& q,
+std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at, const VectorXd& q,
                                                           const VectorXd& t) const {
   return at.rest ? at.rest : std::make_shared<const NetEquilibrium>(rest(q, t, at.nodes));
 }
 
 MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
-                                       const TendonPull& at) const {
+                                       const TendonTorque& at) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
-  const TendonSlopes outside = slopes_outside(q, t);
-  if (!outside.exist || !no_slopes(net_.net, *rest).empty())
+  const TendonDerivatives outside = derivatives_outside(q, t);
+  if (!outside.exist || !why_not_differentiable(net_.net, *rest).empty())
     return DigitTendons::torque_by_posture(q, t, at);
   return outside.by_posture + thenar::torque_by_posture(net_.net, model.tree, state, {drive(t), {}},
                                                         *rest, model.coordinates);
 }
 
-MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
+MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
-  if (!no_slopes(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
+  if (!why_not_differentiable(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
-  return -shares_.transpose() * pulled_by_drive(net_.net, state, {drive(t), {}}, *rest) * shares_;
+  return -shares_.transpose() * muscle_compliance(net_.net, state, {drive(t), {}}, *rest) * shares_;
 }
 
-VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonPull& at) const {
+VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
   VectorXd length = linear_->lengths(q, t, {});
   for (const NetMuscle& m : net_.muscles)
     length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
-  return length + shares_.transpose() * pulled_length(net_.net, *rest_of(at, q, t));
+  return length + shares_.transpose() * muscle_band_length(net_.net, *rest_of(at, q, t));
 }
 
-TendonPull NetTendons::pull_at(const VectorXd& q, const VectorXd& t, NetEquilibrium rest) const {
+TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
+                                        NetEquilibrium rest) const {
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
-  TendonPull pull = pull_outside(q, t, state);
+  TendonTorque pull = torque_outside(q, t, state);
   pull.tau += net_torque(net_.net, model.tree, state, rest, model.coordinates);
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
-  add_trouble(net_trouble(net_.net, state, rest), pull);
+  add_warning(net_warning(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));
-  if (no_slopes(net_.net, rest).empty())
+  if (why_not_differentiable(net_.net, rest).empty())
     pull.R +=
         (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, rest, model.coordinates) *
          shares_)
             .transpose();
   else
-    add_trouble("moment arms are without the net", pull);
+    add_warning("moment arms are without the net", pull);
   pull.rest = std::make_shared<const NetEquilibrium>(std::move(rest));
   return pull;
 }

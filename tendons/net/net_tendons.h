@@ -42,32 +42,32 @@ class NetTendons : public DigitTendons {
   /// All tendons, separate, as if there were no net.
   [[nodiscard]] const DigitTendons& linear() const { return *linear_; }
 
-  /// `trouble` says what the paths outside of the net have to say, and why a hood is not to be
-  /// trusted: not balanced, unstable, drawn into an exit, or with a band buried in bone. `R` has
-  /// the share of the net wherever the net has slopes, see no_slopes(); where not, `trouble` says
-  /// so.
-  TendonPull pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                  const Eigen::Matrix3Xd& start) const override;
+  /// `warning` says what the paths outside of the net have to say, and why a hood is not to be
+  /// trusted: not balanced, unstable, collapsed into an exit, or with a band buried in bone. `R`
+  /// has the share of the net wherever the net has slopes, see why_not_differentiable(); where not,
+  /// `warning` says so.
+  TendonTorque pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                    const Eigen::Matrix3Xd& start) const override;
 
   /// By implicit differentiation of the net and slopes() of what runs outside of it; by differences
   /// where either has none.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
-                                                  const TendonPull& at) const override;
+                                                  const TendonTorque& at) const override;
 
   /// Of the net by implicit differentiation; 0 where the net has no slopes.
   [[nodiscard]] Eigen::MatrixXd give(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                     const TendonPull& at) const override;
+                                     const TendonTorque& at) const override;
 
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                        const TendonPull& at) const override;
+                                        const TendonTorque& at) const override;
 
   /// The same with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;
 
   /// The same where the net has come to rest already.
-  [[nodiscard]] TendonPull pull_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                   NetEquilibrium rest) const;
+  [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                            NetEquilibrium rest) const;
 
   /// The net at rest, for pictures and for its bands' tensions. Arguments as of pull().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
@@ -84,19 +84,20 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] const Eigen::MatrixXd& shares() const { return shares_; }
 
   /// Torque, arms and status of all that the net leaves to runs of its own.
-  [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t) const;
-
-  /// Slopes of the same, with the lengths of the muscles outside of the net.
-  [[nodiscard]] TendonSlopes slopes_outside(const Eigen::VectorXd& q,
+  [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q,
                                             const Eigen::VectorXd& t) const;
 
+  /// Slopes of the same, with the lengths of the muscles outside of the net.
+  [[nodiscard]] TendonDerivatives derivatives_outside(const Eigen::VectorXd& q,
+                                                      const Eigen::VectorXd& t) const;
+
  private:
-  /// Torque and moment arms of all that the net leaves to runs of its own, with their trouble.
-  [[nodiscard]] TendonPull pull_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
-                                        const TreeState<double>& state) const;
+  /// Torque and moment arms of all that the net leaves to runs of its own, with their warning.
+  [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                                            const TreeState<double>& state) const;
 
   /// The net at rest where `at` was pulled: its own, or else searched from its nodes.
-  [[nodiscard]] std::shared_ptr<const NetEquilibrium> rest_of(const TendonPull& at,
+  [[nodiscard]] std::shared_ptr<const NetEquilibrium> rest_of(const TendonTorque& at,
                                                               const Eigen::VectorXd& q,
                                                               const Eigen::VectorXd& t) const;
 
@@ -109,7 +110,7 @@ class NetTendons : public DigitTendons {
 };
 
 /// Length of the bands that each muscle of the net pulls [m] (muscles of the net).
-[[nodiscard]] Eigen::VectorXd pulled_length(const Net& net, const NetEquilibrium& rest);
+[[nodiscard]] Eigen::VectorXd muscle_band_length(const Net& net, const NetEquilibrium& rest);
 
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
@@ -119,7 +120,7 @@ class NetTendons : public DigitTendons {
                                       const NetEquilibrium& rest);
 
 /// The same in words; empty: nothing.
-[[nodiscard]] std::string net_trouble(const Net& net, const TreeState<double>& state,
+[[nodiscard]] std::string net_warning(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 
 }  // namespace thenar

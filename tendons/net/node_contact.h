@@ -5,16 +5,31 @@
 #include <array>
 #include <vector>
 
-#include "tendons/net/world_surface.h"
+#include "tendons/net/net_energy.h"
 
 namespace thenar::internal {
+
+// Surfaces where the bones have carried them.
+
+/// How far a point is from a surface, and which way.
+struct SurfaceGap {
+  double gap;              // negative inside [m]
+  Eigen::Vector3d normal;  // out of the bone, world (3)
+};
+
+[[nodiscard]] SurfaceGap gap_world(const Net& net, const NetScene& scene, int surface,
+                                   const Eigen::Vector3d& x);
+
+/// The same with the curvature of the gap.
+[[nodiscard]] SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface,
+                                       const Eigen::Vector3d& x);
 
 /// Surfaces that a node lies on, and how it is pressed on them.
 struct NodeContact {
   int touching = 0;            // surfaces it lies on, at most 3
   int pressed = 0;             // the first of them bear on it
   int pinned = 0;              // rows of Q along which it does not move
-  double drawn = 0;            // pull that holds it in an exit; 0: it is not there [N]
+  double collapsed = 0;        // pull that holds it in an exit; 0: it is not there [N]
   std::array<int, 3> surface;  // their numbers in the net
   std::array<Eigen::Vector3d, 3> normal;
   std::array<double, 3> force;  // of the pressed ones; < 0 where bands clasp it [N]
@@ -32,7 +47,7 @@ void balance_node(const Net& net, const NetScene& scene, const Eigen::Vector3d& 
 
 /// Moves x onto the surfaces that are pressed and out of all others that it may rest on; sets
 /// `touching`. @return whether such a place was found
-[[nodiscard]] bool settle_node(const Net& net, const NetScene& scene, const NetNode& node,
-                               Eigen::Vector3d& x, NodeContact& contact);
+[[nodiscard]] bool project_node(const Net& net, const NetScene& scene, const NetNode& node,
+                                Eigen::Vector3d& x, NodeContact& contact);
 
 }  // namespace thenar::internal

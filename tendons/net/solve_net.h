@@ -19,12 +19,13 @@
 namespace thenar {
 
 enum class NetStatus {
-  kBalanced,  // residual below tolerance at a minimum
-  kUnstable,  // balanced, but at a saddle: the least push moves it elsewhere
-  kDrawnIn,  // balanced only because a muscle has drawn a node into its exit: the net does not hold
-  kStalled,  // not balanced: see the residual
-  kWoundRound  // not balanced: a band has wound round its cylinder to the far side, where its
-               // length jumps (`wound`): there is no minimum on this side
+  kBalanced,       // residual below tolerance at a minimum
+  kUnstable,       // balanced, but at a saddle: the least push moves it elsewhere
+  kNodeCollapsed,  // balanced only because a muscle has collapsed a node into its exit: the net
+                   // does not hold
+  kStalled,        // not balanced: see the residual
+  kFarSideWrap  // not balanced: a band has far_side_bands round its cylinder to the far side, where
+                // its length jumps (`far_side_bands`): there is no minimum on this side
 };
 
 struct NetSolverOptions {
@@ -43,8 +44,8 @@ struct NetContact {
   Eigen::Vector3d normal;  // out of the bone, world (3)
 };
 
-/// A band of constant pull that has drawn its node into its exit, or two nodes together.
-struct NetDrawnBand {
+/// A band of constant pull that has collapsed its node into its exit, or two nodes together.
+struct CollapsedBand {
   int band;
   Eigen::Vector3d force;  // on its end a; on end b the opposite; not larger than the pull [N] (3)
 };
@@ -57,9 +58,10 @@ struct [[nodiscard]] NetEquilibrium {
   Eigen::VectorXd length;                  // of each band [m] (bands)
   Eigen::VectorXd tension;                 // of each band, 0 where slack [N] (bands)
   std::vector<NetContact> contacts;
-  std::vector<int> loose;  // floating nodes whose place nothing decides: all their bands are slack
-  std::vector<NetDrawnBand> drawn;  // bands of no length under a pull: kDrawnIn
-  std::vector<int> wound;           // bands that have wound round: kWoundRound
+  std::vector<int>
+      undetermined;  // floating nodes whose place nothing decides: all their bands are slack
+  std::vector<CollapsedBand> collapsed;  // bands of no length under a pull: kNodeCollapsed
+  std::vector<int> far_side_bands;       // bands that have far_side_bands round: kFarSideWrap
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
   double energy = 0;            // E [J]
 };
@@ -85,5 +87,18 @@ class NetSolver {
   struct Workspace;
   std::unique_ptr<Workspace> work_;
 };
+
+// One net at rest at many postures.
+
+/// Brings the net to rest at one posture after another, each time from where it lay at the last one
+/// at which it was balanced: a net on bone stays on the side of a joint on which it came.
+/// @param postures  [rad] (coordinates) each
+/// @param start     nodes to start from at the first one, world [m] (3, nodes); empty: each with
+/// its
+///                  link
+/// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
+[[nodiscard]] std::vector<NetEquilibrium> solve_postures(
+    NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,
+    const NetDrive& drive, Eigen::Matrix3Xd start = {});
 
 }  // namespace thenar

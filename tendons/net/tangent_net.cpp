@@ -1,11 +1,12 @@
 #include "tendons/net/tangent_net.h"
 
 #include <limits>
+#include <tuple>
 
 #include <Eigen/QR>
 
 #include "base/error.h"
-#include "tendons/net/world_surface.h"
+#include "tendons/net/node_contact.h"
 
 namespace thenar::internal {
 
@@ -14,7 +15,7 @@ using Eigen::Matrix3d;
 
 TangentNet::TangentNet(const Net& of, const TreeState<double>& state, const NetDrive& drive,
                        const NetEquilibrium& at)
-    : net(of), rest(at), scene(pose_scene(of, state, drive)), drawn(of.bands.size(), -1) {
+    : net(of), rest(at), scene(pose_scene(of, state, drive)), collapsed(of.bands.size(), -1) {
   number_nodes();
   let_go();
   probe_contacts();
@@ -30,23 +31,23 @@ void TangentNet::number_nodes() {
     nodes.emplace_back();
     nodes.back().node = static_cast<int>(i);
   }
-  for (std::size_t d = 0; d < rest.drawn.size(); ++d) {
-    const NetBand& pulled = net.bands[static_cast<std::size_t>(rest.drawn[d].band)];
+  for (std::size_t d = 0; d < rest.collapsed.size(); ++d) {
+    const NetBand& pulled = net.bands[static_cast<std::size_t>(rest.collapsed[d].band)];
     require(row[pulled.a] < 0 || row[pulled.b] < 0,
             "net {}: {} has drawn two floating nodes together: no derivative", net.name,
             pulled.name);
-    drawn[static_cast<std::size_t>(rest.drawn[d].band)] = static_cast<int>(d);
+    collapsed[static_cast<std::size_t>(rest.collapsed[d].band)] = static_cast<int>(d);
     TangentNode& node = nodes[static_cast<std::size_t>(std::max(row[pulled.a], row[pulled.b]))];
     node.exit = row[pulled.a] >= 0 ? pulled.b : pulled.a;
-    ++node.drawn;
+    ++node.collapsed;
   }
 }
 
-/// Bands of constant pull that have drawn nothing in pull as they are, however short: the spring
-/// that the search for rest puts in their place is none of the net's.
+/// Bands of constant pull that have collapsed nothing in pull as they are, however short: the
+/// spring that the search for rest puts in their place is none of the net's.
 void TangentNet::let_go() {
-  for (std::size_t b = 0; b < drawn.size(); ++b)
-    if (drawn[b] < 0) scene.grip[b] = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < collapsed.size(); ++b)
+    if (collapsed[b] < 0) scene.grip[b] = std::numeric_limits<double>::infinity();
 }
 
 void TangentNet::probe_contacts() {
@@ -67,7 +68,7 @@ void TangentNet::state_bands() {
 void TangentNet::free_directions() {
   std::vector<bool> held(net.nodes.size(), false);
   for (std::size_t b = 0; b < band.size(); ++b)
-    if (drawn[b] < 0 && (band[b].pull.stiffness != 0 || band[b].pull.tension != 0))
+    if (collapsed[b] < 0 && (band[b].pull.stiffness != 0 || band[b].pull.tension != 0))
       held[net.bands[b].a] = held[net.bands[b].b] = true;
   Index column = 0;
   for (TangentNode& node : nodes) {
@@ -97,9 +98,9 @@ void TangentNet::factor() {
         a.free.transpose().lazyProduct((K * b.free).eval());
   };
   for (std::size_t b = 0; b < band.size(); ++b) {
-    if (drawn[b] >= 0) continue;
+    if (collapsed[b] >= 0) continue;
     const int ends[] = {row[net.bands[b].a], row[net.bands[b].b]};
-    const Chord& chord = band[b].chord;
+    const WrappedString& chord = band[b].chord;
     for (int i : {0, 1})
       for (int j : {0, 1})
         add(ends[i], ends[j],
@@ -112,6 +113,190 @@ void TangentNet::factor() {
     add(k, k, -rest.contacts[c].force * probe[c].curvature);
   }
   stiffness.compute(H);
+}
+
+namespace {
+
+Eigen::VectorXd no_change(const Net& net) {
+  return Eigen::VectorXd::Zero(static_cast<Eigen::Index>(net.bands.size()));
+}
+
+}  // namespace
+
+NetPerturbation still(const Net& net, std::size_t links) {
+  const std::vector<Eigen::Vector3d> none(links, Eigen::Vector3d::Zero());
+  return {{std::vector<BodyTwist>(links + 1), none, none}, no_change(net)};
+}
+
+NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
+                                   const TreeState<double>& state, int coordinate) {
+  return {joint_velocity_tree(tree, state, coordinate), no_change(net)};
+}
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Nodes that bones take along; those that float slide on the bones that they touch.
+Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
+  Matrix3Xd v = Matrix3Xd::Zero(3, tangent.rest.x.cols());
+  for (std::size_t i = 0; i < tangent.row.size(); ++i)
+    if (tangent.row[i] < 0)
+      v.col(static_cast<Index>(i)) =
+          input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i)));
+  for (const TangentNode& node : tangent.nodes) {
+    if (node.exit >= 0) v.col(node.node) = v.col(node.exit);
+    if (node.exit >= 0 || node.contact.empty()) continue;
+    Vector3d along(0, 0, 0);
+    for (std::size_t i = 0; i < node.contact.size(); ++i) {
+      const NetContact& contact = tangent.rest.contacts[node.contact[i]];
+      along[static_cast<Index>(i)] = tangent.probe[node.contact[i]].normal.dot(
+          input.body(tangent.net.surfaces[contact.surface].link).at(tangent.x(node.node)));
+    }
+    v.col(node.node) = node.bear.transpose() * along.head(node.bear.rows());
+  }
+  return v;
+}
+
+}  // namespace
+
+BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& input,
+                   const Matrix3Xd& v) {
+  const NetBand& band = tangent.net.bands[static_cast<std::size_t>(b)];
+  const BandState& now = tangent.band[static_cast<std::size_t>(b)];
+  // Seen from the bone over which it bends.
+  BodyTwist bone;
+  if (now.chord.bent) bone = input.body(tangent.net.surfaces[band.over].link);
+  Eigen::Matrix<double, 6, 1> move;
+  move << v.col(band.a) - bone.at(tangent.x(band.a)), v.col(band.b) - bone.at(tangent.x(band.b));
+  const Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move, &u = now.chord.slope;
+  const double dL = u.dot(move), T = now.pull.tension;
+  const double dT = input.tension(b) + now.pull.stiffness * dL;
+  return {dL, dT, -dT * u.head<3>() - T * (bone.w.cross(u.head<3>()) + turn.head<3>()),
+          -dT * u.tail<3>() - T * (bone.w.cross(u.tail<3>()) + turn.tail<3>())};
+}
+
+Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v) {
+  Matrix3Xd f = Matrix3Xd::Zero(3, static_cast<Index>(tangent.nodes.size()));
+  for (Index b = 0; b < input.tension.size(); ++b) {
+    const NetBand& band = tangent.net.bands[static_cast<std::size_t>(b)];
+    const int ka = tangent.row[band.a], kb = tangent.row[band.b];
+    if (tangent.collapsed[static_cast<std::size_t>(b)] >= 0 || (ka < 0 && kb < 0)) continue;
+    const BandRate now = band_rate(tangent, b, input, v);
+    if (ka >= 0) f.col(ka) += now.fa;
+    if (kb >= 0) f.col(kb) += now.fb;
+  }
+  // Normals turn with the bone and with the place on it.
+  for (std::size_t c = 0; c < tangent.probe.size(); ++c) {
+    const NetContact& contact = tangent.rest.contacts[c];
+    const BodyTwist& bone = input.body(tangent.net.surfaces[contact.surface].link);
+    const Vector3d move = v.col(contact.node) - bone.at(tangent.x(contact.node));
+    f.col(tangent.row[contact.node]) +=
+        contact.force * (bone.w.cross(tangent.probe[c].normal) + tangent.probe[c].curvature * move);
+  }
+  return f;
+}
+
+Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input) {
+  Matrix3Xd v = carried(tangent, input);
+  const Matrix3Xd f = force_rate(tangent, input, v);
+  Eigen::VectorXd along(tangent.stiffness.rows());
+  for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
+    const TangentNode& node = tangent.nodes[k];
+    along.segment(node.column, node.free.cols()) =
+        node.free.transpose() * f.col(static_cast<Index>(k));
+  }
+  const Eigen::VectorXd move = tangent.stiffness.solve(along);
+  for (const TangentNode& node : tangent.nodes)
+    v.col(node.node) += node.free * move.segment(node.column, node.free.cols());
+  return v;
+}
+
+namespace {
+
+using Eigen::Index;
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// A force on a link at a point, with their rates.
+struct ForceRate {
+  int link;
+  Vector3d p, dp, f, df;
+};
+
+/// Bands on their fixed ends, and on the bones over which they bend.
+/// @param left  force_rate(): what a collapsed band has to make up for
+void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v,
+               const Matrix3Xd& left, std::vector<ForceRate>& all) {
+  for (std::size_t b = 0; b < tangent.band.size(); ++b) {
+    const NetBand& band = tangent.net.bands[b];
+    const BandState& now = tangent.band[b];
+    const int collapsed = tangent.collapsed[b];
+    BandRate rate = band_rate(tangent, static_cast<Index>(b), input, v);
+    Vector3d fa = -now.pull.tension * now.chord.slope.head<3>(),
+             fb = -now.pull.tension * now.chord.slope.tail<3>();
+    if (collapsed >= 0) {
+      const int k = std::max(tangent.row[band.a], tangent.row[band.b]);
+      const Vector3d on_node = -left.col(k) / tangent.nodes[static_cast<std::size_t>(k)].collapsed;
+      rate.fa = tangent.row[band.a] >= 0 ? on_node : Vector3d(-on_node);
+      rate.fb = -rate.fa;
+      fa = tangent.rest.collapsed[static_cast<std::size_t>(collapsed)].force, fb = -fa;
+    }
+    const bool bent = now.chord.bent && collapsed < 0;
+    const int over = bent ? tangent.net.surfaces[band.over].link : -1;
+    for (const auto& [end, f, df] :
+         {std::tie(band.a, fa, rate.fa), std::tie(band.b, fb, rate.fb)}) {
+      const NetNode& node = tangent.net.nodes[static_cast<std::size_t>(end)];
+      if (!node.free) all.push_back({node.link, tangent.x(end), v.col(end), f, df});
+      if (bent) all.push_back({over, tangent.x(end), v.col(end), -f, -df});
+    }
+  }
+}
+
+/// Floating nodes on the bones that they touch.
+void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const Matrix3Xd& v,
+                  const Matrix3Xd& left, std::vector<ForceRate>& all) {
+  for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
+    const TangentNode& node = tangent.nodes[k];
+    if (node.contact.empty()) continue;
+    VectorXd force = -node.bear * left.col(static_cast<Index>(k));
+    if (node.exit >= 0) force.setZero();  // the band that drew it makes up for all
+    for (std::size_t i = 0; i < node.contact.size(); ++i) {
+      const NetContact& contact = tangent.rest.contacts[node.contact[i]];
+      const SurfaceProbe& probe = tangent.probe[node.contact[i]];
+      const int link = tangent.net.surfaces[contact.surface].link;
+      const Vector3d p = tangent.x(node.node), dp = v.col(node.node);
+      const BodyTwist& bone = input.body(link);
+      const Vector3d turn = bone.w.cross(probe.normal) + probe.curvature * (dp - bone.at(p));
+      all.push_back({link, p, dp, -contact.force * probe.normal,
+                     -force[static_cast<Index>(i)] * probe.normal - contact.force * turn});
+    }
+  }
+}
+
+}  // namespace
+
+VectorXd torque_rate(const TangentNet& tangent, const Tree<double>& tree,
+                     const TreeState<double>& state, const NetPerturbation& input,
+                     const Matrix3Xd& v, int coordinates) {
+  std::vector<ForceRate> all;
+  const Matrix3Xd left = force_rate(tangent, input, v);
+  add_bands(tangent, input, v, left, all);
+  add_contacts(tangent, input, v, left, all);
+  VectorXd tau = VectorXd::Zero(coordinates);
+  for (const auto& [link, p, dp, f, df] : all) {
+    const Vector3d m = p.cross(f), dm = dp.cross(f) + p.cross(df);
+    for_each_hinge_to_base(tree, link, [&, &f = f, &df = df](int i) {
+      const LinkState<double>& hinge = state[i];
+      tau(tree[i].coordinate) +=
+          tree[i].ratio * (input.axis[i].dot(m - hinge.point.cross(f)) +
+                           hinge.axis.dot(dm - input.point[i].cross(f) - hinge.point.cross(df)));
+    });
+  }
+  return tau;
 }
 
 }  // namespace thenar::internal

@@ -5,7 +5,11 @@
 #include <vector>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Core>
 
+#include "hand/chain.h"
+#include "hand/tree_velocity.h"
+#include "tendons/net/net.h"
 #include "tendons/net/net_energy.h"
 #include "tendons/net/solve_net.h"
 #include "tendons/wrapping/bone_surface.h"
@@ -20,17 +24,17 @@ using Rows3 = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor, 3, 3>;
 struct TangentNode {
   int node = -1;             // in the net
   std::vector<int> contact;  // in the equilibrium, at most three
-  int exit = -1;             // node that it is drawn into; -1: none
-  int drawn = 0;             // bands that drew it
-  Columns3 free;             // directions in which it may move, orthonormal; none where it is drawn
-                             // in or loose
-  Rows3 bear;                // contact forces from a force on the node: inverse of the normals
-  Eigen::Index column = 0;   // of the first of them in `stiffness`
+  int exit = -1;             // node that it is collapsed into; -1: none
+  int collapsed = 0;         // bands that drew it
+  Columns3 free;  // directions in which it may move, orthonormal; none where it is collapsed
+                  // in or undetermined
+  Rows3 bear;     // contact forces from a force on the node: inverse of the normals
+  Eigen::Index column = 0;  // of the first of them in `stiffness`
 };
 
 /// Constant once built; the net and the equilibrium must outlive it.
 struct TangentNet {
-  /// @throws InputError if a band has drawn two floating nodes together.
+  /// @throws InputError if a band has collapsed two floating nodes together.
   TangentNet(const Net& of, const TreeState<double>& state, const NetDrive& drive,
              const NetEquilibrium& at);
 
@@ -38,7 +42,7 @@ struct TangentNet {
   const NetEquilibrium& rest;
   NetScene scene;
   std::vector<BandState> band;
-  std::vector<int> drawn;           // entry of rest.drawn of each band; -1: none
+  std::vector<int> collapsed;       // entry of rest.collapsed of each band; -1: none
   std::vector<SurfaceProbe> probe;  // of each contact
   std::vector<int> row;             // of each node in `nodes`; -1: it does not float
   std::vector<TangentNode> nodes;   // that float
@@ -56,5 +60,47 @@ struct TangentNet {
   void free_directions();
   void factor();
 };
+
+// What can be changed about a net at rest, each as a rate.
+
+/// How everything moves by one input, the floating nodes excepted.
+struct NetPerturbation : TreeVelocity {
+  Eigen::VectorXd tension;  // of each band at a fixed length (bands)
+};
+
+/// Nothing moves and no tension changes.
+[[nodiscard]] NetPerturbation still(const Net& net, std::size_t links);
+
+/// One joint coordinate turns by 1 rad.
+[[nodiscard]] NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
+                                                 const TreeState<double>& state, int coordinate);
+
+// How a net at rest follows an input.
+
+/// Rate of one band.
+struct BandRate {
+  double length, tension;
+  Eigen::Vector3d fa, fb;  // of the force on its ends (3)
+};
+
+/// @param v  of all nodes (3, nodes)
+[[nodiscard]] BandRate band_rate(const TangentNet& tangent, Eigen::Index band,
+                                 const NetPerturbation& input, const Eigen::Matrix3Xd& v);
+
+/// Rate of the force that bands and bones leave on each floating node, collapsed bands left out:
+/// balance asks for 0 along the free directions. (3, floating nodes)
+[[nodiscard]] Eigen::Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input,
+                                          const Eigen::Matrix3Xd& v);
+
+/// Velocity of all nodes, such that those that float keep on their bones and in balance.
+/// (3, nodes)
+[[nodiscard]] Eigen::Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input);
+
+/// Rate of the joint torque  sum over links and their hinges of  ratio axis . (m - point x f).
+/// @param v  from node_rates() (3, nodes)
+[[nodiscard]] Eigen::VectorXd torque_rate(const TangentNet& tangent, const Tree<double>& tree,
+                                          const TreeState<double>& state,
+                                          const NetPerturbation& input, const Eigen::Matrix3Xd& v,
+                                          int coordinates);
 
 }  // namespace thenar::internal

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "tendons/net/net_derivatives.h"
-#include "tendons/net/net_rates.h"
 #include "tendons/net/net_statics.h"
+#include "tendons/net/tangent_net.h"
 
 namespace thenar {
 namespace {
@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 }  // namespace
 
-TendonActuator::TendonActuator(const DigitTendons& tendons, const NetWalkOptions& options)
+TendonActuator::TendonActuator(const DigitTendons& tendons, const NetContinuationOptions& options)
     : tendons_(tendons), net_(dynamic_cast<const NetTendons*>(&tendons)), options_(options) {}
 
 const TendonAction& TendonActuator::act(const VectorXd& q, const VectorXd& t) {
@@ -39,15 +39,16 @@ const TendonAction& TendonActuator::start_at(const VectorXd& q, const VectorXd& 
 
 /// All but the net.
 void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
-  TendonPull pull = net_ == nullptr ? tendons_.pull(q, t) : net_->pull_outside(q, t);
+  TendonTorque pull = net_ == nullptr ? tendons_.pull(q, t) : net_->torque_outside(q, t);
   action_.paths = action_.status = pull.status;
-  action_.hood = TendonStatus::kSound;
+  action_.hood = TendonStatus::kValid;
   action_.residual = 0;
   action_.tau = std::move(pull.tau);
   action_.R = std::move(pull.R);
   action_.slips = pull.slips;
-  action_.trouble = std::move(pull.trouble);
-  TendonSlopes slopes = net_ == nullptr ? tendons_.slopes(q, t) : net_->slopes_outside(q, t);
+  action_.warning = std::move(pull.warning);
+  TendonDerivatives slopes =
+      net_ == nullptr ? tendons_.slopes(q, t) : net_->derivatives_outside(q, t);
   action_.slopes = slopes.exist;
   action_.K = std::move(slopes.by_posture);
   action_.length = std::move(slopes.length);
@@ -55,7 +56,7 @@ void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
 
 void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
   if (!known_) {
-    rest_ = walk_from_straight(*net_, q, t, options_).rest;
+    rest_ = follow_from_straight(*net_, q, t, options_).rest;
     return;
   }
   // One solve where the slopes by posture say; that suffices for short steps.
@@ -66,11 +67,12 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
     start += Eigen::Map<const Matrix3Xd>(move.data(), 3, start.cols());
   }
   NetEquilibrium next = net_->rest(q, t, start);
-  if (follows && strayed(net_->net().net, rest_.loose, start, next) <= options_.stray) {
+  if (follows &&
+      largest_deviation(net_->net().net, rest_.undetermined, start, next) <= options_.stray) {
     rest_ = std::move(next);
     return;
   }
-  NetWalk walk = walk_net(*net_, rest_, q_, t_, q, t, options_);
+  NetContinuation walk = follow_net(*net_, rest_, q_, t_, q, t, options_);
   rest_ = std::move(walk.rest);
   action_.snapped = walk.snaps > 0;
   snaps_ += walk.snaps;
@@ -86,12 +88,12 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
   action_.residual = rest_.residual;
   action_.hood = net_status(net, state, rest_);
   action_.status = worse(action_.paths, action_.hood);
-  const std::string trouble = net_trouble(net, state, rest_);
-  action_.trouble += (action_.trouble.empty() || trouble.empty() ? "" : "; ") + trouble;
+  const std::string warning = net_warning(net, state, rest_);
+  action_.warning += (action_.warning.empty() || warning.empty() ? "" : "; ") + warning;
   action_.slips = slip_tension(net_->net(), rest_);
   action_.tau += net_torque(net, model.tree, state, rest_, model.coordinates);
   by_posture_.resize(0, 0);
-  if (!no_slopes(net, rest_).empty()) {
+  if (!why_not_differentiable(net, rest_).empty()) {
     action_.slopes = false;
     return;
   }
@@ -101,7 +103,8 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
   Eigen::MatrixXd shortens(q.size(), static_cast<Index>(net.muscles.size()));
   shortens.setZero();
   for (Index l = 0; l < q.size(); ++l) {
-    const internal::NetInput turn = internal::turning(net, model.tree, state, static_cast<int>(l));
+    const internal::NetPerturbation turn =
+        internal::joint_perturbation(net, model.tree, state, static_cast<int>(l));
     const Matrix3Xd v = internal::node_rates(tangent, turn);
     by_posture_.col(l) = Eigen::Map<const VectorXd>(v.data(), v.size());
     for (std::size_t b = 0; b < net.bands.size(); ++b)
@@ -113,7 +116,7 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
           internal::torque_rate(tangent, model.tree, state, turn, v, model.coordinates);
   }
   action_.R += (shortens * net_->shares()).transpose();
-  if (action_.slopes) action_.length += net_->shares().transpose() * pulled_length(net, rest_);
+  if (action_.slopes) action_.length += net_->shares().transpose() * muscle_band_length(net, rest_);
 }
 
 }  // namespace thenar

@@ -4,15 +4,15 @@
 ///
 /// What a call costs: docs/theory/extensor_net.md, section "As an actuator".
 
-#include "tendons/net/net_walk.h"
+#include "tendons/net/net_continuation.h"
 
 namespace thenar {
 
 /// What tendons do at a posture under tensions, and how that changes.
 struct [[nodiscard]] TendonAction {
   TendonStatus status = TendonStatus::kUnbalanced;  // the worst of all parts: read this first
-  TendonStatus paths = TendonStatus::kSound;        // of tendons outside of a net
-  TendonStatus hood = TendonStatus::kSound;         // of the net; sound where there is none
+  TendonStatus paths = TendonStatus::kValid;        // of tendons outside of a net
+  TendonStatus hood = TendonStatus::kValid;         // of the net; sound where there is none
   double residual = 0;                              // largest out-of-balance force of a knot [N]
   bool snapped = false;                             // a knot has jumped since the state before
   bool slopes = false;     // R, K and length are whole; else R and K lack what has no slopes, and K
@@ -23,7 +23,7 @@ struct [[nodiscard]] TendonAction {
   Eigen::VectorXd length;  // of each muscle's line but for a constant; its changes are excursions
                            // [m] (muscles)
   SlipTension slips;       // zero without a hood
-  std::string trouble;     // what `status` stands for, in words
+  std::string warning;     // what `status` stands for, in words
 };
 
 /// One digit's tendons, of whatever rung. Torque is exact at (q, t): at no tension it is that of
@@ -32,13 +32,13 @@ struct [[nodiscard]] TendonAction {
 /// while tensions stay (envelope theorem).
 ///
 /// The first call, and the first after reset(), comes from the straight finger as
-/// walk_from_straight() does, and so finds what `thenar tendon solve` finds. Later ones start from
-/// the state before, moved by its slopes; where that strays by more than NetWalkOptions::stray the
-/// way is halved, so that a long step ends where many short ones do.
-/// For one thread; the tendons must outlive it.
+/// follow_from_straight() does, and so finds what `thenar tendon solve` finds. Later ones start
+/// from the state before, moved by its slopes; where that strays by more than
+/// NetContinuationOptions::stray the way is halved, so that a long step ends where many short ones
+/// do. For one thread; the tendons must outlive it.
 class TendonActuator {
  public:
-  explicit TendonActuator(const DigitTendons& tendons, const NetWalkOptions& options = {});
+  explicit TendonActuator(const DigitTendons& tendons, const NetContinuationOptions& options = {});
 
   /// Moves the state to (q, t).
   /// @param q  posture [rad] (coordinates);  @param t  tensions, each >= 0 [N] (muscles)
@@ -67,7 +67,7 @@ class TendonActuator {
 
   const DigitTendons& tendons_;
   const NetTendons* net_;  // the same, if it has a net
-  NetWalkOptions options_;
+  NetContinuationOptions options_;
   TendonAction action_;
   bool known_ = false;          // there is a state:
   Eigen::VectorXd q_, t_;       // [rad], [N]

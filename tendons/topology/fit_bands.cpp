@@ -23,7 +23,7 @@ Eigen::VectorXd stiffness_of(const Eigen::VectorXd& x) {
 }  // namespace
 
 BandFitter::BandFitter(const CandidateNet& candidate, const std::vector<TendonRecord>& records,
-                       const PricedFitOptions& options)
+                       const BoundedFitOptions& options)
     : forward_(candidate, {}),
       options_(options),
       typical_(static_cast<Eigen::Index>(candidate.candidates.size())) {
@@ -39,8 +39,8 @@ void BandFitter::add(const TendonRecord& record) {
   append(sd_, record.sd);
 }
 
-PricedResiduals BandFitter::residuals(const NetForecast& forecast) const {
-  PricedResiduals out;
+FitResiduals BandFitter::residuals(const NetPrediction& forecast) const {
+  FitResiduals out;
   out.possible = forecast.holds;
   if (!out.possible) return out;
   out.r = (forecast.value - measured_).cwiseQuotient(sd_);
@@ -66,7 +66,7 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
   const Eigen::Index n = typical_.size();
   require(static_cast<Eigen::Index>(presence.size()) == n && start.size() == n,
           "wanted {} presences and stiffnesses, got {} and {}", n, presence.size(), start.size());
-  PricedFit problem;
+  BoundedFit problem;
   problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
   problem.price = price.size() ? price : Eigen::VectorXd::Zero(n);
   for (Eigen::Index c = 0; c < n; ++c) {
@@ -84,24 +84,25 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
   return better ? std::move(cold) : std::move(warm.fit);
 }
 
-BandFitter::Followed BandFitter::follow(PricedFit problem, const Eigen::VectorXd& x0,
+BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorXd& x0,
                                         Memory memory) {
-  NetForecast near;
-  problem.residuals = [&](const Eigen::VectorXd& x, Slopes slopes) {
+  NetPrediction near;
+  problem.residuals = [&](const Eigen::VectorXd& x, Sensitivities slopes) {
     const Eigen::VectorXd s = stiffness_of(x);
-    NetForecast forecast = forward_.predict(s.cwiseProduct(typical_), slopes, &near);
-    PricedResiduals at = residuals(forecast);
+    NetPrediction forecast = forward_.predict(s.cwiseProduct(typical_), slopes, &near);
+    FitResiduals at = residuals(forecast);
     if (at.J.size()) at.J = at.J * Eigen::VectorXd(s.array() + kSoft).asDiagonal();
     if (forecast.holds && memory == Memory::kKept) near = std::move(forecast);
     return at;
   };
-  const PricedResult found = fit_bounded(problem, x0, options_);
+  const BoundedFitResult found = bounded_least_squares(problem, x0, options_);
   Followed out;
   if (!found.possible) return out;
   BandFit& fit = out.fit;
   fit.s = stiffness_of(found.x);
-  const NetForecast forecast = forward_.predict(fit.s.cwiseProduct(typical_), Slopes::kWith);
-  PricedResiduals at = residuals(forecast);
+  const NetPrediction forecast =
+      forward_.predict(fit.s.cwiseProduct(typical_), Sensitivities::kWith);
+  FitResiduals at = residuals(forecast);
   fit.holds = at.possible;
   out.strayed = !at.possible;
   if (!fit.holds) return out;

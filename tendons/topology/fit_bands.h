@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "tendons/topology/fit_bounded.h"
-#include "tendons/topology/predict_net.h"
+#include "solvers/bounded_least_squares.h"
+#include "tendons/topology/net_forward_model.h"
 
 namespace thenar {
 
@@ -30,7 +30,7 @@ inline constexpr double kGhost = 0.01;
 struct [[nodiscard]] BandFit {
   bool holds = false;      // the net carries all loads; otherwise nothing else is meant
   bool converged = false;  // to the tolerance of the fit
-  double residual = 0;     // of its nets, as in NetForecast [N]
+  double residual = 0;     // of its nets, as in NetPrediction [N]
   Eigen::VectorXd s;       // EA / typical EA of each candidate [1] (candidates)
   double misfit = 0;       // chi^2 = sum ((predicted - measured) / sd)^2 [1]
   Eigen::VectorXd r;       // the residuals in units of sd (rows)
@@ -42,7 +42,7 @@ class BandFitter {
  public:
   /// @throws InputError naming the candidate or record that is wrong.
   BandFitter(const CandidateNet& candidate, const std::vector<TendonRecord>& records,
-             const PricedFitOptions& options = {});
+             const BoundedFitOptions& options = {});
 
   /// @param presence  of each candidate (candidates)
   /// Unknowns are  x = log(1 + s / kSoft): a net feels ratios of stiffness, but zero is in reach.
@@ -71,10 +71,10 @@ class BandFitter {
     BandFit fit;
     bool strayed = false;  // a net of two places of rest is not where predict() finds it
   };
-  Followed follow(PricedFit problem, const Eigen::VectorXd& x0, Memory memory);
-  PricedResiduals residuals(const NetForecast& forecast) const;
-  NetForward forward_;
-  PricedFitOptions options_;
+  Followed follow(BoundedFit problem, const Eigen::VectorXd& x0, Memory memory);
+  FitResiduals residuals(const NetPrediction& forecast) const;
+  NetForwardModel forward_;
+  BoundedFitOptions options_;
   Eigen::VectorXd typical_;        // EA [N] (candidates)
   Eigen::VectorXd measured_, sd_;  // stacked (rows)
 };

@@ -19,16 +19,16 @@ Topology kept(const BandFitter& fitter, const Eigen::VectorXd& s) {
   return bands;
 }
 
-PathStop refit(TriedNets& tried, double price, const BandFit& priced) {
-  PathStop stop{price, priced.misfit, kept(tried.fitter(), priced.s), 0};
+PenaltyStep refit(FittedNets& tried, double price, const BandFit& priced) {
+  PenaltyStep stop{price, priced.misfit, kept(tried.fitter(), priced.s), 0};
   const double log_rows = std::log(static_cast<double>(tried.fitter().rows()));
   stop.information = score({stop.bands, tried.fit(stop.bands, priced.s)}, log_rows);
   return stop;
 }
 
 /// The path from one start, until nothing of the load is held.
-void follow(TriedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
-            std::vector<PathStop>& path, const Progress& progress) {
+void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
+            std::vector<PenaltyStep>& path, const Progress& progress) {
   BandFitter& fitter = tried.fitter();
   const Presences either(static_cast<std::size_t>(start.size()), Presence::kEither);
   const double ratio =
@@ -46,7 +46,7 @@ void follow(TriedNets& tried, const Eigen::VectorXd& start, const SelectOptions&
 
 }  // namespace
 
-Selection select_bands(TriedNets& tried, const SelectOptions& options, const Progress& progress) {
+Selection select_bands(FittedNets& tried, const SelectOptions& options, const Progress& progress) {
   const Eigen::Index n = tried.fitter().typical().size();
   Selection out;
   double part = 0;
@@ -59,13 +59,13 @@ Selection select_bands(TriedNets& tried, const SelectOptions& options, const Pro
   // All bands hold whatever can be held.
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
-  std::vector<TriedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
+  std::vector<FittedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
   if (starts.empty()) return out;
-  std::sort(starts.begin(), starts.end(), [&](const TriedNet& a, const TriedNet& b) {
+  std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, price) < score(b, price);
   });
   starts.resize(std::min<std::size_t>(starts.size(), kDescents));
-  for (const TriedNet& start : starts) {
+  for (const FittedNet& start : starts) {
     progress(part += 0.1 / kDescents, "changes of single bands");
     if (!progress.stop()) descend(tried, start.bands, start.fit.s, price);
   }

@@ -3,7 +3,7 @@
 /// Topology by sparse selection: all candidates at once, at a price.
 
 #include "base/progress.h"
-#include "tendons/topology/tried_nets.h"
+#include "tendons/topology/fitted_nets.h"
 
 namespace thenar {
 
@@ -14,16 +14,16 @@ struct SelectOptions {
 };
 
 /// One stop of the path over the price.
-struct PathStop {
-  double price;    // [1]
-  double misfit;   // chi^2 of the priced fit [1]
-  Topology bands;  // that it keeps
-  double
-      information;  // chi^2 of the unpriced refit + log(rows) * bands [1]; infinite: does not hold
+struct PenaltyStep {
+  double price;        // [1]
+  double misfit;       // chi^2 of the priced fit [1]
+  Topology bands;      // that it keeps
+  double information;  // chi^2 of the dual_violation refit + log(rows) * bands [1]; infinite: does
+                       // not hold
 };
 
 struct [[nodiscard]] Selection {
-  std::vector<PathStop> path;
+  std::vector<PenaltyStep> path;
   Topology bands;  // after descent from the stop of least information
 };
 
@@ -34,7 +34,7 @@ struct [[nodiscard]] Selection {
 /// The plain L1 price on EA is not used: nets of equal ratios of EA differ little, so it would buy
 /// a lower price by softening all bands alike. Source: [Candes2008] for the penalty, [Schwarz1978]
 /// for the criterion.
-[[nodiscard]] Selection select_bands(TriedNets& tried, const SelectOptions& options = {},
+[[nodiscard]] Selection select_bands(FittedNets& tried, const SelectOptions& options = {},
                                      const Progress& progress = {});
 
 }  // namespace thenar

@@ -9,10 +9,10 @@ namespace thenar {
 namespace {
 
 using Eigen::Vector3d;
-using internal::BodyRate;
+using internal::BodyTwist;
 using internal::ChainTangent;
 using internal::TouchRate;
-using internal::TreeRate;
+using internal::TreeVelocity;
 using Column = Eigen::Ref<Eigen::VectorXd>;
 
 /// A direction, or a point, and its rate.
@@ -40,7 +40,7 @@ SpanRate rated(const PathSpan& span, const Vector3d& a_dot, const Vector3d& b_do
 struct Turn {
   const Tree<double>& tree;
   const TreeState<double>& state;
-  TreeRate rate;
+  TreeVelocity rate;
 };
 
 /// Rate of  sum over hinges between the links of -u . (db/dq - da/dq),  times `scale`.
@@ -143,7 +143,7 @@ void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Co
 }
 
 /// Velocities of the ends of all runs while one coordinate turns.
-std::vector<SpanRate> span_rates(const TreeRate& rate, const PathShape& shape,
+std::vector<SpanRate> span_rates(const TreeVelocity& rate, const PathShape& shape,
                                  const std::vector<RunChain>& chains, const Vector3d* origin_dot) {
   std::vector<Vector3d> a_dot, b_dot;
   for (const PathSpan& span : shape.spans) {
@@ -152,7 +152,7 @@ std::vector<SpanRate> span_rates(const TreeRate& rate, const PathShape& shape,
   }
   for (const RunChain& chain : chains) {
     const auto before = static_cast<std::size_t>(shape.arcs[chain.first_arc].after);
-    std::vector<BodyRate> on;
+    std::vector<BodyTwist> on;
     for (int link : chain.links) on.push_back(rate.body(link));
     const std::vector<TouchRate> touch =
         chain.tangent.rates(a_dot[before], b_dot[before + on.size()], on);
@@ -179,7 +179,8 @@ bool has_slopes(const PathShape& shape, const std::vector<RunChain>& chains) {
 
 /// How far the carrier draws back before the run on which the origin lies: -d(length up to it).
 /// Touch points count as fixed: where a path is tangent, sliding them changes no length.
-double shortened(const TreeRate& rate, const std::vector<SpanRate>& carrier, std::size_t before) {
+double shortened(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
+                 std::size_t before) {
   double sum = 0;
   for (std::size_t k = 0; k < before; ++k) {
     const PathSpan& span = *carrier[k].span;
@@ -191,10 +192,10 @@ double shortened(const TreeRate& rate, const std::vector<SpanRate>& carrier, std
 
 }  // namespace
 
-std::vector<ArmSlopes> arm_slopes(const Tree<double>& tree, const TreeState<double>& state,
-                                  const PathSet& set, const std::vector<PathShape>& shapes,
-                                  int coordinates) {
-  std::vector<ArmSlopes> slopes(shapes.size());
+std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
+                                            const TreeState<double>& state, const PathSet& set,
+                                            const std::vector<PathShape>& shapes, int coordinates) {
+  std::vector<ArmDerivatives> slopes(shapes.size());
   std::vector<std::vector<RunChain>> chains;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
     chains.push_back(chains_of(state, set, shapes[k]));
@@ -204,7 +205,7 @@ std::vector<ArmSlopes> arm_slopes(const Tree<double>& tree, const TreeState<doub
     slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
   }
   for (int l = 0; l < coordinates; ++l) {
-    const Turn turn{tree, state, internal::turning_tree(tree, state, l)};
+    const Turn turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
     std::vector<std::vector<SpanRate>> runs(shapes.size());
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       if (!slopes[k].exist) continue;

@@ -14,7 +14,7 @@
 namespace thenar {
 
 /// Of one path.
-struct [[nodiscard]] ArmSlopes {
+struct [[nodiscard]] ArmDerivatives {
   bool exist = true;   // false: not taut, or touch points that nothing determines; dR is then zero
   Eigen::MatrixXd dR;  // d R_j / d q_k  [m/rad^2] (coordinates, coordinates)
 };
@@ -22,9 +22,10 @@ struct [[nodiscard]] ArmSlopes {
 /// Slopes of the arms of path_arms(), of every path. An origin that rides on another tendon
 /// follows that tendon's excursion; where its carrier bends there (PathStatus::kRidesOnBend) its
 /// arms are no slopes of a length, and it has none.
-[[nodiscard]] std::vector<ArmSlopes> arm_slopes(const Tree<double>& tree,
-                                                const TreeState<double>& state, const PathSet& set,
-                                                const std::vector<PathShape>& shapes,
-                                                int coordinates);
+[[nodiscard]] std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
+                                                          const TreeState<double>& state,
+                                                          const PathSet& set,
+                                                          const std::vector<PathShape>& shapes,
+                                                          int coordinates);
 
 }  // namespace thenar

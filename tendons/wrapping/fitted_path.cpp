@@ -29,7 +29,7 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
   std::set<int> crossed;
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     int before = path.points[k].link;
-    for (const Bend& bend : path.bends[k]) {
+    for (const PathWrap& bend : path.bends[k]) {
       const int link = set.surfaces[static_cast<std::size_t>(bend.surface)].link;
       add_between(tree, before, link, crossed);
       before = link;
@@ -292,7 +292,7 @@ double contract(const FittedRun& run, const std::vector<const VectorXd*>& by) {
 
 }  // namespace
 
-MatrixXd arm_slopes(const FittedPath& path, const VectorXd& q) {
+MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
   MatrixXd dR = MatrixXd::Zero(q.size(), q.size());
   for (const FittedRun& run : path.runs) {
     const std::size_t d = run.coordinates.size();

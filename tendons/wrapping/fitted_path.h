@@ -66,6 +66,6 @@ struct FittedLength {
 
 /// How those arms change with posture,  -d2L/dq2, exactly and symmetric [m/rad^2]
 /// (coordinates, coordinates). @param q  (coordinates) [rad]
-[[nodiscard]] Eigen::MatrixXd arm_slopes(const FittedPath& path, const Eigen::VectorXd& q);
+[[nodiscard]] Eigen::MatrixXd arm_derivatives(const FittedPath& path, const Eigen::VectorXd& q);
 
 }  // namespace thenar

@@ -187,7 +187,7 @@ double level(const BoneSurface& surface, const Vector3d& p_S) {
   return slope > 0 ? f / slope : -surface.size.minCoeff();
 }
 
-SurfaceRay settle(const BoneSurface& surface, const SurfaceRay& near) {
+SurfaceRay project_to_surface(const BoneSurface& surface, const SurfaceRay& near) {
   Vector3d p = near.p;
   if (surface.shape == SurfaceShape::kEllipsoid) {
     p /= p.cwiseQuotient(surface.size).norm();  // along the ray from the centre: exactly on it

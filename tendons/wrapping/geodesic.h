@@ -45,6 +45,6 @@ struct SurfaceShapeAt {
 
 /// Puts a point near the surface onto it, moving it along the normal to first order, and makes the
 /// direction a unit tangent.
-[[nodiscard]] SurfaceRay settle(const BoneSurface& surface, const SurfaceRay& near);
+[[nodiscard]] SurfaceRay project_to_surface(const BoneSurface& surface, const SurfaceRay& near);
 
 }  // namespace thenar

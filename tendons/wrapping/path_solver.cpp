@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "tendons/wrapping/bead_string.h"
-#include "tendons/wrapping/flat_wrap.h"
+#include "tendons/wrapping/path_tangency.h"
+#include "tendons/wrapping/planar_wrap.h"
 
 namespace thenar {
 namespace {
@@ -92,7 +92,7 @@ void nudge(std::vector<ChainArc>& chain, int attempt) {
     const double radius = egg ? surface.size.minCoeff() : surface.size[0];
     SurfaceRay& start = chain[i].arc.start;
     const Vector3d across = start.t.cross(shape_at(surface, start.p).n);
-    start = settle(
+    start = project_to_surface(
         surface, {start.p + far * radius * (std::cos(golden) * start.t + std::sin(golden) * across),
                   start.t + far * std::sin(2 * golden) * across});
   }
@@ -106,7 +106,7 @@ PathSolver::PathSolver(const PathSet& set)
   for (std::size_t p = 0; p < set.paths.size(); ++p) {
     const WrappedPath& path = set.paths[p];
     for (std::size_t k = 0; k < path.bends.size(); ++k)
-      for (const Bend& bend : path.bends[k]) {
+      for (const PathWrap& bend : path.bends[k]) {
         const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(bend.surface)];
         if (surface.shape != SurfaceShape::kCylinder) continue;
         for (const std::size_t point : {k, k + 1}) {
@@ -116,9 +116,9 @@ PathSolver::PathSolver(const PathSet& set)
         }
       }
   }
-  slots_.reserve(kMostBends);
-  chain_.reserve(kMostBends);
-  rest_.reserve(kMostBends);
+  slots_.reserve(kMaxWraps);
+  chain_.reserve(kMaxWraps);
+  rest_.reserve(kMaxWraps);
   single_.reserve(1);
 }
 
@@ -174,14 +174,15 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
     a = b;
   }
   if (!std::isfinite(shape.length)) shape.error = 1;
-  if (has_crossed(k, state)) shape.status = PathStatus::kCrossed;
+  if (has_crossed(k, state)) shape.status = PathStatus::kFarSideWrap;
   if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
   if (!(shape.depth <= kInside)) shape.status = PathStatus::kPointInside;
 }
 
-void PathSolver::add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape) {
+void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& ends,
+                         PathShape& shape) {
   if (bends.size() == 1 && add_round(bends[0], ends, shape)) return;
-  for (const Bend& bend : bends) {
+  for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const Pose<double> to_S = X_[i].inverse();
     shape.depth = std::max({shape.depth, depth_of(set_->surfaces[i], to_S * ends.a),
@@ -205,7 +206,7 @@ void PathSolver::add_run(const std::vector<Bend>& bends, const PathEnds& ends, P
 }
 
 /// The usual run, over one sphere or cylinder, without any detour; false for other surfaces.
-bool PathSolver::add_round(const Bend& bend, const PathEnds& ends, PathShape& shape) {
+bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape) {
   const auto i = static_cast<std::size_t>(bend.surface);
   const BoneSurface& surface = set_->surfaces[i];
   if (!is_round(surface)) return false;
@@ -226,7 +227,7 @@ bool PathSolver::add_round(const Bend& bend, const PathEnds& ends, PathShape& sh
 }
 
 /// One surface between two points of the string; `on` is false where the string misses it.
-void PathSolver::wrap_one(std::size_t i, const Bend& bend, const Vector3d& a, const Vector3d& b,
+void PathSolver::wrap_one(std::size_t i, const PathWrap& bend, const Vector3d& a, const Vector3d& b,
                           PathShape& shape) {
   const auto s = static_cast<std::size_t>(bend.surface);
   const BoneSurface& surface = set_->surfaces[s];
@@ -240,11 +241,11 @@ void PathSolver::wrap_one(std::size_t i, const Bend& bend, const Vector3d& a, co
     if (slot.on) slot = {true, 0, {&surface, X, wrap->arc}, X * wrap->arc.start.p, X * wrap->end};
     return;
   }
-  const auto arc = guess_arc(surface, a_S, b_S, bend.side_S);
+  const auto arc = initial_arc(surface, a_S, b_S, bend.side_S);
   slot.on = arc.has_value();
   if (!slot.on) return;
   single_.assign(1, {&surface, X, *arc});
-  const ChainFit fit = straighten(a, b, single_);
+  const ChainFit fit = solve_tangency(a, b, single_);
   shape.iterations += fit.iterations;
   slot.error = fit.error;
   slot.link = single_[0];
@@ -261,7 +262,7 @@ void PathSolver::set_touches(Slot& slot) {
 /// Surfaces in turn, each between its neighbours as they are, until none moves: the string gets
 /// shorter each time. Then all that touch at once, by Newton's method. If that does not get there,
 /// a string of beads says which surfaces touch and about where; around that it is tried again.
-void PathSolver::tighten(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
+void PathSolver::tighten(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
                          PathShape& shape) {
   slots_.assign(bends.size(), Slot{});
   sweep(bends, a, b, shape);
@@ -288,7 +289,7 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
     for (const Slot& slot : slots_)
       if (slot.on) chain_.push_back(slot.link);
     if (chain_.empty()) return 0;
-    const ChainFit fit = straighten(a, b, chain_);
+    const ChainFit fit = solve_tangency(a, b, chain_);
     shape.iterations += fit.iterations;
     bool lifts = false;
     std::size_t next = 0;
@@ -307,14 +308,14 @@ double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShap
 /// The same; 1 if a run passes through a surface that lifted off. A point that is inside has no way
 /// around.
 /// @return largest kink [rad]
-double PathSolver::settle_on(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
-                             PathShape& shape) {
+double PathSolver::settle_on(const std::vector<PathWrap>& bends, const Vector3d& a,
+                             const Vector3d& b, PathShape& shape) {
   const double error = touch_together(a, b, shape);
   return shape.depth > kInside || runs_clear(bends, a, b) ? error : 1;
 }
 
 /// Do the straight runs between surfaces that are touched clear those that are not?
-bool PathSolver::runs_clear(const std::vector<Bend>& bends, const Vector3d& a,
+bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& a,
                             const Vector3d& b) const {
   Vector3d from = a;
   for (std::size_t i = 0; i < bends.size(); ++i) {
@@ -333,20 +334,20 @@ bool PathSolver::runs_clear(const std::vector<Bend>& bends, const Vector3d& a,
 }
 
 /// Every surface of the run, touched at its side.
-void PathSolver::start_over_sides(const std::vector<Bend>& bends) {
+void PathSolver::start_over_sides(const std::vector<PathWrap>& bends) {
   chain_.clear();
-  for (const Bend& bend : bends) {
+  for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const BoneSurface& surface = set_->surfaces[i];
     // The hole of a torus is passed, not its wall.
     const SurfaceRay start{bend.side_S, Vector3d::UnitX()};
     const bool ring = surface.shape == SurfaceShape::kTorus;
-    chain_.push_back({&surface, X_[i], {ring ? start : settle(surface, start), 0}});
+    chain_.push_back({&surface, X_[i], {ring ? start : project_to_surface(surface, start), 0}});
   }
 }
 
 /// Puts the arcs of the chain back into the slots of their surfaces.
-void PathSolver::take_chain(const std::vector<Bend>& bends) {
+void PathSolver::take_chain(const std::vector<PathWrap>& bends) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < bends.size(); ++i) {
     const BoneSurface* surface = &set_->surfaces[static_cast<std::size_t>(bends[i].surface)];
@@ -357,7 +358,7 @@ void PathSolver::take_chain(const std::vector<Bend>& bends) {
   }
 }
 
-void PathSolver::sweep(const std::vector<Bend>& bends, const Vector3d& a, const Vector3d& b,
+void PathSolver::sweep(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
                        PathShape& shape) {
   const std::size_t m = bends.size();
   for (int pass = 0; pass < (m == 1 ? 1 : 40); ++pass) {

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "hand/chain.h"
-#include "tendons/wrapping/path_newton.h"
+#include "tendons/wrapping/path_tangency.h"
 #include "tendons/wrapping/wrapped_path.h"
 
 namespace thenar {
@@ -16,7 +16,7 @@ enum class PathStatus {
   kTaut,         // tangent everywhere to 1e-11 rad
   kRidesOnBend,  // the origin has come where its carrier bends: arms leave its sliding across out
   kPointInside,  // a point has moved into a surface beside it: see `depth`
-  kCrossed,      // a point has gone round the far side of a cylinder beside it, over the half plane
+  kFarSideWrap,  // a point has gone round the far side of a cylinder beside it, over the half plane
                  // opposite to the path's side, where the length jumps
   kStalled       // Newton's method did not get there, or leaves a run through bone: see `error`
 };
@@ -88,21 +88,21 @@ class PathSolver {
   };
   [[nodiscard]] bool has_crossed(std::size_t path, const TreeState<double>& state) const;
   void solve_path(std::size_t path, const TreeState<double>& state);
-  void add_run(const std::vector<Bend>& bends, const PathEnds& ends, PathShape& shape);
-  bool add_round(const Bend& bend, const PathEnds& ends, PathShape& shape);
-  void tighten(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-               PathShape& shape);
-  void sweep(const std::vector<Bend>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+  void add_run(const std::vector<PathWrap>& bends, const PathEnds& ends, PathShape& shape);
+  bool add_round(const PathWrap& bend, const PathEnds& ends, PathShape& shape);
+  void tighten(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
+               const Eigen::Vector3d& b, PathShape& shape);
+  void sweep(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
              PathShape& shape);
-  void wrap_one(std::size_t slot, const Bend& bend, const Eigen::Vector3d& a,
+  void wrap_one(std::size_t slot, const PathWrap& bend, const Eigen::Vector3d& a,
                 const Eigen::Vector3d& b, PathShape& shape);
   double touch_together(const Eigen::Vector3d& a, const Eigen::Vector3d& b, PathShape& shape);
-  double settle_on(const std::vector<Bend>& bends, const Eigen::Vector3d& a,
+  double settle_on(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                    const Eigen::Vector3d& b, PathShape& shape);
-  [[nodiscard]] bool runs_clear(const std::vector<Bend>& bends, const Eigen::Vector3d& a,
+  [[nodiscard]] bool runs_clear(const std::vector<PathWrap>& bends, const Eigen::Vector3d& a,
                                 const Eigen::Vector3d& b) const;
-  void start_over_sides(const std::vector<Bend>& bends);
-  void take_chain(const std::vector<Bend>& bends);
+  void start_over_sides(const std::vector<PathWrap>& bends);
+  void take_chain(const std::vector<PathWrap>& bends);
   static void set_touches(Slot& slot);
 
   const PathSet* set_;

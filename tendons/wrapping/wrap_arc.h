@@ -41,9 +41,9 @@ struct RoundArc {
 /// Capsule and ellipsoid: the taut string in the plane of a, b and the point `side`, held on its
 /// side as on a cylinder. Torus: the taut string through the hole, in the half plane of the axis
 /// that the straight line crosses the ring in.
-[[nodiscard]] std::optional<WrapArc> guess_arc(const BoneSurface& surface,
-                                               const Eigen::Vector3d& a_S,
-                                               const Eigen::Vector3d& b_S,
-                                               const Eigen::Vector3d& side_S);
+[[nodiscard]] std::optional<WrapArc> initial_arc(const BoneSurface& surface,
+                                                 const Eigen::Vector3d& a_S,
+                                                 const Eigen::Vector3d& b_S,
+                                                 const Eigen::Vector3d& side_S);
 
 }  // namespace thenar

@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "tendons/wrapping/flat_wrap.h"
 #include "tendons/wrapping/path_solver.h"
+#include "tendons/wrapping/planar_wrap.h"
 
 namespace thenar {
 namespace {
@@ -51,7 +51,7 @@ std::vector<int> between(const Tree<double>& tree, int a, int b) {
 /// Within the limits of the joints between them, at their ends and middles, no point may get to a
 /// cylinder's half plane opposite to the path's side, where the length jumps. Joints without a
 /// range stand still.
-void check_sides(const WrappedPath& path, std::size_t k, const Bend& bend,
+void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
                  const BoneSurface& surface, const Skeleton& skeleton) {
   if (surface.shape != SurfaceShape::kCylinder) return;
   for (const std::size_t end : {k, k + 1}) {
@@ -90,10 +90,10 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
     require(a.link == b.link || (a.p - b.p).norm() > 1e-9,
             "path of strand '{}' has a zero-length run across a joint at point {}", path.name,
             k + 1);
-    require(path.bends[k].size() <= static_cast<std::size_t>(kMostBends),
+    require(path.bends[k].size() <= static_cast<std::size_t>(kMaxWraps),
             "strand '{}' bends over {} surfaces after point {}; the most is {}", path.name,
-            path.bends[k].size(), k + 1, kMostBends);
-    for (const Bend& bend : path.bends[k]) {
+            path.bends[k].size(), k + 1, kMaxWraps);
+    for (const PathWrap& bend : path.bends[k]) {
       check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
       check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
       check_sides(path, k, bend, set.surfaces[static_cast<std::size_t>(bend.surface)], skeleton);
@@ -111,7 +111,7 @@ bool crosses_a_joint(const WrappedPath& path) {
 WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const PathSet& set) {
   WrappedPath path;
   path.name = strand.name;
-  std::vector<Bend> bends;  // since the last point
+  std::vector<PathWrap> bends;  // since the last point
   for (const PathPoint& element : strand.path) {
     const auto link = skeleton.link_of_segment.find(element.segment);
     if (link == skeleton.link_of_segment.end()) continue;

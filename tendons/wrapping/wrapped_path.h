@@ -17,7 +17,7 @@ struct WrapPoint {
 };
 
 /// A surface that a tendon bends over where it must.
-struct Bend {
+struct PathWrap {
   int surface;             // of the set
   Eigen::Vector3d side_S;  // point on whose side of the surface it passes, frame S [m] (3)
 };
@@ -25,10 +25,10 @@ struct Bend {
 /// The way of one strand, from insertion to origin.
 struct WrappedPath {
   std::string name;
-  std::vector<WrapPoint> points;         // at least two, or none: it crosses no kept joint
-  std::vector<std::vector<Bend>> bends;  // between points k and k + 1 (points - 1)
-  int carrier = -1;                      // path that the origin rides on; -1: it is fixed
-  double ride = 0;                       // from the carrier's insertion to that origin [m]
+  std::vector<WrapPoint> points;             // at least two, or none: it crosses no kept joint
+  std::vector<std::vector<PathWrap>> bends;  // between points k and k + 1 (points - 1)
+  int carrier = -1;                          // path that the origin rides on; -1: it is fixed
+  double ride = 0;                           // from the carrier's insertion to that origin [m]
 };
 
 /// All strands of a skeleton with all surfaces that they meet. Carriers stand before their riders.
@@ -44,7 +44,7 @@ struct PathSet {
 /// Paths of all strands that cross a joint of the skeleton, in file order.
 /// @throws InputError if a point next to a surface lies inside it (naming strand, point, surface
 /// and depth) or can go round the far side of a cylinder within its joints' ranges, a run has more
-/// than kMostBends surfaces or no length across a joint, or an origin
+/// than kMaxWraps surfaces or no length across a joint, or an origin
 /// rides on a strand that is absent or farther than 1 mm off.
 [[nodiscard]] PathSet build_paths(const Subject& subject, const Skeleton& skeleton);
 

@@ -346,7 +346,7 @@ class Quality(unittest.TestCase):
             self.assertAlmostEqual(found[key], wanted, delta=1e-12)
         self.assertIsNone(self.ask(grasp([generators(CROSS)]))["grasp_matrix"])
 
-    # tests/grasp/quality/planar_test.cpp derives mu / sqrt(2 + mu^2).
+    # tests/grasp/quality/planar_grasp_test.cpp derives mu / sqrt(2 + mu^2).
     def test_planar_grasps(self):
         pinch = {"centre_of_mass": [0, 0], "torque_scale": 1,
                  "contacts": [contact([-1, 0], [1, 0], 0.5), contact([1, 0], [-1, 0], 0.5)]}

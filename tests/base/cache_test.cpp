@@ -118,7 +118,7 @@ TEST_F(Cache, LetsTheLeastRecentlyUsedGoAndNoOtherFiles) {
   std::uintmax_t total = 0;
   for (const fs::path& file : files())
     if (file.extension() == ".thenar") total += fs::file_size(file);
-  EXPECT_LE(total, small.most_bytes);
+  EXPECT_LE(total, small.max_bytes);
   EXPECT_EQ(fs::file_size(path("cache/mine.txt")), 200000U);
   keep("mesh 1", "too large", std::string(60000, 'z'));
   EXPECT_EQ(kept("mesh 1", "too large"), std::nullopt);
@@ -155,7 +155,7 @@ TEST_F(Cache, StandsWhereTheUserWantsIt) {
   ::setenv("XDG_CACHE_HOME", "/cache", 1);
   ::setenv("THENAR_CACHE_MB", "7", 1);
   EXPECT_EQ(cache_options_of_user().folder, "/cache/thenar");
-  EXPECT_EQ(cache_options_of_user().most_bytes, 7000000U);
+  EXPECT_EQ(cache_options_of_user().max_bytes, 7000000U);
   ::unsetenv("XDG_CACHE_HOME");
   ::unsetenv("THENAR_CACHE_MB");
   ::setenv("HOME", "/home/me", 1);

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 
 namespace thenar {
 

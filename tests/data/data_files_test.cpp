@@ -7,7 +7,6 @@
 
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
-#include "data/io/scaled_hand.h"
 #include "data/io/subject.h"
 #include "data/io/toml_node.h"
 #include "tests/data_folder.h"

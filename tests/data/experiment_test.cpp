@@ -64,7 +64,7 @@ TEST_F(ExperimentFile, HeaderIsRead) {
   EXPECT_EQ(experiment_.name, "E1");
   EXPECT_EQ(experiment_.specimen, "E1") << "one experiment a specimen unless stated";
   EXPECT_EQ(experiment_.source, "Synek2019");
-  EXPECT_EQ(experiment_.hold, TipHold::kRigid);
+  EXPECT_EQ(experiment_.hold, TipConstraint::kRigid);
 }
 
 // 0.5 kg x 10 m/s^2 x 0.8

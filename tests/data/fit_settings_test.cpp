@@ -114,13 +114,13 @@ TEST(FitSettingsFile, RefusesWhatItDoesNotKnow) {
 }
 
 TEST(FitSettingsFile, ReadsBeliefsOfAPosterior) {
-  const PosteriorBeliefs usual = parse_fit_settings(kGoodSettings, "fit.toml").posterior;
+  const PosteriorPriors usual = parse_fit_settings(kGoodSettings, "fit.toml").posterior;
   EXPECT_TRUE(usual.sphere_priors);
   EXPECT_GT(usual.noise_sd, 0);
   const std::string own = "[posterior]\nnoise_sd = 0\nspread_sd = 0.3\ndirections = 'normal'\n";
-  const PosteriorBeliefs beliefs = parse_fit_settings(kGoodSettings + own, "fit.toml").posterior;
+  const PosteriorPriors beliefs = parse_fit_settings(kGoodSettings + own, "fit.toml").posterior;
   EXPECT_EQ(beliefs.noise_sd, 0);
-  EXPECT_EQ(beliefs.spread_sd, 0.3);
+  EXPECT_EQ(beliefs.specimen_scale_sd, 0.3);
   EXPECT_FALSE(beliefs.sphere_priors);
 }
 

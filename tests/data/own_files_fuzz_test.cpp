@@ -11,12 +11,12 @@
 #include <hdf5.h>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/fit_settings.h"
 #include "data/io/inference_file.h"
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "data/io/result_file.h"
 #include "data/io/subject.h"
 #include "tests/temporary_folder.h"

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "base/units.h"
-#include "data/io/nearest_name.h"
-#include "data/io/sources.h"
+#include "data/io/toml_text.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {

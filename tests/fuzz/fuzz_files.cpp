@@ -15,7 +15,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "tests/fuzz/fuzz_kinds.h"
 
 extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv);

@@ -9,7 +9,7 @@
 #include "apps/contact_file.h"
 #include "apps/json_line.h"
 #include "base/error.h"
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/anthropometry.h"
 #include "data/io/checked_file.h"
 #include "data/io/experiment.h"
@@ -17,16 +17,16 @@
 #include "data/io/fit_settings.h"
 #include "data/io/inference_file.h"
 #include "data/io/mesh/mesh_file.h"
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "data/io/result_file.h"
 #include "data/io/robot/import_robot.h"
-#include "data/io/robot/urdf_export.h"
+#include "data/io/robot/urdf.h"
 #include "data/io/subject.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_world.h"
 #include "data/io/world/materials.h"
 #include "data/io/world/world.h"
-#include "geometry/mesh_mend.h"
+#include "geometry/repair_to_solid.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/data/robot/sample_files.h"
 
@@ -150,7 +150,7 @@ void read_robot_file(const std::string& path) {
   (void)robot_urdf(robot, "");
 }
 
-void read_mesh_file(const std::string& path) { (void)mend_mesh(read_mesh(path)); }
+void read_mesh_file(const std::string& path) { (void)repair_to_solid(read_mesh(path)); }
 
 void read_graspit(const std::string& path) {
   const std::string text = bytes_in(path);

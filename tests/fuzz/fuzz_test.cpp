@@ -9,7 +9,7 @@
 
 #include <sys/resource.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "tests/fuzz/fuzz_kinds.h"
 #include "tests/fuzz/mutate.h"
 #include "tests/temporary_folder.h"

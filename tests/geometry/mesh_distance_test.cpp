@@ -249,7 +249,8 @@ TEST(NearestGrid, FindsWhatTheTreeFinds) {
 // 100,000 triangles are ready for a first query, one part of them, in less than the 19 s that all
 // cubes would take: by far, so that no busy machine makes it fail.
 TEST(MeshDistance, FillsNoCubeThatNobodyAsksFor) {
-  const TriangleMesh fine = lathe({{0, -0.05}, {0.04, -0.05}, {0.04, 0.05}, {0, 0.05}}, 25000);
+  const TriangleMesh fine =
+      surface_of_revolution({{0, -0.05}, {0.04, -0.05}, {0.04, 0.05}, {0, 0.05}}, 25000);
   ASSERT_EQ(fine.triangles.cols(), 100000);
   const std::clock_t start = std::clock();
   const auto shape = build_mesh_distance(fine);

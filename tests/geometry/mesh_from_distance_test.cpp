@@ -9,9 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "geometry/compound.h"
 #include "geometry/primitives.h"
-#include "geometry/smooth_union.h"
+#include "geometry/shape_union.h"
 #include "tests/geometry/enclosed_volume.h"
 #include "tests/geometry/random_points.h"
 #include "tests/message_of.h"

@@ -6,16 +6,16 @@
 #include <vector>
 
 #include "base/units.h"
-#include "geometry/compound.h"
 #include "geometry/mesh_from_distance.h"
 #include "geometry/primitives.h"
+#include "geometry/shape_union.h"
 #include "geometry/tessellate.h"
 
 namespace thenar {
 
 /// A mug of 80 mm by 100 mm with a wall of 4 mm, open above; long thin triangles.
 [[nodiscard]] inline TriangleMesh mug(int sides = 60) {
-  return lathe(
+  return surface_of_revolution(
       {{0, -0.05}, {0.04, -0.05}, {0.04, 0.05}, {0.036, 0.05}, {0.036, -0.046}, {0, -0.046}},
       sides);
 }

@@ -8,7 +8,7 @@
 #include "base/units.h"
 #include "data/io/robot/robot.h"
 #include "data/io/world/world.h"
-#include "grasp/scene.h"
+#include "grasp/closing/scene.h"
 
 namespace thenar::sample {
 

@@ -1,4 +1,4 @@
-// Tests for hand/fast_kinematics.cpp and the sine of hand/lanes.h.
+// Tests for hand/fast_kinematics.cpp and the sine of base/simd.h.
 
 #include "hand/fast_kinematics.h"
 
@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "hand/lanes.h"
+#include "base/simd.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
 
@@ -17,8 +17,9 @@
 namespace thenar {
 namespace {
 
-void expect_equal_to_chain(const Skeleton& skeleton, const Eigen::VectorXd& q, Simd simd) {
-  const PosedHand hand = FastKinematics(skeleton, simd).pose(q);
+void expect_equal_to_chain(const Skeleton& skeleton, const Eigen::VectorXd& q,
+                           InstructionSet simd) {
+  const FastHandPose hand = FastKinematics(skeleton, simd).pose(q);
   const TreeState<double> state = pose_tree(skeleton.tree, q);
   for (int i = 0; i < static_cast<int>(state.size()); ++i) {
     EXPECT_TRUE(matrix_near(hand.link(i).R, state[i].X.R, 1e-14));
@@ -40,7 +41,7 @@ TEST(FastKinematics, EqualsTheChain) {
                                  sample::coupled_digit(), sample::two_link()}) {
     const Skeleton skeleton = build_skeleton(subject);
     for (int trial = 0; trial < 10; ++trial)
-      for (const Simd simd : {Simd::kBest, Simd::kBaseline})
+      for (const InstructionSet simd : {InstructionSet::kBest, InstructionSet::kBaseline})
         expect_equal_to_chain(skeleton, draw.posture(skeleton), simd);
   }
 }
@@ -49,10 +50,11 @@ TEST(FastKinematics, GivesTheSameBitsOnEveryProcessor) {
   if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "no AVX2 here";
   sample::Draw draw(62);
   const Skeleton skeleton = build_skeleton(sample::random_hand(3));
-  const FastKinematics baseline(skeleton, Simd::kBaseline), avx2(skeleton, Simd::kAvx2);
+  const FastKinematics baseline(skeleton, InstructionSet::kBaseline),
+      avx2(skeleton, InstructionSet::kAvx2);
   for (int trial = 0; trial < 100; ++trial) {
     const Eigen::VectorXd q = draw.posture(skeleton);
-    const PosedHand a = baseline.pose(q), b = avx2.pose(q);
+    const FastHandPose a = baseline.pose(q), b = avx2.pose(q);
     for (int i = 0; i < skeleton.coordinates(); ++i) EXPECT_EQ(a.link(i).R, b.link(i).R);
     for (int k = 0; k < 5; ++k) EXPECT_EQ(a.tip_jacobian(k), b.tip_jacobian(k));
   }
@@ -62,7 +64,7 @@ TEST(FastKinematics, TakesWeldedTips) {
   SkeletonOptions options;
   options.frozen = {{"J1", 0.3}, {"J2", 0.4}};
   const Skeleton skeleton = build_skeleton(sample::two_link(), options);
-  const PosedHand hand = FastKinematics(skeleton).pose(Eigen::VectorXd(0));
+  const FastHandPose hand = FastKinematics(skeleton).pose(Eigen::VectorXd(0));
   EXPECT_EQ(hand.tip(0), skeleton.tips[0].p);
   EXPECT_EQ(hand.tip_jacobian(0).cols(), 0);
 }
@@ -71,7 +73,7 @@ TEST(FastKinematics, TakesWeldedTips) {
 TEST(FastKinematics, TakesAnyAngle) {
   const Skeleton skeleton = build_skeleton(sample::two_link());
   for (const double q1 : {1e4, -1e5, 1e6, -1e9})
-    expect_equal_to_chain(skeleton, Eigen::Vector2d(q1, 0.5), Simd::kBest);
+    expect_equal_to_chain(skeleton, Eigen::Vector2d(q1, 0.5), InstructionSet::kBest);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(FastKinematics(skeleton).pose(Eigen::Vector2d(nan, 0)).tip(0).hasNaN());
 }
@@ -98,7 +100,7 @@ TEST(SinCos, IsRightToTheLastBits) {
     for (int trial = 0; trial < 20000; ++trial) {
       alignas(32) double a[4], s[4], c[4];
       for (double& angle : a) angle = draw.number(-bound, bound);
-      const auto sc = internal::sin_cos(internal::load<internal::Lanes>(a));
+      const auto sc = internal::sin_cos(internal::load<internal::Double4>(a));
       internal::store(s, sc.sine);
       internal::store(c, sc.cosine);
       for (int k = 0; k < 4; ++k) {

@@ -5,8 +5,8 @@
 
 #include <Simbody.h>
 
-#include "hand/pair.h"
-#include "tendons/force_map.h"
+#include "hand/simd_pair.h"
+#include "tendons/forces/force_map.h"
 #include "tests/hand/sample_subjects.h"
 
 namespace thenar::sample {
@@ -75,31 +75,31 @@ inline ThumbMaps thumb_maps(const ThumbTask& task, const AxisParameters& paramet
 
 /// The data of both postures side by side.
 struct PairedThumb {
-  Vec3<Pair> tip;
-  Eigen::Matrix<Pair, kThumbHinges, 1> q;
-  Eigen::Matrix<Pair, kThumbTendons, kThumbHinges> arms;
+  Vec3<SimdPair> tip;
+  Eigen::Matrix<SimdPair, kThumbHinges, 1> q;
+  Eigen::Matrix<SimdPair, kThumbTendons, kThumbHinges> arms;
 };
 
 inline PairedThumb paired(const ThumbTask& task) {
-  const auto pair = [](double a, double b) { return Pair(a, b); };
-  return {task.tip.cast<Pair>(), task.q[0].binaryExpr(task.q[1], pair),
+  const auto pair = [](double a, double b) { return SimdPair(a, b); };
+  return {task.tip.cast<SimdPair>(), task.q[0].binaryExpr(task.q[1], pair),
           task.arms[0].binaryExpr(task.arms[1], pair)};
 }
 
 /// Our way, both postures at once. (tendons, 3)
-inline Eigen::Matrix<Pair, kThumbTendons, 3> thumb_maps(const ThumbTask& task,
-                                                        const PairedThumb& thumb,
-                                                        const AxisParameters& parameters) {
+inline Eigen::Matrix<SimdPair, kThumbTendons, 3> thumb_maps(const ThumbTask& task,
+                                                            const PairedThumb& thumb,
+                                                            const AxisParameters& parameters) {
   const ThumbAxes axes = moved_axes(task, parameters);
-  std::array<Axis<Pair>, kThumbHinges> both;
+  std::array<Axis<SimdPair>, kThumbHinges> both;
   for (int i = 0; i < kThumbHinges; ++i)
-    both[i] = {axes[i].direction.cast<Pair>(), axes[i].point.cast<Pair>()};
+    both[i] = {axes[i].direction.cast<SimdPair>(), axes[i].point.cast<SimdPair>()};
   return force_map(serial_jacobian(both, thumb.tip, thumb.q), thumb.arms).At;
 }
 
-inline ThumbMaps apart(const Eigen::Matrix<Pair, kThumbTendons, 3>& both) {
-  return {both.unaryExpr([](const Pair& p) { return p[0]; }),
-          both.unaryExpr([](const Pair& p) { return p[1]; })};
+inline ThumbMaps apart(const Eigen::Matrix<SimdPair, kThumbTendons, 3>& both) {
+  return {both.unaryExpr([](const SimdPair& p) { return p[0]; }),
+          both.unaryExpr([](const SimdPair& p) { return p[1]; })};
 }
 
 /// Simbody's way: axis frames are topology, so that every set of axes is a new system.

@@ -8,7 +8,7 @@
 #include "solvers/least_squares.h"
 
 int main(int argc, char** argv) {
-  if (argc != 2 || thenar::name_of(thenar::FitMethod::kCeres) != "ceres") return 2;
+  if (argc != 2 || thenar::name_of(thenar::LeastSquaresMethod::kCeres) != "ceres") return 2;
   const thenar::Skeleton skeleton = thenar::build_skeleton(thenar::read_subject(argv[1]));
   const thenar::SkeletonTip& tip = skeleton.tips.front();
   const Eigen::VectorXd q = thenar::posture(skeleton, {});

@@ -113,7 +113,7 @@ TEST(AxisConstraints, JacobianIsExact) {
 TEST(AxisConstraints, IpoptKeepsTheAxesApart) {
   const FitProblem problem = thumb(kSettings);
   SolveOptions options;
-  options.method = FitMethod::kIpopt;
+  options.method = LeastSquaresMethod::kIpopt;
   const Solution fit =
       solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
   EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;

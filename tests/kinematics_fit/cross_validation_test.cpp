@@ -92,8 +92,8 @@ TEST(CrossValidation, MarksWhatTheStartHasSeen) {
   const FitProblem problem = setup.problem();
   for (const LeaveOut what : {LeaveOut::kPosture, LeaveOut::kSpecimen}) {
     const CrossValidation out = cross_validate(problem, what);
-    EXPECT_FALSE(out.experiments[0].start_has_seen) << name_of(what);
-    EXPECT_TRUE(out.experiments[1].start_has_seen) << name_of(what);
+    EXPECT_FALSE(out.experiments[0].calibrated_on_specimen) << name_of(what);
+    EXPECT_TRUE(out.experiments[1].calibrated_on_specimen) << name_of(what);
   }
 }
 

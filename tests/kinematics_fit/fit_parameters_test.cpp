@@ -47,14 +47,14 @@ std::vector<std::string> free_names(const FitParameters& parameters) {
 // -- Names ------------------------------------------------------------------------------------
 
 TEST(Globs, StarIsAnyRunAndQuestionMarkOneCharacter) {
-  EXPECT_TRUE(matches("path/*/dorsal", "path/FDP/3/dorsal"));
-  EXPECT_TRUE(matches("*", ""));
-  EXPECT_TRUE(matches("a*b*c", "a-b-b-c"));
-  EXPECT_TRUE(matches("gain/?I", "gain/UI"));
-  EXPECT_FALSE(matches("gain/?I", "gain/I"));
-  EXPECT_FALSE(matches("path/*", "Path/FDP"));
-  EXPECT_FALSE(matches("", "x"));
-  EXPECT_FALSE(matches("a*b", "a-b-c"));
+  EXPECT_TRUE(matches_glob("path/*/dorsal", "path/FDP/3/dorsal"));
+  EXPECT_TRUE(matches_glob("*", ""));
+  EXPECT_TRUE(matches_glob("a*b*c", "a-b-b-c"));
+  EXPECT_TRUE(matches_glob("gain/?I", "gain/UI"));
+  EXPECT_FALSE(matches_glob("gain/?I", "gain/I"));
+  EXPECT_FALSE(matches_glob("path/*", "Path/FDP"));
+  EXPECT_FALSE(matches_glob("", "x"));
+  EXPECT_FALSE(matches_glob("a*b", "a-b-c"));
 }
 
 TEST(Parameters, EveryKindIsNamedOnce) {
@@ -72,7 +72,7 @@ TEST(Parameters, EveryKindIsNamedOnce) {
 
 TEST(Parameters, PathsReplaceArms) {
   for (const Parameter& parameter : list_parameters(finger()))
-    EXPECT_FALSE(matches("arm/*", parameter.name)) << parameter.name;
+    EXPECT_FALSE(matches_glob("arm/*", parameter.name)) << parameter.name;
   const SourceText text = sample::source("subjects/arms_thumb");
   const TendonDigit thumb = build_tendon_digit(parse_subject(text.text, text.path), "thumb");
   int arms = 0;
@@ -145,7 +145,7 @@ tie_ratio = -2
       parameter_values<double>(chosen, Eigen::VectorXd::Constant(1, 3e-3));
   for (std::size_t p = 0; p < values.size(); ++p) {
     const std::string& name = chosen.all[p].name;
-    if (!matches("tip/*", name)) continue;
+    if (!matches_glob("tip/*", name)) continue;
     EXPECT_DOUBLE_EQ(values[p], name == "tip/dorsal"   ? 3e-3
                                 : name == "tip/radial" ? -6e-3
                                                        : 0)

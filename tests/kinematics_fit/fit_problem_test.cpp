@@ -60,9 +60,9 @@ TEST(PosteriorCovariance, NamesWhatNoForceCanTell) {
   const FitProblem problem =
       middle_finger("[[parameter]]\nmatch='axis/MCP3_FE/*'\nstate='free'\n").problem();
   const Covariance covariance = posterior_covariance(problem, VectorXd::Zero(problem.size()));
-  ASSERT_EQ(covariance.nulls.size(), 1U);
-  EXPECT_EQ(covariance.nulls[0].text, "axis/MCP3_FE/point/along: not identifiable");
-  for (const Learnt& learnt : covariance.learnt) {
+  ASSERT_EQ(covariance.null_directions.size(), 1U);
+  EXPECT_EQ(covariance.null_directions[0].text, "axis/MCP3_FE/point/along: not identifiable");
+  for (const CoordinateEstimate& learnt : covariance.learnt) {
     const bool along = learnt.name == "axis/MCP3_FE/point/along";
     EXPECT_NEAR(learnt.null_share, along ? 1 : 0, 1e-9) << learnt.name;
     EXPECT_EQ(learnt.sd > 1 - 1e-9, along) << learnt.name;
@@ -271,19 +271,19 @@ TEST(PosteriorCovariance, FindsTheSameNullsWhateverTheNoise) {
   FitSetup setup = middle_finger(
       "[[parameter]]\nmatch='axis/*'\nstate='free'\n[[parameter]]\n"
       "match='path/*'\nstate='free'\n");
-  std::vector<std::size_t> nulls;
+  std::vector<std::size_t> null_directions;
   for (const double sd : {0.15, 1e-4}) {
     setup.experiments.front().sd_floor = sd;
     setup.experiments.front().sd_relative = 0;
     const FitProblem problem = setup.problem();
     const VectorXd z = VectorXd::Zero(problem.size());
-    nulls.push_back(posterior_covariance(problem, z).nulls.size());
+    null_directions.push_back(posterior_covariance(problem, z).null_directions.size());
     const Eigen::MatrixXd J =
         problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
     const VectorXd sigma = J.bdcSvd().singularValues();
-    EXPECT_EQ(nulls.back(), z.size() - (sigma.array() > 3.2e-5).count());
+    EXPECT_EQ(null_directions.back(), z.size() - (sigma.array() > 3.2e-5).count());
   }
-  EXPECT_GT(nulls[0], 0U);
+  EXPECT_GT(null_directions[0], 0U);
 }
 
 // Blocks of specimens are another order of the same sums.
@@ -325,19 +325,19 @@ TEST(PosteriorCovariance, NullsOfSpecimensSpanThoseOfTheDenseJacobian) {
   const VectorXd z = VectorXd::Zero(problem.size());
   const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
   const Covariance covariance = posterior_covariance(problem, z);
-  const auto count = static_cast<Eigen::Index>(covariance.nulls.size());
+  const auto count = static_cast<Eigen::Index>(covariance.null_directions.size());
   const VectorXd sigma = J.bdcSvd().singularValues();
   const double limit = std::sqrt(1e-9);
   EXPECT_LE(count, z.size() - (sigma.array() > std::sqrt(2) * limit).count());
   EXPECT_GE(count, z.size() - (sigma.array() > 0.5 * limit).count());
   Eigen::MatrixXd N(z.size(), count);
   for (Eigen::Index k = 0; k < count; ++k)
-    N.col(k) = covariance.nulls[static_cast<std::size_t>(k)].direction;
+    N.col(k) = covariance.null_directions[static_cast<std::size_t>(k)].direction;
   EXPECT_TRUE(matrix_near(N.colwise().norm().transpose(), VectorXd::Ones(count), 1e-12));
   EXPECT_LT((J * N).colwise().norm().maxCoeff(), 1e-3);
   EXPECT_GT(N.bdcSvd().singularValues().minCoeff(), 1e-6);
   double shares = 0;
-  for (const Learnt& learnt : covariance.learnt) shares += learnt.null_share;
+  for (const CoordinateEstimate& learnt : covariance.learnt) shares += learnt.null_share;
   EXPECT_NEAR(shares, static_cast<double>(count), 1e-9);  // the trace of a projection
 }
 
@@ -401,11 +401,11 @@ TEST(FitProblem, SaysWhichSpecimensItsSubjectHasSeen) {
                                        "'. Errors of its forces, also left out, do not tell how "
                                        "well strangers are predicted"});
     const Eigen::VectorXd z = Eigen::VectorXd::Zero(seen.size());
-    EXPECT_TRUE(predict_fitted(seen, z, 0).start_has_seen);
+    EXPECT_TRUE(predict_fitted(seen, z, 0).calibrated_on_specimen);
 
     const FitProblem unseen = middle_finger(kAxes, specimen, "an_chao_middle").problem();
     EXPECT_TRUE(unseen.warnings().empty());
-    EXPECT_FALSE(predict_fitted(unseen, z, 0).start_has_seen);
+    EXPECT_FALSE(predict_fitted(unseen, z, 0).calibrated_on_specimen);
   }
 }
 
@@ -417,13 +417,15 @@ TEST(FitProblem, MarksPredictionsOfSpecimensItsSubjectHasSeen) {
   const Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
   const Eigen::MatrixXd C = Eigen::MatrixXd::Identity(problem.size(), problem.size());
   Experiment other = sample::experiment("H02");
-  const auto marked = [&] { return predict_experiment(problem, z, C, other, -1).start_has_seen; };
+  const auto marked = [&] {
+    return predict_experiment(problem, z, C, other, -1).calibrated_on_specimen;
+  };
   EXPECT_TRUE(marked());
   other.specimen = "somebody";
   EXPECT_FALSE(marked());
   other.name = "others_H02";
   EXPECT_TRUE(marked());
-  EXPECT_FALSE(predict_fitted(problem, z, 0).start_has_seen);  // H01
+  EXPECT_FALSE(predict_fitted(problem, z, 0).calibrated_on_specimen);  // H01
 }
 
 TEST(FitProblem, SaysThatMomentsAreNotFitted) {

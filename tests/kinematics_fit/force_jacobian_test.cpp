@@ -61,7 +61,7 @@ TEST(ForceJacobian, IsExactForAHoldInTheFlexionPlane) {
 
 TEST(ForceJacobian, IsExactForAPinnedTipAndForcesInAnotherSegment) {
   sample::FitSetup setup = sample::middle_finger(kAllFree);
-  setup.experiments.front().hold = TipHold::kPinned;
+  setup.experiments.front().hold = TipConstraint::kPinned;
   setup.experiments.front().force_segment = "MP3";
   expect_exact(setup);
 }

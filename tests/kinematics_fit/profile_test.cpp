@@ -70,9 +70,9 @@ TEST(Profile, WithoutItsOwnPriorOnlyTheDataHoldACoordinate) {
   const double centre = quadratic.m[0] / quadratic.C(0, 0) / curvature;
   const double half = std::sqrt(2 * 1.92 / curvature);
   const Profile profile = profile_likelihood(quadratic.problem(), quadratic.m, 0, precise());
-  ASSERT_TRUE(profile.own_free.lower && profile.own_free.upper);
-  EXPECT_NEAR(*profile.own_free.lower, centre - half, 1e-7);
-  EXPECT_NEAR(*profile.own_free.upper, centre + half, 1e-7);
+  ASSERT_TRUE(profile.without_own_prior.lower && profile.without_own_prior.upper);
+  EXPECT_NEAR(*profile.without_own_prior.lower, centre - half, 1e-7);
+  EXPECT_NEAR(*profile.without_own_prior.upper, centre + half, 1e-7);
 }
 
 TEST(Profile, IsOpenWhereTheDataSayNothing) {
@@ -80,7 +80,7 @@ TEST(Profile, IsOpenWhereTheDataSayNothing) {
   const Profile profile = profile_likelihood(quadratic.problem(), quadratic.m, 2, precise());
   EXPECT_TRUE(profile.bounds.lower && profile.bounds.upper);  // the prior holds it
   EXPECT_NEAR(*profile.bounds.upper, std::sqrt(2 * 1.92), 1e-7);
-  EXPECT_FALSE(profile.own_free.lower || profile.own_free.upper);
+  EXPECT_FALSE(profile.without_own_prior.lower || profile.without_own_prior.upper);
 }
 
 TEST(Profile, EndsAtTheBounds) {
@@ -116,7 +116,7 @@ TEST(Profile, OfAFingerAgreesWithItsCurvature) {
       solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
   const Covariance covariance = posterior_covariance(problem, fit.z);
   ProfileOptions near = precise();
-  near.reach = 3 * covariance.learnt[0].sd;
+  near.half_width = 3 * covariance.learnt[0].sd;
   const Profile profile = profile_likelihood(problem, fit.z, 0, near);
   EXPECT_EQ(profile.name, covariance.learnt[0].name);
   ASSERT_TRUE(profile.bounds.lower && profile.bounds.upper);

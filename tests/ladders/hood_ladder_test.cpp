@@ -103,8 +103,8 @@ TEST(HoodLadder, NetWithItsCrossBandsCutIsSeparateTendons) {
   for (int trial = 0; trial < 50; ++trial) {
     const VectorXd q = any_posture(rng, 4);
     const VectorXd t = any_tension(rng, separate->digit().names.muscles.size());
-    const TendonPull net_pull = floating->pull(q, t);
-    EXPECT_EQ(net_pull.trouble, "");
+    const TendonTorque net_pull = floating->pull(q, t);
+    EXPECT_EQ(net_pull.warning, "");
     EXPECT_TRUE(matrix_near(net_pull.tau, separate->pull(q, t).tau, kTorque));
     EXPECT_TRUE(matrix_near(net_pull.R, separate->pull(q, t).R, kTorque));
   }
@@ -146,8 +146,8 @@ TEST(HoodLadder, NetOfFixedFractionsIsFixedFractions) {
   for (int trial = 0; trial < 50; ++trial) {
     const VectorXd q = any_posture(rng, 4);
     const VectorXd t = any_tension(rng, fractions->digit().names.muscles.size());
-    const TendonPull net_pull = floating->pull(q, t), linear = fractions->pull(q, t);
-    EXPECT_EQ(net_pull.trouble, "");
+    const TendonTorque net_pull = floating->pull(q, t), linear = fractions->pull(q, t);
+    EXPECT_EQ(net_pull.warning, "");
     // The subject states its fractions with four digits, the net their products.
     EXPECT_TRUE(matrix_near(net_pull.tau, linear.tau, 1e-4 * t.sum() * 0.01));
     EXPECT_NEAR(net_pull.slips.terminal, linear.slips.terminal, 1e-4 * t.sum());
@@ -173,8 +173,8 @@ const VectorXd kTension = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
 
 TEST_P(EveryHood, ArmsAreTheSlopeOfTorqueByTension) {
   const auto digit = tendons(subject("an_chao_middle"));
-  const TendonPull pull = digit->pull(kPosture, kTension);
-  ASSERT_EQ(pull.trouble, "");
+  const TendonTorque pull = digit->pull(kPosture, kTension);
+  ASSERT_EQ(pull.warning, "");
   constexpr double kStep = 1e-4;  // [N]
   for (Eigen::Index m = 0; m < kTension.size(); ++m) {
     VectorXd more = kTension, less = kTension;
@@ -197,7 +197,7 @@ TEST_P(EveryHood, NoTensionMakesNoTorque) {
 // Without a hood's elasticity and with it: torque times speed is what tendons and bands give off.
 TEST_P(EveryHood, ConservesPower) {
   const auto digit = tendons(subject("an_chao_middle"));
-  const TendonPull pull = digit->pull(kPosture, kTension);
+  const TendonTorque pull = digit->pull(kPosture, kTension);
   const auto* with_net = dynamic_cast<const NetTendons*>(digit.get());
   const TendonModel<double>& model = digit->digit().model;
   const auto energy = [&](const VectorXd& q) {

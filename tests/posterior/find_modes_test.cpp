@@ -67,7 +67,7 @@ TEST(FindModes, FindsBothWellsAndWeighsThem) {
 }
 
 TEST(FindModes, KeepsEverySearchAndItsStatus) {
-  ModeSearch search;
+  ModeSearchOptions search;
   search.starts = 6;
   search.also = Vector2d(-3, 0);
   const FoundModes found = find_modes(two_wells(), search);
@@ -133,7 +133,7 @@ TEST(FindModes, HoldsWhatBoundsHold) {
 }
 
 TEST(FindModes, SameSeedSameSearches) {
-  ModeSearch search;
+  ModeSearchOptions search;
   search.global_searches = 0;
   const FoundModes a = find_modes(two_wells(), search), b = find_modes(two_wells(), search);
   search.seed = 2;
@@ -145,7 +145,7 @@ TEST(FindModes, SameSeedSameSearches) {
 
 TEST(FindModes, StopsWhenAsked) {
   int asked = 0;
-  ModeSearch search;
+  ModeSearchOptions search;
   search.progress.stop_requested = [&] { return ++asked > 3; };
   const FoundModes found = find_modes(two_wells(), search);
   EXPECT_TRUE(found.stopped);
@@ -154,7 +154,7 @@ TEST(FindModes, StopsWhenAsked) {
 }
 
 TEST(FindModes, RefusesNonsense) {
-  ModeSearch search;
+  ModeSearchOptions search;
   search.also = Vector3d::Zero();
   EXPECT_THROW((void)find_modes(two_wells(), search), InputError);
   EXPECT_THROW((void)dispersed_starts(two_wells(), {}, 4), InputError);

@@ -20,7 +20,7 @@ double normal(double r, double sd) {
 }
 
 const Matrix3Xd kUnit = (Matrix3Xd(3, 2) << 0.3, -0.1, 0.2, 0.25, -0.4, 0.05).finished();
-const std::vector<MusclePull> kPulls{{0, 12, 9}, {1, 20, 36}};  // 12 +- 3 N, 20 +- 6 N
+const std::vector<MuscleTension> kPulls{{0, 12, 9}, {1, 20, 36}};  // 12 +- 3 N, 20 +- 6 N
 const Vector3d kForce(1, 9, -3), kSd(0.5, 0.8, 0.4);
 
 /// Density of a force of which the tensions are known, integrated over what they may be.
@@ -47,8 +47,8 @@ TEST(TaskDensity, IsTheMarginalOverActivations) {
 }
 
 TEST(TaskDensity, OfExactActivationsIsThatOfATrial) {
-  std::vector<MusclePull> exact = kPulls;
-  for (MusclePull& pull : exact) pull.variance = 0;
+  std::vector<MuscleTension> exact = kPulls;
+  for (MuscleTension& pull : exact) pull.variance = 0;
   double expected = 0;
   const Vector3d r = kForce - kUnit * Eigen::Vector2d(12, 20);
   for (int k = 0; k < 3; ++k) expected += std::log(normal(r[k], kSd[k]));

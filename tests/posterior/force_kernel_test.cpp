@@ -27,7 +27,7 @@ double error_against_ceres(const KernelCase& c, double spread, int points, std::
     const auto recorded = kernel.record(u);
     const Eigen::VectorXd force = expected.force.reshaped(), sd = sample::prior_sd(c);
     const Eigen::VectorXd pulled = sd.cwiseProduct(expected.J.transpose() * w);
-    const Eigen::VectorXd gradient = sd.cwiseProduct(kernel.pull_back(recorded, w).col(0));
+    const Eigen::VectorXd gradient = sd.cwiseProduct(kernel.adjoint_product(recorded, w).col(0));
     const double now = (recorded.forces - force).norm() / force.norm() +
                        (gradient - pulled).norm() / pulled.norm();
     if (!std::isfinite(now)) return now;
@@ -76,7 +76,7 @@ TEST(ForceKernel, HasTheDerivativesOfEveryKindOfParameter) {
 TEST(ForceKernel, HasTheDerivativesOfBranchedChains) {
   std::mt19937 rng(8);
   KernelCase c = sample::everything_free();
-  c.plan.hold = TipHold::kPinned;  // of three loads, as the bone's own joint carries none
+  c.plan.hold = TipConstraint::kPinned;  // of three loads, as the bone's own joint carries none
   c.digit.model.tree.at(2).parent = 0;
   EXPECT_LT(error_against_ceres(c, 0.3, 3, rng), kExact);
 }
@@ -97,7 +97,7 @@ TEST(ForceKernel, PullsBackItsOwnDifferences) {
   const ForceKernel kernel(c.digit, c.parameters, c.plan);
   const Eigen::VectorXd u = sample::displacement(c, 0.2, rng), sd = sample::prior_sd(c);
   const Eigen::VectorXd w = sample::normal(3 * kernel.trials(), rng);
-  const Eigen::VectorXd gradient = kernel.pull_back(kernel.record(u), w);
+  const Eigen::VectorXd gradient = kernel.adjoint_product(kernel.record(u), w);
   constexpr double kStep = 1e-5;  // in prior sds; its square is the error of a central difference
   for (Eigen::Index k = 0; k < u.size(); ++k) {
     Eigen::MatrixXd both = u.replicate(1, 2);
@@ -129,7 +129,7 @@ TEST(ForceKernel, RejectsWrongShapes) {
   const auto recorded = kernel.record(Eigen::VectorXd::Zero(kernel.coordinates()));
   EXPECT_THROW((void)kernel.forces(Eigen::VectorXd::Zero(3)), InputError);
   EXPECT_THROW((void)kernel.record(Eigen::VectorXd::Zero(3)), InputError);
-  EXPECT_THROW((void)kernel.pull_back(recorded, Eigen::VectorXd::Zero(3)), InputError);
+  EXPECT_THROW((void)kernel.adjoint_product(recorded, Eigen::VectorXd::Zero(3)), InputError);
 }
 
 // What thumb_scene.h promises to samplers.

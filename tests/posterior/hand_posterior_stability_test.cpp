@@ -36,7 +36,7 @@ between_sd_deg = 0
 FitSetup nearly_straight() {
   FitSetup setup = middle_finger("[[parameter]]\nmatch='angle/*'\nstate='free'\nsd_deg=10\n");
   Experiment& experiment = setup.experiments.front();
-  experiment.hold = TipHold::kPinned;
+  experiment.hold = TipConstraint::kPinned;
   experiment.postures.resize(1);
   experiment.trials.resize(3);
   for (Trial& trial : experiment.trials) trial.posture = experiment.postures[0].name;

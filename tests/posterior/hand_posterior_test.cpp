@@ -47,11 +47,11 @@ between_sd_deg = 4
 
 PosteriorOptions plain() {
   PosteriorOptions options;
-  options.learn_noise = options.learn_spread = options.sphere_priors = false;
+  options.learn_noise = options.learn_specimen_scale = options.sphere_priors = false;
   return options;
 }
 
-/// Two specimens with everything that a posterior knows: bounds, spreads, tasks.
+/// Two specimens with everything that a posterior knows: bounds, specimen_scales, tasks.
 FitProblem two_specimens(double robust_scale = 0) {
   FitSetup setup = middle_finger(kAll);
   setup.experiments.push_back(sample::experiment("H02"));
@@ -181,7 +181,8 @@ TEST(HandPosterior, PointwiseAddsUpToTheLikelihood) {
   EXPECT_NEAR(summands.sum(), whole, 1e-12 * std::abs(whole));
 }
 
-// -- Noise and spread -------------------------------------------------------------------------
+// -- Noise and specimen_scale
+// -------------------------------------------------------------------------
 
 // sum log N(r; 0, (s sd)^2), by hand.
 TEST(HandPosterior, NoiseIsAFactorWithItsConstant) {
@@ -207,7 +208,7 @@ TEST(HandPosterior, NoiseIsAFactorWithItsConstant) {
 
 TEST(HandPosterior, SpreadScalesDeviationsOfItsKind) {
   const HandPosterior posterior(two_specimens());
-  EXPECT_EQ(posterior.spread_kinds(),
+  EXPECT_EQ(posterior.specimen_scale_kinds(),
             (std::vector<std::string>{"axis/direction", "axis/point", "path", "sensor", "gain"}));
   const std::vector<std::string> names = posterior.names();
   const auto entry = [&](const std::string& name) {
@@ -221,14 +222,14 @@ TEST(HandPosterior, SpreadScalesDeviationsOfItsKind) {
   const auto& all = posterior.problem().parameters().all;
   Eigen::Index row = 0;
   while (all[moving[row]].name != "axis/PIP3/direction/1") ++row;
-  EXPECT_NEAR(values.spread(0, 0), std::exp(1.0), 1e-14);
+  EXPECT_NEAR(values.specimen_scale(0, 0), std::exp(1.0), 1e-14);
   EXPECT_NEAR(values.specimens[0](row, 0), std::exp(1.0) * 4 * kDegree, 1e-12);
   EXPECT_EQ(values.specimens[1](row, 0), 0);
   EXPECT_EQ(values.population(row, 0), 0);
 }
 
-// Where a population has bounds, so has every specimen of it, whatever the spread; and what moves
-// the population moves them with it, as the gradient knows.
+// Where a population has bounds, so has every specimen of it, whatever the specimen_scale; and what
+// moves the population moves them with it, as the gradient knows.
 TEST(HandPosterior, BoundsHoldForSpecimensOfAPopulation) {
   FitSetup setup = middle_finger(R"(
 [[parameter]]
@@ -243,9 +244,9 @@ upper = 0.5
   setup.experiments.push_back(sample::experiment("H02"));
   const HandPosterior posterior(setup.problem());
   for (const double far : {-30.0, -6.0, -1.0, 1.0, 6.0, 30.0})
-    for (const double spread : {-2.0, 0.0, 2.0}) {
+    for (const double specimen_scale : {-2.0, 0.0, 2.0}) {
       VectorXd x = VectorXd::Constant(posterior.size(), far);
-      x.tail(1).setConstant(spread);
+      x.tail(1).setConstant(specimen_scale);
       const PosteriorValues values = posterior.values(x);
       for (const MatrixXd& specimen : values.specimens) {
         EXPECT_GE(specimen(0, 0), -1e-15);
@@ -261,7 +262,7 @@ upper = 0.5
       posterior.problem().predict(posterior.fit_coordinates(x), 1, WithJacobian::kNo).force, 1e-9));
 }
 
-// A specimen-only parameter stays within its bounds whatever the spread.
+// A specimen-only parameter stays within its bounds whatever the specimen_scale.
 TEST(HandPosterior, BoundsHoldForAnySpread) {
   const HandPosterior posterior(two_specimens());
   const std::vector<int> moving = posterior.moving_parameters();

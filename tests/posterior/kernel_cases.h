@@ -69,17 +69,17 @@ inline KernelCase everything_free() {
 /// How a thumb is held, and where its forces are stated.
 struct Held {
   const char* name;
-  TipHold hold;
+  TipConstraint hold;
   double out_of_plane;  // [mm]
   int force_link;       // -1: the base; -2: the tip's
 };
 
 inline std::vector<Held> ways_to_hold() {
-  return {{"pinned", TipHold::kPinned, 0, -2},
-          {"pinned, forces in the base", TipHold::kPinned, 0, -1},
-          {"rigid", TipHold::kRigid, 0, -2},
-          {"rigid, out of plane", TipHold::kRigid, 20, -2},
-          {"rigid, forces between", TipHold::kRigid, 20, 1}};
+  return {{"pinned", TipConstraint::kPinned, 0, -2},
+          {"pinned, forces in the base", TipConstraint::kPinned, 0, -1},
+          {"rigid", TipConstraint::kRigid, 0, -2},
+          {"rigid, out of plane", TipConstraint::kRigid, 20, -2},
+          {"rigid, forces between", TipConstraint::kRigid, 20, 1}};
 }
 
 /// A thumb of data/ with the thumb's settings and more, in two random postures, each muscle pulling
@@ -112,7 +112,7 @@ inline KernelCase held_thumb(const std::string& subject, const Held& held, std::
     c.plan.posture_key.push_back(k == 0 ? 0 : -1);
     for (int m = 0; m < muscles; ++m) {
       c.plan.posture_of_trial.push_back(k);
-      c.plan.tension.emplace_back(10 * Eigen::VectorXd::Unit(muscles, m));
+      c.plan.tension.emplace_back(10 * Eigen::VectorXd::SimdBackend(muscles, m));
     }
   }
   c.plan.force = c.plan.sd = Eigen::Matrix3Xd::Zero(3, 2 * muscles);

@@ -84,7 +84,7 @@ inline Experiment pinches(double noise) {
   Experiment experiment;
   experiment.name = experiment.specimen = "pinches";
   experiment.digit = "thumb";
-  experiment.hold = TipHold::kPinned;
+  experiment.hold = TipConstraint::kPinned;
   experiment.force_segment = "DP1";
   experiment.sd_floor = noise;
   const auto posture = [](const char* name, std::array<double, 5> degrees) {

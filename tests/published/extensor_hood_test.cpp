@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "kinematics_fit/hood_comparison.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/net_sweep.h"
+#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/matrix_near.h"
 
@@ -54,7 +54,7 @@ class HoodForces : public testing::TestWithParam<Finger> {
 TEST_P(HoodForces, EveryNetRestsOverItsSurfaces) {
   for (const HoodRung& r : compare().rungs) {
     if (r.name.find("straight runs") != std::string::npos) continue;
-    EXPECT_TRUE(r.trouble.empty()) << r.name << ": " << r.trouble.front();
+    EXPECT_TRUE(r.warning.empty()) << r.name << ": " << r.warning.front();
   }
 }
 

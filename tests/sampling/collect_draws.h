@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "sampling/advance.h"
+#include "base/random_stream.h"
 #include "sampling/diagnostics/convergence.h"
-#include "sampling/random_stream.h"
+#include "sampling/run/advance.h"
 
 namespace thenar::sample {
 
@@ -23,16 +23,16 @@ inline Eigen::MatrixXd normal_starts(int n, int chains, double sd, unsigned seed
 }
 
 struct Collected {
-  std::vector<Eigen::MatrixXd> x;    // of each coordinate (draws, chains)
-  double acceptance = 0;             // mean over draws [1]
-  long evaluations = 0, broken = 0;  // while draws were kept
+  std::vector<Eigen::MatrixXd> x;        // of each coordinate (draws, chains)
+  double acceptance = 0;                 // mean over draws [1]
+  long evaluations = 0, non_finite = 0;  // while draws were kept
 
   [[nodiscard]] double worst_r_hat() const {
     double worst = 0;
     for (const Eigen::MatrixXd& draws : x) worst = std::max(worst, rank_r_hat(draws));
     return worst;
   }
-  [[nodiscard]] double least_bulk_ess() const {
+  [[nodiscard]] double min_bulk_ess() const {
     double least = std::numeric_limits<double>::infinity();
     for (const Eigen::MatrixXd& draws : x) least = std::min(least, bulk_ess(draws));
     return least;
@@ -72,7 +72,7 @@ inline Collected collect(const std::vector<std::unique_ptr<Sampler>>& groups, co
     for (const StepStats& stats : sampler.stats()) {
       acceptance += stats.acceptance;
       kept.evaluations += stats.evaluations;
-      kept.broken += stats.broken;
+      kept.non_finite += stats.non_finite;
     }
     const long step = sampler.steps() - begun;
     if (step % thin != 0) return;

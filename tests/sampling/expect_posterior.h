@@ -56,7 +56,7 @@ inline void expect_posterior(const std::vector<Eigen::MatrixXd>& x, const KnownP
 
 /// For the log of the test: what the draws cost.
 inline void record_cost(const Collected& drawn) {
-  const double ess = drawn.least_bulk_ess();
+  const double ess = drawn.min_bulk_ess();
   testing::Test::RecordProperty("acceptance", std::to_string(drawn.acceptance));
   testing::Test::RecordProperty("least_bulk_ess", std::to_string(ess));
   testing::Test::RecordProperty("worst_r_hat", std::to_string(drawn.worst_r_hat()));

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "sampling/advance.h"
-#include "sampling/sampler.h"
+#include "sampling/methods/sampler.h"
+#include "sampling/run/advance.h"
 
 namespace thenar::sample {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sampling/target.h"
+#include "sampling/methods/target.h"
 
 namespace thenar::sample {
 

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/write_file.h"
-#include "sampling/run_chains.h"
-#include "sampling/state_bytes.h"
+#include "base/file_io.h"
+#include "sampling/methods/state_bytes.h"
+#include "sampling/run/run_chains.h"
 #include "tests/sampling/known_posteriors.h"
 
 namespace thenar {
@@ -26,7 +26,7 @@ std::string bytes_of(const Draws& draws) {
     for (const StepStats& s : draws.stats[c])
       for (const double number :
            {s.log_prior, s.log_likelihood, s.acceptance, s.step_size, s.energy, double(s.depth),
-            double(s.evaluations), double(s.broken), double(s.divergent)})
+            double(s.evaluations), double(s.non_finite), double(s.divergent)})
         writer.put(number);
   }
   writer.put(draws.swap_rate);
@@ -37,7 +37,7 @@ RunOptions options_of(char** arguments, int count) {
   RunOptions options;
   options.method = sampling_method(arguments[1]);
   options.temperatures = std::stoi(arguments[2]);
-  options.least_temper = 0.1;  // the prior is flat
+  options.min_beta = 0.1;  // the prior is flat
   options.draws = std::stol(arguments[3]);
   options.groups = 4;
   options.walkers = options.method == SamplingMethod::kStretchMove ? 20 : 1;
@@ -51,7 +51,7 @@ RunOptions options_of(char** arguments, int count) {
   return options;
 }
 
-void run(char** arguments, int count, const Ranks& ranks) {
+void run(char** arguments, int count, const Communicator& ranks) {
   RunOptions options = options_of(arguments, count);
   const bool killed = count > 6 && std::stoi(arguments[6]) == ranks.rank();
   long asked = 0;
@@ -75,9 +75,10 @@ void run(char** arguments, int count, const Ranks& ranks) {
 
 int main(int count, char** arguments) {
   if (count < 5) return 2;
-  std::unique_ptr<thenar::Ranks> ranks;  // outlives an error, so that others may have it, too
+  std::unique_ptr<thenar::Communicator>
+      ranks;  // outlives an error, so that others may have it, too
   try {
-    ranks = thenar::world_ranks();
+    ranks = thenar::world_communicator();
     thenar::run(arguments, count, *ranks);
   } catch (const thenar::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Ranks that are threads of this process: what several processes do, without MPI.
+/// Communicator that are threads of this process: what several processes do, without MPI.
 
 #include <condition_variable>
 #include <functional>
@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "base/error.h"
-#include "sampling/ranks.h"
+#include "sampling/run/communicator.h"
 
 namespace thenar::sample {
 
 class ThreadRanks {
  public:
   /// Every rank does `work`; returns when all are done.
-  static void run(int size, const std::function<void(const Ranks&)>& work) {
+  static void run(int size, const std::function<void(const Communicator&)>& work) {
     Meeting meeting(size);
     std::vector<std::thread> threads;
     for (int rank = 0; rank < size; ++rank)
@@ -48,7 +48,7 @@ class ThreadRanks {
     std::vector<Eigen::VectorXd> brought;
   };
 
-  class Member : public Ranks {
+  class Member : public Communicator {
    public:
     Member(Meeting& meeting, int rank) : meeting_(meeting), rank_(rank) {}
 

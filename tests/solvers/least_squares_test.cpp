@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-class EveryMethod : public testing::TestWithParam<FitMethod> {
+class EveryMethod : public testing::TestWithParam<LeastSquaresMethod> {
  protected:
   SolveOptions options() const {
     SolveOptions options;
@@ -28,8 +28,10 @@ class EveryMethod : public testing::TestWithParam<FitMethod> {
 };
 
 INSTANTIATE_TEST_SUITE_P(Solvers, EveryMethod,
-                         testing::Values(FitMethod::kCeres, FitMethod::kNloptLocal,
-                                         FitMethod::kNloptGlobal, FitMethod::kIpopt),
+                         testing::Values(LeastSquaresMethod::kCeres,
+                                         LeastSquaresMethod::kNloptLocal,
+                                         LeastSquaresMethod::kNloptGlobal,
+                                         LeastSquaresMethod::kIpopt),
                          [](const auto& test) {
                            std::string name = name_of(test.param);
                            for (char& c : name)
@@ -65,7 +67,7 @@ LeastSquares valley() {
 // valley, and calls it success.
 TEST(Solve, DoesNotBelieveASolverThatStopsShort) {
   SolveOptions options;
-  options.method = FitMethod::kNloptLocal;
+  options.method = LeastSquaresMethod::kNloptLocal;
   options.tolerance = 0.03;
   const Solution fit = solve(valley(), Vector2d(-1.2, 1), options);
   ASSERT_GT((fit.z - Vector2d(1, 1)).norm(), 0.5) << "it went all the way";
@@ -106,7 +108,7 @@ TEST(Solve, CertifiesWhereMoreConstraintsAreActiveThanCoordinatesFree) {
   LeastSquares problem = distance_to(VectorXd::Constant(1, 3), -5, 5);
   cap_first(problem, 2);
   SolveOptions options;
-  options.method = FitMethod::kIpopt;
+  options.method = LeastSquaresMethod::kIpopt;
   const Solution fit = solve(problem, VectorXd::Zero(1), options);
   EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
   EXPECT_NEAR(fit.z[0], 1, 1e-5);
@@ -119,7 +121,7 @@ TEST(Solve, CountsAConstraintOnceThatIsAskedTwice) {
     LeastSquares problem = distance_to(Vector2d(3, 0.2), -kInfinity, kInfinity);
     cap_first(problem, times);
     SolveOptions options;
-    options.method = FitMethod::kIpopt;
+    options.method = LeastSquaresMethod::kIpopt;
     options.progress.stop_requested = [] { return true; };
     const Solution start = solve(problem, Vector2d(1, -1), options);
     ASSERT_TRUE(matrix_near(start.z, Vector2d(1, -1), 1e-12)) << start.message;
@@ -177,7 +179,7 @@ TEST(LeastSquares, IpoptHeedsTheTolerance) {
   const FitProblem problem =
       sample::middle_finger("[[parameter]]\nmatch='axis/*/direction/*'\nstate='free'\n").problem();
   SolveOptions options;
-  options.method = FitMethod::kIpopt;
+  options.method = LeastSquaresMethod::kIpopt;
   options.tolerance = 1e-2;
   const Solution rough = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
   options.tolerance = 1e-10;
@@ -227,7 +229,8 @@ TEST_P(EveryMethod, SaysWhenTheLimitCameFirst) {
   const FitProblem problem = sample::middle_finger(kFewFree).problem();
   SolveOptions options = this->options();
   options.max_evaluations = 2;
-  if (GetParam() == FitMethod::kNloptLocal || GetParam() == FitMethod::kNloptGlobal)
+  if (GetParam() == LeastSquaresMethod::kNloptLocal ||
+      GetParam() == LeastSquaresMethod::kNloptGlobal)
     options.max_evaluations = 30;  // more than its first interpolation needs
   const Solution fit = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
   EXPECT_EQ(fit.status, SolveStatus::kLimit) << fit.message;
@@ -250,14 +253,14 @@ LeastSquares two_valleys() {
 TEST(LeastSquares, OnlyTheGlobalSearchLeavesTheWrongValley) {
   SolveOptions options;
   EXPECT_LT(solve(two_valleys(), Vector2d(-1.2, 0.5), options).z[0], 0);
-  options.method = FitMethod::kNloptGlobal;
+  options.method = LeastSquaresMethod::kNloptGlobal;
   const Solution global = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
   EXPECT_TRUE(matrix_near(global.z, Vector2d(1, 0), 1e-3));
 }
 
 TEST(LeastSquares, GlobalSearchRepeatsItselfForTheSameSeed) {
   SolveOptions options;
-  options.method = FitMethod::kNloptGlobal;
+  options.method = LeastSquaresMethod::kNloptGlobal;
   options.seed = 7;
   const Solution a = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
   const Solution b = solve(two_valleys(), Vector2d(-1.2, 0.5), options);
@@ -282,9 +285,9 @@ TEST(LeastSquares, RefusesAStartThatIsNonsense) {
 
 TEST(LeastSquares, MethodsHaveNames) {
   for (const char* name : {"ceres", "nlopt", "nlopt-global", "ipopt"})
-    EXPECT_EQ(name_of(fit_method(name)), name);
+    EXPECT_EQ(name_of(least_squares_method(name)), name);
   try {
-    (void)fit_method("newton");
+    (void)least_squares_method("newton");
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "no fit method 'newton'; there are ceres, nlopt, nlopt-global, ipopt");

@@ -29,12 +29,12 @@ using sample::textbook;
 TEST(LinearCertificate, HoldsAtTheOptimum) {
   const LinearCertificate certificate = certify(textbook(), {Vector2d(3, 1), Vector2d(2, 0)});
   EXPECT_EQ(certificate.violation, 0);
-  EXPECT_EQ(certificate.unpriced, 0);
+  EXPECT_EQ(certificate.dual_violation, 0);
   EXPECT_EQ(certificate.gap, 0);
   EXPECT_TRUE(holds(certificate, 11));
 }
 
-// At (3, 0) the objective is 9: the same prices say that 2 is missing, which is the truth.
+// At (3, 0) the objective is 9: the same duals say that 2 is missing, which is the truth.
 TEST(LinearCertificate, GapIsWhatAnotherVertexMisses) {
   const LinearCertificate certificate = certify(textbook(), {Vector2d(3, 0), Vector2d(2, 0)});
   EXPECT_EQ(certificate.gap, 2);
@@ -46,7 +46,7 @@ TEST(LinearCertificate, PricesOfTheWrongSignAreUnpriced) {
   LinearProgram program = textbook();
   program.upper(0) = kInfinity;
   const LinearCertificate certificate = certify(program, {Vector2d(0, 0), Vector2d(0, 0)});
-  EXPECT_EQ(certificate.unpriced, 1);  // 3 of terms that add to 3
+  EXPECT_EQ(certificate.dual_violation, 1);  // 3 of terms that add to 3
   EXPECT_FALSE(holds(certificate, 0));
 }
 
@@ -74,10 +74,10 @@ TEST(LinearCertificate, NaNProvesNothing) {
 
 // Basic are y and the activity of the second row: x = 3, x + y = 4.
 TEST(LinearCertificate, VertexOfABasisIsExact) {
-  const internal::PricedPoint point =
+  const internal::PrimalDualPoint point =
       internal::vertex_of(textbook(), {{1, 3}, Eigen::Vector4d(3, 0, 4, 0)});
   EXPECT_TRUE(matrix_near(point.x, Vector2d(3, 1), 0));
-  EXPECT_TRUE(matrix_near(point.prices, Vector2d(2, 0), 0));
+  EXPECT_TRUE(matrix_near(point.duals, Vector2d(2, 0), 0));
 }
 
 TEST(DenseSimplex, FindsTextbookVertex) {
@@ -129,7 +129,7 @@ TEST(DenseSimplex, AgreesWithTheProgramsAsked) {
     if (rows > 1) program.row_lower(0) = -kInfinity;
     const internal::SimplexVertex vertex = dense_simplex(program);
     ASSERT_EQ(vertex.end, SimplexEnd::kOptimal) << i;
-    const internal::PricedPoint point = internal::vertex_of(program, vertex.basis);
+    const internal::PrimalDualPoint point = internal::vertex_of(program, vertex.basis);
     const double objective = program.objective.dot(point.x);
     ASSERT_TRUE(holds(certify(program, point), objective)) << i;
     const LinearResult asked = solve(program);

@@ -82,10 +82,10 @@ TEST(LinearProgram, StatesItsPricesAndNoGap) {
   LinearProgram program = textbook();
   program.row_upper(1) = 9;
   const LinearResult result = solve(program);
-  EXPECT_TRUE(matrix_near(result.prices, Vector2d(2, 0), 1e-15));
+  EXPECT_TRUE(matrix_near(result.duals, Vector2d(2, 0), 1e-15));
   EXPECT_LE(result.certificate.gap, 1e-15);
   EXPECT_LE(result.certificate.violation, 1e-15);
-  EXPECT_LE(result.certificate.unpriced, 1e-15);
+  EXPECT_LE(result.certificate.dual_violation, 1e-15);
 }
 
 TEST(LinearProgram, UnitOfTheObjectiveDoesNotMatter) {
@@ -95,7 +95,7 @@ TEST(LinearProgram, UnitOfTheObjectiveDoesNotMatter) {
     program.objective *= unit;
     const LinearResult result = solve(program);
     EXPECT_EQ(result.status, LinearStatus::kSolved);
-    EXPECT_TRUE(matrix_near(result.prices, unit * Vector2d(2, 0), 1e-14 * unit));
+    EXPECT_TRUE(matrix_near(result.duals, unit * Vector2d(2, 0), 1e-14 * unit));
     EXPECT_NEAR(result.objective, 11 * unit, 1e-14 * unit);
   }
 }

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
-#include "solvers/first_order.h"
+#include "solvers/kkt_residual.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -74,21 +74,21 @@ TEST(NonlinearProgram, ExactHessianFindsTheSamePoint) {
 
 // At the optimum x* = (2, 1) / sqrt(5) the slope 2 (x* - (2, 1)) is met by y 2 x* with y = sqrt(5)
 // - 1.
-TEST(FirstOrder, VanishesAtTheOptimumAndNowhereElse) {
+TEST(KktResidual, VanishesAtTheOptimumAndNowhereElse) {
   const Vector2d best = Vector2d(2, 1) / std::sqrt(5.0);
   const VectorXd y = VectorXd::Constant(1, std::sqrt(5.0) - 1), none = Vector2d::Zero();
-  const FirstOrder at = first_order(nearest_in_disc(), best, y, none);
+  const KktResidual at = kkt_residual(nearest_in_disc(), best, y, none);
   EXPECT_LT(at.violation, 1e-15);
   EXPECT_LT(at.stationarity, 1e-15);
   EXPECT_LT(at.complementarity, 1e-15);
   // At zero the slope is (-4, -2); the price of the disc stands 1 away from its bound.
-  const FirstOrder off = first_order(nearest_in_disc(), none, y, none);
+  const KktResidual off = kkt_residual(nearest_in_disc(), none, y, none);
   EXPECT_EQ(off.stationarity, 4);
   EXPECT_NEAR(off.complementarity, y(0), 1e-15);
-  EXPECT_NEAR(first_order(nearest_in_disc(), Vector2d(2, 0), y, none).violation, 3, 1e-15);
+  EXPECT_NEAR(kkt_residual(nearest_in_disc(), Vector2d(2, 0), y, none).violation, 3, 1e-15);
 }
 
-TEST(FirstOrder, SeesThatAVariableIsNotANumber) {
+TEST(KktResidual, SeesThatAVariableIsNotANumber) {
   NonlinearProgram program = nearest_in_disc();
   program.constraints = [](const VectorXd&) { return VectorXd::Zero(1); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -96,17 +96,18 @@ TEST(FirstOrder, SeesThatAVariableIsNotANumber) {
 }
 
 // A price that pushes to where there is no bound cannot excuse a slope.
-TEST(FirstOrder, PricesOfInfiniteBoundsExcuseNothing) {
-  const FirstOrder at = first_order(nearest_to_2_1(), Vector2d(0, 1), VectorXd(0), Vector2d(4, 0));
+TEST(KktResidual, PricesOfInfiniteBoundsExcuseNothing) {
+  const KktResidual at =
+      kkt_residual(nearest_to_2_1(), Vector2d(0, 1), VectorXd(0), Vector2d(4, 0));
   EXPECT_EQ(at.stationarity, 4);
   EXPECT_EQ(at.complementarity, 0);
 }
 
 TEST(NonlinearProgram, StatesWhatIsLeft) {
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1));
-  EXPECT_LT(result.first_order.violation, 1e-9);
-  EXPECT_LT(result.first_order.stationarity, 1e-6);
-  EXPECT_LT(result.first_order.complementarity, 1e-9);
+  EXPECT_LT(result.kkt_residual.violation, 1e-9);
+  EXPECT_LT(result.kkt_residual.stationarity, 1e-6);
+  EXPECT_LT(result.kkt_residual.complementarity, 1e-9);
 }
 
 // Where nothing at all may be left, even Ipopt's best second run is refused.

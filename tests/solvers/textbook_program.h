@@ -1,6 +1,6 @@
 #pragma once
 
-/// A linear program whose answer and prices are known by hand.
+/// A linear program whose answer and duals are known by hand.
 
 #include "base/numbers.h"
 #include "solvers/linear_program.h"

@@ -7,7 +7,7 @@
 
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
-#include "tendons/net/net_sweep.h"
+#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 
 namespace thenar {

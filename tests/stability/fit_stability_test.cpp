@@ -40,7 +40,7 @@ FitSetup nearly_straight(double angle) {
 // -- Singular postures ------------------------------------------------------------------------
 
 TEST(FitStability, StraightFingerIsRefusedByName) {
-  for (const TipHold hold : {TipHold::kRigid, TipHold::kPinned}) {
+  for (const TipConstraint hold : {TipConstraint::kRigid, TipConstraint::kPinned}) {
     FitSetup setup = nearly_straight(0);
     setup.experiments.front().hold = hold;
     try {
@@ -159,7 +159,7 @@ TEST(FitStability, EveryParameterFreeIsHeldByItsPrior) {
                                  .problem();
   const Solution found = fit(problem);
   expect_sound(problem, found);
-  EXPECT_FALSE(posterior_covariance(problem, found.z).nulls.empty());
+  EXPECT_FALSE(posterior_covariance(problem, found.z).null_directions.empty());
 }
 
 // -- Starts and data --------------------------------------------------------------------------

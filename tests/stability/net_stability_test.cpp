@@ -33,7 +33,7 @@ TEST(NetStability, AllSlackIsBalancedWhereItLiesAndLoose) {
   const Net net = string_through({0.003, 0.002, 0}, 0.06);
   const NetEquilibrium rest = NetSolver(net).solve({}, {VectorXd(0), {}});
   EXPECT_EQ(rest.status, NetStatus::kBalanced);
-  EXPECT_EQ(rest.loose, std::vector<int>{0});
+  EXPECT_EQ(rest.undetermined, std::vector<int>{0});
   EXPECT_TRUE(matrix_near(rest.x.col(0), net.nodes[0].p, 0));
 }
 
@@ -56,9 +56,9 @@ TEST(NetStability, MuscleThatOutpullsTheNetDrawsItsNodeIn) {
   net.muscles = {"m"};
   add_band(net, 0, add_node(net, false, -1, {0, 0.01, 0}), 0, 0, 0, 0);
   const NetEquilibrium rest = NetSolver(net).solve({}, tension(5));
-  EXPECT_EQ(rest.status, NetStatus::kDrawnIn);
-  ASSERT_EQ(rest.drawn.size(), 1u);
-  EXPECT_LT(rest.drawn[0].force.norm(), 1e-12);  // all other bands are slack
+  EXPECT_EQ(rest.status, NetStatus::kNodeCollapsed);
+  ASSERT_EQ(rest.collapsed.size(), 1u);
+  EXPECT_LT(rest.collapsed[0].force.norm(), 1e-12);  // all other bands are slack
   EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d(0, 0.01, 0), 0));
 }
 
@@ -131,9 +131,9 @@ Net tug_of_war() {
 // They meet at x where  100 (0.5 + 50 x) = 200 (0.5 - 50 x):  x = 1/300 m, with 66.7 N.
 TEST(NetStability, StrongMuscleDrawsTwoFloatingNodesTogether) {
   const NetEquilibrium rest = NetSolver(tug_of_war()).solve({}, tension(80));
-  EXPECT_EQ(rest.status, NetStatus::kDrawnIn);
-  ASSERT_EQ(rest.drawn.size(), 1u);
-  EXPECT_TRUE(matrix_near(rest.drawn[0].force, Vector3d(200.0 / 3, 0, 0), 2e-9));
+  EXPECT_EQ(rest.status, NetStatus::kNodeCollapsed);
+  ASSERT_EQ(rest.collapsed.size(), 1u);
+  EXPECT_TRUE(matrix_near(rest.collapsed[0].force, Vector3d(200.0 / 3, 0, 0), 2e-9));
   EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d(1.0 / 300, 0, 0), 1e-9));
   EXPECT_TRUE(matrix_near(rest.x.col(1), rest.x.col(0), 1e-9));
 }
@@ -167,8 +167,8 @@ TEST(NetStability, BandThatWindsRoundItsCylinderIsNamed) {
   net.bands[0].over = 0;
   add_band(net, 0, add_node(net, false, -1, {0.02, -0.02, 0}), 0.01, 10);
   const NetEquilibrium rest = NetSolver(net).solve({}, {VectorXd(0), {}});
-  EXPECT_EQ(rest.status, NetStatus::kWoundRound);
-  EXPECT_EQ(rest.wound, std::vector<int>{0});
+  EXPECT_EQ(rest.status, NetStatus::kFarSideWrap);
+  EXPECT_EQ(rest.far_side_bands, std::vector<int>{0});
 }
 
 TEST(NetStability, NaNInTheNetIsNamed) {

@@ -21,11 +21,11 @@ TEST(LinearTendons, PullsWithTheArmsOfTheTipStatics) {
   const auto tendons = build_linear_tendons(middle_finger(), "middle");
   const VectorXd q = VectorXd::Constant(tendons->digit().model.coordinates, 0.3);
   const VectorXd t = VectorXd::LinSpaced(tendons->digit().names.muscles.size(), 1, 7);
-  const TendonPull pull = tendons->pull(q, t);
+  const TendonTorque pull = tendons->pull(q, t);
   const TipStatics statics = tip_statics(tendons->digit(), q);
   EXPECT_TRUE(matrix_near(pull.R, statics.R, 0));
   EXPECT_TRUE(matrix_near(pull.tau, VectorXd(statics.R.transpose() * t), 1e-15));
-  EXPECT_EQ(pull.trouble, "");
+  EXPECT_EQ(pull.warning, "");
 }
 
 // 10 N of EDC: h c, then half of h (1 - c) in each band and both in the terminal slip, at the
@@ -46,8 +46,8 @@ TEST(LinearTendons, SharesTensionBetweenTheSlips) {
 }
 
 TEST(LinearTendons, HasNoSlipsWithoutAHood) {
-  const auto tendons = build_linear_tendons(middle_finger(), "middle",
-                                            {Path::kViaPoint, Hood::kSeparate, {}, Trunk::kWelded});
+  const auto tendons = build_linear_tendons(
+      middle_finger(), "middle", {Path::kViaPoint, Hood::kSeparate, {}, WristMode::kWelded});
   const VectorXd t = VectorXd::Ones(tendons->digit().names.muscles.size());
   EXPECT_EQ(tendons->pull(VectorXd::Zero(tendons->digit().model.coordinates), t).slips.terminal, 0);
 }
@@ -63,14 +63,14 @@ TEST(LinearTendons, RefusesATendonThatPushes) {
 TEST(LinearTendons, RefusesAFloatingNet) {
   EXPECT_THROW(
       (void)build_linear_tendons(middle_finger(), "middle",
-                                 {Path::kViaPoint, Hood::kFloatingNet, {}, Trunk::kWelded}),
+                                 {Path::kViaPoint, Hood::kFloatingNet, {}, WristMode::kWelded}),
       InputError);
 }
 
 Subject whole_hand() { return read_subject(THENAR_DATA_DIR "/subjects/mirakhorlo2016.toml"); }
 
 /// Path rung, separate tendons.
-TendonOptions rung(Path path) { return {path, Hood::kSeparate, {}, Trunk::kWelded}; }
+TendonOptions rung(Path path) { return {path, Hood::kSeparate, {}, WristMode::kWelded}; }
 
 // Flexors meet no surface and ride on nothing: their arms are those of the straight runs.
 TEST(LinearTendons, WrapLikeStraightRunsWhereNothingIsInTheWay) {
@@ -97,7 +97,7 @@ TEST(LinearTendons, KeepTheExtensorOnTheKnuckle) {
   const auto& muscles = digit.names.muscles;
   const auto row = std::find(muscles.begin(), muscles.end(), "EDC3") - muscles.begin();
   const VectorXd t = VectorXd::Zero(muscles.size());
-  EXPECT_EQ(wrapped->pull(q, t).trouble, "");
+  EXPECT_EQ(wrapped->pull(q, t).warning, "");
   EXPECT_NEAR(wrapped->pull(q, t).R(row, 0), -0.00827, 0.003);
   EXPECT_GT(straight->pull(q, t).R(row, 0), -0.004);
 }
@@ -108,9 +108,9 @@ TEST(LinearTendons, FitsStayNearTheWrappedPaths) {
   const auto fitted = build_linear_tendons(whole_hand(), "middle", rung(Path::kFitted));
   const VectorXd t = VectorXd::Zero(wrapped->digit().names.muscles.size());
   const VectorXd q = VectorXd::Constant(wrapped->digit().model.coordinates, 0.3);
-  EXPECT_EQ(fitted->pull(q, t).trouble, "");
+  EXPECT_EQ(fitted->pull(q, t).warning, "");
   EXPECT_TRUE(matrix_near(fitted->pull(q, t).R, wrapped->pull(q, t).R, 2e-4));
-  EXPECT_NE(fitted->pull(10 * q, t).trouble, "");
+  EXPECT_NE(fitted->pull(10 * q, t).warning, "");
 }
 
 TEST(LinearTendons, SayThatTheyWrap) {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "tendons/tip_map.h"
+#include "tendons/forces/tip_map.h"
 
 namespace thenar {
 
@@ -18,7 +18,7 @@ inline TipStatics published_index() {
       0.003081, -0.002352, -0.0001649, -0.0001649, -0.0004483, 0.0001579, -0.000685;
   Eigen::VectorXd F0(7);
   F0 << 123, 219, 23.52, 91.74, 21.6, 124.8, 129.6;  // [N]
-  TipStatics statics = statics_of_map(A, Eigen::Vector3d::UnitX(), F0);
+  TipStatics statics = statics_from_matrix(A, Eigen::Vector3d::UnitX(), F0);
   statics.muscles = {"FDP", "FDS", "EIP", "EDC", "LUM", "DI", "PI"};
   return statics;
 }

@@ -111,7 +111,7 @@ TEST(TendonModel, FrozenKnuckleKeepsTheInterosseiInTheHood) {
 TEST(TendonModel, WristIsWeldedForAQuestionOfOneFingertip) {
   const TendonDigit welded = build_tendon_digit(specimen(), "thumb");
   TendonOptions options;
-  options.trunk = Trunk::kFree;
+  options.wrist_mode = WristMode::kFree;
   const TendonDigit free = build_tendon_digit(specimen(), "thumb", options);
   EXPECT_EQ(free.model.coordinates, welded.model.coordinates + 2);
   EXPECT_GT(free.names.muscles.size(), welded.names.muscles.size());
@@ -122,7 +122,7 @@ TEST(TendonModel, WristIsWeldedForAQuestionOfOneFingertip) {
 TEST(TendonModel, FrictionFollowsEulersBelt) {
   TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle");
   const Eigen::VectorXd q = Eigen::Vector4d(1, 0, 1, 0);
-  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  const Eigen::VectorXd left = remaining_tension<double>(digit.model, q, 0.5);
   const double bend = std::sqrt(1 + 1e-4);
   EXPECT_NEAR(left[0], 1, 1e-15);
   EXPECT_NEAR(left[1], 1, 1e-15);
@@ -135,7 +135,7 @@ TEST(TendonModel, FrozenBendsCountForFriction) {
   options.frozen = {{"MCP3_FE", 1}};
   const TendonDigit digit = build_tendon_digit(an_chao_finger(), "middle", options);
   const Eigen::VectorXd q = Eigen::Vector3d(0, 1, 0);  // MCP3_AA, PIP3, DIP3
-  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  const Eigen::VectorXd left = remaining_tension<double>(digit.model, q, 0.5);
   const double bend = std::sqrt(1 + 1e-4);  // a frozen one needs no smoothing
   EXPECT_NEAR(left[0], 1, 1e-15);
   EXPECT_NEAR(left[1], std::exp(-0.5), 1e-15);
@@ -148,7 +148,7 @@ TEST(TendonModel, CoupledBendsCountForFriction) {
   joint_of(subject, "PIP3").coupling = Coupling{"MCP3_FE", 0.5, 0.1};
   const TendonDigit digit = build_tendon_digit(subject, "middle");
   const Eigen::VectorXd q = Eigen::Vector3d(1, 0, 0);  // MCP3_FE, MCP3_AA, DIP3
-  const Eigen::VectorXd left = tension_left<double>(digit.model, q, 0.5);
+  const Eigen::VectorXd left = remaining_tension<double>(digit.model, q, 0.5);
   EXPECT_NEAR(left[1], 1, 1e-15);
   EXPECT_NEAR(left[2], std::exp(-0.5 * (std::sqrt(1 + 1e-4) + std::sqrt(0.36 + 1e-4))), 1e-15);
 }

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "sampling/random_stream.h"
+#include "base/random_stream.h"
 
 namespace thenar {
 namespace {

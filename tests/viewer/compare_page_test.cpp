@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "data/io/robot/robot.h"
-#include "grasp/closing_drives.h"
-#include "grasp/robot_hand.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/robot/robot_hand.h"
 #include "viewer/compare_words.h"
 
 namespace thenar {

@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "grasp/closing_drives.h"
-#include "grasp/grasp.h"
-#include "grasp/robot_hand.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/closing/grasp.h"
+#include "grasp/robot/robot_hand.h"
 #include "tests/grasp/jaws.h"
 
 namespace thenar {
@@ -29,7 +29,7 @@ Vector3d view(const Scene& scene, const Eyes& eyes) {
   const RobotHand hand(sample::plates());
   GraspOptions options;
   options.way = 0;
-  const Grasp held = grasp(touching_hand(hand), {}, open_posture(hand.layout()), scene, options);
+  const Grasp held = grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
   return view_of_contacts({hand, held.closed.q, {}, {}}, scene, held.contacts, eyes);
 }
 

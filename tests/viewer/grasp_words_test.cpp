@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "data/io/robot/robot.h"
-#include "grasp/robot_hand.h"
+#include "grasp/robot/robot_hand.h"
 
 namespace thenar {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kJaws = THENAR_DATA_DIR "/robots/parallel_jaw.toml";
 
 TEST(GraspWords, NamesTheLargePartsOfADirection) {
-  Wrench w = Wrench::Zero();
+  ScaledWrench w = ScaledWrench::Zero();
   EXPECT_EQ(direction_words(w), "none");
   w << 0, 0, -1, 0.2, 0.5, 0;  // 0.2 is below a third of the largest
   EXPECT_EQ(direction_words(w), "force along -z, torque about +y");
@@ -40,7 +40,7 @@ TEST(GraspWords, SaysHowDeepOverlapsAre) {
 // A ball of 10 mm between jaws that close: both touch it, and the coordinate says so.
 TEST(GraspWords, NamesWhatStoppedACoordinate) {
   const RobotHand jaws(read_robot(kJaws));
-  const TouchingHand touching = touching_hand(jaws);
+  const CollisionHand touching = collision_hand(jaws);
   ShapeSpec ball;
   ball.size.x() = 0.01;
   const PalmApproach& approach = jaws.layout().approach;
@@ -63,7 +63,7 @@ TEST(GraspWords, NamesWhatStoppedACoordinate) {
   scene.object = build_body({body, "", place, true});
   const ClosedHand closed = close_hand(touching, {}, q, scene);
   ASSERT_TRUE(closed.finished);
-  const PosedHand posed{touching, {}, jaws.pose(closed.q)};
+  const PosedCollisionHand posed{touching, {}, jaws.pose(closed.q)};
   const std::vector<std::string> words =
       stop_words(touching, closed, find_touching(posed, scene, 2e-4));
   ASSERT_EQ(words.size(), 1U);

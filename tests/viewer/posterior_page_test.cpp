@@ -18,11 +18,11 @@ using sample::quantity;
 
 TEST(ConvergenceBanner, CannotBeOverlookedIfChainsDisagree) {
   Convergence convergence;
-  convergence.reasons = {"R-hat of a is 1.2, wanted at most 1.01"};
+  convergence.warnings = {"R-hat of a is 1.2, wanted at most 1.01"};
   const Json banner = convergence_banner(convergence, "nuts, 4 chains");
   EXPECT_EQ(banner["ok"], false);
   EXPECT_EQ(banner["title"], "This run has NOT converged");
-  EXPECT_EQ(banner["reasons"][0], convergence.reasons[0]);
+  EXPECT_EQ(banner["reasons"][0], convergence.warnings[0]);
 }
 
 TEST(ConvergenceBanner, IsQuietIfTheyAgree) {
@@ -162,7 +162,7 @@ TEST(PosteriorSections, PutDoubtsBeforeTheirNumbers) {
   PosteriorPicture picture;
   picture.prefix = "h01-";
   picture.modes = two_modes(50);
-  picture.modes->doubts = {"chains cross 0 times"};
+  picture.modes->warnings = {"chains cross 0 times"};
   const Json section = posterior_sections(picture)[1];
   EXPECT_EQ(section["id"], "h01-modes");
   EXPECT_EQ(section["blocks"][0]["type"], "banner");
@@ -171,7 +171,7 @@ TEST(PosteriorSections, PutDoubtsBeforeTheirNumbers) {
 
 TEST(PosteriorSections, AllSayThatTheRunHasNotConverged) {
   PosteriorPicture picture;
-  picture.convergence.reasons = {"R-hat of a is 1.2, wanted at most 1.01"};
+  picture.convergence.warnings = {"R-hat of a is 1.2, wanted at most 1.01"};
   picture.quantities = {quantity("a", 0, 1, 1.2), quantity("b", 0, 1, 1)};
   picture.samplers = {{"nuts", {1}, {0.1}}};
   const Json sections = posterior_sections(picture);

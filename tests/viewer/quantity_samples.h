@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "sampling/random_stream.h"
+#include "base/random_stream.h"
 #include "viewer/draw_blocks.h"
 
 namespace thenar::sample {

@@ -1,6 +1,6 @@
 // The one fence of assimp.
 
-#include "data/io/foreign_mesh/assimp_mesh.h"
+#include "data/io/foreign_mesh/parsers.h"
 
 #include <algorithm>
 #include <array>
@@ -18,8 +18,6 @@
 #include <assimp/Importer.hpp>
 
 #include "base/error.h"
-#include "data/io/foreign_mesh/collada_text.h"
-#include "data/io/foreign_mesh/one_folder.h"
 #include "data/io/mesh/mesh_file.h"
 
 /// Stands before assimp's own, which would abort the program on some broken files.
@@ -46,7 +44,7 @@ void append_face(const aiMesh& mesh, const aiFace& face, const aiMatrix4x4& plac
 /// Refuses a file of a few bytes that stands for millions of triangles: it names one mesh in many
 /// places. 100,000 are few enough, and no format takes less than a byte for one of its own.
 void require_few(std::size_t triangles, std::size_t bytes) {
-  const std::size_t most = std::min(kMostTriangles, 100'000 + bytes);
+  const std::size_t most = std::min(kMaxTriangles, 100'000 + bytes);
   if (triangles > most)
     throw std::runtime_error(fmt::format("{} bytes stand for more than {} triangles", bytes, most));
 }

@@ -1,4 +1,4 @@
-#include "data/io/foreign_mesh/collada_text.h"
+#include "data/io/foreign_mesh/parsers.h"
 
 #include <algorithm>
 #include <map>
@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "data/io/graspit/xml_walk.h"
+#include "data/io/graspit/xml_file.h"
 
 namespace thenar {
 namespace {

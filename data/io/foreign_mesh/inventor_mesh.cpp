@@ -1,6 +1,6 @@
 // The one fence of Coin.
 
-#include "data/io/foreign_mesh/inventor_mesh.h"
+#include "data/io/foreign_mesh/parsers.h"
 
 #include "base/error.h"
 
@@ -52,8 +52,7 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
 #include <Inventor/nodes/SoTransformSeparator.h>
 #include <Inventor/nodes/SoTranslation.h>
 
-#include "data/io/foreign_mesh/one_folder.h"
-#include "data/io/mesh/placed_primitive.h"
+#include "data/io/mesh/transformed_primitive.h"
 
 namespace thenar {
 namespace {
@@ -246,7 +245,7 @@ SoCallbackAction::Response begin_shape(void* data, SoCallbackAction* action, con
 void take_shape(Collector& found) {
   if (found.is_taken) return;
   found.is_taken = true;
-  found.all_exact = found.all_exact && found.shape && found.soup.exact.size() < kMostExact;
+  found.all_exact = found.all_exact && found.shape && found.soup.exact.size() < kMaxExact;
   if (found.all_exact) found.soup.exact.push_back(*found.shape);
 }
 
@@ -287,7 +286,7 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
   SoDB::init();
   open_nothing();
   SoSeparator* const graph = read_graph(text, path);
-  Collector found{{}, std::min(kMostTriangles, 100'000 + text.size()), {}, {}};
+  Collector found{{}, std::min(kMaxTriangles, 100'000 + text.size()), {}, {}};
   SoCallbackAction action;
   for (const SoType& group : {SoSeparator::getClassTypeId(), SoTransformSeparator::getClassTypeId(),
                               SoVRMLTransform::getClassTypeId()}) {

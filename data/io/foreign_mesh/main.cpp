@@ -15,8 +15,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "data/io/foreign_mesh/assimp_mesh.h"
-#include "data/io/foreign_mesh/inventor_mesh.h"
+#include "data/io/foreign_mesh/parsers.h"
 #include "data/io/mesh/bounded_process.h"
 #include "data/io/mesh/foreign_mesh.h"
 #include "data/io/mesh/reader_answer.h"

@@ -1,8 +1,8 @@
-#include "data/io/foreign_mesh/one_folder.h"
+#include "data/io/foreign_mesh/parsers.h"
 
 #include <sys/resource.h>
 
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/file_guard.h"
 
 namespace thenar {

@@ -12,9 +12,8 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/file_guard.h"
-#include "data/io/graspit/xml_walk.h"
 
 namespace thenar {
 namespace {

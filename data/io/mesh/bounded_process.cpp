@@ -104,7 +104,7 @@ void read_all(int pipe, double seconds, std::size_t most, ProcessEnd& end) {
 
 }  // namespace
 
-std::string ProcessEnd::trouble() const {
+std::string ProcessEnd::failure() const {
   if (too_long || signal == SIGXCPU) return "took too long";
   if (too_much) return "gave too much";
   if (signal == SIGKILL) return "was killed";

@@ -19,7 +19,7 @@ struct ProcessEnd {
   double processor = 0;   // what it took of the processor [s]
 
   /// How it ended in words: "crashed (Segmentation fault)"; empty if it exited with 0.
-  [[nodiscard]] std::string trouble() const;
+  [[nodiscard]] std::string failure() const;
 };
 
 /// Runs `command` (a path and its arguments) with nothing on its standard input, no standard

@@ -159,16 +159,16 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshT
   const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
   const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},
                                      std::min(limits.clock_seconds, left.clock),
-                                     kMostTriangles * 36 + kMostExact * 128 + 1000);
+                                     kMaxTriangles * 36 + kMaxExact * 128 + 1000);
   left.processor -= end.processor;
   if (end.too_long || end.processor > kQuick) left.clock -= end.clock;
   // An answer says more than how the program ended, which may be by a crash behind it.
-  const std::string trouble = end.trouble();
-  if (!trouble.empty())
+  const std::string failure = end.failure();
+  if (!failure.empty())
     throw DataError(path, 1,
                     fmt::format("cannot be read: the program that reads it {}; it may take {} s "
                                 "of the processor and {} MB",
-                                trouble, seconds, limits.memory >> 20));
+                                failure, seconds, limits.memory >> 20));
   return parse_answer(end.output, path);
 }
 

@@ -55,7 +55,7 @@ class MeshReader {
  public:
   /// As read_mesh().
   /// @throws DataError also if meshes before have taken all time, or with this one there are more
-  /// than kMostTogether triangles.
+  /// than kMaxTogether triangles.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
   /// Its triangles.
@@ -63,7 +63,7 @@ class MeshReader {
     return content(path, scale).mesh;
   }
 
-  static constexpr Eigen::Index kMostTogether = 4'000'000;  // triangles
+  static constexpr Eigen::Index kMaxTogether = 4'000'000;  // triangles
 
  private:
   MeshTime left_;

@@ -1,4 +1,4 @@
-#include "data/io/mesh/ply_mesh.h"
+#include "data/io/mesh/polygons.h"
 
 #include <algorithm>
 #include <array>
@@ -169,7 +169,7 @@ class PlyNumbers {
   [[nodiscard]] virtual int line() const { return 1; }
   [[nodiscard]] virtual std::size_t bytes_left() const = 0;
   /// The least that one number takes.
-  [[nodiscard]] virtual std::size_t least_bytes(Type type) const = 0;
+  [[nodiscard]] virtual std::size_t min_bytes(Type type) const = 0;
 };
 
 class TextNumbers : public PlyNumbers {
@@ -190,7 +190,7 @@ class TextNumbers : public PlyNumbers {
   }
   [[nodiscard]] int line() const override { return line_ + lines_.line(); }
   [[nodiscard]] std::size_t bytes_left() const override { return lines_.bytes_left(); }
-  [[nodiscard]] std::size_t least_bytes(Type /*type*/) const override { return 1; }
+  [[nodiscard]] std::size_t min_bytes(Type /*type*/) const override { return 1; }
 
  private:
   TextLines lines_;
@@ -225,7 +225,7 @@ class ByteNumbers : public PlyNumbers {
     return take<double>();
   }
   [[nodiscard]] std::size_t bytes_left() const override { return bytes_.size() - at_; }
-  [[nodiscard]] std::size_t least_bytes(Type type) const override { return bytes_of(type); }
+  [[nodiscard]] std::size_t min_bytes(Type type) const override { return bytes_of(type); }
 
  private:
   template <typename T>
@@ -271,7 +271,7 @@ class BodyReader {
   void require_room(const Element& element) const {
     std::size_t least = 0;
     for (const Property& property : element.properties)
-      least += numbers_.least_bytes(property.is_list ? property.count : property.type);
+      least += numbers_.min_bytes(property.is_list ? property.count : property.type);
     if (element.count > numbers_.bytes_left() / least)
       throw DataError(path_, element.line,
                       fmt::format("the header promises {} of '{}', more than {} bytes can hold",

@@ -1,11 +1,15 @@
 #include "data/io/mesh/polygons.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
+#include <limits>
+#include <set>
 
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "data/io/mesh/text_lines.h"
 
 namespace thenar {
 namespace {
@@ -55,8 +59,8 @@ class Cutter {
   }
 
   void append(int a, int b, int c) {
-    if (soup_.corners.size() >= 3 * kMostTriangles)
-      fail(fmt::format("wanted at most {} triangles, got more", kMostTriangles));
+    if (soup_.corners.size() >= 3 * kMaxTriangles)
+      fail(fmt::format("wanted at most {} triangles, got more", kMaxTriangles));
     for (const int corner : {a, b, c}) {
       soup_.corners.push_back(polygons_.vertices[static_cast<std::size_t>(corner)]);
       soup_.vertices.push_back(corner);
@@ -135,8 +139,89 @@ class Cutter {
 
 }  // namespace
 
-TriangleSoup cut_polygons(const Polygons& polygons, const std::string& path) {
+TriangleSoup triangulate_polygons(const Polygons& polygons, const std::string& path) {
   return Cutter(polygons, path).run();
+}
+
+namespace {
+
+/// The vertex of a corner "V", "V/T", "V//N" or "V/T/N", from 0; V counts from 1, or from the last
+/// one backwards if it is negative.
+int vertex_of(TextLines& lines, std::string_view corner, std::size_t count) {
+  const std::string_view first = corner.substr(0, corner.find('/'));
+  int number = 0;
+  const auto [stop, error] = std::from_chars(first.data(), first.data() + first.size(), number);
+  if (error != std::errc() || stop != first.data() + first.size() || number == 0)
+    lines.fail(fmt::format("wanted the number of a vertex, got {}", in_quotes(corner)));
+  if (number > 0) return number - 1;
+  if (static_cast<std::size_t>(-static_cast<long>(number)) > count)
+    lines.fail(
+        fmt::format("corner {} of a face lies before the first of {} vertices", number, count));
+  return static_cast<int>(count) + number;
+}
+
+}  // namespace
+
+Polygons parse_obj(const std::string& text, const std::string& path) {
+  TextLines lines(text, path);
+  Polygons found;
+  while (lines.next()) {
+    const std::string_view kind = lines.word();
+    if (kind == "v") {
+      const double x = lines.number(), y = lines.number(), z = lines.number();
+      found.vertices.emplace_back(x, y, z);
+    } else if (kind == "f") {
+      const std::size_t first = found.corners.size();
+      for (std::string_view corner; !(corner = lines.word()).empty();)
+        found.corners.push_back(vertex_of(lines, corner, found.vertices.size()));
+      found.sizes.push_back(static_cast<int>(found.corners.size() - first));
+      found.lines.push_back(lines.line());
+    }
+  }
+  return found;
+}
+
+namespace {
+
+constexpr int kMost = 100'000'000;  // corners or faces: anything above is no count
+
+void go_on(TextLines& lines) {
+  if (!lines.next()) lines.fail("the file ends before all corners and faces are told");
+}
+
+}  // namespace
+
+Polygons parse_off(const std::string& text, const std::string& path) {
+  static const std::set<std::string_view> kinds{"OFF",   "COFF",   "NOFF",   "CNOFF",
+                                                "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+  TextLines lines(text, path);
+  go_on(lines);
+  const std::string_view kind = lines.word();
+  if (kinds.count(kind) == 0)
+    lines.fail(fmt::format("wanted an OFF in text, got {}", in_quotes(kind)));
+  // The counts stand behind the word or on the next line.
+  TextLines same = lines;
+  if (same.word().empty()) go_on(lines);
+  const int corners = lines.whole(0, kMost), faces = lines.whole(0, kMost);
+  // "0 0 0" and a line's end take 6 bytes, the shortest face takes 2.
+  if (6.0 * corners + 2.0 * faces > static_cast<double>(lines.bytes_left()) + 1)
+    lines.fail(fmt::format("{} corners and {} faces are promised, more than {} bytes can hold",
+                           corners, faces, lines.bytes_left()));
+
+  Polygons found;
+  for (int i = 0; i < corners; ++i) {
+    go_on(lines);
+    const double x = lines.number(), y = lines.number(), z = lines.number();
+    found.vertices.emplace_back(x, y, z);
+  }
+  for (int i = 0; i < faces; ++i) {
+    go_on(lines);
+    const int sides = lines.whole(1, kMost);
+    for (int k = 0; k < sides; ++k) found.corners.push_back(lines.whole(0, corners - 1));
+    found.sizes.push_back(sides);
+    found.lines.push_back(lines.line());
+  }
+  return found;
 }
 
 }  // namespace thenar

@@ -22,7 +22,26 @@ struct Polygons {
 /// The triangles of all faces. A quadrangle or polygon that is not convex is cut by its ears.
 /// @param path  names the file in messages
 /// @throws DataError at the line of a face with a corner that does not exist, or if there are more
-/// than kMostTriangles, or faces that are neither convex nor of a reasonable number of corners.
-[[nodiscard]] TriangleSoup cut_polygons(const Polygons& polygons, const std::string& path);
+/// than kMaxTriangles, or faces that are neither convex nor of a reasonable number of corners.
+[[nodiscard]] TriangleSoup triangulate_polygons(const Polygons& polygons, const std::string& path);
+
+/// The vertices and faces of a Wavefront OBJ. Materials, textures, normals, lines and all else are
+/// passed over: no other file is opened, whatever `mtllib` names.
+/// @param path  names the file in messages
+/// @throws DataError at the line of a vertex or face that is none.
+[[nodiscard]] Polygons parse_obj(const std::string& text, const std::string& path);
+
+/// The vertices and faces of an OFF in text; colours and normals are left out.
+/// @param path  names the file in messages
+/// @throws DataError at the line that is no OFF, that promises more than the file can hold, or
+/// whose face has corners that do not exist.
+[[nodiscard]] Polygons parse_off(const std::string& text, const std::string& path);
+
+/// The vertices and faces (or strips of triangles) of a PLY, in text or in bytes of either order;
+/// other elements and properties are passed over.
+/// @param path  names the file in messages
+/// @throws DataError at the line of the header that is wrong or promises more than the file can
+/// hold; at the line of text that is wrong; at line 1 if bytes are missing.
+[[nodiscard]] Polygons parse_ply(const std::string& text, const std::string& path);
 
 }  // namespace thenar

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "base/error.h"
-#include "data/io/mesh/placed_primitive.h"
-#include "geometry/kept_mesh.h"
+#include "data/io/mesh/transformed_primitive.h"
+#include "geometry/cached_mesh.h"
 
 namespace thenar {
 namespace {
@@ -120,7 +120,7 @@ TriangleSoup parse_answer(const std::string& answer, const std::string& path) {
       throw DataError(path, 1, "the program that read this file broke off before it had all of it");
   };
   std::size_t count = 0, shapes = 0;
-  require_whole(take_body(body, kTriangles) && take_count(body, kTriangle, kMostTriangles, count));
+  require_whole(take_body(body, kTriangles) && take_count(body, kTriangle, kMaxTriangles, count));
   TriangleSoup soup;
   soup.corners.reserve(3 * count);
   for (std::size_t at = 0; at < count * kTriangle; at += 3 * sizeof(float)) {
@@ -129,7 +129,7 @@ TriangleSoup parse_answer(const std::string& answer, const std::string& path) {
     soup.corners.emplace_back(p.cast<double>());
   }
   body.remove_prefix(count * kTriangle);
-  require_whole(take_count(body, kShape, kMostExact, shapes) && body.size() == shapes * kShape);
+  require_whole(take_count(body, kShape, kMaxExact, shapes) && body.size() == shapes * kShape);
   for (std::size_t at = 0; at < body.size(); at += kShape) {
     const std::optional<ShapeSpec> shape = parse_shape(body.data() + at);
     require_whole(shape.has_value());

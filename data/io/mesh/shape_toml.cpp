@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/toml_text.h"
 

@@ -1,4 +1,4 @@
-#include "data/io/mesh/stl_mesh.h"
+#include "data/io/mesh/triangle_soup.h"
 
 #include <algorithm>
 #include <cctype>
@@ -28,9 +28,9 @@ bool holds_bytes(const std::string& text, bool exactly) {
 }
 
 void require_few(std::size_t triangles, const std::string& path) {
-  if (triangles > kMostTriangles)
+  if (triangles > kMaxTriangles)
     throw DataError(path, 1,
-                    fmt::format("wanted at most {} triangles, got {}", kMostTriangles, triangles));
+                    fmt::format("wanted at most {} triangles, got {}", kMaxTriangles, triangles));
 }
 
 TriangleSoup from_bytes(const std::string& text, const std::string& path) {

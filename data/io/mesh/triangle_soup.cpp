@@ -11,8 +11,8 @@
 #include <unordered_set>
 
 #include "base/error.h"
-#include "geometry/mesh_edges.h"
 #include "geometry/mesh_parts.h"
+#include "geometry/triangle_mesh.h"
 
 namespace thenar {
 namespace {
@@ -268,7 +268,7 @@ TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& 
 
 }  // namespace
 
-TriangleMesh merge_corners(const TriangleSoup& soup, double scale, const std::string& path) {
+TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::string& path) {
   std::vector<Corners> triangles;
   Eigen::AlignedBox3d box;
   for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3) {

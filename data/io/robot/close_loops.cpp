@@ -145,15 +145,16 @@ double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& mo
   double worst = 0;
   for (int i = 0; i <= kChecks; ++i) {
     const double u = motor.lower + (motor.upper - motor.lower) * i / kChecks;
-    worst = largest_or_nan(
-        worst, largest_or_nan(linkage.gaps(link_poses(coupled, {{motor.name, u}})).cwiseAbs()));
+    worst = max_or_nan(
+        worst,
+        max_or_nan(linkage.loop_residual(link_poses(coupled, {{motor.name, u}})).cwiseAbs()));
   }
   return worst;
 }
 
-class Closing {
+class LoopSolver {
  public:
-  Closing(RobotSpec& robot, const LoopGroup& group, const std::set<std::string>& driven)
+  LoopSolver(RobotSpec& robot, const LoopGroup& group, const std::set<std::string>& driven)
       : robot_(robot), group_(group) {
     for (const std::string& dof : group.dofs)
       if (driven.count(dof) > 0) motors_.push_back(dof);
@@ -164,20 +165,20 @@ class Closing {
   }
 
   void run() {
-    const std::string trouble = solve();
+    const std::string failure = solve();
     std::vector<std::string> words;
     for (const LoopClosure& closure : group_.closures) words.push_back(closure.words);
-    if (trouble.empty()) {
+    if (failure.empty()) {
       robot_.warnings.push_back(fmt::format(
           "{}: solved as a linkage, in which {} follow '{}'; it closes to {:.2g} mm",
           fmt::join(words, ", "), fmt::join(followers_, ", "), motors_.front(), 1e3 * gape_));
       return;
     }
     for (const std::string& each : words) {
-      robot_.open_loops.push_back(fmt::format("{}: {}", each, trouble));
+      robot_.open_loops.push_back(fmt::format("{}: {}", each, failure));
       robot_.warnings.push_back(fmt::format(
           "INCOMPLETE: {} is not kept, {}: the robot comes apart there and must not grasp", each,
-          trouble));
+          failure));
     }
   }
 
@@ -208,7 +209,7 @@ class Closing {
     const auto count = static_cast<Eigen::Index>(linkage.passives().size());
     VectorXd at(count);
     for (Eigen::Index i = 0; i < count; ++i) {
-      const Passive& passive = linkage.passives()[static_cast<std::size_t>(i)];
+      const PassiveJoint& passive = linkage.passives()[static_cast<std::size_t>(i)];
       at[i] = std::clamp(0.0, passive.lower, passive.upper);
     }
     for (const double share : {-1.0, 0.0, 0.25, 0.5, 0.75, 1.0}) {
@@ -261,7 +262,7 @@ class Closing {
     }
     const auto passive = [&](const RobotDof& dof) {
       return std::any_of(linkage.passives().begin(), linkage.passives().end(),
-                         [&](const Passive& each) { return each.name == dof.name; });
+                         [&](const PassiveJoint& each) { return each.name == dof.name; });
     };
     robot_.dofs.erase(std::remove_if(robot_.dofs.begin(), robot_.dofs.end(), passive),
                       robot_.dofs.end());
@@ -278,7 +279,7 @@ class Closing {
 
 void close_loops(RobotSpec& robot, const std::vector<LoopClosure>& closures,
                  const std::set<std::string>& driven) {
-  for (const LoopGroup& group : groups_of(robot, closures)) Closing(robot, group, driven).run();
+  for (const LoopGroup& group : groups_of(robot, closures)) LoopSolver(robot, group, driven).run();
 }
 
 }  // namespace thenar::internal

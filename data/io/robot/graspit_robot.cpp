@@ -10,7 +10,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "base/units.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/graspit/graspit_transform.h"
@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using internal::JointRange;
-using internal::Unread;
+using internal::UnreadElements;
 
 constexpr std::size_t kLongestDrive = 200;  // letters of a drive
 
@@ -316,7 +316,7 @@ class GraspitTranslation {
   }
 
   const XmlFile& file_;
-  Unread unread_;
+  UnreadElements unread_;
   RobotSpec& robot_;
   std::set<std::string> names_;
   int chains_ = 0;

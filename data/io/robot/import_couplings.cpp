@@ -12,8 +12,9 @@
 namespace thenar::internal {
 namespace {
 
-const Coupling* coupling_of(const std::vector<Coupling>& couplings, const std::string& joint) {
-  for (const Coupling& coupling : couplings)
+const FollowerCoupling* coupling_of(const std::vector<FollowerCoupling>& couplings,
+                                    const std::string& joint) {
+  for (const FollowerCoupling& coupling : couplings)
     if (coupling.joint == joint) return &coupling;
   return nullptr;
 }
@@ -23,8 +24,8 @@ constexpr std::size_t kMaxComposedDegree = 16;
 
 /// p(next(v)) in place of p(v).
 /// @throws DataError if the degree of that is too high: it multiplies along a chain of joints.
-void through(Coupling& step, const Coupling& next, const std::string& path) {
-  const auto coefficients = [](const Coupling& coupling) {
+void through(FollowerCoupling& step, const FollowerCoupling& next, const std::string& path) {
+  const auto coefficients = [](const FollowerCoupling& coupling) {
     std::vector<double> c{coupling.offset, coupling.ratio};
     c.insert(c.end(), coupling.curve.begin(), coupling.curve.end());
     return c;
@@ -53,9 +54,10 @@ void through(Coupling& step, const Coupling& next, const std::string& path) {
 }
 
 /// The coupling to the joint that follows none.
-Coupling to_root(const std::vector<Coupling>& couplings, Coupling step, const std::string& path) {
+FollowerCoupling to_root(const std::vector<FollowerCoupling>& couplings, FollowerCoupling step,
+                         const std::string& path) {
   std::set<std::string> met{step.joint};
-  while (const Coupling* next = coupling_of(couplings, step.master)) {
+  while (const FollowerCoupling* next = coupling_of(couplings, step.master)) {
     if (!met.insert(step.master).second)
       throw DataError(
           path, step.line,
@@ -66,7 +68,7 @@ Coupling to_root(const std::vector<Coupling>& couplings, Coupling step, const st
   return step;
 }
 
-void follow(RobotSpec& robot, RobotJoint& joint, const Coupling& coupling,
+void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& coupling,
             const std::string& path) {
   const RobotJoint* root = find_joint(robot, coupling.master);
   if (root == nullptr)
@@ -160,11 +162,11 @@ RobotDof* find_dof(RobotSpec& robot, const std::string& name) {
   return found == robot.dofs.end() ? nullptr : &*found;
 }
 
-void couple_joints(RobotSpec& robot, const std::vector<Coupling>& couplings,
+void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
                    const std::string& path) {
   for (RobotJoint& joint : robot.joints) {
     if (joint.kind == RobotJointKind::kFixed) continue;
-    if (const Coupling* own = coupling_of(couplings, joint.name)) {
+    if (const FollowerCoupling* own = coupling_of(couplings, joint.name)) {
       follow(robot, joint, to_root(couplings, *own, path), path);
       continue;
     }

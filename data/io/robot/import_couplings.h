@@ -10,7 +10,7 @@
 namespace thenar::internal {
 
 /// Value of `joint` = offset + ratio v + curve_0 v^2 + .., with v the value of `master`.
-struct Coupling {
+struct FollowerCoupling {
   std::string joint;
   std::string master;
   double ratio = 1;           // [1], [m/rad] or [rad/m]
@@ -25,7 +25,7 @@ struct Coupling {
 /// the follower's limits are widened instead.
 /// @throws DataError with `path` for couplings to unknown joints, round in a ring, or through
 /// others along a polynomial of a degree above 16.
-void couple_joints(RobotSpec& robot, const std::vector<Coupling>& couplings,
+void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
                    const std::string& path);
 
 /// A range of values.

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 
 namespace thenar::internal {
 namespace {

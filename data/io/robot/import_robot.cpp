@@ -1,6 +1,8 @@
 #include "data/io/robot/import_robot.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include <fmt/format.h>
 #include <Eigen/Eigenvalues>
@@ -8,10 +10,9 @@
 
 #include "base/error.h"
 #include "data/io/graspit/xml_file.h"
-#include "data/io/mesh/mend_shape.h"
+#include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/graspit_robot.h"
-#include "data/io/robot/import_warnings.h"
-#include "data/io/robot/mjcf.h"
+#include "data/io/robot/mjcf_parts.h"
 #include "data/io/robot/urdf.h"
 #include "data/io/toml_node.h"
 
@@ -138,9 +139,9 @@ RobotSpec import_robot(const std::string& path) {
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
   for (RobotLink& link : robot.links)
-    mend_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
+    repair_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
   doubt_units(robot);
-  robot.warnings = internal::by_weight(robot.warnings);
+  robot.warnings = internal::by_severity(robot.warnings);
   try {
     check_robot(robot);
   } catch (const InputError& error) {
@@ -150,3 +151,36 @@ RobotSpec import_robot(const std::string& path) {
 }
 
 }  // namespace thenar
+
+namespace thenar::internal {
+namespace {
+
+bool holds(const std::string& text, const char* words) {
+  return text.find(words) != std::string::npos;
+}
+
+int weight(const std::string& warning) {
+  for (const char* grave : {"MISSING", "UNREADABLE", "INCOMPLETE", "LEFT OUT"})
+    if (holds(warning, grave)) return 0;
+  for (const char* light : {"is not read", "is not understood", "is not heeded"})
+    if (holds(warning, light)) return 2;
+  return 1;
+}
+
+}  // namespace
+
+std::vector<std::string> by_severity(const std::vector<std::string>& warnings) {
+  std::vector<std::string> once;
+  std::map<std::string, int> times;
+  for (const std::string& warning : warnings)
+    if (++times[warning] == 1) once.push_back(warning);
+  std::stable_sort(once.begin(), once.end(), [](const std::string& a, const std::string& b) {
+    return weight(a) < weight(b);
+  });
+  for (std::string& warning : once)
+    if (const int count = times.at(warning); count > 1)
+      warning += fmt::format(" ({} times)", count);
+  return once;
+}
+
+}  // namespace thenar::internal

@@ -3,6 +3,7 @@
 /// Robots from files of any kind.
 
 #include <string>
+#include <vector>
 
 #include "data/io/robot/robot.h"
 
@@ -20,9 +21,20 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 
 /// Reads a robot of any kind. What was not understood is in its `warnings`. Inertias that no body
 /// has (a principal moment above the sum of the others, or below 0) are cut to the nearest that one
-/// has, meshes that bound no solid are mended (mend_mesh()) or, where they are flat, left out: each
-/// with a warning.
+/// has, meshes that bound no solid are mended (repair_to_solid()) or, where they are flat, left
+/// out: each with a warning.
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
 }  // namespace thenar
+
+namespace thenar::internal {
+
+// Warnings of imports, put in order.
+
+/// The same one once, with " (N times)"; first what is missing or unreadable (in capitals: MISSING,
+/// UNREADABLE, INCOMPLETE, LEFT OUT), then what was changed, last elements that are not read, as
+/// gains and colours.
+[[nodiscard]] std::vector<std::string> by_severity(const std::vector<std::string>& warnings);
+
+}  // namespace thenar::internal

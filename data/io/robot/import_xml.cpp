@@ -75,14 +75,14 @@ std::string required_text(const XmlFile& file, const pugi::xml_node& node, const
   return text;
 }
 
-void Unread::note(const pugi::xml_node& node, const std::string& what) {
+void UnreadElements::note(const pugi::xml_node& node, const std::string& what) {
   const int line = file_.line(node);
   const auto [at, is_new] = by_what_.emplace(what, entries_.size());
   if (is_new) entries_.push_back({what, {}});
   entries_[at->second].lines.push_back(line);
 }
 
-std::vector<std::string> Unread::warnings() const {
+std::vector<std::string> UnreadElements::warnings() const {
   std::vector<std::string> list;
   for (const Entry& entry : entries_)
     list.push_back(fmt::format("{} ({})", entry.what, listed_lines(entry.lines)));

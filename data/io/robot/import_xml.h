@@ -40,9 +40,9 @@ namespace thenar::internal {
 
 /// What was met and not understood, each once, with the lines it stands on:
 /// "<transmission> is not read (2 times: lines 12, 30)".
-class Unread {
+class UnreadElements {
  public:
-  explicit Unread(const XmlFile& file) : file_(file) {}
+  explicit UnreadElements(const XmlFile& file) : file_(file) {}
   void note(const pugi::xml_node& node, const std::string& what);
   [[nodiscard]] std::vector<std::string> warnings() const;
 

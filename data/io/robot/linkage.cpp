@@ -27,7 +27,7 @@ Linkage::Linkage(const RobotSpec& robot, const LoopGroup& group, std::string mot
   for (std::size_t i = 0; i < robot.links.size(); ++i) index_[robot.links[i].name] = i;
   for (const RobotDof& dof : robot.dofs) {
     if (group.dofs.count(dof.name) == 0 || dof.name == motor_) continue;
-    Passive passive{dof.name, dof.lower, dof.upper, 0, 0};
+    PassiveJoint passive{dof.name, dof.lower, dof.upper, 0, 0};
     for (const RobotJoint& joint : robot.joints)
       if (joint.dof == dof.name && joint.name == dof.name) {
         passive.stiffness = joint.stiffness;
@@ -37,14 +37,14 @@ Linkage::Linkage(const RobotSpec& robot, const LoopGroup& group, std::string mot
   }
 }
 
-VectorXd Linkage::gaps(double u, const VectorXd& y) const {
+VectorXd Linkage::loop_residual(double u, const VectorXd& y) const {
   DofValues values{{motor_, u}};
   for (std::size_t i = 0; i < passives_.size(); ++i)
     values[passives_[i].name] = y[static_cast<Eigen::Index>(i)];
-  return gaps(link_poses(robot_, values));
+  return loop_residual(link_poses(robot_, values));
 }
 
-VectorXd Linkage::gaps(const std::vector<Pose<double>>& links) const {
+VectorXd Linkage::loop_residual(const std::vector<Pose<double>>& links) const {
   std::vector<double> all;
   for (const LoopClosure& closure : group_.closures) {
     const Pose<double> A = links[index_.at(closure.a)] * closure.X_A,
@@ -60,15 +60,15 @@ VectorXd Linkage::gaps(const std::vector<Pose<double>>& links) const {
 std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
   // Where the motor moves every joint, the loop closes by itself or not at all.
   if (passives_.empty())
-    return largest_or_nan(gaps(u, y).cwiseAbs()) < kClosed ? std::optional<VectorXd>(y)
-                                                           : std::nullopt;
-  std::vector<Stop> stops(passives_.size(), Stop::kNone);
+    return max_or_nan(loop_residual(u, y).cwiseAbs()) < kClosed ? std::optional<VectorXd>(y)
+                                                                : std::nullopt;
+  std::vector<ActiveLimit> stops(passives_.size(), ActiveLimit::kNone);
   for (int iteration = 0; iteration < 400; ++iteration) {
-    const VectorXd c = gaps(u, y);
+    const VectorXd c = loop_residual(u, y);
     const MatrixXd J = slopes(u, y);
     bool decided = true;
     VectorXd d = free_step(c, J, y, stops, decided);
-    if (largest_or_nan(c.cwiseAbs()) < kClosed && largest_or_nan(d.cwiseAbs()) < 1e-10) {
+    if (max_or_nan(c.cwiseAbs()) < kClosed && max_or_nan(d.cwiseAbs()) < 1e-10) {
       if (release(J, y, stops)) continue;
       return decided ? std::optional<VectorXd>(y) : std::nullopt;
     }
@@ -85,7 +85,7 @@ MatrixXd Linkage::slopes(double u, const VectorXd& y) const {
   MatrixXd J;
   for (Eigen::Index i = 0; i < y.size(); ++i) {
     const VectorXd e = kDifference * VectorXd::Unit(y.size(), i);
-    const VectorXd column = (gaps(u, y + e) - gaps(u, y - e)) / (2 * kDifference);
+    const VectorXd column = (loop_residual(u, y + e) - loop_residual(u, y - e)) / (2 * kDifference);
     if (i == 0) J.resize(column.size(), y.size());
     J.col(i) = column;
   }
@@ -93,12 +93,12 @@ MatrixXd Linkage::slopes(double u, const VectorXd& y) const {
 }
 
 /// Goes as far as the first limit, and rests on it.
-void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<Stop>& stops) const {
+void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<ActiveLimit>& stops) const {
   double share = 1;
   std::size_t first = stops.size();
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(i);
-    if (stops[i] != Stop::kNone || d[at] == 0) continue;
+    if (stops[i] != ActiveLimit::kNone || d[at] == 0) continue;
     const double limit = d[at] < 0 ? passives_[i].lower : passives_[i].upper;
     const double until = std::max(0.0, (limit - y[at]) / d[at]);
     if (until >= share) continue;
@@ -108,46 +108,47 @@ void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<Stop>& stops) const
   y += share * d;
   if (first == stops.size()) return;
   const auto at = static_cast<Eigen::Index>(first);
-  stops[first] = d[at] < 0 ? Stop::kLower : Stop::kUpper;
+  stops[first] = d[at] < 0 ? ActiveLimit::kLower : ActiveLimit::kUpper;
   y[at] = d[at] < 0 ? passives_[first].lower : passives_[first].upper;
 }
 
 /// Frees the joint that springs pull off its limit most, if any.
-bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<Stop>& stops) const {
+bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLimit>& stops) const {
   // Forces of the loop, least of those that balance the springs of free joints.
   VectorXd pull(y.size());
   MatrixXd balance = J.transpose();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
-    const Passive& passive = passives_[static_cast<std::size_t>(i)];
+    const PassiveJoint& passive = passives_[static_cast<std::size_t>(i)];
     pull[i] = passive.stiffness * (passive.rest - y[i]);
-    if (stops[static_cast<std::size_t>(i)] != Stop::kNone) balance.row(i).setZero();
+    if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) balance.row(i).setZero();
   }
   Eigen::JacobiSVD<MatrixXd> svd(balance, Eigen::ComputeThinU | Eigen::ComputeThinV);
   svd.setThreshold(kRank);
   VectorXd free = pull;
   for (Eigen::Index i = 0; i < y.size(); ++i)
-    if (stops[static_cast<std::size_t>(i)] != Stop::kNone) free[i] = 0;
+    if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) free[i] = 0;
   const VectorXd left = pull - J.transpose() * svd.solve(free);  // on each joint [N m] or [N]
   std::size_t worst = stops.size();
   double most = 1e-9 * pull.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < stops.size(); ++i) {
-    const double off = (stops[i] == Stop::kLower ? 1 : -1) * left[static_cast<Eigen::Index>(i)];
-    if (stops[i] == Stop::kNone || off <= most) continue;
+    const double off =
+        (stops[i] == ActiveLimit::kLower ? 1 : -1) * left[static_cast<Eigen::Index>(i)];
+    if (stops[i] == ActiveLimit::kNone || off <= most) continue;
     most = off;
     worst = i;
   }
   if (worst == stops.size()) return false;
-  stops[worst] = Stop::kNone;
+  stops[worst] = ActiveLimit::kNone;
   return true;
 }
 
 /// Least spring energy with J d = -c, joints on limits staying there.
 VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd& y,
-                            const std::vector<Stop>& stops, bool& decided) const {
+                            const std::vector<ActiveLimit>& stops, bool& decided) const {
   std::vector<Eigen::Index> free;
   VectorXd d = VectorXd::Zero(y.size());
   for (std::size_t i = 0; i < stops.size(); ++i)
-    if (stops[i] == Stop::kNone) free.push_back(static_cast<Eigen::Index>(i));
+    if (stops[i] == ActiveLimit::kNone) free.push_back(static_cast<Eigen::Index>(i));
   if (free.empty()) return d;
   MatrixXd A(J.rows(), static_cast<Eigen::Index>(free.size()));
   for (std::size_t f = 0; f < free.size(); ++f)
@@ -160,7 +161,7 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
   if (Z.cols() > 0) {
     VectorXd k(A.cols()), pull(A.cols());
     for (std::size_t f = 0; f < free.size(); ++f) {
-      const Passive& passive = passives_[static_cast<std::size_t>(free[f])];
+      const PassiveJoint& passive = passives_[static_cast<std::size_t>(free[f])];
       const auto at = static_cast<Eigen::Index>(f);
       k[at] = passive.stiffness;
       pull[at] = passive.stiffness * (passive.rest - y[free[f]] - least[at]);

@@ -21,24 +21,24 @@ struct LoopGroup {
 };
 
 /// A passive degree of freedom.
-struct Passive {
+struct PassiveJoint {
   std::string name;
   double lower, upper, stiffness, rest;  // stiffness 0: no spring
 };
 
 /// What a passive joint rests on.
-enum class Stop { kNone, kLower, kUpper };
+enum class ActiveLimit { kNone, kLower, kUpper };
 
 /// Closes the loops of one group at values of its motor. The robot and the group must outlive it.
 class Linkage {
  public:
   Linkage(const RobotSpec& robot, const LoopGroup& group, std::string motor);
 
-  [[nodiscard]] const std::vector<Passive>& passives() const { return passives_; }
+  [[nodiscard]] const std::vector<PassiveJoint>& passives() const { return passives_; }
 
   /// How far places that are one lie apart; of welds their turn by 50 mm, too [m].
-  [[nodiscard]] Eigen::VectorXd gaps(double u, const Eigen::VectorXd& y) const;
-  [[nodiscard]] Eigen::VectorXd gaps(const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] Eigen::VectorXd loop_residual(double u, const Eigen::VectorXd& y) const;
+  [[nodiscard]] Eigen::VectorXd loop_residual(const std::vector<Pose<double>>& links) const;
 
   /// Goes from a posture to the closed one of least spring energy near it, by sequential quadratic
   /// programming: joints that meet a limit rest on it until springs pull them off.
@@ -47,17 +47,18 @@ class Linkage {
 
  private:
   [[nodiscard]] Eigen::MatrixXd slopes(double u, const Eigen::VectorXd& y) const;
-  void go(Eigen::VectorXd& y, const Eigen::VectorXd& d, std::vector<Stop>& stops) const;
+  void go(Eigen::VectorXd& y, const Eigen::VectorXd& d, std::vector<ActiveLimit>& stops) const;
   [[nodiscard]] bool release(const Eigen::MatrixXd& J, const Eigen::VectorXd& y,
-                             std::vector<Stop>& stops) const;
+                             std::vector<ActiveLimit>& stops) const;
   [[nodiscard]] Eigen::VectorXd free_step(const Eigen::VectorXd& c, const Eigen::MatrixXd& J,
-                                          const Eigen::VectorXd& y, const std::vector<Stop>& stops,
+                                          const Eigen::VectorXd& y,
+                                          const std::vector<ActiveLimit>& stops,
                                           bool& decided) const;
 
   const RobotSpec& robot_;
   const LoopGroup& group_;
   std::string motor_;
-  std::vector<Passive> passives_;
+  std::vector<PassiveJoint> passives_;
   std::map<std::string, std::size_t> index_;
 };
 

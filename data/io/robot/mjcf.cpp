@@ -1,4 +1,4 @@
-#include "data/io/robot/mjcf.h"
+#include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,7 @@
 #include "base/units.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
-#include "data/io/robot/mjcf_drive.h"
-#include "data/io/robot/mjcf_geom.h"
-#include "data/io/robot/mjcf_replicate.h"
+#include "data/io/robot/mjcf_source.h"
 
 namespace thenar {
 namespace {
@@ -21,7 +19,7 @@ namespace {
 using internal::MjcfElement;
 using internal::MjcfGeom;
 using internal::MjcfSource;
-using internal::Unread;
+using internal::UnreadElements;
 
 /// An element of a body, with the frame (<frame>) and class it stands in.
 struct Part {
@@ -94,8 +92,8 @@ class BodyTree {
   }
 
   void add_body(const Part& part, const std::string& parent) {
-    if (robot_.links.size() >= kMostLinks)
-      source_.file.fail(part.node, fmt::format("wanted at most {} bodies, got more", kMostLinks));
+    if (robot_.links.size() >= kMaxLinks)
+      source_.file.fail(part.node, fmt::format("wanted at most {} bodies, got more", kMaxLinks));
     const std::string childclass =
         part.node.attribute("childclass").as_string(part.childclass.c_str());
     RobotLink link;
@@ -290,7 +288,7 @@ class BodyTree {
   std::vector<std::string> shown_;  // links whose geoms do not collide
 };
 
-void note_sections(const XmlFile& file, Unread& unread) {
+void note_sections(const XmlFile& file, UnreadElements& unread) {
   static const std::set<std::string> read{"compiler", "default",  "asset",   "worldbody",
                                           "tendon",   "equality", "actuator"};
   for (const pugi::xml_node node : file.root().children())
@@ -317,7 +315,7 @@ RobotSpec read_mjcf(const std::string& path) {
     file.fail(file.root(), fmt::format("wanted <mujoco>, got <{}>", root));
   internal::expand_includes(file);
   internal::expand_replicates(file);
-  Unread unread(file);
+  UnreadElements unread(file);
   note_sections(file, unread);
   MeshReader meshes;
   MjcfSource source{file, unread, internal::read_compiler(file, unread), {}, false, meshes};

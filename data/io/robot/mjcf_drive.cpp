@@ -1,4 +1,4 @@
-#include "data/io/robot/mjcf_drive.h"
+#include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,6 @@
 #include "base/error.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
-#include "data/io/robot/mjcf_loops.h"
 
 namespace thenar::internal {
 namespace {
@@ -218,7 +217,7 @@ class MjcfDrive {
                &follower = tendon.terms[first_leads ? 1 : 0];
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
-                    [&](const Coupling& other) { return other.joint == follower.joint; });
+                    [&](const FollowerCoupling& other) { return other.joint == follower.joint; });
     if (follower.coefficient == 0 || again) {
       robot_.warnings.push_back(fmt::format(
           "limits of tendon '{}' ({:.4g} to {:.4g}) are not kept: {}", tendon.name,
@@ -250,10 +249,10 @@ class MjcfDrive {
                        [&](const Actuator& actuator) { return actuator.tendon == tendon.name; });
   }
 
-  void add_coupling(const Coupling& coupling, const pugi::xml_node& node) {
+  void add_coupling(const FollowerCoupling& coupling, const pugi::xml_node& node) {
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
-                    [&](const Coupling& other) { return other.joint == coupling.joint; });
+                    [&](const FollowerCoupling& other) { return other.joint == coupling.joint; });
     if (again) {
       source_.unread.note(node, fmt::format("joint '{}' follows another already; its equality with "
                                             "'{}' is not kept",
@@ -265,7 +264,7 @@ class MjcfDrive {
 
   /// Joints that an equality holds at a value become fixed there.
   void hold_joints() {
-    for (const Coupling& held : held_) {
+    for (const FollowerCoupling& held : held_) {
       RobotJoint& fixed = *find_joint(robot_, held.joint);
       fixed.X_PJ = fixed.X_PJ * joint_motion(fixed, held.offset);
       fixed.kind = RobotJointKind::kFixed;
@@ -433,7 +432,7 @@ class MjcfDrive {
   std::map<std::string, double> ref_;
   std::vector<LoopClosure> loops_;
   std::vector<FixedTendon> tendons_;
-  std::vector<Coupling> couplings_, held_;
+  std::vector<FollowerCoupling> couplings_, held_;
   std::vector<Actuator> actuators_;
   std::set<std::string> moved_;                             // degrees of freedom with an actuator
   std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each

@@ -1,4 +1,4 @@
-#include "data/io/robot/mjcf_geom.h"
+#include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "data/io/mesh/mend_shape.h"
+#include "data/io/mesh/repair_shape.h"
 #include "data/io/robot/import_mesh.h"
 
 namespace thenar::internal {
@@ -136,7 +136,7 @@ bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mes
 ShapeSpec solid(ShapeSpec shape) {
   if (shape.kind != ShapeKind::kMesh || mass_at_unit_density(shape).mass > 0) return shape;
   std::vector<std::string> told_later;
-  if (!mend_shape(shape, "", told_later)) shape.mesh = {};
+  if (!repair_shape(shape, "", told_later)) shape.mesh = {};
   return shape;
 }
 
@@ -180,7 +180,7 @@ MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const pug
   if (!set_shape(shape, source, meshes, geom, body, warnings)) return result;
   shape.X_BS = X_BF * shape.X_BS;
   const double group = geom.number("group", 0);
-  if (group >= source.compiler.least_group && group <= source.compiler.largest_group) {
+  if (group >= source.compiler.min_group && group <= source.compiler.max_group) {
     result.mass = mass_at_unit_density(solid(shape));
     const double volume = result.mass.mass;
     const double density = geom.has("mass")

@@ -1,4 +1,4 @@
-#include "data/io/robot/mjcf_loops.h"
+#include "data/io/robot/mjcf_parts.h"
 
 #include <algorithm>
 

@@ -9,6 +9,7 @@
 #include <pugixml.hpp>
 
 #include "base/spatial.h"
+#include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_xml.h"
 
@@ -22,9 +23,9 @@ struct MjcfCompiler {
   bool strip_path = false;  // of mesh files
   bool auto_limits = true;  // a range alone limits
   std::string inertia_from_geom = "auto";
-  double least_group = 0, largest_group = 5;  // of geoms that have mass
-  double bound_mass = 0;                      // least mass of a moving body [kg]
-  double total_mass = -1;                     // [kg]; negative: as it comes
+  double min_group = 0, max_group = 5;  // of geoms that have mass
+  double bound_mass = 0;                // least mass of a moving body [kg]
+  double total_mass = -1;               // [kg]; negative: as it comes
 };
 
 /// Values of attributes that elements leave out.
@@ -53,7 +54,7 @@ class MjcfDefaults {
 
 struct MjcfSource {
   const XmlFile& file;
-  Unread& unread;
+  UnreadElements& unread;
   MjcfCompiler compiler;
   MjcfDefaults defaults;
   bool incomplete;  // joints that the file names may be none here
@@ -71,7 +72,7 @@ struct MjcfSource {
 /// wherever links lead.
 void expand_includes(const XmlFile& file);
 
-[[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, Unread& unread);
+[[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread);
 
 /// An element with what its class and the body around it say.
 class MjcfElement {
@@ -104,5 +105,16 @@ class MjcfElement {
 /// Turns z into `direction` the short way; half a turn about x if it points down.
 /// @param direction  not zero (3)
 [[nodiscard]] Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction);
+
+// Copies of what <replicate> of an MJCF file encloses.
+
+/// Puts copies in the place of every <replicate count=".." sep=".." offset=".." euler="..">, copy i
+/// in i nested <frame pos="offset" euler="euler">: each is moved and turned in the frame of the one
+/// before. Names within get the suffix sep + i, padded with zeros to the digits of count, inner
+/// replicates first; tendons, equalities and actuators that name a joint or tendon within are
+/// copied along.
+/// @throws DataError if a count is not in 1..1000, or copies become too many.
+/// Source: the MJCF reference [Todorov2012].
+void expand_replicates(const XmlFile& file);
 
 }  // namespace thenar::internal

@@ -84,7 +84,7 @@ struct RobotApproach {
 };
 
 /// A robot of more links is refused: checks of trees and couplings take the square of them.
-constexpr std::size_t kMostLinks = 1000;
+constexpr std::size_t kMaxLinks = 1000;
 
 /// Joints stand parents before children; the first link is the base.
 struct RobotSpec {

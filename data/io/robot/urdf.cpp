@@ -14,13 +14,12 @@
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/import_mesh.h"
 #include "data/io/robot/import_xml.h"
-#include "data/io/robot/urdf_prepare.h"
 
 namespace thenar {
 namespace {
 
-using internal::Coupling;
-using internal::Unread;
+using internal::FollowerCoupling;
+using internal::UnreadElements;
 
 /// What urdfdom says while it lives, instead of on the standard error.
 class Listener : public console_bridge::OutputHandler {
@@ -204,7 +203,7 @@ class UrdfTranslation {
   const urdf::ModelInterface& model_;
   const XmlFile& file_;
   RobotSpec& robot_;
-  std::vector<Coupling> couplings_;
+  std::vector<FollowerCoupling> couplings_;
   std::vector<std::string> shown_;  // links that only have visual shapes
   MeshReader meshes_;
 };
@@ -213,7 +212,7 @@ class UrdfTranslation {
 
 RobotSpec read_urdf(const std::string& path) {
   const XmlFile file(path);
-  Unread unread(file);
+  UnreadElements unread(file);
   const std::string text = internal::prepare_urdf(file, unread);
   RobotSpec robot;
   robot.warnings = unread.warnings();

@@ -1,4 +1,4 @@
-#include "data/io/robot/urdf_export.h"
+#include "data/io/robot/urdf.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +10,7 @@
 #include <fmt/ranges.h>
 #include <pugixml.hpp>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/link_poses.h"
 #include "geometry/solid.h"

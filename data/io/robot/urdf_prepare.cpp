@@ -1,4 +1,4 @@
-#include "data/io/robot/urdf_prepare.h"
+#include "data/io/robot/urdf.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <pugixml.hpp>
 
-#include "data/io/graspit/xml_walk.h"
+#include "data/io/graspit/xml_file.h"
 #include "data/io/robot/robot.h"
 
 namespace thenar::internal {
@@ -59,7 +59,7 @@ void refuse_xacro(const XmlFile& file, const pugi::xml_node& top) {
     if (node.type() == pugi::node_element) refuse_xacro_at(file, node);
 }
 
-void take_out_unread(Unread& unread, pugi::xml_node node) {
+void take_out_unread(UnreadElements& unread, pugi::xml_node node) {
   const auto read = kRead.find(node.name());
   if (read == kRead.end()) return;
   for (pugi::xml_node child = node.first_child(); child;) {
@@ -109,7 +109,7 @@ void settle_mesh(const XmlFile& file, pugi::xml_node mesh) {
 }
 
 /// Takes out shapes without geometry, gives capsules a name that urdfdom lets pass.
-void settle_shapes(const XmlFile& file, Unread& unread, pugi::xml_node link) {
+void settle_shapes(const XmlFile& file, UnreadElements& unread, pugi::xml_node link) {
   for (pugi::xml_node part = link.first_child(); part;) {
     const pugi::xml_node next = part.next_sibling(), geometry = part.child("geometry");
     const bool is_shape = std::string(part.name()) != "inertial";
@@ -130,7 +130,7 @@ void settle_shapes(const XmlFile& file, Unread& unread, pugi::xml_node link) {
   }
 }
 
-void settle_link(const XmlFile& file, Unread& unread, pugi::xml_node link) {
+void settle_link(const XmlFile& file, UnreadElements& unread, pugi::xml_node link) {
   (void)required_text(file, link, "name");
   settle_shapes(file, unread, link);
   pugi::xml_node inertial = link.child("inertial");
@@ -145,7 +145,7 @@ void settle_link(const XmlFile& file, Unread& unread, pugi::xml_node link) {
     set_default(inertia, entry, "0");
 }
 
-void settle_limits(Unread& unread, pugi::xml_node joint) {
+void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   const std::string type = joint.attribute("type").value();
   const std::string name = joint.attribute("name").value();
   pugi::xml_node limit = joint.child("limit");
@@ -166,7 +166,7 @@ void settle_limits(Unread& unread, pugi::xml_node joint) {
   set_default(limit, "velocity", "0");
 }
 
-void settle_joint(const XmlFile& file, Unread& unread, pugi::xml_node joint,
+void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node joint,
                   const std::set<std::string>& links) {
   const std::string name = required_text(file, joint, "name");
   const std::string type = required_text(file, joint, "type");
@@ -210,7 +210,7 @@ void require_one_parent(const XmlFile& file, pugi::xml_node robot) {
 
 }  // namespace
 
-std::string prepare_urdf(const XmlFile& file, Unread& unread) {
+std::string prepare_urdf(const XmlFile& file, UnreadElements& unread) {
   pugi::xml_node robot = file.root();
   if (std::string(robot.name()) != "robot") file.fail(robot, "wanted <robot name=\"..\">");
   refuse_xacro(file, robot);
@@ -218,8 +218,8 @@ std::string prepare_urdf(const XmlFile& file, Unread& unread) {
   check_numbers(file, robot);
   const std::set<std::string> links = unique_names(file, robot, "link");
   if (links.empty()) file.fail(robot, "<robot> has no <link>");
-  if (links.size() > kMostLinks)
-    file.fail(robot, fmt::format("wanted at most {} links, got {}", kMostLinks, links.size()));
+  if (links.size() > kMaxLinks)
+    file.fail(robot, fmt::format("wanted at most {} links, got {}", kMaxLinks, links.size()));
   (void)unique_names(file, robot, "joint");
   for (const pugi::xml_node link : robot.children("link")) settle_link(file, unread, link);
   for (const pugi::xml_node joint : robot.children("joint"))

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "data/io/mesh/shape_toml.h"
-#include "data/io/sources.h"
 #include "data/io/toml_text.h"
 
 namespace thenar::internal {
@@ -41,13 +40,13 @@ void read_mass_keys(TomlTable& table, BodySpec& body) {
   if (table.has(Dimension::kInertia, "inertia"))
     body.mass = BodyMass{mass, table.vector(Dimension::kLength, "com"), read_inertia(table)};
   else
-    body.spread_mass = mass;
+    body.uniform_mass = mass;
   if (body.density > 0) table.fail("give 'mass' or 'density', not both", "density");
 }
 
 std::string mass_lines(const BodySpec& body) {
-  if (!body.mass && body.spread_mass > 0)
-    return "mass_kg = " + toml_number(body.spread_mass) + "\n";
+  if (!body.mass && body.uniform_mass > 0)
+    return "mass_kg = " + toml_number(body.uniform_mass) + "\n";
   if (!body.mass)
     return body.density > 0 ? "density_kg_m3 = " + toml_number(body.density) + "\n" : "";
   const Eigen::Matrix3d& I = body.mass->inertia;

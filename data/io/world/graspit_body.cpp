@@ -7,7 +7,7 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/graspit/graspit_transform.h"
 
 namespace thenar {
@@ -87,7 +87,7 @@ void read_mass(const XmlFile& file, BodySpec& body) {
   const double kilograms = kGraspitMass * file.numbers(mass, 1)[0];
   if (kilograms <= 0) file.fail(mass, "wanted a mass > 0");
   if (!cog || !inertia) {
-    body.spread_mass = kilograms;
+    body.uniform_mass = kilograms;
     return;
   }
   const std::vector<double> c = file.numbers(cog, 3), v = file.numbers(inertia, 9);

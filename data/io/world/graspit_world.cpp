@@ -7,10 +7,9 @@
 #include <pugixml.hpp>
 
 #include "base/error.h"
-#include "base/read_file.h"
+#include "base/file_io.h"
 #include "data/io/graspit/graspit_transform.h"
 #include "data/io/robot/import_robot.h"
-#include "data/io/robot/import_warnings.h"
 #include "data/io/world/graspit_body.h"
 #include "data/io/world/graspit_posture.h"
 
@@ -58,7 +57,7 @@ class WorldReader {
       else
         not_understood(node);
     }
-    read_.warnings = internal::by_weight(read_.warnings);
+    read_.warnings = internal::by_severity(read_.warnings);
     return std::move(read_);
   }
 

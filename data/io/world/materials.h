@@ -24,7 +24,7 @@ struct Material {
 };
 
 /// What a surface is taken to be made of where nothing says it: hard and rather smooth.
-inline constexpr const char* kGuessedMaterial = "plastic";
+inline constexpr const char* kDefaultMaterial = "plastic";
 
 struct Materials {
   std::vector<Material> materials;

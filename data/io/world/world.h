@@ -30,7 +30,7 @@ struct BodySpec {
   std::vector<ShapeSpec> shapes;  // their union
   std::string material;           // empty: unknown
   std::optional<BodyMass> mass;   // as stated; absent: from the shapes, by the next two
-  double spread_mass = 0;         // spread evenly over the shapes [kg]; 0 if unknown
+  double uniform_mass = 0;        // spread evenly over the shapes [kg]; 0 if unknown
   double density = 0;             // [kg/m^3]; 0 if unknown: that of the material
 };
 
@@ -87,5 +87,16 @@ struct WorldSpec {
 /// @throws InputError if a number is not finite, or an inertia not symmetric.
 [[nodiscard]] std::string object_toml(const BodySpec& body);
 [[nodiscard]] std::string world_toml(const WorldSpec& world);
+
+// What a body weighs.
+
+/// The mass of a body: as stated, or spread evenly over the union of its shapes by its mass, its
+/// density or its material's, the first of these that is known.
+///
+/// Where shapes overlap nothing counts twice; union_mass() says where that is exact.
+/// @throws InputError if neither mass nor density is known, with the keys that state them, or the
+///         shapes enclose nothing.
+[[nodiscard]] BodyMass body_mass(const BodySpec& body,
+                                 const Materials& materials = built_in_materials());
 
 }  // namespace thenar

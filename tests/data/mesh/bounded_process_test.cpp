@@ -26,21 +26,21 @@ ProcessEnd run_shell(const std::string& script, double seconds = 20) {
 TEST(BoundedProcess, GivesOutputAndStatus) {
   const ProcessEnd good = run_shell("echo one; echo two");
   EXPECT_EQ(good.output, "one\ntwo\n");
-  EXPECT_EQ(good.trouble(), "");
-  EXPECT_EQ(run_shell("exit 3").trouble(), "ended with status 3");
+  EXPECT_EQ(good.failure(), "");
+  EXPECT_EQ(run_shell("exit 3").failure(), "ended with status 3");
   EXPECT_THROW((void)run_bounded({"/nowhere/program"}, 1, 1), InputError);
 }
 
 TEST(BoundedProcess, SurvivesACrash) {
-  EXPECT_EQ(run_shell("kill -SEGV $$").trouble(), "crashed (Segmentation fault)");
-  EXPECT_EQ(run_shell("kill -KILL $$").trouble(), "was killed");
+  EXPECT_EQ(run_shell("kill -SEGV $$").failure(), "crashed (Segmentation fault)");
+  EXPECT_EQ(run_shell("kill -KILL $$").failure(), "was killed");
 }
 
 TEST(BoundedProcess, EndsWhatTakesTooLongOrSaysTooMuch) {
   const auto begin = std::chrono::steady_clock::now();
-  EXPECT_EQ(run_shell("exec sleep 100", 0.1).trouble(), "took too long");
+  EXPECT_EQ(run_shell("exec sleep 100", 0.1).failure(), "took too long");
   const ProcessEnd endless = run_shell("while :; do echo more; done");
-  EXPECT_EQ(endless.trouble(), "gave too much");
+  EXPECT_EQ(endless.failure(), "gave too much");
   EXPECT_LE(endless.output.size(), 1000U + (1U << 16));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }

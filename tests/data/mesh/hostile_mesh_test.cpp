@@ -9,7 +9,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/mesh/foreign_mesh.h"
 #include "data/io/mesh/mesh_file.h"
 #include "tests/data/mesh/hostile_files.h"

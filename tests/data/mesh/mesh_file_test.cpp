@@ -13,7 +13,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/data/mesh/mesh_sums.h"
 #include "tests/matrix_near.h"

@@ -8,8 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/file_io.h"
 #include "base/units.h"
-#include "base/write_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/toml_text.h"
 #include "tests/data/mesh/cube_files.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "data/io/robot/import_robot.h"
-#include "data/io/robot/urdf_export.h"
+#include "data/io/robot/urdf.h"
 #include "tests/data/broken_files.h"
 #include "tests/data/robot/sample_files.h"
 #include "tests/data/robot/sample_robots.h"

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/file_io.h"
 #include "base/units.h"
-#include "base/write_file.h"
 #include "data/io/robot/link_poses.h"
 #include "tests/data/robot/named_parts.h"
 #include "tests/matrix_near.h"

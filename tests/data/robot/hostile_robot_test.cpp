@@ -11,7 +11,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/graspit/graspit_link.h"
 #include "data/io/robot/import_robot.h"
 #include "tests/data/robot/sample_files.h"

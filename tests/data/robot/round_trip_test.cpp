@@ -5,10 +5,10 @@
 
 #include <gtest/gtest.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/robot/import_robot.h"
 #include "data/io/robot/link_poses.h"
-#include "data/io/robot/urdf_export.h"
+#include "data/io/robot/urdf.h"
 #include "tests/data/robot/sample_files.h"
 #include "tests/data/robot/sample_robots.h"
 #include "tests/matrix_near.h"

@@ -44,7 +44,7 @@ TEST(DataObjects, ReadAndComeBack) {
     EXPECT_EQ(body.name, path.stem().string());
     EXPECT_FALSE(body.description.empty());
     EXPECT_NO_THROW((void)built_in_materials().between("skin", body.material));
-    EXPECT_TRUE(body.mass || body.spread_mass > 0 || body.density > 0);
+    EXPECT_TRUE(body.mass || body.uniform_mass > 0 || body.density > 0);
     EXPECT_EQ(object_toml(parse_object(object_toml(body), path)), object_toml(body));
     for (const ShapeSpec& shape : body.shapes) kinds.insert(shape.kind);
   }

@@ -9,7 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/write_file.h"
+#include "base/file_io.h"
 #include "data/io/world/graspit_body.h"
 #include "tests/data/mesh/cube_files.h"
 #include "tests/matrix_near.h"

@@ -103,7 +103,7 @@ TEST(Curvature, OfGapsAddsHessians) {
     const Eigen::Vector2d expected =
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(hessian(a, 0) + hessian(b, angle))
             .eigenvalues();
-    const GapCurvatures gap = gap_curvatures(a, b, angle);
+    const RelativeCurvatures gap = relative_curvatures(a, b, angle);
     EXPECT_NEAR(gap.k1, expected(1), 1e-10);
     EXPECT_NEAR(gap.k2, expected(0), 1e-10);
   }
@@ -112,7 +112,7 @@ TEST(Curvature, OfGapsAddsHessians) {
 // Two like cylinders crossed at right angles touch as a ball on a plane.
 TEST(Curvature, OfCrossedCylindersIsABallOnAPlane) {
   const PrincipalCurvatures cylinder{125, 0, {1, 0, 0}};
-  const GapCurvatures gap = gap_curvatures(cylinder, cylinder, kPi / 2);
+  const RelativeCurvatures gap = relative_curvatures(cylinder, cylinder, kPi / 2);
   EXPECT_NEAR(gap.k1, 125, 1e-12);
   EXPECT_NEAR(gap.k2, 125, 1e-12);
 }

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "base/units.h"
-#include "grasp/draw_uniform.h"
+#include "grasp/closing/approach_sampling.h"
 #include "tests/message_of.h"
 
 namespace thenar {
@@ -53,7 +53,7 @@ TEST(ReducePoints, LosesWhatIsFarthestFromTheKeptHull) {
   std::mt19937 random(1);
   for (int turn = 0; turn < 50; ++turn) {
     Eigen::Matrix2Xd points(2, 60);
-    for (double& x : points.reshaped()) x = draw_between(-0.02, 0.02, random);
+    for (double& x : points.reshaped()) x = sample_between(-0.02, 0.02, random);
     points.colwise().normalize();  // all on the hull, unevenly
     points *= 0.02;
     for (const int most : {3, 5, 8, 20}) {

@@ -7,8 +7,8 @@
 
 #include <gmock/gmock.h>
 
-#include "grasp/compare/centre.h"
-#include "grasp/robot_hand.h"
+#include "grasp/compare/pregrasp.h"
+#include "grasp/robot/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
 #include "tests/grasp/jaws.h"
 
@@ -27,9 +27,9 @@ struct SqueezedBall {
       : hand(robot), scene(sample::scene({sample::placed("cube", sample::jaw_cube(), {0, 0, 0})})) {
     GraspOptions options;
     options.way = 0;
-    grasp = centred_grasp(touching_hand(hand), {}, open_posture(hand.layout()), scene, options);
+    grasp = centred_grasp(collision_hand(hand), {}, open_posture(hand.layout()), scene, options);
   }
-  [[nodiscard]] Held held() const {
+  [[nodiscard]] HeldObject held() const {
     return {hand, grasp.closed.q, grasp.contacts,
             grasp.approached.X_WH.inverse() * scene.object.X_WB};
   }
@@ -57,7 +57,7 @@ TEST(GraspLoads, AreNotKnownWhereAnEffortIsNot) {
   const GraspLoads loads = squeeze.loads();
   EXPECT_TRUE(std::isnan(loads.margin.at("pull")));
   EXPECT_EQ(loads.reasons.at("pull"), "the effort of 'motor' is unknown");
-  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_TRUE(std::isnan(epsilon.value));
   EXPECT_EQ(epsilon.reason, "the effort of 'motor' is unknown");
 }
@@ -69,11 +69,11 @@ TEST(GraspLoads, NameTheJointThatGivesWay) {
   loose.joints[1].dof.clear();
   const RobotHand hand(loose);
   const Eigen::Vector2d q = squeeze.grasp.closed.q(0) * Eigen::Vector2d::Ones();
-  const Held held{hand, q, squeeze.grasp.contacts, squeeze.held().X_HO};
+  const HeldObject held{hand, q, squeeze.grasp.contacts, squeeze.held().X_HO};
   const GraspLoads loads = grasp_loads(held, squeeze.scene.object, 0.05, kTasks);
   EXPECT_EQ(loads.margin.at("pull"), 0);
   EXPECT_EQ(loads.reasons.at("pull"), "no effort balances 'right'");
-  const Limited epsilon = hand_epsilon(held, squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(held, squeeze.scene.object);
   EXPECT_EQ(epsilon.value, 0);
   EXPECT_EQ(epsilon.reason, "no effort balances 'right'");
 }
@@ -107,7 +107,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
   const GraspLoads loads = squeeze.loads();
   EXPECT_EQ(loads.margin.at("pull"), std::numeric_limits<double>::infinity());
   EXPECT_EQ(loads.reasons.at("pull"), "borne by structure, whose strength is not known");
-  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());
   EXPECT_EQ(epsilon.reason, "borne by structure, whose strength is not known");
 }
@@ -116,7 +116,7 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
 // corners do so: no wrench of 2 N or less needs more than the motor has, some of 2 N do.
 TEST(HandEpsilon, OfJawsIsAtMostWhatTheyHoldAcross) {
   const SqueezedBall squeeze(sample::jaws());
-  const Limited epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
+  const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_GT(epsilon.value, 0);
   EXPECT_LE(epsilon.value, 2 + 1e-6);
 }
@@ -146,16 +146,16 @@ TEST(HandOnObject, TakesTheLargestLoadAndCountsThoseThatAreKnown) {
 
 TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
   HandOnObject cell;
-  EXPECT_TRUE(std::isnan(cell.least_hold()));
+  EXPECT_TRUE(std::isnan(cell.min_grasp_force()));
   cell.closures = 3;
   cell.hand_epsilon = Eigen::Vector2d(1, 4);
-  EXPECT_EQ(cell.own_epsilon().most, 4);
-  EXPECT_EQ(cell.own_epsilon().known, 2);
-  EXPECT_EQ(cell.own_epsilon().of, 3);
+  EXPECT_EQ(cell.best_hand_epsilon().most, 4);
+  EXPECT_EQ(cell.best_hand_epsilon().known, 2);
+  EXPECT_EQ(cell.best_hand_epsilon().of, 3);
   cell.best.resize(2);
   cell.best[0].hold = 7;
   cell.best[1].hold = 5;
-  EXPECT_EQ(cell.least_hold(), 5);
+  EXPECT_EQ(cell.min_grasp_force(), 5);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <Eigen/QR>
 
 #include "grasp/compare/abilities.h"
-#include "grasp/robot_hand.h"
+#include "grasp/robot/robot_hand.h"
 #include "tendons/human/human_hand.h"
 #include "tests/grasp/closing_samples.h"
 #include "tests/grasp/jaws.h"

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "grasp/compare/abilities.h"
-#include "grasp/robot_hand.h"
+#include "grasp/robot/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
 
 namespace thenar {

@@ -21,7 +21,7 @@ Pose<double> at(double x, double y, double z) {
 }
 
 ContactPatches patches(const Solid& a, const Pose<double>& X_WA, const Solid& b) {
-  return contact_patches(touch_body(a), X_WA, b, {}, kFriction);
+  return contact_patches(collision_tree(a), X_WA, b, {}, kFriction);
 }
 
 /// The only patch there is.
@@ -221,7 +221,7 @@ TEST(ContactPatch, OfThingsApartIsNone) {
 
 TEST(ContactPatch, RejectsFrictionBelowZero) {
   EXPECT_EQ(message_of([] {
-              (void)contact_patches(touch_body(touching({rounded_point({0, 0, 0}, 0.01)})), {},
+              (void)contact_patches(collision_tree(touching({rounded_point({0, 0, 0}, 0.01)})), {},
                                     ground_solid(), {}, -1);
             }),
             "friction must be finite and >= 0, got -1");

@@ -8,13 +8,13 @@
 #include <random>
 #include <vector>
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 #include "tests/grasp/quality/random_grasps.h"
 
 namespace thenar {
 
-inline Wrench random_wrench_direction(std::mt19937& rng) {
-  Wrench u;
+inline ScaledWrench random_wrench_direction(std::mt19937& rng) {
+  ScaledWrench u;
   do {
     for (double& x : u) x = uniform(rng, -1, 1);
   } while (u.norm() > 1 || u.norm() < 0.1);
@@ -27,7 +27,7 @@ inline Wrench random_wrench_direction(std::mt19937& rng) {
 /// Each contact has one cap here.
 class BruteEpsilon {
  public:
-  BruteEpsilon(const WrenchSet& set, ForceLimit limit) : set_(set), limit_(limit) {}
+  BruteEpsilon(const WrenchSet& set, ForceNorm limit) : set_(set), limit_(limit) {}
 
   /// Best of 10 descents, and of up to `most` while it is above `enough`; never below the true
   /// epsilon, rounding aside.
@@ -41,12 +41,12 @@ class BruteEpsilon {
  private:
   struct Smooth {
     double h;
-    Wrench slope;  // along the sphere
+    ScaledWrench slope;  // along the sphere
   };
 
-  Smooth smooth(const Wrench& u, double t) const {
+  Smooth smooth(const ScaledWrench& u, double t) const {
     std::vector<double> reach;
-    std::vector<Wrench> slope;
+    std::vector<ScaledWrench> slope;
     for (const WrenchCap& cap : set_.caps) {
       const Eigen::Vector3d z =
           (Eigen::Vector3d() << cap.A.transpose() * u, Eigen::VectorXd::Zero(3 - cap.A.cols()))
@@ -56,11 +56,11 @@ class BruteEpsilon {
       slope.push_back(cap.c + cap.A * (z.head(cap.A.cols()) / length));
     }
     // kLinf joins each contact with 0 alone, kL1 all contacts with each other.
-    Smooth out{0, Wrench::Zero()};
+    Smooth out{0, ScaledWrench::Zero()};
     const double top = *std::max_element(reach.begin(), reach.end());
     double sum = 0;
     for (std::size_t i = 0; i < reach.size(); ++i) {
-      if (limit_ == ForceLimit::kL1) {
+      if (limit_ == ForceNorm::kL1) {
         const double weight = std::exp((reach[i] - top) / t);
         sum += weight;
         out.slope += weight * slope[i];
@@ -69,7 +69,7 @@ class BruteEpsilon {
         out.slope += slope[i] / (1 + std::exp(-reach[i] / t));
       }
     }
-    if (limit_ == ForceLimit::kL1) {
+    if (limit_ == ForceNorm::kL1) {
       out.h = top + t * std::log(sum);
       out.slope /= sum;
     }
@@ -78,32 +78,32 @@ class BruteEpsilon {
   }
 
   /// @param roughness  0 to start from a very smooth function, which leads to few minima
-  Wrench descend(Wrench u, int roughness) const {
+  ScaledWrench descend(ScaledWrench u, int roughness) const {
     for (double t = 0.3 * std::pow(3.0, -roughness); t > 1e-7; t /= 4) u = descend_at(u, t);
     return u;
   }
 
   /// BFGS on directions.
-  Wrench descend_at(Wrench u, double t) const {
+  ScaledWrench descend_at(ScaledWrench u, double t) const {
     using Matrix = Eigen::Matrix<double, 6, 6>;
     Matrix inverse = t * Matrix::Identity();
     Smooth now = smooth(u, t);
     for (int i = 0; i < 60; ++i) {
-      Wrench way = -inverse * now.slope;
+      ScaledWrench way = -inverse * now.slope;
       if (way.dot(now.slope) >= 0) {
         inverse = t * Matrix::Identity();
         way = -inverse * now.slope;
       }
       double step = std::min(1.0, 0.5 / (way.norm() + 1e-300));
       Smooth next{};
-      Wrench to;
+      ScaledWrench to;
       for (int halvings = 0; halvings < 40; ++halvings, step /= 2) {
         to = (u + step * way).normalized();
         next = smooth(to, t);
         if (next.h <= now.h + 1e-4 * step * way.dot(now.slope)) break;
       }
       if (!(next.h < now.h - 1e-12)) return u;
-      const Wrench s = to - u, y = next.slope - now.slope;
+      const ScaledWrench s = to - u, y = next.slope - now.slope;
       const double sy = s.dot(y);
       if (sy > 1e-14) {
         const Matrix left = Matrix::Identity() - s * y.transpose() / sy;
@@ -116,7 +116,7 @@ class BruteEpsilon {
   }
 
   const WrenchSet& set_;
-  ForceLimit limit_;
+  ForceNorm limit_;
 };
 
 }  // namespace thenar

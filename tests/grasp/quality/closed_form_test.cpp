@@ -25,7 +25,7 @@ constexpr double kScale = 0.04;   // torques are divided by it [m]
 constexpr double kRadius = 0.03;  // of the disc or sphere, half an edge of the cube [m]
 
 Epsilon epsilon_of(const std::vector<Contact>& contacts, double gap = 1e-11,
-                   ForceLimit limit = ForceLimit::kL1) {
+                   ForceNorm limit = ForceNorm::kL1) {
   EpsilonOptions options;
   options.gap = gap;
   options.limit = limit;
@@ -46,7 +46,7 @@ void expect_enclosed(const Epsilon& found, double expected, double gap) {
   EXPECT_TRUE(found.force_closure);
 }
 
-void expect_missing(const Epsilon& found, const Wrench& direction) {
+void expect_missing(const Epsilon& found, const ScaledWrench& direction) {
   EXPECT_FALSE(found.force_closure);
   ASSERT_TRUE(found.has_missing_direction);
   EXPECT_NEAR(std::abs(found.missing_direction.dot(direction)), 1, 1e-9);
@@ -69,12 +69,12 @@ TEST(ClosedForm, TwoSoftFingersLimitedByFriction) {
   for (const double mu : {0.2, 0.5, 1.0}) {
     const double gap = 1e-3, expected = friction_bound(mu);
     expect_enclosed(epsilon_of(pinch(mu, 2 * kScale), gap), expected, gap);
-    Wrench worst = Wrench::Zero();
+    ScaledWrench worst = ScaledWrench::Zero();
     worst(0) = mu;
     worst(1) = 1;
     worst(5) = kScale / kRadius;
     const WrenchSet set = wrench_set(pinch(mu, 2 * kScale), {0, 0, 0}, kScale);
-    EXPECT_NEAR(support(set, worst.normalized(), ForceLimit::kL1), expected, kExact);
+    EXPECT_NEAR(support(set, worst.normalized(), ForceNorm::kL1), expected, kExact);
   }
 }
 
@@ -92,7 +92,7 @@ TEST(ClosedForm, TwoSoftFingersOfUnitForceEach) {
   const auto at_scale = [&](double mu, double torsion) {
     std::vector<Contact> contacts = pinch(mu, torsion);
     for (Contact& contact : contacts) contact.p *= kScale / kRadius;
-    return epsilon_of(contacts, gap, ForceLimit::kLinf);
+    return epsilon_of(contacts, gap, ForceNorm::kLinf);
   };
   expect_enclosed(at_scale(0.5, 2 * kScale), 2 / std::sqrt(4 + 2 / 0.25), gap);
   expect_enclosed(at_scale(0.5, 0.1 * kScale), 0.2 / std::sqrt(1.01), gap);
@@ -135,7 +135,7 @@ TEST(ClosedForm, TwoHardFingersMissATwist) {
   const Epsilon found = epsilon_of(pinch(0.5, 0));
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 5);
-  expect_missing(found, Wrench::Unit(3));
+  expect_missing(found, ScaledWrench::Unit(3));
 }
 
 TEST(ClosedForm, CollinearHardPointsMissATwist) {
@@ -144,7 +144,7 @@ TEST(ClosedForm, CollinearHardPointsMissATwist) {
   const Epsilon found = epsilon_of(contacts);
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 5);
-  expect_missing(found, Wrench::Unit(3));
+  expect_missing(found, ScaledWrench::Unit(3));
 }
 
 // On a sphere, p and n are parallel: its wrench is the normal, friction is across it.
@@ -180,7 +180,7 @@ TEST(ClosedForm, FingersOnOneSideArePartlyHelpedByFriction) {
     }
     const Epsilon found = epsilon_of(contacts);
     expect_value(found, -(std::cos(phi) - mu * std::sin(phi)));
-    expect_missing(found, Wrench::Unit(2));
+    expect_missing(found, ScaledWrench::Unit(2));
   }
 }
 

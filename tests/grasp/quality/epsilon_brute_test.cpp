@@ -30,7 +30,7 @@ WrenchSet random_set(std::mt19937& rng, int most) {
 
 /// @param starts  of descents; @param slack  what a descent may stay above the
 /// least value
-void enclose(ForceLimit limit, int most_contacts, int count) {
+void enclose(ForceNorm limit, int most_contacts, int count) {
   constexpr int kMostDescents = 500;
   constexpr double kSlack = 1e-4;  // of descents above the least value
   std::mt19937 rng(11);
@@ -42,7 +42,7 @@ void enclose(ForceLimit limit, int most_contacts, int count) {
     const Epsilon e = epsilon(set, options);
     EXPECT_TRUE(e.converged) << i << ": " << e.lower << " " << e.upper;
     // For kLinf without closure the value is that of kL1.
-    const ForceLimit meant = e.force_closure ? limit : ForceLimit::kL1;
+    const ForceNorm meant = e.force_closure ? limit : ForceNorm::kL1;
     EXPECT_LE(support(set, -e.worst_wrench, meant), e.upper + 1e-12) << i;
     const double brute = BruteEpsilon(set, meant)(rng, kMostDescents, e.upper + kSlack);
     EXPECT_GE(brute, e.lower) << i;
@@ -53,13 +53,9 @@ void enclose(ForceLimit limit, int most_contacts, int count) {
   EXPECT_LT(closures, count);
 }
 
-TEST(EpsilonBounds, EncloseTheLeastSupportFoundByDescents) {
-  enclose(ForceLimit::kL1, 7, grasps());
-}
+TEST(EpsilonBounds, EncloseTheLeastSupportFoundByDescents) { enclose(ForceNorm::kL1, 7, grasps()); }
 
-TEST(EpsilonBounds, EncloseItForLimitsOfEachContact) {
-  enclose(ForceLimit::kLinf, 5, grasps() / 5);
-}
+TEST(EpsilonBounds, EncloseItForLimitsOfEachContact) { enclose(ForceNorm::kLinf, 5, grasps() / 5); }
 
 }  // namespace
 }  // namespace thenar

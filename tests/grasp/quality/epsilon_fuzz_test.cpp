@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "base/spatial.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/pyramid.h"
 #include "tests/grasp/quality/brute_epsilon.h"
 
 namespace thenar {
@@ -119,17 +119,17 @@ TEST(EpsilonFuzz, BoundsHoldTheLeastSupportAndComeInTime) {
   int inside = 0, flat = 0, open = 0;
   for (int i = 0; i < sets(); ++i) {
     const WrenchSet set = odd_set(rng, i);
-    for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
-      if (limit == ForceLimit::kLinf && set.caps.size() > 12) continue;
+    for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
+      if (limit == ForceNorm::kLinf && set.caps.size() > 12) continue;
       EpsilonOptions options;
       options.limit = limit;
-      options.most_facets = kMostFacets;
+      options.max_facets = kMostFacets;
       const std::clock_t start = std::clock();
       const Epsilon e = epsilon(set, options);
       EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, kMostTime) << i;
       EXPECT_LE(e.lower, e.upper) << i;
       EXPECT_NEAR(e.worst_wrench.norm(), 1, 1e-9) << i;
-      const ForceLimit meant = e.force_closure ? limit : ForceLimit::kL1;
+      const ForceNorm meant = e.force_closure ? limit : ForceNorm::kL1;
       double size = 0;
       for (const WrenchCap& cap : set.caps) size += cap.c.norm() + cap.A.norm();
       // Of flat sets a value within rounding of 0 is called 0.

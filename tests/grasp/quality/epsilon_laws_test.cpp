@@ -1,4 +1,4 @@
-// Laws of epsilon, and grasps that make trouble.
+// Laws of epsilon, and grasps that make warning.
 
 #include <cmath>
 #include <limits>
@@ -7,8 +7,8 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/pyramid.h"
 #include "tests/grasp/quality/random_grasps.h"
 
 namespace thenar {
@@ -18,23 +18,23 @@ constexpr int kGrasps = 60;
 constexpr double kRounding = 1e-12;
 
 Epsilon epsilon_at_scale(const std::vector<Contact>& contacts, double scale = 1,
-                         ForceLimit limit = ForceLimit::kL1) {
+                         ForceNorm limit = ForceNorm::kL1) {
   EpsilonOptions options;
   options.limit = limit;
   return epsilon(wrench_set(contacts, Eigen::Vector3d::Zero(), scale), options);
 }
 
-void expect_sound(const Epsilon& e, const WrenchSet& set, ForceLimit limit) {
+void expect_sound(const Epsilon& e, const WrenchSet& set, ForceNorm limit) {
   EXPECT_LE(e.lower, e.upper);
   EXPECT_NEAR(e.worst_wrench.norm(), 1, kRounding);
   EXPECT_EQ(e.force_closure, e.lower > 0);
   EXPECT_EQ(e.has_missing_direction, !e.force_closure);
-  const ForceLimit meant = e.force_closure ? limit : ForceLimit::kL1;
+  const ForceNorm meant = e.force_closure ? limit : ForceNorm::kL1;
   double size = 0;
   for (const WrenchCap& cap : set.caps) size += cap.c.norm() + cap.A.norm();
   EXPECT_LE(support(set, -e.worst_wrench, meant), e.upper + 1e-12 * size);
   if (e.has_missing_direction) {
-    EXPECT_LE(support(set, e.missing_direction, ForceLimit::kL1), std::max(e.upper, 1e-9 * size));
+    EXPECT_LE(support(set, e.missing_direction, ForceNorm::kL1), std::max(e.upper, 1e-9 * size));
   }
 }
 
@@ -44,7 +44,7 @@ TEST(EpsilonLaws, AnotherContactNeverLowersIt) {
   for (int i = 0; i < kGrasps; ++i) {
     std::vector<Contact> contacts = random_contacts(rng, 6);
     std::vector<Contact> fewer(contacts.begin(), contacts.end() - 1);
-    for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf})
+    for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf})
       EXPECT_LE(epsilon_at_scale(fewer, 1, limit).lower,
                 epsilon_at_scale(contacts, 1, limit).upper);
   }
@@ -68,7 +68,7 @@ TEST(EpsilonLaws, EachLimitedIsNoLessThanAllTogether) {
   std::mt19937 rng(3);
   for (int i = 0; i < kGrasps; ++i) {
     const std::vector<Contact> contacts = random_contacts(rng, 4);
-    EXPECT_GE(epsilon_at_scale(contacts, 1, ForceLimit::kLinf).upper,
+    EXPECT_GE(epsilon_at_scale(contacts, 1, ForceNorm::kLinf).upper,
               epsilon_at_scale(contacts).lower);
   }
 }
@@ -127,7 +127,7 @@ TEST(EpsilonStability, TorqueScalesFromMillimetresToKilometres) {
     const std::vector<Contact> contacts = random_contacts(rng, 5);
     for (const double scale : {1e-3, 1e-2, 1.0, 1e2, 1e3}) {
       const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), scale);
-      for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+      for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
         EpsilonOptions options;
         options.limit = limit;
         const Epsilon e = epsilon(set, options);
@@ -173,7 +173,7 @@ TEST(EpsilonStability, SymmetricGraspsConverge) {
   for (const auto& contacts : {faces, corners}) {
     const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
     const Epsilon e = epsilon(set);
-    expect_sound(e, set, ForceLimit::kL1);
+    expect_sound(e, set, ForceNorm::kL1);
     EXPECT_TRUE(e.converged);
     EXPECT_TRUE(e.force_closure);
     for (const int edges : {4, 6, 8}) {
@@ -198,7 +198,7 @@ TEST(EpsilonStability, RandomTroubleIsSound) {
       if (uniform(rng, 0, 1) < 0.3) contact.p.z() = 0;
       if (uniform(rng, 0, 1) < 0.2) contact.torsion = 0.1;
     }
-    for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+    for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
       const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
       EpsilonOptions options;
       options.limit = limit;
@@ -216,7 +216,7 @@ TEST(EpsilonStability, NeedlesBesideTheOriginAreAsFarAsTheyAre) {
   for (int i = 0; i < 100; ++i) {
     WrenchSet set;
     for (int k = 0; k < 12; ++k) {
-      Wrench w;
+      ScaledWrench w;
       for (double& x : w) x = uniform(rng, -1, 1) * 1e-9;
       w.head<3>() += Eigen::Vector3d(k < 4 ? 0.25 : 1, k & 1 ? 1 : -1, k & 2 ? 1 : -1);
       set.caps.push_back({w, decltype(WrenchCap::A)(6, 0), -1});

@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kTol = 1e-9;
 
-Epsilon epsilon_of(const WrenchSet& set, ForceLimit limit, double gap) {
+Epsilon epsilon_of(const WrenchSet& set, ForceNorm limit, double gap) {
   EpsilonOptions options;
   options.limit = limit;
   options.gap = gap;
   return epsilon(set, options);
 }
 
-void expect_polytope(const WrenchSet& set, ForceLimit limit, double known) {
+void expect_polytope(const WrenchSet& set, ForceNorm limit, double known) {
   const Epsilon e = epsilon_of(set, limit, 1e-11);
   EXPECT_TRUE(e.converged);
   EXPECT_NEAR(e.lower, known, kTol);
@@ -32,7 +32,7 @@ void expect_polytope(const WrenchSet& set, ForceLimit limit, double known) {
 }
 
 /// Curved sets: the bounds hold the known value, at the given gap.
-void expect_enclosed(const WrenchSet& set, ForceLimit limit, double known, double gap) {
+void expect_enclosed(const WrenchSet& set, ForceNorm limit, double known, double gap) {
   const Epsilon e = epsilon_of(set, limit, gap);
   EXPECT_TRUE(e.converged);
   EXPECT_LE(e.lower, known);
@@ -42,18 +42,18 @@ void expect_enclosed(const WrenchSet& set, ForceLimit limit, double known, doubl
 
 // {+-a_i e_i}: facets sum |x_i| / a_i = 1, at distance 1 / |1 / a|.
 TEST(EpsilonKnown, OfACrossPolytope) {
-  expect_polytope(cross_polytope(), ForceLimit::kL1, 1 / kHalfAxes.cwiseInverse().norm());
+  expect_polytope(cross_polytope(), ForceNorm::kL1, 1 / kHalfAxes.cwiseInverse().norm());
 }
 
 // The sum of segments [-a_i, a_i] e_i is a box.
 TEST(EpsilonKnown, OfABox) {
-  expect_polytope(cross_polytope(), ForceLimit::kLinf, kHalfAxes.minCoeff());
+  expect_polytope(cross_polytope(), ForceNorm::kLinf, kHalfAxes.minCoeff());
 }
 
 // A regular simplex of n dimensions has an insphere n times smaller than its
 // circumsphere.
 TEST(EpsilonKnown, OfARegularSimplex) {
-  expect_polytope(regular_simplex(), ForceLimit::kL1, 1.0 / 6);
+  expect_polytope(regular_simplex(), ForceNorm::kL1, 1.0 / 6);
 }
 
 // Four frictionless contacts (+-a, +-a) on each face of a cube of half side 1.
@@ -62,20 +62,20 @@ TEST(EpsilonKnown, OfARegularSimplex) {
 // 1 + 1 / a^2; the others are smaller.
 TEST(EpsilonKnown, OfFormClosureOfACube) {
   for (const double a : {0.1, 0.5, 0.7, 0.9})
-    expect_polytope(cube_without_friction(a), ForceLimit::kL1,
+    expect_polytope(cube_without_friction(a), ForceNorm::kL1,
                     1 / std::sqrt(std::max(3.0, 1 + 1 / (a * a))));
 }
 
 // Discs in the planes 12, 34, 56: h = max of three norms, least where they are
 // equal; as a Minkowski sum, the sum of three norms, least where one has all.
 TEST(EpsilonKnown, OfDiscsInOrthogonalPlanes) {
-  expect_enclosed(orthogonal_discs(), ForceLimit::kL1, 1 / std::sqrt(3), 0.1);
-  expect_enclosed(orthogonal_discs(), ForceLimit::kLinf, 1, 0.1);
+  expect_enclosed(orthogonal_discs(), ForceNorm::kL1, 1 / std::sqrt(3), 0.1);
+  expect_enclosed(orthogonal_discs(), ForceNorm::kLinf, 1, 0.1);
 }
 
 // Balls of forces and of torques: h = max(|f|, |t|).
 TEST(EpsilonKnown, OfOrthogonalBalls) {
-  expect_enclosed(orthogonal_balls(), ForceLimit::kL1, 1 / std::sqrt(2), 0.2);
+  expect_enclosed(orthogonal_balls(), ForceNorm::kL1, 1 / std::sqrt(2), 0.2);
 }
 
 // Soft fingers at +-x, with P, Q the norms of the ellipsoids, h = max(P - f_x,
@@ -87,7 +87,7 @@ TEST(EpsilonKnown, OfTwoSoftFingers) {
   for (const double friction : {0.3, 0.8}) {
     for (const double torsion : {0.1, 0.6}) {
       const double known = std::min(friction / std::sqrt(2 + friction * friction), torsion);
-      expect_enclosed(two_soft_fingers(friction, torsion), ForceLimit::kL1, known, 1e-3);
+      expect_enclosed(two_soft_fingers(friction, torsion), ForceNorm::kL1, known, 1e-3);
     }
   }
 }
@@ -101,7 +101,7 @@ TEST(EpsilonKnown, OfTwoSoftFingersEachLimited) {
       const double known =
           std::min(std::sqrt(2) * friction / std::sqrt(1 + 2 * friction * friction),
                    2 * torsion / std::sqrt(1 + torsion * torsion));
-      expect_enclosed(two_soft_fingers(friction, torsion), ForceLimit::kLinf, known, 1e-3);
+      expect_enclosed(two_soft_fingers(friction, torsion), ForceNorm::kLinf, known, 1e-3);
     }
   }
 }
@@ -129,7 +129,7 @@ TEST(EpsilonKnown, OfTwoContactsOnOneSide) {
   const double known = -(std::cos(a) - friction * std::sin(a));
   EXPECT_NEAR(e.lower, known, kTol);
   EXPECT_NEAR(e.upper, known, kTol);
-  EXPECT_TRUE(matrix_near(e.missing_direction, -Wrench::Unit(2), 1e-4));
+  EXPECT_TRUE(matrix_near(e.missing_direction, -ScaledWrench::Unit(2), 1e-4));
 }
 
 // Any number of contacts that push along z: -1.
@@ -145,7 +145,7 @@ TEST(EpsilonKnown, OfParallelNormalsIsMinusOne) {
 }
 
 TEST(EpsilonFlat, TwoHardFingersLackTorqueAboutTheirLine) {
-  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+  for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
     const Epsilon e = epsilon_of(two_soft_fingers(0.5, 0), limit, 1e-3);
     EXPECT_EQ(e.rank, 5);
     EXPECT_EQ(e.lower, 0);
@@ -198,20 +198,20 @@ TEST(EpsilonFlat, TheOriginOnTheBoundaryIsNoClosure) {
   EXPECT_FALSE(e.force_closure);
   EXPECT_NEAR(e.lower, 0, kTol);
   EXPECT_NEAR(e.upper, 0, kTol);
-  EXPECT_TRUE(matrix_near(e.missing_direction, Wrench::Unit(0), 1e-9));
+  EXPECT_TRUE(matrix_near(e.missing_direction, ScaledWrench::Unit(0), 1e-9));
 }
 
 TEST(Epsilon, RefusesWhatIsNotANumber) {
   WrenchSet set = cross_polytope();
   set.caps[3].c(2) = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)epsilon(set), InputError);
-  EXPECT_THROW((void)epsilon_of(cross_polytope(), ForceLimit::kL1, 0), InputError);
+  EXPECT_THROW((void)epsilon_of(cross_polytope(), ForceNorm::kL1, 0), InputError);
 }
 
 TEST(Epsilon, SaysSoWhenItGivesUp) {
   EpsilonOptions options;
   options.gap = 1e-9;
-  options.most_facets = 500;
+  options.max_facets = 500;
   WrenchSet three = orthogonal_balls();  // of two caps there would be a proof without facets
   three.caps.push_back(three.caps[0]);
   three.caps[2].A /= 2;  // within the first

@@ -30,7 +30,7 @@ GraspStiffness stiffness(const std::vector<PadStiffness>& pads,
 TEST(GraspStiffness, OfAPinchIsDiagonal) {
   const double turn = 2 * 1000 * std::pow(kRadius / kScale, 2);
   const double twist = 2 * 0.3 / (kScale * kScale);
-  const Wrench diagonal = (Wrench() << 4000, 2000, 2000, twist, turn, turn).finished();
+  const ScaledWrench diagonal = (ScaledWrench() << 4000, 2000, 2000, twist, turn, turn).finished();
   const GraspStiffness found = stiffness(kPads);
   EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExactStiffness));
   EXPECT_NEAR(found.least, twist, kExactStiffness);

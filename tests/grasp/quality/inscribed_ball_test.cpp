@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/task_wrenches.h"
+#include "grasp/quality/task_margin.h"
 #include "tests/grasp/quality/pinch.h"
 #include "tests/message_of.h"
 
@@ -23,14 +23,14 @@ constexpr double kSolvedBall = 1e-8;
 WrenchSet axes() {
   WrenchSet set;
   for (int i = 0; i < 6; ++i)
-    for (const double sign : {1.0, -1.0}) set.caps.push_back({sign * Wrench::Unit(i), {}});
+    for (const double sign : {1.0, -1.0}) set.caps.push_back({sign * ScaledWrench::Unit(i), {}});
   return set;
 }
 
 // The cross-polytope, all faces 1 / sqrt 6 off; with a limit for each generator, the cube.
 TEST(InscribedBall, IsExactForPolytopes) {
   for (const auto& [limit, radius] :
-       {std::pair(ForceLimit::kL1, 1 / std::sqrt(6.0)), std::pair(ForceLimit::kLinf, 1.0)}) {
+       {std::pair(ForceNorm::kL1, 1 / std::sqrt(6.0)), std::pair(ForceNorm::kLinf, 1.0)}) {
     const InscribedBall ball = inscribed_ball(unit_forces(axes(), limit));
     ASSERT_EQ(ball.status, ConeStatus::kSolvedBall);
     EXPECT_NEAR(ball.upper, radius, kSolvedBall);
@@ -42,7 +42,7 @@ TEST(InscribedBall, IsExactForPolytopes) {
 // epsilon() finds the same by supports that are formulas.
 TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
   const WrenchSet set = pinch(0.5, 0.01);
-  const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
+  const InscribedBall ball = inscribed_ball(unit_forces(set, ForceNorm::kL1));
   const Epsilon expected = epsilon(set);
   ASSERT_EQ(ball.status, ConeStatus::kSolvedBall);
   EXPECT_LE(ball.lower, expected.upper + kSolvedBall);
@@ -53,14 +53,14 @@ TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
 // What is between the bounds, widened by the residual, holds the closed form: the cross-polytope's
 // 1 / sqrt 6, and 12 mu of two motors of 6 N.
 TEST(InscribedBall, StatesTheResidualOfItsProgrammes) {
-  const InscribedBall ball = inscribed_ball(unit_forces(axes(), ForceLimit::kL1));
+  const InscribedBall ball = inscribed_ball(unit_forces(axes(), ForceNorm::kL1));
   EXPECT_GT(ball.residual, 0);
   EXPECT_LT(ball.residual, 1e-9);
   EXPECT_LE(ball.lower - 2 * ball.residual, 1 / std::sqrt(6.0));
   EXPECT_GE(ball.upper + 2 * ball.residual, 1 / std::sqrt(6.0));
 
   const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
-  const TaskMargin margin = margin_of_loads(hand, {Wrench::Unit(2), Wrench::Unit(1)});
+  const TaskMargin margin = margin_of_loads(hand, {ScaledWrench::Unit(2), ScaledWrench::Unit(1)});
   EXPECT_GT(margin.residual, 0);
   EXPECT_LT(margin.residual, 1e-9);
   EXPECT_LE(margin.lower, margin.upper);
@@ -89,7 +89,7 @@ TEST(InscribedBall, KeepsItsBoundsInOrderWhereNothingIsWithstood) {
   for (int trial = 0; trial < 30; ++trial) {
     const Eigen::Vector3d p = Eigen::Vector3d::NullaryExpr(number);
     const WrenchSet set = wrench_set({{p, -p.normalized(), 0.5, 0}}, {0, 0, 0}, 1);
-    const InscribedBall ball = inscribed_ball(unit_forces(set, ForceLimit::kL1));
+    const InscribedBall ball = inscribed_ball(unit_forces(set, ForceNorm::kL1));
     ASSERT_LE(ball.lower, ball.upper);
     ASSERT_LE(ball.upper, kSolvedBall);
   }
@@ -97,7 +97,7 @@ TEST(InscribedBall, KeepsItsBoundsInOrderWhereNothingIsWithstood) {
 
 TEST(TaskWrenches, WorstOfAListCounts) {
   const ForceSet hand = hand_forces(pinch(0.25, 0), pinch_torques(0.25, 0), pinch_motors(0, 6));
-  const Wrench across = Wrench::Unit(2), along = Wrench::Unit(0);
+  const ScaledWrench across = ScaledWrench::Unit(2), along = ScaledWrench::Unit(0);
   const TaskMargin margin = margin_of_loads(hand, {along, across});
   EXPECT_NEAR(margin.lower, 0.25 * 12, kSolvedBall);
   EXPECT_EQ(margin.worst_load, across);
@@ -106,17 +106,17 @@ TEST(TaskWrenches, WorstOfAListCounts) {
 
 // In the cross-polytope a load with corners (+-a, +-b) is withstood up to 1 / (a + b).
 TEST(TaskWrenches, BoxIsAsGoodAsItsWorstCorner) {
-  Wrench half = Wrench::Zero();
+  ScaledWrench half = ScaledWrench::Zero();
   half(0) = 2;
   half(4) = 3;
-  const TaskMargin margin = margin_of_box(unit_forces(axes(), ForceLimit::kL1), -half, half);
+  const TaskMargin margin = margin_of_box(unit_forces(axes(), ForceNorm::kL1), -half, half);
   EXPECT_NEAR(margin.lower, 1.0 / 5, kSolvedBall);
 }
 
 // Axes q_i: the cross-polytope's face is at k / sqrt(sum q_i^2), over those that are not zero.
 TEST(TaskWrenches, EllipsoidIsExactInACrossPolytope) {
-  const ForceSet forces = unit_forces(axes(), ForceLimit::kL1);
-  const Wrench q = (Wrench() << 1, 2, 3, 0.5, 1, 2).finished();
+  const ForceSet forces = unit_forces(axes(), ForceNorm::kL1);
+  const ScaledWrench q = (ScaledWrench() << 1, 2, 3, 0.5, 1, 2).finished();
   const TaskMargin full = margin_of_ellipsoid(forces, Eigen::MatrixXd(q.asDiagonal()));
   ASSERT_EQ(full.status, ConeStatus::kSolvedBall);
   EXPECT_NEAR(full.upper, 1 / q.norm(), kSolvedBall);
@@ -144,7 +144,7 @@ TEST(TaskWrenches, ForcesWithoutTorqueNeedNoRank) {
 
 TEST(TaskWrenches, RefusesAFlatEllipsoidOfTooManyAxes) {
   EXPECT_EQ(message_of([] {
-              (void)margin_of_ellipsoid(unit_forces(axes(), ForceLimit::kL1),
+              (void)margin_of_ellipsoid(unit_forces(axes(), ForceNorm::kL1),
                                         Eigen::Matrix<double, 6, 2>::Ones());
             }),
             "2 axes of the ellipsoid span 1 dimensions");

@@ -1,14 +1,14 @@
 #pragma once
 
-/// Wrench sets whose epsilon and volume are known in closed form.
+/// ScaledWrench sets whose epsilon and volume are known in closed form.
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 
 namespace thenar {
 
 using Axes = decltype(WrenchCap::A);
 
-inline const Wrench kHalfAxes = (Wrench() << 1, 0.8, 0.6, 0.3, 0.25, 0.5).finished();
+inline const ScaledWrench kHalfAxes = (ScaledWrench() << 1, 0.8, 0.6, 0.3, 0.25, 0.5).finished();
 
 /// Explicit wrenches +-a_i e_i; those of one axis share a contact only with
 /// themselves.
@@ -16,7 +16,7 @@ inline WrenchSet cross_polytope() {
   WrenchSet set;
   for (int i = 0; i < 6; ++i)
     for (const double sign : {1.0, -1.0})
-      set.caps.push_back({sign * kHalfAxes(i) * Wrench::Unit(i), Axes(6, 0), -1});
+      set.caps.push_back({sign * kHalfAxes(i) * ScaledWrench::Unit(i), Axes(6, 0), -1});
   return set;
 }
 
@@ -55,7 +55,7 @@ inline WrenchSet orthogonal_discs() {
   for (int i = 0; i < 3; ++i) {
     Axes A = Axes::Zero(6, 2);
     A(2 * i, 0) = A(2 * i + 1, 1) = 1;
-    set.caps.push_back({Wrench::Zero(), A, -1});
+    set.caps.push_back({ScaledWrench::Zero(), A, -1});
   }
   return set;
 }
@@ -65,7 +65,7 @@ inline WrenchSet orthogonal_balls() {
   for (int i = 0; i < 2; ++i) {
     Axes A = Axes::Zero(6, 3);
     A.middleRows(3 * i, 3).setIdentity();
-    set.caps.push_back({Wrench::Zero(), A, -1});
+    set.caps.push_back({ScaledWrench::Zero(), A, -1});
   }
   return set;
 }

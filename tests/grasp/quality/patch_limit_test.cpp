@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include "base/spatial.h"
+#include "grasp/contact/contact.h"
+#include "grasp/limits/force_set.h"
+#include "grasp/limits/grasp_force.h"
+#include "grasp/limits/wrench_support.h"
 #include "grasp/quality/epsilon.h"
-#include "grasp/quality/force_set.h"
-#include "grasp/quality/hold_force.h"
-#include "grasp/quality/regions.h"
 #include "grasp/quality/robustness.h"
 #include "grasp/quality/volume.h"
-#include "grasp/quality/withstood.h"
 #include "tests/grasp/quality/random_grasps.h"
 
 namespace thenar {
@@ -56,7 +56,7 @@ WrenchSet set_of(const std::vector<Contact>& contacts) {
   return wrench_set(contacts, {0, 0, 0}, 1);
 }
 
-Epsilon epsilon_of(const std::vector<Contact>& contacts, ForceLimit limit, double gap = 1e-3) {
+Epsilon epsilon_of(const std::vector<Contact>& contacts, ForceNorm limit, double gap = 1e-3) {
   EpsilonOptions options;
   options.limit = limit;
   options.gap = gap;
@@ -83,7 +83,7 @@ TEST(PatchLimit, SupportIsThatOfTheCorners) {
   const std::vector<Contact> contacts = jaws(0.5);
   const WrenchSet set = set_of(contacts);
   for (int i = 0; i < 200; ++i) {
-    Wrench u;
+    ScaledWrench u;
     for (double& x : u) x = uniform(rng, -1, 1);
     // By hand: the better of 0 and the best corner, of each face by itself.
     double sum = 0;
@@ -97,14 +97,14 @@ TEST(PatchLimit, SupportIsThatOfTheCorners) {
       }
       sum += best;
     }
-    EXPECT_NEAR(support(set, u, ForceLimit::kLinf), sum, 1e-12);
+    EXPECT_NEAR(support(set, u, ForceNorm::kLinf), sum, 1e-12);
   }
 }
 
 TEST(PatchLimit, CutsOfAPatchChangeNothing) {
   std::mt19937 rng(2);
   for (const double mu : {0.3, 0.9})
-    for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+    for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
       const Epsilon plain = epsilon_of(jaws(mu), limit);
       ASSERT_TRUE(plain.force_closure);
       for (const Epsilon& cut :
@@ -125,19 +125,19 @@ TEST(PatchLimit, OnePlaceIsOneContact) {
   std::vector<Contact> again = twice(contacts);
   for (std::size_t i = 1; i < again.size(); i += 2)
     again[i].p += 1e-12 * random_direction(rng);  // written with other last digits
-  const Epsilon once = epsilon_of(contacts, ForceLimit::kLinf, 1e-2);
-  const Epsilon doubled = epsilon_of(again, ForceLimit::kLinf, 1e-2);
+  const Epsilon once = epsilon_of(contacts, ForceNorm::kLinf, 1e-2);
+  const Epsilon doubled = epsilon_of(again, ForceNorm::kLinf, 1e-2);
   ASSERT_TRUE(once.force_closure);
   EXPECT_LE(doubled.lower, once.upper + 1e-9);
   EXPECT_GE(doubled.upper, once.lower - 1e-9);
-  EXPECT_EQ(regions(again), (std::vector<int>{0, 0, 1, 1, 2, 2, 3, 3}));
+  EXPECT_EQ(contact_regions(again), (std::vector<int>{0, 0, 1, 1, 2, 2, 3, 3}));
 }
 
 TEST(PatchLimit, PointsWithoutPatchesHaveLimitsOfTheirOwn) {
   std::vector<Contact> contacts = jaws(0.5);
-  const double one = epsilon_of(contacts, ForceLimit::kLinf).lower;
+  const double one = epsilon_of(contacts, ForceNorm::kLinf).lower;
   for (Contact& contact : contacts) contact.patch = -1;
-  EXPECT_GT(epsilon_of(contacts, ForceLimit::kLinf, 1e-2).lower, 2 * one);
+  EXPECT_GT(epsilon_of(contacts, ForceNorm::kLinf, 1e-2).lower, 2 * one);
 }
 
 // Two rigid faces at x = +-1, mu, corners at (+-a, +-b). Torque about x: the twist (0 | 1, 0, 0)
@@ -146,12 +146,14 @@ TEST(PatchLimit, PointsWithoutPatchesHaveLimitsOfTheirOwn) {
 // and of the other the same, 2 (b + mu). With mu = 0.3, r = 0.5 the twist bounds epsilon by 0.3.
 TEST(PatchLimit, ClosedForms) {
   const WrenchSet set = set_of(jaws(0.3));
-  const auto along = [&](int axis) { return support(set, Wrench::Unit(axis), ForceLimit::kLinf); };
+  const auto along = [&](int axis) {
+    return support(set, ScaledWrench::Unit(axis), ForceNorm::kLinf);
+  };
   EXPECT_NEAR(along(0), 1, 1e-12);
   EXPECT_NEAR(along(1), 0.6, 1e-12);
   EXPECT_NEAR(along(2), 0.6, 1e-12);
   EXPECT_NEAR(along(3), 2 * 0.3 * 0.5, 1e-12);
-  const Epsilon found = epsilon_of(jaws(0.3), ForceLimit::kLinf);
+  const Epsilon found = epsilon_of(jaws(0.3), ForceNorm::kLinf);
   EXPECT_LE(found.upper, 0.3);
   EXPECT_TRUE(found.converged);
 }
@@ -166,22 +168,22 @@ TEST(PatchLimit, VolumeIsOfThePatch) {
   for (const int patch : {0, 1}) {
     Eigen::Matrix3d columns;
     for (int k = 0; k < 3; ++k) {
-      Wrench w = Wrench::Zero();
+      ScaledWrench w = ScaledWrench::Zero();
       for (int i = 0; i < 3; ++i) columns(i, k) = w(3 * patch + i) = uniform(rng, -1, 1);
       set.caps.push_back({w, {}, patch});
     }
     expected *= std::abs(columns.determinant()) / 6;
   }
   VolumeOptions options;
-  options.limit = ForceLimit::kLinf;
+  options.limit = ForceNorm::kLinf;
   EXPECT_NEAR(volume(set, options).estimate, expected, 1e-9 * expected);
 }
 
 // The largest load along y by cone programmes: 2 mu with one limit a face, however cut.
 TEST(PatchLimit, LoadsHaveTheSameLimit) {
   for (const std::vector<Contact>& contacts : {jaws(0.5), twice(jaws(0.5))}) {
-    const Reach reach =
-        largest_load(unit_forces(set_of(contacts), ForceLimit::kLinf), Wrench::Unit(1));
+    const WrenchSupport reach =
+        load_margin(unit_forces(set_of(contacts), ForceNorm::kLinf), ScaledWrench::Unit(1));
     EXPECT_NEAR(reach.value, 1, 1e-8);
   }
 }
@@ -192,28 +194,29 @@ TEST(PatchLimit, HoldsNeedTheSameForceOfAPatch) {
   std::mt19937 rng(6);
   for (const std::vector<Contact>& contacts :
        {jaws(0.5), twice(jaws(0.5)), subdivided(jaws(0.5), rng)}) {
-    const HoldForce hold =
-        smallest_hold(free_forces(set_of(contacts)), Wrench::Unit(1), Squeeze::kLargest);
-    EXPECT_NEAR(hold.squeeze, 1, 1e-8);
+    const GraspForce hold = minimum_grasp_force(
+        free_forces(set_of(contacts)), ScaledWrench::Unit(1), GraspForceObjective::kLargest);
+    EXPECT_NEAR(hold.objective, 1, 1e-8);
   }
 }
 
 // Whatever forces of at most 1 N withstand k times a load, 1 / k of them withstand the load: the
-// least squeeze and the largest load are two programmes for one number, of points and of patches.
+// least objective and the largest load are two programmes for one number, of points and of patches.
 TEST(PatchLimit, HoldsAndLoadsAreOneNumber) {
   std::mt19937 rng(7);
   for (const std::vector<Contact>& contacts :
        {jaws(0.5), subdivided(jaws(0.8), rng), random_contacts(rng, 5)})
     for (int i = 0; i < 10; ++i) {
       const WrenchSet set = set_of(contacts);
-      const Wrench load = Wrench::NullaryExpr([&] { return uniform(rng, -1, 1); });
-      for (const auto& [limit, squeeze] : {std::pair(ForceLimit::kL1, Squeeze::kSum),
-                                           std::pair(ForceLimit::kLinf, Squeeze::kLargest)}) {
-        const Reach most = largest_load(unit_forces(set, limit), load);
-        const HoldForce hold = smallest_hold(free_forces(set), load, squeeze);
+      const ScaledWrench load = ScaledWrench::NullaryExpr([&] { return uniform(rng, -1, 1); });
+      for (const auto& [limit, objective] :
+           {std::pair(ForceNorm::kL1, GraspForceObjective::kSum),
+            std::pair(ForceNorm::kLinf, GraspForceObjective::kLargest)}) {
+        const WrenchSupport most = load_margin(unit_forces(set, limit), load);
+        const GraspForce hold = minimum_grasp_force(free_forces(set), load, objective);
         if (most.value < 1e-6) continue;  // not held at all
         ASSERT_EQ(hold.status, ConeStatus::kSolved);
-        EXPECT_NEAR(hold.squeeze * most.value, 1, 1e-7);
+        EXPECT_NEAR(hold.objective * most.value, 1, 1e-7);
       }
     }
 }

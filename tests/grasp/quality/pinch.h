@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "grasp/quality/force_set.h"
+#include "grasp/limits/force_set.h"
 
 namespace thenar {
 

@@ -10,7 +10,7 @@ extern "C" {
 #include <libqhull_r/qhull_ra.h>
 }
 
-#include "grasp/quality/wrench_set.h"
+#include "grasp/contact/wrench_set.h"
 
 namespace thenar {
 
@@ -22,10 +22,10 @@ struct QhullHull {
 };
 
 /// @param command  "qhull ..." options; @param points  one after the other
-inline QhullHull qhull_hull(const std::vector<Wrench>& points, const char* command,
+inline QhullHull qhull_hull(const std::vector<ScaledWrench>& points, const char* command,
                             bool with_volume) {
   std::vector<double> numbers;
-  for (const Wrench& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 6);
+  for (const ScaledWrench& p : points) numbers.insert(numbers.end(), p.data(), p.data() + 6);
   std::vector<char> options(command, command + std::char_traits<char>::length(command) + 1);
   std::FILE* nowhere = std::fopen("/dev/null", "w");
   qhT qh;
@@ -51,18 +51,18 @@ inline QhullHull qhull_hull(const std::vector<Wrench>& points, const char* comma
 
 /// Points of a polytope: its caps (kL1), or all sums of one or none of each
 /// contact's (kLinf).
-inline std::vector<Wrench> vertices_of(const WrenchSet& polytope, ForceLimit limit) {
-  std::vector<Wrench> all{Wrench::Zero()};
-  if (limit == ForceLimit::kL1) {
+inline std::vector<ScaledWrench> vertices_of(const WrenchSet& polytope, ForceNorm limit) {
+  std::vector<ScaledWrench> all{ScaledWrench::Zero()};
+  if (limit == ForceNorm::kL1) {
     all.clear();
     for (const WrenchCap& cap : polytope.caps) all.push_back(cap.c);
     return all;
   }
   for (std::size_t i = 0; i < polytope.caps.size();) {
-    const std::vector<Wrench> before = all;
+    const std::vector<ScaledWrench> before = all;
     const int contact = polytope.caps[i].contact;
     for (; i < polytope.caps.size() && polytope.caps[i].contact == contact; ++i)
-      for (const Wrench& p : before) all.push_back(p + polytope.caps[i].c);
+      for (const ScaledWrench& p : before) all.push_back(p + polytope.caps[i].c);
   }
   return all;
 }

@@ -7,14 +7,14 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "grasp/quality/pyramid.h"
+#include "grasp/contact/friction_pyramid.h"
 #include "tests/grasp/quality/known_sets.h"
 #include "tests/grasp/quality/random_grasps.h"
 
 namespace thenar {
 namespace {
 
-Volume volume_of(const WrenchSet& set, ForceLimit limit, int edges = 8) {
+Volume volume_of(const WrenchSet& set, ForceNorm limit, int edges = 8) {
   VolumeOptions options;
   options.limit = limit;
   options.edges = edges;
@@ -31,20 +31,20 @@ void expect_exact(const Volume& v, double known) {
 
 TEST(Volume, OfACrossPolytopeAndItsBox) {
   const double box = (2 * kHalfAxes).prod();
-  expect_exact(volume_of(cross_polytope(), ForceLimit::kL1), box / 720);
-  expect_exact(volume_of(cross_polytope(), ForceLimit::kLinf), box);
+  expect_exact(volume_of(cross_polytope(), ForceNorm::kL1), box / 720);
+  expect_exact(volume_of(cross_polytope(), ForceNorm::kLinf), box);
 }
 
 // (n + 1)^((n + 1) / 2) / (n! n^(n / 2)) for circumradius 1, n = 6.
 TEST(Volume, OfARegularSimplex) {
-  expect_exact(volume_of(regular_simplex(), ForceLimit::kL1), std::pow(7, 3.5) / (720 * 216));
+  expect_exact(volume_of(regular_simplex(), ForceNorm::kL1), std::pow(7, 3.5) / (720 * 216));
 }
 
 // The hull of bodies in orthogonal spaces about 0 of dimensions a, b, ..: a! b!
 // .. / n! times the product of their volumes.
 TEST(Volume, OfOrthogonalDiscsIsEnclosed) {
   const double known = std::pow(M_PI, 3) * 8 / 720;
-  const Volume v = volume_of(orthogonal_discs(), ForceLimit::kL1);
+  const Volume v = volume_of(orthogonal_discs(), ForceNorm::kL1);
   EXPECT_TRUE(v.complete);
   EXPECT_LE(v.lower, known);
   EXPECT_GE(v.upper, known);
@@ -55,13 +55,13 @@ TEST(Volume, OfOrthogonalDiscsIsEnclosed) {
 // / m))^3.
 TEST(Volume, OfOrthogonalDiscsIsThatOfTheirPolygons) {
   const double weight = 8.0 / 720;
-  const Volume v = volume_of(orthogonal_discs(), ForceLimit::kL1, 6);
+  const Volume v = volume_of(orthogonal_discs(), ForceNorm::kL1, 6);
   EXPECT_NEAR(v.lower, weight * std::pow(3 * std::sin(M_PI / 3), 3), 1e-12);
   EXPECT_NEAR(v.upper, weight * std::pow(6 * std::tan(M_PI / 6), 3), 1e-12);
 }
 
 TEST(Volume, OfFlatSetsIsZero) {
-  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+  for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
     expect_exact(volume_of(two_soft_fingers(0.5, 0), limit), 0);
     expect_exact(volume_of({}, limit), 0);
   }
@@ -70,7 +70,7 @@ TEST(Volume, OfFlatSetsIsZero) {
 TEST(Volume, IsEnclosedTheTighterTheMoreEdges) {
   std::mt19937 rng(3);
   const WrenchSet set = wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1);
-  const Volume few = volume_of(set, ForceLimit::kL1, 8), many = volume_of(set, ForceLimit::kL1, 16);
+  const Volume few = volume_of(set, ForceNorm::kL1, 8), many = volume_of(set, ForceNorm::kL1, 16);
   EXPECT_LE(few.lower, many.lower);
   EXPECT_LE(many.upper, few.upper);
 }
@@ -79,8 +79,8 @@ TEST(Volume, EstimatesWithinOnePercentOfManyEdges) {
   std::mt19937 rng(4);
   for (int contacts = 3; contacts <= 5; ++contacts) {
     const WrenchSet set = wrench_set(random_contacts(rng, contacts), Eigen::Vector3d::Zero(), 1);
-    const Volume v = volume_of(set, ForceLimit::kL1, 12);
-    const Volume fine = volume_of(set, ForceLimit::kL1, 32);  // bounds 2 % apart
+    const Volume v = volume_of(set, ForceNorm::kL1, 12);
+    const Volume fine = volume_of(set, ForceNorm::kL1, 32);  // bounds 2 % apart
     EXPECT_GE(v.estimate, 0.99 * fine.lower);
     EXPECT_LE(v.estimate, 1.01 * fine.upper);
   }
@@ -89,8 +89,8 @@ TEST(Volume, EstimatesWithinOnePercentOfManyEdges) {
 // The join of balls: (3!)^2 / 6! of the product of their volumes 4 pi / 3.
 TEST(Volume, OfOrthogonalBallsComesAsNearAsThatOfDiscs) {
   const double known = 36.0 / 720 * std::pow(4 * M_PI / 3, 2);
-  const Volume few = volume_of(orthogonal_balls(), ForceLimit::kL1, 8);
-  const Volume many = volume_of(orthogonal_balls(), ForceLimit::kL1, 16);
+  const Volume few = volume_of(orthogonal_balls(), ForceNorm::kL1, 8);
+  const Volume many = volume_of(orthogonal_balls(), ForceNorm::kL1, 16);
   for (const Volume& v : {few, many}) {
     EXPECT_TRUE(v.complete);
     EXPECT_LE(v.lower, known);
@@ -103,7 +103,7 @@ TEST(Volume, OfOrthogonalBallsComesAsNearAsThatOfDiscs) {
 // Neither with the edges asked for nor with half as many: bounds, but no number to quote.
 TEST(Volume, GivesUpAndSaysSo) {
   VolumeOptions options;
-  options.most_facets = 20;
+  options.max_facets = 20;
   const Volume v = volume(orthogonal_discs(), options);
   EXPECT_FALSE(v.complete);
   EXPECT_TRUE(std::isinf(v.upper));
@@ -113,7 +113,7 @@ TEST(Volume, GivesUpAndSaysSo) {
 
 TEST(Volume, OfThreeEdgesNobodyAskedForIsNoEstimate) {
   VolumeOptions options;
-  options.most_facets = 120;  // 3^3 facets of triangles, 12^3 of those asked for
+  options.max_facets = 120;  // 3^3 facets of triangles, 12^3 of those asked for
   const Volume v = volume(orthogonal_discs(), options);
   EXPECT_EQ(v.edges, 3);
   EXPECT_FALSE(v.complete);
@@ -123,7 +123,7 @@ TEST(Volume, OfThreeEdgesNobodyAskedForIsNoEstimate) {
 
 // A stop comes through as if the hull had grown too large: at the tenth question here.
 TEST(Volume, IsGivenUpWhenAskedToStop) {
-  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+  for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
     int asked = 0;
     VolumeOptions options;
     options.limit = limit;
@@ -140,8 +140,8 @@ TEST(Volume, IsGivenUpWhenAskedToStop) {
 TEST(Volume, OfTooManyPointsIsNone) {
   std::mt19937 rng(5);
   VolumeOptions options;
-  options.limit = ForceLimit::kLinf;
-  options.most_facets = 1000;
+  options.limit = ForceNorm::kLinf;
+  options.max_facets = 1000;
   std::vector<Contact> contacts = random_contacts(rng, 4);
   for (Contact& contact : contacts) contact.torsion = 0.1;
   const WrenchSet set = wrench_set(contacts, Eigen::Vector3d::Zero(), 1);
@@ -154,12 +154,12 @@ TEST(Volume, OfTooManyPointsIsNone) {
 TEST(Volume, OfHardPointsIsHadWithoutAHullThatIsTooLarge) {
   std::mt19937 rng(5);
   VolumeOptions options;
-  options.limit = ForceLimit::kLinf;
+  options.limit = ForceNorm::kLinf;
   const WrenchSet set =
       pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
   const Volume hull = volume(set, options);
   ASSERT_GT(hull.facets, 100);
-  options.most_facets = 100;
+  options.max_facets = 100;
   const Volume sum = volume(set, options);
   EXPECT_TRUE(sum.complete);
   EXPECT_EQ(sum.facets, 0);
@@ -173,7 +173,7 @@ TEST(Volume, OfNearlyFlatSetsIsThatOfTheWideOnesPressed) {
   std::mt19937 rng(6);
   const WrenchSet wide =
       pyramids(wrench_set(random_contacts(rng, 4), Eigen::Vector3d::Zero(), 1), 4);
-  for (const ForceLimit limit : {ForceLimit::kL1, ForceLimit::kLinf}) {
+  for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
     const double whole = volume_of(wide, limit).estimate;
     for (const double left : {1e-3, 1e-6, 1e-8}) {
       WrenchSet flat = wide;
@@ -184,7 +184,7 @@ TEST(Volume, OfNearlyFlatSetsIsThatOfTheWideOnesPressed) {
 }
 
 TEST(Volume, WantsThreeEdges) {
-  EXPECT_THROW((void)volume_of(orthogonal_discs(), ForceLimit::kL1, 2), InputError);
+  EXPECT_THROW((void)volume_of(orthogonal_discs(), ForceNorm::kL1, 2), InputError);
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 /// Subjects whose hands the tests dress.
 
 #include "data/io/anthropometry.h"
-#include "data/io/scaled_hand.h"
 #include "data/io/subject.h"
 
 namespace thenar::sample {

@@ -62,7 +62,7 @@ TEST(HumanSurfaces, AreDrawnFinerThanTheyTouch) {
 // the finer they are.
 TEST(HumanSurfaces, KeepToTheSkin) {
   const Subject subject = sample::subject("an_chao_index");
-  const SoftBody body = skin_bodies(find_anatomy(subject)).at("PP2");
+  const ImplicitBody body = skin_bodies(find_anatomy(subject)).at("PP2");
   const Skeleton skeleton = build_skeleton(subject);
   const auto worst = [&](int triangles) {
     SkinOptions options;
@@ -76,7 +76,7 @@ TEST(HumanSurfaces, KeepToTheSkin) {
       const Vector3d p = bone.proximal + draw.number(0, 1) * (bone.distal - bone.proximal) +
                          0.012 * draw.direction();
       // Heights are a lower bound of distances, so only points near the skin are compared.
-      const double height = soft_height(body, p);
+      const double height = implicit_height(body, p);
       if (std::abs(height) < 1e-3)
         most = std::max(most, std::abs(solid.shape->distance(p) - height));
     }
@@ -158,7 +158,8 @@ TEST(BoneSurfaces, LieWithinTheSkin) {
       double highest = -1;
       for (const Vector3d& p : bone.solid->picture.vertices.colwise()) {
         double height = 1;
-        for (const auto& [segment, body] : bodies) height = std::min(height, soft_height(body, p));
+        for (const auto& [segment, body] : bodies)
+          height = std::min(height, implicit_height(body, p));
         highest = std::max(highest, height);
       }
       EXPECT_LT(highest, -1e-3) << bone.name;  // at least a millimetre of flesh

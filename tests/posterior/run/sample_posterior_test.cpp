@@ -8,10 +8,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "posterior/run/agreed_work.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/posterior_summary.h"
 #include "posterior/run/predict_draws.h"
+#include "sampling/run/communicator.h"
 #include "tests/kinematics_fit/fit_samples.h"
 #include "tests/sampling/thread_ranks.h"
 
@@ -54,7 +54,7 @@ TEST(SamplePosterior, ConvergesOnASmallProblem) {
   EXPECT_EQ(sampled().draws.draws(), 250);
   EXPECT_TRUE(sampled().draws.complete);
   EXPECT_LT(sampled().convergence.worst_r_hat, 1.05);
-  EXPECT_TRUE(std::isfinite(sampled().convergence.least_bulk_ess));
+  EXPECT_TRUE(std::isfinite(sampled().convergence.min_bulk_ess));
 }
 
 TEST(SamplePosterior, DependsOnNothingButTheSeed) {
@@ -74,7 +74,7 @@ TEST(SamplePosterior, DrawsAlikeOnSeveralRanks) {
   settings.run.sampler.warm_up = 40;
   const PosteriorRun alone = sample_posterior(small_inputs(), settings);
   PosteriorRun first;
-  sample::ThreadRanks::run(3, [&](const Ranks& ranks) {
+  sample::ThreadRanks::run(3, [&](const Communicator& ranks) {
     const PosteriorRun run = sample_posterior(small_inputs(), settings, ranks);
     EXPECT_EQ(run.draws.chains(), ranks.rank() == 0 ? 4 : 0);
     if (ranks.rank() == 0) first = run;
@@ -105,17 +105,17 @@ TEST(SamplePosterior, RefusesChainsBeforeItSearches) {
   settings.run.method = SamplingMethod::kNuts;
   settings.run.walkers = 1;
   settings.run.temperatures = 2;
-  settings.run.least_temper = 1;
+  settings.run.min_beta = 1;
   EXPECT_THROW((void)sample_posterior(small_inputs(), settings), InputError);
 }
 
 // What one rank could not do, none may go on from.
 TEST(AgreedWork, FailsOnAllRanksIfItFailsOnOne) {
   std::vector<std::string> told(3);
-  sample::ThreadRanks::run(3, [&](const Ranks& ranks) {
-    agreed_work(ranks, [] {});  // nothing fails, nothing is thrown
+  sample::ThreadRanks::run(3, [&](const Communicator& ranks) {
+    collective_call(ranks, [] {});  // nothing fails, nothing is thrown
     try {
-      agreed_work(ranks, [&] { require(ranks.rank() != 1, "no disk on {}", ranks.rank()); });
+      collective_call(ranks, [&] { require(ranks.rank() != 1, "no disk on {}", ranks.rank()); });
     } catch (const Error& error) {
       told[static_cast<std::size_t>(ranks.rank())] = error.what();
     }
@@ -147,7 +147,7 @@ TEST(PosteriorFile, ComesBackWithEveryDrawAndVerdict) {
   std::filesystem::remove(path);
   EXPECT_EQ(pooled(back.draws), pooled(sampled().draws));
   EXPECT_EQ(back.convergence.worst_r_hat, sampled().convergence.worst_r_hat);
-  EXPECT_EQ(back.convergence.reasons, sampled().convergence.reasons);
+  EXPECT_EQ(back.convergence.warnings, sampled().convergence.warnings);
   EXPECT_EQ(back.inputs.settings.text, sampled().inputs.settings.text);
   EXPECT_EQ(back.draws.stats[1][7].energy, sampled().draws.stats[1][7].energy);
   EXPECT_EQ(describe_run(back), describe_run(sampled()));
@@ -232,8 +232,8 @@ TEST(PredictDraws, AStrangerIsLessSureThanTheFitted) {
 }
 
 TEST(ReadQuantities, AreInTheUnitsOfPeople) {
-  const std::vector<ReadQuantity> quantities = read_quantities(sampled(), 500);
-  for (const ReadQuantity& q : quantities)
+  const std::vector<PosteriorQuantity> quantities = posterior_quantities(sampled(), 500);
+  for (const PosteriorQuantity& q : quantities)
     if (q.name == "sensor/dorsal") {
       EXPECT_EQ(q.unit, "deg");
       EXPECT_NEAR(prior_sd(q), 4, 0.5);  // [deg]; 500 draws know it to 3 %

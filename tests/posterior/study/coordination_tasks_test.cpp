@@ -20,10 +20,11 @@ TaskOptions exact() {
   return options;
 }
 
-// Driven by its own activations without errors, the true thumb makes the forces that were read.
+// DrivenCoordinate by its own activations without errors, the true thumb makes the forces that were
+// read.
 TEST(CoordinationTasks, TrueThumbExplainsItsOwnTasks) {
   const TendonDigit truth = sample::true_thumb(sample::study_inputs());
-  const Experiment tasks = perform_tasks(truth, exact());
+  const Experiment tasks = simulate_tasks(truth, exact());
   ASSERT_EQ(tasks.activations.size(), 80U);
   for (const TaskMisfit& misfit : task_misfits(truth, tasks)) {
     EXPECT_LT(misfit.direction, 1e-8);
@@ -34,7 +35,7 @@ TEST(CoordinationTasks, TrueThumbExplainsItsOwnTasks) {
 // Palmar pinch can be balanced by this thumb, so that people make what was asked for.
 TEST(CoordinationTasks, PalmarForceIsAsWanted) {
   const TendonDigit truth = sample::true_thumb(sample::study_inputs());
-  const Experiment tasks = perform_tasks(truth, exact());
+  const Experiment tasks = simulate_tasks(truth, exact());
   const Eigen::Vector3d made = tasks.activations.front().force;  // key pinch, palmar, 20 N
   EXPECT_NEAR(made.norm(), 20, 2);
   EXPECT_GT(-made.y() / made.norm(), std::cos(radians(10)));
@@ -43,7 +44,7 @@ TEST(CoordinationTasks, PalmarForceIsAsWanted) {
 // People differ in how they share the load, not in what they are asked for.
 TEST(CoordinationTasks, PeopleShareTheLoadDifferently) {
   const TendonDigit truth = sample::true_thumb(sample::study_inputs());
-  const Experiment tasks = perform_tasks(truth, exact());
+  const Experiment tasks = simulate_tasks(truth, exact());
   const auto& first = tasks.activations[0].activation;
   const auto& second = tasks.activations[10].activation;  // the next person's first task
   EXPECT_EQ(tasks.activations[10].posture, tasks.activations[0].posture);
@@ -60,7 +61,7 @@ TEST(CoordinationTasks, NoiseAloneIsExplainedAtTheStatedRate) {
   TaskOptions options;
   options.people = 100;
   const double explained =
-      task_scores(task_misfits(truth, perform_tasks(truth, options))).explained;
+      task_scores(task_misfits(truth, simulate_tasks(truth, options))).explained;
   EXPECT_NEAR(explained, 0.95, 0.03);
 }
 

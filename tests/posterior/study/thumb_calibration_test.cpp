@@ -27,7 +27,7 @@ ThumbCalibrationSettings settings_of(bool skewed) {
 }
 
 void expect_calibrated(const ThumbCalibration& calibration) {
-  for (const std::string& reason : calibration.judged.reasons) ADD_FAILURE() << reason;
+  for (const std::string& reason : calibration.judged.warnings) ADD_FAILURE() << reason;
   EXPECT_NEAR(calibration.covered, 0.9, 4 * calibration.covered_error);
   if (std::getenv("THENAR_SBC") == nullptr) return;
   double least_band = 1, least_chi = 1;

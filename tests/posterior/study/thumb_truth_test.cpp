@@ -34,10 +34,12 @@ TendonModel<double> moved_thumb(const TendonDigit& start, const FitParameters& p
 // 80.9 degrees.
 TEST(ThumbStudySubjects, TrueThumbHasThePublishedSkewness) {
   const TendonDigit truth = sample::thumb_of(sample::study_inputs().truth);
-  const AxisGap cmc = axis_gap(truth.model.tree[kCmcFlexion], truth.model.tree[kCmcAbduction]);
+  const AxisOffset cmc =
+      axis_offset(truth.model.tree[kCmcFlexion], truth.model.tree[kCmcAbduction]);
   EXPECT_NEAR(1e3 * cmc.distance, 9.13, 0.005);
   EXPECT_NEAR(degrees(cmc.angle), 80.9, 0.05);
-  const AxisGap mcp = axis_gap(truth.model.tree[kMcpFlexion], truth.model.tree[kMcpAbduction]);
+  const AxisOffset mcp =
+      axis_offset(truth.model.tree[kMcpFlexion], truth.model.tree[kMcpAbduction]);
   EXPECT_GT(mcp.distance, 1e-3);
 }
 
@@ -45,7 +47,7 @@ TEST(ThumbStudySubjects, StartIsOrthogonalAndCrosses) {
   const TendonDigit start = sample::thumb_of(sample::study_inputs().start);
   for (const auto& [flexion, abduction] :
        {std::pair{kCmcFlexion, kCmcAbduction}, std::pair{kMcpFlexion, kMcpAbduction}}) {
-    const AxisGap gap = axis_gap(start.model.tree[flexion], start.model.tree[abduction]);
+    const AxisOffset gap = axis_offset(start.model.tree[flexion], start.model.tree[abduction]);
     EXPECT_NEAR(gap.angle, kPi / 2, 1e-15);
     EXPECT_NEAR(gap.distance, 0, 1e-15);
   }
@@ -66,7 +68,7 @@ TEST(ThumbStudySubjects, TiesKeepPairsOrthogonalAndCrossing) {
     const TendonModel<double> model = moved_thumb(start, parameters, u);
     for (const auto& [flexion, abduction] :
          {std::pair{kCmcFlexion, kCmcAbduction}, std::pair{kMcpFlexion, kMcpAbduction}}) {
-      const AxisGap gap = axis_gap(model.tree[flexion], model.tree[abduction]);
+      const AxisOffset gap = axis_offset(model.tree[flexion], model.tree[abduction]);
       EXPECT_NEAR(gap.angle, kPi / 2, 1e-14);
       EXPECT_NEAR(gap.distance, 0, 1e-16);  // [m]
       EXPECT_GT((model.tree[flexion].point - start.model.tree[flexion].point).norm(), 1e-4);
@@ -89,7 +91,7 @@ TEST(ThumbStudySubjects, OrthogonalPairsTurnAsWholes) {
     const TendonModel<double> model = moved_thumb(start, parameters, u);
     double most = 0;
     for (std::size_t i = 0; i < model.tree.size(); ++i)
-      most = std::max(most, axis_gap(model.tree[i], start.model.tree[i]).angle);
+      most = std::max(most, axis_offset(model.tree[i], start.model.tree[i]).angle);
     EXPECT_NEAR(most, std::atan(0.3), 1e-12) << name;
   }
 }
@@ -98,7 +100,7 @@ TEST(ThumbStudySubjects, OrthogonalPairsTurnAsWholes) {
 TEST(ThumbTruth, MakesTheSameForcesInAnotherFrame) {
   const ThumbStudyInputs inputs = sample::study_inputs();
   const TendonDigit published = sample::thumb_of(inputs.truth);
-  const Experiment pulls = pull_muscles(published, {4, 10, 0.1, 0.01, false, 1});
+  const Experiment pulls = simulate_pulls(published, {4, 10, 0.1, 0.01, false, 1});
   EXPECT_TRUE(matrix_near(true_forces(sample::true_thumb(inputs), pulls),
                           true_forces(published, pulls), 1e-4));  // [N]; tip axes have 6 decimals
 }
@@ -122,16 +124,16 @@ TEST(ThumbTruth, SkewedThumbReachesItExactly) {
     EXPECT_TRUE(matrix_near(got.direction, want.direction, 1e-14));
     EXPECT_LT((want.point - got.point).cross(want.direction).norm(), 1e-15);  // [m]
   }
-  const Experiment pulls = pull_muscles(truth, {4, 10, 0.1, 0.01, false, 1});
+  const Experiment pulls = simulate_pulls(truth, {4, 10, 0.1, 0.01, false, 1});
   EXPECT_TRUE(matrix_near(true_forces(reached, pulls), true_forces(truth, pulls), 1e-12));
 }
 
 /// Relative error in sample of the best fit to forces without noise, of a very good load cell.
 double error_of_best_fit(const SourceText& settings) {
   const ThumbStudyInputs inputs = sample::study_inputs();
-  PullOptions options{4, 10, 0, 1e-5, false, 1};
+  SimulatedPullOptions options{4, 10, 0, 1e-5, false, 1};
   FitInputs fit{inputs.start, settings, {}, {}};
-  fit.experiments = {{"", experiment_text(pull_muscles(sample::true_thumb(inputs), options))}};
+  fit.experiments = {{"", experiment_text(simulate_pulls(sample::true_thumb(inputs), options))}};
   const FitProblem problem = build_problem(fit);
   const Solution best = solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()));
   return predict_fitted(problem, best.z, 0).error.relative;
@@ -146,8 +148,8 @@ TEST(ThumbTruth, NoiselessForcesAreFittedExactlyBySkewedAxesAlone) {
 
 TEST(ThumbExperiment, TextKeepsEveryBit) {
   const TendonDigit truth = sample::true_thumb(sample::study_inputs());
-  Experiment pulls = pull_muscles(truth, {});
-  pulls.activations = perform_tasks(truth, {}).activations;
+  Experiment pulls = simulate_pulls(truth, {});
+  pulls.activations = simulate_tasks(truth, {}).activations;
   const Experiment read = parse_experiment(experiment_text(pulls), "made up");
   ASSERT_EQ(read.trials.size(), 18U);
   ASSERT_EQ(read.activations.size(), 80U);

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/special_functions.h"
 #include "sampling/diagnostics/autocovariance.h"
-#include "sampling/diagnostics/effective_size.h"
+#include "sampling/diagnostics/effective_sample_size.h"
 #include "sampling/diagnostics/order_statistics.h"
 #include "tests/matrix_near.h"
 #include "tests/sampling/diagnostics/reference_chains.h"

@@ -1,4 +1,4 @@
-// Tests for sampling/diagnostics/: valleys, clumps and the table of modes.
+// Tests for sampling/diagnostics/: valleys, clusters and the table of modes.
 
 #include "sampling/diagnostics/modes.h"
 
@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "sampling/diagnostics/valley.h"
-#include "sampling/random_stream.h"
+#include "base/random_stream.h"
+#include "sampling/diagnostics/clusters.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -77,7 +77,7 @@ TEST(Modes, FindsTwoUnequalOnes) {
     EXPECT_TRUE(matrix_near(heavy.centre, Eigen::VectorXd::Constant(n, 5), 0.1));
     EXPECT_TRUE(matrix_near(table.modes[1].centre, Eigen::VectorXd::Constant(n, -5), 0.15));
     EXPECT_TRUE(matrix_near(heavy.sd, Eigen::VectorXd::Ones(n), 0.1));
-    EXPECT_THAT(table.doubts, IsEmpty());
+    EXPECT_THAT(table.warnings, IsEmpty());
     // An independent draw changes mode with probability 2 * 1/3 * 2/3.
     EXPECT_NEAR(double(table.crossings) / (4 * 999), 4.0 / 9, 0.04);
   }
@@ -98,7 +98,7 @@ TEST(Modes, ErrorOfAMassCountsCrossings) {
   EXPECT_NEAR(table.modes[1].mcse / expected, 1, 0.2);
   EXPECT_NEAR(table.modes[1].mass, 1.0 / 3, 4 * expected);
   EXPECT_NEAR(double(table.crossings) / 19996, 2 * a * b / (a + b), 0.005);
-  EXPECT_THAT(table.doubts, IsEmpty());
+  EXPECT_THAT(table.warnings, IsEmpty());
 }
 
 // Ten walkers that do the same say no more than one: two ensembles are worth 2 x 1000 independent
@@ -163,7 +163,7 @@ TEST(Modes, OneModeStaysOne) {
   EXPECT_EQ(tabulate_modes(make_draws(5, 2000, 4, 1, funnel)).modes.size(), 1U);
 }
 
-// A slow chain wanders; its clumps of draws are no modes.
+// A slow chain wanders; its clusters of draws are no modes.
 TEST(Modes, SlowChainsAreNoModes) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     Eigen::VectorXd x;
@@ -185,8 +185,9 @@ TEST(Modes, StuckChainsAreNotTrusted) {
   EXPECT_EQ(table.crossings, 0);
   EXPECT_EQ(table.modes[1].mass, 0.25);
   EXPECT_TRUE(matrix_near(table.modes[1].visits, Eigen::Vector4d(1, 0, 0, 0), 0));
-  EXPECT_THAT(table.doubts, ElementsAre("no chain crosses between modes: their masses only repeat "
-                                        "where the chains began"));
+  EXPECT_THAT(table.warnings,
+              ElementsAre("no chain crosses between modes: their masses only repeat "
+                          "where the chains began"));
 }
 
 TEST(Modes, FewCrossingsAreNotTrusted) {
@@ -195,8 +196,8 @@ TEST(Modes, FewCrossingsAreNotTrusted) {
   });
   const ModeTable table = tabulate_modes(draws);
   EXPECT_EQ(table.crossings, 4);
-  ASSERT_EQ(table.doubts.size(), 2U);
-  EXPECT_EQ(table.doubts[1],
+  ASSERT_EQ(table.warnings.size(), 2U);
+  EXPECT_EQ(table.warnings[1],
             "chains cross into or out of mode 2 only 4 times, fewer than 10: its mass of 0.4 is "
             "not to be trusted");
 }
@@ -211,7 +212,7 @@ TEST(Modes, KnownOnesAreKeptByNumber) {
   EXPECT_EQ(table.modes[1].known, 0);
   EXPECT_EQ(table.modes[2].known, 1);
   EXPECT_EQ(table.modes[2].mass, 0);
-  EXPECT_THAT(table.doubts, ElementsAre("mode 3, known beforehand, holds no draw"));
+  EXPECT_THAT(table.warnings, ElementsAre("mode 3, known beforehand, holds no draw"));
 }
 
 // All chains are in the one mode that they should be in: nothing is to be crossed.
@@ -220,13 +221,13 @@ TEST(Modes, AKnownOneWithoutDrawsIsNotCrossedInto) {
   std::vector<KnownMode> known = {{Eigen::Vector2d(0, 0), I}, {Eigen::Vector2d(0, 30), I}};
   const Draws draws =
       make_draws(2, 500, 4, 7, [](int, int, RandomStream& random) { return normal(2, random); });
-  EXPECT_THAT(tabulate_modes(draws, known).doubts,
+  EXPECT_THAT(tabulate_modes(draws, known).warnings,
               ElementsAre("mode 2, known beforehand, holds no draw"));
   known[1].mass = 1e-3;  // 2 of 2000 draws
-  EXPECT_THAT(tabulate_modes(draws, known).doubts,
+  EXPECT_THAT(tabulate_modes(draws, known).warnings,
               ElementsAre("mode 2, known beforehand, holds no draw"));
   known[1].mass = 1e-7;
-  EXPECT_THAT(tabulate_modes(draws, known).doubts, IsEmpty());
+  EXPECT_THAT(tabulate_modes(draws, known).warnings, IsEmpty());
 }
 
 // Two modes that chains never leave, and one that none began in.
@@ -236,7 +237,7 @@ TEST(Modes, StuckChainsAreToldBesideAnEmptyMode) {
   const Draws draws = make_draws(1, 500, 4, 7, [](int chain, int, RandomStream& random) {
     return Eigen::VectorXd(normal(1, random).array() + (chain == 0 ? 10 : 0));
   });
-  EXPECT_THAT(tabulate_modes(draws, {{at(0), I}, {at(10), I}, {at(30), I}}).doubts,
+  EXPECT_THAT(tabulate_modes(draws, {{at(0), I}, {at(10), I}, {at(30), I}}).warnings,
               ElementsAre("no chain crosses between modes: their masses only repeat where the "
                           "chains began",
                           "mode 3, known beforehand, holds no draw"));
@@ -245,8 +246,9 @@ TEST(Modes, StuckChainsAreToldBesideAnEmptyMode) {
 TEST(Modes, KnownOnesThatMissAClumpSaySo) {
   const ModeTable table =
       tabulate_modes(two_modes(2), {{Eigen::Vector2d(5, 5), Eigen::MatrixXd::Identity(2, 2)}});
-  EXPECT_THAT(table.doubts, ElementsAre("the draws fall into 2 clumps, more than the 1 known modes "
-                                        "that they visit"));
+  EXPECT_THAT(table.warnings,
+              ElementsAre("the draws fall into 2 clumps, more than the 1 known modes "
+                          "that they visit"));
 }
 
 TEST(Modes, RefusesBrokenDrawsAndCovariances) {

@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/random_stream.h"
 #include "base/special_functions.h"
-#include "sampling/random_stream.h"
 
 namespace thenar {
 namespace {
@@ -40,7 +40,7 @@ TEST(Predictive, KnowsTheTailOfChiSquare) {
     EXPECT_NEAR(of.trial_p[t], chi_square_tail(y.segment(3 * t, 3).squaredNorm(), 3), 4 * 0.011);
   for (const Coverage& interval : of.coverage)
     EXPECT_NEAR(interval.share, interval.level, 3 * interval.error);
-  EXPECT_THAT(of.doubts, testing::IsEmpty());
+  EXPECT_THAT(of.warnings, testing::IsEmpty());
 }
 
 // e^-x/2 is the tail of chi-square with two degrees of freedom.
@@ -54,8 +54,8 @@ TEST(Predictive, TooSureAModelIsFound) {
   const PredictiveCheck of = check_predictive(measured(), sure_replicates(0.5));
   EXPECT_EQ(of.p, 0);
   EXPECT_NEAR(of.coverage[0].share, 0.2641, 4 * std::sqrt(0.2641 * 0.7359 / kNumbers));
-  ASSERT_FALSE(of.doubts.empty());
-  EXPECT_EQ(of.doubts[0],
+  ASSERT_FALSE(of.warnings.empty());
+  EXPECT_EQ(of.warnings[0],
             "0 % of replicated measurements are further from the model than the measured ones: the "
             "model is too sure");
 }
@@ -63,8 +63,8 @@ TEST(Predictive, TooSureAModelIsFound) {
 TEST(Predictive, TooUnsureAModelIsFound) {
   const PredictiveCheck of = check_predictive(measured(), sure_replicates(2));
   EXPECT_EQ(of.p, 1);
-  ASSERT_FALSE(of.doubts.empty());
-  EXPECT_EQ(of.doubts[0],
+  ASSERT_FALSE(of.warnings.empty());
+  EXPECT_EQ(of.warnings[0],
             "100 % of replicated measurements are further from the model than the measured ones: "
             "the model is too unsure");
 }
@@ -76,8 +76,8 @@ TEST(Predictive, SaysSmallSharesInPerCent) {
   of.replicated.row(0).head(4).setConstant(3);
   const PredictiveCheck check = check_predictive(Eigen::Vector3d(2, 0, 0), of);
   EXPECT_EQ(check.p, 0.004);
-  ASSERT_FALSE(check.doubts.empty());
-  EXPECT_EQ(check.doubts[0],
+  ASSERT_FALSE(check.warnings.empty());
+  EXPECT_EQ(check.warnings[0],
             "0.4 % of replicated measurements are further from the model than the measured ones: "
             "the model is too sure");
 }
@@ -88,7 +88,8 @@ TEST(Predictive, NamesAGrossOutlier) {
   const PredictiveCheck of = check_predictive(y, sure_replicates());
   EXPECT_EQ(of.trial_p[41], 0);
   EXPECT_EQ(of.rank_share[3 * 41 + 1], 1);
-  EXPECT_THAT(of.doubts, testing::Contains("trial 42 is further off than 100 % of its replicates"));
+  EXPECT_THAT(of.warnings,
+              testing::Contains("trial 42 is further off than 100 % of its replicates"));
 }
 
 // Conjugate model y_i ~ N(mu, 1), mu ~ N(0, 10^4): the posterior knows mu from the same data, which

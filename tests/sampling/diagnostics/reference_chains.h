@@ -7,7 +7,7 @@
 
 #include <Eigen/Core>
 
-#include "sampling/random_stream.h"
+#include "base/random_stream.h"
 
 namespace thenar::sample {
 

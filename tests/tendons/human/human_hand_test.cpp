@@ -1,22 +1,25 @@
-// Tests for tendons/human/human_hand.cpp, hand_use.cpp, muscle_forces.cpp and joint_strength.cpp.
-
-#include "tendons/human/human_hand.h"
+// Tests for tendons/human/human_hand.cpp, hand_use.cpp, muscle_forces.cpp and
+// joint_torque_limits.cpp.
 
 #include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <Eigen/Geometry>
 
 #include "base/error.h"
 #include "base/spatial.h"
 #include "base/units.h"
-#include "tendons/human/hand_use.h"
-#include "tendons/human/joint_strength.h"
+#include "hand/skin/hand_anatomy.h"
+#include "tendons/human/closing_synergy.h"
+#include "tendons/human/human_hand.h"
 #include "tendons/human/muscle_forces.h"
 #include "tendons/human/tendon_hand.h"
 #include "tendons/linear_tendons.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"
+#include "tests/matrix_near.h"
 #include "tests/message_of.h"
 
 namespace thenar {
@@ -60,7 +63,7 @@ TEST_P(HumanTiers, DrivesEveryDigit) {
   const HandLayout& layout = human.hand->layout();
   std::vector<int> moved(layout.coordinates.size(), 0);
   for (const Drive& drive : layout.drives)
-    for (const Driven& driven : drive.moves) {
+    for (const DrivenCoordinate& driven : drive.moves) {
       ++moved[driven.coordinate];
       EXPECT_GT(driven.ratio, 0);
       EXPECT_EQ(drive.speed > 0,
@@ -151,7 +154,7 @@ TEST(HumanHand, CarriesNetsOnAllFingers) {
     EXPECT_THAT(warning, testing::Not(HasSubstr("no net")));
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
   EXPECT_EQ(actuation.status, ActuationStatus::kLinearised);
-  EXPECT_EQ(actuation.trouble, "");
+  EXPECT_EQ(actuation.warning, "");
 }
 
 // Of the deep flexor of the index finger, which no net moves.
@@ -264,45 +267,105 @@ class ThreeTendons final : public Hand {
 };
 
 TEST(JointStrength, IsTheBoxAboutTheTorques) {
-  const TorqueLimits limits = joint_strength(ThreeTendons(), Eigen::Vector2d::Zero());
+  const TorqueLimits limits = joint_torque_limits(ThreeTendons(), Eigen::Vector2d::Zero());
   EXPECT_TRUE(matrix_near(limits.upper, Eigen::Vector2d(1.4, 0.5), 1e-12));
   EXPECT_TRUE(matrix_near(limits.lower, Eigen::Vector2d(-0.12, -0.08), 1e-12));
 }
 
-TEST(HandUse, PullsFlexorsAlone) {
+TEST(ClosingSynergy, PullsFlexorsAlone) {
   const ThreeTendons hand;
   const Actuation actuation = hand.actuation(Eigen::Vector2d::Zero());
-  EXPECT_TRUE(
-      matrix_near(flexor_pull(hand.layout().actuators, actuation), Eigen::Vector3d(100, 50, 0), 0));
-  EXPECT_TRUE(matrix_near(flexor_pull(hand), Eigen::Vector3d(100, 50, 0), 0));
-  EXPECT_THROW((void)flexor_pull({"FDP"}, actuation), InputError);
+  EXPECT_TRUE(matrix_near(max_flexor_tensions(hand.layout().actuators, actuation),
+                          Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_TRUE(matrix_near(max_flexor_tensions(hand), Eigen::Vector3d(100, 50, 0), 0));
+  EXPECT_THROW((void)max_flexor_tensions({"FDP"}, actuation), InputError);
 }
 
 // Ratios of the flexors' torques at their largest tensions, by the hand's own B.
-TEST(HandUse, ClosesByTheTendonsTorques) {
+TEST(ClosingSynergy, ClosesByTheTendonsTorques) {
   const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
   const HandLayout& layout = human.hand->layout();
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
   const Drive& index = drive_of(*human.hand, "index");
-  EXPECT_EQ(index.coupled, Coupled::kCompliant);
+  EXPECT_EQ(index.coupled, DriveCoupling::kCompliant);
   ASSERT_EQ(index.moves.size(), 3U);
   const int fds = index_of(layout.actuators, "FDS2"), fdp = index_of(layout.actuators, "FDP2");
-  const auto torque = [&](const Driven& driven) {
+  const auto torque = [&](const DrivenCoordinate& driven) {
     return actuation.B(driven.coordinate, fds) * actuation.upper[fds] +
            actuation.B(driven.coordinate, fdp) * actuation.upper[fdp];
   };
-  for (const Driven& driven : index.moves)
+  for (const DrivenCoordinate& driven : index.moves)
     EXPECT_NEAR(driven.ratio / index.moves[0].ratio, torque(driven) / torque(index.moves[0]), 1e-9);
 }
 
-TEST(HandUse, CurlsMotorFingersByConvention) {
+TEST(ClosingSynergy, CurlsMotorFingersByConvention) {
   const HumanHand human = build_human_hand(sample::scaled(), HumanTier::kSkewedThumb, bare());
   const Drive& index = drive_of(*human.hand, "index");
-  EXPECT_EQ(index.coupled, Coupled::kBreakaway);
+  EXPECT_EQ(index.coupled, DriveCoupling::kBreakaway);
   ASSERT_EQ(index.moves.size(), 3U);
   EXPECT_EQ(index.moves[0].ratio, 1);
   EXPECT_EQ(index.moves[1].ratio, 1);
   EXPECT_NEAR(index.moves[2].ratio, 2.0 / 3, 1e-15);
+}
+
+}  // namespace
+namespace {
+
+const JointAxis& named_joint(const Subject& subject, const std::string& name) {
+  for (const JointAxis& joint : subject.joints)
+    if (joint.name == name) return joint;
+  throw InputError("no joint " + name);
+}
+
+TEST(OrthogonalThumb, CrossesItsAxesAtRightAngles) {
+  for (const char* name : {"mirakhorlo2016", "arms_thumb", "graspit_skewed_thumb"}) {
+    const Subject simple = orthogonal_thumb(sample::subject(name));
+    const JointAxis &flexion = named_joint(simple, "CMC1_FE"),
+                    &abduction = named_joint(simple, "CMC1_AA");
+    EXPECT_NEAR(flexion.direction.dot(abduction.direction), 0, 1e-12) << name;
+    EXPECT_EQ(flexion.point, abduction.point) << name;
+  }
+}
+
+TEST(OrthogonalThumb, TurnsAcrossItsBones) {
+  const Subject given = sample::subject("mirakhorlo2016");
+  const Subject simple = orthogonal_thumb(given);
+  const HandAnatomy hand = find_anatomy(given);
+  const DigitAnatomy* thumb = digit_named(hand, "thumb");
+  for (const auto& [name, bone] : {std::pair("MCP1_FE", 1), {"IP1", 2}}) {
+    const DigitBone& after = thumb->bones[bone];
+    const JointAxis& joint = named_joint(simple, name);
+    EXPECT_NEAR(joint.direction.dot((after.distal - after.proximal).normalized()), 0, 1e-12);
+    EXPECT_EQ(joint.point, after.proximal);
+    EXPECT_GT(joint.direction.dot(named_joint(given, name).direction), 0) << "turns the other way";
+  }
+}
+
+TEST(OrthogonalThumb, LeavesAllElseAlone) {
+  const Subject given = sample::subject("mirakhorlo2016"), simple = orthogonal_thumb(given);
+  for (std::size_t i = 0; i < given.joints.size(); ++i) {
+    const JointAxis &before = given.joints[i], &after = simple.joints[i];
+    const bool thumb = before.name.find('1') != std::string::npos;
+    EXPECT_EQ(before.direction != after.direction, thumb) << before.name;
+    EXPECT_EQ(before.lower, after.lower);
+    EXPECT_EQ(before.upper, after.upper);
+  }
+  for (std::size_t i = 0; i < given.segments.size(); ++i)
+    EXPECT_EQ(given.segments[i].distal, simple.segments[i].distal);
+}
+
+// A thumb that is orthogonal already stays as it is.
+TEST(OrthogonalThumb, ChangesNothingInASimpleHand) {
+  const Subject given = sample::scaled(), simple = orthogonal_thumb(given);
+  for (std::size_t i = 0; i < given.joints.size(); ++i) {
+    EXPECT_TRUE(matrix_near(simple.joints[i].direction, given.joints[i].direction, 1e-12));
+    EXPECT_TRUE(matrix_near(simple.joints[i].point, given.joints[i].point, 1e-12));
+  }
+}
+
+TEST(OrthogonalThumb, WantsAThumb) {
+  EXPECT_EQ(message_of([] { (void)orthogonal_thumb(sample::subject("an_chao_index")); }),
+            "subject 'an_chao_index' has no thumb");
 }
 
 }  // namespace

@@ -7,10 +7,10 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "data/io/net.h"
+#include "data/io/net_description.h"
 #include "tendons/human/hand_actuator.h"
 #include "tendons/net/build_tendons.h"
-#include "tendons/net/digit_sweep.h"
+#include "tendons/net/posture_sweep.h"
 #include "tests/hand/hand_laws.h"
 #include "tests/hand/skin/human_subjects.h"
 #include "tests/message_of.h"
@@ -55,7 +55,7 @@ TEST(TendonHand, PullsByMomentArms) {
   const auto middle = build_digit_tendons(subject, "middle", {Path::kViaPoint, Hood::kSeparate});
   const Eigen::VectorXd q = Eigen::VectorXd::LinSpaced(8, 0.05, 0.4);
   const Actuation actuation = hand.actuation(q);
-  const TendonPull pull =
+  const TendonTorque pull =
       middle->pull(q.tail(4), Eigen::VectorXd::Zero(middle->digit().max_tension.size()));
   const TendonNames& names = middle->digit().names;
   for (std::size_t m = 0; m < names.muscles.size(); ++m)
@@ -122,7 +122,7 @@ TEST(TendonHand, HasTheEffortThatSolvingTellsOf) {
     const Eigen::VectorXd q = Eigen::Vector4d(draw.number(0, 1.2), draw.number(-0.2, 0.2),
                                               draw.number(0, 1.2), draw.number(0, 0.8));
     const Eigen::VectorXd t = draw.numbers(hand.max_force().size(), 0, 30);
-    const Effort effort = hand.effort(q, t);
+    const AppliedTorque effort = hand.effort(q, t);
     EXPECT_TRUE(matrix_near(effort.tau, solved(hand, q, t), 1e-9)) << k;
   }
 }
@@ -134,8 +134,8 @@ TEST(HandActuator, GoesOnFromItsState) {
   const Eigen::VectorXd u = Eigen::VectorXd::Constant(hand.max_force().size(), 5);
   for (int k = 0; k <= 10; ++k) (void)actuator.act(0.1 * k * kBent, u);
   const HandAction& action = actuator.act(kBent, u);
-  const Effort effort = hand.effort(kBent, u);
-  EXPECT_EQ(action.status, TendonStatus::kSound);
+  const AppliedTorque effort = hand.effort(kBent, u);
+  EXPECT_EQ(action.status, TendonStatus::kValid);
   EXPECT_TRUE(action.slopes);
   EXPECT_FALSE(action.snapped);
   EXPECT_TRUE(matrix_near(action.tau, effort.tau, 1e-7));

@@ -61,8 +61,9 @@ TEST(Contraction, RungsAgreeAtOptimalLengthAtRest) {
     const auto elastic = build_contraction({muscle}, Muscle::kElasticTendon, {10, 0.1, 1e-7});
     EXPECT_NEAR(bounds->tension(0, {a, length, 0, 0}), 100 * a, 1e-12);
     EXPECT_NEAR(rigid->tension(0, {a, length, 0, 0}), 100 * a, 1e-12);
-    const double reach = elastic->reach_at_rest(0, a, length);
-    EXPECT_NEAR(elastic->tension(0, {a, length, 0, reach}), 100 * a, 1e-4);  // of the stretch
+    const double projected_fibre = elastic->projected_fibre_at_rest(0, a, length);
+    EXPECT_NEAR(elastic->tension(0, {a, length, 0, projected_fibre}), 100 * a,
+                1e-4);  // of the stretch
   }
 }
 

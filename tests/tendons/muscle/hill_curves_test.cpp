@@ -51,7 +51,8 @@ TEST(HillCurves, ForceVelocityIsThePublishedCurve) {
 TEST(HillCurves, ForceVelocitySlopeIsItsDerivative) {
   constexpr double h = 1e-6;
   for (double v = -1.5; v < 2; v += 0.1)
-    EXPECT_NEAR(force_velocity_slope(v), (force_velocity(v + h) - force_velocity(v - h)) / (2 * h),
+    EXPECT_NEAR(force_velocity_derivative(v),
+                (force_velocity(v + h) - force_velocity(v - h)) / (2 * h),
                 1e-8)  // rounding / h
         << v;
 }

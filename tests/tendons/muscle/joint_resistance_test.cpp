@@ -21,11 +21,11 @@ Skeleton stiff_rod() {
 constexpr JointResistance kResistance{20, 0.04, 0.002};
 
 double torque(double q) {
-  return holding_torque(stiff_rod(), kResistance, Eigen::VectorXd::Constant(1, q))[0];
+  return resistance_torque(stiff_rod(), kResistance, Eigen::VectorXd::Constant(1, q))[0];
 }
 
 double energy(double q) {
-  return holding_energy(stiff_rod(), kResistance, Eigen::VectorXd::Constant(1, q));
+  return resistance_energy(stiff_rod(), kResistance, Eigen::VectorXd::Constant(1, q));
 }
 
 TEST(JointResistance, SpringAloneWithinLimits) {

@@ -31,11 +31,11 @@ class MotionStability : public testing::TestWithParam<Muscle> {
     const VectorXd each = VectorXd::Ones(mover.joints());
     const Trajectory path = simulate(mover.model(), hard.excitation,
                                      {hard.angle * each, hard.speed * each, {}}, options);
-    EXPECT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+    EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
     EXPECT_TRUE(path.angle.allFinite() && path.speed.allFinite() && path.tension.allFinite());
     EXPECT_GE(path.tension.minCoeff(), 0);
-    const double turned_over =
-        path.work.cwiseAbs().maxCoeff() + path.lost.maxCoeff() + path.energy.cwiseAbs().maxCoeff();
+    const double turned_over = path.work.cwiseAbs().maxCoeff() + path.dissipated.maxCoeff() +
+                               path.energy.cwiseAbs().maxCoeff();
     EXPECT_LE(energy_error(path), 1e-4 * turned_over);
   }
 };

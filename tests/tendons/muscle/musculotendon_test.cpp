@@ -1,13 +1,12 @@
 // Tests for tendons/muscle/musculotendon.cpp.
 
-#include "tendons/muscle/musculotendon.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "solvers/stiff_ode.h"
 #include "tendons/muscle/hill_curves.h"
+#include "tendons/muscle/musculotendon.h"
 
 namespace thenar {
 namespace {
@@ -51,8 +50,9 @@ TEST(ElasticTendon, RateOfReachBalancesForces) {
   for (const double l : {0.6, 1.0, 1.4})
     for (const double s : {0.99, 1.005, 1.03, 1.06})
       for (const double a : {0.0, 1e-6, 0.02, 0.5, 1.0}) {
-        const double length = length_at(l, s), reach = length - s * kMuscle.slack;
-        const double v = reach_rate(kMuscle, kHill, a, length, reach) * cosine_at(l) / (10 * 0.066);
+        const double length = length_at(l, s), projected_fibre = length - s * kMuscle.slack;
+        const double v = projected_fibre_rate(kMuscle, kHill, a, length, projected_fibre) *
+                         cosine_at(l) / (10 * 0.066);
         const double fibre = a * active_force(l) * force_velocity(v) + passive_force(l) + 0.1 * v;
         EXPECT_NEAR(tendon_force(s), fibre * cosine_at(l), 1e-12) << l << " " << s << " " << a;
       }
@@ -62,17 +62,19 @@ TEST(ElasticTendon, RateOfReachBalancesForces) {
 TEST(ElasticTendon, IsometricContractionReachesAlgebraicBalance) {
   const double a = 0.6, length = length_at(1.1, 1.0);
   const auto slope = [&](double, const Eigen::VectorXd& x) {
-    return Eigen::VectorXd::Constant(1, reach_rate(kMuscle, kHill, a, length, x[0]));
+    return Eigen::VectorXd::Constant(1, projected_fibre_rate(kMuscle, kHill, a, length, x[0]));
   };
-  const double slack_start = reach_at_rest(kMuscle, kHill, 0, length);
+  const double slack_start = projected_fibre_at_rest(kMuscle, kHill, 0, length);
   StiffOde ode(slope, 0, Eigen::VectorXd::Constant(1, slack_start),
                {1e-9, Eigen::VectorXd::Constant(1, 1e-12)});
   while (ode.time() < 2) ASSERT_EQ(ode.step(2), OdeStatus::kStepped);
-  const double reach = ode.state()[0], l = fibre_length(kMuscle, reach);
+  const double projected_fibre = ode.state()[0], l = fibre_length(kMuscle, projected_fibre);
   const double fibre = cosine_at(l) * (a * active_force(l) + passive_force(l));
-  EXPECT_LT(reach, slack_start - 0.003);  // the tendon has stretched by more than 1 % of 290 mm
-  EXPECT_NEAR(tendon_force((length - reach) / kMuscle.slack), fibre, 1e-7);  // of the integration
-  EXPECT_NEAR(reach_at_rest(kMuscle, kHill, a, length), reach, 1e-8);
+  EXPECT_LT(projected_fibre,
+            slack_start - 0.003);  // the tendon has stretched by more than 1 % of 290 mm
+  EXPECT_NEAR(tendon_force((length - projected_fibre) / kMuscle.slack), fibre,
+              1e-7);  // of the integration
+  EXPECT_NEAR(projected_fibre_at_rest(kMuscle, kHill, a, length), projected_fibre, 1e-8);
 }
 
 // T = F0 cos (a fl + fp) at the length that a stretched tendon leaves; the stretch is of the order
@@ -83,8 +85,9 @@ TEST(ElasticTendon, BecomesRigidAsItStiffens) {
   double last = 1e9;
   for (const double strain : {1e-3, 1e-4, 1e-5}) {
     const HillOptions stiff{10, 0.1, strain};
-    const double reach = reach_at_rest(kMuscle, stiff, a, length);
-    const double error = std::abs(elastic_tendon_tension(kMuscle, stiff, length, reach) - rigid);
+    const double projected_fibre = projected_fibre_at_rest(kMuscle, stiff, a, length);
+    const double error =
+        std::abs(elastic_tendon_tension(kMuscle, stiff, length, projected_fibre) - rigid);
     EXPECT_LT(error, last / 8);  // tenfold in the limit
     last = error;
   }
@@ -94,17 +97,50 @@ TEST(ElasticTendon, BecomesRigidAsItStiffens) {
 TEST(ElasticTendon, FibreBesideSlackTendonStopsShortening) {
   const double length = 0.8 * kMuscle.slack;
   const double shortest = 0.05 * kMuscle.optimal;
-  EXPECT_LT(reach_rate(kMuscle, kHill, 1, length, 0.5 * kMuscle.optimal), 0);
-  EXPECT_EQ(reach_rate(kMuscle, kHill, 1, length, shortest), 0);
-  EXPECT_EQ(reach_at_rest(kMuscle, kHill, 1, length), shortest);
+  EXPECT_LT(projected_fibre_rate(kMuscle, kHill, 1, length, 0.5 * kMuscle.optimal), 0);
+  EXPECT_EQ(projected_fibre_rate(kMuscle, kHill, 1, length, shortest), 0);
+  EXPECT_EQ(projected_fibre_at_rest(kMuscle, kHill, 1, length), shortest);
 }
 
 // Relaxed and shorter than optimal, neither fibre nor tendon carries anything: nothing moves.
 TEST(ElasticTendon, RelaxedMuscleStaysWhereTendonIsJustTaut) {
   const double length = length_at(0.8, 1.0);
-  const double reach = reach_at_rest(kMuscle, kHill, 0, length);
-  EXPECT_NEAR(length - reach, taut_tendon() * kMuscle.slack, 1e-12);
-  EXPECT_NEAR(reach_rate(kMuscle, kHill, 0, length, reach), 0, 1e-9);  // rounding times 1 / damping
+  const double projected_fibre = projected_fibre_at_rest(kMuscle, kHill, 0, length);
+  EXPECT_NEAR(length - projected_fibre, taut_tendon() * kMuscle.slack, 1e-12);
+  EXPECT_NEAR(projected_fibre_rate(kMuscle, kHill, 0, length, projected_fibre), 0,
+              1e-9);  // rounding times 1 / damping
+}
+
+}  // namespace
+namespace {
+
+constexpr ActivationTimes kTimes{0.015, 0.050};
+
+double after(double excitation, double activation, double seconds) {
+  const auto slope = [&](double, const Eigen::VectorXd& a) {
+    return Eigen::VectorXd::Constant(1, activation_rate(excitation, a[0], kTimes));
+  };
+  StiffOde ode(slope, 0, Eigen::VectorXd::Constant(1, activation),
+               {1e-9, Eigen::VectorXd::Constant(1, 1e-10)});
+  while (ode.time() < seconds && ode.step(seconds) == OdeStatus::kStepped) continue;
+  return ode.state()[0];
+}
+
+// Full excitation:  (0.5 + 1.5 a) a' / (1 - a) = 1 / rise  integrates to
+//   -1.5 a - 2 log(1 - a) = t / rise.
+TEST(Activation, RisesByItsClosedForm) {
+  const double a = after(1, 0, 0.02);
+  EXPECT_NEAR(-1.5 * a - 2 * std::log(1 - a), 0.02 / 0.015, 1e-6);
+}
+
+// No excitation:  a' = -a (0.5 + 1.5 a) / fall,  so  log(a / (0.5 + 1.5 a)) falls by 0.5 t / fall.
+TEST(Activation, FallsByItsClosedForm) {
+  const double a = after(0, 1, 0.1);
+  EXPECT_NEAR(std::log(a / (0.5 + 1.5 * a)) - std::log(0.5), -0.5 * 0.1 / 0.050, 1e-6);
+}
+
+TEST(Activation, RestsAtItsExcitation) {
+  for (const double e : {0.0, 0.3, 1.0}) EXPECT_EQ(activation_rate(e, e, kTimes), 0);
 }
 
 }  // namespace

@@ -60,9 +60,9 @@ TEST(NetMotionStability, EndsDoNotHangOnTheTolerance) {
     const auto end = [&](double tolerance) -> VectorXd {
       const Trajectory path = motion_of(*winslow, subject, rung, VectorXd::Constant(4, 0.2),
                                         excitation, 0.2, tolerance);
-      EXPECT_EQ(path.status, MotionStatus::kDone) << path.trouble;
-      EXPECT_EQ(path.trouble, "");
-      EXPECT_LT(path.stray, 1e-4);  // [m]
+      EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
+      EXPECT_EQ(path.warning, "");
+      EXPECT_LT(path.drift, 1e-4);  // [m]
       return path.angle.bottomRows(1).transpose();
     };
     const VectorXd fine = end(1e-8);
@@ -91,11 +91,11 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
     ++ends[path.status];
 
     SCOPED_TRACE(
-        fmt::format("motion {} of net {} on rung {}: {}", k, net, int(rung), path.trouble));
+        fmt::format("motion {} of net {} on rung {}: {}", k, net, int(rung), path.warning));
     EXPECT_TRUE(path.angle.allFinite() && path.speed.allFinite() && path.tension.allFinite());
     EXPECT_GE(path.tension.minCoeff(), 0);
-    if (path.status != MotionStatus::kDone) {
-      EXPECT_NE(path.trouble, "");
+    if (path.status != MotionStatus::kCompleted) {
+      EXPECT_NE(path.warning, "");
       continue;
     }
     EXPECT_NEAR(path.time.tail<1>()[0], seconds, 1e-12);
@@ -109,7 +109,7 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
     fmt::print("  {} {}\n", motions, kEnds[static_cast<int>(end)]);
   fmt::print("  {:.3g} s of a core in the median, {:.3g} s at most\n", cpu[cpu.size() / 2],
              cpu.back());
-  EXPECT_GE(ends[MotionStatus::kDone], count * 9 / 10);
+  EXPECT_GE(ends[MotionStatus::kCompleted], count * 9 / 10);
 }
 
 // Muscles once followed a net's moment arms without what its bands give. Where one drew a knot into
@@ -117,11 +117,11 @@ TEST(NetMotionStability, EveryMotionFromRestEndsAndBalancesOrSaysNot) {
 TEST(NetMotionStability, GetsPastAKnotThatIsDrawnIn) {
   const Subject subject = sample::index_finger();
   const Trajectory path = motion(22, *net_of(subject, "dogadov2017"), subject, 0.05);
-  EXPECT_NEAR(path.time.tail<1>()[0], 0.05, 1e-12) << path.trouble;
+  EXPECT_NEAR(path.time.tail<1>()[0], 0.05, 1e-12) << path.warning;
   EXPECT_LT(path.counts.steps, 2000);
   // Its end hangs on the tolerance by 0.1 rad and more, and it says so.
-  EXPECT_EQ(path.status, MotionStatus::kDone);
-  EXPECT_NE(path.trouble.find("the net jumped to another rest"), std::string::npos);
+  EXPECT_EQ(path.status, MotionStatus::kCompleted);
+  EXPECT_NE(path.warning.find("the net jumped to another rest"), std::string::npos);
 }
 
 // Knots that bands clasp to a bone once lost it as soon as it moved 1 nm away from their start: the
@@ -129,7 +129,7 @@ TEST(NetMotionStability, GetsPastAKnotThatIsDrawnIn) {
 TEST(NetMotionStability, KeepsKnotsOnBonesThatMoveOn) {
   const Subject subject = sample::index_finger();
   const Trajectory path = motion(283, *net_of(subject, "dogadov2017"), subject, 0.02);
-  EXPECT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+  EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
   EXPECT_LT(path.counts.steps, 1000);
 }
 
@@ -145,7 +145,7 @@ TEST(NetMotionStability, MusclesThatStartAtRestMakeNoEnergy) {
     for (const char* net : {"chao_an", "winslow"}) {
       const Trajectory path = motion_of(*net_of(subject, net), subject, Muscle::kRigidTendon,
                                         VectorXd::Zero(4), excitation, 0.05);
-      EXPECT_EQ(path.status, MotionStatus::kDone) << net << " " << path.trouble;
+      EXPECT_EQ(path.status, MotionStatus::kCompleted) << net << " " << path.warning;
       EXPECT_LT(path.balance.error, 1e-5 * path.balance.turned_over) << net;
       EXPECT_GT(path.balance.turned_over, 1e-6) << net;
     }

@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 
 #include "base/error.h"
-#include "tendons/muscle/excursion.h"
+#include "tendons/digit_tendons.h"
 #include "tests/matrix_near.h"
 #include "tests/tendons/muscle/moving_samples.h"
 
@@ -44,7 +44,7 @@ TEST(Simulate, PendulumUnderConstantTensionKeepsItsFirstIntegral) {
   model.resistance.damping = 0;
   const Trajectory path = simulate(model, constant_excitation(mover.excited(0.25)),
                                    {VectorXd::Zero(1), {}, {}}, seconds(1, 1e-10));
-  ASSERT_EQ(path.status, MotionStatus::kDone);
+  ASSERT_EQ(path.status, MotionStatus::kCompleted);
   const double tau = 0.25 * rod.F0 * rod.arm;
   for (Eigen::Index i = 0; i < path.time.size(); ++i) {
     const double q = path.angle(i, 0), q_dot = path.speed(i, 0);
@@ -105,7 +105,7 @@ TEST_P(EveryRung, BalancesEnergyWithinTolerance) {
   excitation[2] = 0.15;  // FDP
   const Trajectory path = simulate(model, constant_excitation(excitation),
                                    {VectorXd::Zero(4), {}, mover.excited(0)}, seconds(0.5, 1e-7));
-  ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+  ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
   EXPECT_GT(path.work.cwiseAbs().maxCoeff(), 1e-3);  // [J]
   EXPECT_LT(energy_error(path), 1e-6);               // [J]
 }
@@ -139,7 +139,7 @@ VectorXd static_torque(const Mover& mover, const VectorXd& q, double a) {
     t[m] = mover.contraction->tension(m, {a, length, 0, 0});
   }
   return mover.tendons->pull(q, t).tau +
-         holding_torque(mover.tendons->digit().skeleton, mover.model().resistance, q);
+         resistance_torque(mover.tendons->digit().skeleton, mover.model().resistance, q);
 }
 
 /// Newton's method on the torque alone.
@@ -166,7 +166,7 @@ TEST(Simulate, SlowRampEndsInStaticBalance) {
   ramp.value.row(1).setConstant(0.2);
   const Trajectory path =
       simulate(mover.model(), ramp, {VectorXd::Constant(4, 0.3), {}, {}}, seconds(8, 1e-7));
-  ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+  ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
   const VectorXd last = path.angle.bottomRows<1>().transpose();
   const VectorXd balanced = balanced_posture(mover, last.array() + 0.05, 0.2);
   ASSERT_LT(static_torque(mover, balanced, 0.2).norm(), 1e-10);
@@ -185,7 +185,7 @@ TEST(Simulate, ElasticTendonsBecomeRigidAsTheyStiffen) {
     const Mover mover(subject, rung, {10, 0.1, strain});
     const Trajectory path = simulate(mover.model(), constant_excitation(mover.excited(0.3)),
                                      {VectorXd::Zero(1), {}, mover.excited(0.1)}, seconds(0.2));
-    EXPECT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+    EXPECT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
     EXPECT_GT(path.tension.minCoeff(), 0);
     return path.angle.col(0);
   };
@@ -208,7 +208,7 @@ TEST(Simulate, MassesOneToAThousandStaySound) {
     const Trajectory path =
         simulate(mover.model(), constant_excitation(mover.excited(0.1)),
                  {VectorXd::Constant(4, 0.2), {}, mover.excited(0)}, seconds(0.5, 1e-7));
-    EXPECT_EQ(path.status, MotionStatus::kDone) << ratio << " " << path.trouble;
+    EXPECT_EQ(path.status, MotionStatus::kCompleted) << ratio << " " << path.warning;
     EXPECT_LT(energy_error(path), 1e-6) << ratio;  // [J]
   }
 }
@@ -233,8 +233,8 @@ TEST(Simulate, SaysWhyItIsStuck) {
   options.max_steps = 20;
   const Trajectory path = simulate(mover.model(), constant_excitation(mover.excited(0.1)),
                                    {VectorXd::Zero(1), {}, {}}, options);
-  EXPECT_EQ(path.status, MotionStatus::kStuck);
-  EXPECT_EQ(path.trouble.rfind("more steps than allowed", 0), 0u) << path.trouble;
+  EXPECT_EQ(path.status, MotionStatus::kIntegratorFailed);
+  EXPECT_EQ(path.warning.rfind("more steps than allowed", 0), 0u) << path.warning;
 }
 
 // Tolerances at which energy comes of nothing, and a hundredth of which lets none in.
@@ -245,10 +245,10 @@ TEST(Simulate, IntegratesOnceMoreWhereEnergyDoesNotBalance) {
     const Trajectory path =
         simulate(mover.model(), constant_excitation(mover.excited(0.3)),
                  {VectorXd::Constant(4, 0.2), {}, mover.excited(0)}, seconds(0.2, tolerance));
-    EXPECT_EQ(path.status == MotionStatus::kDone, path.balance.holds()) << tolerance;
+    EXPECT_EQ(path.status == MotionStatus::kCompleted, path.balance.holds()) << tolerance;
     if (path.tolerance == tolerance) continue;
     EXPECT_DOUBLE_EQ(path.tolerance, tolerance / 100);
-    EXPECT_EQ(path.status, MotionStatus::kDone) << tolerance;
+    EXPECT_EQ(path.status, MotionStatus::kCompleted) << tolerance;
     ++again;
   }
   EXPECT_GE(again, 1);
@@ -260,7 +260,7 @@ TEST(Simulate, NeverCallsDoneWhatMakesEnergyOfNothing) {
   const Trajectory path =
       simulate(mover.model(), constant_excitation(mover.excited(0.3)),
                {VectorXd::Constant(4, 0.2), {}, mover.excited(0)}, seconds(0.2, 1e3));
-  EXPECT_NE(path.status, MotionStatus::kDone);
+  EXPECT_NE(path.status, MotionStatus::kCompleted);
   EXPECT_FALSE(path.balance.holds());
   EXPECT_GT(path.balance.error, 1e-4 * path.balance.turned_over);
 }
@@ -272,7 +272,7 @@ TEST(Simulate, EndsWithAStatusWhereTensionsAreNotFinite) {
   excitation[2] = 0.3;  // FDP
   const Trajectory path = simulate(mover.model(), constant_excitation(excitation),
                                    {VectorXd::Zero(4), {}, mover.excited(0)}, seconds(0.1, 1e3));
-  EXPECT_NE(path.status, MotionStatus::kDone);
+  EXPECT_NE(path.status, MotionStatus::kCompleted);
 }
 
 // Steps of at most 1e-9 s, as excitation jumps at every one, get nowhere.
@@ -284,10 +284,10 @@ TEST(Simulate, GivesUpWhereItDoesNotGetOn) {
     jumps.value(k, 0) = 0.1 * ((k + 1) / 2 % 2);
   }
   SimulateOptions options = seconds(1);
-  options.patience = 200;
+  options.stall_steps = 200;
   const Trajectory path = simulate(mover.model(), jumps, {VectorXd::Zero(1), {}, {}}, options);
   EXPECT_EQ(path.status, MotionStatus::kNoProgress);
-  EXPECT_EQ(path.trouble.rfind("200 steps took it less than", 0), 0u) << path.trouble;
+  EXPECT_EQ(path.warning.rfind("200 steps took it less than", 0), 0u) << path.warning;
   EXPECT_EQ(path.angle.rows(), path.time.size());
 }
 
@@ -308,16 +308,16 @@ class GivingTendon : public DigitTendons {
     digit_.fidelity.hood = Hood::kFloatingNet;
   }
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
-  TendonPull pull(const VectorXd&, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
-    TendonPull pull;
+  TendonTorque pull(const VectorXd&, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
+    TendonTorque pull;
     pull.R = Eigen::MatrixXd::Constant(1, 1, kArm);
     pull.tau = pull.R.transpose() * t;
     return pull;
   }
-  Eigen::MatrixXd give(const VectorXd&, const VectorXd&, const TendonPull&) const override {
+  Eigen::MatrixXd give(const VectorXd&, const VectorXd&, const TendonTorque&) const override {
     return Eigen::MatrixXd::Constant(1, 1, kGive);
   }
-  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonPull&) const override {
+  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonTorque&) const override {
     return -kArm * q - kGive * t;
   }
 
@@ -340,7 +340,7 @@ TEST(Simulate, ExcursionFollowsPostureAndWhatTendonsGive) {
     const VectorXd one = VectorXd::Ones(1);
     const Trajectory path = simulate({tendons, *contraction}, constant_excitation(0.4 * one),
                                      {0 * one, {}, 0 * one}, options);
-    ASSERT_EQ(path.status, MotionStatus::kDone) << path.trouble;
+    ASSERT_EQ(path.status, MotionStatus::kCompleted) << path.warning;
     const Eigen::Index last = path.time.size() - 1;
     const double turn = path.angle(last, 0) - path.angle(0, 0);
     const double more = path.tension(last, 0) - path.tension(0, 0);

@@ -22,7 +22,7 @@ Trajectory small() {
   t.excursion = Eigen::Vector2d(0, -0.004);
   t.slips = Eigen::MatrixX4d::Zero(2, 4);
   t.tip = Eigen::MatrixX3d::Constant(2, 3, 0.01);
-  t.energy = t.work = t.lost = Eigen::Vector2d(0, 1e-3);
+  t.energy = t.work = t.dissipated = Eigen::Vector2d(0, 1e-3);
   return t;
 }
 

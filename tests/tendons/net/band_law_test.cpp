@@ -14,8 +14,10 @@ TEST(BlendedPull, IsOnePotential) {
   for (const double toe : {0.0, 0.02})
     for (const double e : {-0.9, -0.1, -1e-3, -1e-4, 0.0, 1e-4, 1e-3, 0.0195, 0.0205, 0.1}) {
       const double L = kSlack * (1 + e), h = 1e-8;
-      const auto at = [&](double length) { return blended_pull(length, kSlack, kEA, toe, kBlend); };
-      const BandPull low = at(L - h), here = at(L), high = at(L + h);
+      const auto at = [&](double length) {
+        return smoothed_response(length, kSlack, kEA, toe, kBlend);
+      };
+      const BandResponse low = at(L - h), here = at(L), high = at(L + h);
       EXPECT_NEAR((high.energy - low.energy) / (2 * h), here.tension, 1e-6 * here.tension + 1e-8)
           << toe << " " << e;
       EXPECT_NEAR((high.tension - low.tension) / (2 * h), here.stiffness,
@@ -31,14 +33,14 @@ TEST(BlendedPull, TendsToTheLawWithoutBlend) {
   for (const double toe : {0.0, 0.02})
     for (const double e : {0.03, 0.1}) {
       const double L = kSlack * (1 + e);
-      EXPECT_NEAR(blended_pull(L, kSlack, kEA, toe, kBlend).tension,
-                  band_pull(L, kSlack, kEA, toe).tension, kEA * kBlend * kBlend / (2 * e));
+      EXPECT_NEAR(smoothed_response(L, kSlack, kEA, toe, kBlend).tension,
+                  band_response(L, kSlack, kEA, toe).tension, kEA * kBlend * kBlend / (2 * e));
     }
-  EXPECT_LT(blended_pull(0.9 * kSlack, kSlack, kEA, 0, kBlend).tension, 1e-3);  // [N]
+  EXPECT_LT(smoothed_response(0.9 * kSlack, kSlack, kEA, 0, kBlend).tension, 1e-3);  // [N]
 }
 
 TEST(BlendedPull, IsNothingAtNoLength) {
-  const BandPull none = blended_pull(0, kSlack, kEA, 0, kBlend);
+  const BandResponse none = smoothed_response(0, kSlack, kEA, 0, kBlend);
   EXPECT_NEAR(none.tension, 0, 1e-15);
   EXPECT_NEAR(none.energy, 0, 1e-15);
 }

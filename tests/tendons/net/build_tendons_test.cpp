@@ -64,8 +64,8 @@ TEST(NetTendons, TellsThatATornSlipIsDrawnIn) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
-  const std::string trouble = tendons.pull(kPosture, kTension, {}).trouble;
-  EXPECT_NE(trouble.find("has drawn in 'ulnar_knot'"), std::string::npos) << trouble;
+  const std::string warning = tendons.pull(kPosture, kTension, {}).warning;
+  EXPECT_NE(warning.find("has drawn in 'ulnar_knot'"), std::string::npos) << warning;
 }
 
 TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
@@ -73,8 +73,8 @@ TEST(BuildTendons, TipForceOfATornNetIsNotToBeTrusted) {
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
   const TendonTip tip = tip_force(tendons, kPosture, kTension);
-  EXPECT_EQ(tip.trouble, tendons.pull(kPosture, kTension, {}).trouble);
-  EXPECT_NE(tip.trouble, "");
+  EXPECT_EQ(tip.warning, tendons.pull(kPosture, kTension, {}).warning);
+  EXPECT_NE(tip.warning, "");
 }
 
 // A knot in its exit is held there whatever its muscle adds; the rest of the net still has arms.
@@ -82,7 +82,7 @@ TEST(NetTendons, HasTheMomentArmsOfADrawnInNet) {
   auto linear = build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate});
   BuiltNet torn = cut(build_net(finger(), linear->digit(), net_named("chao_an")), "ulnar");
   const NetTendons tendons(std::move(linear), std::move(torn));
-  const TendonPull at = tendons.pull(kPosture, kTension, {});
+  const TendonTorque at = tendons.pull(kPosture, kTension, {});
   constexpr double kStep = 1e-3;  // [N]
   for (Eigen::Index m = 0; m < kTension.size(); ++m) {
     VectorXd more = kTension, less = kTension;
@@ -100,9 +100,9 @@ TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
   NetSolverOptions hasty;
   hasty.max_iterations = 2;
   const NetTendons tendons(std::move(linear), std::move(built), hasty);
-  const TendonPull at = tendons.pull(kPosture, kTension, {});
-  EXPECT_NE(at.trouble.find("not balanced"), std::string::npos) << at.trouble;
-  EXPECT_NE(at.trouble.find("moment arms are without the net"), std::string::npos) << at.trouble;
+  const TendonTorque at = tendons.pull(kPosture, kTension, {});
+  EXPECT_NE(at.warning.find("not balanced"), std::string::npos) << at.warning;
+  EXPECT_NE(at.warning.find("moment arms are without the net"), std::string::npos) << at.warning;
   EXPECT_TRUE(at.R.allFinite());
 }
 
@@ -110,12 +110,12 @@ TEST(NetTendons, SaysWhereTheNetHasNoMomentArms) {
 struct BadTendons : DigitTendons {
   explicit BadTendons(std::unique_ptr<DigitTendons> of) : good(std::move(of)) {}
   const TendonDigit& digit() const override { return good->digit(); }
-  TendonPull pull(const VectorXd& q, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
-    TendonPull pull = good->pull(q, t);
-    pull.trouble = "a path is not taut";
+  TendonTorque pull(const VectorXd& q, const VectorXd& t, const Eigen::Matrix3Xd&) const override {
+    TendonTorque pull = good->pull(q, t);
+    pull.warning = "a path is not taut";
     return pull;
   }
-  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonPull& at) const override {
+  VectorXd lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const override {
     return good->lengths(q, t, at);
   }
   std::unique_ptr<DigitTendons> good;
@@ -126,7 +126,7 @@ TEST(NetTendons, HandsOnTheTroubleOfThePathsOutside) {
       build_linear_tendons(finger(), "middle", {Path::kViaPoint, Hood::kSeparate}));
   BuiltNet built = build_net(finger(), bad->digit(), net_named("winslow"));
   const NetTendons tendons(std::move(bad), std::move(built));
-  EXPECT_EQ(tendons.pull(VectorXd::Zero(4), kTension, {}).trouble, "a path is not taut");
+  EXPECT_EQ(tendons.pull(VectorXd::Zero(4), kTension, {}).warning, "a path is not taut");
 }
 
 // A surface that has grown over an insertion buries the band that bends over it.
@@ -137,15 +137,15 @@ TEST(NetTendons, TellsThatABandIsBuried) {
     if (surface.name == "DIP_dorsum") surface.size[0] = 0.008;
   const NetTendons tendons(std::move(linear), std::move(built));
   const VectorXd straight = VectorXd::Zero(4);
-  const std::string trouble = tendons.pull(straight, kTension, {}).trouble;
-  EXPECT_NE(trouble.find("ends inside 'DIP_dorsum'"), std::string::npos) << trouble;
+  const std::string warning = tendons.pull(straight, kTension, {}).warning;
+  EXPECT_NE(warning.find("ends inside 'DIP_dorsum'"), std::string::npos) << warning;
 }
 
 // What a pull carries of its rest saves a search and changes nothing: slopes found from its nodes
 // alone are the same.
 TEST(NetTendons, SlopesAreThoseOfTheRestThatAPullCarries) {
   const auto tendons = build_net_tendons(finger(), "middle", {}, net_named("winslow"));
-  TendonPull pull = tendons->pull(kPosture, kTension);
+  TendonTorque pull = tendons->pull(kPosture, kTension);
   ASSERT_NE(pull.rest, nullptr);
   EXPECT_TRUE(matrix_near(pull.rest->x, pull.nodes, 0));
   const Eigen::MatrixXd give = tendons->give(kPosture, kTension, pull);

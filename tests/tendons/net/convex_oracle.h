@@ -215,10 +215,10 @@ struct Rest {
   VectorXd tension;      // [N]
   double energy = 0;     // [J]
   double residual = 0;   // largest force that is left on a node [N]
-  MatrixXd H;            // stiffness of the free nodes; drawn ones count as fixed [N/m]
+  MatrixXd H;            // stiffness of the free nodes; collapsed ones count as fixed [N/m]
   MatrixXd H_sure;       // the same of bands that pull with more than 1e-8 N [N/m]
-  std::vector<int> row;  // of a free node that is not drawn in
-  int drawn = 0;         // nodes in an exit
+  std::vector<int> row;  // of a free node that is not collapsed in
+  int collapsed = 0;     // nodes in an exit
 };
 
 /// Sums forces in long double.
@@ -231,9 +231,9 @@ class Exact {
         x_.col(i) = scene.x.col(i).cast<long double>();
   }
 
-  /// Nodes within `in_exit` [m] of the exit of a muscle count as drawn into it. Those that the rest
-  /// of their bands pull out again are let go, and the nearest one is drawn in where forces are
-  /// left.
+  /// Nodes within `in_exit` [m] of the exit of a muscle count as collapsed into it. Those that the
+  /// rest of their bands pull out again are let go, and the nearest one is collapsed in where
+  /// forces are left.
   [[nodiscard]] Rest solve(double in_exit) {
     while (draw(in_exit)) continue;
     for (int round = 0; round < 12; ++round) {
@@ -341,10 +341,10 @@ class Exact {
 
   void number_rows() {
     rest_.row.assign(exit_.size(), -1);
-    rest_.drawn = rows_ = 0;
+    rest_.collapsed = rows_ = 0;
     for (std::size_t i = 0; i < exit_.size(); ++i) {
       if (scene_.row[i] >= 0 && exit_[i] < 0) rest_.row[i] = rows_, rows_ += 1;
-      rest_.drawn += exit_[i] >= 0;
+      rest_.collapsed += exit_[i] >= 0;
     }
     rows_ *= 3;
   }
@@ -381,7 +381,7 @@ class Exact {
   }
 
   const Scene& scene_;
-  std::vector<int> exit_;  // of each node: the node that it is drawn into, or -1
+  std::vector<int> exit_;  // of each node: the node that it is collapsed into, or -1
   Places x_;
   Longs g_;
   Matrix3Xd pull_;  // of all bands on every node, reversed [N]

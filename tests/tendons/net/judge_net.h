@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tendons/net/solve_net.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/wrapping/wrapped_string.h"
 #include "tests/tendons/net/sample_nets.h"
 
 namespace thenar {
@@ -16,7 +16,7 @@ namespace thenar {
 struct NetJudgement {
   double residual = 0;   // out-of-balance force less what rounding explains [N]
   double rounding = 0;   // the most that rounding explains at a node [N]
-  double overdrawn = 0;  // the most by which a force of a drawn band exceeds its pull [N]
+  double overdrawn = 0;  // the most by which a force of a collapsed band exceeds its pull [N]
   double glued = 0;      // the most by which a bone pulls a node harder than bands can clasp it [N]
 };
 
@@ -49,26 +49,26 @@ inline NetJudgement judge(const SampleNet& sample, const NetEquilibrium& rest) {
   Eigen::Matrix3Xd F = Eigen::Matrix3Xd::Zero(3, rest.x.cols());
   Eigen::VectorXd rounding = Eigen::VectorXd::Zero(rest.x.cols());
   std::vector<double> clasped(rest.contacts.size(), 0);
-  std::vector<bool> drawn(net.bands.size(), false);
-  for (const NetDrawnBand& d : rest.drawn) {
+  std::vector<bool> collapsed(net.bands.size(), false);
+  for (const CollapsedBand& d : rest.collapsed) {
     const NetBand& band = net.bands[d.band];
-    drawn[d.band] = true;
+    collapsed[d.band] = true;
     F.col(band.a) += d.force;
     F.col(band.b) -= d.force;
     const double pull = sample.drive.tension(band.muscle);
     out.overdrawn = std::max(out.overdrawn, d.force.norm() - pull * (1 + 1e-15) - kTolerance);
   }
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
-    if (drawn[b]) continue;
+    if (collapsed[b]) continue;
     const NetBand& band = net.bands[b];
-    Chord chord = straight_chord(rest.x.col(band.a), rest.x.col(band.b));
+    WrappedString chord = straight_string(rest.x.col(band.a), rest.x.col(band.b));
     Eigen::Vector2d run = Eigen::Vector2d::Constant(chord.length);
     if (band.over >= 0) {
       const BoneSurface& s = net.surfaces[band.over];
       const Pose<double> X = s.link < 0 ? s.X : state[s.link].X * s.X, to_S = X.inverse();
       const Eigen::Vector3d a = to_S * Eigen::Vector3d(rest.x.col(band.a)),
                             e = to_S * Eigen::Vector3d(rest.x.col(band.b));
-      chord = chord_over(s, a, e, band.side);
+      chord = wrap_string(s, a, e, band.side);
       if (chord.bent) run << (a - chord.touch_a).norm(), (e - chord.touch_b).norm();
       for (int i : {0, 3}) chord.slope.segment<3>(i) = X.R * chord.slope.segment<3>(i).eval();
     }

@@ -45,7 +45,7 @@ std::vector<SampleNet> held_nets(bool bones, int count) {
     options.max_free = 5;
     SampleNet sample = random_net(rng, options);
     const NetEquilibrium rest = rest_of(sample);
-    bool clear = rest.status == NetStatus::kBalanced && rest.loose.empty();
+    bool clear = rest.status == NetStatus::kBalanced && rest.undetermined.empty();
     if (bones) clear = clear && !rest.contacts.empty();
     for (const NetContact& c : rest.contacts) clear = clear && std::abs(c.force) > 1e-2;
     for (Eigen::Index b = 0; b < rest.length.size(); ++b) {
@@ -115,7 +115,7 @@ struct StaticsRounding {
 
 /// Differences of solutions against one column of slopes.
 template <typename Change>
-void expect_slope(const SampleNet& sample, const NetEquilibrium& rest, const NetSlopes& slopes,
+void expect_slope(const SampleNet& sample, const NetEquilibrium& rest, const NetJacobian& slopes,
                   Eigen::Index i, double h, const Change& change) {
   const auto at = [&](double by) {
     SampleNet moved = sample;
@@ -205,7 +205,8 @@ TEST_P(NetDerivativesOf, PulledLengthByDriveMatchesDifferences) {
   for (const SampleNet& sample : held_nets(GetParam(), 4)) {
     if ((sample.drive.length.array().isFinite()).any()) continue;
     const NetEquilibrium rest = rest_of(sample);
-    const Eigen::MatrixXd slopes = pulled_by_drive(sample.net, sample.state(), sample.drive, rest);
+    const Eigen::MatrixXd slopes =
+        muscle_compliance(sample.net, sample.state(), sample.drive, rest);
     const double size = slopes.cwiseAbs().maxCoeff();
     EXPECT_TRUE(matrix_near(slopes, slopes.transpose(), 1e-9 * size));
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(slopes);
@@ -246,10 +247,10 @@ INSTANTIATE_TEST_SUITE_P(BonesOrNone, NetDerivativesOf, testing::Bool());
 TEST(NetDerivatives, RefuseANetThatIsNotBalancedOrAtASaddle) {
   const SampleNet sample = sample_net_on_bone(6, 12);
   NetEquilibrium rest = rest_of(sample);
-  EXPECT_EQ(no_slopes(sample.net, rest), "");
-  for (NetStatus status : {NetStatus::kStalled, NetStatus::kWoundRound, NetStatus::kUnstable}) {
+  EXPECT_EQ(why_not_differentiable(sample.net, rest), "");
+  for (NetStatus status : {NetStatus::kStalled, NetStatus::kFarSideWrap, NetStatus::kUnstable}) {
     rest.status = status;
-    EXPECT_NE(no_slopes(sample.net, rest), "");
+    EXPECT_NE(why_not_differentiable(sample.net, rest), "");
     EXPECT_THROW(
         (void)net_derivatives(sample.net, sample.tree, sample.state(), sample.drive, rest, 1),
         InputError);
@@ -259,31 +260,31 @@ TEST(NetDerivatives, RefuseANetThatIsNotBalancedOrAtASaddle) {
   }
 }
 
-/// Random nets in which a muscle has drawn a node into its exit, well held otherwise.
+/// Random nets in which a muscle has collapsed a node into its exit, well held otherwise.
 std::vector<SampleNet> drawn_nets(int count) {
-  std::vector<SampleNet> drawn;
-  for (unsigned seed = 1; static_cast<int>(drawn.size()) < count; ++seed) {
+  std::vector<SampleNet> collapsed;
+  for (unsigned seed = 1; static_cast<int>(collapsed.size()) < count; ++seed) {
     std::mt19937 rng(seed);
     RandomNetOptions options;
     options.max_free = 5;
     options.weak = 1;
     SampleNet sample = random_net(rng, options);
     const NetEquilibrium rest = rest_of(sample);
-    bool clear = rest.status == NetStatus::kDrawnIn && rest.loose.empty() &&
-                 no_slopes(sample.net, rest).empty();
+    bool clear = rest.status == NetStatus::kNodeCollapsed && rest.undetermined.empty() &&
+                 why_not_differentiable(sample.net, rest).empty();
     for (Eigen::Index b = 0; b < rest.length.size(); ++b) {
       const NetBand& band = sample.net.bands[static_cast<std::size_t>(b)];
       const double strain = rest.length(b) / band.slack - 1;
       if (band.muscle < 0)
         clear = clear && std::abs(strain) > 2e-3 && std::abs(strain - band.toe) > 2e-3;
     }
-    for (const NetDrawnBand& held : rest.drawn)  // neither let go nor just caught
+    for (const CollapsedBand& held : rest.collapsed)  // neither let go nor just caught
       clear = clear && held.force.norm() <
                            0.9 * sample.drive.tension(
                                      sample.net.bands[static_cast<std::size_t>(held.band)].muscle);
-    if (clear) drawn.push_back(std::move(sample));
+    if (clear) collapsed.push_back(std::move(sample));
   }
-  return drawn;
+  return collapsed;
 }
 
 /// tau by solving anew after a change.

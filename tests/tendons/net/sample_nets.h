@@ -12,7 +12,7 @@
 
 #include "hand/chain.h"
 #include "tendons/net/net.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar {
 
@@ -69,7 +69,7 @@ inline SampleNet sample_net_on_bone(int free_nodes, int bands) {
   const auto join = [&](int a, int b, double strain, bool over, int muscle = -1) {
     const Eigen::Vector3d &pa = net.nodes[a].p, &pb = net.nodes[b].p;
     const BoneSurface& bone = net.surfaces[0];
-    const double length = chord_over(bone, pa, pb, {0, 1, 0}).length;
+    const double length = wrap_string(bone, pa, pb, {0, 1, 0}).length;
     const int band = add_band(net, a, b, length / (1 + strain), 150, 0.02, muscle);
     if (over) net.bands[band].over = 0;
   };

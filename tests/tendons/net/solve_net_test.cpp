@@ -1,13 +1,13 @@
 // Tests for tendons/net/solve_net.cpp: equilibria that can be worked out by hand.
 
-#include "tendons/net/solve_net.h"
-
 #include <cmath>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tendons/net/solve_net.h"
 #include "tests/matrix_near.h"
+#include "tests/tendons/net/sample_nets.h"
 
 namespace thenar {
 namespace {
@@ -45,6 +45,80 @@ TEST(SolveNet, SharesAPullBetweenTwoBands) {
   EXPECT_EQ(rest.status, NetStatus::kBalanced);
   EXPECT_TRUE(matrix_near(rest.x.col(0), Vector3d::Zero(), 1e-12));
   EXPECT_TRUE(matrix_near(rest.tension, Vector3d(t, t, t), 1e-9));
+}
+
+}  // namespace
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kBoneRadius = 0.005;
+
+VectorXd angle(double q) { return VectorXd::Constant(1, q); }
+const NetDrive kNothing{VectorXd(0), {}};
+
+/// A taut string across a cylinder, by way of a node 6 mm over its axis, all on a link whose hinge
+/// is 1 m away: q lowers it by 1 mm for every milliradian.
+struct String {
+  String() {
+    net.surfaces = {{"bone", -1, SurfaceShape::kCylinder, {kBoneRadius, 0.05, 0}, {}}};
+    add_node(net, true, 0, {0, 0.006, 0}, {0});
+    for (double x : {-0.02, 0.02})
+      add_band(net, 0, add_node(net, false, 0, {x, 0.006, 0}), 0.015, 100);
+  }
+  Net net;
+  Tree<double> tree{{-1, 0, 1, 0, {0, 0, 1}, {1, 0, 0}}};
+};
+
+// Clear of the bone the net turns with its link.
+TEST(SolvePostures, CarriesANetThatTouchesNothing) {
+  const String string;
+  NetSolver solver(string.net);
+  const auto rests =
+      solve_postures(solver, string.tree, {angle(0), angle(-0.1), angle(-0.2)}, kNothing);
+  ASSERT_EQ(rests.size(), 3U);
+  for (int k = 0; k < 3; ++k) {
+    const auto state = pose_tree(string.tree, angle(-0.1 * k));
+    EXPECT_EQ(rests[k].status, NetStatus::kBalanced);
+    EXPECT_TRUE(matrix_near(rests[k].x.col(0), moved(state, 0, string.net.nodes[0].p), 1e-11));
+  }
+}
+
+// 8 mm lower the string lies over the bone still; taken there at once, its node is under it.
+TEST(SolvePostures, KeepsANetOnTheSideOnWhichItCame) {
+  const String string;
+  NetSolver solver(string.net);
+  std::vector<VectorXd> down;
+  for (int k = 0; k <= 8; ++k) down.push_back(angle(1e-3 * k));
+  const auto rests = solve_postures(solver, string.tree, down, kNothing);
+  for (const NetEquilibrium& rest : rests) EXPECT_EQ(rest.status, NetStatus::kBalanced);
+  EXPECT_GT(rests.back().x(1, 0), 0.9 * kBoneRadius);
+  const auto at_once = solve_postures(solver, string.tree, {down.back()}, kNothing);
+  EXPECT_LT(at_once[0].x(1, 0), 0);
+}
+
+TEST(SolvePostures, StartsWhereItIsTold) {
+  const String string;
+  NetSolver solver(string.net);
+  const VectorXd low = angle(8e-3);
+  const auto state = pose_tree(string.tree, low);
+  Eigen::Matrix3Xd start(3, 3);
+  for (int i = 0; i < 3; ++i) start.col(i) = moved(state, 0, string.net.nodes[i].p);
+  start.col(0) = Vector3d(0, kBoneRadius, 0);
+  const auto rests = solve_postures(solver, string.tree, {low}, kNothing, start);
+  EXPECT_GT(rests[0].x(1, 0), 0.9 * kBoneRadius);
+}
+
+TEST(SolvePostures, NamesAPostureOfTooFewCoordinates) {
+  const String string;
+  NetSolver solver(string.net);
+  try {
+    (void)solve_postures(solver, string.tree, {angle(0), VectorXd(0)}, kNothing);
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(), "posture 1 has 0 coordinates, the tree 1");
+  }
 }
 
 }  // namespace

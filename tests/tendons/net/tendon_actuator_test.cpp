@@ -10,7 +10,7 @@
 #include "base/units.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
-#include "tendons/net/digit_sweep.h"
+#include "tendons/net/posture_sweep.h"
 #include "tests/data_folder.h"
 #include "tests/hand/sample_subjects.h"
 #include "tests/matrix_near.h"
@@ -56,7 +56,7 @@ std::vector<double> snaps(const NetTendons& tendons, double step_deg) {
 
 // A snap is of the net, not of the step: a coarse step has one if and only if one of the fine steps
 // within it has.
-TEST(NetWalk, FindsTheSameSnapsInSmallAndLargeSteps) {
+TEST(NetContinuation, FindsTheSameSnapsInSmallAndLargeSteps) {
   const NetTendons torn = torn_finger();
   const std::vector<double> fine = snaps(torn, 0.25);
   EXPECT_GT(fine.size(), 0U);
@@ -73,7 +73,7 @@ TEST(NetWalk, FindsTheSameSnapsInSmallAndLargeSteps) {
   }
 }
 
-TEST(NetWalk, FindsNoSnapsInASoundFinger) {
+TEST(NetContinuation, FindsNoSnapsInASoundFinger) {
   const auto sound = finger("an_chao_middle", "middle", "winslow");
   for (const double step : {0.25, 10.0})
     EXPECT_TRUE(snaps(dynamic_cast<const NetTendons&>(*sound), step).empty()) << step;
@@ -113,7 +113,7 @@ TEST(TendonActuator, HasTheSlopesOfItsTorqueAndLengths) {
     const VectorXd t = (VectorXd(6) << 3, 5, 4, 2, 1, 2.5).finished();
     TendonActuator actuator(*tendons);
     const TendonAction action = actuator.act(q, t);
-    ASSERT_TRUE(trusted(action.status)) << net << ": " << action.trouble;
+    ASSERT_TRUE(trusted(action.status)) << net << ": " << action.warning;
     ASSERT_TRUE(action.slopes);
     const Differences measured = differences(*tendons, q, t, actuator.nodes());
     const double size = action.K.cwiseAbs().maxCoeff();  // [N m/rad]
@@ -161,7 +161,7 @@ TEST(TendonActuator, HasExcursionsWhoseSlopesAreTheArms) {
       VectorXd::Ones(static_cast<Eigen::Index>(tendons->digit().names.muscles.size()));
   TendonActuator actuator(*tendons);
   const TendonAction action = actuator.act(q, t);
-  ASSERT_TRUE(action.slopes) << action.trouble;
+  ASSERT_TRUE(action.slopes) << action.warning;
   EXPECT_TRUE(matrix_near(MatrixXd(-action.R), differences(*tendons, q, t, {}).length, 1e-8));
 }
 
@@ -211,7 +211,7 @@ TEST(TendonActuator, SaysWhereANetDoesNotBalance) {
     const DigitPoint point = sweep_digit(*tendons, {q}, t).front();
     EXPECT_EQ(action.status, point.pull.status);
     EXPECT_EQ(trusted(action.status), point.rest.status == NetStatus::kBalanced);
-    EXPECT_EQ(action.trouble.empty(), action.status == TendonStatus::kSound);
+    EXPECT_EQ(action.warning.empty(), action.status == TendonStatus::kValid);
     if (!trusted(action.status)) ++refused;
     EXPECT_EQ(action.residual > 1, !trusted(action.status)) << angle;  // [N]
   }

@@ -11,9 +11,9 @@
 
 #include "tendons/net/solve_net.h"
 #include "tendons/topology/candidate_net.h"
-#include "tendons/topology/predict_net.h"
-#include "tendons/topology/propose_test.h"
-#include "tendons/wrapping/chord_over.h"
+#include "tendons/topology/net_forward_model.h"
+#include "tendons/topology/rank_tests.h"
+#include "tendons/wrapping/wrapped_string.h"
 
 namespace thenar::planted {
 
@@ -41,7 +41,7 @@ struct Sketch {
     band.slack = (pa - pb).norm();
     if (over >= 0) {
       const Vector3d centre = net.surfaces[over].X.p;
-      band.slack = chord_over(net.surfaces[over], pa - centre, pb - centre, band.side).length;
+      band.slack = wrap_string(net.surfaces[over], pa - centre, pb - centre, band.side).length;
     }
     band.slack *= 1 - kPretension;
     net.bands.push_back(band);
@@ -169,7 +169,7 @@ inline Eigen::VectorXd plant(const CandidateNet& candidate, const std::vector<Te
                              std::mt19937& random, double chance = 0.6) {
   std::bernoulli_distribution exists(chance);
   std::uniform_real_distribution<double> octave(-1, 1);
-  NetForward forward(candidate, tests);
+  NetForwardModel forward(candidate, tests);
   for (;;) {
     Eigen::VectorXd EA(static_cast<Eigen::Index>(candidate.candidates.size()));
     for (Eigen::Index c = 0; c < EA.size(); ++c) {
@@ -177,7 +177,7 @@ inline Eigen::VectorXd plant(const CandidateNet& candidate, const std::vector<Te
       const double drawn = typical * std::exp2(octave(random));
       EA(c) = exists(random) ? drawn : 0;
     }
-    if (forward.predict(EA, Slopes::kWithout).holds) return EA;
+    if (forward.predict(EA, Sensitivities::kWithout).holds) return EA;
   }
 }
 
@@ -185,7 +185,8 @@ inline Eigen::VectorXd plant(const CandidateNet& candidate, const std::vector<Te
 inline std::vector<TendonRecord> measure(const CandidateNet& candidate, const Eigen::VectorXd& EA,
                                          const std::vector<TendonTest>& tests, double relative,
                                          std::mt19937& random) {
-  const NetForecast truth = NetForward(candidate, tests).predict(EA, Slopes::kWithout);
+  const NetPrediction truth =
+      NetForwardModel(candidate, tests).predict(EA, Sensitivities::kWithout);
   std::normal_distribution<double> normal;
   std::vector<TendonRecord> records;
   for (std::size_t i = 0; i < tests.size(); ++i) {

@@ -1,4 +1,4 @@
-// Tests for tendons/wrapping/arm_slopes.cpp.
+// Tests for tendons/wrapping/arm_derivatives.cpp.
 
 #include "tendons/wrapping/arm_slopes.h"
 
@@ -20,10 +20,11 @@ using Eigen::VectorXd;
 
 const VectorXd kBent = Vector3d(0.5, 0.7, 0.4);
 
-std::vector<ArmSlopes> slopes_at(const Tree<double>& tree, const PathSet& set, const VectorXd& q) {
+std::vector<ArmDerivatives> slopes_at(const Tree<double>& tree, const PathSet& set,
+                                      const VectorXd& q) {
   PathSolver solver(set);
   const TreeState<double> state = pose_tree(tree, q);
-  return arm_slopes(tree, state, set, solver.solve(state), static_cast<int>(q.size()));
+  return arm_derivatives(tree, state, set, solver.solve(state), static_cast<int>(q.size()));
 }
 
 /// Arms of all paths, and which surfaces each touches.
@@ -46,11 +47,12 @@ ArmsAt arms_at(const Tree<double>& tree, PathSolver& solver, const VectorXd& q) 
 
 /// Slopes of the arms by central differences of fourth order; a path whose surfaces change within
 /// the steps has none.
-std::vector<ArmSlopes> measured(const Tree<double>& tree, const PathSet& set, const VectorXd& q) {
+std::vector<ArmDerivatives> measured(const Tree<double>& tree, const PathSet& set,
+                                     const VectorXd& q) {
   constexpr double h = 1e-3;  // [rad]
   PathSolver solver(set);
   const ArmsAt here = arms_at(tree, solver, q);
-  std::vector<ArmSlopes> slopes(set.paths.size(), {true, MatrixXd::Zero(q.size(), q.size())});
+  std::vector<ArmDerivatives> slopes(set.paths.size(), {true, MatrixXd::Zero(q.size(), q.size())});
   for (Eigen::Index l = 0; l < q.size(); ++l)
     for (const auto& [step, weight] :
          {std::pair{h, 8.0}, {-h, -8.0}, {2 * h, -1.0}, {-2 * h, 1.0}}) {
@@ -68,7 +70,7 @@ class ArmSlopesOver : public testing::TestWithParam<SurfaceShape> {};
 
 TEST_P(ArmSlopesOver, AreTheSlopesOfTheArms) {
   const PathSet set = sample::extensor(GetParam());
-  const ArmSlopes slopes = slopes_at(sample::finger(), set, kBent)[0];
+  const ArmDerivatives slopes = slopes_at(sample::finger(), set, kBent)[0];
   ASSERT_TRUE(slopes.exist);
   // Arms good to 1e-13 m/rad over 1e-3 rad.
   EXPECT_TRUE(matrix_near(slopes.dR, measured(sample::finger(), set, kBent)[0].dR, 1e-9));
@@ -89,14 +91,14 @@ INSTANTIATE_TEST_SUITE_P(EveryShape, ArmSlopesOver,
 
 // One hinge and a cylinder of radius r about its axis: the arm is r whatever the posture. Off the
 // cylinder, two points at distances a and b from the axis: L^2 = a^2 + b^2 - 2 a b cos(angle).
-TEST(ArmSlopes, AreThoseOfATriangleAndOfAPulley) {
+TEST(ArmDerivatives, AreThoseOfATriangleAndOfAPulley) {
   const Tree<double> tree{{-1, 0, 1, 0, Vector3d::UnitZ(), {0, 0, 0}}};
   const double a = 0.03, b = 0.02, r = 0.008;
   PathSet set = sample::string_over({{"pulley", -1, SurfaceShape::kCylinder, {r, 1, 0}, {}}},
                                     {0, a, 0}, {0, b, 0}, {-1, 0, 0});
   set.paths[0].points[0].link = 0;             // turns over to -x
   const double wrapped = 2.5, straight = 0.6;  // angles between the points [rad]
-  const ArmSlopes over = slopes_at(tree, set, VectorXd::Constant(1, wrapped))[0];
+  const ArmDerivatives over = slopes_at(tree, set, VectorXd::Constant(1, wrapped))[0];
   ASSERT_TRUE(over.exist);
   EXPECT_NEAR(over.dR(0, 0), 0, 1e-14);
   const double L = std::sqrt(a * a + b * b - 2 * a * b * std::cos(straight));
@@ -105,19 +107,19 @@ TEST(ArmSlopes, AreThoseOfATriangleAndOfAPulley) {
   EXPECT_NEAR(slopes_at(tree, set, VectorXd::Constant(1, straight))[0].dR(0, 0), -curve, 1e-15);
 }
 
-TEST(ArmSlopes, DoNotExistWhereAPathIsNotTaut) {
+TEST(ArmDerivatives, DoNotExistWhereAPathIsNotTaut) {
   PathSet set = sample::extensor(SurfaceShape::kCylinder);
   set.paths[0].points[1].p = {-0.079, 0.001, 0};  // inside the bone
   EXPECT_FALSE(slopes_at(sample::finger(), set, kBent)[0].exist);
 }
 
 // The polynomials' second derivatives are exact, and near those of the wrapped path.
-TEST(ArmSlopes, OfFittedPathsAreThoseOfTheirPolynomials) {
+TEST(ArmDerivatives, OfFittedPathsAreThoseOfTheirPolynomials) {
   const Tree<double> tree = sample::finger();
   const PathSet set = sample::extensor(SurfaceShape::kCylinder);
   const FitBox box{Vector3d(0.3, 0.5, 0.2), Vector3d(0.7, 0.9, 0.6)};
   const FittedPath path = fit_path(tree, set, 0, box, 12);
-  const MatrixXd dR = arm_slopes(path, kBent);
+  const MatrixXd dR = arm_derivatives(path, kBent);
   constexpr double h = 1e-4;  // [rad]
   for (Eigen::Index l = 0; l < 3; ++l) {
     const VectorXd step = h * VectorXd::Unit(3, l);
@@ -129,7 +131,7 @@ TEST(ArmSlopes, OfFittedPathsAreThoseOfTheirPolynomials) {
 }
 
 // Every tendon of every subject, wrapped and through via points, whole hands with their wrists.
-TEST(ArmSlopes, OfAllSubjectsAreTheSlopesOfTheArms) {
+TEST(ArmDerivatives, OfAllSubjectsAreTheSlopesOfTheArms) {
   int compared = 0, curved = 0;
   sample::Draw draw(3);
   for (const auto& file : std::filesystem::directory_iterator(THENAR_DATA_DIR "/subjects")) {

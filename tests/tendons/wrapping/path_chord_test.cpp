@@ -1,11 +1,11 @@
-// Paths over one round surface against chord_over(), which finds them in closed form.
+// Paths over one round surface against wrap_string(), which finds them in closed form.
 
 #include <random>
 
 #include <gtest/gtest.h>
 
-#include "tendons/wrapping/chord_over.h"
 #include "tendons/wrapping/path_solver.h"
+#include "tendons/wrapping/wrapped_string.h"
 #include "tests/tendons/wrapping/wrap_samples.h"
 
 namespace thenar {
@@ -29,7 +29,7 @@ void expect_same_lengths(SurfaceShape shape) {
   for (int bent = 0; bent < 300;) {
     const Vector3d a(draw(rng), draw(rng), draw(rng)), b(draw(rng), draw(rng), draw(rng));
     if (probe(bone, a).gap < 1e-4 || probe(bone, b).gap < 1e-4) continue;
-    const Chord chord = chord_over(bone, a, b, side_S);
+    const WrappedString chord = wrap_string(bone, a, b, side_S);
     const PathSet set = sample::string_over({bone}, bone.X * a, bone.X * b, bone.X * side_S);
     EXPECT_NEAR(sample::shape_of(set).length, chord.length, 1e-12);
     bent += chord.bent;

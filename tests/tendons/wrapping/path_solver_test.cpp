@@ -205,7 +205,7 @@ INSTANTIATE_TEST_SUITE_P(AnyShape, PathSolverInLine,
 TEST(PathSolver, TakesARunWithoutADirectionForTheLargestKink) {
   const Vector3d top(0, 0.005, 0);
   std::vector<ChainArc> chain{{&kSphere, {}, {{top, Vector3d::UnitX()}, 0.001}}};
-  EXPECT_EQ(straighten(top, kRight, chain).error, 1);
+  EXPECT_EQ(solve_tangency(top, kRight, chain).error, 1);
 }
 
 TEST(PathSolver, NeverTakesALengthThatIsNoNumberForTaut) {
@@ -280,8 +280,8 @@ TEST(PathSolver, SaysWhereAPointWentRoundTheFarSide) {
   const double before = at(3.1).length;
   EXPECT_EQ(at(3.1).status, PathStatus::kTaut);
   EXPECT_LT(at(3.2).length, before - 0.005);
-  EXPECT_EQ(at(3.2).status, PathStatus::kCrossed);
-  EXPECT_EQ(at(3.9).status, PathStatus::kCrossed);
+  EXPECT_EQ(at(3.2).status, PathStatus::kFarSideWrap);
+  EXPECT_EQ(at(3.9).status, PathStatus::kFarSideWrap);
   EXPECT_EQ(at(-1.0).status, PathStatus::kTaut);
   EXPECT_EQ(at(-2.0).status, PathStatus::kTaut);
 }

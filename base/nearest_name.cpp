@@ -1,0 +1,44 @@
+#include "base/nearest_name.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+namespace thenar {
+
+int edit_distance(const std::string& a, const std::string& b) {
+  // One row of the table of Wagner and Fischer at a time.
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+std::string nearest_name(const std::string& wanted, const std::vector<std::string>& names) {
+  std::string best;
+  int least = static_cast<int>(wanted.size() + 1) / 2 + 1;
+  for (const std::string& name : names) {
+    const int distance = edit_distance(wanted, name);
+    if (distance < least) {
+      least = distance;
+      best = name;
+    }
+  }
+  return best;
+}
+
+std::string did_you_mean(const std::string& wanted, const std::vector<std::string>& names) {
+  const std::string best = nearest_name(wanted, names);
+  return best.empty() ? "" : fmt::format(", did you mean '{}'?", best);
+}
+
+}  // namespace thenar

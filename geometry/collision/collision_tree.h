@@ -1,0 +1,64 @@
+#pragma once
+
+/// A solid's touch surface, sorted into a tree of spheres for searches.
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/solid.h"
+
+namespace thenar {
+
+/// A sphere around something.
+struct Ball {
+  Eigen::Vector3d c{0, 0, 0};  // centre [m] (3)
+  double r = 0;                // [m]
+};
+
+/// A triangle swept by a ball; it may be a segment or a point.
+struct SweptTriangle {
+  Eigen::Matrix3d corners;     // columns [m] (3, 3)
+  double radius = 0;           // of the ball that sweeps it [m]
+  Eigen::Vector3d n{0, 0, 0};  // unit, outward; 0 for a segment or a point (3)
+};
+
+/// Node of the tree: two children, or one triangle.
+struct CollisionNode {
+  Ball ball;  // holds the swept triangles below it
+  int left = -1;
+  int right = -1;
+  int triangle = -1;  // entry of CollisionTree::triangles; -1: it has children
+};
+
+/// Constant once built. The first node is the root.
+struct CollisionTree {
+  std::vector<SweptTriangle> triangles;
+  std::vector<CollisionNode> nodes;
+};
+
+/// Sorts the touch surface of a solid: median splits along the longest side.
+/// @throws InputError if it has no triangle, or one that is not finite.
+[[nodiscard]] CollisionTree collision_tree(const Solid& solid);
+
+/// The smallest ball around three points, which may coincide or stand in line.
+/// @param corners  columns [m] (3, 3)
+[[nodiscard]] Ball smallest_ball(const Eigen::Matrix3d& corners);
+
+// Points and halves of triangles.
+
+/// The point of a triangle nearest to p; the triangle may be a segment or a point.
+/// @param corners  columns [m] (3, 3);  @param p  [m] (3)
+[[nodiscard]] Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners,
+                                                  const Eigen::Vector3d& p);
+
+/// The point of a segment nearest to p; its ends may coincide.
+[[nodiscard]] Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& from,
+                                                 const Eigen::Vector3d& to,
+                                                 const Eigen::Vector3d& p);
+
+/// The two halves of a triangle cut across its longest side. @param corners  columns [m] (3, 3)
+[[nodiscard]] std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners);
+
+}  // namespace thenar

@@ -1,0 +1,396 @@
+#include "geometry/repair_to_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "base/cache.h"
+#include "base/error.h"
+#include "geometry/cached_mesh.h"
+#include "geometry/mesh_check.h"
+#include "geometry/mesh_parts.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d, Eigen::Vector3i;
+
+double extent_of(const TriangleMesh& mesh) {
+  return (mesh.vertices.rowwise().maxCoeff() - mesh.vertices.rowwise().minCoeff()).norm();
+}
+
+double area_of(const TriangleMesh& mesh) {
+  double area = 0;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3d a = mesh.vertices.col(mesh.triangles(0, t));
+    area += (mesh.vertices.col(mesh.triangles(1, t)) - a)
+                .cross(mesh.vertices.col(mesh.triangles(2, t)) - a)
+                .norm() /
+            2;
+  }
+  return area;
+}
+
+TriangleMesh with(const TriangleMesh& mesh, const std::vector<Vector3i>& triangles) {
+  TriangleMesh out{mesh.vertices, Eigen::Matrix3Xi(3, triangles.size())};
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    out.triangles.col(static_cast<Eigen::Index>(i)) = triangles[i];
+  return out;
+}
+
+/// Corners within `near` of one that came before become that one [m].
+TriangleMesh welded(const TriangleMesh& mesh, double near) {
+  std::map<std::array<long, 3>, std::vector<int>> cells;
+  std::vector<int> stands_for(static_cast<std::size_t>(mesh.vertices.cols()));
+  const Vector3d low = mesh.vertices.rowwise().minCoeff();
+  for (int i = 0; i < static_cast<int>(stands_for.size()); ++i) {
+    const Vector3d p = mesh.vertices.col(i);
+    const Eigen::Array<long, 3, 1> cell = ((p - low) / near).array().floor().cast<long>();
+    int found = i;
+    for (int n = 0; n < 27 && found == i; ++n) {
+      const auto at =
+          cells.find({cell(0) + n % 3 - 1, cell(1) + n / 3 % 3 - 1, cell(2) + n / 9 - 1});
+      if (at == cells.end()) continue;
+      for (const int other : at->second)
+        if ((mesh.vertices.col(other) - p).norm() <= near) found = other;
+    }
+    stands_for[static_cast<std::size_t>(i)] = found;
+    if (found == i) cells[{cell(0), cell(1), cell(2)}].push_back(i);
+  }
+  std::vector<Vector3i> kept;
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3i v = mesh.triangles.col(t).unaryExpr(
+        [&](int i) { return stands_for[static_cast<std::size_t>(i)]; });
+    if (v(0) != v(1) && v(1) != v(2) && v(2) != v(0)) kept.push_back(v);
+  }
+  return with(mesh, kept);
+}
+
+/// Edges of one triangle only, and that triangle.
+std::map<std::pair<int, int>, int> open_edges(const TriangleMesh& mesh) {
+  std::map<std::pair<int, int>, std::pair<int, int>> uses;  // how often, and by whom
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      auto& use = uses[std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)})];
+      ++use.first;
+      use.second = static_cast<int>(t);
+    }
+  std::map<std::pair<int, int>, int> open;
+  for (const auto& [edge, use] : uses)
+    if (use.first == 1) open.emplace(edge, use.second);
+  return open;
+}
+
+/// The least tolerance that leaves fewest edges open.
+TriangleMesh best_welded(const TriangleMesh& mesh) {
+  TriangleMesh best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  for (const double share : {1e-6, 1e-5, 1e-4}) {
+    TriangleMesh now = welded(mesh, share * extent_of(mesh));
+    const std::size_t open = open_edges(now).size();
+    if (open < least && !now.empty()) {
+      best = std::move(now);
+      least = open;
+    }
+  }
+  return best;
+}
+
+/// Vertices of open edges, by x.
+using Loose = std::multimap<double, int>;
+
+/// Those within `near` of the inside of an edge, along it.
+std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a, int b,
+                             double near) {
+  const Vector3d p = mesh.vertices.col(a), way = mesh.vertices.col(b) - p;
+  const double length = way.norm();
+  std::vector<std::pair<double, int>> on;
+  const auto last = loose.upper_bound(std::max(p.x(), p.x() + way.x()) + near);
+  for (auto at = loose.lower_bound(std::min(p.x(), p.x() + way.x()) - near); at != last; ++at) {
+    const Vector3d r = mesh.vertices.col(at->second) - p;
+    const double along = r.dot(way) / length;
+    if (at->second != a && at->second != b && along > near && along < length - near &&
+        (r - along / length * way).norm() <= near)
+      on.emplace_back(along, at->second);
+  }
+  std::sort(on.begin(), on.end());
+  std::vector<int> vertices;
+  for (const auto& [along, vertex] : on) vertices.push_back(vertex);
+  return vertices;
+}
+
+/// Cuts triangles whose open edge others end on; returns how many.
+int cut_at_corners(TriangleMesh& mesh) {
+  const double near = 2e-6 * extent_of(mesh);
+  int cuts = 0;
+  for (int round = 0; round < 8; ++round) {
+    const auto open = open_edges(mesh);
+    std::set<int> ends;
+    for (const auto& [edge, t] : open) ends.insert({edge.first, edge.second});
+    Loose loose;
+    for (const int v : ends) loose.emplace(mesh.vertices(0, v), v);
+    std::set<int> cut;
+    std::vector<Vector3i> made;
+    for (const auto& [edge, t] : open) {
+      if (cut.count(t) != 0) continue;
+      int k = 0;
+      while (std::minmax({mesh.triangles(k, t), mesh.triangles((k + 1) % 3, t)}) !=
+             std::pair<int, int>(edge))
+        ++k;
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t),
+                c = mesh.triangles((k + 2) % 3, t);
+      std::vector<int> on = vertices_on(mesh, loose, a, b, near);
+      on.erase(std::remove(on.begin(), on.end(), c), on.end());
+      if (on.empty()) continue;
+      cut.insert(t);
+      on.push_back(b);
+      int from = a;
+      for (const int to : on) made.emplace_back(from, to, c), from = to;
+    }
+    if (cut.empty()) break;
+    cuts += static_cast<int>(cut.size());
+    for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t)
+      if (cut.count(t) == 0) made.emplace_back(mesh.triangles.col(t));
+    mesh = with(mesh, made);
+  }
+  return cuts;
+}
+
+/// Pairs of triangles on the same corners that face each other: a wall within, or a sheet.
+TriangleMesh without_walls(const TriangleMesh& mesh) {
+  std::map<std::array<int, 3>, std::array<std::vector<int>, 2>> at;  // by the way they face
+  for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t) {
+    const Vector3i v = mesh.triangles.col(t);
+    std::array<int, 3> sorted{v(0), v(1), v(2)};
+    std::sort(sorted.begin(), sorted.end());
+    const bool even = (v(0) < v(1)) == (v(1) < v(2)) ? v(0) < v(1) : v(2) < v(0);
+    at[sorted][even ? 0 : 1].push_back(t);
+  }
+  std::vector<Vector3i> kept;
+  for (const auto& [corners, ways] : at) {
+    if (!ways[0].empty() && !ways[1].empty()) continue;
+    kept.emplace_back(mesh.triangles.col((ways[0].empty() ? ways[1] : ways[0]).front()));
+  }
+  return with(mesh, kept);
+}
+
+/// What was done, in words.
+class Done {
+ public:
+  void add(int count, const std::string& what) {
+    if (count > 0) add(fmt::format("{} {}", count, what));
+  }
+  void add(const std::string& what) { text_ += (text_.empty() ? "" : ", ") + what; }
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+bool encloses_little(const MeshReport& report, const TriangleMesh& mesh) {
+  return report.holes.empty() && std::abs(report.volume) <= 1e-9 * std::pow(extent_of(mesh), 3);
+}
+
+RepairedSolid hull_of(const TriangleMesh& mesh) {
+  RepairedSolid hull{hull_mesh(mesh.vertices), "replaced by its convex hull"};
+  require(!hull.mesh.empty(), "a mesh bounds no solid, and its convex hull is flat");
+  return hull;
+}
+
+/// Part for part: closed, or its hull, or left out.
+RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done done) {
+  std::vector<TriangleMesh> solids;
+  double left_out = 0;  // area [m^2]
+  int flat = 0, hulls = 0, holes = 0;
+  double longest = 0;  // hole [m]
+  const double all = area_of(mesh);
+  for (const TriangleMesh& part : connected_parts(mesh)) {
+    for (const MeshHole& hole : check_mesh(part).holes) longest = std::max(longest, hole.length);
+    MeshRepair repair = repair_mesh(part);
+    const MeshReport report = check_mesh(repair.mesh);
+    TriangleMesh solid = std::move(repair.mesh);
+    const bool sound = report.watertight() && !encloses_little(report, solid);
+    if (!sound && !report.watertight()) solid = hull_mesh(part.vertices);
+    if (sound || (!report.watertight() && !solid.empty())) {
+      // A part that was whole keeps the way it faces: it may be a cavity.
+      const bool was_whole = check_mesh(part).watertight();
+      solids.push_back(sound && was_whole ? part : std::move(solid));
+      hulls += !sound;
+      holes += sound ? repair.closed_holes : 0;
+    } else {
+      ++flat;
+      left_out += area_of(part);
+    }
+  }
+  if (solids.empty() || left_out > 0.5 * all) return hull_of(given);
+  if (holes > 0)
+    done.add(fmt::format("{} hole(s) closed, the longest {:.4g} mm around", holes, 1e3 * longest));
+  done.add(flat, "part(s) that enclose nothing left out");
+  done.add(hulls, "part(s) replaced by their convex hulls");
+  return {joined(solids), done.text()};
+}
+
+bool is_solid(const TriangleMesh& mesh) {
+  try {
+    return !solid_parts(mesh).empty();
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A mesh that bounds no solid, whatever it takes.
+RepairedSolid mended(const TriangleMesh& mesh) {
+  const TriangleMesh merged = best_welded(mesh);
+  if (merged.empty()) return hull_of(mesh);
+  Done merging;
+  if (open_edges(merged).size() < open_edges(mesh).size())
+    merging.add("corners at the same place joined");
+  std::vector<RepairedSolid> tries;
+  for (const bool walls : {true, false}) {
+    Done done = merging;
+    const MeshRepair repair = repair_mesh(walls ? merged : without_walls(merged), MeshHoles::kKeep);
+    if (repair.mesh.empty()) break;
+    done.add(repair.dropped, "triangle(s) of no area or there twice dropped");
+    done.add(repair.turned, "triangle(s) turned");
+    if (!walls) done.add("walls within left out");
+    TriangleMesh now = repair.mesh;
+    done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
+    if (is_solid(now)) return {std::move(now), done.text()};
+    tries.push_back(closed(now, mesh, done));
+  }
+  for (RepairedSolid& mended : tries)
+    if (is_solid(mended.mesh)) return std::move(mended);
+  return hull_of(mesh);
+}
+
+}  // namespace
+
+RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
+  require(!mesh.empty(), "a mesh has no triangle");
+  (void)check_mesh(mesh);
+  if (is_solid(mesh)) return {mesh, ""};
+  constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
+  if (mesh.triangles.cols() < kMany) return mended(mesh);
+  const std::string input = bytes_of(mesh), kind = "mended mesh 1";
+  if (const std::optional<std::string> entry = kept(kind, input)) {
+    const std::size_t end = std::min(entry->find('\n'), entry->size() - 1);
+    if (std::optional<TriangleMesh> known = mesh_of(entry->substr(end + 1)))
+      return {std::move(*known), entry->substr(0, end)};
+  }
+  RepairedSolid now = mended(mesh);
+  keep(kind, input, now.done + "\n" + bytes_of(now.mesh));
+  return now;
+}
+
+RepairedSolid watertight_mesh(const TriangleMesh& mesh) {
+  RepairedSolid mended = repair_to_solid(mesh);
+  const MeshReport before = check_mesh(mended.mesh);
+  TriangleMesh sound = joined(solid_parts(mended.mesh));
+  const double volume = check_mesh(sound).volume;
+  if (before.watertight() && std::abs(volume - before.volume) <= 1e-12 * volume) return mended;
+  Done done;
+  if (!mended.done.empty()) done.add(mended.done);
+  done.add(before.watertight() ? "turned right side out" : "put right: " + describe(before));
+  return {std::move(sound), done.text()};
+}
+
+namespace {
+
+using Eigen::Matrix3Xd, Eigen::Vector3d, Eigen::Vector3i;
+
+struct Facet {
+  Vector3i corners;
+  Vector3d normal;
+  double offset;  // normal . x of its plane
+};
+
+Facet facet_of(const Matrix3Xd& p, int a, int b, int c) {
+  const Vector3d n = (p.col(b) - p.col(a)).cross(p.col(c) - p.col(a)).normalized();
+  return {{a, b, c}, n, n.dot(p.col(a))};
+}
+
+/// Four points that span as much as they can, one after the other.
+std::vector<int> first_tetrahedron(const Matrix3Xd& p) {
+  Eigen::Index a = 0, b = 0, c = 0, d = 0;
+  p.row(0).minCoeff(&a);
+  (p.colwise() - p.col(a)).colwise().squaredNorm().maxCoeff(&b);
+  const Vector3d along = (p.col(b) - p.col(a)).normalized();
+  const Matrix3Xd r = p.colwise() - p.col(a);
+  (r - along * (along.transpose() * r)).colwise().squaredNorm().maxCoeff(&c);
+  const Vector3d normal = along.cross(Vector3d(r.col(c))).normalized();
+  (normal.transpose() * r).cwiseAbs().maxCoeff(&d);
+  if (normal.dot(r.col(d)) > 0) std::swap(b, c);
+  return {static_cast<int>(a), static_cast<int>(b), static_cast<int>(c), static_cast<int>(d)};
+}
+
+/// Facets that see the point give way to those between it and their rim.
+void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
+  std::set<std::pair<int, int>> rim;
+  std::vector<Facet> kept;
+  for (const Facet& facet : facets) {
+    if (facet.normal.dot(p.col(point)) <= facet.offset) {
+      kept.push_back(facet);
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      const std::pair<int, int> edge(facet.corners(k), facet.corners((k + 1) % 3));
+      if (rim.erase({edge.second, edge.first}) == 0) rim.insert(edge);
+    }
+  }
+  if (kept.size() == facets.size()) return;
+  for (const auto& [a, b] : rim) kept.push_back(facet_of(p, a, b, point));
+  facets = std::move(kept);
+}
+
+/// Uniform in [-1/2, 1/2).
+double draw(std::mt19937& random) { return static_cast<double>(random()) / 4294967296.0 - 0.5; }
+
+/// Least over greatest extent along the axes of inertia.
+double thickness(const Matrix3Xd& p) {
+  const Matrix3Xd r = p.colwise() - Vector3d(p.rowwise().mean());
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(r * r.transpose());
+  const Matrix3Xd along = axes.eigenvectors().transpose() * r;
+  const Vector3d extent = along.rowwise().maxCoeff() - along.rowwise().minCoeff();
+  return extent.minCoeff() / extent.maxCoeff();
+}
+
+}  // namespace
+
+TriangleMesh hull_mesh(const Matrix3Xd& points) {
+  require(points.allFinite(), "a hull has a point that is not finite");
+  if (points.cols() < 4 || !(thickness(points) > 1e-4)) return {};
+  Matrix3Xd p = points;
+  const double size = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();
+  std::mt19937 random(1);
+  for (Eigen::Index i = 0; i < p.size(); ++i) p(i) += 5e-7 * size * draw(random);
+
+  const std::vector<int> first = first_tetrahedron(p);
+  const int a = first[0], b = first[1], c = first[2], d = first[3];
+  std::vector<Facet> facets{facet_of(p, a, b, c), facet_of(p, a, d, b), facet_of(p, b, d, c),
+                            facet_of(p, c, d, a)};
+  for (int i = 0; i < static_cast<int>(p.cols()); ++i)
+    if (std::find(first.begin(), first.end(), i) == first.end()) add_point(p, i, facets);
+
+  std::map<int, int> number;
+  TriangleMesh hull{{}, Eigen::Matrix3Xi(3, facets.size())};
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    for (int k = 0; k < 3; ++k)
+      hull.triangles(k, static_cast<Eigen::Index>(i)) =
+          number.emplace(facets[i].corners(k), static_cast<int>(number.size())).first->second;
+  hull.vertices.resize(3, static_cast<Eigen::Index>(number.size()));
+  for (const auto& [old, now] : number) hull.vertices.col(now) = p.col(old);
+  return hull;
+}
+
+}  // namespace thenar

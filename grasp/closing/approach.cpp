@@ -1,0 +1,95 @@
+#include "grasp/closing/approach.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "base/numbers.h"
+
+namespace thenar {
+ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
+                        const Eigen::VectorXd& q, const Scene& scene, double way,
+                        const CloseOptions& options) {
+  require_start(*hand.hand, q);
+  require(way >= 0 && way < kInfinity, "the way of an approach is {} m", way);
+  ApproachResult result;
+  result.X_WH = X_WH;
+  PosedCollisionHand posed{hand, X_WH, hand.hand->pose(q)};
+  result.overlaps = find_overlaps(posed, scene, options.accuracy);
+  if (!result.overlaps.empty()) return result;
+  const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
+  std::vector<Clearance> clearances = scene_clearances(posed, scene);
+
+  // A pure translation: nothing moves faster than the hand.
+  double gone = 0;
+  for (int steps = 0; gone < way && steps < options.max_steps; ++steps) {
+    double step = way - gone;
+    for (Clearance& clearance : clearances) {
+      if (clearance.bound - options.accuracy / 2 >= step) continue;
+      const SignedDistance found =
+          measure_clearance(clearance, posed, options.accuracy / 4, step + 2 * options.accuracy);
+      if (found.distance > options.accuracy) {
+        step = std::min(step, clearance.bound - options.accuracy / 2);
+      } else if (found.normal.dot(direction) < 0) {
+        result.touches = true;
+        result.surface = hand.hand->surfaces()[clearance.surface].name;
+        result.body = clearance.body->name;
+        result.clearance = clearance.bound;
+        return result;
+      } else {
+        step = std::min(step, options.accuracy / 4);  // slides along
+      }
+    }
+    gone += step;
+    for (Clearance& clearance : clearances) clearance.bound -= step;
+    posed.X_WH.p = result.X_WH.p = X_WH.p + gone * direction;
+  }
+  return result;
+}
+
+namespace {
+
+constexpr double kStep = 0.05;   // by reach [1]
+constexpr double kHeadOn = 0.2;  // sine of the least angle between normal and approach [1]
+
+/// Where the object pushes the surface that met it, across the approach; zero: nowhere. (3)
+Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q, const Scene& scene,
+                            const ApproachResult& met, double accuracy) {
+  const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
+  if (!met.touches || met.body != scene.object.name) return Eigen::Vector3d::Zero();
+  const PosedCollisionHand posed{hand, met.X_WH, hand.hand->pose(q)};
+  const Eigen::Vector3d d = met.X_WH.R * hand.hand->layout().approach.direction;
+  for (int s = 0; s < static_cast<int>(surfaces.size()); ++s) {
+    if (surfaces[s].name != met.surface || surfaces[s].digit.empty()) continue;
+    Clearance clearance{s, -1, &scene.object};
+    const Eigen::Vector3d n =
+        measure_clearance(clearance, posed, accuracy / 4, 4 * accuracy).normal;
+    const Eigen::Vector3d across = n - n.dot(d) * d;
+    if (across.norm() >= kHeadOn) return across.normalized();
+  }
+  return Eigen::Vector3d::Zero();
+}
+
+}  // namespace
+
+ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
+                                 const Eigen::VectorXd& q, const Scene& scene, double way,
+                                 double most, const CloseOptions& options) {
+  require(most >= 0, "a hand gives way by 0 m or more, got {} m", most);
+  ApproachResult met = approach(hand, X_WH, q, scene, way, options);
+  const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
+  const double step = kStep * scene.object.reach;
+  for (double given = step; given <= most; given += step) {
+    const Eigen::Vector3d across = push_across(hand, q, scene, met, options.accuracy);
+    if (across.isZero(0)) break;
+    Pose<double> aside = met.X_WH;
+    aside.p += step * across;
+    const double left = way - d.dot(aside.p - X_WH.p);
+    ApproachResult next = approach(hand, aside, q, scene, std::max(0.0, left), options);
+    if (!next.overlaps.empty()) break;
+    met = std::move(next);
+  }
+  return met;
+}
+
+}  // namespace thenar

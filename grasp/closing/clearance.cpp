@@ -1,0 +1,97 @@
+#include "grasp/closing/clearance.h"
+
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+constexpr double kRelative = 0.2;  // error of a clearance: far ones are asked for again anyway [1]
+
+const LinkSurface& surface_of(const PosedCollisionHand& posed, int surface) {
+  return posed.touching.hand->surfaces()[surface];
+}
+
+}  // namespace
+
+Pose<double> PosedCollisionHand::of_surface(int surface) const {
+  const int link = surface_of(*this, surface).link;
+  return link < 0 ? X_WH : X_WH * links[link];
+}
+
+SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand& posed,
+                                 double tolerance, double cutoff) {
+  SignedDistanceOptions options;
+  options.tolerance = tolerance;
+  options.relative = kRelative;
+  options.cutoff = cutoff;
+  options.start = clearance.nearest;
+  const CollisionTree& touch = posed.touching.touch[clearance.surface];
+  const Pose<double> X = posed.of_surface(clearance.surface);
+  const SignedDistance found =
+      clearance.body != nullptr
+          ? signed_distance(touch, X, clearance.body->solid, clearance.body->X_WB, options)
+          : signed_distance(touch, X, *surface_of(posed, clearance.other).solid,
+                            posed.of_surface(clearance.other), options);
+  // A bound itself has an infinite error; a distance beyond the cutoff may be less exact than that.
+  clearance.bound = std::isfinite(found.error) ? found.distance - found.error : found.distance;
+  clearance.nearest = found.triangle;
+  return found;
+}
+
+double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed) {
+  const Ball& ball = posed.touching.touch[clearance.surface].nodes[0].ball;
+  const Eigen::Vector3d c = posed.of_surface(clearance.surface) * ball.c;
+  if (clearance.body == nullptr) {
+    const Ball& other = posed.touching.touch[clearance.other].nodes[0].ball;
+    return (c - posed.of_surface(clearance.other) * other.c).norm() - ball.r - other.r;
+  }
+  const Shape& shape = *clearance.body->solid.shape;
+  return shape.distance(clearance.body->X_WB.inverse() * c) - shape.accuracy() - ball.r;
+}
+
+std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const Scene& scene) {
+  std::vector<Clearance> clearances;
+  const auto add = [&](int surface, const SceneBody& body) {
+    clearances.push_back({surface, -1, &body});
+    clearances.back().bound = ball_bound(clearances.back(), posed);
+  };
+  for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
+    add(s, scene.object);
+    for (const SceneBody& obstacle : scene.obstacles) add(s, obstacle);
+  }
+  return clearances;
+}
+
+SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy) {
+  SelfClearances self;
+  for (const SurfacePair& pair : posed.touching.self) {
+    Clearance clearance{pair.a, pair.b};
+    clearance.yield = pair.yield;
+    clearance.stick = pair.stick;
+    clearance.bound = ball_bound(clearance, posed);
+    double distance = clearance.bound;
+    if (clearance.margin() <= accuracy)
+      distance = measure_clearance(clearance, posed, accuracy / 4, 100 * accuracy).distance;
+    if (clearance.margin() > accuracy)
+      self.clearances.push_back(clearance);
+    else if (distance + clearance.yield < 0)
+      self.overlaps.push_back(
+          {surface_of(posed, pair.a).name, surface_of(posed, pair.b).name, -distance});
+  }
+  return self;
+}
+
+std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed, const Scene& scene,
+                                   double accuracy) {
+  std::vector<Overlap> overlaps;
+  for (Clearance& clearance : scene_clearances(posed, scene)) {
+    if (clearance.bound > 0) continue;
+    const double distance = measure_clearance(clearance, posed, accuracy / 4, accuracy).distance;
+    if (distance < 0)
+      overlaps.push_back(
+          {surface_of(posed, clearance.surface).name, clearance.body->name, -distance});
+  }
+  return overlaps;
+}
+
+}  // namespace thenar

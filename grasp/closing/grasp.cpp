@@ -1,0 +1,155 @@
+#include "grasp/closing/grasp.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "grasp/closing/fingertip_paths.h"
+
+namespace thenar {
+namespace {
+
+/// Back from the object by the share of its room that it has come.
+void stand_off(ApproachResult& approached, const CollisionHand& hand, const Pose<double>& X_WH,
+               const Eigen::VectorXd& q, const SceneBody& object, double share) {
+  const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
+  const double gone = direction.dot(approached.X_WH.p - X_WH.p);
+  const double back = share * max_stand_off(hand, approached.X_WH, q, object);
+  approached.X_WH.p -= std::min(back, gone) * direction;
+}
+
+ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X_WH,
+                                const Eigen::VectorXd& q, const Scene& scene,
+                                const GraspOptions& options) {
+  ApproachResult approached;
+  approached.X_WH = X_WH;
+  if (options.way <= 0) return approached;
+  approached = yielding_approach(hand, X_WH, q, scene, options.way,
+                                 options.side_step * scene.object.reach, options.close);
+  if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
+    stand_off(approached, hand, X_WH, q, scene.object, options.stand_off);
+  return approached;
+}
+
+/// Why there is nothing to close on; kGrasped: there is.
+GraspOutcome judge(const ApproachResult& approached, double way) {
+  if (!approached.overlaps.empty()) return GraspOutcome::kOverlaps;
+  return way <= 0 || approached.touches ? GraspOutcome::kGrasped : GraspOutcome::kMissed;
+}
+
+GraspOutcome judge(const ClosedHand& closed) {
+  if (!closed.overlaps.empty()) return GraspOutcome::kOverlaps;
+  return closed.finished ? GraspOutcome::kGrasped : GraspOutcome::kTooLong;
+}
+
+/// What it means that a closed hand touches nothing.
+GraspOutcome judge_empty(const ApproachResult& approached, const Scene& scene) {
+  const bool blocked = approached.touches && approached.body != scene.object.name;
+  return blocked ? GraspOutcome::kBlocked : GraspOutcome::kEmpty;
+}
+
+/// Fills in the torsion of every contact of a patch with the object.
+void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& scene,
+            const PadOptions& pads) {
+  const int surface = patch.contacts[0].surface;
+  const LinkSurface& link = posed.touching.hand->surfaces()[surface];
+  const PadBody object{scene.object.solid, scene.materials.at(scene.object.material), {}};
+  const PadBody pad{*link.solid, scene.materials.at(link.material),
+                    scene.object.X_WB.inverse() * posed.of_surface(surface)};
+  const double torsion = torsion_of(patch, pad, object, pads);
+  for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
+}
+
+/// Adds a patch, in place of all before of its link that it meets: a link of several parts has no
+/// more force in one place than a link of one.
+void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const CollisionHand& hand,
+               const ContactPatchOptions& options) {
+  const auto link_of = [&](const ContactPatch& each) {
+    return hand.hand->surfaces()[each.contacts[0].surface].link;
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if (patches[i].contacts[0].surface == patch.contacts[0].surface ||
+        link_of(patches[i]) != link_of(patch))
+      continue;
+    const std::optional<ContactPatch> one = joined(patches[i], patch, options);
+    if (!one) continue;
+    patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
+    return add_patch(patches, *one, hand, options);
+  }
+  patches.push_back(std::move(patch));
+}
+
+}  // namespace
+
+std::string name_of(GraspOutcome outcome) {
+  switch (outcome) {
+    case GraspOutcome::kGrasped:
+      return "grasped";
+    case GraspOutcome::kOverlaps:
+      return "overlaps";
+    case GraspOutcome::kMissed:
+      return "missed";
+    case GraspOutcome::kBlocked:
+      return "blocked";
+    case GraspOutcome::kTooLong:
+      return "too long";
+    case GraspOutcome::kEmpty:
+      break;
+  }
+  return "empty";
+}
+
+double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+                     const SceneBody& object) {
+  const PalmApproach& approach = hand.hand->layout().approach;
+  const FingertipPaths ways = fingertip_paths(*hand.hand, q);
+  const Eigen::RowVectorXd along =
+      (object.X_WB.R.transpose() * X_WH.R * ways.axis).transpose() * object.solid.picture.vertices;
+  const Eigen::Vector3d centre = X_WH.inverse() * (object.X_WB * object.com) - approach.point;
+  const double ahead = tips_ahead(ways, approach, along.maxCoeff() - along.minCoeff());
+  return std::max(0.0, ahead - approach.direction.dot(centre));
+}
+
+std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Scene& scene,
+                                       const ContactPatchOptions& options, const PadOptions& pads) {
+  std::vector<ContactPatch> patches;
+  for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
+    Clearance clearance{s, -1, &scene.object};
+    if (ball_bound(clearance, posed) > options.tolerance) continue;
+    const LinkSurface& surface = posed.touching.hand->surfaces()[s];
+    const double mu =
+        scene.materials.between(surface.material, scene.object.material).static_coefficient;
+    ContactPatches found = contact_patches(posed.touching.touch[s], posed.of_surface(s),
+                                           scene.object.solid, scene.object.X_WB, mu, options);
+    for (ContactPatch& patch : found.patches) {
+      for (HandContact& contact : patch.contacts) contact.surface = s;
+      add_patch(patches, std::move(patch), posed.touching, options);
+    }
+  }
+  if (pads.contact != ContactModel::kHardPoint)
+    for (ContactPatch& patch : patches) soften(patch, posed, scene, pads);
+  return contacts_of(patches);
+}
+
+Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
+            const Scene& scene, const GraspOptions& options) {
+  require(options.stand_off >= 0 && options.stand_off <= 1,
+          "the stand-off of a grasp is a share of 0 .. 1, got {}", options.stand_off);
+  Grasp done{};
+  done.approached = approach_or_stay(hand, X_WH, q, scene, options);
+  done.closed.q = q;
+  done.outcome = judge(done.approached, options.way);
+  if (done.outcome != GraspOutcome::kGrasped) return done;
+  done.closed = close_hand(hand, done.approached.X_WH, q, scene, options.close);
+  done.outcome = judge(done.closed);
+  if (done.outcome != GraspOutcome::kGrasped) return done;
+
+  const PosedCollisionHand posed{hand, done.approached.X_WH, hand.hand->pose(done.closed.q)};
+  done.contacts = find_contacts(posed, scene, options.patches, options.pads);
+  if (done.contacts.empty()) done.outcome = judge_empty(done.approached, scene);
+  done.quality = epsilon(
+      wrench_set(contacts_without_hand(done.contacts), scene.object.com, scene.object.reach),
+      options.epsilon);
+  return done;
+}
+
+}  // namespace thenar

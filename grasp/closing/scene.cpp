@@ -1,0 +1,120 @@
+#include "grasp/closing/scene.h"
+
+#include <algorithm>
+#include <array>
+
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "data/io/world/world.h"
+#include "geometry/mass_properties.h"
+
+namespace thenar {
+namespace {
+
+double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
+  return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
+}
+
+/// Centre of the volume: of the union, if shapes or parts of meshes overlap.
+Eigen::Vector3d volume_centre(const BodySpec& body) {
+  BodySpec even = body;
+  even.density = 1;
+  even.uniform_mass = 0;
+  return body_mass(even).com;
+}
+
+std::vector<std::string> names_of(const WorldSpec& world) {
+  std::vector<std::string> names;
+  for (const PlacedBody& placed : world.bodies) names.push_back(placed.body.name);
+  return names;
+}
+
+/// build_solid(), complaints with the names of the body and its meshes.
+Solid solid_of(const BodySpec& body) {
+  try {
+    return build_solid(body.shapes);
+  } catch (const InputError& error) {
+    std::string files;
+    for (const ShapeSpec& shape : body.shapes)
+      if (!shape.mesh_file.empty()) files += (files.empty() ? "" : ", ") + shape.mesh_file;
+    if (files.empty()) throw InputError(fmt::format("body '{}': {}", body.name, error.what()));
+    throw InputError(fmt::format("body '{}' of {}: {}; `thenar import MESH --repair` mends a mesh",
+                                 body.name, files, error.what()));
+  }
+}
+
+bool is_object(const PlacedBody& placed, const std::string& name) {
+  return name.empty() ? placed.dynamic : placed.body.name == name;
+}
+
+}  // namespace
+
+SceneBody build_body(const PlacedBody& placed) {
+  SceneBody body;
+  body.name = placed.body.name;
+  body.material = placed.body.material.empty() ? kDefaultMaterial : placed.body.material;
+  body.solid = solid_of(placed.body);
+  body.X_WB = placed.X_WB;
+  body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
+  body.reach = reach_of(body.solid.picture, body.com);
+  body.box = body_box(body.solid.picture);
+  return body;
+}
+
+Scene build_scene(const WorldSpec& world, const std::string& object) {
+  Scene scene;
+  bool found = false;
+  for (const PlacedBody& placed : world.bodies) {
+    if (!is_object(placed, object)) {
+      scene.obstacles.push_back(build_body(placed));
+      continue;
+    }
+    require(placed.dynamic, "world '{}': body '{}' is an obstacle; wanted one of role \"object\"",
+            world.name, object);
+    require(!found, "world '{}' has more than one dynamic body{}: name the one to grasp",
+            world.name, object.empty() ? "" : " '" + object + "'");
+    scene.object = build_body(placed);
+    found = true;
+  }
+  require(found || !object.empty(), "world '{}' has no dynamic body to grasp", world.name);
+  require(found, "world '{}' has no body '{}'{}", world.name, object,
+          did_you_mean(object, names_of(world)));
+  scene.materials = world.materials;
+  return scene;
+}
+
+namespace {
+
+constexpr double kSmaller = 0.99;  // volume of a box that is taken instead [1]
+
+BodyBox box_along(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
+  const Eigen::Matrix3Xd along = axes.transpose() * points;
+  return {axes, (along.rowwise().maxCoeff() - along.rowwise().minCoeff()) / 2};
+}
+
+BodyBox longest_first(const BodyBox& box) {
+  std::array<int, 3> order{0, 1, 2};
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return box.half[a] > box.half[b]; });
+  BodyBox sorted;
+  for (int i = 0; i < 3; ++i) {
+    sorted.axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
+    sorted.half[i] = box.half[order[static_cast<std::size_t>(i)]];
+  }
+  if (sorted.axes.determinant() < 0) sorted.axes.col(2) *= -1;
+  return sorted;
+}
+
+}  // namespace
+
+BodyBox body_box(const TriangleMesh& picture) {
+  const BodyBox framed = box_along(Eigen::Matrix3d::Identity(), picture.vertices);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(mass_properties(picture, 1).inertia);
+  const BodyBox turned = box_along(inertia.eigenvectors(), picture.vertices);
+  const bool smaller = turned.half.prod() < kSmaller * framed.half.prod();
+  return longest_first(smaller ? turned : framed);
+}
+
+}  // namespace thenar

@@ -1,0 +1,323 @@
+#include "grasp/compare/compare_hands.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "data/io/world/world.h"
+#include "grasp/compare/abilities.h"
+#include "grasp/compare/grasp_loads.h"
+#include "grasp/compare/grasp_type.h"
+#include "grasp/compare/pregrasp.h"
+
+namespace thenar {
+namespace {
+
+/// An object where hands go at it.
+struct Standing {
+  Scene scene;
+  double scale;
+  double mass;  // [kg]
+};
+
+/// What is worked out once for a hand and an object.
+struct Setting {
+  const ComparedHand& hand;
+  const CollisionHand& touching;
+  const Scene& scene;
+  double scale;
+  double mass;  // [kg]
+};
+
+/// An approach and what the hand's own efforts make of it.
+struct Tried {
+  Grasp grasp;
+  ExplainedLoad epsilon{std::numeric_limits<double>::quiet_NaN(), ""};  // of closures
+
+  [[nodiscard]] bool closes() const {
+    return grasp.outcome == GraspOutcome::kGrasped && grasp.quality.force_closure;
+  }
+};
+
+Standing stand(const BodySpec& object, double scale) {
+  PlacedBody placed;
+  placed.body = scaled(object, scale);
+  const BodyMass mass = body_mass(placed.body);
+  placed.body.mass = mass;
+  return {{build_body(placed), {}, built_in_materials()}, scale, mass.mass};
+}
+
+Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
+  GraspOptions grasping = options.grasp;
+  grasping.pads.contact = setting.hand.contact;
+  grasping.close.rates = setting.hand.rates;
+  const Pregrasp pregrasp =
+      sample_pregrasp(setting.touching, setting.scene.object, options.seed, number);
+  return attempt_grasp(setting.touching, pregrasp, setting.scene, grasping);
+}
+
+HeldObject held_by(const Setting& setting, const Grasp& grasp) {
+  return {*setting.hand.hand, grasp.closed.q, grasp.contacts,
+          grasp.approached.X_WH.inverse() * setting.scene.object.X_WB};
+}
+
+Tried attempt_grasp(const Setting& setting, int number, const CompareOptions& options,
+                    const Progress& progress) {
+  Tried tried;
+  tried.grasp = make_grasp(setting, number, options);
+  if (tried.closes() && !progress.stop())
+    tried.epsilon = hand_epsilon(held_by(setting, tried.grasp), setting.scene.object);
+  return tried;
+}
+
+/// Every approach of a cell, in whatever order threads come to them. Fewer if stopped.
+std::vector<Tried> all_grasps(const Setting& setting, const CompareOptions& options,
+                              const Progress& progress) {
+  std::vector<Tried> grasps(static_cast<std::size_t>(options.approaches));
+  std::atomic<int> next{0}, finished{0};
+  std::exception_ptr failure;
+  std::mutex mutex;
+  const auto work = [&](bool reports) {
+    try {
+      for (int n = next++; n < options.approaches && !progress.stop(); n = next++) {
+        grasps[static_cast<std::size_t>(n)] = attempt_grasp(setting, n, options, progress);
+        ++finished;
+        if (reports) progress(static_cast<double>(finished) / options.approaches, "");
+      }
+    } catch (...) {
+      const std::lock_guard<std::mutex> lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = options.approaches;
+    }
+  };
+  std::vector<std::thread> others;
+  for (int t = 1; t < options.threads; ++t) others.emplace_back(work, false);
+  work(true);
+  for (std::thread& thread : others) thread.join();
+  if (failure) std::rethrow_exception(failure);
+  if (finished < options.approaches) grasps.clear();
+  return grasps;
+}
+
+BestGrasp describe(const Setting& setting, const Tried& tried, int number,
+                   const CompareOptions& options) {
+  const Grasp& grasp = tried.grasp;
+  BestGrasp best;
+  best.approach = number;
+  best.X_WH = grasp.approached.X_WH;
+  best.q = grasp.closed.q;
+  best.contacts = grasp.contacts;
+  best.epsilon = grasp.quality.lower;
+  best.type = grasp_type(*setting.hand.hand, grasp.contacts);
+  const GraspLoads loads =
+      grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
+  best.hold = loads.hold;
+  best.margin = loads.margin;
+  best.reasons = loads.reasons;
+  best.hand_epsilon = tried.epsilon.value;
+  if (!tried.epsilon.reason.empty()) best.reasons["epsilon"] = tried.epsilon.reason;
+  return best;
+}
+
+Eigen::VectorXd ascending(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>& grasps,
+           const CompareOptions& options, const Progress& progress) {
+  std::vector<std::pair<double, int>> closed;
+  std::vector<double> epsilon, hand_epsilon;
+  for (std::size_t n = 0; n < grasps.size(); ++n) {
+    const Tried& tried = grasps[n];
+    ++cell.outcomes[static_cast<std::size_t>(tried.grasp.outcome)];
+    if (!tried.closes()) continue;
+    closed.emplace_back(tried.grasp.quality.lower, static_cast<int>(n));
+    epsilon.push_back(tried.grasp.quality.lower);
+    if (!std::isnan(tried.epsilon.value)) hand_epsilon.push_back(tried.epsilon.value);
+    ++cell.types[grasp_type(*setting.hand.hand, tried.grasp.contacts)];
+  }
+  std::sort(closed.begin(), closed.end());
+  cell.approaches = options.approaches;
+  cell.closures = static_cast<int>(closed.size());
+  cell.success = static_cast<double>(cell.closures) / options.approaches;
+  cell.interval = wilson_interval(cell.closures, options.approaches);
+  cell.epsilon = ascending(std::move(epsilon));
+  cell.hand_epsilon = ascending(std::move(hand_epsilon));
+  for (int i = 1; i <= std::min(options.best, cell.closures) && !progress.stop(); ++i) {
+    const int number = closed[static_cast<std::size_t>(cell.closures - i)].second;
+    cell.best.push_back(
+        describe(setting, grasps[static_cast<std::size_t>(number)], number, options));
+  }
+}
+
+void require_names(const std::vector<std::string>& names, const std::string& what) {
+  require(!names.empty(), "there is no {} to compare", what);
+  std::set<std::string> seen;
+  for (const std::string& name : names)
+    require(seen.insert(name).second, "{} '{}' is named twice", what, name);
+}
+
+void require_numbers(const CompareOptions& options) {
+  require(options.approaches > 0 && options.threads > 0 && options.best >= 0,
+          "a comparison wants approaches and threads, got {} and {}", options.approaches,
+          options.threads);
+}
+
+/// "human:tier1, human:tier2: what was assumed": each warning once, with the hands it concerns.
+std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands) {
+  std::vector<std::pair<std::string, std::string>> whose;  // warning, hands
+  for (const ComparedHand& hand : hands)
+    for (const std::string& warning : hand.warnings) {
+      const auto found = std::find_if(whose.begin(), whose.end(),
+                                      [&](const auto& each) { return each.first == warning; });
+      if (found == whose.end())
+        whose.emplace_back(warning, hand.name);
+      else if (found->second != hand.name)
+        found->second += ", " + hand.name;
+    }
+  std::vector<std::string> folded;
+  for (const auto& [warning, names] : whose) folded.push_back(names + ": " + warning);
+  return folded;
+}
+
+/// Refuses at once what would fail hours later, by the hand's name.
+void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects) {
+  const Materials& materials = built_in_materials();
+  for (const ComparedHand& hand : hands) {
+    require(hand.hand != nullptr, "hand '{}' is not there", hand.name);
+    require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
+    require(!hand.hand->layout().tip_points.empty(), "hand '{}' has no digits", hand.name);
+    try {
+      for (const LinkSurface& surface : hand.hand->surfaces())
+        for (const BodySpec& object : objects)
+          (void)materials.between(surface.material, object.material);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("hand '{}': {}", hand.name, error.what()));
+    }
+  }
+}
+
+Comparison heading(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
+                   const CompareOptions& options) {
+  Comparison out;
+  out.seed = options.seed;
+  out.approaches = options.approaches;
+  out.normalise_size = options.normalise_size;
+  for (const ComparedHand& hand : hands) out.hands.push_back(hand.name);
+  out.warnings = folded_warnings(hands);
+  for (const BodySpec& object : objects) out.objects.push_back(object.name);
+  for (const GraspTask task : options.tasks) out.tasks.push_back(name_of(task));
+  require_names(out.hands, "hand");
+  require_names(out.objects, "object");
+  return out;
+}
+
+HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
+                          const Progress& progress) {
+  const auto start = std::chrono::steady_clock::now();
+  HandOnObject cell;
+  cell.hand = setting.hand.name;
+  cell.object = setting.scene.object.name;
+  cell.scale = setting.scale;
+  const std::vector<Tried> grasps = all_grasps(setting, options, progress);
+  if (grasps.empty()) return cell;
+  count(cell, setting, grasps, options, progress);
+  if (progress.stop()) cell.approaches = 0;
+  cell.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return cell;
+}
+
+/// Builds objects when they are first asked for; each scale once.
+class Standings {
+ public:
+  const Standing& of(const BodySpec& object, double scale) {
+    const auto key = std::make_pair(object.name, scale);
+    const auto known = built_.find(key);
+    return known != built_.end() ? known->second
+                                 : built_.emplace(key, stand(object, scale)).first->second;
+  }
+
+ private:
+  std::map<std::pair<std::string, double>, Standing> built_;
+};
+
+/// Progress of the cell that comes after `finished` of `all`.
+Progress of_cell(const Progress& whole, std::size_t finished, std::size_t all,
+                 const std::string& what) {
+  Progress cell = whole;
+  cell.report = [&whole, finished, all, what](double share, const std::string&) {
+    whole((static_cast<double>(finished) + share) / static_cast<double>(all), what);
+  };
+  return cell;
+}
+
+const HandOnObject* find_cell(const std::vector<HandOnObject>& cells, const std::string& hand,
+                              const std::string& object) {
+  for (const HandOnObject& cell : cells)
+    if (cell.hand == hand && cell.object == object) return &cell;
+  return nullptr;
+}
+
+}  // namespace
+
+HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object, double scale,
+                        const CompareOptions& options, const Progress& progress) {
+  require_numbers(options);
+  require_hands({hand}, {object});
+  const Standing standing = stand(object, scale);
+  const CollisionHand touching = collision_hand(*hand.hand);
+  return compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, progress);
+}
+
+Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects,
+                   const CompareOptions& options, const Progress& progress,
+                   const std::vector<HandOnObject>& done) {
+  require_numbers(options);
+  Comparison out = heading(hands, objects, options);
+  require_hands(hands, objects);
+  const double first_reach = reach_of_digits(*hands.front().hand);
+  const std::size_t all = hands.size() * objects.size();
+  Standings standings;
+  for (const ComparedHand& hand : hands) {
+    if (progress.stop()) return out;
+    const double scale = options.normalise_size ? reach_of_digits(*hand.hand) / first_reach : 1.0;
+    const CollisionHand touching = collision_hand(*hand.hand);
+    std::set<std::string> types;
+    for (const BodySpec& object : objects) {
+      const Progress here =
+          of_cell(progress, out.cells.size(), all, hand.name + " on " + object.name);
+      here(0, "");
+      HandOnObject cell;
+      if (const HandOnObject* known = find_cell(done, hand.name, object.name)) {
+        cell = *known;
+      } else {
+        const Standing& standing = standings.of(object, scale);
+        cell = compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, here);
+      }
+      if (cell.approaches == 0) return out;
+      for (const auto& [type, times] : cell.types) types.insert(type);
+      out.cells.push_back(std::move(cell));
+      if (options.keep) options.keep(out);
+    }
+    HandAbilities abilities = hand_abilities(hand, options, progress);
+    if (progress.stop()) return out;
+    out.abilities.push_back(std::move(abilities));
+    out.abilities.back().types.assign(types.begin(), types.end());
+  }
+  progress(1, "compared");
+  out.complete = true;
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,129 @@
+#include "grasp/contact/soft_pads.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "geometry/collision/curvature.h"
+#include "grasp/contact/soft_finger.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFlatCurvature = 10;  // less curved than a ball of 0.1 m [1/m]
+constexpr double kShear = 1.0 / 3;     // shear by Young's modulus of what keeps its volume [1]
+const double kSamePad = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
+
+bool is_soft(const Material& material) {
+  return material.young > 0 && material.layer_thickness > 0;
+}
+
+Eigen::Vector3d middle(const ContactPatch& patch) {
+  Eigen::Vector3d sum(0, 0, 0);
+  for (const HandContact& each : patch.contacts) sum += each.contact.p;
+  return sum / static_cast<double>(patch.contacts.size());
+}
+
+/// Mean distance of the points from their middle [m].
+double spread(const ContactPatch& patch) {
+  const Eigen::Vector3d centre = middle(patch);
+  double sum = 0;
+  for (const HandContact& each : patch.contacts) sum += (each.contact.p - centre).norm();
+  return sum / static_cast<double>(patch.contacts.size());
+}
+
+/// Curvatures where the surface is nearest to p, seen from the frame of the contacts.
+PrincipalCurvatures curvatures_at(const PadBody& body, const Eigen::Vector3d& p_O, double step) {
+  const Eigen::Vector3d p = body.X_OB.inverse() * p_O;
+  const NearestSurface near = body.solid.shape->nearest(p);
+  PrincipalCurvatures found = curvatures(*body.solid.shape, p - near.distance * near.normal, step);
+  found.d1 = body.X_OB.R * found.d1;
+  return found;
+}
+
+RelativeCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadBody& b,
+                          double step) {
+  const PrincipalCurvatures on_a = curvatures_at(a, p, step);
+  const PrincipalCurvatures on_b = curvatures_at(b, p, step);
+  const double angle = std::acos(std::min(1.0, std::abs(on_a.d1.dot(on_b.d1))));
+  return relative_curvatures(on_a, on_b, angle);
+}
+
+/// The patch of a layer that is not pressed beyond what it has.
+SoftPatch pressed_patch(const Material& layer, const RelativeCurvatures& gap, double friction,
+                        double force) {
+  const double R1 = 1 / std::max(kFlatCurvature, gap.k1), R2 = 1 / std::max(kFlatCurvature, gap.k2);
+  const auto pressed = [&](double load) {
+    return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
+  };
+  const SoftPatch patch = pressed(force);
+  const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
+  if (patch.depth <= most) return patch;
+  return pressed(force * std::pow(most / patch.depth, 2));  // depth goes with its root
+}
+
+void check(const PadOptions& options) {
+  require(options.force > 0 && options.step > 0 && std::isfinite(options.force + options.step),
+          "force and step of soft contacts must be positive and finite, got {} N and {} m",
+          options.force, options.step);
+}
+
+}  // namespace
+
+const Material* softer_layer(const Material& a, const Material& b) {
+  if (!is_soft(a)) return is_soft(b) ? &b : nullptr;
+  if (!is_soft(b)) return &a;
+  return a.young * b.layer_thickness <= b.young * a.layer_thickness ? &a : &b;
+}
+
+double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
+                  const PadOptions& options) {
+  require(
+      options.contact == ContactModel::kHardPoint || options.contact == ContactModel::kSoftFinger,
+      "contacts of grasps are hard points or soft fingers");
+  check(options);
+  const Material* layer = softer_layer(a.material, b.material);
+  if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
+    return 0;
+
+  const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
+  if (patch.contacts.size() > 1 && gap.k2 < kFlatCurvature) return 0;
+  const double friction = patch.contacts[0].contact.friction;
+  const double torsion = pressed_patch(*layer, gap, friction, options.force).torsion;
+  return std::max(0.0, torsion - friction * spread(patch));
+}
+
+std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBody& a,
+                                          const PadBody& b, const PadOptions& options) {
+  check(options);
+  require(!patch.contacts.empty(), "a patch of no contacts has no springs");
+  const Material* layer = softer_layer(a.material, b.material);
+  if (layer == nullptr) return {};
+  const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
+  const double friction = patch.contacts[0].contact.friction;
+  const SoftPatch pressed = pressed_patch(*layer, gap, friction, options.force);
+  const auto points = static_cast<double>(patch.contacts.size());
+  const double normal =
+      layer->young / layer->layer_thickness * kPi * pressed.a * pressed.b / points;
+  const double shear = kShear * normal, arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
+  return PadStiffness{normal, shear, patch.contacts.size() == 1 ? shear * arms : 0};
+}
+
+std::vector<ContactPatch> patches_of(const std::vector<HandContact>& contacts) {
+  std::vector<ContactPatch> regions;
+  for (const HandContact& each : contacts) {
+    const auto belongs = [&](const ContactPatch& region) {
+      const HandContact& first = region.contacts[0];
+      if (each.contact.patch >= 0 || first.contact.patch >= 0)
+        return first.contact.patch == each.contact.patch;
+      return first.surface == each.surface && region.normal.dot(each.contact.n) > kSamePad;
+    };
+    const bool goes_on = !regions.empty() && belongs(regions.back());
+    if (!goes_on) regions.push_back({{}, 0, 0, each.contact.n});
+    regions.back().contacts.push_back(each);
+  }
+  return regions;
+}
+
+}  // namespace thenar

@@ -1,0 +1,74 @@
+#include "grasp/contact/wrench_set.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "base/error.h"
+#include "base/spatial.h"
+#include "grasp/contact/contact.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kUnit = 1e-6;  // normals may be off unit length by this [1]
+
+void require_sound(const Contact& contact, std::size_t i) {
+  require(contact.p.allFinite() && contact.n.allFinite(), "contact {} is not finite", i);
+  require(std::abs(contact.n.norm() - 1) < kUnit, "normal of contact {} has length {}, wanted 1", i,
+          contact.n.norm());
+  require(contact.friction >= 0 && contact.friction < std::numeric_limits<double>::infinity(),
+          "friction of contact {} is {}", i, contact.friction);
+  require(contact.torsion >= 0 && contact.torsion < std::numeric_limits<double>::infinity(),
+          "torsion of contact {} is {} m", i, contact.torsion);
+}
+
+WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double torque_scale) {
+  const auto wrench = [&](const Eigen::Vector3d& force) {
+    return (ScaledWrench() << force, arm.cross(force) / torque_scale).finished();
+  };
+  const Eigen::Vector3d n = contact.n.normalized();
+  const Tangents t = tangents(n);
+  WrenchCap cap{wrench(n), {}, -1};
+  const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
+  cap.A.resize(6, slides + twists);
+  if (slides > 0)
+    cap.A.leftCols<2>() << contact.friction * wrench(t.e1), contact.friction * wrench(t.e2);
+  if (twists > 0)
+    cap.A.rightCols<1>() << Eigen::Vector3d::Zero(), contact.torsion * n / torque_scale;
+  return cap;
+}
+
+}  // namespace
+
+WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
+                     double torque_scale) {
+  require(torque_scale > 0 && torque_scale < std::numeric_limits<double>::infinity(),
+          "torque scale is {} m", torque_scale);
+  require(centre.allFinite(), "the centre is not finite");
+  WrenchSet set;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    require_sound(contacts[i], i);
+    set.caps.push_back(wrench_cap(contacts[i], contacts[i].p - centre, torque_scale));
+  }
+  const std::vector<int> region = contact_regions(contacts);
+  for (std::size_t i = 0; i < contacts.size(); ++i) set.caps[i].contact = region[i];
+  return set;
+}
+
+double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
+  double largest = -std::numeric_limits<double>::infinity(), sum = 0;
+  std::map<int, double> shared;  // best of the caps of numbered contacts, where positive
+  for (const WrenchCap& cap : set.caps) {
+    const double reach = u.dot(cap.c) + (cap.A.transpose() * u).norm();
+    largest = std::max(largest, reach);
+    if (cap.contact < 0)
+      sum += std::max(0.0, reach);
+    else
+      shared[cap.contact] = std::max(shared[cap.contact], reach);
+  }
+  for (const auto& [contact, reach] : shared) sum += reach;
+  return limit == ForceNorm::kL1 ? largest : sum;
+}
+
+}  // namespace thenar

@@ -1,0 +1,90 @@
+#include "grasp/limits/drive_torques.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+#include "grasp/limits/joint_limits.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::VectorXd;
+
+/// How far behind the drive a joint still counts as coupled, of the drive [rad] or [m].
+constexpr double kCoupled = 1e-6;
+
+/// One drive: its column of B, and what it adds to the reactions.
+class OneDrive {
+ public:
+  OneDrive(const Drive& drive, const VectorXd& q, Reactions& reactions)
+      : drive_(drive), q_(q), reactions_(reactions) {}
+
+  VectorXd torque() {
+    if (!drive_.backdrivable) hold();
+    return drive_.coupled == DriveCoupling::kBreakaway ? through_clutches() : shared();
+  }
+
+ private:
+  [[nodiscard]] VectorXd unit(int coordinate) const {
+    return VectorXd::Unit(q_.size(), coordinate);
+  }
+
+  void hold() {
+    for (const DrivenCoordinate& move : drive_.moves)
+      if (drive_.speed == 0)
+        add_reaction(reactions_, unit(move.coordinate), -kInfinity, kInfinity);
+      else
+        reactions_.non_backdrivable.push_back(move.coordinate);
+  }
+
+  [[nodiscard]] VectorXd shared() const {
+    VectorXd column = VectorXd::Zero(q_.size());
+    for (const DrivenCoordinate& move : drive_.moves) column(move.coordinate) = move.ratio;
+    return column / column.squaredNorm();
+  }
+
+  VectorXd through_clutches() {
+    const double closing = drive_.speed < 0 ? -1 : 1;
+    const auto gone = [&](const DrivenCoordinate& move) {
+      return closing * q_(move.coordinate) / move.ratio;
+    };
+    double farthest = -kInfinity;
+    for (const DrivenCoordinate& move : drive_.moves) farthest = std::max(farthest, gone(move));
+    const DrivenCoordinate* outermost = nullptr;
+    for (const DrivenCoordinate& move : drive_.moves)
+      if (gone(move) >= farthest - kCoupled) outermost = &move;
+    for (const DrivenCoordinate& move : drive_.moves)
+      if (&move != outermost) bear(move, *outermost, gone(move) >= farthest - kCoupled, closing);
+    return unit(outermost->coordinate) / outermost->ratio;
+  }
+
+  /// The torque c of one joint, on a clutch that is closed or has opened.
+  void bear(const DrivenCoordinate& move, const DrivenCoordinate& outermost, bool coupled,
+            double closing) {
+    VectorXd torque = unit(move.coordinate);
+    if (coupled) torque(outermost.coordinate) -= move.ratio / outermost.ratio;
+    const double back = coupled && drive_.backdrivable ? drive_.breakaway : 0;
+    const bool rises = closing * move.ratio > 0;  // with the drive's way of closing
+    add_reaction(reactions_, torque, rises ? -back : -drive_.breakaway,
+                 rises ? drive_.breakaway : back);
+  }
+
+  const Drive& drive_;
+  const VectorXd& q_;
+  Reactions& reactions_;
+};
+
+}  // namespace
+
+DriveTorques drive_torques(const HandLayout& layout, const VectorXd& q) {
+  DriveTorques torques;
+  torques.B.resize(q.size(), static_cast<Eigen::Index>(layout.drives.size()));
+  torques.reactions.R.resize(q.size(), 0);
+  for (std::size_t k = 0; k < layout.drives.size(); ++k)
+    torques.B.col(static_cast<Eigen::Index>(k)) =
+        OneDrive(layout.drives[k], q, torques.reactions).torque();
+  return torques;
+}
+
+}  // namespace thenar

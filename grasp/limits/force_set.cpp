@@ -1,0 +1,254 @@
+#include "grasp/limits/force_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "base/error.h"
+#include "grasp/limits/contact_support.h"
+#include "grasp/limits/joint_limits.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using internal::add_rows;
+using internal::widen;
+
+Index variables_of(const WrenchSet& set) {
+  Index n = 0;
+  for (const WrenchCap& cap : set.caps) n += 1 + cap.A.cols();
+  return n;
+}
+
+void check(const WrenchSet& set, const MatrixXd& T, const Actuation& a) {
+  const Index joints = a.B.rows(), actuators = a.B.cols();
+  require(T.cols() == variables_of(set), "T has {} columns, the contacts {} forces", T.cols(),
+          variables_of(set));
+  require(T.rows() == joints && a.tau_0.size() == joints, "T, B, tau_0 have {}, {}, {} coordinates",
+          T.rows(), joints, a.tau_0.size());
+  require(a.lower.size() == actuators && a.upper.size() == actuators,
+          "B has {} actuators, its limits {} and {}", actuators, a.lower.size(), a.upper.size());
+  require(T.allFinite() && a.B.allFinite() && a.tau_0.allFinite(), "T, B and tau_0 must be finite");
+  for (Index i = 0; i < actuators; ++i)
+    require(a.lower(i) <= a.upper(i), "actuator {} has limits {} and {}", i, a.lower(i),
+            a.upper(i));
+  const Reactions& reactions = a.reactions;
+  const Index count = reactions.least.size();
+  require(reactions.most.size() == count && (count == 0 || reactions.R.rows() == joints) &&
+              reactions.R.cols() == count && reactions.R.allFinite(),
+          "wanted R of {} x {} finite numbers and as many limits, got {} x {} and {}", joints,
+          count, reactions.R.rows(), reactions.R.cols(), reactions.most.size());
+  for (Index i = 0; i < count; ++i)
+    require(reactions.least(i) <= reactions.most(i), "reaction {} has limits {} and {}", i,
+            reactions.least(i), reactions.most(i));
+  for (const int coordinate : reactions.non_backdrivable)
+    require(coordinate >= 0 && coordinate < joints, "held coordinate {} of {}", coordinate, joints);
+}
+
+/// The largest finite limit, so that efforts are of order one; 1 without.
+double unit_of(double lower, double upper) {
+  double unit = 0;
+  for (const double limit : {lower, upper})
+    if (std::isfinite(limit)) unit = std::max(unit, std::abs(limit));
+  return unit > 0 ? unit : 1;
+}
+
+/// Adds the variables p: normal forces of contacts that are there already.
+void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& passive_contacts) {
+  const Index first = forces.wrench.cols(), count = static_cast<Index>(passive_contacts.size());
+  widen(forces, count);
+  for (Index i = 0; i < count; ++i) {
+    const Index column = first + i;
+    forces.wrench.col(column) =
+        set.caps[static_cast<std::size_t>(passive_contacts[static_cast<std::size_t>(i)])].c;
+    forces.normals(column) = 1;
+    add_rows(forces, -Eigen::RowVectorXd::Unit(forces.wrench.cols(), column), VectorXd::Zero(1));
+  }
+  forces.passive_contacts = passive_contacts;
+}
+
+/// T x - B u - R r = tau_0, each row divided by its largest coefficient.
+void balance_torques(ForceSet& forces, const internal::JointLoads& joint_loads,
+                     const Actuation& a) {
+  const auto rows = static_cast<Index>(joint_loads.rows.size());
+  forces.A.resize(rows, forces.wrench.cols());
+  forces.A << joint_loads.x(joint_loads.rows, Eigen::all),
+      joint_loads.p(joint_loads.rows, Eigen::all),
+      -a.B(joint_loads.rows, Eigen::all) * forces.effort_unit.asDiagonal(),
+      -reactions_on(a.reactions, joint_loads.rows);
+  forces.b = a.tau_0(joint_loads.rows);
+  for (Index i = 0; i < forces.A.rows(); ++i) {
+    const double largest = forces.A.row(i).cwiseAbs().maxCoeff();
+    forces.A.row(i) /= largest;
+    forces.b(i) /= largest;
+  }
+}
+
+/// lower <= unit y_i <= upper, where finite.
+void limit(ForceSet& forces, Index i, double lower, double upper, double unit) {
+  const Eigen::RowVectorXd one = Eigen::RowVectorXd::Unit(forces.wrench.cols(), i);
+  if (std::isfinite(upper)) add_rows(forces, one, VectorXd::Constant(1, upper / unit));
+  if (std::isfinite(lower)) add_rows(forces, -one, VectorXd::Constant(1, -lower / unit));
+}
+
+/// Forces, and torques about the contact, that the variables of a contact stand for: columns
+/// (torque, force) as the rows of a spatial Jacobian.
+MatrixXd local_loads(const Contact& contact) {
+  const Tangents t = tangents(contact.n);
+  const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
+  MatrixXd loads = MatrixXd::Zero(6, 1 + slides + twists);
+  loads.col(0).tail<3>() = contact.n;
+  if (slides > 0) loads.block<3, 2>(3, 1) << contact.friction * t.e1, contact.friction * t.e2;
+  if (twists > 0) loads.col(loads.cols() - 1).head<3>() = contact.torsion * contact.n;
+  return loads;
+}
+
+}  // namespace
+
+ForceSet free_forces(const WrenchSet& set) {
+  const Index n = variables_of(set);
+  ForceSet forces;
+  forces.contacts = static_cast<int>(set.caps.size());
+  forces.wrench.resize(6, n);
+  forces.normals.setZero(n);
+  forces.A.resize(0, n);
+  forces.b.resize(0);
+  forces.G = -MatrixXd::Identity(n, n);
+  forces.h.setZero(n);
+  Index column = 0;
+  for (const WrenchCap& cap : set.caps) {
+    forces.wrench.col(column) = cap.c;
+    forces.wrench.middleCols(column + 1, cap.A.cols()) = cap.A;
+    forces.normals(column) = 1;
+    forces.cones.push_back(1 + static_cast<int>(cap.A.cols()));
+    forces.patch.push_back(cap.contact);
+    column += 1 + cap.A.cols();
+  }
+  return forces;
+}
+
+ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
+  ForceSet forces = free_forces(set);
+  const Index n = forces.normals.size();
+  if (limit == ForceNorm::kL1) {
+    add_rows(forces, forces.normals, VectorXd::Ones(1));
+    return forces;
+  }
+  std::map<int, Eigen::RowVectorXd> shared;  // sums of caps that share a contact's limit
+  Index column = 0;
+  for (const WrenchCap& cap : set.caps) {
+    const Eigen::RowVectorXd normal = Eigen::RowVectorXd::Unit(n, column);
+    column += 1 + cap.A.cols();
+    if (cap.contact < 0)
+      add_rows(forces, normal, VectorXd::Ones(1));
+    else
+      shared.try_emplace(cap.contact, Eigen::RowVectorXd::Zero(n)).first->second += normal;
+  }
+  for (const auto& [contact, sum] : shared) add_rows(forces, sum, VectorXd::Ones(1));
+  return forces;
+}
+
+ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& actuation) {
+  check(set, T, actuation);
+  const Reactions& reactions = actuation.reactions;
+  const internal::JointLoads joint_loads = internal::find_contact_support(set, T, reactions);
+  ForceSet forces = free_forces(set);
+  bear(forces, set, joint_loads.passive_contacts);
+  const Index efforts = forces.wrench.cols(), actuators = actuation.B.cols();
+  widen(forces, actuators + reactions.R.cols());
+  forces.effort_unit.resize(actuators);
+  for (Index i = 0; i < actuators; ++i)
+    forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
+  balance_torques(forces, joint_loads, actuation);
+  for (Index i = 0; i < actuators; ++i)
+    limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
+  for (Index i = 0; i < reactions.R.cols(); ++i)
+    limit(forces, efforts + actuators + i, reactions.least(i), reactions.most(i), 1);
+  return internal::limit_preload(std::move(forces), joint_loads, actuation);
+}
+
+ForceSet active_only(ForceSet forces) {
+  const Index pressed = forces.wrench.cols();
+  Index first = 0;  // of p, behind x
+  for (int contact = 0; contact < forces.contacts; ++contact)
+    first += forces.cones[static_cast<std::size_t>(contact)];
+  for (std::size_t i = 0; i < forces.passive_contacts.size(); ++i)
+    add_rows(forces, Eigen::RowVectorXd::Unit(pressed, first + static_cast<Index>(i)),
+             VectorXd::Zero(1));
+  return forces;
+}
+
+MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandContact>& contacts,
+                    const Pose<double>& X_HO) {
+  const std::vector<Pose<double>> poses = hand.pose(q);
+  MatrixXd T(q.size(), 0);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const auto surface = static_cast<std::size_t>(contacts[i].surface);
+    require(surface < hand.surfaces().size(), "contact {} is at surface {} of {}", i,
+            contacts[i].surface, hand.surfaces().size());
+    Contact contact_H = contacts[i].contact;
+    contact_H.p = X_HO * contact_H.p;
+    contact_H.n = X_HO.R * contact_H.n;
+    const int link = hand.surfaces()[surface].link;
+    const MatrixXd loads = local_loads(contact_H);
+    MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
+    if (link >= 0) {
+      const Eigen::Vector3d reference =
+          poses[static_cast<std::size_t>(link)].inverse() * contact_H.p;
+      torques = hand.jacobian(q, link, reference).transpose() * loads;
+    }
+    T.conservativeResize(q.size(), T.cols() + loads.cols());
+    T.rightCols(loads.cols()) = torques;
+  }
+  return T;
+}
+
+ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
+  ContactForces result{{}, VectorXd(set.contacts), VectorXd(set.effort_unit.size())};
+  Index column = 0;
+  for (int i = 0; i < set.contacts; ++i) {
+    const int size = set.cones[static_cast<std::size_t>(i)];
+    result.wrenches.emplace_back(set.wrench.middleCols(column, size) * y.segment(column, size));
+    result.normal(i) = y(column);
+    column += size;
+  }
+  for (const int contact : set.passive_contacts) {
+    result.wrenches[static_cast<std::size_t>(contact)] += set.wrench.col(column) * y(column);
+    result.normal(contact) += y(column++);
+  }
+  result.efforts = set.effort_unit.cwiseProduct(y.segment(column, set.effort_unit.size()));
+  return result;
+}
+
+}  // namespace thenar
+
+namespace thenar::internal {
+
+using Eigen::Index;
+
+void add_rows(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::VectorXd& most) {
+  const Index old = forces.G.rows();
+  forces.G.conservativeResize(old + rows.rows(), forces.G.cols());
+  forces.G.bottomRows(rows.rows()) = rows;
+  forces.h.conservativeResize(old + rows.rows());
+  forces.h.tail(rows.rows()) = most;
+  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(rows.rows()), 1);
+}
+
+void widen(ForceSet& forces, Index by) {
+  const Index n = forces.wrench.cols();
+  forces.wrench.conservativeResize(6, n + by);
+  forces.wrench.rightCols(by).setZero();
+  forces.A.conservativeResize(forces.A.rows(), n + by);
+  forces.A.rightCols(by).setZero();
+  forces.G.conservativeResize(forces.G.rows(), n + by);
+  forces.G.rightCols(by).setZero();
+  forces.normals.conservativeResize(n + by);
+  forces.normals.tail(by).setZero();
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,71 @@
+#include "grasp/limits/grasp_force.h"
+
+#include <map>
+#include <vector>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Row of the limit of every contact, one a patch.
+struct PatchRows {
+  std::vector<Index> of_contact;
+  Index count = 0;
+};
+
+PatchRows patch_rows(const ForceSet& forces) {
+  PatchRows rows;
+  std::map<int, Index> of_patch;
+  for (const int patch : forces.patch) {
+    const bool is_new = patch < 0 || of_patch.try_emplace(patch, rows.count).second;
+    rows.of_contact.push_back(is_new ? rows.count++ : of_patch.at(patch));
+  }
+  return rows;
+}
+
+/// Adds t with  sum of f_n <= t  for every patch, and aims at the least t.
+void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
+  const PatchRows patches = patch_rows(forces);
+  const Index n = program.c.size(), rows = program.G.rows();
+  program.c = VectorXd::Unit(n + 1, n);
+  program.A.conservativeResize(program.A.rows(), n + 1);
+  program.A.col(n).setZero();
+  program.G.conservativeResize(rows + patches.count, n + 1);
+  program.G.col(n).setZero();
+  program.G.bottomRows(patches.count).setZero();
+  program.G.col(n).tail(patches.count).setConstant(-1);
+  program.h.conservativeResize(rows + patches.count);
+  program.h.tail(patches.count).setZero();
+  program.cones.insert(program.cones.end(), static_cast<std::size_t>(patches.count), 1);
+  Index column = 0;
+  for (std::size_t i = 0; i < patches.of_contact.size(); ++i) {
+    program.G(rows + patches.of_contact[i], column) = 1;
+    column += forces.cones[i];
+  }
+  for (const int contact : forces.passive_contacts)
+    program.G(rows + patches.of_contact[static_cast<std::size_t>(contact)], column++) = 1;
+}
+
+}  // namespace
+
+GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& load,
+                               GraspForceObjective objective) {
+  require(load.allFinite(), "the load must be finite");
+  ConeProgram program{forces.normals.transpose(), {}, {}, forces.G, forces.h, forces.cones};
+  program.A.resize(forces.A.rows() + 6, forces.wrench.cols());
+  program.A << forces.A, forces.wrench;
+  program.b.resize(forces.b.size() + 6);
+  program.b << forces.b, -load;
+  if (objective == GraspForceObjective::kLargest) bound_by_largest(program, forces);
+  const ConeResult solution = solve(program);
+  const VectorXd y = solution.x.head(forces.wrench.cols());
+  return {solution.status, solution.objective, contact_forces(forces, y), forces.wrench * y + load,
+          solution.residual};
+}
+
+}  // namespace thenar

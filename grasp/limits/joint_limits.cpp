@@ -1,0 +1,77 @@
+#include "grasp/limits/joint_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+
+bool is_non_backdrivable(const Reactions& reactions, int coordinate) {
+  return std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(),
+                   coordinate) != reactions.non_backdrivable.end();
+}
+
+/// Whether a reaction is the coordinate's alone.
+bool is_own(const Reactions& reactions, Index i, Index coordinate) {
+  const double own = std::abs(reactions.R(coordinate, i));
+  return own > 0 && own == reactions.R.col(i).cwiseAbs().sum();
+}
+
+}  // namespace
+
+void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most) {
+  const Index old = reactions.least.size();
+  reactions.R.conservativeResize(torque.size(), old + 1);
+  reactions.R.col(old) = torque;
+  reactions.least.conservativeResize(old + 1);
+  reactions.least(old) = least;
+  reactions.most.conservativeResize(old + 1);
+  reactions.most(old) = most;
+}
+
+Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q) {
+  const HandLayout& layout = hand.layout();
+  Actuation actuation = hand.actuation(q);
+  for (Index j = 0; j < q.size(); ++j) {
+    const Eigen::VectorXd torque = Eigen::VectorXd::Unit(q.size(), j);
+    if (q[j] <= layout.lower[j] + kAtLimit) add_reaction(actuation.reactions, torque, 0, kInfinity);
+    if (q[j] >= layout.upper[j] - kAtLimit)
+      add_reaction(actuation.reactions, -torque, 0, kInfinity);
+  }
+  return actuation;
+}
+
+Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>& coordinates) {
+  const Index count = reactions.least.size();
+  if (count == 0) return Eigen::MatrixXd(coordinates.size(), 0);
+  Eigen::MatrixXd rows = reactions.R(coordinates, Eigen::all);
+  for (Index i = 0; i < count; ++i) {
+    int innermost = 0;
+    while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
+    const bool stops = reactions.least(i) == 0 && reactions.most(i) == kInfinity;
+    const bool worm =
+        stops && is_non_backdrivable(reactions, innermost) && is_own(reactions, i, innermost);
+    if (worm || !std::binary_search(coordinates.begin(), coordinates.end(), innermost))
+      rows.col(i).setZero();
+  }
+  return rows;
+}
+
+bool bears_torque(const Reactions& reactions, Index coordinate, double way) {
+  for (Index i = 0; i < reactions.least.size(); ++i) {
+    const bool up = (reactions.R(coordinate, i) > 0) == (way > 0);
+    const double limit = up ? reactions.most(i) : -reactions.least(i);
+    if (limit == kInfinity && is_own(reactions, i, coordinate)) return true;
+  }
+  return false;
+}
+
+bool is_locked(const Reactions& reactions, Index coordinate) {
+  return bears_torque(reactions, coordinate, 1) && bears_torque(reactions, coordinate, -1);
+}
+
+}  // namespace thenar

@@ -1,0 +1,123 @@
+#include "grasp/limits/wrench_support.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kMaxLeverage = 1e4;     // of a load over the largest limit of forces [1]
+constexpr double kWholeLoad = 1 - 1e-4;  // of a load, as good as all of it [1]
+
+/// The programme of a force set, still without an aim.
+ConeProgram program_of(const ForceSet& forces) {
+  return {
+      VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
+}
+
+/// Appends a variable that no constraint sees.
+void add_variable(ConeProgram& program) {
+  const Index n = program.c.size();
+  program.c.conservativeResize(n + 1);
+  program.c(n) = 0;
+  program.A.conservativeResize(program.A.rows(), n + 1);
+  program.A.col(n).setZero();
+  program.G.conservativeResize(program.G.rows(), n + 1);
+  program.G.col(n).setZero();
+}
+
+void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& values) {
+  const Index old = program.A.rows();
+  program.A.conservativeResize(old + rows.rows(), program.c.size());
+  program.A.bottomRows(rows.rows()) = rows;
+  program.b.conservativeResize(old + rows.rows());
+  program.b.tail(rows.rows()) = values;
+}
+
+/// The largest limit of a programme; 0: it has none.
+double largest_limit(const ConeProgram& program) {
+  return std::max(program.b.lpNorm<Eigen::Infinity>(), program.h.lpNorm<Eigen::Infinity>());
+}
+
+/// Whether the last variable reaches a value far beyond all limits, which count as parts of it.
+bool reaches(ConeProgram program, double value) {
+  const Index rows = program.G.rows(), last = program.c.size() - 1;
+  program.b /= value;
+  program.h /= value;
+  program.G.conservativeResize(rows + 1, program.G.cols());
+  program.G.row(rows) = Eigen::RowVectorXd::Unit(program.G.cols(), last);
+  program.h.conservativeResize(rows + 1);
+  program.h(rows) = 1;
+  program.cones.push_back(1);
+  const ConeResult most = solve(program);
+  return most.status == ConeStatus::kSolved && -most.objective > kWholeLoad;
+}
+
+/// A value with so much leverage is borne by structure but for the rounding of normals, and the
+/// programme is so badly scaled that it may not end.
+void judge_leverage(const ConeProgram& program, double way, ConeResult& solution) {
+  const double most = kMaxLeverage * largest_limit(program) / way;
+  if (most == 0) return;
+  const bool beyond = solution.status == ConeStatus::kSolved
+                          ? -solution.objective > most
+                          : solution.status == ConeStatus::kStalled && reaches(program, most);
+  if (beyond) solution.status = ConeStatus::kUnbounded;
+}
+
+/// The value is minus the objective.
+WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
+  const VectorXd y = solution.x.head(forces.wrench.cols());
+  WrenchSupport reach{solution.status,  kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
+                      solution.residual};
+  if (solution.status == ConeStatus::kSolved) {
+    reach.value = -solution.objective;
+    reach.bound = std::max(reach.value, -solution.dual);
+  }
+  if (solution.status == ConeStatus::kUnbounded) reach.value = reach.bound = kInfinity;
+  if (solution.status != ConeStatus::kSolved) reach.wrench.setZero();
+  return reach;
+}
+
+void require_direction(const VectorXd& d) {
+  require(d.allFinite() && d.norm() > 0,
+          "the direction must be finite and not zero, its norm is {}", d.norm());
+}
+
+}  // namespace
+
+WrenchSupport wrench_support(const ForceSet& forces, const ScaledWrench& u) {
+  require_direction(u);
+  ConeProgram program = program_of(forces);
+  program.c = -forces.wrench.transpose() * u;
+  return support_of(forces, solve(program));
+}
+
+WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const VectorXd& start,
+                            const VectorXd& way) {
+  require_direction(way);
+  require(rows.cols() == 6 && rows.rows() == start.size() && start.size() == way.size(),
+          "rows are {} x {}, wanted {} x 6, and the way has {}", rows.rows(), rows.cols(),
+          start.size(), way.size());
+  require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
+  ConeProgram program = program_of(forces);
+  add_variable(program);
+  program.c(program.c.size() - 1) = -1;
+  MatrixXd equalities(rows.rows(), program.c.size());
+  equalities << rows * forces.wrench, -way;
+  add_equalities(program, equalities, start);
+  ConeResult solution = solve(program);
+  judge_leverage(program, way.norm(), solution);
+  return support_of(forces, solution);
+}
+
+WrenchSupport load_margin(const ForceSet& forces, const ScaledWrench& d) {
+  return support_along(forces, Eigen::Matrix<double, 6, 6>::Identity(), ScaledWrench::Zero(), -d);
+}
+
+}  // namespace thenar

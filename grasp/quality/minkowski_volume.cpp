@@ -1,0 +1,439 @@
+#include "grasp/quality/minkowski_volume.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include <Eigen/Dense>
+
+#include "base/numbers.h"
+
+namespace thenar::internal {
+namespace {
+
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+using Form = std::array<double, 64>;  // by the set of axes: an exterior product of some vectors
+
+constexpr int kAllAxes = 63;    // the set of all six axes
+constexpr double kTie = 1e-14;  // a determinant below this part of its columns' lengths is 0
+constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until they are in general position
+constexpr double kTurnedArea = 100;  // facets below so many turns of their vectors' lengths do not
+                                     // matter [1]
+constexpr double kOpen = 1e-7;       // of a closed surface's sum of normals over its area
+
+int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
+
+/// Sign of (axes) ^ axis in ascending order.
+double sign(int axes, int axis) { return members(axes >> (axis + 1)) % 2 == 0 ? 1 : -1; }
+
+/// out[axes | axis] += sign in[axes] v[axis].
+struct Term {
+  std::size_t in, out;
+  int axis;
+  double sign;
+};
+
+std::vector<Term> terms(int degree) {
+  std::vector<Term> list;
+  for (int axes = 0; axes < kAllAxes; ++axes)
+    for (int axis = 0; axis < 6 && members(axes) == degree; ++axis)
+      if ((axes & 1 << axis) == 0)
+        list.push_back({static_cast<std::size_t>(axes), static_cast<std::size_t>(axes | 1 << axis),
+                        axis, sign(axes, axis)});
+  return list;
+}
+
+/// f ^ v, of `degree` vectors and one.
+Form wedge(const Form& f, int degree, const ScaledWrench& v) {
+  static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
+                                                    terms(4)};
+  Form out{};
+  for (const Term& term : all[static_cast<std::size_t>(degree)])
+    out[term.out] += term.sign * f[term.in] * v[term.axis];
+  return out;
+}
+
+/// Normal to five vectors: det(.., x) = u'x.
+ScaledWrench normal(const Form& five) {
+  ScaledWrench u;
+  for (int axis = 0; axis < 6; ++axis) {
+    const int others = kAllAxes ^ 1 << axis;
+    u[axis] = sign(others, axis) * five[static_cast<std::size_t>(others)];
+  }
+  return u;
+}
+
+/// Normal to four vectors and e: S e.
+Matrix6 normals(const Form& four) {
+  static const std::vector<Term> all = terms(4);
+  Matrix6 S = Matrix6::Zero();
+  for (const Term& term : all) {
+    const int others = static_cast<int>(term.out);
+    const int axis = members((kAllAxes ^ others) - 1);
+    S(axis, term.axis) += sign(others, axis) * term.sign * four[term.in];
+  }
+  return S;
+}
+
+class Sum {
+ public:
+  /// @param no_area  uncertain facets below this part of their vectors' lengths do not matter [1]
+  Sum(const std::vector<ContactBody>& bodies, double no_area, const Progress& progress)
+      : bodies_(bodies), no_area_(no_area), progress_(progress) {}
+
+  /// @return none where facets do not close, ties make them uncertain, or it was stopped
+  std::optional<double> volume() {
+    Form one{};
+    one[0] = 1;
+    choose(0, 5, one, 1, 1);
+    if (tie_ || stopped_ || !(surplus_.norm() <= kOpen * surface_)) return {};
+    return volume_ / 6;
+  }
+
+ private:
+  /// Adds faces of contacts from number `first` on, of `left` dimensions together.
+  /// @param f        product of the vectors along the faces chosen so far
+  /// @param size     product of their sizes
+  /// @param lengths  product of their vectors' lengths
+  void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
+    const Matrix6 S = left == 1 ? normals(f) : Matrix6();
+    stopped_ = stopped_ || progress_.stop();
+    for (std::size_t c = first; c < bodies_.size() && !tie_ && !stopped_; ++c)
+      for (const ContactFace& face : bodies_[c].faces) {
+        if (face.dimension > left) continue;
+        chosen_.push_back({c, &face});
+        double longer = lengths;
+        for (int i = 0; i < face.dimension; ++i)
+          longer *= face.span[static_cast<std::size_t>(i)].norm();
+        if (left == 1) {
+          finish(S * face.span[0], size * face.size, longer);
+        } else {
+          Form more = f;
+          for (int i = 0; i < face.dimension; ++i)
+            more = wedge(more, 5 - left + i, face.span[static_cast<std::size_t>(i)]);
+          if (face.dimension == left)
+            finish(normal(more), size * face.size, longer);
+          else
+            choose(c + 1, left - face.dimension, more, size * face.size, longer);
+        }
+        chosen_.pop_back();
+      }
+  }
+
+  /// Takes the facet with this normal into account, if it is one.
+  void finish(const ScaledWrench& u, double size, double lengths) {
+    double way = 0;  // 1: u is an outer normal; -1: -u is
+    bool uncertain = false;
+    for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
+      for (int i = 0; i < chosen->face->inwards; ++i) {
+        const ScaledWrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
+        const double t = -u.dot(inward);
+        if (std::abs(t) < kTie * lengths * inward.norm()) {
+          uncertain = true;
+          continue;
+        }
+        if (t * way < 0) return;
+        way = t > 0 ? 1 : -1;
+      }
+    if (uncertain) return tie(u, lengths);
+    if (way >= 0) add(u, size, lengths);
+    if (way <= 0) add(-u, size, lengths);
+  }
+
+  /// Nobody knows whether this is a facet, which matters if it is large.
+  void tie(const ScaledWrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
+
+  void add(const ScaledWrench& u, double size, double lengths) {
+    double h = 0;
+    std::size_t next = 0;
+    for (std::size_t c = 0; c < bodies_.size(); ++c) {
+      const bool is_chosen = next < chosen_.size() && chosen_[next].contact == c;
+      if (is_chosen) ++next;
+      double best = -kInfinity, second = -kInfinity;
+      for (const ScaledWrench& point : bodies_[c].points) {
+        const double reach = u.dot(point);
+        second = std::max(second, std::min(best, reach));
+        best = std::max(best, reach);
+      }
+      if (!is_chosen && best - second < kTie * lengths * longest_[c]) tie(u, lengths);
+      h += best;
+    }
+    volume_ += size * h;
+    surplus_ += size * u;
+    surface_ += size * u.norm();
+  }
+
+  struct Chosen {
+    std::size_t contact;
+    const ContactFace* face;
+  };
+
+  const std::vector<ContactBody>& bodies_;
+  double no_area_;
+  const Progress& progress_;
+  std::vector<double> longest_ = longest_of(bodies_);
+  std::vector<Chosen> chosen_;
+  bool tie_ = false, stopped_ = false;
+  double volume_ = 0, surface_ = 0;
+  ScaledWrench surplus_ = ScaledWrench::Zero();
+
+  static std::vector<double> longest_of(const std::vector<ContactBody>& bodies) {
+    std::vector<double> longest;
+    for (const ContactBody& body : bodies) {
+      double length = 0;
+      for (const ScaledWrench& point : body.points) length = std::max(length, point.norm());
+      longest.push_back(length);
+    }
+    return longest;
+  }
+};
+
+/// How many choices of faces there are, of five dimensions together.
+double choices(const std::vector<ContactBody>& bodies) {
+  std::array<double, 6> ways{1};
+  for (const ContactBody& body : bodies) {
+    std::array<double, 6> more = ways;
+    for (const ContactFace& face : body.faces)
+      for (std::size_t d = static_cast<std::size_t>(face.dimension); d < 6; ++d)
+        more[d] += ways[d - static_cast<std::size_t>(face.dimension)];
+    ways = more;
+  }
+  return ways[5];
+}
+
+std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
+  std::mt19937 rng(1);
+  for (ContactBody& body : bodies) {
+    Matrix6 R = Matrix6::Identity();
+    for (double& entry : R.reshaped())
+      entry += by * (2.0 * static_cast<double>(rng()) / 4294967296.0 - 1);
+    for (ScaledWrench& point : body.points) point = R * point;
+    for (ContactFace& face : body.faces) {
+      for (ScaledWrench& along : face.span) along = R * along;
+      for (ScaledWrench& along : face.inward) along = R * along;
+    }
+  }
+  return bodies;
+}
+
+/// Points of each contact.
+std::vector<std::vector<ScaledWrench>> grouped(const WrenchSet& set) {
+  std::map<int, std::vector<ScaledWrench>> shared;
+  std::vector<std::vector<ScaledWrench>> groups;
+  for (const WrenchCap& cap : set.caps) {
+    if (cap.contact >= 0)
+      shared[cap.contact].push_back(cap.c);
+    else
+      groups.push_back({cap.c});
+  }
+  for (auto& [contact, points] : shared) groups.push_back(std::move(points));
+  return groups;
+}
+
+}  // namespace
+
+std::optional<double> minkowski_volume(const WrenchSet& set, double most,
+                                       const Progress& progress) {
+  std::vector<ContactBody> bodies;
+  for (const std::vector<ScaledWrench>& points : grouped(set)) {
+    std::optional<ContactBody> body = contact_body(points);
+    if (!body) return {};
+    bodies.push_back(std::move(*body));
+  }
+  if (choices(bodies) > most) return {};
+  for (const double by : kTurns)
+    if (const auto found = Sum(turned(bodies, by), kTurnedArea * by, progress).volume())
+      return found;
+  return {};
+}
+
+namespace {
+
+constexpr int kMaxBodyPoints = 200;  // some seconds: every three of them are tried
+
+using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
+
+/// Numbers of the corners of points in a plane (2, n), counter-clockwise.
+std::vector<int> corners_of(const Eigen::Matrix2Xd& x, double tolerance) {
+  std::vector<int> order(static_cast<std::size_t>(x.cols()));
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return x(0, a) != x(0, b) ? x(0, a) < x(0, b) : x(1, a) < x(1, b);
+  });
+  const auto left = [&](int a, int b, int c) {
+    const Eigen::Vector2d u = x.col(b) - x.col(a), v = x.col(c) - x.col(b);
+    return u.x() * v.y() - u.y() * v.x() > tolerance * std::max(u.norm(), v.norm());
+  };
+  std::vector<int> corners;
+  for (int turn = 0; turn < 2; ++turn) {
+    const std::size_t start = corners.size();
+    for (const int i : order) {
+      while (corners.size() >= start + 2 && !left(corners[corners.size() - 2], corners.back(), i))
+        corners.pop_back();
+      corners.push_back(i);
+    }
+    corners.pop_back();
+    std::reverse(order.begin(), order.end());
+  }
+  return corners;
+}
+
+double area(const Eigen::Matrix2Xd& x, const std::vector<int>& corners) {
+  double twice = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const auto a = x.col(corners[i]), b = x.col(corners[(i + 1) % corners.size()]);
+    twice += a.x() * b.y() - a.y() * b.x();
+  }
+  return twice / 2;
+}
+
+/// The corner furthest from the line through corners i and i + 1.
+int opposite(const Eigen::Matrix2Xd& x, const std::vector<int>& corners, std::size_t i) {
+  const Eigen::Vector2d a = x.col(corners[i]), e = x.col(corners[(i + 1) % corners.size()]) - a;
+  return *std::max_element(corners.begin(), corners.end(), [&](int p, int q) {
+    const Eigen::Vector2d v = x.col(p) - a, w = x.col(q) - a;
+    return e.x() * v.y() - e.y() * v.x() < e.x() * w.y() - e.y() * w.x();
+  });
+}
+
+ContactFace face_of(int dimension, double size) { return {dimension, {}, size, {}, 0}; }
+
+ContactFace edge(const ScaledWrench& from, const ScaledWrench& to) {
+  ContactFace face = face_of(1, 1);
+  face.span[0] = to - from;
+  return face;
+}
+
+void add_inward(ContactFace& face, const ScaledWrench& along) {
+  face.inward[static_cast<std::size_t>(face.inwards++)] = along;
+}
+
+ContactFace whole(const Basis& Q, double size) {
+  ContactFace face = face_of(static_cast<int>(Q.cols()), size);
+  for (int i = 0; i < Q.cols(); ++i) face.span[static_cast<std::size_t>(i)] = Q.col(i);
+  return face;
+}
+
+void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, double tolerance) {
+  const std::vector<int> corners = corners_of(x, tolerance);
+  const auto point = [&](int i) { return body.points[static_cast<std::size_t>(i)]; };
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    ContactFace face = edge(point(corners[i]), point(corners[(i + 1) % corners.size()]));
+    add_inward(face, point(opposite(x, corners, i)) - point(corners[i]));
+    body.faces.push_back(face);
+  }
+  body.faces.push_back(whole(Q, area(x, corners)));
+}
+
+/// Faces of a solid: planes through three points with all others on one side.
+class FaceSolid {
+ public:
+  FaceSolid(ContactBody& body, const Basis& Q, const Eigen::Matrix3Xd& x, double tolerance)
+      : body_(body), Q_(Q), x_(x), tolerance_(tolerance) {}
+
+  void add_faces() {
+    const int n = static_cast<int>(x_.cols());
+    for (int i = 0; i < n; ++i)
+      for (int j = i + 1; j < n; ++j)
+        for (int k = j + 1; k < n; ++k) add_plane(i, j, k);
+    for (const auto& [ends, thirds] : edges_) {
+      ContactFace face = edge(point(ends.first), point(ends.second));
+      for (std::size_t i = 0; i < std::min<std::size_t>(thirds.size(), 2); ++i)
+        add_inward(face, point(thirds[i]) - point(ends.first));
+      body_.faces.push_back(face);
+    }
+    body_.faces.push_back(whole(Q_, volume_));
+  }
+
+ private:
+  [[nodiscard]] const ScaledWrench& point(int i) const {
+    return body_.points[static_cast<std::size_t>(i)];
+  }
+
+  void add_plane(int i, int j, int k) {
+    Eigen::Vector3d n = (x_.col(j) - x_.col(i)).cross(x_.col(k) - x_.col(i));
+    const double longest = std::max((x_.col(j) - x_.col(i)).norm(), (x_.col(k) - x_.col(i)).norm());
+    if (n.norm() <= tolerance_ * longest) return;
+    n.normalize();
+    Eigen::RowVectorXd s = n.transpose() * (x_.colwise() - x_.col(i));
+    if (s.maxCoeff() > tolerance_) {
+      n = -n;
+      s = -s;
+    }
+    if (s.maxCoeff() > tolerance_) return;
+    std::vector<int> on;
+    for (int l = 0; l < s.size(); ++l)
+      if (s(l) >= -tolerance_) on.push_back(l);
+    if (seen_.insert(on).second) add_face(n, on, s);
+  }
+
+  void add_face(const Eigen::Vector3d& n, const std::vector<int>& on, const Eigen::RowVectorXd& s) {
+    const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
+    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(on.size()));
+    for (std::size_t i = 0; i < on.size(); ++i)
+      flat.col(static_cast<Eigen::Index>(i)) << a.dot(x_.col(on[i])), b.dot(x_.col(on[i]));
+    const std::vector<int> corners = corners_of(flat, tolerance_);
+    ContactFace face = face_of(2, area(flat, corners));
+    face.span = {ScaledWrench(Q_ * a), ScaledWrench(Q_ * b), ScaledWrench::Zero()};
+    int lowest = 0;
+    (void)s.minCoeff(&lowest);
+    add_inward(face, point(lowest) - point(on.front()));
+    body_.faces.push_back(face);
+    volume_ += face.size * depth_of_middle(n, on.front()) / 3;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const auto number = [&](int corner) { return on[static_cast<std::size_t>(corner)]; };
+      const std::pair<int, int> ends =
+          std::minmax({number(corners[i]), number(corners[(i + 1) % corners.size()])});
+      edges_[ends].push_back(number(opposite(flat, corners, i)));
+    }
+  }
+
+  /// Of the mean of the points under a face.
+  [[nodiscard]] double depth_of_middle(const Eigen::Vector3d& n, int on) const {
+    return n.dot(x_.col(on) - x_.rowwise().mean());
+  }
+
+  ContactBody& body_;
+  const Basis& Q_;
+  const Eigen::Matrix3Xd& x_;
+  double tolerance_, volume_ = 0;
+  std::set<std::vector<int>> seen_;
+  std::map<std::pair<int, int>, std::vector<int>> edges_;  // by their ends: third corners
+};
+
+std::vector<ScaledWrench> distinct(const std::vector<ScaledWrench>& points, double tolerance) {
+  std::vector<ScaledWrench> kept{ScaledWrench::Zero()};
+  for (const ScaledWrench& point : points)
+    if (std::all_of(kept.begin(), kept.end(),
+                    [&](const ScaledWrench& other) { return (other - point).norm() > tolerance; }))
+      kept.push_back(point);
+  return kept;
+}
+
+}  // namespace
+
+std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points) {
+  double size = 0;
+  for (const ScaledWrench& point : points) size = std::max(size, point.norm());
+  const double tolerance = kFlatFace * size;
+  ContactBody body{distinct(points, tolerance), {}};
+  if (body.points.size() > kMaxBodyPoints) return {};
+  Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, static_cast<Eigen::Index>(body.points.size()));
+  for (std::size_t i = 0; i < body.points.size(); ++i)
+    P.col(static_cast<Eigen::Index>(i)) = body.points[i];
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
+  const auto rank = (svd.singularValues().array() > tolerance).count();
+  if (rank > 3) return {};
+  if (rank == 0) return body;
+  const Basis Q = svd.matrixU().leftCols(rank);
+  const Eigen::MatrixXd x = Q.transpose() * P;
+  if (rank == 1) body.faces.push_back(whole(Q, x.maxCoeff() - x.minCoeff()));
+  if (rank == 2) add_flat(body, Q, x, tolerance);
+  if (rank == 3) FaceSolid(body, Q, x, tolerance).add_faces();
+  return body;
+}
+
+}  // namespace thenar::internal

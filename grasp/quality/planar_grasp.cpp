@@ -1,0 +1,157 @@
+#include "grasp/quality/planar_grasp.h"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Points = std::vector<Vector3d>;
+
+constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
+constexpr double kParallel = 1e-12;  // edges with a smaller sine of their angle span no plane [1]
+
+Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
+
+ScaledWrench in_space(const Vector3d& w) {
+  return (ScaledWrench() << w.x(), w.y(), 0, 0, 0, w.z()).finished();
+}
+
+/// Points of each contact.
+std::vector<Points> grouped_points(const WrenchSet& set) {
+  std::vector<Points> groups;
+  std::map<int, std::size_t> shared;
+  for (const WrenchCap& cap : set.caps) {
+    std::size_t at = groups.size();
+    if (cap.contact >= 0) at = shared.try_emplace(cap.contact, at).first->second;
+    if (at == groups.size()) groups.emplace_back();
+    groups[at].push_back(in_plane(cap.c));
+  }
+  return groups;
+}
+
+/// The least h over normals to pairs of vectors, and where.
+class LeastSupport {
+ public:
+  LeastSupport(const std::vector<Points>& groups, ForceNorm limit)
+      : groups_(groups), limit_(limit) {}
+
+  void look_across(const Vector3d& a, const Vector3d& b) {
+    const Vector3d n = a.cross(b);
+    if (n.norm() <= kParallel * a.norm() * b.norm()) return;
+    for (const Vector3d& u : {Vector3d(n.normalized()), Vector3d(-n.normalized())}) {
+      const double h = support(u);
+      if (h < least) least = h, at = u;
+    }
+  }
+
+  double least = std::numeric_limits<double>::infinity();
+  Vector3d at{0, 0, 0};
+
+ private:
+  [[nodiscard]] double support(const Vector3d& u) const {
+    double sum = 0, largest = -std::numeric_limits<double>::infinity();
+    for (const Points& points : groups_) {
+      double best = -std::numeric_limits<double>::infinity();
+      for (const Vector3d& p : points) best = std::max(best, u.dot(p));
+      sum += std::max(0.0, best);
+      largest = std::max(largest, best);
+    }
+    return limit_ == ForceNorm::kL1 ? largest : sum;
+  }
+
+  const std::vector<Points>& groups_;
+  ForceNorm limit_;
+};
+
+void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
+  Points all;
+  if (limit == ForceNorm::kL1) {
+    for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t j = i + 1; j < all.size(); ++j)
+        for (std::size_t k = j + 1; k < all.size(); ++k)
+          search.look_across(all[j] - all[i], all[k] - all[i]);
+    return;
+  }
+  for (Points points : groups) {  // `all`: edges
+    points.emplace_back(0, 0, 0);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) all.emplace_back(points[i] - points[j]);
+  }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) search.look_across(all[i], all[j]);
+}
+
+void require_planar(const WrenchSet& set) {
+  require(set.caps.size() <= kMaxPlanarPoints, "a planar grasp has at most {} wrenches, got {}",
+          kMaxPlanarPoints, set.caps.size());
+  for (std::size_t i = 0; i < set.caps.size(); ++i)
+    require(set.caps[i].c.allFinite() && set.caps[i].A.cols() == 0 &&
+                set.caps[i].c.segment<3>(2).isZero(0),
+            "wrench {} is not one of the plane", i);
+}
+
+}  // namespace
+
+WrenchSet planar_wrench_set(const std::vector<Contact>& contacts, const Vector3d& centre,
+                            double torque_scale) {
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    require(contacts[i].p.z() == centre.z() && contacts[i].n.z() == 0 && contacts[i].torsion == 0,
+            "contact {} is not one of the plane: z of its place and normal and its torsion are 0",
+            i);
+  const WrenchSet cones = wrench_set(contacts, centre, torque_scale);
+  WrenchSet ends;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    const Vector3d t = contact.friction * Vector3d(-contact.n.y(), contact.n.x(), 0),
+                   arm = (contact.p - centre) / torque_scale;
+    const ScaledWrench slide = (ScaledWrench() << t, 0, 0, arm.cross(t).z()).finished();
+    const ScaledWrench push = in_space(in_plane(cones.caps[i].c));
+    ends.caps.push_back({push + slide, {}, cones.caps[i].contact});
+    if (contact.friction > 0) ends.caps.push_back({push - slide, {}, cones.caps[i].contact});
+  }
+  return ends;
+}
+
+Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
+  require_planar(set);
+  Epsilon found = epsilon(set);  // of a flat set: 0, or minus the distance
+  if (found.upper < 0 || set.caps.empty()) return found;
+
+  Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(set.caps.size()));
+  for (Eigen::Index i = 0; i < all.cols(); ++i)
+    all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
+  const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  found.rank = static_cast<int>((sigma.array() > internal::kFlatPlane * sigma(0)).count());
+  Vector3d missing = svd.matrixU().col(2);
+  if (found.rank == 3) {
+    const std::vector<Points> groups = grouped_points(set);
+    LeastSupport search(groups, limit);
+    look_at_facets(search, groups, limit);
+    const double rounding = kPlanarRounding * all.colwise().norm().maxCoeff();
+    if (search.least > rounding) {
+      found.lower = search.least - rounding;
+      found.upper = search.least + rounding;
+      found.force_closure = true;
+      found.has_missing_direction = false;
+      found.missing_direction.setZero();
+      found.worst_wrench = -in_space(search.at);
+      return found;
+    }
+    missing = search.at;
+  }
+  found.missing_direction = in_space(missing);
+  found.worst_wrench = -found.missing_direction;
+  return found;
+}
+
+}  // namespace thenar

@@ -1,0 +1,397 @@
+#include "grasp/quality/support_function.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+namespace thenar::internal {
+
+SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_(limit) {
+  // Caps of one contact side by side, in the order of their first.
+  std::vector<bool> taken(set.caps.size(), false);
+  int contacts = 0;
+  for (std::size_t i = 0; i < set.caps.size(); ++i) {
+    double largest = 0;
+    for (std::size_t j = i; j < set.caps.size() && !taken[i]; ++j) {
+      const WrenchCap& cap = set.caps[j];
+      if (j != i && (taken[j] || cap.contact < 0 || cap.contact != set.caps[i].contact)) continue;
+      caps_.push_back({cap.c, Eigen::Matrix<double, 6, 3>::Zero(), static_cast<int>(cap.A.cols()),
+                       contacts, false});
+      caps_.back().A.leftCols(cap.A.cols()) = cap.A;
+      largest = std::max(largest, cap.c.norm() + cap.A.norm());
+      if (j != i) taken[j] = true;
+    }
+    if (taken[i]) continue;
+    caps_.back().last_of_contact = true;
+    ++contacts;
+    size_ = limit == ForceNorm::kL1 ? std::max(size_, largest) : size_ + largest;
+  }
+  rounding_ = 32 * std::numeric_limits<double>::epsilon() * size_;
+}
+
+double SupportFunction::reach(const Cap& cap, const ScaledWrench& u) {
+  double square = 0;
+  for (int k = 0; k < cap.axes; ++k) {
+    const double a = cap.A.col(k).dot(u);
+    square += a * a;
+  }
+  return cap.c.dot(u) + std::sqrt(square);
+}
+
+void SupportFunction::add_point(const Cap& cap, const ScaledWrench& u, ScaledWrench& sum) {
+  sum += cap.c;
+  Eigen::Vector3d z = Eigen::Vector3d::Zero();
+  for (int k = 0; k < cap.axes; ++k) z(k) = cap.A.col(k).dot(u);
+  const double length = z.norm();
+  if (length == 0) return;  // every point of the cap is as good
+  for (int k = 0; k < cap.axes; ++k) sum += z(k) / length * cap.A.col(k);
+}
+
+SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
+  constexpr double kLowest = -std::numeric_limits<double>::infinity();
+  SupportPoint out{0, ScaledWrench::Zero()};
+  const Cap* best = nullptr;
+  double best_reach = kLowest;
+  for (const Cap& cap : caps_) {
+    const double h = reach(cap, u);
+    if (h > best_reach) {
+      best_reach = h;
+      best = &cap;
+    }
+    if (limit_ == ForceNorm::kL1 || !cap.last_of_contact) continue;
+    if (best_reach > 0) {
+      out.h += best_reach;
+      add_point(*best, u, out.p);
+    }
+    best_reach = kLowest;
+  }
+  if (limit_ == ForceNorm::kL1 && best != nullptr) {
+    out.h = best_reach;
+    add_point(*best, u, out.p);
+  }
+  return out;
+}
+
+namespace {
+
+/// The unit vector least along the first `count` orthonormal columns, made orthogonal to them.
+ScaledWrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
+  const auto used = basis.leftCols(count);
+  Eigen::Index axis = 0;
+  used.rowwise().squaredNorm().minCoeff(&axis);
+  ScaledWrench u = ScaledWrench::Unit(axis);
+  for (int again = 0; again < 2; ++again) u = (u - used * (used.transpose() * u)).normalized();
+  return u;
+}
+
+}  // namespace
+
+Span span_of(const WrenchSet& set) {
+  Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
+  for (const WrenchCap& cap : set.caps) {
+    all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
+    all.rightCols(1 + cap.A.cols()) << cap.c, cap.A;
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeFullU);
+  const Eigen::VectorXd& sigma = svd.singularValues();
+  return {static_cast<int>((sigma.array() > kRankTolerance * sigma(0)).count()), svd.matrixU()};
+}
+
+FirstSimplex first_simplex(const SupportFunction& support, double flat) {
+  FirstSimplex out{{}, false, 1};
+  out.points[0] = support(ScaledWrench::Unit(0)).p;
+  Eigen::Matrix<double, 6, 6> basis = Eigen::Matrix<double, 6, 6>::Zero();
+  for (int k = 0; k < 6; ++k) {
+    const ScaledWrench u = across(basis, k);
+    const ScaledWrench plus = support(u).p, minus = support(-u).p;
+    out.supports += 2;
+    const double rise = u.dot(plus - out.points[0]), fall = u.dot(out.points[0] - minus);
+    if (std::max(rise, fall) <= flat * support.size()) return out;
+    const auto next = static_cast<std::size_t>(k + 1);
+    out.points[next] = rise > fall ? plus : minus;
+    ScaledWrench edge = out.points[next] - out.points[0];
+    const auto used = basis.leftCols(k);
+    for (int again = 0; again < 2; ++again) edge -= used * (used.transpose() * edge);
+    basis.col(k) = edge.normalized();
+  }
+  out.found = true;
+  return out;
+}
+
+namespace {
+
+constexpr int kMaxPolishSteps = 30;
+constexpr int kMaxColumns = 20;
+constexpr double kDone = 1e-9;    // length of a last step: the next would be its square [rad]
+constexpr double kLongest = 0.2;  // of a step [rad]
+constexpr double kNear = 0.3;     // caps this close to the best, in parts of it, take part [1]
+constexpr double kKink = 0.05;    // |A'u| below this part of |A| is held at 0 [1]
+constexpr double kSharp = 1e-6;   // the same at first, as facets that hold a whole cap have 0 [1]
+constexpr double kDependent = 1e-9;   // constraints this close to each other's span [1]
+constexpr double kFlatCurve = 1e-12;  // curvatures below this part of the size are none [1]
+
+// Directions u with the value t beneath them.
+using PolishPoint = Eigen::Matrix<double, 7, 1>;
+using Columns = Eigen::Matrix<double, 7, Eigen::Dynamic, 0, 7, kMaxColumns>;
+using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxColumns, 1>;
+using Reduced = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 7, 7>;
+using ReducedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
+
+enum class Role { kOut, kTight, kCounted };
+
+/// What a cap does at u; of the caps of one contact with a limit of its own, the best.
+struct Piece {
+  const SupportFunction::Cap* cap = nullptr;
+  double h = 0;
+  Eigen::Vector3d z{0, 0, 0};  // A'u
+  double length = 0;           // |A'u|
+  bool kink = false;
+  Role role = Role::kOut;
+};
+
+/// Minimises M/2 x^2 + g'x as if all curvatures were positive.
+ReducedVector descend(const Reduced& M, const ReducedVector& g, double size) {
+  const Eigen::LLT<Reduced> positive(M);
+  if (positive.info() == Eigen::Success && positive.rcond() > kFlatCurve) return positive.solve(-g);
+  const Eigen::SelfAdjointEigenSolver<Reduced> eigen(M);
+  ReducedVector x = -(eigen.eigenvectors().transpose() * g);
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double curve = std::abs(eigen.eigenvalues()(i));
+    x(i) = curve > kFlatCurve * size ? x(i) / curve : 0;
+  }
+  return eigen.eigenvectors() * x;
+}
+
+class Polish {
+ public:
+  Polish(const SupportFunction& support, const ScaledWrench& u, bool kinks)
+      : support_(support), l1_(support.limit() == ForceNorm::kL1), kinks_(kinks), u_(u) {
+    look();
+    best_ = u;
+    best_h_ = value_;
+    choose_roles();
+  }
+
+  /// @returns whether a last step was short
+  bool run() {
+    bool grown = false;  // caps taken in at this place may not be released at once
+    for (int i = 0; i < kMaxPolishSteps && build(); ++i) {
+      Eigen::ColPivHouseholderQR<Columns> qr(columns_);
+      qr.setThreshold(kDependent);
+      const Values multipliers = qr.solve(-slope_);
+      if (!grown && release(multipliers)) continue;
+      const ScaledWrench before = u_;
+      const double length = move(qr, multipliers);
+      if (!std::isfinite(length)) return false;
+      look();
+      const bool better = value_ < best_h_;
+      if (better) {
+        best_h_ = value_;
+        best_ = u_;
+      }
+      grown = overtaken();
+      if (!grown && length < kDone) return true;
+      if (!grown || better) continue;
+      u_ = before;
+      look();
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool has_kinks() const {
+    return std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) {
+      return p.role != Role::kOut && !p.kink && is_kink(p, kKink);
+    });
+  }
+  [[nodiscard]] double best_value() const { return best_h_; }
+  [[nodiscard]] const ScaledWrench& best() const { return best_; }
+
+ private:
+  void look() {
+    std::size_t k = 0;
+    bool first = true;
+    double largest = -1e300, sum = 0;
+    for (const SupportFunction::Cap& cap : support_.caps()) {
+      if (k == pieces_.size()) pieces_.emplace_back();
+      const Eigen::Vector3d z = cap.A.transpose() * u_;
+      const double length = z.norm(), h = cap.c.dot(u_) + length;
+      Piece& piece = pieces_[k];
+      if (first || h > piece.h) {
+        piece.cap = &cap;
+        piece.h = h;
+        piece.z = z;
+        piece.length = length;
+      }
+      first = l1_ || cap.last_of_contact;
+      if (!first) continue;
+      largest = std::max(largest, piece.h);
+      sum += std::max(0.0, piece.h);
+      ++k;
+    }
+    value_ = l1_ ? largest : sum;
+  }
+
+  [[nodiscard]] static bool is_kink(const Piece& piece, double part) {
+    return piece.cap->axes > 0 && piece.length < part * piece.cap->A.norm();
+  }
+
+  void choose_roles() {
+    const double near = kNear * std::abs(value_);
+    for (Piece& piece : pieces_) {
+      if (l1_)
+        piece.role = piece.h >= value_ - near ? Role::kTight : Role::kOut;
+      else if (std::abs(piece.h) < near)
+        piece.role = Role::kTight;
+      else
+        piece.role = piece.h > 0 ? Role::kCounted : Role::kOut;
+      piece.kink = is_kink(piece, kinks_ ? kKink : kSharp);
+    }
+  }
+
+  [[nodiscard]] static ScaledWrench slope(const Piece& piece) {
+    if (piece.kink || piece.length == 0) return piece.cap->c;
+    return piece.cap->c + piece.cap->A * (piece.z / piece.length);
+  }
+
+  /// Constraints, each a column, and the slope of the objective. @returns false if there is no room
+  bool build() {
+    columns_.resize(7, kMaxColumns);
+    values_.resize(kMaxColumns);
+    slope_ = PolishPoint::Zero();
+    slope_(6) = l1_ ? 1 : 0;
+    columns_.col(0) << u_, 0;
+    columns_.col(1) = l1_ ? PolishPoint(PolishPoint::Zero()) : PolishPoint(PolishPoint::Unit(6));
+    values_.head<2>().setZero();
+    count_ = 2;
+    for (const Piece& piece : pieces_) {
+      if (piece.role == Role::kOut) continue;
+      if (count_ + 4 > kMaxColumns) return false;
+      if (piece.role == Role::kTight) {
+        columns_.col(count_) << slope(piece), l1_ ? -1.0 : 0.0;
+        values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
+      } else {
+        slope_.head<6>() += slope(piece);
+      }
+      for (int k = 0; piece.kink && k < piece.cap->axes; ++k) {
+        columns_.col(count_) << piece.cap->A.col(k), 0;
+        values_(count_++) = piece.z(k);
+      }
+    }
+    columns_.conservativeResize(7, count_);
+    values_.conservativeResize(count_);
+    return true;
+  }
+
+  /// Calls f(piece, place of its multiplier or -1) for all that take part.
+  template <typename F>
+  void each(F f) {
+    Eigen::Index k = 2;
+    for (Piece& piece : pieces_) {
+      if (piece.role == Role::kOut) continue;
+      f(piece, piece.role == Role::kTight ? k++ : -1);
+      if (piece.kink) k += piece.cap->axes;
+    }
+  }
+
+  /// Gives the constraint whose multiplier is furthest out of bounds a new role.
+  bool release(const Values& multipliers) {
+    double worst = 1e-9;
+    Piece* gone = nullptr;
+    Role role = Role::kOut;
+    each([&](Piece& piece, Eigen::Index k) {
+      if (k < 0) return;
+      const double below = -multipliers(k), above = l1_ ? 0 : multipliers(k) - 1;
+      if (std::max(below, above) <= worst) return;
+      worst = std::max(below, above);
+      gone = &piece;
+      role = above > below ? Role::kCounted : Role::kOut;
+    });
+    if (gone != nullptr) gone->role = role;
+    return gone != nullptr;
+  }
+
+  /// Hessian of the Lagrangian along u.
+  Eigen::Matrix<double, 6, 6> hessian(const Values& multipliers) {
+    Eigen::Matrix<double, 6, 6> H = multipliers(0) * Eigen::Matrix<double, 6, 6>::Identity();
+    each([&](const Piece& piece, Eigen::Index k) {
+      if (piece.kink || piece.length == 0) return;
+      const double weight = (k < 0 ? 1 : multipliers(k)) / piece.length;
+      const ScaledWrench a = piece.cap->A * (piece.z / piece.length);
+      H.noalias() += weight * (piece.cap->A * piece.cap->A.transpose());
+      H.noalias() -= weight * a * a.transpose();
+    });
+    return H;
+  }
+
+  /// One step. @returns its length [rad]
+  double move(const Eigen::ColPivHouseholderQR<Columns>& qr, const Values& multipliers) {
+    const Eigen::Index rank = qr.rank();
+    const Eigen::Matrix<double, 7, 7> Q = qr.householderQ();
+    const Values wanted = -(qr.colsPermutation().transpose() * values_);
+    const ReducedVector along = qr.matrixQR()
+                                    .topLeftCorner(rank, rank)
+                                    .template triangularView<Eigen::Upper>()
+                                    .transpose()
+                                    .solve(wanted.head(rank));
+    PolishPoint d = Q.leftCols(rank) * along;
+    if (rank < 7) {
+      const auto Z = Q.rightCols(7 - rank);
+      const Eigen::Matrix<double, 6, 6> H = hessian(multipliers);
+      PolishPoint pull = slope_;
+      pull.head<6>() += H * d.head<6>();
+      const Reduced M = Z.topRows<6>().transpose() * H * Z.topRows<6>();
+      d += Z * descend(M, Z.transpose() * pull, support_.size());
+    }
+    const double length = d.head<6>().norm();
+    u_ = (u_ + std::min(1.0, kLongest / length) * d.head<6>()).normalized();
+    return std::min(length, kLongest);
+  }
+
+  /// Takes in what went beyond its bounds.
+  bool overtaken() {
+    const double beyond = support_.rounding();
+    double level = 0;
+    if (l1_) {
+      level = -1e300;
+      for (const Piece& piece : pieces_)
+        if (piece.role == Role::kTight) level = std::max(level, piece.h);
+    }
+    bool any = false;
+    for (Piece& piece : pieces_) {
+      const bool out = piece.role == Role::kOut && piece.h > level + beyond;
+      const bool in = piece.role == Role::kCounted && piece.h < level - beyond;
+      if (!out && !in) continue;
+      piece.role = Role::kTight;
+      any = true;
+    }
+    return any;
+  }
+
+  const SupportFunction& support_;
+  bool l1_, kinks_;
+  std::vector<Piece> pieces_;
+  ScaledWrench u_, best_;
+  double value_ = 0, best_h_ = 0;
+  Columns columns_;
+  Values values_;
+  PolishPoint slope_;
+  Eigen::Index count_ = 0;
+};
+
+}  // namespace
+
+ScaledWrench descend_support(const SupportFunction& support, const ScaledWrench& u) {
+  Polish smooth(support, u, false);
+  if (smooth.run() || !smooth.has_kinks()) return smooth.best();
+  Polish sharp(support, smooth.best(), true);
+  (void)sharp.run();
+  return sharp.best();
+}
+
+}  // namespace thenar::internal

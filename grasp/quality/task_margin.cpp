@@ -1,0 +1,111 @@
+#include "grasp/quality/task_margin.h"
+
+#include <algorithm>
+
+#include <Eigen/QR>
+
+#include "base/error.h"
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+
+constexpr double kIndependent = 1e-9;  // least part of the longest axis across the others [1]
+
+/// Appends variables p with |p| <= half width, which make the last rows of the wrench.
+void add_box(ForceSet& forces, Index size, double half_width) {
+  const Index n = forces.wrench.cols(), rows = forces.G.rows();
+  forces.wrench.conservativeResize(6, n + size);
+  forces.wrench.rightCols(size).setZero();
+  forces.wrench.bottomRightCorner(size, size).setIdentity();
+  forces.A.conservativeResize(forces.A.rows(), n + size);
+  forces.A.rightCols(size).setZero();
+  forces.G.conservativeResize(rows + 2 * size, n + size);
+  forces.G.rightCols(size).setZero();
+  forces.G.bottomRows(2 * size).setZero();
+  forces.G.block(rows, n, size, size).setIdentity();
+  forces.G.bottomRightCorner(size, size) = -MatrixXd::Identity(size, size);
+  forces.h.conservativeResize(rows + 2 * size);
+  forces.h.tail(2 * size).setConstant(half_width);
+  forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(2 * size), 1);
+  forces.normals.conservativeResize(n + size);
+  forces.normals.tail(size).setZero();
+  forces.effort_unit.resize(0);  // efforts no longer stand last, and nobody asks for them
+}
+
+/// Forces whose wrench is Q y, with y as the first rows of the new wrench and zeros below.
+ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>& Q) {
+  const Index rank = Q.rank(), across = 6 - rank, old = forces.A.rows();
+  const MatrixXd basis = Q.householderQ() * MatrixXd::Identity(6, 6);
+  forces.A.conservativeResize(old + across, forces.wrench.cols());
+  forces.A.bottomRows(across) = basis.rightCols(across).transpose() * forces.wrench;
+  forces.b.conservativeResize(old + across);
+  forces.b.tail(across).setZero();
+  const MatrixXd y = Q.solve(MatrixXd(forces.wrench));
+  forces.wrench.setZero();
+  forces.wrench.topRows(rank) = y;
+  return forces;
+}
+
+}  // namespace
+
+TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
+  TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  for (const ScaledWrench& load : loads) {
+    if (load.isZero(0)) continue;
+    const WrenchSupport reach = load_margin(forces, load);
+    if (reach.status == ConeStatus::kUnbounded) continue;
+    margin.residual = max_or_nan(margin.residual, reach.residual);
+    if (reach.status != ConeStatus::kSolved)
+      return {reach.status, reach.value, reach.bound, load, margin.residual};
+    if (reach.value < margin.lower) margin.worst_load = load;
+    margin.lower = std::min(margin.lower, reach.value);
+    margin.upper = std::min(margin.upper, reach.bound);
+  }
+  return margin;
+}
+
+TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
+                         const ScaledWrench& upper) {
+  require(lower.allFinite() && upper.allFinite() && (lower.array() <= upper.array()).all(),
+          "the box of loads needs finite bounds, lower <= upper");
+  std::vector<ScaledWrench> corners;
+  for (int corner = 0; corner < 64; ++corner) {
+    ScaledWrench load = lower;
+    bool repeated = false;
+    for (int i = 0; i < 6; ++i) {
+      const bool high = (corner >> i) & 1;
+      if (high) load(i) = upper(i);
+      repeated = repeated || (high && lower(i) == upper(i));
+    }
+    if (!repeated) corners.push_back(load);
+  }
+  return margin_of_loads(forces, corners);
+}
+
+TaskMargin margin_of_ellipsoid(const ForceSet& forces,
+                               const Eigen::Matrix<double, 6, Eigen::Dynamic>& Q,
+                               const BallOptions& options) {
+  require(Q.cols() > 0 && Q.allFinite(), "an ellipsoid needs finite axes, got {}", Q.cols());
+  Eigen::ColPivHouseholderQR<MatrixXd> qr;
+  qr.setThreshold(kIndependent);
+  qr.compute(Q);
+  require(qr.rank() == Q.cols(), "{} axes of the ellipsoid span {} dimensions", Q.cols(),
+          qr.rank());
+  ForceSet sliced = slice_along(forces, qr);
+  if (is_unlimited(sliced, static_cast<int>(Q.cols())))
+    return {ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  if (Q.cols() < 6) {
+    const WrenchSupport any = wrench_support(sliced, ScaledWrench::Unit(0));
+    const double width = any.status == ConeStatus::kSolved ? any.value : options.max_total_force;
+    add_box(sliced, 6 - Q.cols(), 2 * std::max(width, 1e-3));
+  }
+  const InscribedBall ball = inscribed_ball(sliced, options);
+  return {ball.status, std::max(0.0, ball.lower), std::max(0.0, ball.upper),
+          Q * ball.worst_load.head(Q.cols()), ball.residual};
+}
+
+}  // namespace thenar

@@ -1,0 +1,250 @@
+#include "grasp/robot/ball_grasp.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/numbers.h"
+#include "data/io/robot/link_poses.h"
+#include "grasp/closing/closing_drives.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+constexpr int kPoints = 150;         // of a link
+constexpr double kTouch = 5e-4;      // gap that counts as touching [m]
+constexpr double kStill = 1e-7;      // way that is none [m]
+constexpr double kSelfTouch = 3e-3;  // the same of links of the hand: a spacing of their points [m]
+
+RobotSpec without_shapes(RobotSpec robot) {
+  for (RobotLink& link : robot.links) link.shapes.clear();
+  return robot;
+}
+
+/// Low-discrepancy numbers in [0, 1): multiples of an irrational one.
+double spread(int i, double irrational) {
+  const double x = (i + 0.5) * irrational;
+  return x - std::floor(x);
+}
+
+/// Corners of a mesh: all of a few, else the outermost along each axis, so that its box is kept.
+Matrix3Xd outermost(const Matrix3Xd& corners) {
+  constexpr Eigen::Index kFew = 12;
+  if (corners.cols() <= kFew) return corners;
+  Matrix3Xd points(3, 6);
+  for (int k = 0; k < 3; ++k) {
+    Eigen::Index least = 0, most = 0;
+    corners.row(k).minCoeff(&least);
+    corners.row(k).maxCoeff(&most);
+    points.col(2 * k) = corners.col(least);
+    points.col(2 * k + 1) = corners.col(most);
+  }
+  return points;
+}
+
+/// Points spread over triangles by their area, and outermost() corners. (3, points)
+Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
+  std::vector<double> area(static_cast<std::size_t>(mesh.triangles.cols()) + 1, 0);
+  const auto corner = [&](Eigen::Index t, int k) -> Vector3d {
+    return mesh.vertices.col(mesh.triangles(k, t));
+  };
+  for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
+    const Vector3d a = corner(t, 0);
+    area[static_cast<std::size_t>(t) + 1] =
+        area[static_cast<std::size_t>(t)] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
+  }
+  if (!(area.back() > 0)) return mesh.vertices;
+  Matrix3Xd points(3, count);
+  for (int i = 0; i < count; ++i) {
+    const auto above = std::upper_bound(area.begin(), area.end(), (i + 0.5) / count * area.back());
+    const Eigen::Index t = std::min<Eigen::Index>(above - area.begin(), mesh.triangles.cols()) - 1;
+    const double root = std::sqrt(spread(i, 0.7548776662466927));
+    const double side = root * spread(i, 0.5698402909980532);
+    points.col(i) = (1 - root) * corner(t, 0) + (root - side) * corner(t, 1) + side * corner(t, 2);
+  }
+  const Matrix3Xd corners = outermost(mesh.vertices);
+  Matrix3Xd all(3, count + corners.cols());
+  all << points, corners;
+  return all;
+}
+
+/// Points of all shapes of a link, in its frame.
+Matrix3Xd points_of(const RobotLink& link) {
+  std::vector<Matrix3Xd> parts;
+  Eigen::Index count = 0;
+  const int each = std::max(30, kPoints / static_cast<int>(link.shapes.size()));
+  for (const ShapeSpec& shape : link.shapes) {
+    Matrix3Xd points;
+    if (shape.kind == ShapeKind::kMesh) {
+      if (shape.mesh.triangles.cols() == 0) continue;
+      points = (shape.X_BS.R * points_on(shape.mesh, each)).colwise() + shape.X_BS.p;
+    } else {
+      points = points_on(build_solid({shape}).picture, each);
+    }
+    count += points.cols();
+    parts.push_back(std::move(points));
+  }
+  Matrix3Xd all(3, count);
+  Eigen::Index at = 0;
+  for (const Matrix3Xd& part : parts) {
+    all.middleCols(at, part.cols()) = part;
+    at += part.cols();
+  }
+  return all;
+}
+
+Vector3d at(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
+  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)] * p);
+}
+
+/// The point in the frame that points of a surface are stated in.
+Vector3d from(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
+  return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)].inverse() * p);
+}
+
+/// The nearest point of a surface to another, if any is within reach: its index and distance.
+std::pair<Eigen::Index, double> nearest(const SampledSurface& surface, const Vector3d& p,
+                                        double reach) {
+  Eigen::Index index = -1;
+  if ((p - surface.centre).norm() > reach + surface.radius) return {index, kInfinity};
+  const double distance =
+      std::sqrt((surface.p.colwise() - p).colwise().squaredNorm().minCoeff(&index));
+  return {index, distance};
+}
+
+/// A layout that closes otherwise.
+HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
+  layout.drives = drives;
+  return layout;
+}
+
+/// Until the last coordinate is at its limit [s].
+}  // namespace
+
+BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
+  const std::vector<Pose<double>> frames = hand_.link_frames(
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(hand_.layout().coordinates.size())));
+  const Eigen::VectorXd middle = (hand_.layout().lower + hand_.layout().upper) / 2;
+  for (std::size_t i = 0; i < robot.links.size(); ++i) {
+    const RobotLink& link = robot.links[i];
+    if (link.shapes.empty()) continue;
+    SampledSurface surface;
+    surface.link = hand_.mover_of(i);
+    surface.name = link.name;
+    surface.digit = link.digit;
+    surface.p = (frames[i].R * points_of(link)).colwise() + frames[i].p;
+    if (surface.p.cols() == 0) continue;
+    surface.centre = (surface.p.rowwise().minCoeff() + surface.p.rowwise().maxCoeff()) / 2;
+    surface.radius = (surface.p.colwise() - surface.centre).colwise().norm().maxCoeff();
+    if (surface.link >= 0) {
+      const Eigen::MatrixXd J = hand_.jacobian(middle, surface.link, surface.centre);
+      for (Eigen::Index c = 0; c < J.cols(); ++c)
+        if (!J.col(c).isZero(0)) surface.moved_by.push_back(static_cast<int>(c));
+    }
+    surfaces_.push_back(std::move(surface));
+  }
+}
+
+double BallGrasp::meets(const std::vector<Pose<double>>& links, const Vector3d& origin,
+                        const Vector3d& direction, double radius) const {
+  double way = -kInfinity;
+  for (const SampledSurface& surface : surfaces_) {
+    const Vector3d o = from(links, surface.link, origin),
+                   d = surface.link < 0
+                           ? direction
+                           : Vector3d(links[static_cast<std::size_t>(surface.link)].R.transpose() *
+                                      direction);
+    const Vector3d off = surface.centre - o;
+    if ((off - off.dot(d) * d).norm() > radius + surface.radius) continue;
+    for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
+      const Vector3d v = surface.p.col(i) - o;
+      const double along = v.dot(d), room = radius * radius - (v.squaredNorm() - along * along);
+      if (room >= 0) way = std::max(way, along + std::sqrt(room));
+    }
+  }
+  return way;
+}
+
+bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) const {
+  // Links of one digit, or neighbours of the palm, are made to be near each other.
+  if (a.digit == b.digit) return true;
+  const auto& parents = hand_.layout().parents;
+  const auto next_to = [&](int inner, int outer) {
+    return outer >= 0 && (parents[static_cast<std::size_t>(outer)] == inner || inner == outer);
+  };
+  return next_to(a.link, b.link) || next_to(b.link, a.link);
+}
+
+bool BallGrasp::meet(const SampledSurface& a, const SampledSurface& b,
+                     const std::vector<Pose<double>>& links) const {
+  const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);
+  if ((ca - cb).norm() > a.radius + b.radius + kSelfTouch) return false;
+  for (Eigen::Index i = 0; i < a.p.cols(); ++i) {
+    const Vector3d p = from(links, b.link, at(links, a.link, a.p.col(i)));
+    if (nearest(b, p, kSelfTouch).second < kSelfTouch) return true;
+  }
+  return false;
+}
+
+std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eigen::VectorXd q,
+                                          const ProbeBall& ball, int steps,
+                                          const std::vector<std::string>& self) const {
+  const HandLayout layout = with_drives(hand_.layout(), drives);
+  ClosingDrives closing(layout);
+  const double time = time_to_limits(layout, q, closing.rates());
+  std::vector<Pose<double>> links = hand_.pose(q);
+  std::vector<double> gaps(surfaces_.size(), -kInfinity);
+  std::vector<bool> near_at_start(surfaces_.size() * surfaces_.size(), false);
+  const auto stands = [&](const SampledSurface& surface) {
+    return std::find(self.begin(), self.end(), surface.digit) != self.end();
+  };
+  const auto halt = [&](const SampledSurface& surface, const SampledSurface* other) {
+    for (const int c : surface.moved_by)
+      if (other == nullptr ||
+          std::find(other->moved_by.begin(), other->moved_by.end(), c) == other->moved_by.end())
+        closing.stop(c, StoppedBy::kContact);
+  };
+  for (int step = 0; step <= steps && (step == 0 || closing.moving()); ++step) {
+    if (step > 0) {
+      const Eigen::VectorXd rates = closing.rates();
+      q = (q + time / steps * rates).cwiseMax(layout.lower).cwiseMin(layout.upper);
+      for (Eigen::Index j = 0; j < q.size(); ++j)
+        if (rates[j] != 0 && q[j] == (rates[j] > 0 ? layout.upper : layout.lower)[j])
+          closing.stop(static_cast<int>(j), StoppedBy::kLimit);
+      links = hand_.pose(q);
+    }
+    for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+      const SampledSurface& surface = surfaces_[s];
+      const Vector3d c = from(links, surface.link, ball.centre);
+      const double gap = nearest(surface, c, ball.radius + kTouch).second - ball.radius;
+      if (gap <= kTouch && gap < gaps[s] - kStill) halt(surface, nullptr);
+      gaps[s] = gap;
+    }
+    if (self.empty()) continue;
+    for (std::size_t a = 0; a < surfaces_.size(); ++a)
+      for (std::size_t b = 0; stands(surfaces_[a]) && b < surfaces_.size(); ++b) {
+        if (side_by_side(surfaces_[a], surfaces_[b])) continue;
+        const std::size_t pair = a * surfaces_.size() + b;
+        if (near_at_start[pair] || !meet(surfaces_[a], surfaces_[b], links)) continue;
+        near_at_start[pair] = true;
+        if (step == 0) continue;
+        halt(surfaces_[a], &surfaces_[b]);
+        halt(surfaces_[b], &surfaces_[a]);
+      }
+  }
+  std::vector<BallContact> contacts;
+  for (std::size_t s = 0; s < surfaces_.size(); ++s) {
+    const SampledSurface& surface = surfaces_[s];
+    const Vector3d c = from(links, surface.link, ball.centre);
+    const auto [index, distance] = nearest(surface, c, ball.radius + 2 * kTouch);
+    if (index < 0 || distance > ball.radius + 2 * kTouch) continue;
+    const Vector3d normal = ball.centre - at(links, surface.link, surface.p.col(index));
+    contacts.push_back({static_cast<int>(s), normal.normalized()});
+  }
+  return contacts;
+}
+
+}  // namespace thenar

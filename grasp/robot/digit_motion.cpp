@@ -1,0 +1,487 @@
+#include "grasp/robot/digit_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kAlong = 0.7;    // cosine to the last joint's axis from which a joint curls [1]
+constexpr double kSameWay = 0.7;  // cosine between ways of tips that are fingers of one kind [1]
+constexpr double kSameDistance = 1e-9;  // change of distances between tips that is none [1]
+constexpr double kNothing = 1e-9;       // spin or way that is none [1], [m]
+constexpr double kUndecided = 0.1;      // difference of ranges that says nothing [1]
+constexpr double kHardlyNear = 1e-3;    // difference of nearness that says nothing [1]
+constexpr double kAgainst = 0.4;        // weight of ranges that speak against a way of closing [1]
+constexpr double kDoubtful = 0.35;  // difference of ranges up to which the other way is tried [1]
+constexpr std::size_t kRow = 3;  // fingers that make a palm, which things come at along its normal
+constexpr double kOpposition = 0.6;    // range from which a turning motor may oppose [rad]
+constexpr double kFarther = 1.4;       // how much farther than the others' [1]
+constexpr double kClearlyNear = 0.05;  // difference of nearness that leaves no doubt [1]
+constexpr double kBack = 0.6;          // farthest that fingers bend backwards to open [rad]
+constexpr double kAsFar = 0.85;        // of the way of a tip, from which another goes as far [1]
+// Cosines to an axis of the hand's frame that is taken for it [1]: the palm's normal, and the way
+// from the palm to half-closed ends, which says less.
+constexpr double kSnapNormal = 0.9925, kSnapAhead = 0.96;
+
+/// Places that so many turning motors are tried at, each.
+int places(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 5 : 3; }
+
+int depth_of(const HandLayout& layout, int link) {
+  int depth = 0;
+  for (; link >= 0; link = layout.parents[static_cast<std::size_t>(link)]) ++depth;
+  return depth;
+}
+
+Vector3d snapped(const Vector3d& direction, double cosine) {
+  Eigen::Index largest = 0;
+  if (direction.cwiseAbs().maxCoeff(&largest) < cosine) return direction;
+  return (direction[largest] < 0 ? -1 : 1) * Vector3d::Unit(largest);
+}
+
+}  // namespace
+
+DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
+    : grip_(grip), drives_(grip.hand().layout().drives) {
+  const HandLayout& layout = grip.hand().layout();
+  rest_ = layout.lower.cwiseMax(0).cwiseMin(layout.upper);
+  find_digits();
+  sort_drives();
+  orient();
+  if (closing) {
+    SenseOption stated;
+    for (const Drive& drive : drives_) stated.speed.push_back(drive.speed);
+    options_ = {stated};
+  } else {
+    find_options();
+  }
+}
+
+void DigitMotion::find_digits() {
+  const HandLayout& layout = grip_.hand().layout();
+  const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
+  const std::vector<SampledSurface>& surfaces = grip_.surfaces();
+  std::vector<int> depth;
+  for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(layout, surface.link));
+  for (std::size_t s = 0; s < surfaces.size(); ++s) {
+    if (surfaces[s].digit.empty()) continue;
+    auto digit = std::find_if(digits_.begin(), digits_.end(),
+                              [&](const Digit& d) { return d.name == surfaces[s].digit; });
+    if (digit == digits_.end()) {
+      digits_.push_back({surfaces[s].digit, s, s, {}, {}, {}, {}});
+      names_.push_back(surfaces[s].digit);
+      continue;
+    }
+    if (depth[s] < depth[digit->first]) digit->first = s;
+    if (depth[s] >= depth[digit->last]) digit->last = s;
+  }
+  const auto centre = [&](std::size_t s) -> Vector3d {
+    const SampledSurface& surface = surfaces[s];
+    return surface.link < 0 ? surface.centre
+                            : links[static_cast<std::size_t>(surface.link)] * surface.centre;
+  };
+  for (Digit& digit : digits_) {
+    // The root is where the digit's first link hinges; of a slide, where the link is.
+    digit.tip = centre(digit.last);
+    digit.root = centre(digit.first);
+    const int link = surfaces[digit.first].link;
+    if (link >= 0 && !grip_.hand().is_prismatic(link))
+      digit.root = links[static_cast<std::size_t>(link)] * grip_.hand().axis_point(link);
+  }
+}
+
+Eigen::Matrix<double, 6, 1> DigitMotion::twist(std::size_t drive, const Digit& digit) const {
+  const SampledSurface& tip = grip_.surfaces()[digit.last];
+  Eigen::Matrix<double, 6, 1> sum = Eigen::Matrix<double, 6, 1>::Zero();
+  if (tip.link < 0) return sum;
+  const auto J = grip_.hand().jacobian(rest_, tip.link, tip.centre);
+  for (const DrivenCoordinate& moved : drives_[drive].moves)
+    sum += moved.ratio * J.col(moved.coordinate);
+  return sum;
+}
+
+Vector3d DigitMotion::spin(std::size_t drive, const Digit& digit) const {
+  return twist(drive, digit).head<3>();
+}
+
+Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
+  return twist(drive, digit).tail<3>();
+}
+
+/// Whether a drive moves every tip and none against another: a wrist.
+bool DigitMotion::moves_alike(std::size_t drive) const {
+  for (const Digit& digit : digits_)
+    if (way(drive, digit).norm() < kNothing && spin(drive, digit).norm() < kNothing) return false;
+  if (digits_.size() < 2) return false;
+  std::vector<double> senses(drives_.size(), 0);
+  senses[drive] = 1;
+  const double up = apart(moved(senses, 0.1));
+  senses[drive] = -1;
+  const double down = apart(moved(senses, 0.1));
+  return std::abs(up - down) <= kSameDistance * std::max(up, down);
+}
+
+void DigitMotion::sort_drives() {
+  for (std::size_t d = 0; d < drives_.size(); ++d) {
+    if (moves_alike(d)) continue;
+    // A drive of several digits is of the kind that it is for the one whose tip it moves most.
+    double farthest = -1;
+    bool curls = true;
+    std::vector<Digit*> moved;
+    for (Digit& digit : digits_) {
+      const Vector3d w = spin(d, digit), v = way(d, digit);
+      if (w.norm() < kNothing && v.norm() < kNothing) continue;
+      moved.push_back(&digit);
+      if (v.norm() <= farthest) continue;
+      farthest = v.norm();
+      Vector3d last = Vector3d::Zero();  // the axis nearest the tip
+      const SampledSurface& tip = grip_.surfaces()[digit.last];
+      for (int link = tip.link; link >= 0 && last.isZero(0);
+           link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
+        last = grip_.hand().axis(rest_, link);
+      curls = w.norm() < kNothing || last.isZero(0) ||
+              std::abs(w.dot(last)) >= kAlong * w.norm() * last.norm();
+    }
+    for (Digit* digit : moved) (curls ? digit->curls : digit->turns).push_back(static_cast<int>(d));
+  }
+}
+
+/// Which signs of drives curl a digit one way round, and which drives thereby hang together.
+void DigitMotion::orient() {
+  orientation_.assign(drives_.size(), 0);
+  group_.assign(drives_.size(), -1);
+  int groups = 0;
+  for (const Digit& digit : digits_) {
+    if (digit.curls.empty()) continue;
+    const auto outer = static_cast<std::size_t>(digit.curls.back());
+    const auto sign = [&](std::size_t d) {
+      const Vector3d w = spin(d, digit), w_outer = spin(outer, digit);
+      const bool turn = w.norm() > kNothing && w_outer.norm() > kNothing;
+      const double along = turn ? w.dot(w_outer) : way(d, digit).dot(way(outer, digit));
+      return along < 0 ? -1.0 : 1.0;
+    };
+    double flip = 1;
+    int group = -1;
+    for (const int c : digit.curls)
+      if (const auto d = static_cast<std::size_t>(c); group < 0 && group_[d] >= 0) {
+        group = group_[d];
+        flip = orientation_[d] * sign(d);
+      }
+    if (group < 0) group = groups++;
+    for (const int c : digit.curls) {
+      const auto d = static_cast<std::size_t>(c);
+      if (group_[d] >= 0) continue;
+      group_[d] = group;
+      orientation_[d] = flip * sign(d);
+    }
+  }
+}
+
+double DigitMotion::range(std::size_t drive) const {
+  const HandLayout& layout = grip_.hand().layout();
+  const DrivenCoordinate& first = drives_[drive].moves.front();
+  return (layout.upper[first.coordinate] - layout.lower[first.coordinate]) / std::abs(first.ratio);
+}
+
+/// A posture some share of the way from rest to the limits; senses of 0 stay. (coordinates)
+VectorXd DigitMotion::moved(const std::vector<double>& senses, double share) const {
+  const HandLayout& layout = grip_.hand().layout();
+  VectorXd q = rest_;
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves) {
+      const double sense = senses[d] * driven.ratio;
+      if (sense == 0) continue;
+      const double lower = layout.lower[driven.coordinate], upper = layout.upper[driven.coordinate];
+      q[driven.coordinate] += (sense > 0 ? 1 : -1) * share * (upper - lower);
+    }
+  return q.cwiseMax(layout.lower).cwiseMin(layout.upper);
+}
+
+/// Sum of distances between tips [m].
+double DigitMotion::apart(const VectorXd& q) const {
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  std::vector<Vector3d> tips;
+  for (const Digit& digit : digits_) {
+    const SampledSurface& tip = grip_.surfaces()[digit.last];
+    tips.push_back(tip.link < 0 ? tip.centre
+                                : links[static_cast<std::size_t>(tip.link)] * tip.centre);
+  }
+  double sum = 0;
+  for (std::size_t a = 0; a < tips.size(); ++a)
+    for (std::size_t b = 0; b < a; ++b) sum += (tips[a] - tips[b]).norm();
+  return sum;
+}
+
+/// By ranges, by nearness, and each group of either the other way round where its range allows.
+void DigitMotion::find_options() {
+  const HandLayout& layout = grip_.hand().layout();
+  const int groups = group_.empty() ? 0 : *std::max_element(group_.begin(), group_.end()) + 1;
+  std::vector<double> by_range, by_nearness, more, nearer;
+  for (int g = 0; g < groups; ++g) {
+    double up = 0, down = 0;
+    std::vector<double> closing(drives_.size(), 0), opening(drives_.size(), 0);
+    for (std::size_t d = 0; d < drives_.size(); ++d) {
+      if (group_[d] != g) continue;
+      const DrivenCoordinate& first = drives_[d].moves.front();
+      const double r = orientation_[d] * first.ratio, at = rest_[first.coordinate];
+      const double above = (layout.upper[first.coordinate] - at) / std::abs(r),
+                   below = (at - layout.lower[first.coordinate]) / std::abs(r);
+      up += r > 0 ? above : below;
+      down += r > 0 ? below : above;
+      closing[d] = orientation_[d];
+      opening[d] = -orientation_[d];
+    }
+    const double near = apart(moved(closing, 0.5)), far = apart(moved(opening, 0.5));
+    const double ranges = up + down > 0 ? (up - down) / (up + down) : 0,
+                 nearness = near + far > 0 ? (far - near) / (far + near) : 0;
+    const bool range_speaks = std::abs(ranges) > kUndecided,
+               nearness_speaks = std::abs(nearness) > kHardlyNear;
+    more.push_back(ranges);
+    nearer.push_back(nearness);
+    by_range.push_back(range_speaks || !nearness_speaks ? (ranges < 0 ? -1 : 1)
+                                                        : (nearness < 0 ? -1 : 1));
+    by_nearness.push_back(nearness_speaks || !range_speaks ? (nearness < 0 ? -1 : 1)
+                                                           : (ranges < 0 ? -1 : 1));
+  }
+  std::vector<std::vector<double>> ways{by_range, by_nearness};
+  for (int g = 0; g < groups; ++g) {
+    const auto at = static_cast<std::size_t>(g);
+    if (std::abs(more[at]) > kDoubtful || std::abs(nearer[at]) > kClearlyNear) continue;
+    ways.push_back(by_range);
+    ways.back()[static_cast<std::size_t>(g)] *= -1;
+  }
+  if (groups > 1) {
+    ways.push_back(by_range);
+    for (double& sense : ways.back()) sense *= -1;
+  }
+  const bool paced = std::any_of(drives_.begin(), drives_.end(),
+                                 [](const Drive& drive) { return drive.speed != 0; });
+  std::vector<std::vector<double>> had;
+  for (const std::vector<double>& senses : ways) {
+    if (std::find(had.begin(), had.end(), senses) != had.end()) continue;
+    had.push_back(senses);
+    SenseOption option;
+    for (std::size_t g = 0; g < senses.size(); ++g)
+      if (senses[g] * more[g] < 0) option.against += kAgainst * std::abs(more[g]);
+    for (std::size_t d = 0; d < drives_.size(); ++d)
+      option.speed.push_back(group_[d] < 0
+                                 ? 0
+                                 : orientation_[d] * senses[static_cast<std::size_t>(group_[d])] *
+                                       (paced ? std::abs(drives_[d].speed) : 1));
+    options_.push_back(std::move(option));
+  }
+  if (options_.empty()) options_.push_back({std::vector<double>(drives_.size(), 0), 0});
+}
+
+double DigitMotion::mean_digit_length() const {
+  double sum = 0;
+  for (const Digit& digit : digits_) sum += (digit.tip - digit.root).norm();
+  if (sum > kNothing * static_cast<double>(digits_.size()))
+    return sum / static_cast<double>(digits_.size());
+  // Jaws of one link: as far as they part.
+  std::vector<double> up(drives_.size(), 1), down(drives_.size(), -1);
+  return std::max(apart(moved(up, 1)), apart(moved(down, 1)));
+}
+
+std::vector<Drive> DigitMotion::drives(std::size_t option) const {
+  std::vector<Drive> drives = drives_;
+  for (std::size_t d = 0; d < drives.size(); ++d) drives[d].speed = options_[option].speed[d];
+  return drives;
+}
+
+/// Which way a tip goes as its digit begins to curl; zero: nowhere. (3)
+Vector3d DigitMotion::curl_way(const Digit& digit, std::size_t option) const {
+  Vector3d sum = Vector3d::Zero();
+  for (const int d : digit.curls) {
+    const double speed = options_[option].speed[static_cast<std::size_t>(d)];
+    sum += (speed > 0 ? 1 : speed < 0 ? -1 : 0) * way(static_cast<std::size_t>(d), digit);
+  }
+  return sum.norm() > kNothing ? Vector3d(sum.normalized()) : Vector3d::Zero();
+}
+
+/// The largest range of a motor that turns a digit alone [rad].
+double DigitMotion::turn_range(const Digit& digit) const {
+  double largest = 0;
+  for (const int d : digit.turns)
+    if (!spreads(static_cast<std::size_t>(d), digit))
+      largest = std::max(largest, range(static_cast<std::size_t>(d)));
+  return largest;
+}
+
+/// Whether a drive turns any digit, and does not slide it.
+bool DigitMotion::turns(std::size_t drive) const {
+  return std::any_of(digits_.begin(), digits_.end(),
+                     [&](const Digit& digit) { return spin(drive, digit).norm() > kNothing; });
+}
+
+/// Whether a drive turns other digits about as far as this one.
+bool DigitMotion::spreads(std::size_t drive, const Digit& digit) const {
+  const double own = way(drive, digit).norm();
+  return std::any_of(digits_.begin(), digits_.end(), [&](const Digit& other) {
+    return &other != &digit && way(drive, other).norm() > kAsFar * own;
+  });
+}
+
+DigitRoles DigitMotion::roles(std::size_t option) const {
+  DigitRoles roles;
+  const std::size_t count = digits_.size();
+  roles.opposed.assign(count, false);
+  // A digit that turns much farther than the median of all is opposed, wherever it stands now.
+  std::vector<double> turns;
+  for (const Digit& digit : digits_) turns.push_back(turn_range(digit));
+  std::vector<double> sorted = turns;
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<bool> turned(count, false);
+  for (std::size_t i = 0; i < count; ++i)
+    turned[i] =
+        count > 2 && turns[i] > kOpposition && turns[i] > kFarther * sorted[(count - 1) / 2];
+  // The largest group of digits whose tips go the same way.
+  std::vector<Vector3d> ways;
+  for (const Digit& digit : digits_) ways.push_back(curl_way(digit, option));
+  std::vector<std::size_t> fingers;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<std::size_t> alike;
+    for (std::size_t j = 0; j < count; ++j)
+      if (!turned[i] && !turned[j] && ways[i].dot(ways[j]) > kSameWay) alike.push_back(j);
+    if (alike.size() > fingers.size()) fingers = alike;
+  }
+  if (fingers.size() < 2) {
+    // A thumb and one finger: the one that turns farther is opposed.
+    for (std::size_t i = 0; i < count && count == 2; ++i)
+      roles.opposed[i] = turns[i] > kOpposition && turns[i] > kFarther * turns[1 - i];
+    if (count != 2 || roles.opposed[0] == roles.opposed[1]) return roles;
+    fingers = {roles.opposed[0] ? 1U : 0U};
+  } else {
+    roles.opposed.assign(count, true);
+    for (const std::size_t i : fingers) roles.opposed[i] = false;
+  }
+  Vector3d normal = Vector3d::Zero(), along = Vector3d::Zero();
+  for (const std::size_t i : fingers) {
+    normal += ways[i];
+    along += digits_[i].tip - digits_[i].root;
+    roles.root += digits_[i].root / static_cast<double>(fingers.size());
+    roles.length += (digits_[i].tip - digits_[i].root).norm() / static_cast<double>(fingers.size());
+  }
+  roles.normal = snapped(normal.normalized(), kSnapNormal);
+  along -= along.dot(roles.normal) * roles.normal;
+  roles.palm = fingers.size() < count && along.norm() > kNothing;
+  if (roles.palm) roles.along = along.normalized();
+  roles.row = fingers.size() >= kRow;
+  return roles;
+}
+
+std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles& roles,
+                                            bool only_one) const {
+  const HandLayout& layout = grip_.hand().layout();
+  VectorXd open = rest_;
+  if (only_one && layout.open.size() > 0) open = layout.open;
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves) {
+      const double rate = options_[option].speed[d] * driven.ratio;
+      if (rate == 0) continue;
+      const Eigen::Index c = driven.coordinate;
+      const double from = (rate > 0 ? layout.lower : layout.upper)[c],
+                   to = (rate > 0 ? layout.upper : layout.lower)[c];
+      open[c] = from;
+      // Fingers that bend backwards as well are not opened so far that they lie behind the palm.
+      if (!only_one && turns(d) &&
+          std::min(std::abs(from - rest_[c]), std::abs(to - rest_[c])) > kBack)
+        open[c] = rest_[c] + (rate > 0 ? -kBack : kBack);
+    }
+  std::vector<VectorXd> openings{open};
+  if (only_one) return openings;
+  if (!roles.palm)
+    for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));
+  std::vector<std::size_t> motors;
+  for (std::size_t i = 0; i < digits_.size(); ++i)
+    for (const int d : digits_[i].turns)
+      if (roles.opposed[i] && !spreads(static_cast<std::size_t>(d), digits_[i]) &&
+          std::find(motors.begin(), motors.end(), static_cast<std::size_t>(d)) == motors.end())
+        motors.push_back(static_cast<std::size_t>(d));
+  std::stable_sort(motors.begin(), motors.end(),
+                   [&](std::size_t a, std::size_t b) { return range(a) > range(b); });
+  if (motors.size() > 3) motors.resize(3);
+  const int count = places(motors.size());
+  for (const std::size_t motor : motors) {
+    std::vector<VectorXd> next = openings;  // where it is at rest
+    for (const VectorXd& before : openings)
+      for (int i = 0; i < count; ++i) {
+        next.push_back(before);
+        for (const DrivenCoordinate& driven : drives_[motor].moves) {
+          const Eigen::Index c = driven.coordinate;
+          const double share = static_cast<double>(i) / (count - 1);
+          next.back()[c] = layout.lower[c] + (driven.ratio < 0 ? 1 - share : share) *
+                                                 (layout.upper[c] - layout.lower[c]);
+        }
+      }
+    openings = std::move(next);
+  }
+  return openings;
+}
+
+/// Where digits curl at each other, their ends meet before their middles hold anything, unless
+/// outer joints are opened as far as they go.
+VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
+  const HandLayout& layout = grip_.hand().layout();
+  for (const Digit& digit : digits_)
+    for (std::size_t i = 1; i < digit.curls.size(); ++i) {
+      const auto d = static_cast<std::size_t>(digit.curls[i]);
+      for (const DrivenCoordinate& driven : drives_[d].moves) {
+        const double rate = options_[option].speed[d] * driven.ratio;
+        if (rate != 0)
+          open[driven.coordinate] = (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+      }
+    }
+  return open;
+}
+
+PalmApproach DigitMotion::ahead(std::size_t option) const {
+  const HandLayout& layout = grip_.hand().layout();
+  VectorXd q = rest_;
+  for (std::size_t d = 0; d < drives_.size(); ++d)
+    for (const DrivenCoordinate& driven : drives_[d].moves)
+      if (options_[option].speed[d] != 0)
+        q[driven.coordinate] =
+            (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
+  const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  const auto box_of = [&](const std::vector<std::size_t>& surfaces) {
+    Eigen::AlignedBox3d box;
+    for (const std::size_t s : surfaces) {
+      const SampledSurface& surface = grip_.surfaces()[s];
+      for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
+        const Vector3d p = surface.p.col(i);
+        box.extend(surface.link < 0 ? p
+                                    : Vector3d(links[static_cast<std::size_t>(surface.link)] * p));
+      }
+    }
+    return box;
+  };
+  Vector3d ends = Vector3d::Zero();
+  for (const Digit& digit : digits_)
+    ends += box_of({digit.last}).center() / static_cast<double>(digits_.size());
+  // The palm: links of no digit on the outermost link that has one.
+  std::vector<std::size_t> palm;
+  for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
+    const SampledSurface& surface = grip_.surfaces()[s];
+    if (!surface.digit.empty()) continue;
+    const int depth = depth_of(layout, surface.link);
+    if (!palm.empty() && depth > depth_of(layout, grip_.surfaces()[palm.front()].link))
+      palm.clear();
+    if (palm.empty() || surface.link == grip_.surfaces()[palm.front()].link) palm.push_back(s);
+  }
+  PalmApproach approach;
+  const Eigen::AlignedBox3d box = box_of(palm);
+  if (!box.isEmpty()) approach.point = box.center();
+  const Vector3d ahead = ends - approach.point;
+  if (ahead.norm() > 1e-6) approach.direction = snapped(ahead.normalized(), kSnapAhead);
+  if (!box.isEmpty())
+    approach.point += (box.sizes().array() / 2 / approach.direction.array().abs()).minCoeff() *
+                      approach.direction;
+  return approach;
+}
+
+}  // namespace thenar

@@ -1,0 +1,88 @@
+#pragma once
+
+/// Which motors curl the digits of a hand and which turn them, and which digits oppose the others.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "grasp/robot/ball_grasp.h"
+
+namespace thenar {
+
+/// One way for motors to close.
+struct SenseOption {
+  std::vector<double> speed;  // of every drive; 0: it stands still
+  double against = 0;         // how much of the ranges of motors speaks against it [1]
+};
+
+/// What digits do in a way of closing.
+struct DigitRoles {
+  std::vector<bool> opposed;        // of each digit: it faces the fingers
+  bool row = false;                 // fingers are three or more: things come along the normal
+  bool palm = false;                // fingers curl the same way, out of a palm:
+  Eigen::Vector3d normal{0, 0, 1};  //   which way their tips go at first, unit (3)
+  Eigen::Vector3d along{1, 0, 0};   //   from their roots to their tips, across the normal (3)
+  Eigen::Vector3d root{0, 0, 0};    //   mean of where they begin [m] (3)
+  double length = 0;                //   mean of theirs [m]
+};
+
+/// Constant once built; the grip must outlive it.
+class DigitMotion {
+ public:
+  /// @param closing  the speeds of the hand's drives say how it closes
+  DigitMotion(const BallGrasp& grip, bool closing);
+
+  [[nodiscard]] const std::vector<std::string>& digits() const { return names_; }
+  /// Every coordinate at zero or the limit next to it. (coordinates)
+  [[nodiscard]] const Eigen::VectorXd& rest() const { return rest_; }
+  /// Mean distance from the root of a digit to its tip [m].
+  [[nodiscard]] double mean_digit_length() const;
+  [[nodiscard]] const std::vector<SenseOption>& options() const { return options_; }
+  [[nodiscard]] std::vector<Drive> drives(std::size_t option) const;
+  [[nodiscard]] DigitRoles roles(std::size_t option) const;
+  /// Postures in which closing may begin: what closes is open, opposed digits are turned every way.
+  [[nodiscard]] std::vector<Eigen::VectorXd> openings(std::size_t option, const DigitRoles& roles,
+                                                      bool only_one) const;
+  /// From where the palm's box ends, on the line from its middle to the half-closed ends of digits.
+  [[nodiscard]] PalmApproach ahead(std::size_t option) const;
+
+ private:
+  struct Digit {
+    std::string name;
+    std::size_t first = 0, last = 0;  // surfaces nearest the palm, and farthest from it
+    Eigen::Vector3d root, tip;        // at rest [m] (3)
+    std::vector<int> curls, turns;    // drives
+  };
+
+  void find_digits();
+  void sort_drives();
+  void find_options();
+  void orient();
+  // Of the tip of a digit per unit of a drive, at rest: rotation [rad], then translation [m] (6).
+  [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
+  [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;
+  [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const Digit& digit) const;
+  [[nodiscard]] bool moves_alike(std::size_t drive) const;
+  [[nodiscard]] Eigen::VectorXd moved(const std::vector<double>& senses, double share) const;
+  [[nodiscard]] double apart(const Eigen::VectorXd& q) const;
+  [[nodiscard]] Eigen::VectorXd outer_open(std::size_t option, Eigen::VectorXd open) const;
+  [[nodiscard]] Eigen::Vector3d curl_way(const Digit& digit, std::size_t option) const;
+  [[nodiscard]] double turn_range(const Digit& digit) const;
+  [[nodiscard]] double range(std::size_t drive) const;
+  [[nodiscard]] bool turns(std::size_t drive) const;
+  [[nodiscard]] bool spreads(std::size_t drive, const Digit& digit) const;
+
+  const BallGrasp& grip_;
+  std::vector<Drive> drives_;
+  Eigen::VectorXd rest_;
+  std::vector<Digit> digits_;
+  std::vector<std::string> names_;
+  std::vector<double>
+      orientation_;         // of each drive: the sign that curls as the others of its group
+  std::vector<int> group_;  // of each drive: those that curl together; -1: it does not curl
+  std::vector<SenseOption> options_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,236 @@
+#include "grasp/robot/infer_closing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/numbers.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/robot/ball_grasp.h"
+#include "grasp/robot/digit_motion.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kBall = 0.035;    // radius of the ball that hands of human size are tried on [m]
+constexpr double kOfReach = 0.35;  // its radius by the length of a finger [1]
+constexpr double kHumanSize[] = {0.5, 2};  // of that, by kBall [1]
+constexpr int kCoarse = 24, kFine = 60;    // steps of closing
+constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
+
+/// One way of closing.
+struct Candidate {
+  std::size_t option = 0;  // of senses
+  VectorXd open;           // (coordinates)
+  Vector3d origin{0, 0, 0}, direction{0, 0, 1};
+  double against = 0;  // what speaks against it
+  double score = -kInfinity;
+};
+
+/// A direction of approach, and the points across it through which a ball may come.
+struct Ways {
+  Vector3d direction;
+  std::vector<Vector3d> origins;
+};
+
+class ClosingSearch {
+ public:
+  ClosingSearch(const RobotSpec& robot, const StatedClosing& known)
+      : robot_(robot), known_(known), grip_(robot), motion_(grip_, known.closing) {
+    const double size = kOfReach * motion_.mean_digit_length();
+    ball_ = size > kHumanSize[0] * kBall && size < kHumanSize[1] * kBall ? kBall : size;
+  }
+
+  InferredClosing run() {
+    for (std::size_t option = 0; option < motion_.options().size(); ++option) try_option(option);
+    std::stable_sort(tried_.begin(), tried_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+    if (tried_.size() > kTried) tried_.resize(kTried);
+    for (Candidate& candidate : tried_) candidate.score = fine_score(candidate);
+    const auto best =
+        std::max_element(tried_.begin(), tried_.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    return guess_of(*best);
+  }
+
+ private:
+  void try_option(std::size_t option) {
+    const DigitRoles roles = motion_.roles(option);
+    const std::vector<VectorXd> opens = motion_.openings(option, roles, known_.closing);
+    for (const Ways& ways : ways_of(option, roles))
+      for (const VectorXd& open : opens) {
+        const std::vector<Pose<double>> links = grip_.hand().pose(open);
+        for (const Vector3d& origin : ways.origins) {
+          Candidate candidate{
+              option, open, origin, ways.direction, motion_.options()[option].against, 0};
+          candidate.score = score(candidate, links, roles, ball_, kCoarse, {});
+          tried_.push_back(std::move(candidate));
+        }
+      }
+  }
+
+  std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
+    const RobotApproach& stated = robot_.approach;
+    if (known_.approach) return {{stated.direction, {stated.point}}};
+    std::vector<Ways> ways;
+    const PalmApproach ahead = motion_.ahead(option);
+    if (!roles.palm || !roles.row) ways.push_back({ahead.direction, {ahead.point}});
+    if (roles.palm) ways.push_back({roles.normal, over_palm(roles)});
+    return ways;
+  }
+
+  /// Points about the fingers' roots, along them and across.
+  static std::vector<Vector3d> over_palm(const DigitRoles& roles) {
+    std::vector<Vector3d> origins;
+    const Vector3d across = roles.normal.cross(roles.along);
+    for (const double u : {0.1, -0.1, 0.3, -0.3, -0.5})
+      for (const double w : {0.0, -0.25, 0.25, -0.5, 0.5})
+        origins.push_back(roles.root + roles.length * (u * roles.along + w * across));
+    return origins;
+  }
+
+  /// Where a ball that comes along the way of approach comes to rest, if it meets the hand.
+  [[nodiscard]] bool place(const Candidate& candidate, const std::vector<Pose<double>>& links,
+                           ProbeBall& ball) const {
+    const double way = grip_.meets(links, candidate.origin, candidate.direction, ball.radius);
+    if (way == -kInfinity) return false;
+    ball.centre = candidate.origin + (way + 1e-4) * candidate.direction;
+    return true;
+  }
+
+  double score(const Candidate& candidate, const std::vector<Pose<double>>& links,
+               const DigitRoles& roles, double radius, int steps,
+               const std::vector<std::string>& self) const {
+    ProbeBall ball{{}, radius};
+    if (!place(candidate, links, ball)) return -candidate.against;
+    return facing(grip_.close(motion_.drives(candidate.option), candidate.open, ball, steps, self),
+                  roles) -
+           candidate.against;
+  }
+
+  /// How digits face each other across the ball, and the palm where they stand round it.
+  [[nodiscard]] double facing(const std::vector<BallContact>& contacts,
+                              const DigitRoles& roles) const {
+    const std::vector<std::string>& digits = motion_.digits();
+    const auto count = static_cast<Eigen::Index>(digits.size());
+    const Eigen::Index others = roles.palm ? count : count + 1;  // the last one: no digit
+    Eigen::MatrixXd faces = Eigen::MatrixXd::Zero(count, others);
+    const auto digit_of = [&](const BallContact& contact) {
+      return std::find(digits.begin(), digits.end(),
+                       grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit) -
+             digits.begin();
+    };
+    for (const BallContact& a : contacts)
+      for (const BallContact& b : contacts) {
+        const auto i = digit_of(a), j = digit_of(b);
+        if (i < count && j < others && i != j)
+          faces(i, j) = std::max(faces(i, j), -a.normal.dot(b.normal));
+      }
+    double sum =
+        faces.size() == 0 ? 0 : faces.rowwise().maxCoeff().sum() / static_cast<double>(count);
+    double best = 0;
+    for (Eigen::Index i = 0; i < count; ++i)
+      for (Eigen::Index j = 0; j < count; ++j)
+        if (roles.opposed[static_cast<std::size_t>(i)] &&
+            !roles.opposed[static_cast<std::size_t>(j)])
+          best = std::max(best, faces(i, j));
+    return sum + best;
+  }
+
+  [[nodiscard]] double fine_score(const Candidate& candidate) const {
+    const DigitRoles roles = motion_.roles(candidate.option);
+    const std::vector<Pose<double>> links = grip_.hand().pose(candidate.open);
+    double sum = 0;
+    for (const double size : {1.0, 0.8, 1.2})
+      sum += score(candidate, links, roles, size * ball_, kFine, standing(roles)) / 3;
+    return sum;
+  }
+
+  /// Digits that others may stop: those that are opposed, or all where they curl at each other.
+  [[nodiscard]] std::vector<std::string> standing(const DigitRoles& roles) const {
+    return roles.palm ? opposed(roles) : motion_.digits();
+  }
+
+  [[nodiscard]] std::vector<std::string> opposed(const DigitRoles& roles) const {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < roles.opposed.size(); ++i)
+      if (roles.opposed[i]) names.push_back(motion_.digits()[i]);
+    return names;
+  }
+
+  InferredClosing guess_of(const Candidate& best) const {
+    InferredClosing guess{robot_, ball_, {}, {}, {}, {}};
+    const DigitRoles roles = motion_.roles(best.option);
+    if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
+      guess.thumb = thumbs.front();
+    const std::vector<Drive> drives = motion_.drives(best.option);
+    const std::vector<Pose<double>> links = grip_.hand().pose(best.open);
+    ProbeBall ball{{}, ball_};
+    std::set<std::string> touching;
+    if (place(best, links, ball)) {
+      for (const BallContact& contact :
+           grip_.close(drives, best.open, ball, kFine, standing(roles)))
+        touching.insert(grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit);
+      if (!known_.approach && roles.palm)
+        guess.robot.approach.point = ball.centre - ball.radius * best.direction;
+    }
+    for (const std::string& digit : motion_.digits())
+      if (touching.count(digit) == 0) guess.idle.push_back(digit);
+    if (!known_.approach) {
+      guess.robot.approach.direction = best.direction;
+      const PalmApproach ahead = motion_.ahead(best.option);
+      if (best.origin == ahead.point && best.direction == ahead.direction)
+        guess.robot.approach.point = ahead.point;
+    }
+    if (!known_.closing) write_motors(guess, drives, best.open);
+    return guess;
+  }
+
+  void write_motors(InferredClosing& guess, const std::vector<Drive>& drives,
+                    const VectorXd& open) const {
+    for (std::size_t d = 0; d < drives.size(); ++d)
+      for (RobotDof& dof : guess.robot.dofs) {
+        if (dof.name != drives[d].name) continue;
+        dof.speed = drives[d].speed;
+        if (dof.speed != 0) {
+          guess.closing.push_back(
+              fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
+        }
+        const DrivenCoordinate& first = drives[d].moves.front();
+        const double at = open[first.coordinate] / first.ratio;
+        if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;
+        dof.open = std::min(std::max(at, dof.lower), dof.upper);
+        guess.set.push_back(fmt::format("{} at {:.4g}", dof.name, *dof.open));
+      }
+  }
+
+  /// Where a coordinate begins without RobotDof::open.
+  [[nodiscard]] double unsaid_open(const DrivenCoordinate& driven, double speed) const {
+    const HandLayout& layout = grip_.hand().layout();
+    const double rate = speed * driven.ratio;
+    if (rate == 0) return motion_.rest()[driven.coordinate];
+    return (rate > 0 ? layout.lower : layout.upper)[driven.coordinate];
+  }
+
+  const RobotSpec& robot_;
+  StatedClosing known_;
+  BallGrasp grip_;
+  DigitMotion motion_;
+  double ball_ = kBall;
+  std::vector<Candidate> tried_;
+};
+
+}  // namespace
+
+InferredClosing infer_closing(const RobotSpec& robot, const StatedClosing& known) {
+  return ClosingSearch(robot, known).run();
+}
+
+}  // namespace thenar

@@ -1,0 +1,243 @@
+#include "grasp/robot/infer_hand.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "grasp/robot/infer_closing.h"
+
+namespace thenar {
+namespace {
+
+bool any_speed(const RobotSpec& robot) {
+  return std::any_of(robot.dofs.begin(), robot.dofs.end(),
+                     [](const RobotDof& dof) { return dof.speed != 0; });
+}
+
+/// Calls the digit that is opposed to the others the thumb, unless links say what it is.
+void name_thumb(InferredClosing& guess) {
+  const auto called = [&](const std::string& name) {
+    return std::any_of(guess.robot.links.begin(), guess.robot.links.end(),
+                       [&](const RobotLink& link) { return link.digit == name; });
+  };
+  const std::string thumb = guess.thumb;
+  if (thumb.rfind("finger ", 0) != 0 || called("thumb")) return;
+  for (RobotLink& link : guess.robot.links)
+    if (link.digit == thumb) link.digit = "thumb";
+  std::replace(guess.idle.begin(), guess.idle.end(), thumb, std::string("thumb"));
+}
+
+void tell_digits(RobotSpec& robot) {
+  std::vector<std::string> names;
+  std::set<std::string> digits;
+  for (const RobotLink& link : robot.links) {
+    if (link.digit.empty()) continue;
+    names.push_back(fmt::format("{} of {}", link.name, link.digit));
+    digits.insert(link.digit);
+  }
+  robot.warnings.push_back(
+      fmt::format("no digits are stated: {} guessed: {}", digits.size(), fmt::join(names, ", ")));
+}
+
+/// Says what infer_closing() found, in the robot's warnings.
+RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool digits_guessed) {
+  InferredClosing guess = infer_closing(robot, known);
+  if (digits_guessed) {
+    name_thumb(guess);
+    tell_digits(guess.robot);
+  }
+  std::vector<std::string>& warnings = guess.robot.warnings;
+  if (!known.closing)
+    warnings.push_back(fmt::format(
+        "no closing is stated: it is guessed as {}",
+        guess.closing.empty() ? "none" : fmt::format("{}", fmt::join(guess.closing, ", "))));
+  if (!guess.set.empty())
+    warnings.push_back(
+        fmt::format("so that digits face each other, closing begins with {} (rad or m)",
+                    fmt::join(guess.set, ", ")));
+  const Eigen::Vector3d &p = guess.robot.approach.point, &d = guess.robot.approach.direction;
+  if (!known.approach)
+    warnings.push_back(
+        fmt::format("no approach is stated: it is guessed as along [{:.3f}, {:.3f}, {:.3f}] from "
+                    "[{:.4f}, {:.4f}, {:.4f}] m",
+                    d.x(), d.y(), d.z(), p.x(), p.y(), p.z()));
+  if (!guess.idle.empty())
+    warnings.push_back(fmt::format("closed on a ball of {:.0f} mm, {} touch{} nothing",
+                                   2e3 * guess.ball, fmt::join(guess.idle, ", "),
+                                   guess.idle.size() == 1 ? "es" : ""));
+  guess.robot.closing_stated = guess.robot.approach_stated = true;
+  return std::move(guess.robot);
+}
+
+bool states_digits(const RobotSpec& robot) {
+  return std::any_of(robot.links.begin(), robot.links.end(),
+                     [](const RobotLink& link) { return !link.digit.empty(); });
+}
+
+void name_nominal(RobotSpec& robot) {
+  std::vector<std::string> nominal;
+  for (const RobotDof& dof : robot.dofs)
+    if (dof.nominal_effort && dof.max_effort > 0) nominal.push_back(dof.name);
+  if (!nominal.empty())
+    robot.warnings.push_back(
+        fmt::format("efforts of {} are nominal, as a model's placeholders: measures of force take "
+                    "them for unknown",
+                    fmt::join(nominal, ", ")));
+}
+
+}  // namespace
+
+RobotSpec with_materials(RobotSpec robot) {
+  std::vector<std::string> bare;
+  for (RobotLink& link : robot.links) {
+    if (link.shapes.empty() || !link.material.empty()) continue;
+    link.material = kDefaultMaterial;
+    bare.push_back(link.name);
+  }
+  if (!bare.empty())
+    robot.warnings.push_back(fmt::format("no material is stated: {} is taken for {}",
+                                         kDefaultMaterial, fmt::join(bare, ", ")));
+  return robot;
+}
+
+void require_closed_loops(const RobotSpec& robot) {
+  require(
+      robot.open_loops.empty(),
+      "robot '{}' cannot grasp: its parts form loops that are not solved, so that it would come "
+      "apart: {}",
+      robot.name, fmt::join(robot.open_loops, "; "));
+}
+
+RobotSpec graspable(RobotSpec robot) {
+  require_closed_loops(robot);
+  robot = with_materials(std::move(robot));
+  name_nominal(robot);
+  const bool guess_them = !states_digits(robot) && !robot.approach_stated;
+  if (guess_them) {
+    if (infer_digits(robot) == 0) return robot;
+    robot.closing_stated = false;
+  }
+  if (!states_digits(robot)) return robot;
+  if (!any_speed(robot)) robot.closing_stated = robot.dofs.empty();
+  if (robot.closing_stated && robot.approach_stated) return robot;
+  return with_closing(robot, {robot.closing_stated, robot.approach_stated}, guess_them);
+}
+
+namespace {
+
+/// Links that nothing moves against each other; the first holds the base.
+struct Bodies {
+  std::map<std::string, std::size_t> of;  // by the name of a link
+  std::vector<std::size_t> parent;        // of each body; of the first itself
+  std::vector<int> branches;              // that go on from each body
+  std::vector<bool> shaped;               // whether it, or what it carries, has a shape
+};
+
+Bodies find_bodies(const RobotSpec& robot) {
+  Bodies bodies{{{robot.links.front().name, 0}}, {0}, {0}, {false}};
+  for (const RobotJoint& joint : robot.joints) {
+    const std::size_t parent = bodies.of[joint.parent];
+    const bool moves = joint.kind != RobotJointKind::kFixed;
+    bodies.of[joint.child] = moves ? bodies.parent.size() : parent;
+    if (moves) bodies.parent.push_back(parent);
+  }
+  bodies.branches.resize(bodies.parent.size(), 0);
+  bodies.shaped.resize(bodies.parent.size(), false);
+  for (const RobotLink& link : robot.links)
+    if (!link.shapes.empty()) bodies.shaped[bodies.of[link.name]] = true;
+  for (std::size_t b = bodies.parent.size(); b-- > 1;) {
+    if (!bodies.shaped[b]) continue;
+    bodies.shaped[bodies.parent[b]] = true;
+    ++bodies.branches[bodies.parent[b]];
+  }
+  return bodies;
+}
+
+/// Bodies of each digit; branches that a loop holds together are one.
+std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const Bodies& bodies) {
+  std::vector<std::set<std::size_t>> branches;
+  for (std::size_t leaf = 1; leaf < bodies.parent.size(); ++leaf) {
+    if (!bodies.shaped[leaf] || bodies.branches[leaf] > 0) continue;
+    branches.emplace_back();
+    for (std::size_t b = leaf; b != 0 && bodies.branches[b] <= 1; b = bodies.parent[b])
+      branches.back().insert(b);
+  }
+  for (const auto& [a, b] : robot.joined) {
+    const auto with = [&](const std::string& link) {
+      return std::find_if(branches.begin(), branches.end(),
+                          [&](const std::set<std::size_t>& branch) {
+                            return branch.count(bodies.of.at(link)) > 0;
+                          });
+    };
+    const auto one = with(a), other = with(b);
+    if (one == branches.end() || other == branches.end() || one == other) continue;
+    one->insert(other->begin(), other->end());
+    branches.erase(other);
+  }
+  return branches;
+}
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+/// What fingers are called: words, and after them beginnings of names, after a side as in "rh_".
+const std::vector<std::pair<std::string, std::vector<std::string>>> kFingers{
+    {"thumb", {"thumb", "^th"}},
+    {"index", {"index", "^ff"}},
+    {"middle", {"middle", "^mf"}},
+    {"ring", {"ring", "^rf"}},
+    {"little", {"little", "pinky", "^lf"}}};
+
+bool names_finger(const std::string& link, const std::vector<std::string>& words) {
+  const std::size_t side = link.find_last_of("_:/");
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    if (word[0] != '^') return link.find(word) != std::string::npos;
+    const std::string beginning = word.substr(1);
+    return link.rfind(beginning, 0) == 0 ||
+           (side != std::string::npos && link.compare(side + 1, beginning.size(), beginning) == 0);
+  });
+}
+
+/// What a digit of these links is called; a name is used once.
+std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::string>& taken) {
+  for (const auto& [finger, words] : kFingers) {
+    const auto named =
+        std::count_if(links.begin(), links.end(), [&words = words](const RobotLink* link) {
+          return names_finger(lower_case(link->name), words);
+        });
+    // Not the middle link of any finger: most links of a digit have its name.
+    if (2 * named >= static_cast<long>(links.size()) && taken.insert(finger).second) return finger;
+  }
+  for (std::size_t i = 1;; ++i)
+    if (const std::string name = fmt::format("finger {}", i); taken.insert(name).second)
+      return name;
+}
+
+}  // namespace
+
+int infer_digits(RobotSpec& robot) {
+  const Bodies bodies = find_bodies(robot);
+  std::set<std::string> taken;
+  for (const std::set<std::size_t>& branch : find_branches(robot, bodies)) {
+    std::vector<RobotLink*> links;
+    for (RobotLink& link : robot.links)
+      if (!link.shapes.empty() && branch.count(bodies.of.at(link.name)) == 1)
+        links.push_back(&link);
+    const std::string name = name_digit(links, taken);
+    for (RobotLink* link : links) link->digit = name;
+  }
+  return static_cast<int>(taken.size());
+}
+
+}  // namespace thenar

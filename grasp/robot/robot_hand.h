@@ -1,0 +1,97 @@
+#pragma once
+
+/// Robot hands, arms and trees of both as a Hand.
+
+#include <string>
+#include <vector>
+
+#include "data/io/robot/robot.h"
+#include "hand/hand.h"
+
+namespace thenar {
+
+/// A robot as a Hand.
+///
+/// Coordinates: one for each rigid degree of freedom, whose joints follow it (`ratio`, `offset`);
+/// one for each joint of breakaway and compliant ones, which may part from each other, and for each
+/// joint that nothing drives: its value less its offset. In the reference posture, q = 0, every
+/// degree of freedom is zero and every joint at its offset; it may lie outside the limits. Links of
+/// the Hand are what moving joints move, in the order of the robot's joints; links behind fixed
+/// joints belong to the one that carries them. The hand's frame is the base link's.
+///
+/// Motors: u is the effort on a degree of freedom; how it comes to independent joints, and what
+/// clutches and worms bear, is in drive_torques().
+class RobotHand final : public Hand {
+ public:
+  /// @throws InputError as check_robot() and build_solid(), or if no value of a degree of freedom
+  /// is within the limits of all its joints.
+  explicit RobotHand(const RobotSpec& robot);
+
+  [[nodiscard]] const HandLayout& layout() const override { return layout_; }
+  [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;
+  [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
+      const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const override;
+  /// Limits are infinite where the effort of a motor is unknown, or nominal.
+  [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
+  [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override { return surfaces_; }
+
+  /// The posture in which every degree of freedom has its value. @param dofs  [rad] or [m] (dofs)
+  [[nodiscard]] Eigen::VectorXd posture(const Eigen::VectorXd& dofs) const;
+
+  /// Where the frame of every link of the robot is, in the base link: for mounts and pictures.
+  [[nodiscard]] std::vector<Pose<double>> link_frames(const Eigen::VectorXd& q) const;
+
+  [[nodiscard]] const std::vector<std::string>& links() const { return links_; }
+
+  /// Axis of the joint that carries a link of the Hand, unit; zero of a slide. (3)
+  [[nodiscard]] Eigen::Vector3d axis(const Eigen::VectorXd& q, int link) const;
+
+  /// A point of that axis, at the reference posture [m] (3)
+  [[nodiscard]] Eigen::Vector3d axis_point(int link) const {
+    return movers_[static_cast<std::size_t>(link)].point;
+  }
+  [[nodiscard]] bool is_prismatic(int link) const {
+    return movers_[static_cast<std::size_t>(link)].is_prismatic;
+  }
+
+  /// Link of the Hand that a link of the robot belongs to; -1: the base.
+  [[nodiscard]] int mover_of(std::size_t link) const { return mover_of_[link]; }
+
+ private:
+  /// A joint that moves, in the base link at the reference posture.
+  struct Mover {
+    int parent;      // mover of the parent link; -1: the base
+    int coordinate;  // entry of q that drives it
+    int dof;         // of the robot; -1: none
+    bool is_prismatic;
+    bool shared;                // its coordinate is that of a rigid degree of freedom
+    double ratio;               // motion per unit of its coordinate, but for the curve
+    double dof_ratio;           // motion per unit of its degree of freedom
+    Eigen::Vector3d direction;  // unit (3)
+    Eigen::Vector3d point;      // of the axis [m] (3)
+    double stiffness;           // of its spring [N m/rad] or [N/m]
+    double stretch;             // rest - offset: motion at which the spring rests [rad] or [m]
+    std::vector<double> curve;  // RobotJoint::curve, of a rigid degree of freedom
+
+    [[nodiscard]] double motion(double q) const;
+    [[nodiscard]] double slope(double q) const;  // d motion / d q
+  };
+
+  void add_movers(const RobotSpec& robot);
+  void add_coordinates(const RobotSpec& robot);
+  void add_drives(const RobotSpec& robot);
+  void add_surfaces(const RobotSpec& robot);
+  void set_open(const RobotSpec& robot);
+  void require_posture(const Eigen::VectorXd& q) const;
+
+  std::vector<Mover> movers_;
+  std::vector<std::string> links_;       // of the robot
+  std::vector<int> mover_of_;            // of each link of the robot; -1: the base
+  std::vector<Pose<double>> reference_;  // of each link of the robot, reference posture
+  Eigen::VectorXd max_effort_;           // (actuators)
+  int dofs_ = 0;                         // of the robot
+  HandLayout layout_;
+  std::vector<LinkSurface> surfaces_;
+};
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Flesh as rounded lumps that flow into each other.
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace thenar {
+
+/// One lump: a tapered capsule, pressed flat, or a triangle with thickness.
+struct Lump {
+  std::array<Eigen::Vector3d, 3> core;  // ends of the capsule, or corners [m]
+  std::array<double, 2> radius{0, 0};   // at either end; of a triangle the first [m]
+  bool sheet = false;                   // a triangle
+  Eigen::Vector3d flat{0, 0, 1};        // unit, the way in which it is pressed (3)
+  double aspect = 1;                    // breadth over depth, at the same area of the section [1]
+  double blend = 0;                     // within which it flows into those before it [m]
+};
+
+/// Lumps in order; each is joined to the union of those before it.
+using ImplicitBody = std::vector<Lump>;
+
+/// Height of a point above the skin: zero on it, negative inside; never more than the distance.
+///
+/// A section of mean radius r is an ellipse of semi-axes  r sqrt(aspect), r / sqrt(aspect).  Lumps
+/// are joined by the polynomial smooth minimum
+///   min(a, b) - h^2 k / 4,   h = max(k - |a - b|, 0) / k,
+/// k the blend. Source: [Quilez2013].
+/// @param p  (3) [m]
+[[nodiscard]] double implicit_height(const ImplicitBody& body, const Eigen::Vector3d& p);
+
+/// A box that holds the body [m].
+[[nodiscard]] Eigen::AlignedBox3d implicit_bounds(const ImplicitBody& body);
+
+}  // namespace thenar

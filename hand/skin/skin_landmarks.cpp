@@ -1,0 +1,157 @@
+#include "hand/skin/skin_landmarks.h"
+
+#include <cmath>
+#include <map>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Marks places where rays leave the skin.
+class Marker {
+ public:
+  Marker(const HandAnatomy& hand, const Skeleton& skeleton)
+      : bodies_(skin_bodies(hand)), skeleton_(skeleton) {}
+
+  /// Where the ray from a point within a segment leaves its skin.
+  [[nodiscard]] SkinLandmark mark(const std::string& digit, const std::string& segment,
+                                  const Vector3d& from, const Vector3d& direction) const {
+    const ImplicitBody& body = bodies_.at(segment);
+    double inside = 0, outside = implicit_bounds(body).diagonal().norm();
+    while (outside - inside > 1e-9) {
+      const double middle = (inside + outside) / 2;
+      (implicit_height(body, from + middle * direction) < 0 ? inside : outside) = middle;
+    }
+    const Vector3d p = from + inside * direction;
+    const Pose<double>& at = skeleton_.segment_at.at(segment);
+    return {digit, segment, skeleton_.link_of_segment.at(segment), at * p,
+            at.R * slope(body, p).normalized()};
+  }
+
+  [[nodiscard]] bool keeps(const std::string& segment) const {
+    return skeleton_.link_of_segment.count(segment) > 0 && bodies_.count(segment) > 0;
+  }
+
+  [[nodiscard]] const Eigen::Matrix3d& turn(const std::string& segment) const {
+    return skeleton_.segment_at.at(segment).R;
+  }
+
+ private:
+  static Vector3d slope(const ImplicitBody& body, const Vector3d& p) {
+    const double h = 1e-6;  // [m]
+    Vector3d slope;
+    for (int i = 0; i < 3; ++i)
+      slope[i] = implicit_height(body, p + h * Vector3d::Unit(i)) -
+                 implicit_height(body, p - h * Vector3d::Unit(i));
+    return slope;
+  }
+
+  std::map<std::string, ImplicitBody> bodies_;
+  const Skeleton& skeleton_;
+};
+
+Vector3d along(const DigitBone& bone, double part) {
+  return bone.proximal + part * (bone.distal - bone.proximal);
+}
+
+Vector3d direction(const DigitBone& bone) { return (bone.distal - bone.proximal).normalized(); }
+
+/// A fingertip's last point lies on its axis: the ray starts well within.
+Vector3d within_tip(const DigitBone& bone) { return along(bone, 0.6); }
+
+void add_index_sides(const Marker& marker, const HandAnatomy& hand,
+                     std::vector<OppositionTarget>& targets) {
+  const DigitAnatomy* index = digit_named(hand, "index");
+  if (index == nullptr || !marker.keeps(index->bones[0].segment)) return;
+  const char* names[] = {"radial side of the index finger's proximal phalanx",
+                         "radial side of the index finger's middle phalanx"};
+  for (int i = 0; i < 2; ++i) {
+    const DigitBone& bone = index->bones[i];
+    targets.push_back(
+        {i + 1, names[i], marker.mark("index", bone.segment, along(bone, 0.5), bone.radial)});
+  }
+}
+
+void add_tips(const Marker& marker, const HandAnatomy& hand,
+              std::vector<OppositionTarget>& targets) {
+  int score = 3;
+  for (const char* name : {"index", "middle", "ring", "little"}) {
+    const DigitAnatomy* digit = digit_named(hand, name);
+    if (digit != nullptr && marker.keeps(digit->bones.back().segment)) {
+      const DigitBone& bone = digit->bones.back();
+      // Tip to tip: the end of the pad, half way between palmar and straight on.
+      const Vector3d ahead = (direction(bone) - bone.dorsal).normalized();
+      targets.push_back({score, std::string("tip of the ") + name + " finger",
+                         marker.mark(name, bone.segment, within_tip(bone), ahead)});
+    }
+    ++score;
+  }
+}
+
+void add_little_creases(const Marker& marker, const HandAnatomy& hand,
+                        std::vector<OppositionTarget>& targets) {
+  const DigitAnatomy* little = digit_named(hand, "little");
+  if (little == nullptr || !marker.keeps(little->bones[0].segment)) return;
+  const char* names[] = {"little finger's DIP crease", "little finger's PIP crease",
+                         "little finger's root crease"};
+  for (int i = 0; i < 3; ++i) {
+    // Creases over DIP and PIP lie at the joints, that of the root a third out along the phalanx.
+    const DigitBone& bone = little->bones[2 - i];
+    const Vector3d from = i < 2 ? bone.proximal : along(bone, 0.34);
+    targets.push_back({7 + i, names[i], marker.mark("little", bone.segment, from, -bone.dorsal)});
+  }
+  if (!hand.palm || !marker.keeps(hand.palm->segment)) return;
+  const PalmAnatomy& palm = *hand.palm;
+  const Vector3d knuckle = little->bones[0].proximal;
+  const Vector3d from = knuckle - 0.15 * (knuckle - palm.wrist).dot(palm.distal) * palm.distal;
+  targets.push_back(
+      {10, "distal crease of the palm", marker.mark("", palm.segment, from, -palm.dorsal)});
+}
+
+}  // namespace
+
+std::vector<SkinPatch> skin_patches(const HandAnatomy& hand, const Skeleton& skeleton) {
+  const Marker marker(hand, skeleton);
+  std::vector<SkinPatch> patches;
+  for (const DigitAnatomy& digit : hand.digits) {
+    const DigitBone& bone = digit.bones.back();
+    if (!marker.keeps(bone.segment)) continue;
+    const double length = (bone.distal - bone.proximal).norm();
+    const Vector3d ahead = marker.turn(bone.segment) * direction(bone);
+    patches.push_back({PatchKind::kPad,
+                       marker.mark(digit.name, bone.segment, along(bone, 0.6), -bone.dorsal), ahead,
+                       length / 3, 0.8 * bone.radius});
+    patches.push_back({PatchKind::kNail,
+                       marker.mark(digit.name, bone.segment, along(bone, 0.7), bone.dorsal), ahead,
+                       length / 4, 0.6 * bone.radius});
+  }
+  return patches;
+}
+
+bool on_patch(const SkinPatch& patch, const Vector3d& p) {
+  const Vector3d from = p - patch.middle.p;
+  const Vector3d across = patch.middle.outward.cross(patch.along);
+  const double u = from.dot(patch.along) / patch.half_length;
+  const double v = from.dot(across) / patch.half_breadth;
+  return u * u + v * v <= 1 && std::abs(from.dot(patch.middle.outward)) <= patch.half_breadth;
+}
+
+const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches, const std::string& digit) {
+  for (const SkinPatch& patch : patches)
+    if (patch.kind == PatchKind::kPad && patch.middle.digit == digit) return patch.middle;
+  throw InputError(fmt::format("no pad on digit '{}'", digit));
+}
+
+std::vector<OppositionTarget> kapandji_targets(const HandAnatomy& hand, const Skeleton& skeleton) {
+  const Marker marker(hand, skeleton);
+  std::vector<OppositionTarget> targets;
+  add_index_sides(marker, hand, targets);
+  add_tips(marker, hand, targets);
+  add_little_creases(marker, hand, targets);
+  return targets;
+}
+
+}  // namespace thenar

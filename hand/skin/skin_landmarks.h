@@ -1,0 +1,65 @@
+#pragma once
+
+/// Places on the skin that have a name: pads, nails, and what the thumb is asked to touch.
+
+#include <string>
+#include <vector>
+
+#include "hand/skeleton.h"
+#include "hand/skin/hand_anatomy.h"
+#include "hand/skin/skin_body.h"
+
+namespace thenar {
+
+/// A point of the skin, at the reference posture in the hand's frame.
+struct SkinLandmark {
+  std::string digit;  // empty: palm
+  std::string segment;
+  int link = -1;            // of the skeleton
+  Eigen::Vector3d p;        // [m] (3)
+  Eigen::Vector3d outward;  // unit normal of the skin (3)
+};
+
+/// Part of a fingertip.
+enum class PatchKind { kPad, kNail };
+
+/// An oval on the skin of a fingertip.
+struct SkinPatch {
+  PatchKind kind;
+  SkinLandmark middle;
+  Eigen::Vector3d along;  // unit, towards the tip (3)
+  double half_length;     // along [m]
+  double half_breadth;    // across [m]
+};
+
+/// Pad and nail of every digit that the skeleton keeps. The pad is centred four tenths of the
+/// distal phalanx before the tip and reaches over a third of it either way, the nail three tenths
+/// before the tip with that half length; breadths are those of the fingertip: priors, chosen by
+/// eye.
+[[nodiscard]] std::vector<SkinPatch> skin_patches(const HandAnatomy& hand,
+                                                  const Skeleton& skeleton);
+
+/// Whether a point of the link's skin lies on a patch. @param p  reference posture [m] (3)
+[[nodiscard]] bool on_patch(const SkinPatch& patch, const Eigen::Vector3d& p);
+
+/// Where the pad of a digit meets things, from patches. @throws InputError if there is none.
+[[nodiscard]] const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches,
+                                         const std::string& digit);
+
+/// A place that the tip of the thumb is asked to reach.
+struct OppositionTarget {
+  int score;         // 1 .. 10 for reaching it
+  std::string name;  // "tip of the ring finger"
+  SkinLandmark mark;
+};
+
+/// The ten places of Kapandji's opposition score, with those digits that the skeleton keeps:
+///   1, 2   radial side of the index finger's proximal and middle phalanx
+///   3 - 6  tips of index, middle, ring and little finger
+///   7 - 9  creases of the little finger over the DIP, PIP and MCP joints
+///   10     the distal crease of the palm below the little finger
+/// A score of 0 is none of them. Source: [Kapandji1986].
+[[nodiscard]] std::vector<OppositionTarget> kapandji_targets(const HandAnatomy& hand,
+                                                             const Skeleton& skeleton);
+
+}  // namespace thenar

@@ -1,0 +1,33 @@
+#pragma once
+
+/// How links and hinges move while one joint coordinate turns.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "hand/chain.h"
+
+namespace thenar::internal {
+
+/// Velocity of a rigid body.
+struct BodyTwist {
+  Eigen::Vector3d v{0, 0, 0};  // of its point at the world's origin (3)
+  Eigen::Vector3d w{0, 0, 0};  // angular (3)
+  [[nodiscard]] Eigen::Vector3d at(const Eigen::Vector3d& p) const { return v + w.cross(p); }
+};
+
+/// Velocities of all links, and of the hinges they carry.
+struct TreeVelocity {
+  std::vector<BodyTwist> link;               // the base first
+  std::vector<Eigen::Vector3d> axis, point;  // of the hinges
+  [[nodiscard]] const BodyTwist& body(int link_or_base) const {
+    return link[static_cast<std::size_t>(link_or_base + 1)];
+  }
+};
+
+/// One joint coordinate turns by 1 rad.
+[[nodiscard]] TreeVelocity joint_velocity_tree(const Tree<double>& tree,
+                                               const TreeState<double>& state, int coordinate);
+
+}  // namespace thenar::internal

@@ -1,0 +1,163 @@
+#include "kinematics_fit/experiment_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/ranges.h>
+#include <Eigen/SVD>
+
+#include "base/units.h"
+#include "tendons/forces/posture_sensitivity.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kBeyond = 5 * kDegree;  // limits are of other hands: some slack [rad]
+constexpr double kTooStrong = 2;         // tension per largest force beyond any living muscle [1]
+
+using Warnings = std::vector<std::string>;
+
+void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  for (std::size_t k = 0; k < plan.postures.size(); ++k) {
+    if (plan.condition[k] > kNearlyStraight)
+      warnings.push_back(
+          fmt::format("posture '{}' is nearly singular (condition {:.3g}): its forces hang on "
+                      "angles that nobody can measure well enough",
+                      plan.posture_names[k], plan.condition[k]));
+    for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
+      const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];
+      const double angle = plan.postures[k][j];
+      if (angle < limits.lower - kBeyond || angle > limits.upper + kBeyond)
+        warnings.push_back(
+            fmt::format("posture '{}': {} = {:.1f} deg is beyond {:.1f} .. {:.1f} deg",
+                        plan.posture_names[k], digit.skeleton.coordinate_names[j], degrees(angle),
+                        degrees(limits.lower), degrees(limits.upper)));
+    }
+  }
+}
+
+void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
+  for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
+    double most = 0;
+    for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
+    if (most > kTooStrong * digit.max_tension[m])
+      warnings.push_back(fmt::format("{} was pulled with {:.1f} N, but can make {:.1f} N",
+                                     digit.names.muscles[static_cast<std::size_t>(m)], most,
+                                     digit.max_tension[m]));
+  }
+}
+
+void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
+                         Warnings& warnings) {
+  std::string names;
+  for (const CalibratedOn& on : digit.calibrated_on)
+    if (has_seen({on}, experiment.name, experiment.specimen))
+      names += (names.empty() ? "'" : ", '") + on.experiment + "'";
+  if (!names.empty())
+    warnings.push_back(
+        fmt::format("the subject has seen specimen {}: it was calibrated on {}. Errors of its "
+                    "forces, also left out, do not tell how well strangers are predicted",
+                    experiment.specimen, names));
+}
+
+}  // namespace
+
+std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
+                                             const Experiment& experiment) {
+  Warnings warnings;
+  warn_of_postures(digit, plan, warnings);
+  warn_of_tensions(digit, plan, warnings);
+  warn_of_calibration(digit, experiment, warnings);
+  const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
+                                     [](const Trial& trial) { return trial.moment.has_value(); });
+  if (moments > 0)
+    warnings.push_back(
+        fmt::format("{} measured moments are not fitted, only the forces are", moments));
+  for (std::string& warning : warnings)
+    warning = fmt::format("experiment '{}': {}", experiment.name, warning);
+  return warnings;
+}
+
+namespace {
+
+constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
+
+Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
+  const std::vector<std::string>& names = digit.names.muscles;
+  Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
+  for (const auto& [muscle, tension] : trial.tension) {
+    const auto found = std::find(names.begin(), names.end(), muscle);
+    require(found != names.end(), "no muscle '{}' pulls on this digit; there are {}", muscle,
+            fmt::join(names, ", "));
+    t[found - names.begin()] = tension;
+  }
+  return t;
+}
+
+int posture_index(const ExperimentPlan& plan, const std::string& name) {
+  const auto& names = plan.posture_names;
+  const auto found = std::find(names.begin(), names.end(), name);
+  require(found != names.end(), "trial names posture '{}', which is not defined", name);
+  return static_cast<int>(found - names.begin());
+}
+
+/// Condition of the loads of every posture, with all parameters at their prior means.
+std::vector<double> conditions(const TendonDigit& digit, const FitParameters& parameters,
+                               const ExperimentPlan& plan) {
+  const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
+  const SpecimenModel<double> model =
+      specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  std::vector<double> conditions;
+  for (const Eigen::VectorXd& q : plan.postures) {
+    const Eigen::VectorXd sigma =
+        tip_constraint_loads(model.digit,
+                             pose_tree(model.digit.tree, Eigen::VectorXd(q + model.angle_error)),
+                             plan.hold, model.out_of_plane)
+            .jacobiSvd()
+            .singularValues();
+    conditions.push_back(sigma[0] / sigma[sigma.size() - 1]);
+  }
+  return conditions;
+}
+
+}  // namespace
+
+ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
+                               const Experiment& experiment) {
+  const std::string& built = digit.skeleton.tips.front().digit;
+  require(experiment.digit == built, "experiment '{}' is of the {}, but the digit built is the {}",
+          experiment.name, experiment.digit, built);
+  const auto link = digit.skeleton.link_of_segment.find(experiment.force_segment);
+  require(link != digit.skeleton.link_of_segment.end(),
+          "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,
+          experiment.force_segment);
+  ExperimentPlan plan;
+  plan.hold = experiment.hold;
+  plan.force_link = link->second;
+  plan.components = experiment.axes_of_digit.cast<double>();
+  for (const PostureRecord& record : experiment.postures) {
+    plan.postures.push_back(posture(digit.skeleton, record.angles));
+    plan.posture_names.push_back(record.name);
+    const auto& known = parameters.postures;
+    const auto key = std::find(known.begin(), known.end(), record.name);
+    plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
+  }
+  plan.condition = conditions(digit, parameters, plan);
+  for (std::size_t k = 0; k < plan.postures.size(); ++k)
+    require(plan.condition[k] < kSingular,
+            "posture '{}' of experiment '{}' is singular: the held tip carries loads that no joint "
+            "feels; leave it out",
+            plan.posture_names[k], experiment.name);
+  plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
+  plan.sd.resize(3, plan.force.cols());
+  for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    plan.posture_of_trial.push_back(posture_index(plan, trial.posture));
+    plan.tension.push_back(tensions(digit, trial));
+    plan.force.col(i) = trial.force;
+    plan.sd.col(i) = force_sd(experiment, trial);
+  }
+  return plan;
+}
+
+}  // namespace thenar

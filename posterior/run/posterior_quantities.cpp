@@ -1,0 +1,99 @@
+#include "posterior/run/posterior_quantities.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+namespace {
+
+/// A row of values, chain by chain, as (draws, chains).
+Eigen::MatrixXd by_chain(const Eigen::RowVectorXd& row, int chains) {
+  return Eigen::Map<const Eigen::MatrixXd>(row.data(), row.size() / chains, chains);
+}
+
+}  // namespace
+
+double prior_sd(const PosteriorQuantity& quantity) {
+  const Eigen::ArrayXd off = quantity.prior.array() - quantity.prior.mean();
+  return std::sqrt(off.square().sum() / static_cast<double>(off.size() - 1));
+}
+
+Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count) {
+  Eigen::MatrixXd prior(run.posterior->size(), count);
+  for (int k = 0; k < count; ++k)
+    prior.col(k) =
+        run.posterior->draw_prior(run.settings.run.sampler.seed, static_cast<unsigned>(k));
+  return prior;
+}
+
+std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int prior_count) {
+  const HandPosterior& posterior = *run.posterior;
+  const FitProblem& problem = posterior.problem();
+  const PosteriorValues values = posterior.values(pooled(run.draws));
+  const PosteriorValues prior = posterior.values(prior_draws(run, prior_count));
+  const std::vector<int> moving = posterior.moving_parameters();
+  const int chains = run.draws.chains();
+
+  std::vector<PosteriorQuantity> found;
+  const auto add_parameters = [&](const std::string& whose, const Eigen::MatrixXd& drawn,
+                                  const Eigen::MatrixXd& before) {
+    for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
+      const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
+      const Parameter& p = problem.parameters().all[at];
+      const double scale = display_scale(p);
+      // A mounting belongs to one specimen: the population has none of its own.
+      if (before.row(i).minCoeff() == before.row(i).maxCoeff()) continue;
+      found.push_back({whose + p.name, display_unit(p), scale * by_chain(drawn.row(i), chains),
+                       scale * before.row(i).transpose()});
+    }
+  };
+  const bool several = problem.specimens().size() > 1;
+  if (several) add_parameters("", values.population, prior.population);
+  for (std::size_t s = 0; s < problem.specimens().size(); ++s)
+    add_parameters(several ? problem.specimens()[s] + ": " : "", values.specimens[s],
+                   prior.specimens[s]);
+
+  const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
+                               const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
+    for (Eigen::Index i = 0; i < drawn.rows(); ++i)
+      found.push_back({kind + names[static_cast<std::size_t>(i)], "1",
+                       by_chain(drawn.row(i), chains), before.row(i).transpose()});
+  };
+  if (run.settings.posterior.learn_noise)
+    add_factors("noise/", experiment_names(problem), values.noise, prior.noise);
+  add_factors("spread/", posterior.specimen_scale_kinds(), values.specimen_scale,
+              prior.specimen_scale);
+  return found;
+}
+
+std::vector<std::string> experiment_names(const FitProblem& problem) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
+  return names;
+}
+
+std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {
+  std::vector<std::string> names;
+  for (const Experiment& experiment : problem.experiments())
+    for (const Trial& trial : experiment.trials)
+      names.push_back(
+          fmt::format("{}: {} {}", experiment.name, trial.posture, describe_loads(trial)));
+  if (which == Observed::kForces) return names;
+  for (const Experiment& experiment : problem.experiments())
+    for (const ActivationRow& row : experiment.activations)
+      names.push_back(fmt::format("{}: {} muscle activity", experiment.name, row.posture));
+  return names;
+}
+
+std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
+                                   const std::vector<int>& group) {
+  std::vector<Estimate> estimates;
+  for (const PosteriorQuantity& q : quantities)
+    estimates.push_back(estimate(q.name, q.draws, group));
+  return estimates;
+}
+
+}  // namespace thenar

@@ -1,0 +1,90 @@
+#include "posterior/simd_loops.h"
+
+#include <algorithm>
+#include <cmath>
+
+// Sanitizers of addresses and threads are not awake yet when the loader picks a version.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define THENAR_FOR_ALL_PROCESSORS __attribute__((target_clones("avx512f", "avx2", "default")))
+#else
+#define THENAR_FOR_ALL_PROCESSORS
+#endif
+
+namespace thenar::internal {
+
+THENAR_FOR_ALL_PROCESSORS
+void map_block(const PiecewisePolynomial& map, const double* x, double scale, double* y,
+               double* by_x) {
+  const double* coefficients = map.coefficients;
+  const double start = map.start, per_unit = map.per_unit, last = map.last;
+  int cell[kBlock];
+  double f[kBlock];
+  for (int k = 0; k < kBlock; ++k) {
+    double at = x[k] > start ? x[k] : start;  // NaN goes to the start
+    at = at < last ? at : last;
+    const double t = (at - start) * per_unit;
+    cell[k] = static_cast<int>(t);
+    f[k] = t - static_cast<double>(cell[k]);
+  }
+  for (int k = 0; k < kBlock; ++k) {
+    const double* c = coefficients + 6 * cell[k];
+    const double t = f[k];
+    y[k] = scale * (c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5])))));
+    by_x[k] = scale * per_unit *
+              (c[1] + t * (2 * c[2] + t * (3 * c[3] + t * (4 * c[4] + t * (5 * c[5])))));
+  }
+}
+
+THENAR_FOR_ALL_PROCESSORS
+void scale_block(const double* x, double scale, double* y, double* by_x) {
+  for (int k = 0; k < kBlock; ++k) {
+    y[k] = scale * x[k];
+    by_x[k] = scale;
+  }
+}
+
+THENAR_FOR_ALL_PROCESSORS
+void subtract_half_square(const double* x, double* sum) {
+  for (int k = 0; k < kBlock; ++k) sum[k] -= 0.5 * x[k] * x[k];
+}
+
+THENAR_FOR_ALL_PROCESSORS
+void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1, double* sum,
+                double* product, double* by_y0, double* by_y1) {
+  const double c0 = prior.mean[0], c1 = prior.mean[1], concentration = prior.concentration;
+  const double precision = 1 / (prior.sd * prior.sd), w_c = 1 + c0 * c0 + c1 * c1;
+  for (int k = 0; k < kBlock; ++k) {
+    const double a = y0[k], b = y1[k], t0 = c0 + a, t1 = c1 + b;
+    const double w = 1 + t0 * t0 + t1 * t1, dot = 1 + t0 * c0 + t1 * c1;
+    const double root = std::sqrt(w * w_c), cross = t0 * c1 - t1 * c0, square = a * a + b * b;
+    const double away = (square + cross * cross) / (root * (root + dot));
+    sum[k] += 0.5 * precision * square - concentration * away;
+    product[k] *= w;
+    const double pull = concentration / root, along = (pull * dot + 3) / w;
+    by_y0[k] = pull * c0 - along * t0 + precision * a;
+    by_y1[k] = pull * c1 - along * t1 + precision * b;
+  }
+}
+
+THENAR_FOR_ALL_PROCESSORS
+double weigh_residuals(int count, const double* measured, const double* predicted,
+                       const double* precision, double scale, double* weight) {
+  // Eight sums side by side, in an order that depends on nothing but the count.
+  double sums[kBlock] = {};
+  int i = 0;
+  for (; i + kBlock <= count; i += kBlock)
+    for (int k = 0; k < kBlock; ++k) {
+      const double r = measured[i + k] - predicted[i + k], scaled = r * precision[i + k];
+      weight[i + k] = scaled * scale;
+      sums[k] += r * scaled;
+    }
+  for (int k = 0; i < count; ++i, ++k) {
+    const double r = measured[i] - predicted[i], scaled = r * precision[i];
+    weight[i] = scaled * scale;
+    sums[k] += r * scaled;
+  }
+  return ((sums[0] + sums[4]) + (sums[2] + sums[6])) + ((sums[1] + sums[5]) + (sums[3] + sums[7]));
+}
+
+}  // namespace thenar::internal

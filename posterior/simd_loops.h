@@ -1,0 +1,74 @@
+#pragma once
+
+/// Numbers of many points, eight points beside each other.
+
+#include <vector>
+
+namespace thenar::internal {
+
+inline constexpr int kBlock = 8;  // points of a block: a register of the widest unit
+
+/// Row i of points 8 b .. 8 b + 7 is contiguous. Points beyond the last fill up the last block.
+class SimdRows {
+ public:
+  SimdRows() = default;
+  SimdRows(long rows, long points)
+      : rows_(rows),
+        blocks_((points + kBlock - 1) / kBlock),
+        numbers_(static_cast<std::size_t>(rows * blocks_ * kBlock)) {}
+
+  [[nodiscard]] long rows() const { return rows_; }
+  [[nodiscard]] long blocks() const { return blocks_; }
+  [[nodiscard]] double* row(long block, long i) {
+    return numbers_.data() + (block * rows_ + i) * kBlock;
+  }
+  [[nodiscard]] const double* row(long block, long i) const {
+    return numbers_.data() + (block * rows_ + i) * kBlock;
+  }
+  [[nodiscard]] double& operator()(long i, long point) {
+    return row(point / kBlock, i)[point % kBlock];
+  }
+  [[nodiscard]] double operator()(long i, long point) const {
+    return row(point / kBlock, i)[point % kBlock];
+  }
+
+ private:
+  long rows_ = 0, blocks_ = 0;
+  std::vector<double> numbers_;
+};
+
+// The inner loops of a posterior, compiled for several processors and chosen from at run time.
+// All give the same bits: no sum is reordered, and none is fused (-ffp-contract=off).
+
+/// A map in cells of equal width, of which each is a polynomial of degree 5.
+struct PiecewisePolynomial {
+  const double* coefficients;  // six of each cell, constant term first
+  double start, per_unit;      // where the first cell begins; cells per unit
+  double last;                 // where the last one ends
+};
+
+/// y = scale z(x), by_x = scale dz/dx at eight points; beyond the cells, those of their ends.
+void map_block(const PiecewisePolynomial& map, const double* x, double scale, double* y,
+               double* by_x);
+
+/// y = scale x.
+void scale_block(const double* x, double scale, double* y, double* by_x);
+
+/// sum -= x^2 / 2 at eight points.
+void subtract_half_square(const double* x, double* sum);
+
+/// A von Mises-Fisher prior of two tilts against normal ones, see TiltDensity.
+struct TiltPriorBlock {
+  double mean[2], sd, concentration;
+};
+/// Adds to `sum` the part of its logarithm without -3/2 log w, multiplies `product` by w = 1 +
+/// |t|^2 and gives the derivatives by y, the tilts' displacements.
+void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1, double* sum,
+                double* product, double* by_y0, double* by_y1);
+
+/// Returns sum (measured - predicted)^2 precision, and gives weight = (measured - predicted)
+/// precision scale.
+double weigh_residuals(int count, const double* measured, const double* predicted,
+                       const double* precision, double scale, double* weight);
+
+}  // namespace thenar::internal

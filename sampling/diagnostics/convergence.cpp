@@ -1,0 +1,265 @@
+// Potential scale reduction.
+
+#include "sampling/diagnostics/convergence.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/special_functions.h"
+#include "sampling/diagnostics/effective_sample_size.h"
+#include "sampling/diagnostics/order_statistics.h"
+#include "sampling/diagnostics/split_chains.h"
+
+namespace thenar {
+namespace {
+
+/// sqrt((B / W + n - 1) / n), between- and within-chain variance [Vehtari2021 eqs. 1-4].
+double r_hat(const Eigen::MatrixXd& x) {
+  const double n = double(x.rows()), m = double(x.cols());
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  const double between = n * (mean.array() - mean.mean()).square().sum() / (m - 1);
+  const double within = (x.rowwise() - mean).squaredNorm() / ((n - 1) * m);
+  return std::sqrt((between / within + n - 1) / n);
+}
+
+}  // namespace
+
+double split_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const Eigen::MatrixXd halves = split_chains(x);
+  return finite_and_varying(x) ? r_hat(halves) : kNaN;
+}
+
+double rank_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const Eigen::MatrixXd halves = split_chains(x);
+  if (!finite_and_varying(halves)) return kNaN;
+  const double bulk = r_hat(normal_scores(halves));
+
+  // Folded about the median, chains of unequal spread differ in place.
+  const Eigen::MatrixXd folded = (halves.array() - quantile(sorted(halves), 0.5)).abs();
+  return finite_and_varying(folded) ? std::max(bulk, r_hat(normal_scores(folded))) : bulk;
+}
+
+// Monte Carlo standard errors.
+
+double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x) { return mean_mcse(x, {}); }
+
+double mean_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
+  const double variance = (x.array() - x.mean()).square().sum() / double(x.size() - 1);
+  return std::sqrt(variance / mean_ess(x, group));
+}
+
+double sd_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const Eigen::ArrayXXd square = (x.array() - x.mean()).square();
+  const double variance = square.mean();
+  const double of_variance = (square.square().mean() - variance * variance) / sd_ess(x);
+  return std::sqrt(of_variance / variance) / 2;
+}
+
+double quantile_mcse(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
+  const double ess = quantile_ess(x, share);
+  if (std::isnan(ess)) return ess;
+
+  // Where the quantile may lie, as shares of the draws: 16 and 84 % of its posterior.
+  constexpr double kOneSigma = 0.15865525393145707;
+  const double a = ess * share + 1, b = ess * (1 - share) + 1;
+  const double low = beta_quantile(kOneSigma, a, b), high = beta_quantile(1 - kOneSigma, a, b);
+
+  const Eigen::VectorXd rising = sorted(x);
+  const double n = double(rising.size());
+  const auto first = Eigen::Index(std::floor(std::max(0.0, low * n - 1)));
+  const auto last = Eigen::Index(std::ceil(std::min(n - 1, high * n - 1)));
+  return (rising[last] - rising[first]) / 2;
+}
+
+// One quantity of a posterior.
+namespace {
+
+/// Walkers of one ensemble are not independent: the worse of what chains and ensembles say.
+void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
+                    const Eigen::MatrixXd& pooled, Estimate& of) {
+  const auto below = [&x](double limit) -> Eigen::MatrixXd {
+    return (x.array() <= limit).cast<double>();
+  };
+  of.r_hat = std::max(of.r_hat, rank_r_hat(pooled));
+  of.bulk_ess = std::min(of.bulk_ess, ensemble_ess(normal_scores(x), group));
+  of.tail_ess = std::min(
+      {of.tail_ess, ensemble_ess(below(of.q05), group), ensemble_ess(below(of.q95), group)});
+}
+
+}  // namespace
+
+Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                  const std::vector<int>& group) {
+  const Eigen::MatrixXd pooled = pool_groups(x, group);
+  Estimate of{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  if (x.size() == 0 || !x.allFinite()) return of;
+
+  const Eigen::VectorXd rising = sorted(x);
+  of.mean = x.mean();
+  of.sd = std::sqrt((x.array() - of.mean).square().sum() / double(x.size() - 1));
+  of.q05 = quantile(rising, 0.05);
+  of.median = quantile(rising, 0.5);
+  of.q95 = quantile(rising, 0.95);
+  if (!finite_and_varying(x)) of.sd = 0;  // alike: not even rounding of the mean
+  if (x.rows() < 4 || of.sd == 0) return of;
+
+  of.mcse_mean = mean_mcse(x, group);
+  of.mcse_sd = sd_mcse(x);
+  of.r_hat = rank_r_hat(x);
+  of.bulk_ess = bulk_ess(x);
+  of.tail_ess = tail_ess(x);
+  if (pooled.cols() < x.cols()) heed_ensembles(x, group, pooled, of);
+  return of;
+}
+
+// Whether to believe a run, and why not.
+namespace {
+
+/// Quantities on the wrong side of a limit: the worst, by name, and how many share its trouble.
+struct Offence {
+  const Estimate* worst = nullptr;
+  double figure = 0;
+  long others = -1;
+
+  /// "tau and 3 more"
+  [[nodiscard]] std::string who() const {
+    return others > 0 ? fmt::format("{} and {} more", worst->name, others) : worst->name;
+  }
+  /// What to add to the worst figure.
+  [[nodiscard]] std::string more() const {
+    return others > 0 ? fmt::format(" (as is that of {} more)", others) : "";
+  }
+};
+
+/// @param badness  of an estimate; above `limit` offends, NaN is passed over
+template <typename Badness>
+Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badness badness) {
+  Offence found;
+  for (const Estimate& of : estimates) {
+    const double figure = badness(of);
+    if (!(figure > limit)) continue;
+    ++found.others;
+    if (found.worst && figure <= found.figure) continue;
+    found.worst = &of;
+    found.figure = figure;
+  }
+  return found;
+}
+
+/// Draws about which no figure can be told.
+void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string>& warnings) {
+  const auto find = [&](auto holds) {
+    return find_offence(estimates, 0, [&](const Estimate& of) { return holds(of) ? 1.0 : 0.0; });
+  };
+  const Offence non_finite = find([](const Estimate& of) { return !std::isfinite(of.mean); });
+  if (non_finite.worst)
+    warnings.push_back(fmt::format("there are draws that are not finite, of {}", non_finite.who()));
+  const Offence still = find([](const Estimate& of) { return of.sd == 0; });
+  if (still.worst)
+    warnings.push_back(
+        fmt::format("all draws of {} are alike: no chain has moved there", still.who()));
+  const Offence mute = find([](const Estimate& of) {
+    return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess);
+  });
+  if (mute.worst)
+    warnings.push_back(
+        fmt::format("draws of {} are too few, or too many are alike, to be judged", mute.who()));
+}
+
+void judge_agreement(const std::vector<Estimate>& estimates, double limit,
+                     std::vector<std::string>& warnings) {
+  const Offence apart = find_offence(estimates, limit, [](const Estimate& of) { return of.r_hat; });
+  if (apart.worst)
+    warnings.push_back(fmt::format("R-hat of {} is {:.4g}, above {:.4g}{}: chains disagree",
+                                   apart.worst->name, apart.figure, limit, apart.more()));
+}
+
+/// @param size  member of Estimate: bulk or tail ESS
+void judge_size(const std::vector<Estimate>& estimates, const char* what, double Estimate::*size,
+                double least, std::vector<std::string>& warnings) {
+  const Offence few =
+      find_offence(estimates, -least, [size](const Estimate& of) { return -(of.*size); });
+  if (few.worst)
+    warnings.push_back(fmt::format("{} effective sample size of {} is {:.0f}, below {:.0f}{}", what,
+                                   few.worst->name, -few.figure, least, few.more()));
+}
+
+void judge_steps(const Convergence& result, long steps, double allowed,
+                 std::vector<std::string>& warnings) {
+  if (double(result.divergent) > allowed * double(steps))
+    warnings.push_back(fmt::format(
+        "{} of {} draws ended a divergent trajectory ({:.3g} %, allowed {:.3g} %): the sampler "
+        "cannot follow the density there",
+        result.divergent, steps, 100 * double(result.divergent) / double(steps), 100 * allowed));
+}
+
+void judge_swaps(const Draws& draws, double least, std::vector<std::string>& warnings) {
+  if (draws.swap_rate.size() == 0) return;
+  Eigen::Index temperature_index, group;
+  const double rate = draws.swap_rate.minCoeff<Eigen::PropagateNaN>(&temperature_index, &group);
+  if (!(rate >= least))
+    warnings.push_back(fmt::format(
+        "temperatures {} and {} of group {} swap in {:.2g} % of attempts, below "
+        "{:.2g} %: hot chains do not help cold ones",
+        temperature_index + 1, temperature_index + 2, group + 1, 100 * rate, 100 * least));
+}
+
+void count_steps(const Draws& draws, int max_depth, Convergence& result) {
+  for (const auto& chain : draws.stats)
+    for (const StepStats& step : chain) {
+      result.divergent += step.divergent;
+      result.non_finite += step.non_finite;
+      result.depth_limit += step.depth >= max_depth;
+    }
+}
+
+/// The worst figures; one that cannot be told makes all of them NaN.
+void find_worst(Convergence& result) {
+  result.worst_r_hat = 0;
+  result.min_bulk_ess = result.min_tail_ess = std::numeric_limits<double>::infinity();
+  const auto worse = [](double a, double b) { return std::isnan(a) || a > b ? a : b; };
+  for (const Estimate& of : result.estimates) {
+    result.worst_r_hat = worse(result.worst_r_hat, of.r_hat);
+    result.min_bulk_ess = -worse(-result.min_bulk_ess, -of.bulk_ess);
+    result.min_tail_ess = -worse(-result.min_tail_ess, -of.tail_ess);
+  }
+}
+
+}  // namespace
+
+Convergence assess(const Draws& draws, const std::vector<std::string>& names,
+                   const ConvergenceLimits& limits) {
+  require(int(names.size()) == draws.size(), "{} names for {} coordinates", names.size(),
+          draws.size());
+  Convergence result;
+  for (int i = 0; i < draws.size(); ++i)
+    result.estimates.push_back(estimate(names[i], draws.coordinate(i), draws.group));
+  find_worst(result);
+  count_steps(draws, limits.max_depth, result);
+
+  const long groups = long(std::set<int>(draws.group.begin(), draws.group.end()).size());
+  if (draws.draws() < 4)
+    result.warnings.push_back(
+        fmt::format("there are {} draws a chain, diagnostics need 4", draws.draws()));
+  if (groups < 2)
+    result.warnings.push_back(
+        fmt::format("independent chains or ensembles: {}; one that is stuck shows only beside "
+                    "another, so 2 are needed",
+                    groups));
+  const double least = limits.ess_per_chain * double(groups);
+  judge_draws(result.estimates, result.warnings);
+  judge_agreement(result.estimates, limits.r_hat, result.warnings);
+  judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
+  judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
+  judge_steps(result, draws.draws() * draws.chains(), limits.divergent_share, result.warnings);
+  judge_swaps(draws, limits.swap_rate, result.warnings);
+  return result;
+}
+
+}  // namespace thenar

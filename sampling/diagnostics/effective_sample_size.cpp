@@ -1,0 +1,129 @@
+// Effective sample sizes: how many independent draws would know a quantity as well.
+
+#include "sampling/diagnostics/effective_sample_size.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/numbers.h"
+#include "sampling/diagnostics/autocovariance.h"
+#include "sampling/diagnostics/convergence.h"
+#include "sampling/diagnostics/order_statistics.h"
+#include "sampling/diagnostics/split_chains.h"
+
+namespace thenar {
+namespace {
+
+constexpr Eigen::Index kFewLags = 100;  // usually enough, and soon computed
+
+/// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
+Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {
+  const double n = double(x.rows()), m = double(x.cols());
+  Eigen::VectorXd covariance = Eigen::VectorXd::Zero(lags);
+  for (Eigen::Index chain = 0; chain < x.cols(); ++chain)
+    covariance += autocovariance(x.col(chain), lags) / m;
+
+  const Eigen::RowVectorXd mean = x.colwise().mean();
+  const double within = covariance[0] * n / (n - 1);
+  const double all = covariance[0] + (mean.array() - mean.mean()).square().sum() / (m - 1);
+  Eigen::VectorXd rho = 1 - (within - covariance.array()) / all;
+  rho[0] = 1;
+  return rho;
+}
+
+/// The first of the pair of lags at which the sum ends.
+Eigen::Index last_pair(const Eigen::VectorXd& rho) {
+  Eigen::Index lag = 0;
+  while (lag + 4 < rho.size() && rho[lag] + rho[lag + 1] > 0) lag += 2;
+  return lag;
+}
+
+double time_of_all(const Eigen::MatrixXd& x) {
+  if (x.rows() > kFewLags) {
+    const Eigen::VectorXd few = autocorrelation_of_all(x, kFewLags);
+    if (last_pair(few) + 4 < few.size()) return autocorrelation_time(few);
+  }
+  return autocorrelation_time(autocorrelation_of_all(x, x.rows()));
+}
+
+/// Never above N log10 N, where the noise of rho would decide.
+double effective_size(const Eigen::MatrixXd& x) {
+  if (!finite_and_varying(x)) return kNaN;
+  const double size = double(x.size());
+  return size / std::max(time_of_all(x), 1 / std::log10(size));
+}
+
+Eigen::MatrixXd at_most(const Eigen::Ref<const Eigen::MatrixXd>& x, double limit) {
+  return (x.array() <= limit).cast<double>();
+}
+
+}  // namespace
+
+double autocorrelation_time(const Eigen::VectorXd& rho) {
+  const Eigen::Index end = last_pair(rho);
+  double sum = 0, least = std::numeric_limits<double>::infinity();
+  for (Eigen::Index lag = 0; lag < end; lag += 2) {
+    least = std::min(least, rho[lag] + rho[lag + 1]);
+    sum += least;
+  }
+  return -1 + 2 * sum + std::max(0.0, rho[end]);
+}
+
+double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  if (!finite_and_varying(x)) return kNaN;
+  const Eigen::VectorXd covariance = autocovariance(x);
+  const double size = double(x.size());
+  return size / std::max(autocorrelation_time(covariance / covariance[0]), 1 / std::log10(size));
+}
+
+double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
+  if (!finite_and_varying(x)) return kNaN;
+  const Eigen::MatrixXd pooled = pool_groups(x, group);  // walkers take turns
+  const Eigen::Index walkers = pooled.rows() / x.rows();
+  const Eigen::MatrixXd means = pooled.reshaped(walkers, x.rows() * pooled.cols())
+                                    .colwise()
+                                    .mean()
+                                    .reshaped(x.rows(), pooled.cols());
+  const auto variance = [](const Eigen::MatrixXd& y) {
+    return (y.array() - y.mean()).square().mean();
+  };
+  return mean_ess(means) * variance(x) / variance(means);
+}
+
+double bulk_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  const Eigen::MatrixXd halves = split_chains(x);
+  if (!finite_and_varying(halves)) return kNaN;
+  return effective_size(normal_scores(halves));
+}
+
+double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  return effective_size(split_chains(x));
+}
+
+double mean_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vector<int>& group) {
+  const double of_chains = mean_ess(x);
+  if (group.empty() || pool_groups(x, group).cols() == x.cols()) return of_chains;
+  return std::min(of_chains, ensemble_ess(x, group));
+}
+
+double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
+  (void)split_chains(x);  // enough draws?
+  if (!finite_and_varying(x)) return kNaN;
+  return effective_size(split_chains(at_most(x, quantile(sorted(x), share))));
+}
+
+double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  (void)split_chains(x);
+  if (!finite_and_varying(x)) return kNaN;
+  const Eigen::VectorXd rising = sorted(x);
+  const double low = effective_size(split_chains(at_most(x, quantile(rising, 0.05))));
+  const double high = effective_size(split_chains(at_most(x, quantile(rising, 0.95))));
+  return low <= high || std::isnan(low) ? low : high;
+}
+
+double sd_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  return mean_ess((x.array() - x.mean()).square().matrix());
+}
+
+}  // namespace thenar

@@ -1,0 +1,80 @@
+#include "sampling/diagnostics/learnt_directions.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kTold = 0.05;  // entries of a smaller share are left out of the text
+constexpr int kMostTold = 5;
+
+std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
+  std::vector<Eigen::Index> order(names.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return direction.share[a] > direction.share[b];
+  });
+
+  // The largest entry stands first and positive: a direction has no sign.
+  const double sign = direction.v[order[0]] < 0 ? -1 : 1;
+  std::string text;
+  int told = 0;
+  for (const Eigen::Index i : order) {
+    if (direction.share[i] < kTold || told++ == kMostTold) break;
+    const char* joint = direction.v[i] * sign < 0 ? " - " : " + ";
+    text += fmt::format("{}{:.2f} {}", text.empty() ? "" : joint, direction.share[i], names[i]);
+  }
+  return fmt::format("{}: sd {:.2g} of the prior's", text, direction.sd_ratio);
+}
+
+}  // namespace
+
+Eigen::MatrixXd covariance_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  require(x.cols() >= 2, "a covariance needs 2 draws, got {}", x.cols());
+  const Eigen::MatrixXd centred = x.colwise() - x.rowwise().mean();
+  return centred * centred.transpose() / double(x.cols() - 1);
+}
+
+LearntDirections learnt_directions(const std::vector<std::string>& names,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& S,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& P,
+                                   double decided_below) {
+  const auto n = Eigen::Index(names.size());
+  require(S.rows() == n && S.cols() == n && P.rows() == n && P.cols() == n,
+          "{} names for covariances of {} x {} and {} x {}", n, S.rows(), S.cols(), P.rows(),
+          P.cols());
+  require(S.allFinite() && P.allFinite(), "covariances must be finite");
+
+  // In prior sds first, so that units of very different size do no harm.
+  const Eigen::VectorXd scale = P.diagonal().cwiseSqrt().cwiseInverse();
+  require(scale.allFinite(), "the prior covariance is not positive definite");
+  const Eigen::MatrixXd prior = scale.asDiagonal() * P * scale.asDiagonal();
+  const Eigen::MatrixXd posterior = scale.asDiagonal() * S * scale.asDiagonal();
+  require(Eigen::LLT<Eigen::MatrixXd>(prior).info() == Eigen::Success,
+          "the prior covariance is not positive definite");
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(posterior, prior);
+
+  LearntDirections of;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    LearntDirection direction;
+    const Eigen::VectorXd w = eigen.eigenvectors().col(k);
+    direction.sd_ratio = std::sqrt(std::max(0.0, eigen.eigenvalues()[k]));
+    direction.v = scale.cwiseProduct(w);
+    direction.share = w.cwiseAbs2() / w.squaredNorm();
+    direction.text = tell(names, direction);
+    of.decided += direction.sd_ratio < decided_below;
+    of.effective_parameters += std::max(0.0, 1 - eigen.eigenvalues()[k]);
+    of.directions.push_back(direction);
+  }
+  return of;
+}
+
+}  // namespace thenar

@@ -1,0 +1,149 @@
+#include "sampling/diagnostics/leave_one_out.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "sampling/diagnostics/convergence.h"
+
+namespace thenar {
+namespace {
+
+/// k of the profile likelihood at b = -k / sigma.
+double shape_at(double b, const Eigen::VectorXd& x) { return (-b * x).array().log1p().mean(); }
+
+/// Order statistic expected at share p.
+double pareto_quantile(double p, const ParetoFit& fit) {
+  if (std::abs(fit.k) < 1e-12) return -fit.sigma * std::log1p(-p);
+  return fit.sigma * std::expm1(-fit.k * std::log1p(-p)) / fit.k;
+}
+
+}  // namespace
+
+ParetoFit fit_pareto(const Eigen::Ref<const Eigen::VectorXd>& rising) {
+  const Eigen::Index n = rising.size();
+  require(n >= 5, "a Pareto tail needs 5 excesses, got {}", n);
+  require(rising[0] >= 0 && rising[n - 1] > 0 && std::isfinite(rising[n - 1]),
+          "excesses must be positive and finite, got {} to {}", rising[0], rising[n - 1]);
+
+  // A grid of b with the prior of Zhang and Stephens, about three times the quartile.
+  const auto quarter = Eigen::Index(std::floor(double(n) / 4 + 0.5)) - 1;
+  const double quartile = rising[quarter] > 0 ? rising[quarter] : rising[n - 1] / double(n);
+  const int points = 30 + int(std::sqrt(double(n)));
+  Eigen::VectorXd b(points), log_likelihood(points);
+  for (int i = 0; i < points; ++i) {
+    b[i] = 1 / rising[n - 1] + (1 - std::sqrt(points / (i + 0.5))) / (3 * quartile);
+    const double k = shape_at(b[i], rising);
+    log_likelihood[i] = double(n) * (std::log(-b[i] / k) - k - 1);
+  }
+  for (double& of : log_likelihood)
+    if (std::isnan(of)) of = -std::numeric_limits<double>::infinity();  // b = 0 to rounding
+
+  const Eigen::VectorXd weight = (log_likelihood.array() - log_sum_exp(log_likelihood)).exp();
+  const double mean = weight.dot(b), k = shape_at(mean, rising);
+  return {k, -k / mean};
+}
+
+SmoothedWeights smooth_weights(const Eigen::Ref<const Eigen::VectorXd>& log_ratio,
+                               double efficiency) {
+  const Eigen::Index n = log_ratio.size();
+  require(n > 0 && log_ratio.allFinite(), "importance ratios must be finite");
+  SmoothedWeights of;
+  of.log_weight = log_ratio.array() - log_ratio.maxCoeff();
+  of.k = std::numeric_limits<double>::infinity();
+
+  std::vector<Eigen::Index> order(n);
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
+    return of.log_weight[a] < of.log_weight[b] || (of.log_weight[a] == of.log_weight[b] && a < b);
+  });
+  const double wanted = std::ceil(std::min(0.2 * double(n), 3 * std::sqrt(double(n) / efficiency)));
+  const auto tail = Eigen::Index(wanted);
+
+  if (tail >= 5 && tail < n) {
+    const double cut = std::exp(of.log_weight[order[n - tail - 1]]);
+    Eigen::VectorXd excess(tail);
+    for (Eigen::Index i = 0; i < tail; ++i)
+      excess[i] = std::exp(of.log_weight[order[n - tail + i]]) - cut;
+    if (excess[tail - 1] > std::numeric_limits<double>::epsilon()) {
+      ParetoFit fit = fit_pareto(excess);
+      fit.k = (double(tail) * fit.k + 5) / (double(tail) + 10);
+      of.k = fit.k;
+      for (Eigen::Index i = 0; i < tail; ++i) {
+        const double share = (double(i) + 0.5) / double(tail);
+        of.log_weight[order[n - tail + i]] =
+            std::min(0.0, std::log(cut + pareto_quantile(share, fit)));
+      }
+    } else {
+      of.k = 0;  // all ratios of the tail are alike: nothing is heavier than anything
+    }
+  }
+  of.log_weight.array() -= log_sum_exp(of.log_weight);
+  return of;
+}
+
+namespace {
+
+/// sqrt(n var) of n terms of a sum.
+double error_of_sum(const Eigen::VectorXd& terms) {
+  const double n = double(terms.size());
+  return n < 2 ? std::nan("")
+               : std::sqrt(n / (n - 1) * (terms.array() - terms.mean()).square().sum());
+}
+
+/// Effective over actual draws for the mean of the likelihood; 1 if it does not vary.
+double efficiency_of(const Eigen::VectorXd& log_likelihood, int chains,
+                     const std::vector<int>& group) {
+  const Eigen::VectorXd likelihood = (log_likelihood.array() - log_likelihood.maxCoeff()).exp();
+  const double ess = mean_ess(likelihood.reshaped(likelihood.size() / chains, chains), group);
+  return std::isnan(ess) ? 1 : ess / double(likelihood.size());
+}
+
+}  // namespace
+
+LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihood, int chains,
+                          const std::vector<int>& group) {
+  const Eigen::Index draws = log_likelihood.cols(), observations = log_likelihood.rows();
+  require(chains > 0 && draws % chains == 0 && draws / chains >= 4 && observations > 0,
+          "leave-one-out needs observations and 4 draws a chain, got {} of {} chains for {}", draws,
+          chains, observations);
+  require(log_likelihood.allFinite(), "leave-one-out needs finite log likelihoods");
+
+  LeaveOneOut of;
+  of.good_k = std::min(1 - 1 / std::log10(double(draws)), 0.7);
+  of.pointwise.resize(observations);
+  of.k.resize(observations);
+  for (Eigen::Index i = 0; i < observations; ++i) {
+    const Eigen::VectorXd seen = log_likelihood.row(i).transpose();
+    const SmoothedWeights weights = smooth_weights(-seen, efficiency_of(seen, chains, group));
+    of.k[i] = weights.k;
+    of.pointwise[i] = log_sum_exp(weights.log_weight + seen);
+    of.effective_parameters += log_sum_exp(seen) - std::log(double(draws)) - of.pointwise[i];
+  }
+  of.elpd = of.pointwise.sum();
+  of.se = error_of_sum(of.pointwise);
+
+  Eigen::Index worst;
+  const double highest = of.k.maxCoeff(&worst);
+  if (const long bad = (of.k.array() > of.good_k).count(); bad > 0)
+    of.warnings.push_back(
+        fmt::format("{} of {} observations have a Pareto k above {:.2f}, up to {:.2f} of number "
+                    "{}: the draws do not reach where the posterior would be without them",
+                    bad, observations, of.good_k, highest, worst + 1));
+  return of;
+}
+
+ElpdDifference compare_elpd(const LeaveOneOut& first, const LeaveOneOut& second) {
+  require(first.pointwise.size() == second.pointwise.size(),
+          "models of {} and {} observations cannot be compared", first.pointwise.size(),
+          second.pointwise.size());
+  const Eigen::VectorXd difference = first.pointwise - second.pointwise;
+  return {difference.sum(), error_of_sum(difference)};
+}
+
+}  // namespace thenar

@@ -1,0 +1,103 @@
+#include <cmath>
+
+#include "sampling/methods/metropolis.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr std::uint32_t kProposal = 0;
+constexpr double kBestAcceptance = 0.234;  // in many dimensions [Roberts1997]
+
+/// What one chain has learnt of the target's shape.
+struct ProposalShape {
+  Eigen::VectorXd mean;  // (n)
+  Eigen::MatrixXd L;     // L L' the covariance, L lower triangular (n, n)
+  double log_scale;      // of the proposals, in roots of L L' [1]
+};
+
+/// L becomes the root of L L' + v v', by one rotation for each column.
+void add_square(Eigen::MatrixXd& L, Eigen::VectorXd v) {
+  for (Eigen::Index k = 0; k < v.size(); ++k) {
+    const double r = std::hypot(L(k, k), v[k]), c = L(k, k) / r, s = v[k] / r;
+    const Eigen::Index below = v.size() - k - 1;
+    L(k, k) = r;
+    const Eigen::VectorXd column = L.col(k).tail(below);
+    L.col(k).tail(below) = c * column + s * v.tail(below);
+    v.tail(below) = c * v.tail(below) - s * column;
+  }
+}
+
+/// Normal proposals  x' = x + s L w,  w ~ N(0, I), with L L' the covariance of the chain's past
+/// [Haario2001] and s from the search of Robbins and Monro for the wanted acceptance, both as
+/// [Andrieu2008, algorithm 4] has them; every chain learns from itself alone.
+///
+/// Departures: the weight of step t in the covariance is 2 / (t + 10 n), so that early steps are
+/// forgotten as 1 / t^2 and the guess counts for its first 10 n; after warm-up nothing is learnt.
+class AdaptiveMetropolis final : public Metropolis {
+ public:
+  AdaptiveMetropolis(const Eigen::MatrixXd& starts, const SamplerOptions& options)
+      : Metropolis(starts, options) {
+    const double scale = 2.38 / std::sqrt(double(size()));  // best for a normal [Roberts1997]
+    for (int k = 0; k < chains(); ++k)
+      shapes_.push_back(
+          {starts.col(k), initial_covariance_factor(options, size()), std::log(scale)});
+  }
+
+ private:
+  Proposals propose(int /*round*/) override {
+    Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
+    for (int k = 0; k < chains(); ++k) {
+      const ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
+      RandomStream draw = random(k, kProposal);
+      Eigen::VectorXd w(size());
+      for (double& entry : w) entry = draw.normal();
+      to.chain.push_back(k);
+      to.x.col(k) += shape.L.triangularView<Eigen::Lower>() * (std::exp(shape.log_scale) * w);
+    }
+    return to;
+  }
+
+  void learn(const Eigen::MatrixXd& /*before*/) override {
+    const double t = double(steps()) + 1;
+    const double weight = 2 / (t + 10 * size()), gain = std::pow(t, -0.6);
+    const double target =
+        options().target_acceptance > 0 ? options().target_acceptance : kBestAcceptance;
+    for (int k = 0; k < chains(); ++k) {
+      if (!inside(k)) continue;
+      ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
+      const Eigen::VectorXd off = positions().col(k) - shape.mean;
+      shape.mean += weight * off;
+      // C becomes (1 - weight) C + weight off off'.
+      shape.L *= std::sqrt(1 - weight);
+      add_square(shape.L, std::sqrt(weight) * off);
+      shape.log_scale += gain * (stats()[static_cast<std::size_t>(k)].acceptance - target);
+    }
+  }
+
+  void save_learnt(StateWriter& to) const override {
+    for (const ProposalShape& shape : shapes_) {
+      to.put(shape.mean);
+      to.put(shape.L);
+      to.put(shape.log_scale);
+    }
+  }
+
+  void restore_learnt(StateReader& from) override {
+    for (ProposalShape& shape : shapes_) {
+      shape.mean = from.matrix();
+      shape.L = from.matrix();
+      shape.log_scale = from.number();
+    }
+  }
+
+  std::vector<ProposalShape> shapes_;  // (chains)
+};
+
+}  // namespace
+
+std::unique_ptr<Sampler> adaptive_metropolis(const Eigen::MatrixXd& starts,
+                                             const SamplerOptions& options) {
+  return std::make_unique<AdaptiveMetropolis>(starts, options);
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,285 @@
+#include <cmath>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/random_stream.h"
+#include "sampling/methods/hamiltonian_trajectory.h"
+#include "sampling/methods/hamiltonian_warm_up.h"
+#include "sampling/methods/sampler.h"
+#include "sampling/methods/target.h"
+
+namespace thenar::internal {
+namespace {
+
+// Purposes of random streams.
+constexpr std::uint32_t kStepStream = 0x68616d00, kTrialStream = 0x68616d01;
+
+/// A place of the chain, and what is known of it.
+struct LanePlace {
+  Eigen::VectorXd x;  // (n)
+  Densities at;       // of this one point
+  double energy = 0;  // with the momentum that led here [1]
+};
+
+class Hamiltonian : public Sampler {
+ public:
+  Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start, const SamplerOptions& options);
+
+  [[nodiscard]] int chains() const override { return 1; }
+  [[nodiscard]] WithGradient wants() const override { return WithGradient::kYes; }
+  [[nodiscard]] const Eigen::MatrixXd& asks() const override { return asks_; }
+  void tell(const Densities& at) override;
+
+  [[nodiscard]] long steps() const override { return steps_; }
+  [[nodiscard]] const Eigen::MatrixXd& positions() const override { return positions_; }
+  [[nodiscard]] const std::vector<StepStats>& stats() const override { return stats_; }
+
+  void move(int chain, const Eigen::VectorXd& x, const Densities& at) override;
+  [[nodiscard]] Densities density(int /*chain*/) const override { return current_.at; }
+
+  void set_beta(double beta) override;
+
+  void save(StateWriter& to) const override;
+  void restore(StateReader& from) override;
+
+ private:
+  enum class Waits { kForStart, kForTrial, kForPoint };  // for the density of which point
+
+  void begin();
+  void begin_trial();
+  void begin_trajectory();
+  void draw_momentum(RandomStream& random);
+  void leap(PhasePoint& point, double step);
+
+  void learn_start(const Densities& at);
+  double land(const Densities& at, const TemperedDensity& density);
+  void follow(const Densities& at, double energy_error);
+  void complete(double acceptance, int depth, bool divergent);
+  void weigh(const Densities& at);
+  bool usable(const Densities& at);
+
+  SamplerOptions options_;
+  bool static_length_;
+  std::unique_ptr<HamiltonianTrajectory> doubling_, jittered_;
+  WarmUp warm_up_;
+  RandomStream random_;
+
+  // The chain. `current_` is the choice among the points of the present trajectory.
+  LanePlace current_, candidate_;
+  bool known_ = false;   // density at the place
+  bool usable_ = false;  // it and its gradient are finite
+  long steps_ = 0;
+  Eigen::MatrixXd positions_;
+  std::vector<StepStats> stats_;
+
+  // Within a step.
+  Waits waits_ = Waits::kForStart;
+  HamiltonianTrajectory* trajectory_ = nullptr;
+  PhasePoint from_, trial_;
+  PhasePoint* moving_ = nullptr;  // its leapfrog waits for a gradient
+  double leap_ = 0;               // length of that leapfrog, negative: back in time [1]
+  double start_energy_ = 0, energy_ = 0;
+  Eigen::VectorXd gradient_;  // of the tempered density (n)
+  Eigen::MatrixXd asks_;      // (n, 1)
+  int evaluations_ = 0, broken_ = 0;
+};
+
+Hamiltonian::Hamiltonian(SamplingMethod method, const Eigen::VectorXd& start,
+                         const SamplerOptions& options)
+    : options_(options),
+      static_length_(method == SamplingMethod::kHmc),
+      doubling_(no_u_turn(static_cast<int>(start.size()), options.max_depth)),
+      jittered_(jittered_length()),
+      warm_up_(static_cast<int>(start.size()),
+               options.target_acceptance > 0 ? options.target_acceptance : 0.8, options),
+      random_(options.seed, static_cast<std::uint32_t>(options.first_chain), 0, kStepStream),
+      positions_(start),
+      stats_(1) {
+  current_.x = start;
+  from_.r.resize(start.size());
+  begin();
+}
+
+// What is asked next: the start, a trial of a step size, or a point of a trajectory.
+void Hamiltonian::begin() {
+  if (!usable_) {
+    waits_ = Waits::kForStart;
+    asks_ = current_.x;
+  } else if (warm_up_.searching()) {
+    begin_trial();
+  } else {
+    begin_trajectory();
+  }
+}
+
+void Hamiltonian::begin_trial() {
+  waits_ = Waits::kForTrial;
+  RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
+                      stream_step(steps_),
+                      kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
+  draw_momentum(random);
+  trial_ = from_;
+  leap(trial_, warm_up_.step());
+}
+
+void Hamiltonian::begin_trajectory() {
+  waits_ = Waits::kForPoint;
+  random_ = RandomStream(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
+                         stream_step(steps_), kStepStream);
+  draw_momentum(random_);
+  current_.energy = start_energy_;
+  // Until the metric is known a quarter turn in its units leads nowhere; doubling gets there.
+  trajectory_ =
+      static_length_ && warm_up_.metric_settled(steps_) ? jittered_.get() : doubling_.get();
+  trajectory_->start(from_, warm_up_.step(), random_);
+  leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+}
+
+void Hamiltonian::draw_momentum(RandomStream& random) {
+  from_.x = current_.x;
+  for (Eigen::Index i = 0; i < from_.r.size(); ++i) from_.r[i] = random.normal();
+  weigh(current_.at);
+  warm_up_.metric().whiten_gradient(gradient_, from_.slope);
+  start_energy_ = 0.5 * from_.r.squaredNorm() - tempered(current_.at, 0, options_.beta).value;
+}
+
+void Hamiltonian::leap(PhasePoint& point, double step) {
+  moving_ = &point;
+  leap_ = step;
+  begin_leapfrog(point, warm_up_.metric(), step);
+  asks_ = point.x;
+}
+
+void Hamiltonian::tell(const Densities& at) {
+  ++evaluations_;
+  const TemperedDensity density = tempered(at, 0, options_.beta);
+  if (density.non_finite) ++broken_;
+  if (waits_ == Waits::kForStart) return learn_start(at);
+  const double energy_error = land(at, density);
+  if (waits_ == Waits::kForPoint) return follow(at, energy_error);
+  warm_up_.learn_trial(energy_error);
+  begin();
+}
+
+// A chain at a place of no density stays, and says so every step.
+void Hamiltonian::learn_start(const Densities& at) {
+  const bool stays = known_;
+  known_ = true;
+  current_.at = at;
+  usable_ = usable(at);
+  if (stays && !usable_) return complete(0, 0, true);
+  begin();
+}
+
+// Energy error at the end of a leapfrog; +inf where the density is zero or non_finite.
+double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
+  if (density.value == -kInfinity) return kInfinity;
+  weigh(at);
+  end_leapfrog(*moving_, warm_up_.metric(), gradient_, leap_);
+  energy_ = 0.5 * moving_->r.squaredNorm() - density.value;
+  if (std::isfinite(energy_)) return energy_ - start_energy_;
+  if (!gradient_.allFinite()) ++broken_;
+  return kInfinity;
+}
+
+void Hamiltonian::follow(const Densities& at, double energy_error) {
+  const Verdict verdict = trajectory_->judge(energy_error, random_);
+  if (verdict.take) {
+    candidate_.x = moving_->x;
+    candidate_.at = at;
+    candidate_.energy = energy_;
+  }
+  if (verdict.adopt) std::swap(current_, candidate_);
+  if (verdict.end)
+    complete(trajectory_->acceptance(), trajectory_->depth(), energy_error > kMaxEnergyError);
+  else
+    leap(trajectory_->moving(), trajectory_->direction() * warm_up_.step());
+}
+
+void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
+  ++steps_;
+  positions_.col(0) = current_.x;
+  stats_[0] = {current_.at.log_prior[0],
+               current_.at.log_likelihood[0],
+               acceptance,
+               warm_up_.step(),
+               current_.energy,
+               depth,
+               evaluations_,
+               broken_,
+               divergent};
+  evaluations_ = broken_ = 0;
+  if (usable_) warm_up_.learn(steps_, current_.x, acceptance);
+  warm_up_.settle(steps_);
+  begin();
+}
+
+// Sets the gradient of the tempered density.
+void Hamiltonian::weigh(const Densities& at) {
+  gradient_ = at.prior_gradient.col(0);
+  if (options_.beta > 0) gradient_ += options_.beta * at.likelihood_gradient.col(0);
+}
+
+bool Hamiltonian::usable(const Densities& at) {
+  weigh(at);
+  return std::isfinite(tempered(at, 0, options_.beta).value) && gradient_.allFinite();
+}
+
+void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities& at) {
+  require(x.size() == current_.x.size() && at.prior_gradient.size() == x.size() &&
+              at.likelihood_gradient.size() == x.size(),
+          "chain of {} coordinates cannot move to {}, with gradients of {} and {}",
+          current_.x.size(), x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
+  current_.x = x;
+  current_.at = at;
+  positions_.col(0) = x;
+  known_ = true;
+  usable_ = usable(at);
+  begin();
+}
+
+void Hamiltonian::set_beta(double beta) {
+  options_.beta = beta;
+  if (!known_) return;
+  usable_ = usable(current_.at);
+  begin();
+}
+
+void Hamiltonian::save(StateWriter& to) const {
+  to.put(std::int64_t{steps_});
+  to.put(std::int64_t{known_ ? 1 : 0});
+  to.put(current_.x);
+  to.put(current_.at.log_prior);
+  to.put(current_.at.log_likelihood);
+  to.put(current_.at.prior_gradient);
+  to.put(current_.at.likelihood_gradient);
+  warm_up_.save(to);
+}
+
+void Hamiltonian::restore(StateReader& from) {
+  steps_ = from.integer();
+  known_ = from.integer() != 0;
+  current_.x = from.matrix();
+  current_.at.log_prior = from.matrix();
+  current_.at.log_likelihood = from.matrix();
+  current_.at.prior_gradient = from.matrix();
+  current_.at.likelihood_gradient = from.matrix();
+  require(current_.x.size() == positions_.rows(), "saved chain has {} coordinates, this one {}",
+          current_.x.size(), positions_.rows());
+  warm_up_.restore(from);
+  positions_.col(0) = current_.x;
+  usable_ = known_ && usable(current_.at);
+  evaluations_ = broken_ = 0;
+  begin();
+}
+
+}  // namespace
+
+std::unique_ptr<Sampler> hamiltonian(SamplingMethod method, const Eigen::MatrixXd& starts,
+                                     const SamplerOptions& options) {
+  require(starts.cols() == 1, "{} moves one chain, got {} starts", name_of(method), starts.cols());
+  require(options.max_depth <= 30, "depth of trees must be <= 30, got {}", options.max_depth);
+  return std::make_unique<Hamiltonian>(method, starts.col(0), options);
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,67 @@
+#pragma once
+
+/// Trajectories of Hamiltonian dynamics, and how a draw is chosen from one.
+
+#include <memory>
+
+#include <Eigen/Core>
+
+#include "base/random_stream.h"
+#include "sampling/methods/mass_matrix.h"
+
+namespace thenar::internal {
+
+/// A trajectory ends as divergent where its energy error is larger. Source: [Betancourt2017].
+inline constexpr double kMaxEnergyError = 1000;
+
+/// A point of a trajectory, in the units of MassMatrix.
+struct PhasePoint {
+  Eigen::VectorXd x;      // position (n)
+  Eigen::VectorXd r;      // whitened momentum (n)
+  Eigen::VectorXd slope;  // gradient of the log density by whitened position (n)
+};
+
+/// First part of a leapfrog, up to where the next gradient is needed:
+///   r += step / 2 slope,   x += step F r.   Source: [Neal2011, section 2.3].
+void begin_leapfrog(PhasePoint& point, const MassMatrix& metric, double step);
+/// The rest:  slope = F' gradient,  r += step / 2 slope.
+void end_leapfrog(PhasePoint& point, const MassMatrix& metric, const Eigen::VectorXd& gradient,
+                  double step);
+
+/// What becomes of the latest point. A trajectory keeps no positions: its caller holds a candidate
+/// and the choice, which is the starting point at first.
+struct Verdict {
+  bool take = false;   // the point is the candidate now
+  bool adopt = false;  // the candidate is the choice now (after `take`)
+  bool end = false;    // the choice is the next draw
+};
+
+/// One trajectory after the other, each grown point by point.
+class HamiltonianTrajectory {
+ public:
+  virtual ~HamiltonianTrajectory() = default;
+
+  /// @param step  of the leapfrog [1]
+  virtual void start(const PhasePoint& from, double step, RandomStream& random) = 0;
+  /// The point that is to go one leapfrog further, and which way in time: 1 or -1.
+  [[nodiscard]] virtual PhasePoint& moving() = 0;
+  [[nodiscard]] virtual int direction() const = 0;
+  /// @param energy_error  of the point that has moved; +inf if its density is zero or non_finite
+  virtual Verdict judge(double energy_error, RandomStream& random) = 0;
+
+  /// Mean over the points so far of what a proposal of each would be accepted with, 0..1 [1].
+  [[nodiscard]] virtual double acceptance() const = 0;
+  [[nodiscard]] virtual int depth() const = 0;  // complete doublings [1]
+};
+
+/// Multinomial draws from trajectories that double until they turn back.
+/// Source: [Hoffman2014], [Betancourt2017, appendix A.4], checks across subtrees as in Stan 2.21+;
+/// [Phan2019] for the loop that replaces recursion.
+[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> no_u_turn(int n, int max_depth);
+
+/// Trajectories of whitened length pi / 2 times a factor uniform in 0.5 .. 1.5, at most 1000
+/// leapfrogs; the end is accepted or refused. A quarter turn decorrelates a normal target, and the
+/// jitter avoids periods. Source: [Neal2011, section 3.2] for the jitter.
+[[nodiscard]] std::unique_ptr<HamiltonianTrajectory> jittered_length();
+
+}  // namespace thenar::internal

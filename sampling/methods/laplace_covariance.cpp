@@ -1,0 +1,28 @@
+#include "sampling/methods/laplace_covariance.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace thenar {
+namespace {
+
+constexpr double kStep = 1e-4;       // of the differences of gradients, in prior sds [1]
+constexpr double kLeastBend = 0.05;  // curvature that counts: the prior's is 1 [1]
+
+}  // namespace
+
+Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& x) {
+  const Eigen::Index n = x.size();
+  Eigen::MatrixXd points = x.replicate(1, 2 * n);
+  points.leftCols(n).diagonal().array() += kStep;
+  points.rightCols(n).diagonal().array() -= kStep;
+  const Densities at = target.evaluate(points, WithGradient::kYes);
+  const Eigen::MatrixXd gradient = at.prior_gradient + at.likelihood_gradient;
+  const Eigen::MatrixXd bend = (gradient.rightCols(n) - gradient.leftCols(n)) / (2 * kStep);
+  if (!bend.allFinite()) return Eigen::MatrixXd::Identity(n, n);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((bend + bend.transpose()) / 2);
+  const Eigen::VectorXd positive = eigen.eigenvalues().cwiseAbs().cwiseMax(kLeastBend);
+  return eigen.eigenvectors() * positive.cwiseInverse().asDiagonal() *
+         eigen.eigenvectors().transpose();
+}
+
+}  // namespace thenar

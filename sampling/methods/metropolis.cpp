@@ -1,0 +1,165 @@
+#include "sampling/methods/metropolis.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "base/error.h"
+#include "sampling/methods/target.h"
+
+namespace thenar::internal {
+namespace {
+
+constexpr double kZero = -std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kAccept = 0xacce;  // purpose of the stream that decides
+
+/// P(accept) of a proposal.
+double acceptance(double now, double there, double log_proposal_ratio) {
+  if (there == kZero) return 0;
+  if (now == kZero) return 1;
+  return std::exp(std::min(0.0, there - now + log_proposal_ratio));
+}
+
+}  // namespace
+
+Metropolis::Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options)
+    : options_(std::move(options)),
+      x_(starts),
+      before_(starts),
+      prior_(Eigen::VectorXd::Zero(starts.cols())),
+      likelihood_(prior_),
+      value_(prior_),
+      stats_(static_cast<std::size_t>(starts.cols())) {
+  proposals_.x = starts;
+}
+
+bool Metropolis::inside(int chain) const { return value_[chain] > kZero; }
+
+RandomStream Metropolis::random(int chain, std::uint32_t purpose) const {
+  return {options_.seed, static_cast<std::uint32_t>(options_.first_chain + chain),
+          stream_step(steps_), purpose};
+}
+
+void Metropolis::begin(const Densities& at) {
+  begun_ = true;
+  prior_ = at.log_prior;
+  likelihood_ = at.log_likelihood;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered(at, k, options_.beta).value;
+}
+
+void Metropolis::decide(const Densities& at, Eigen::Index point) {
+  const int k = proposals_.chain[static_cast<std::size_t>(point)];
+  TemperedDensity there = tempered(at, point, options_.beta);
+  if (!proposals_.x.col(point).allFinite()) there.value = kZero;  // where no posterior holds it
+  StepStats& stats = stats_[static_cast<std::size_t>(k)];
+  stats = {};
+  stats.evaluations = 1;
+  stats.non_finite = there.non_finite ? 1 : 0;
+  stats.acceptance = acceptance(value_[k], there.value, proposals_.log_proposal_ratio[point]);
+  if (random(k, kAccept).uniform() < stats.acceptance) {
+    x_.col(k) = proposals_.x.col(point);
+    prior_[k] = at.log_prior[point];
+    likelihood_[k] = at.log_likelihood[point];
+    value_[k] = there.value;
+  }
+  stats.log_prior = prior_[k];
+  stats.log_likelihood = likelihood_[k];
+}
+
+void Metropolis::tell(const Densities& at) {
+  require(
+      at.log_prior.size() == proposals_.x.cols() && at.log_likelihood.size() == proposals_.x.cols(),
+      "{} points were asked, densities of {} came", proposals_.x.cols(), at.log_prior.size());
+  if (!begun_) {
+    begin(at);
+  } else {
+    for (Eigen::Index point = 0; point < proposals_.x.cols(); ++point) decide(at, point);
+    if (++round_ == rounds()) {
+      if (steps_ < options_.warm_up) learn(before_);
+      ++steps_;
+      round_ = 0;
+      before_ = x_;
+    }
+  }
+  proposals_ = propose(round_);
+}
+
+void Metropolis::move(int chain, const Eigen::VectorXd& x, const Densities& at) {
+  require(round_ == 0, "a chain can be moved between steps only");
+  require(chain >= 0 && chain < chains() && x.size() == size(), "no chain {} of {} entries", chain,
+          x.size());
+  x_.col(chain) = x;
+  before_.col(chain) = x;
+  prior_[chain] = at.log_prior[0];
+  likelihood_[chain] = at.log_likelihood[0];
+  value_[chain] = tempered(at, 0, options_.beta).value;
+  if (begun_)
+    proposals_ = propose(0);
+  else
+    proposals_.x = x_;
+}
+
+void Metropolis::set_beta(double beta) {
+  require(round_ == 0, "a sampler can change its temper between steps only");
+  options_.beta = beta;
+  if (!begun_) return;
+  for (int k = 0; k < chains(); ++k) value_[k] = tempered(density(k), 0, beta).value;
+  proposals_ = propose(0);
+}
+
+Densities Metropolis::density(int chain) const {
+  return {prior_.segment<1>(chain), likelihood_.segment<1>(chain), {}, {}};
+}
+
+void Metropolis::save(StateWriter& to) const {
+  require(round_ == 0, "a sampler can be saved between steps only");
+  to.put(std::int64_t{steps_});
+  to.put(std::int64_t{begun_});
+  to.put(x_);
+  to.put(prior_);
+  to.put(likelihood_);
+  for (const StepStats& stats : stats_) {
+    to.put(stats.acceptance);
+    to.put(std::int64_t{stats.evaluations});
+    to.put(std::int64_t{stats.non_finite});
+  }
+  save_learnt(to);
+}
+
+void Metropolis::restore(StateReader& from) {
+  steps_ = static_cast<long>(from.integer());
+  begun_ = from.integer() != 0;
+  const Eigen::MatrixXd x = from.matrix();
+  require(x.rows() == x_.rows() && x.cols() == x_.cols(),
+          "saved state has {} x {} positions, the sampler {} x {}", x.rows(), x.cols(), x_.rows(),
+          x_.cols());
+  x_ = x;
+  before_ = x;
+  round_ = 0;
+  const Eigen::VectorXd prior = from.matrix(), likelihood = from.matrix();
+  for (int k = 0; k < chains(); ++k) {
+    StepStats& stats = stats_[static_cast<std::size_t>(k)];
+    stats = {};
+    stats.acceptance = from.number();
+    stats.evaluations = static_cast<int>(from.integer());
+    stats.non_finite = static_cast<int>(from.integer());
+    stats.log_prior = prior[k];
+    stats.log_likelihood = likelihood[k];
+  }
+  const bool begun = begun_;
+  begin({prior, likelihood, {}, {}});
+  begun_ = begun;
+  restore_learnt(from);
+  proposals_ = begun_ ? propose(0) : Proposals{{}, x_, {}};
+}
+
+Eigen::MatrixXd initial_covariance_factor(const SamplerOptions& options, int size) {
+  if (options.covariance.size() == 0) return Eigen::MatrixXd::Identity(size, size);
+  const Eigen::LLT<Eigen::MatrixXd> llt(options.covariance);
+  require(llt.info() == Eigen::Success && options.covariance.allFinite(),
+          "the guess of the covariance is not positive definite");
+  return llt.matrixL();
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,75 @@
+#pragma once
+
+/// What samplers that only compare densities have in common.
+
+#include <vector>
+
+#include "base/random_stream.h"
+#include "sampling/methods/sampler.h"
+
+namespace thenar::internal {
+
+/// Chains that propose, compare densities, and accept or stay.
+///
+/// A step has one or more rounds, each of which proposes for some of the chains at once. A chain
+/// whose density is zero stays where it is until a proposal has another, which it takes whatever
+/// its density; it learns nothing until then.
+class Metropolis : public Sampler {
+ public:
+  Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options);
+
+  [[nodiscard]] int chains() const final { return static_cast<int>(x_.cols()); }
+  [[nodiscard]] WithGradient wants() const final { return WithGradient::kNo; }
+  [[nodiscard]] const Eigen::MatrixXd& asks() const final { return proposals_.x; }
+  void tell(const Densities& at) final;
+  [[nodiscard]] long steps() const final { return steps_; }
+  [[nodiscard]] const Eigen::MatrixXd& positions() const final { return x_; }
+  [[nodiscard]] const std::vector<StepStats>& stats() const final { return stats_; }
+  void move(int chain, const Eigen::VectorXd& x, const Densities& at) final;
+  [[nodiscard]] Densities density(int chain) const final;
+  void set_beta(double beta) final;
+  void save(StateWriter& to) const final;
+  void restore(StateReader& from) final;
+
+ protected:
+  struct Proposals {
+    std::vector<int> chain;  // that would move (points)
+    Eigen::MatrixXd x;       // to there (n, points)
+    Eigen::VectorXd
+        log_proposal_ratio;  // log of the density of the way back over that of the way there
+  };
+
+  /// Proposals of one round, a function of the state between steps and of earlier rounds.
+  [[nodiscard]] virtual Proposals propose(int round) = 0;
+  [[nodiscard]] virtual int rounds() const { return 1; }
+  /// After every step of warm-up. @param before  positions at its start (n, chains)
+  virtual void learn(const Eigen::MatrixXd& before) { (void)before; }
+  virtual void save_learnt(StateWriter& to) const { (void)to; }
+  virtual void restore_learnt(StateReader& from) { (void)from; }
+
+  [[nodiscard]] const SamplerOptions& options() const { return options_; }
+  [[nodiscard]] int size() const { return static_cast<int>(x_.rows()); }
+  [[nodiscard]] bool inside(int chain) const;  // the density is not zero
+  /// Random numbers of a chain's current step.
+  [[nodiscard]] RandomStream random(int chain, std::uint32_t purpose) const;
+
+ private:
+  void begin(const Densities& at);
+  void decide(const Densities& at, Eigen::Index point);
+
+  SamplerOptions options_;
+  Eigen::MatrixXd x_, before_;          // before_: at the start of the step (n, chains)
+  Eigen::VectorXd prior_, likelihood_;  // logarithms, at x_ (chains)
+  Eigen::VectorXd value_;               // log of the tempered density at x_ (chains)
+  std::vector<StepStats> stats_;
+  Proposals proposals_;  // before the first density is known: the starts
+  long steps_ = 0;
+  int round_ = 0;
+  bool begun_ = false;
+};
+
+/// A guess of the target's covariance as L with L L' = C; identity if there is none.
+/// @throws InputError if the guess is not positive definite.
+[[nodiscard]] Eigen::MatrixXd initial_covariance_factor(const SamplerOptions& options, int size);
+
+}  // namespace thenar::internal

@@ -1,0 +1,74 @@
+#include "sampling/methods/sampler.h"
+
+#include <array>
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr long kMaxStreamSteps = 1L << 32;  // that 32 bits tell apart
+
+constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
+    {{SamplingMethod::kAdaptiveMetropolis, "adaptive-metropolis"},
+     {SamplingMethod::kDreamZs, "dream-zs"},
+     {SamplingMethod::kStretchMove, "stretch"},
+     {SamplingMethod::kHmc, "hmc"},
+     {SamplingMethod::kNuts, "nuts"}}};
+
+void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
+  const Eigen::Index n = starts.rows();
+  require(n >= 1 && starts.cols() >= 1, "starts are {} x {}", n, starts.cols());
+  require(starts.allFinite(), "a start is not finite");
+  require(options.first_chain >= 0, "first chain must be >= 0, got {}", options.first_chain);
+  require(options.warm_up >= 0 && options.warm_up < kMaxStreamSteps,
+          "warm-up must be >= 0 and below 2^32 steps, got {}", options.warm_up);
+  require(options.beta >= 0 && options.beta <= 1, "temper must be in 0..1, got {}", options.beta);
+  require(options.target_acceptance >= 0 && options.target_acceptance < 1,
+          "target acceptance must be in 0 .. below 1, got {}", options.target_acceptance);
+  require(options.max_depth >= 1, "depth of trees must be >= 1, got {}", options.max_depth);
+  const Eigen::MatrixXd& C = options.covariance;
+  require(C.size() == 0 || (C.rows() == n && C.cols() == n),
+          "covariance is {} x {}, starts have {} entries", C.rows(), C.cols(), n);
+}
+
+}  // namespace
+
+std::unique_ptr<Sampler> build_sampler(SamplingMethod method, const Eigen::MatrixXd& starts,
+                                       const SamplerOptions& options) {
+  check_sampler(starts, options);
+  switch (method) {
+    case SamplingMethod::kAdaptiveMetropolis:
+      return internal::adaptive_metropolis(starts, options);
+    case SamplingMethod::kDreamZs:
+      return internal::dream_zs(starts, options);
+    case SamplingMethod::kStretchMove:
+      return internal::stretch_move(starts, options);
+    default:
+      return internal::hamiltonian(method, starts, options);
+  }
+}
+
+std::uint32_t internal::stream_step(long step) {
+  require(step >= 0 && step < kMaxStreamSteps,
+          "a chain has random numbers for 2^32 steps, asked for those of step {}", step);
+  return static_cast<std::uint32_t>(step);
+}
+
+SamplingMethod sampling_method(const std::string& name) {
+  for (const auto& [method, known] : kNames)
+    if (name == known) return method;
+  throw InputError(
+      "sampling method must be adaptive-metropolis, dream-zs, stretch, hmc or nuts, "
+      "got " +
+      name);
+}
+
+std::string name_of(SamplingMethod method) {
+  for (const auto& [known, name] : kNames)
+    if (method == known) return name;
+  throw InputError("no such sampling method");
+}
+
+}  // namespace thenar

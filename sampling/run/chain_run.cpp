@@ -1,0 +1,173 @@
+#include "sampling/run/chain_run.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "sampling/run/communicator.h"
+#include "sampling/run/draws.h"
+
+namespace thenar::internal {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}  // namespace
+
+ChainRun::ChainRun(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options,
+                   const Communicator& ranks, std::optional<RunFolder>& folder)
+    : options_(options),
+      ranks_(ranks),
+      folder_(folder),
+      samplers_(target, starts, options, ranks),
+      rows_(rows_of_draw(target.size())),
+      total_(options.sampler.warm_up + options.draws * options.thin),
+      kept_(static_cast<std::size_t>(options.groups)) {}
+
+void ChainRun::resume() {
+  const bool found = folder_ && folder_->state();
+  const std::string state = all_gather_bytes(ranks_, found ? *folder_->state() : "").front();
+  if (state.empty()) return;
+  StateReader reader(state);
+  const long step = reader.integer();
+  seconds_before_ = reader.number();
+  const Eigen::MatrixXd beta = reader.matrix();
+  std::vector<std::string> all;
+  while (!reader.done()) all.push_back(reader.bytes());
+  require(all.size() == static_cast<std::size_t>(options_.groups * options_.temperatures),
+          "the checkpoint has {} samplers", all.size());
+  samplers_.restore(step, beta, all);
+  saved_step_ = step;
+}
+
+void ChainRun::go() {
+  while (samplers_.step() < total_ && !stop_) {
+    leg();
+    if (checkpoint_due_) checkpoint();
+  }
+  checkpoint();
+}
+
+/// Steps for about a quarter of a second, so that stop requests are heard and time is known. How
+/// many is no matter for the draws.
+void ChainRun::leg() {
+  const long warm_up = options_.sampler.warm_up, from = samplers_.step();
+  const long end = from < warm_up ? std::min(warm_up, total_) : total_;
+  const Clock::time_point start = Clock::now();
+  samplers_.advance_to(std::min(end, from + next_leg_));
+  agree(seconds_since(start), samplers_.step() - from);
+  report();
+}
+
+void ChainRun::agree(double seconds, long steps) {
+  constexpr double kLeg = 0.25;  // [s]
+  const double goal = std::min(kLeg, options_.checkpoint_every);
+  const double next = double(steps) * goal / std::max(seconds, 1e-9);
+  Eigen::Vector4d mine;
+  mine << options_.progress.stop(), double(samplers_.divergent()),
+      seconds_since(last_checkpoint_) >= options_.checkpoint_every,
+      std::clamp(std::floor(next), 1.0, 2.0 * double(next_leg_));
+  const Eigen::VectorXd all = ranks_.all_gather(mine);
+  const Eigen::Map<const Eigen::Matrix4Xd> ranks(all.data(), 4, ranks_.size());
+  // Anyone may stop the run; the clock is that of rank 0.
+  stop_ = ranks.row(0).maxCoeff() > 0;
+  divergent_ = static_cast<long>(ranks.row(1).sum());
+  checkpoint_due_ = ranks(2, 0) > 0;
+  next_leg_ = static_cast<long>(ranks(3, 0));
+  seconds_per_step_ = seconds / double(steps);
+}
+
+void ChainRun::report() const {
+  if (!first()) return;
+  const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
+  const long left = static_cast<long>(double(total_ - step) * seconds_per_step_ + 0.5);
+  std::string what = step < warm_up ? fmt::format("warm-up, step {} of {}", step, warm_up)
+                                    : fmt::format("sampling, draw {} of {}",
+                                                  (step - warm_up) / options_.thin, options_.draws);
+  if (divergent_ > 0) what += fmt::format(", {} divergent", divergent_);
+  options_.progress(double(step) / double(std::max(1L, total_)),
+                    fmt::format("{}, {} s left", what, left));
+}
+
+std::string ChainRun::state(const std::vector<std::string>& samplers) const {
+  StateWriter writer;
+  writer.put(std::int64_t{samplers_.step()});
+  writer.put(seconds_before_ + seconds_since(start_));
+  writer.put(samplers_.beta());
+  for (const std::string& sampler : samplers) writer.put_bytes(sampler);
+  return writer.bytes();
+}
+
+/// Gathers the new draws, and where there is a folder the states, on rank 0, which keeps them.
+void ChainRun::checkpoint() {
+  last_checkpoint_ = Clock::now();
+  if (saved_step_ == samplers_.step()) return;
+  saved_step_ = samplers_.step();
+  const std::vector<Eigen::MatrixXd> draws = samplers_.take_draws();
+  const std::vector<std::string> states =
+      options_.folder.empty() ? std::vector<std::string>{} : samplers_.save();
+  StateWriter writer;
+  writer.put(static_cast<std::int64_t>(draws.size()));
+  for (const Eigen::MatrixXd& group : draws) writer.put(group);
+  for (const std::string& sampler : states) writer.put_bytes(sampler);
+
+  std::vector<Eigen::MatrixXd> all_draws;
+  std::vector<std::string> all_states;
+  for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {
+    if (!first()) break;
+    StateReader reader(bytes);
+    for (std::int64_t left = reader.integer(); left > 0; --left)
+      all_draws.push_back(reader.matrix());
+    while (!reader.done()) all_states.push_back(reader.bytes());
+  }
+  if (folder_) folder_->commit(all_draws, state(all_states));
+  for (std::size_t g = 0; g < all_draws.size() && !folder_; ++g)
+    kept_[g].push_back(std::move(all_draws[g]));
+}
+
+Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
+  if (folder_) return folder_->read(group);
+  Eigen::Index columns = 0;
+  for (const Eigen::MatrixXd& part : kept_[group]) columns += part.cols();
+  Eigen::MatrixXd all(rows_ * options_.walkers, columns);
+  columns = 0;
+  for (const Eigen::MatrixXd& part : kept_[group]) {
+    all.middleCols(columns, part.cols()) = part;
+    columns += part.cols();
+  }
+  return all;
+}
+
+Draws ChainRun::result() const {
+  Draws draws;
+  draws.beta = samplers_.beta();
+  const Eigen::VectorXd rates = ranks_.all_gather(samplers_.swap_rates());
+  draws.swap_rate =
+      Eigen::Map<const Eigen::MatrixXd>(rates.data(), draws.beta.size() - 1, options_.groups);
+  draws.warm_up = options_.sampler.warm_up;
+  draws.complete = samplers_.step() >= total_;
+  draws.seconds = seconds_before_ + seconds_since(start_);
+  if (!first()) return draws;
+  for (int g = 0; g < options_.groups; ++g) {
+    const Eigen::MatrixXd rows = draws_of(static_cast<std::size_t>(g));
+    const Eigen::Index count = std::min<Eigen::Index>(rows.cols(), options_.draws);
+    for (int w = 0; w < options_.walkers; ++w) {
+      const auto chain = rows.block(w * rows_, 0, rows_, count);
+      Eigen::MatrixXd x(samplers_.size(), count);
+      std::vector<StepStats> stats;
+      for (Eigen::Index k = 0; k < count; ++k) {
+        x.col(k) = position_of(chain.col(k));
+        stats.push_back(stats_of(chain.col(k)));
+      }
+      draws.x.push_back(std::move(x));
+      draws.stats.push_back(std::move(stats));
+      draws.group.push_back(g);
+    }
+  }
+  return draws;
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,94 @@
+#include "solvers/bounded_least_squares.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace thenar {
+namespace {
+
+constexpr double kSmallest = 1e-9;  // radius at which a fit gives up
+constexpr int kSweeps = 400;
+constexpr double kSettled = 1e-9;  // relative move of a sweep at which descent stops
+
+constexpr double kRounding = 1e-6;  // gap of a linearised problem that no sweep lessens
+
+/// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
+Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {
+  Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
+  H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
+  const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
+  const Eigen::VectorXd lower = (fit.lower - now.x).cwiseMax(-radius);
+  const Eigen::VectorXd upper = (fit.upper - now.x).cwiseMin(radius);
+  Eigen::VectorXd d = bounded_quadratic(H, g, lower, upper);
+  now.gap = quadratic_gap(H, g, lower, upper, d);
+  return d;
+}
+
+/// Cost of the linearised problem after a step, less the cost now.
+double foreseen_change(const BoundedFit& fit, const BoundedFitResult& now,
+                       const Eigen::VectorXd& d) {
+  return (now.at.r + now.at.J * d).squaredNorm() - now.at.r.squaredNorm() + fit.price.dot(d);
+}
+
+}  // namespace
+
+Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                                  const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
+  Eigen::VectorXd slope = 2 * H * d + g;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    double moved = 0;
+    for (Eigen::Index i = 0; i < g.size(); ++i) {
+      const double wanted = d(i) - slope(i) / (2 * H(i, i));
+      const double move = std::clamp(wanted, lower(i), upper(i)) - d(i);
+      if (move == 0) continue;
+      d(i) += move;
+      slope += 2 * move * H.col(i);
+      moved = std::max(moved, std::abs(move) / (std::abs(d(i)) + kSettled));
+    }
+    if (moved < kSettled) break;
+  }
+  return d;
+}
+
+double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
+                     const Eigen::VectorXd& lower, const Eigen::VectorXd& upper,
+                     const Eigen::VectorXd& d) {
+  const Eigen::VectorXd slope = 2 * H * d + g;
+  double gap = 0;
+  for (Eigen::Index i = 0; i < d.size(); ++i)
+    if (slope(i) != 0) gap += slope(i) * (d(i) - (slope(i) > 0 ? lower(i) : upper(i)));
+  return gap;
+}
+
+BoundedFitResult bounded_least_squares(const BoundedFit& fit, Eigen::VectorXd x0,
+                                       const BoundedFitOptions& options) {
+  BoundedFitResult now;
+  now.x = x0.cwiseMax(fit.lower).cwiseMin(fit.upper);
+  now.at = fit.residuals(now.x, Sensitivities::kWith);
+  now.possible = now.at.possible;
+  if (!now.possible) return now;
+  now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
+  double radius = options.radius;
+  for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
+    const Eigen::VectorXd d = trusted_step(fit, now, radius);
+    const double foreseen = foreseen_change(fit, now, d);
+    const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
+    now.converged = -foreseen < small && now.gap <= std::max(small, kRounding);
+    if (-foreseen < small) break;
+    const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
+    FitResiduals next = fit.residuals(x, Sensitivities::kWith);
+    const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
+    const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
+    if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
+    if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
+    if (ratio < 1e-3) continue;
+    now.x = x;
+    now.cost = cost;
+    now.at = std::move(next);
+  }
+  return now;
+}
+
+}  // namespace thenar

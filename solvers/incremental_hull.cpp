@@ -1,0 +1,250 @@
+#include "solvers/incremental_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+
+namespace thenar::internal {
+namespace {
+
+constexpr double kUlp = std::numeric_limits<double>::epsilon();
+constexpr double kPlaneRounding = 32 * kUlp;  // of one n'p - d, in parts of the size [1]
+constexpr double kErrorToCheck = 1e-13;       // of a plane, in parts of the size [1]
+
+/// Scatters numbers over 64 bits (the finaliser of SplitMix64).
+std::uint64_t scatter(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15ULL;
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
+  return x ^ (x >> 31);
+}
+
+/// Where vertex j stands in the facet without vertex i, such that all facets are oriented alike: in
+/// order, but with the first two swapped in every other facet.
+int place_in_simplex(int i, int j) {
+  const int place = j < i ? j : j - 1;
+  return i % 2 == 1 && place < 2 ? 1 - place : place;
+}
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+}  // namespace
+
+Hull::Hull(const std::array<HullPoint, 7>& simplex)
+    : bar_(std::numeric_limits<double>::infinity()) {
+  for (const HullPoint& p : simplex) {
+    inside_ += p / 7;
+    size_ = std::max(size_, p.norm());
+    code_.push_back(scatter(points_.size()));
+    points_.push_back(p);
+  }
+  for (int i = 0; i < 7; ++i) (void)new_facet();
+  for (int i = 0; i < 7; ++i) {
+    Links& links = links_[at(i)];
+    for (int j = 0; j < 7; ++j) {
+      if (j == i) continue;
+      const std::size_t place = at(place_in_simplex(i, j));
+      links.vertex[place] = links.neighbour[place] = j;
+      links.back[place] = static_cast<std::int8_t>(place_in_simplex(j, i));
+    }
+    planes_[at(i)] = solve(links);
+    error_ = std::max(error_, planes_[at(i)].error);
+    queue(i);
+  }
+}
+
+int Hull::new_facet() {
+  ++alive_;
+  int facet = static_cast<int>(links_.size());
+  if (free_.empty()) {
+    links_.emplace_back();
+    planes_.emplace_back();
+  } else {
+    facet = free_.back();
+    free_.pop_back();
+  }
+  links_[at(facet)].birth = ++births_;
+  links_[at(facet)].stamp = stamp_;
+  links_[at(facet)].s = 0;
+  return facet;
+}
+
+void Hull::queue(int facet) {
+  const double d = planes_[at(facet)].d;
+  if (d >= bar_) return;
+  queue_.push_back({d, facet, links_[at(facet)].birth});
+  std::push_heap(queue_.begin(), queue_.end(),
+                 [](const Queued& a, const Queued& b) { return a.d > b.d; });
+}
+
+int Hull::pop_nearest() {
+  while (!queue_.empty()) {
+    std::pop_heap(queue_.begin(), queue_.end(),
+                  [](const Queued& a, const Queued& b) { return a.d > b.d; });
+    const Queued next = queue_.back();
+    queue_.pop_back();
+    if (links_[at(next.facet)].birth != next.birth) continue;
+    if (next.d < bar_) return next.facet;
+    queue_.clear();  // all others are further off
+  }
+  return -1;
+}
+
+bool Hull::insert(const HullPoint& p, int facet) {
+  size_ = std::max(size_, p.norm());
+  find_visible(p, facet);
+  if (visible_.empty()) return false;
+  const int point = static_cast<int>(points_.size());
+  points_.push_back(p);
+  code_.push_back(scatter(points_.size()));
+
+  // A table of ridges with room for all.
+  std::size_t room = std::max<std::size_t>(table_.size(), 64);
+  while (room < 8 * horizon_.size()) room *= 2;
+  if (room != table_.size()) table_.assign(room, {0, 0, -1, 0});
+
+  for (const Ridge& ridge : horizon_) match_ridges(raise_facet(ridge, point), ridge.place);
+  for (const int gone : visible_) {
+    links_[at(gone)].birth = 0;
+    free_.push_back(gone);
+    --alive_;
+  }
+  return true;
+}
+
+void Hull::find_visible(const HullPoint& p, int facet) {
+  ++stamp_;
+  visible_.clear();
+  horizon_.clear();
+  const auto look = [&](int f) {
+    Links& links = links_[at(f)];
+    if (links.stamp == stamp_) return links.s > 0;
+    links.stamp = stamp_;
+    const Plane& plane = planes_[at(f)];
+    const double s = plane.n.dot(p) - plane.d;
+    links.s = s > plane.error + kPlaneRounding * size_ ? s : std::min(s, 0.0);
+    if (links.s > 0) visible_.push_back(f);
+    return links.s > 0;
+  };
+  look(facet);
+  for (std::size_t k = 0; k < visible_.size(); ++k) {
+    const int f = visible_[k];
+    for (int i = 0; i < 6; ++i)
+      if (!look(links_[at(f)].neighbour[at(i)])) horizon_.push_back({f, i});
+  }
+}
+
+int Hull::raise_facet(const Ridge& ridge, int point) {
+  const int facet = new_facet();
+  Links& links = links_[at(facet)];
+  const Links& seen = links_[at(ridge.facet)];
+  const std::size_t place = at(ridge.place);
+  const int across = seen.neighbour[place];
+  Links& hidden = links_[at(across)];
+
+  links.vertex = seen.vertex;
+  links.vertex[place] = point;
+  links.neighbour[place] = across;
+  links.back[place] = seen.back[place];
+  hidden.neighbour[at(seen.back[place])] = facet;
+  hidden.back[at(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
+
+  planes_[at(facet)] = pencil(seen, planes_[at(ridge.facet)], hidden, planes_[at(across)]);
+  settle(facet);
+  queue(facet);
+  return facet;
+}
+
+Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
+                         const Plane& b) const {
+  const double wa = -hidden.s, wb = seen.s;
+  Plane out{wa * a.n + wb * b.n, wa * a.d + wb * b.d, 0};
+  const double scale = 1 / out.n.norm();
+  out.n *= scale;
+  out.d *= scale;
+  out.error = scale * (wa * a.error + wb * b.error + kPlaneRounding * size_ * (wa + wb));
+  return out;
+}
+
+void Hull::settle(int facet) {
+  Plane& plane = planes_[at(facet)];
+  const Links& links = links_[at(facet)];
+  if (!(plane.error <= kErrorToCheck * size_)) {
+    plane.error = residual(plane, links);
+    if (!(plane.error <= kErrorToCheck * size_)) {
+      const Plane solved = solve(links);
+      if (!(plane.error <= solved.error)) plane = solved;
+    }
+  }
+  error_ = std::max(error_, plane.error);
+}
+
+double Hull::residual(const Plane& plane, const Links& links) const {
+  double worst = 0;
+  for (const int v : links.vertex)
+    worst = std::max(worst, std::abs(plane.n.dot(points_[at(v)]) - plane.d));
+  return std::isfinite(plane.d) ? worst + kPlaneRounding * size_
+                                : std::numeric_limits<double>::infinity();
+}
+
+Hull::Plane Hull::solve(const Links& links) const {
+  Eigen::Matrix<double, 6, 5> edges;
+  const HullPoint& origin = points_[at(links.vertex[5])];
+  for (int i = 0; i < 5; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - origin;
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 6, 5>> qr(edges);
+  const Eigen::Matrix<double, 6, 6> Q = qr.householderQ();
+  Plane plane{Q.col(5), Q.col(5).dot(origin), 0};
+  if (plane.n.dot(inside_) > plane.d) plane = {-plane.n, -plane.d, 0};
+  plane.error = residual(plane, links);
+  return plane;
+}
+
+void Hull::match_ridges(int facet, int place_of_point) {
+  const Links& links = links_[at(facet)];
+  std::uint64_t sum = 0;
+  for (const int v : links.vertex) sum += code_[at(v)];
+  for (int i = 0; i < 6; ++i)
+    if (i != place_of_point)
+      join(facet, static_cast<std::int8_t>(i), sum - code_[at(links.vertex[at(i)])]);
+}
+
+void Hull::join(int facet, std::int8_t place, std::uint64_t key) {
+  const std::size_t mask = table_.size() - 1;
+  for (std::size_t i = key & mask;; i = (i + 1) & mask) {
+    Slot& slot = table_[i];
+    if (slot.stamp != stamp_) {
+      slot = {key, stamp_, facet, place};
+      return;
+    }
+    if (slot.key != key || slot.facet < 0) continue;
+    links_[at(facet)].neighbour[at(place)] = slot.facet;
+    links_[at(facet)].back[at(place)] = slot.place;
+    links_[at(slot.facet)].neighbour[at(slot.place)] = facet;
+    links_[at(slot.facet)].back[at(slot.place)] = place;
+    slot.facet = -1;
+    return;
+  }
+}
+
+double Hull::inner_radius() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < links_.size(); ++i)
+    if (links_[i].birth != 0) least = std::min(least, planes_[i].d - planes_[i].n.dot(inside_));
+  return least;
+}
+
+double Hull::volume() const {
+  double sum = 0;
+  for (const Links& links : links_) {
+    if (links.birth == 0) continue;
+    Eigen::Matrix<double, 6, 6> edges;
+    for (int i = 0; i < 6; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - inside_;
+    sum += edges.determinant();
+  }
+  return std::abs(sum) / 720;  // 6!; all facets are oriented alike
+}
+
+}  // namespace thenar::internal

@@ -1,0 +1,167 @@
+#include "tendons/forces/coordination.h"
+
+#include <cmath>
+#include <limits>
+
+#include "base/error.h"
+#include "solvers/linear_program.h"
+#include "solvers/nonlinear_program.h"
+#include "solvers/relative_interior.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+/// What both ways of solving start from and end with.
+struct Task {
+  const TipStatics& statics;
+  const internal::TipBalance& balance;
+  Vector3d wanted;  // [N]
+  double p;
+};
+
+/// Bounds and balance of the activations that make the wanted force; maximises nothing.
+LinearProgram activation_program(const Task& task) {
+  const Index m = task.balance.most.size();
+  const VectorXd wanted =
+      task.balance.row_scale.cwiseProduct(task.statics.J.transpose() * task.wanted);
+  LinearProgram program;
+  program.objective = VectorXd::Zero(m);
+  program.A = task.balance.tension_part;
+  program.row_lower = program.row_upper = task.balance.constant - wanted;
+  program.lower = VectorXd::Zero(m);
+  program.upper = task.balance.most;
+  return program;
+}
+
+Coordination report(const Task& task, ForceStatus status, const VectorXd& a, const Vector3d& force,
+                    const std::string& message, double gap = KktResidual::kUnknown) {
+  Coordination result{status, internal::tension(task.balance, a), {}, 0, force, {}, message, gap};
+  result.activation = internal::activation(task.statics, result.tension);
+  result.effort = result.activation.array().pow(task.p).sum();
+  result.tau_residual = task.statics.J.transpose() * task.wanted -
+                        task.statics.R.transpose() * result.tension - task.statics.tau_0;
+  return result;
+}
+
+/// No tensions and no force, because a linear program stopped short of an answer.
+Coordination unsolved(const Task& task, LinearStatus status) {
+  return report(task, internal::force_status(status), VectorXd::Zero(task.balance.most.size()),
+                Vector3d::Zero(), "a linear program stalled");
+}
+
+/// How far above its least value a convex objective is at most:  sum of price x distance to bounds,
+/// and the slope that is left times how far away the optimum can be.
+double convex_gap(const NonlinearResult& result, double radius) {
+  const double slope =
+      result.kkt_residual.stationarity * std::sqrt(static_cast<double>(result.x.size()));
+  return result.kkt_residual.complementarity + slope * radius;
+}
+
+/// Diameter of the box of m activations between 0 and 1.
+double diameter(Index m) { return std::sqrt(static_cast<double>(m)); }
+
+/// Effort as a function of y with exact second derivatives; |a|^p, so that a trial step beyond zero
+/// stays convex.
+NonlinearProgram effort_program(const internal::RelativeInterior& interior, double p) {
+  NonlinearProgram program = internal::program_over_interior(interior);
+  const auto activation = [&interior](const VectorXd& y) -> ArrayXd {
+    return (interior.z0 + interior.Z * y).array();
+  };
+  program.objective = [activation, p](const VectorXd& y) {
+    return activation(y).abs().pow(p).sum();
+  };
+  program.gradient = [activation, &interior, p](const VectorXd& y) -> VectorXd {
+    const ArrayXd a = activation(y);
+    return interior.Z.transpose() * (p * a.sign() * a.abs().pow(p - 1)).matrix();
+  };
+  program.hessian = [activation, &interior, p](const VectorXd& y, double factor,
+                                               const VectorXd&) -> MatrixXd {
+    const ArrayXd a = activation(y).abs().max(1e-12);  // p < 2 is infinitely curved at zero
+    const VectorXd curvature = factor * p * (p - 1) * a.pow(p - 2);
+    return interior.Z.transpose() * curvature.asDiagonal() * interior.Z;
+  };
+  return program;
+}
+
+/// The force in reach that is nearest to the wanted one:  minimise |U phi - wanted|^2.
+Coordination nearest(const Task& task) {
+  const internal::TipBalance& balance = task.balance;
+  const Index m = balance.most.size();
+  LinearProgram everything = activation_program(task);
+  everything.A.resize(balance.constant.size(), 3 + m);
+  everything.A << balance.force_part, balance.tension_part;
+  everything.row_lower = everything.row_upper = balance.constant;
+  everything.lower = VectorXd::Zero(3 + m);
+  everything.lower.head<3>().setConstant(-std::numeric_limits<double>::infinity());
+  everything.upper = VectorXd::Constant(3 + m, std::numeric_limits<double>::infinity());
+  everything.upper.tail(m) = balance.most;
+  const internal::RelativeInterior interior = internal::relative_interior(everything);
+  if (interior.status != LinearStatus::kSolved)
+    return report(
+        task, internal::force_status(interior.status), VectorXd::Zero(m), Vector3d::Zero(),
+        interior.status == LinearStatus::kStalled ? "a linear program stalled"
+                                                  : "no force at all balances the passive torque");
+
+  const VectorXd aim = balance.U.transpose() * task.wanted / balance.force_unit;
+  const MatrixXd Z = interior.Z.topRows(3);
+  const auto miss = [&](const VectorXd& y) -> VectorXd {
+    return interior.z0.head(3) + Z * y - aim;
+  };
+  NonlinearProgram program = internal::program_over_interior(interior);
+  program.objective = [&](const VectorXd& y) { return miss(y).squaredNorm(); };
+  program.gradient = [&](const VectorXd& y) -> VectorXd { return 2 * Z.transpose() * miss(y); };
+  program.hessian = [&](const VectorXd&, double factor, const VectorXd&) -> MatrixXd {
+    return 2 * factor * Z.transpose() * Z;
+  };
+  const NonlinearResult best = solve_ipopt(program, VectorXd::Zero(Z.cols()));
+  const ForceStatus status = internal::force_status(best.status);
+  const VectorXd z = interior.z0 + interior.Z * best.x;
+  const auto square = [](double value) { return value * value; };
+  // The optimum is no farther from the wanted force than this, so at most twice that from here.
+  return report(
+      task, status == ForceStatus::kSolved ? ForceStatus::kInfeasible : status, z.tail(m),
+      balance.force_unit * (balance.U * z.head(3)),
+      status == ForceStatus::kSolved ? "the wanted force is out of reach; this is the nearest"
+                                     : best.message,
+      square(balance.force_unit) * convex_gap(best, diameter(m) + 2 * miss(best.x).norm()));
+}
+
+}  // namespace
+
+Coordination coordinate(const TipStatics& statics, const Vector3d& f,
+                        const CoordinationOptions& options) {
+  const internal::TipBalance balance = internal::tip_balance(statics);
+  require(f.allFinite(), "the wanted force must be finite");
+  require(options.p >= 1 && std::isfinite(options.p), "the power of an effort must be >= 1, got {}",
+          options.p);
+  require(statics.max_tension.allFinite(), "effort needs a finite F0 for every muscle");
+  const Task task{statics, balance, f, options.p};
+
+  LinearProgram linear = activation_program(task);
+  if (options.p == 1) {
+    linear.objective.setConstant(-1);
+    const LinearResult best = solve(linear);
+    if (best.status == LinearStatus::kInfeasible) return nearest(task);
+    if (best.status != LinearStatus::kSolved) return unsolved(task, best.status);
+    return report(task, ForceStatus::kSolved, best.x, f, "linear program", best.certificate.gap);
+  }
+
+  const internal::RelativeInterior interior = internal::relative_interior(linear);
+  if (interior.status == LinearStatus::kInfeasible) return nearest(task);
+  if (interior.status != LinearStatus::kSolved) return unsolved(task, interior.status);
+  NonlinearOptions sharp;  // a silent muscle is off by the p-th root of this
+  sharp.tolerance = 1e-13;
+  const NonlinearResult best =
+      solve_ipopt(effort_program(interior, options.p), VectorXd::Zero(interior.Z.cols()), sharp);
+  return report(task, internal::force_status(best.status), interior.z0 + interior.Z * best.x, f,
+                best.message, convex_gap(best, diameter(interior.z0.size())));
+}
+
+}  // namespace thenar

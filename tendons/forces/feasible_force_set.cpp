@@ -1,0 +1,383 @@
+#include "tendons/forces/feasible_force_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+#include <Eigen/SVD>
+
+#include "base/numbers.h"
+#include "solvers/convex_hull.h"
+#include "solvers/linear_program.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kCertified = 1e-9;     // support may exceed a facet by this part of the extent
+constexpr double kAccepted = 1e-6;      // the same of a thin set, where rounding allows no less
+constexpr double kFlat = 1e-9;          // width, as part of the size, below which a set is flat
+constexpr double kNoForce = 1e-9;       // size, in force units, below which nothing is made
+constexpr double kSamePoint = 1e-10;    // of the extent: two support points are one
+constexpr double kStraightEdge = 1e-6;  // sine of an angle below which a corner is none
+constexpr double kVolume = 1e-9;        // by which volumes by x, y and z may differ
+constexpr int kMostRounds = 200;        // of hull growth; about 6 are needed
+
+/// A point of the set, and activations that make it.
+struct Point {
+  VectorXd phi;  // coordinates along the first r columns of U, in force units (r)
+  VectorXd a;    // (m)
+  double gap;    // by which the set may reach farther, in the unit of the direction asked for
+};
+
+/// Asks for the farthest point of the set in any direction.
+class SupportOracle {
+ public:
+  explicit SupportOracle(const internal::TipBalance& balance) : r_(balance.rank) {
+    const Index n = balance.constant.size(), m = balance.most.size();
+    program_.A.resize(n, r_ + m);
+    program_.A << balance.force_part.leftCols(r_), balance.tension_part;
+    program_.row_lower = program_.row_upper = balance.constant;
+    program_.lower = VectorXd::Zero(r_ + m);
+    program_.lower.head(r_).setConstant(-std::numeric_limits<double>::infinity());
+    program_.upper = VectorXd::Constant(r_ + m, std::numeric_limits<double>::infinity());
+    program_.upper.tail(m) = balance.most;
+    program_.objective = VectorXd::Zero(r_ + m);
+  }
+
+  [[nodiscard]] Index dimension() const { return r_; }
+  [[nodiscard]] LinearStatus worst() const { return worst_; }  // of all answers so far
+
+  Point farthest(const VectorXd& direction) {
+    program_.objective.head(r_) = direction;
+    const LinearResult result = solve(program_);
+    if (result.status != LinearStatus::kSolved) worst_ = result.status;
+    return {result.x.head(r_), result.x.tail(result.x.size() - r_), result.certificate.gap};
+  }
+
+ private:
+  Index r_;
+  LinearProgram program_;
+  LinearStatus worst_ = LinearStatus::kSolved;
+};
+
+/// Orthonormal axes along which the set has width, and half that width.
+struct Frame {
+  VectorXd centre;  // (r)
+  MatrixXd axes;    // (r, d)
+  VectorXd half;    // (d)
+
+  [[nodiscard]] VectorXd local(const VectorXd& phi) const {
+    return (axes.transpose() * (phi - centre)).cwiseQuotient(half);
+  }
+  /// u with u' phi = normal' local(phi) + constant: of order one over the set, however thin.
+  [[nodiscard]] VectorXd outward(const VectorXd& local_normal) const {
+    return axes * local_normal.cwiseQuotient(half);
+  }
+};
+
+void append(const VectorXd& column, MatrixXd& matrix) {
+  matrix.conservativeResize(column.size(), matrix.cols() + 1);
+  matrix.rightCols<1>() = column;
+}
+
+/// The difference a - b across `known`; taken out twice, so that rounding is out too.
+VectorXd across(const MatrixXd& known, const Point& a, const Point& b) {
+  VectorXd difference = a.phi - b.phi;
+  for (int twice = 0; twice < 2; ++twice) difference -= known * (known.transpose() * difference);
+  return difference;
+}
+
+/// The longest difference from the first point across `known`.
+VectorXd widest_across(const MatrixXd& known, const std::vector<Point>& points) {
+  VectorXd best = VectorXd::Zero(points.front().phi.size());
+  for (const Point& point : points) {
+    const VectorXd difference = across(known, point, points.front());
+    if (difference.norm() > best.norm()) best = difference;
+  }
+  return best;
+}
+
+/// Any unit vector across `known`.
+VectorXd any_across(const MatrixXd& known) {
+  const Eigen::HouseholderQR<MatrixXd> qr(known);
+  return MatrixXd(qr.householderQ()).col(known.cols());
+}
+
+/// Finds the affine hull: the set is flat across every direction that is not in the frame.
+Frame span(SupportOracle& oracle, std::vector<Point>& points) {
+  const Index r = oracle.dimension();
+  const auto add_both_ways = [&](const VectorXd& u) {
+    points.push_back(oracle.farthest(u));
+    points.push_back(oracle.farthest(-u));
+    return u.dot(points[points.size() - 2].phi - points.back().phi);
+  };
+  for (Index i = 0; i < r; ++i) add_both_ways(VectorXd::Unit(r, i));
+  double size = 0;
+  for (const Point& point : points) size = std::max(size, point.phi.norm());
+  const double flat = std::max(kFlat * size, kNoForce);
+
+  Frame frame{VectorXd::Zero(r), MatrixXd(r, 0), VectorXd(0)};
+  MatrixXd known(r, 0);
+  while (known.cols() < r) {
+    VectorXd u = widest_across(known, points);
+    bool wide = u.norm() > flat;
+    u = wide ? u.normalized() : any_across(known);
+    double width = add_both_ways(u);
+    if (!wide && width > flat) {  // now there is a difference to follow, at least that long
+      wide = true;
+      u = across(known, points[points.size() - 2], points.back()).normalized();
+      width = add_both_ways(u);
+    }
+    append(u, known);
+    if (!wide) continue;
+    append(u, frame.axes);
+    frame.half.conservativeResize(frame.axes.cols());
+    frame.half(frame.axes.cols() - 1) = width / 2;
+  }
+  for (const Point& point : points) frame.centre += point.phi / static_cast<double>(points.size());
+  return frame;
+}
+
+MatrixXd local_points(const Frame& frame, const std::vector<Point>& points) {
+  MatrixXd local(static_cast<Index>(points.size()), frame.half.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    local.row(static_cast<Index>(i)) = frame.local(points[i].phi);
+  return local;
+}
+
+/// Adds a point unless it is there; says whether it was added.
+bool add_new(const Frame& frame, const Point& point, std::vector<Point>& points) {
+  const VectorXd local = frame.local(point.phi);
+  for (const Point& old : points)
+    if ((frame.local(old.phi) - local).norm() < kSamePoint) return false;
+  points.push_back(point);
+  return true;
+}
+
+std::vector<Point> distinct(const Frame& frame, const std::vector<Point>& points) {
+  std::vector<Point> kept;
+  for (const Point& point : points) add_new(frame, point, kept);
+  return kept;
+}
+
+bool same_plane(const HullFacet& a, const HullFacet& b) {
+  return (a.normal - b.normal).norm() < 1e-12 && std::abs(a.offset - b.offset) < 1e-12;
+}
+
+/// Grows the hull until the farthest point over every facet lies on it.
+/// @param excess  by how much the set may exceed a facet that stayed, as part of the extent
+ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& points,
+                double& excess) {
+  std::vector<HullFacet> certified;
+  excess = 0;
+  for (int round = 0; round < kMostRounds; ++round) {
+    ConvexHull hull = convex_hull(local_points(frame, points));
+    if (!hull.failure.empty()) return hull;
+    bool grown = false;
+    double open = 0;  // of facets that are exceeded, though by no new point
+    for (const HullFacet& facet : hull.facets) {
+      const auto is_same = [&](const HullFacet& other) { return same_plane(facet, other); };
+      if (std::any_of(certified.begin(), certified.end(), is_same)) continue;
+      const Point beyond = oracle.farthest(frame.outward(facet.normal));
+      const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
+      if (over > kCertified && add_new(frame, beyond, points)) grown = true;
+      open = max_or_nan(open, over);
+      if (over > kCertified) continue;
+      certified.push_back(facet);
+      excess = max_or_nan(excess, over);
+    }
+    excess = max_or_nan(excess, grown ? 0.0 : open);
+    if (!grown) return hull;
+  }
+  return {{}, "the hull of feasible forces did not close", {}};
+}
+
+/// Keeps the points where facets of d independent directions meet: true corners, not points
+/// that a tie left inside an edge or a facet.
+std::vector<Point> corners(const ConvexHull& hull, const Frame& frame,
+                           const std::vector<Point>& points) {
+  std::vector<Point> kept;
+  for (const Point& point : points) {
+    const VectorXd local = frame.local(point.phi);
+    MatrixXd normals(local.size(), 0);
+    for (const HullFacet& facet : hull.facets)
+      if (facet.normal.dot(local) > facet.offset - kCertified) append(facet.normal, normals);
+    if (normals.cols() < local.size()) continue;
+    const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(normals).singularValues();
+    if (sigma(local.size() - 1) > kStraightEdge) kept.push_back(point);
+  }
+  return kept;
+}
+
+/// Puts the corners of a polygon in order about their centre.
+void sort_ring(const Frame& frame, std::vector<Point>& points) {
+  VectorXd centre = VectorXd::Zero(2);
+  for (const Point& point : points)
+    centre += frame.local(point.phi) / static_cast<double>(points.size());
+  const auto angle = [&](const Point& point) {
+    const VectorXd arm = frame.local(point.phi) - centre;
+    return std::atan2(arm(1), arm(0));
+  };
+  std::sort(points.begin(), points.end(),
+            [&](const Point& a, const Point& b) { return angle(a) < angle(b); });
+}
+
+void add_fan(const std::vector<int>& ring, FeasibleForceSet& set) {
+  for (std::size_t i = 2; i < ring.size(); ++i) {
+    set.triangles.conservativeResize(set.triangles.rows() + 1, 3);
+    set.triangles.bottomRows<1>() << ring[0], ring[i - 1], ring[i];
+  }
+}
+
+double measure(const FeasibleForceSet& set) {
+  const auto vertex = [&](Index i) -> Eigen::Vector3d { return set.vertices.row(i); };
+  if (set.dimension == 0) return 1;
+  if (set.dimension == 1) return (vertex(1) - vertex(0)).norm();
+  double total = 0;
+  for (Index i = 0; i < set.triangles.rows(); ++i) {
+    const Eigen::Vector3d a = vertex(set.triangles(i, 1)) - vertex(set.triangles(i, 0));
+    const Eigen::Vector3d b = vertex(set.triangles(i, 2)) - vertex(set.triangles(i, 0));
+    total += set.dimension == 2 ? a.cross(b).norm() / 2
+                                : (vertex(set.triangles(i, 0)) - vertex(0)).dot(a.cross(b)) / 6;
+  }
+  return total;
+}
+
+void write_points(const TipStatics& statics, const internal::TipBalance& balance,
+                  const std::vector<Point>& points, FeasibleForceSet& set) {
+  const auto k = static_cast<Index>(points.size());
+  set.vertices.resize(k, 3);
+  set.tension.resize(k, balance.most.size());
+  set.activation.resize(k, balance.most.size());
+  for (Index i = 0; i < k; ++i) {
+    const Point& point = points[static_cast<std::size_t>(i)];
+    set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
+    set.tension.row(i) = internal::tension(balance, point.a);
+    set.activation.row(i) = internal::activation(statics, set.tension.row(i));
+    set.imbalance = max_or_nan(
+        set.imbalance, internal::imbalance(statics, set.vertices.row(i), set.tension.row(i)));
+  }
+}
+
+void write_facets(const internal::TipBalance& balance, const Frame& frame, const ConvexHull& hull,
+                  FeasibleForceSet& set) {
+  const auto sides = static_cast<Index>(hull.facets.size());
+  set.normals.resize(sides, 3);
+  for (Index i = 0; i < sides; ++i) {
+    const HullFacet& facet = hull.facets[static_cast<std::size_t>(i)];
+    set.normals.row(i) =
+        balance.U.leftCols(balance.rank) * frame.outward(facet.normal).normalized();
+    std::vector<int> ring = facet.ring;
+    // A frame of axes that are left-handed in the world turns every ring round.
+    if ((balance.U.leftCols(balance.rank) * frame.axes).determinant() < 0)
+      std::reverse(ring.begin(), ring.end());
+    add_fan(ring, set);
+  }
+  set.offsets = (set.normals * set.vertices.transpose()).rowwise().maxCoeff();
+}
+
+/// Is every edge run through once each way, so that the triangles close a surface?
+bool closed(const Eigen::MatrixX3i& triangles) {
+  std::set<std::pair<int, int>> open;
+  for (Index i = 0; i < triangles.rows(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      const std::pair<int, int> edge(triangles(i, k), triangles(i, (k + 1) % 3));
+      if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
+    }
+  return open.empty();
+}
+
+/// The part of the set that has width in two or three directions.
+void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
+                SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
+                FeasibleForceSet& set) {
+  std::vector<Point> points = distinct(frame, support);
+  ConvexHull hull = grow(oracle, frame, points, set.excess);
+  if (hull.failure.empty()) {
+    points = corners(hull, frame, points);
+    hull = convex_hull(local_points(frame, points));
+  }
+  if (!hull.failure.empty() || oracle.worst() != LinearStatus::kSolved) {
+    set.status = ForceStatus::kStalled;
+    set.failure = hull.failure.empty() ? "a linear program stalled" : hull.failure;
+    return;
+  }
+  if (!(set.excess <= kAccepted)) {
+    set.status = ForceStatus::kStalled;
+    set.failure = "a facet of the hull could not be certified";
+    return;
+  }
+  if (set.dimension == 2) sort_ring(frame, points);
+  write_points(statics, balance, points, set);
+  if (set.dimension == 3) {
+    write_facets(balance, frame, hull, set);
+    const HullCheck& check = hull.check;
+    if (closed(set.triangles) && check.closed && check.volume_error <= kVolume * check.volume)
+      return;
+    set.status = ForceStatus::kStalled;
+    set.failure = "nearly flat facets leave a gap in the hull";
+    return;
+  }
+  std::vector<int> ring(points.size());
+  std::iota(ring.begin(), ring.end(), 0);
+  add_fan(ring, set);
+}
+
+FeasibleForceSet empty_set(const TipStatics& statics, const internal::TipBalance& balance) {
+  const Index m = statics.R.rows();
+  return {ForceStatus::kSolved,
+          -1,
+          0.0,
+          Eigen::MatrixX3d(0, 3),
+          Eigen::MatrixX3i(0, 3),
+          Eigen::MatrixX3d(0, 3),
+          VectorXd(0),
+          MatrixXd(0, m),
+          MatrixXd(0, m),
+          balance.U.rightCols(3 - balance.rank),
+          0.0,
+          0.0,
+          ""};
+}
+
+}  // namespace
+
+FeasibleForceSet feasible_force_set(const TipStatics& statics) {
+  const internal::TipBalance balance = internal::tip_balance(statics);
+  FeasibleForceSet set = empty_set(statics, balance);
+
+  // Its affine hull; a set without points or without end shows here.
+  SupportOracle oracle(balance);
+  std::vector<Point> points{oracle.farthest(VectorXd::Zero(balance.rank))};
+  Frame frame;
+  if (oracle.worst() == LinearStatus::kSolved) frame = span(oracle, points);
+  set.status = internal::force_status(oracle.worst());
+  if (set.status != ForceStatus::kSolved) return set;
+
+  set.dimension = static_cast<int>(frame.half.size());
+  if (set.dimension == 0) write_points(statics, balance, {points.front()}, set);
+  if (set.dimension == 1) {
+    const VectorXd along = frame.axes.col(0);
+    const Point low = oracle.farthest(-along), high = oracle.farthest(along);
+    write_points(statics, balance, {low, high}, set);
+    set.excess = std::max(low.gap, high.gap) / (2 * frame.half(0));
+  }
+  if (set.dimension >= 2) write_hull(statics, balance, oracle, frame, points, set);
+  // Every answer so far counts: also of those that found a width of nothing.
+  if (set.status == ForceStatus::kSolved) set.status = internal::force_status(oracle.worst());
+  if (set.status == ForceStatus::kSolved) set.volume = measure(set);
+  return set;
+}
+
+}  // namespace thenar

@@ -1,0 +1,171 @@
+#include "tendons/forces/max_tip_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/spatial.h"
+#include "base/units.h"
+#include "solvers/linear_program.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kConeViolation = 1e-10;  // of the force's component along the direction
+constexpr double kRounding = 1e-11;       // of the forces that tendons make: a vertex's own error
+constexpr int kMostCuts = 200;            // about 20 are needed
+
+/// Loads c_1..c_k (columns, scaled like `balance`) whose amounts s join the tensions:
+///   maximise s_1  subject to  loads s + tension_part a = constant,  s_1 >= 0.
+/// With k = 3 the amounts lie in the cone |(s_2, s_3)| <= s_1, of which `cuts` are tangent planes.
+struct LoadProblem {
+  const internal::TipBalance& balance;
+  MatrixXd loads;            // (n, k)
+  std::vector<double> cuts;  // angle of each tangent plane about the axis of the cone [rad]
+};
+
+LinearProgram linear_program(const LoadProblem& problem) {
+  const Index n = problem.loads.rows(), k = problem.loads.cols();
+  const Index m = problem.balance.most.size(), cuts = static_cast<Index>(problem.cuts.size());
+  LinearProgram program;
+  program.objective = VectorXd::Unit(k + m, 0);
+  program.A = MatrixXd::Zero(n + cuts, k + m);
+  program.A.topLeftCorner(n, k) = problem.loads;
+  program.A.topRightCorner(n, m) = problem.balance.tension_part;
+  program.row_lower = VectorXd::Constant(n + cuts, -kInfinity);
+  program.row_upper = VectorXd::Zero(n + cuts);
+  program.row_lower.head(n) = program.row_upper.head(n) = problem.balance.constant;
+  for (Index cut = 0; cut < cuts; ++cut) {
+    const double angle = problem.cuts[static_cast<std::size_t>(cut)];
+    program.A.row(n + cut).head<3>() << -1, std::cos(angle), std::sin(angle);
+  }
+  program.lower = VectorXd::Zero(k + m);
+  program.lower.segment(1, k - 1).setConstant(-kInfinity);
+  program.upper = VectorXd::Constant(k + m, kInfinity);
+  program.upper.tail(m) = problem.balance.most;
+  return program;
+}
+
+/// The directions in which the program never ends: tensions without limit alone, one unit of s_1.
+LinearProgram recession(LinearProgram program) {
+  const auto homogeneous = [](double bound) { return std::isfinite(bound) ? 0.0 : bound; };
+  program.row_lower = program.row_lower.unaryExpr(homogeneous);
+  program.row_upper = program.row_upper.unaryExpr(homogeneous);
+  program.upper = program.upper.unaryExpr(homogeneous);
+  program.upper(0) = 1;
+  return program;
+}
+
+/// Adds the tangent plane that cuts x off, if x is outside the cone.
+bool cut_off(const VectorXd& x, LoadProblem& problem) {
+  if (problem.loads.cols() == 1) return false;
+  if (std::hypot(x(1), x(2)) <= (1 + kConeViolation) * x(0) + kRounding) return false;
+  problem.cuts.push_back(std::atan2(x(2), x(1)));
+  return true;
+}
+
+/// Kelley's method: solve, cut the vertex off if it is outside the cone, and again. While cuts are
+/// few the program may be unbounded although the cone is not: then a ray is cut off instead.
+LinearResult maximise(LoadProblem problem) {
+  if (problem.loads.cols() == 3) problem.cuts = {0, kPi / 2, kPi, -kPi / 2};
+  while (problem.cuts.size() < kMostCuts) {
+    const LinearProgram program = linear_program(problem);
+    const LinearResult result = solve(program);
+    if (result.status == LinearStatus::kUnbounded) {
+      const LinearResult ray = solve(recession(program));
+      if (ray.status != LinearStatus::kSolved || !cut_off(ray.x, problem)) return result;
+    } else if (result.status != LinearStatus::kSolved || !cut_off(result.x, problem)) {
+      return result;
+    }
+  }
+  return {LinearStatus::kStalled, VectorXd(), kInfinity, VectorXd(), {}};
+}
+
+/// What a result says before, or instead of, an answer.
+double amount_without_answer(ForceStatus status) {
+  return status == ForceStatus::kUnbounded ? kInfinity : 0;
+}
+
+}  // namespace
+
+MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
+                          const MaxTipForceOptions& options) {
+  require(options.tolerance >= 0 && options.tolerance < kPi / 2,
+          "the tolerance about a direction must be in [0, pi/2) rad, got {}", options.tolerance);
+  const internal::TipBalance balance = internal::tip_balance(statics);
+  const Vector3d d = internal::unit_direction(direction);
+
+  // The axis of the cone and its two edges, in the basis in which a straight finger has zeros.
+  const Tangents side = tangents(d);
+  const double slope = std::tan(options.tolerance);
+  Eigen::Matrix3Xd axes(3, options.tolerance > 0 ? 3 : 1);
+  axes.col(0) = d;
+  if (axes.cols() == 3) axes.rightCols<2>() << side.e1, side.e2;
+  Eigen::Matrix3Xd turned = internal::without_rounding(balance.U.transpose() * axes);
+  axes.rightCols(axes.cols() - 1) *= slope;
+  turned.rightCols(axes.cols() - 1) *= slope;
+
+  const LinearResult best = maximise({balance, balance.force_part * turned, {}});
+  const ForceStatus status = internal::force_status(best.status);
+  MaxTipForce result{status,
+                     Vector3d::Zero(),
+                     amount_without_answer(status),
+                     VectorXd::Zero(balance.most.size()),
+                     VectorXd::Zero(balance.most.size()),
+                     VectorXd::Zero(statics.J.cols()),
+                     {}};
+  if (status != ForceStatus::kSolved) return result;
+  result.force = balance.force_unit * (axes * best.x.head(axes.cols()));
+  result.magnitude = balance.force_unit * best.x(0);
+  result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
+  result.activation = internal::activation(statics, result.tension);
+  result.torque_shadow_price =
+      balance.force_unit * best.duals.head(statics.J.cols()).cwiseProduct(balance.row_scale);
+  const Vector3d across = result.force - d * d.dot(result.force);
+  result.check = {balance.force_unit * best.certificate.gap,
+                  std::max(0.0, across.norm() - slope * result.magnitude),
+                  internal::imbalance(statics, result.force, result.tension)};
+  return result;
+}
+
+MaxTipWrench max_tip_wrench(const TipStatics& statics, const Vector3d& moment,
+                            const Vector3d& force) {
+  const internal::TipBalance balance = internal::tip_balance(statics);
+  require(moment.allFinite() && force.allFinite(), "a wrench must be finite");
+  require(!moment.isZero(0) || !force.isZero(0), "a wrench must not be zero");
+  require(moment.isZero(0) || has_rotation(statics),
+          "a moment needs the rotation Jacobian W of the tip");
+
+  // The joint torques of one such wrench, without rounding where it needs none.
+  VectorXd torque = statics.J.transpose() * force;
+  double size = statics.J.norm() * force.norm();
+  if (has_rotation(statics)) {
+    torque += statics.W.transpose() * moment;
+    size += statics.W.norm() * moment.norm();
+  }
+  VectorXd load = balance.row_scale.cwiseProduct(
+      (torque.array().abs() > internal::kRankTolerance * size).select(torque, 0));
+  const double unit = load.norm() > 0 ? 1 / load.norm() : 1;
+  load *= unit;
+
+  const LinearResult best = maximise({balance, load, {}});
+  const ForceStatus status = internal::force_status(best.status);
+  MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
+                      VectorXd::Zero(balance.most.size()), MaxTipForceCheck::kUnknown};
+  if (status != ForceStatus::kSolved) return result;
+  result.multiple = unit * best.x(0);
+  result.gap = unit * best.certificate.gap;
+  result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
+  result.activation = internal::activation(statics, result.tension);
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,127 @@
+#include "tendons/forces/posture_sensitivity.h"
+
+#include <algorithm>
+
+#include <Eigen/Geometry>
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kStep = 1e-3;  // of the differences [rad]
+
+/// Least squares, of least norm:  x = B+ tau.
+struct TipLeastSquares {
+  MatrixXd B, inverse;  // B+
+  VectorXd x, left;     // tau - B x
+  bool full;            // rank is min(rows, columns)
+
+  TipLeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
+    Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
+    svd.setThreshold(internal::kRankTolerance);
+    full = svd.rank() == std::min(B.rows(), B.cols());
+    inverse = svd.solve(MatrixXd::Identity(B.rows(), B.rows()));
+    x = inverse * tau;
+    left = tau - B * x;
+  }
+
+  /// dx where B and tau change and the rank does not.
+  [[nodiscard]] VectorXd slope(const MatrixXd& dB, const VectorXd& dtau) const {
+    const VectorXd across = dB.transpose() * (inverse.transpose() * x);
+    return inverse * (dtau - dB * x) + inverse * (inverse.transpose() * (dB.transpose() * left)) +
+           across - inverse * (B * across);
+  }
+};
+
+/// Derivative of the joint torques of tensions t.
+VectorXd torque_slope(const StaticsDerivative& slope, const VectorXd& t) {
+  return slope.R.transpose() * t + slope.tau_0;
+}
+
+}  // namespace
+
+TipStatics tip_statics(const DigitTendons& tendons, const VectorXd& q) {
+  TipStatics statics = tip_statics(tendons.digit(), q);
+  const auto muscles = static_cast<Index>(tendons.digit().names.muscles.size());
+  statics.R = tendons.pull(q, VectorXd::Zero(muscles)).R;
+  return statics;
+}
+
+std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, const VectorXd& q) {
+  std::vector<StaticsDerivative> slopes;
+  for (Index k = 0; k < q.size(); ++k) {
+    const auto at = [&](double steps) {
+      return tip_statics(tendons, q + steps * kStep * VectorXd::Unit(q.size(), k));
+    };
+    const TipStatics a = at(1), b = at(-1), c = at(2), d = at(-2);
+    const auto slope = [&](auto member) {
+      return (8 * (a.*member - b.*member) - (c.*member - d.*member)) / (12 * kStep);
+    };
+    slopes.push_back({slope(&TipStatics::J), slope(&TipStatics::W), slope(&TipStatics::R),
+                      slope(&TipStatics::tau_0)});
+  }
+  return slopes;
+}
+
+Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
+                                    const std::vector<StaticsDerivative>& slopes,
+                                    const VectorXd& t) {
+  const TipLeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
+  const auto n = static_cast<Index>(slopes.size());
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, n, kInfinity);
+  const bool rank_3 = force.full && statics.J.cols() >= 3;
+  for (Index k = 0; rank_3 && k < n; ++k) {
+    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    result.col(k) = force.slope(slope.J.transpose(), torque_slope(slope, t));
+  }
+  return result;
+}
+
+MatrixXd tip_wrench_jacobian(const TipStatics& statics,
+                             const std::vector<StaticsDerivative>& slopes, const VectorXd& t,
+                             const TipWrenchOptions& options) {
+  require(has_rotation(statics), "a held tip needs the rotation Jacobian W of the tip");
+  const auto n = static_cast<Index>(slopes.size());
+  const auto joined = [&](const Eigen::Matrix3Xd& W, const Eigen::Matrix3Xd& J) {
+    MatrixXd B(J.cols(), 6);
+    B << options.length * W.transpose(), J.transpose();
+    return B;
+  };
+  const TipLeastSquares wrench(joined(statics.W, statics.J),
+                               statics.R.transpose() * t + statics.tau_0);
+  MatrixXd result = MatrixXd::Constant(6, n, kInfinity);
+  for (Index k = 0; wrench.full && k < n; ++k) {
+    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    result.col(k) = wrench.slope(joined(slope.W, slope.J), torque_slope(slope, t));
+  }
+  result.topRows<3>() *= options.length;
+  return result;
+}
+
+VectorXd max_tip_force_gradient(const TipStatics& statics,
+                                const std::vector<StaticsDerivative>& slopes,
+                                const MaxTipForce& largest, DirectionFrame frame) {
+  require(frame == DirectionFrame::kWorld || has_rotation(statics),
+          "a direction that turns with the tip needs its rotation Jacobian W");
+  VectorXd result(slopes.size());
+  for (Index k = 0; k < result.size(); ++k) {
+    const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
+    VectorXd torque = torque_slope(slope, largest.tension) - slope.J.transpose() * largest.force;
+    if (frame == DirectionFrame::kTip) {
+      const Eigen::Vector3d turned = Eigen::Vector3d(statics.W.col(k)).cross(largest.force);
+      torque -= statics.J.transpose() * turned;
+    }
+    result(k) = largest.torque_shadow_price.dot(torque);
+  }
+  return result;
+}
+
+}  // namespace thenar

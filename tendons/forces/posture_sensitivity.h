@@ -1,0 +1,69 @@
+#pragma once
+
+/// How forces of a fingertip change with the posture.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "tendons/digit_tendons.h"
+#include "tendons/forces/max_tip_force.h"
+#include "tendons/forces/tip_wrench.h"
+#include "tendons/tendon_model.h"
+
+namespace thenar {
+
+/// Condition of a tip's Jacobian from which a fault of one degree in the posture may well be most
+/// of the force: in fingers of 45, 25 and 20 mm joints are then within about half a degree of
+/// straight.
+inline constexpr double kNearlyStraight = 300;
+
+/// tip_statics() with the moment arms of these tendons, whatever their rung of paths.
+/// @param tendons  without a net;  @param q  (n) [rad]
+[[nodiscard]] TipStatics tip_statics(const DigitTendons& tendons, const Eigen::VectorXd& q);
+
+/// Derivative of TipStatics by one coordinate of the posture.
+struct StaticsDerivative {
+  Eigen::Matrix3Xd J, W;  // (3, n)  [m/rad^2], [1/rad]
+  Eigen::MatrixXd R;      // (m, n)  [m/rad^2]
+  Eigen::VectorXd tau_0;  // (n)     [N m/rad]
+};
+
+/// By central differences of fourth order over 0.001 rad, accurate to about 1e-11 of the statics:
+/// these are smooth whatever the condition is. What is ill-conditioned is left to closed forms
+/// below.
+/// @param tendons  without a net;  @param q  (n) [rad]
+/// @return one for each coordinate (n)
+[[nodiscard]] std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons,
+                                                                 const Eigen::VectorXd& q);
+
+/// Derivative of tip_force() by every coordinate, tensions held. With B = J', f = B+ tau and
+/// r = tau - B f:   df = B+ (dtau - dB f) + B+ B+' dB' r.
+/// @return world frame (3, n) [N/rad]; infinite where the rank of J is below 3
+/// Source: [Golub1973] for derivatives of pseudo-inverses.
+[[nodiscard]] Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
+                                                  const std::vector<StaticsDerivative>& slopes,
+                                                  const Eigen::VectorXd& t);
+
+/// The same of tip_wrench(): moment [N m/rad] above force [N/rad], (6, n); infinite where the rank
+/// is below min(n, 6). Least norm adds (1 - B+ B) dB' B+' w to the derivative.
+[[nodiscard]] Eigen::MatrixXd tip_wrench_jacobian(const TipStatics& statics,
+                                                  const std::vector<StaticsDerivative>& slopes,
+                                                  const Eigen::VectorXd& t,
+                                                  const TipWrenchOptions& options = {});
+
+/// What a direction is fixed to while the posture changes.
+enum class DirectionFrame { kWorld, kTip };
+
+/// Derivative of max_tip_force()'s magnitude by every coordinate: with the prices p of joint
+/// torque,
+///   p' (dtau_0 + dR' t - dJ' f),  and  - p' J' (W_k x f)  if the direction turns with the tip.
+/// At a degenerate vertex prices are one choice of many and the derivative holds to one side.
+/// @param largest  solved, of `statics`;  kTip needs W
+/// @return (n) [N/rad]
+[[nodiscard]] Eigen::VectorXd max_tip_force_gradient(const TipStatics& statics,
+                                                     const std::vector<StaticsDerivative>& slopes,
+                                                     const MaxTipForce& largest,
+                                                     DirectionFrame frame);
+
+}  // namespace thenar

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "base/fidelity.h"
+#include "tendons/tip_statics.h"
+
+namespace thenar {
+
+/// What tendon tensions do at a pinned fingertip.
+struct TipForce {
+  Eigen::Vector3d f_W;           // force of the tip on the world, world frame   [N]    (3)
+  Eigen::VectorXd tau_residual;  // joint torque that no tip force can balance   [N m]  (n)
+  double condition;              // of J_W; infinite if its rank is below 3      [1]
+  int rank;                      // of J_W; below 3 some force meets no torque   [1]
+};
+
+/// What a model must carry before tip_force() may be asked of it.
+inline constexpr Fidelity kTipForceNeeds{Motion::kStatic, Path::kConstant};
+
+/// Static fingertip force:  J' f = R' t,  solved for f in least squares.
+///
+/// A finger has more joints than a point contact has force components, so some
+/// torque may be left over; it is returned, never dropped. Near a straight
+/// finger f_W is the least-norm solution: look at `condition` first.
+///
+/// @param J_W  tip position Jacobian, world frame            3 x n  [m/rad]
+/// @param R    moment arms -d(length)/dq, flexion positive   m x n  [m/rad]
+/// @param t    tendon tensions, each >= 0                    m      [N]
+/// @throws InputError if shapes disagree, J_W or R is not finite, or t has a negative or
+///         non-finite entry.
+/// Source: [ValeroCuevas1998] for the static model, [An1983] for the sign of R.
+[[nodiscard]] TipForce tip_force(const Eigen::Ref<const Eigen::Matrix3Xd>& J_W,
+                                 const Eigen::Ref<const Eigen::MatrixXd>& R,
+                                 const Eigen::Ref<const Eigen::VectorXd>& t);
+
+/// The same with the passive torques of `statics`:  J' f = R' t + tau_0.  Its W is not looked at.
+[[nodiscard]] TipForce tip_force(const TipStatics& statics,
+                                 const Eigen::Ref<const Eigen::VectorXd>& t);
+
+}  // namespace thenar

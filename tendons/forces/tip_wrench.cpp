@@ -1,0 +1,38 @@
+#include "tendons/forces/tip_wrench.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/SVD>
+
+#include "base/error.h"
+#include "tendons/forces/tip_balance.h"
+
+namespace thenar {
+
+TipWrench tip_wrench(const TipStatics& statics, const Eigen::Ref<const Eigen::VectorXd>& t,
+                     const TipWrenchOptions& options) {
+  internal::require_statics(statics);
+  internal::require_tension(statics.R.rows(), t);
+  require(has_rotation(statics), "a held tip needs the rotation Jacobian W of the tip");
+  require(options.length > 0 && std::isfinite(options.length),
+          "the length that weighs moments must be positive, got {} m", options.length);
+
+  // Unknowns (m / length, f), so that both are forces and their norm means something.
+  const Eigen::Index n = statics.J.cols();
+  Eigen::MatrixXd balance(n, 6);
+  balance << options.length * statics.W.transpose(), statics.J.transpose();
+  Eigen::JacobiSVD<Eigen::MatrixXd> svd(balance, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(internal::kRankTolerance);
+  const auto& sigma = svd.singularValues();
+
+  const Eigen::VectorXd tau = statics.R.transpose() * t + statics.tau_0;
+  const Eigen::VectorXd wrench = svd.solve(tau);
+  const bool full = svd.rank() == sigma.size();
+  const double condition =
+      full ? sigma(0) / sigma(sigma.size() - 1) : std::numeric_limits<double>::infinity();
+  return {options.length * wrench.head<3>(), wrench.tail<3>(), tau - balance * wrench, condition,
+          static_cast<int>(svd.rank()),      svd.rank() < 6};
+}
+
+}  // namespace thenar

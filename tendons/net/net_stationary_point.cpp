@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cmath>
+
+#include "tendons/net/net_descent.h"
+
+// Nodes that a muscle draws into its exit.
+
+namespace thenar::internal {
+
+using Eigen::Vector3d;
+
+/// Puts the free end of a band of constant pull into its exit, if the other end is fixed and the
+/// exit is outside of bones. @return whether it did
+bool NetDescent::collapse_to_exit(int b) {
+  const BandPlan& at = plan_.bands[b];
+  const NetBand& band = plan_.net.bands[b];
+  if ((at.ka >= 0) == (at.kb >= 0) || draws_[b] > 2) return false;
+  const int k = std::max(at.ka, at.kb), i = plan_.node[k];
+  const Vector3d exit = x_[at.ka >= 0 ? band.b : band.a];
+  for (int s : plan_.net.nodes[i].surfaces)
+    if (gap_world(plan_.net, scene_, s, exit).gap < 0) return false;
+  x_[i] = exit;
+  contact_[k].collapsed += scene_.pull[b];
+  contact_[k].touching = contact_[k].pressed = 0;
+  scene_.collapsed[b] = true;
+  ++draws_[b];
+  return true;
+}
+
+/// Lets go of nodes that more than their pull drags out of an exit. @return whether there were any
+bool NetDescent::release_from_exit() {
+  bool any = false;
+  for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    if (!scene_.collapsed[b]) continue;
+    NodeContact& c = contact_[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
+    if (c.left.norm() <= options_.tolerance) continue;
+    scene_.collapsed[b] = false;
+    any = true;
+  }
+  for (std::size_t b = 0; any && b < plan_.bands.size(); ++b) {
+    const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
+    if (k < 0) continue;  // between two bones
+    NodeContact& c = contact_[k];
+    if (c.collapsed > 0 && !scene_.collapsed[b] && c.left.norm() > options_.tolerance)
+      c.collapsed = 0;
+  }
+  return any;
+}
+
+/// Notes the force of bands of constant pull that have no length. @return whether one changed
+bool NetDescent::grip() {
+  bool changed = false;
+  for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
+    const NetBand& band = plan_.net.bands[b];
+    const Vector3d d = x_[band.a] - x_[band.b];
+    if (scene_.collapsed[b] || !is_regularised(scene_, b, d.norm())) continue;
+    Vector3d p = scene_.multiplier[b] + scene_.grip[b] * d;
+    const double excess = p.norm() / scene_.pull[b];
+    if (excess < 1 && collapse_to_exit(b)) {
+      changed = true;
+      continue;
+    }
+    if (excess > 1) p /= excess;
+    if (excess > 1 && d.norm() * scene_.grip[b] > scene_.pull[b]) p.setZero();
+    if ((p - scene_.multiplier[b]).norm() < 0.1 * options_.tolerance) continue;
+    scene_.multiplier[b] = p;
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace thenar::internal
+
+// Telling a minimum from a saddle, and leaving it.
+
+namespace thenar::internal {
+
+/// Whether no small move lowers E: positive curvature, but for rounding, in all free directions.
+bool NetDescent::is_minimum() {
+  if (definite_ && longest_ < 1e-6) return true;
+  reduce();
+  return factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9);
+}
+
+/// Leaves a saddle along a direction of negative curvature.
+bool NetDescent::leave_saddle() {
+  if (!factor_.negative_direction(step_)) return false;
+  double longest = 0;
+  for (int k = 0; k < rows(); ++k) {
+    step_[k] = contact_[k].Q.transpose() * step_[k].eval();
+    longest = std::max(longest, step_[k].norm());
+  }
+  const double noise = 1e-14 * at_.size;
+  for (double size = 1e-3; size > 1e-7; size *= 0.3)
+    for (double way : {size, -size}) {
+      double slope = 0;
+      if (!try_step(way / longest, slope) || next_.energy > at_.energy - noise) continue;
+      accept();
+      return true;
+    }
+  return false;
+}
+
+/// Steps on a ridge shrink as they near a saddle: leaves it before. @return whether it did
+bool NetDescent::leave_saddle_early() {
+  if (definite_ || iterations_ == 0 || longest_ > 1e-6 || residual_ <= options_.tolerance)
+    return false;
+  reduce();
+  if (factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9) || !leave_saddle())
+    return false;
+  definite_ = true;
+  return true;
+}
+
+}  // namespace thenar::internal
+
+// What is said of a net at rest.
+
+namespace thenar::internal {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kCut = 1e-6;    // angle from the half-plane opposite to a band's side [rad]
+constexpr double kDrawn = 1e-9;  // length at which a pull has collapsed its node in [m]
+
+}  // namespace
+
+/// Bands over cylinders with an end on the half-plane opposite to their side, where their length
+/// jumps.
+std::vector<int> NetDescent::far_side_bands() const {
+  std::vector<int> found;
+  for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    const RoundBone& bone = scene_.bone[b];
+    if (plan_.net.bands[b].over < 0 || bone.sphere) continue;
+    const auto beyond = [&](int node) {
+      const Vector3d p = x_[node] - bone.center;
+      const double along = bone.e1.dot(p), across = bone.e2.dot(p);
+      return plan_.net.nodes[node].free && along < 0 && std::abs(across) < -kCut * along;
+    };
+    if (beyond(plan_.net.bands[b].a) || beyond(plan_.net.bands[b].b))
+      found.push_back(static_cast<int>(b));
+  }
+  return found;
+}
+
+/// Length and tension of a band, and what it holds where it has no length.
+void NetDescent::report_band(int b, NetEquilibrium& out) const {
+  const NetBand& band = plan_.net.bands[static_cast<std::size_t>(b)];
+  if (scene_.collapsed[b]) {
+    const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
+    // Several pulls that meet in one exit share what they hold.
+    const double sign = plan_.bands[b].ka >= 0 ? -1 : 1;
+    const Vector3d force = sign * scene_.pull[b] / contact_[k].collapsed * at_.g[k];
+    out.collapsed.push_back({b, -force});
+    out.length(b) = 0;
+    out.tension(b) = force.norm();
+    return;
+  }
+  out.length(b) = at_.length[b];
+  out.tension(b) = at_.tension[b];
+  const double length = (x_[band.a] - x_[band.b]).norm();
+  if (length > kDrawn || !is_regularised(scene_, b, length)) return;
+  const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
+  if (now.chord.bent) return;
+  out.collapsed.push_back({b, -now.pull.tension * now.chord.slope.head<3>()});
+  out.tension(b) = out.collapsed.back().force.norm();
+}
+
+/// Floating nodes that no band holds.
+std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
+  std::vector<bool> held(x_.size(), false);
+  const auto hold = [&](int band) {
+    const NetBand& holds = plan_.net.bands[static_cast<std::size_t>(band)];
+    held[holds.a] = held[holds.b] = true;
+  };
+  for (int b = 0; b < at.tension.size(); ++b)
+    if (at.tension(b) > 0) hold(b);
+  for (const CollapsedBand& collapsed : at.collapsed) hold(collapsed.band);
+  std::vector<int> found;
+  for (std::size_t i = 0; i < x_.size(); ++i)
+    if (plan_.row[i] >= 0 && !held[i]) found.push_back(static_cast<int>(i));
+  return found;
+}
+
+NetEquilibrium NetDescent::report(NetStatus status) const {
+  NetEquilibrium out;
+  out.status = status;
+  out.residual = residual_;
+  out.iterations = iterations_;
+  out.energy = at_.energy;
+  out.pushed_out = pushed_out_;
+  if (status == NetStatus::kStalled) out.far_side_bands = far_side_bands();
+  if (!out.far_side_bands.empty()) out.status = NetStatus::kFarSideWrap;
+  out.x.resize(3, static_cast<Eigen::Index>(x_.size()));
+  for (Eigen::Index i = 0; i < out.x.cols(); ++i) out.x.col(i) = x_[static_cast<std::size_t>(i)];
+  const int bands = static_cast<int>(plan_.bands.size());
+  out.length.resize(bands);
+  out.tension.resize(bands);
+  for (int b = 0; b < bands; ++b) report_band(b, out);
+  if (status == NetStatus::kBalanced && !out.collapsed.empty())
+    out.status = NetStatus::kNodeCollapsed;
+  for (int k = 0; k < rows(); ++k)
+    for (int c = 0; c < contact_[k].pressed; ++c)
+      out.contacts.push_back(
+          {plan_.node[k], contact_[k].surface[c],
+           contact_[k].force[c] - normal_rounding(k, contact_[k].surface[c], contact_[k].normal[c]),
+           contact_[k].normal[c]});
+  out.undetermined = undetermined(out);
+  return out;
+}
+
+}  // namespace thenar::internal

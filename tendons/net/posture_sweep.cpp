@@ -1,0 +1,131 @@
+#include "tendons/net/posture_sweep.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/net/net_statics.h"
+
+namespace thenar {
+namespace {
+
+/// Fills in how far knots and bones went between two points.
+void compare_places(const Net& net, const SweepPoint& before, SweepPoint& point) {
+  const auto& undetermined = point.rest.undetermined;
+  for (std::size_t i = 0; i < net.nodes.size(); ++i) {
+    const auto node = static_cast<Eigen::Index>(i);
+    const double way = (point.rest.x.col(node) - before.rest.x.col(node)).norm();
+    if (!net.nodes[i].free) {
+      point.carried = std::max(point.carried, way);
+    } else if (way > point.moved && std::find(undetermined.begin(), undetermined.end(),
+                                              static_cast<int>(i)) == undetermined.end()) {
+      point.moved = way;
+      point.mover = static_cast<int>(i);
+    }
+  }
+}
+
+SweepPoint point_at(const NetTendons& tendons, const Eigen::VectorXd& q, const Eigen::VectorXd& t,
+                    NetEquilibrium rest) {
+  SweepPoint point;
+  point.q = q;
+  point.rest = std::move(rest);
+  point.slips = slip_tension(tendons.net(), point.rest);
+  point.tau = tendons.torque(q, t, point.rest);
+  return point;
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
+                                              const Eigen::VectorXd& to, int steps) {
+  require(steps > 0, "a sweep needs at least one step, got {}", steps);
+  require(from.size() == to.size(), "postures have {} and {} angles", from.size(), to.size());
+  std::vector<Eigen::VectorXd> postures;
+  for (int k = 0; k <= steps; ++k) postures.emplace_back(from + (to - from) * k / steps);
+  return postures;
+}
+
+std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
+                                  const std::vector<Eigen::VectorXd>& postures,
+                                  const Eigen::VectorXd& t, const NetContinuationOptions& options,
+                                  Eigen::Matrix3Xd start) {
+  std::vector<SweepPoint> points;
+  for (const Eigen::VectorXd& q : postures)
+    points.push_back(points.empty() ? point_at(tendons, q, t, tendons.rest(q, t, start))
+                                    : sweep_on(tendons, &points.back(), q, t, options));
+  return points;
+}
+
+SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
+                    const Eigen::VectorXd& t, const NetContinuationOptions& options) {
+  if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
+  NetContinuation walk = follow_net(tendons, before->rest, before->q, t, q, t, options);
+  SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
+  point.snapped = walk.snaps > 0;
+  compare_places(tendons.net().net, *before, point);
+  return point;
+}
+
+Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons, const Eigen::VectorXd& q,
+                                     const Eigen::VectorXd& t) {
+  const auto* with_net = dynamic_cast<const NetTendons*>(&tendons);
+  if (with_net == nullptr) return {};
+  return follow_from_straight(*with_net, q, t).rest.x;
+}
+
+double band_arm(const NetTendons& tendons, const SweepPoint& point, int band, int coordinate) {
+  const Net& all = tendons.net().net;
+  const auto b = static_cast<std::size_t>(band);
+  require(b < all.bands.size(), "net '{}' has no band {}", all.name, band);
+  // The torque of a net of this one band under 1 N.
+  Net one = all;
+  one.bands = {all.bands[b]};
+  NetEquilibrium rest = point.rest;
+  rest.tension = Eigen::VectorXd::Ones(1);
+  rest.length = point.rest.length.segment<1>(band);
+  rest.contacts.clear();
+  const TendonModel<double>& model = tendons.digit().model;
+  return net_torque(one, model.tree, pose_tree(model.tree, point.q), rest,
+                    model.coordinates)[coordinate];
+}
+
+namespace {
+
+/// The net at rest at the first posture, by way of the straight finger; whether it snapped on the
+/// way in is not part of the question.
+SweepPoint sweep_in(const NetTendons& net, const Eigen::VectorXd& q, const Eigen::VectorXd& t) {
+  SweepPoint point;
+  point.q = q;
+  point.rest = follow_from_straight(net, q, t).rest;
+  return point;
+}
+
+}  // namespace
+
+std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
+                                    const std::vector<Eigen::VectorXd>& postures,
+                                    const Eigen::VectorXd& t, const Progress& progress) {
+  const auto* net = dynamic_cast<const NetTendons*>(&tendons);
+  SweepPoint now;  // of a net
+  std::vector<DigitPoint> points;
+  for (std::size_t i = 0; i < postures.size() && !progress.stop(); ++i) {
+    progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
+    DigitPoint point;
+    point.q = postures[i];
+    if (net != nullptr) {
+      now = i == 0 ? sweep_in(*net, point.q, t) : sweep_on(*net, &now, point.q, t);
+      point.rest = now.rest;
+      point.snapped = now.snapped;
+      point.pull = net->torque_at_rest(point.q, t, now.rest);
+    } else {
+      point.pull = tendons.pull(point.q, t);
+    }
+    point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
+    points.push_back(std::move(point));
+  }
+  return points;
+}
+
+}  // namespace thenar

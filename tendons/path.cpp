@@ -1,0 +1,59 @@
+#include "tendons/path.h"
+
+#include <Eigen/Geometry>
+
+namespace thenar {
+namespace {
+
+using Eigen::Vector3d;
+
+/// How one hinge moves a run.
+struct RunMotion {
+  int hinge;
+  bool on_b;
+  Vector3d r;
+};
+
+/// Motions by all hinges between the links of a run, climbing to their common ancestor.
+void find_motions(const Tree<double>& tree, const TreeState<double>& state,
+                  const PathNode<double>& from, const PathNode<double>& to, const Vector3d& p_a,
+                  const Vector3d& p_b, std::vector<RunMotion>& moves) {
+  moves.clear();
+  for (int a = from.link, b = to.link; a != b;) {
+    const bool on_b = b > a;
+    const int i = on_b ? b : a;
+    const auto& at = state[static_cast<std::size_t>(i)];
+    const Vector3d r = at.axis.cross((on_b ? p_b : p_a) - at.point);
+    moves.push_back({i, on_b, on_b ? r : Vector3d(-r)});
+    (on_b ? b : a) = tree[static_cast<std::size_t>(i)].parent;
+  }
+}
+
+}  // namespace
+
+Eigen::MatrixXd arm_derivatives(const Tree<double>& tree, const TreeState<double>& state,
+                                const TendonPath<double>& path, int coordinates) {
+  Eigen::MatrixXd dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
+  std::vector<RunMotion> moves;
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    if (path[k - 1].link == path[k].link) continue;
+    const Vector3d p_a = moved(state, path[k - 1].link, path[k - 1].p);
+    const Vector3d p_b = moved(state, path[k].link, path[k].p);
+    const double length = (p_b - p_a).norm();
+    const Vector3d u = (p_b - p_a) / length;
+    find_motions(tree, state, path[k - 1], path[k], p_a, p_b, moves);
+    for (const RunMotion& x : moves)
+      for (const RunMotion& y : moves) {
+        const RunMotion &inner = x.hinge < y.hinge ? x : y, &outer = x.hinge < y.hinge ? y : x;
+        double bend = (x.r.dot(y.r) - u.dot(x.r) * u.dot(y.r)) / length;
+        if (x.on_b == y.on_b)
+          bend += u.dot(state[static_cast<std::size_t>(inner.hinge)].axis.cross(outer.r));
+        const auto &one = tree[static_cast<std::size_t>(x.hinge)],
+                   &other = tree[static_cast<std::size_t>(y.hinge)];
+        dR(one.coordinate, other.coordinate) -= one.ratio * other.ratio * bend;
+      }
+  }
+  return dR;
+}
+
+}  // namespace thenar

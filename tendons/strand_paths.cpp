@@ -1,0 +1,214 @@
+#include "tendons/strand_paths.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "tendons/wrapping/arm_slopes.h"
+#include "tendons/wrapping/fitted_path.h"
+#include "tendons/wrapping/path_arms.h"
+
+namespace thenar {
+namespace {
+
+std::string warning_of(const PathShape& shape, const std::string& name) {
+  switch (shape.status) {
+    case PathStatus::kTaut:
+      return "";
+    case PathStatus::kRidesOnBend:
+      return fmt::format("the origin of strand '{}' has come where its carrier bends", name);
+    case PathStatus::kPointInside:
+      return fmt::format("a point of strand '{}' is {:.3g} mm inside a surface", name,
+                         1e3 * shape.depth);
+    case PathStatus::kFarSideWrap:
+      return fmt::format(
+          "a point of strand '{}' went round the far side of its cylinder, where its length jumps",
+          name);
+    case PathStatus::kStalled:
+      return fmt::format("the path of strand '{}' is not taut: {:.3g} rad", name, shape.error);
+  }
+  return "";
+}
+
+TendonStatus status_of(PathStatus status) {
+  if (status == PathStatus::kTaut) return TendonStatus::kValid;
+  return status == PathStatus::kRidesOnBend ? TendonStatus::kApproximate
+                                            : TendonStatus::kInvalidPath;
+}
+
+class WrappedStrands : public StrandPaths {
+ public:
+  WrappedStrands(PathSet set, const TendonDigit& digit)
+      : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
+    for (const std::string& name : digit.names.strands) {
+      const auto found = std::find_if(set_.paths.begin(), set_.paths.end(),
+                                      [&](const WrappedPath& path) { return path.name == name; });
+      path_of_.push_back(found == set_.paths.end() ? -1
+                                                   : static_cast<int>(found - set_.paths.begin()));
+    }
+  }
+
+  [[nodiscard]] StrandArms arms(const TreeState<double>& state,
+                                const Eigen::VectorXd& /*q*/) const override {
+    PathSolver solver(set_);
+    const std::vector<PathShape>& shapes = solver.solve(state);
+    StrandArms arms{rows_of(state, shapes), "", TendonStatus::kValid};
+    for (std::size_t s = 0; s < path_of_.size(); ++s) {
+      if (path_of_[s] < 0) continue;
+      const auto path = static_cast<std::size_t>(path_of_[s]);
+      const TendonStatus status = status_of(shapes[path].status);
+      if (status > arms.status) arms.warning = warning_of(shapes[path], set_.paths[path].name);
+      arms.status = worse(arms.status, status);
+    }
+    return arms;
+  }
+
+  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& state,
+                                         const Eigen::VectorXd& q) const override {
+    PathSolver solver(set_);
+    const std::vector<PathShape>& shapes = solver.solve(state);
+    std::vector<ArmDerivatives> paths =
+        arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
+    StrandDerivatives slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
+    for (std::size_t s = 0; s < path_of_.size(); ++s) {
+      slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
+      if (path_of_[s] < 0) continue;
+      const auto path = static_cast<std::size_t>(path_of_[s]);
+      slopes.exist = slopes.exist && paths[path].exist;
+      slopes.dR.back() = std::move(paths[path].dR);
+    }
+    return slopes;
+  }
+
+  [[nodiscard]] Eigen::VectorXd lengths(const TreeState<double>& state,
+                                        const Eigen::VectorXd& q) const override {
+    PathSolver solver(set_);
+    return lengths_of(solver.solve(state), q);
+  }
+
+ private:
+  /// Of all strands (strands) [m].
+  [[nodiscard]] Eigen::VectorXd lengths_of(const std::vector<PathShape>& shapes,
+                                           const Eigen::VectorXd& q) const {
+    Eigen::VectorXd length = -constant_ * q;
+    for (std::size_t s = 0; s < path_of_.size(); ++s)
+      if (path_of_[s] >= 0)
+        length[static_cast<Eigen::Index>(s)] = shapes[static_cast<std::size_t>(path_of_[s])].length;
+    return length;
+  }
+
+  /// Arms of all strands (strands, coordinates) [m/rad].
+  [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
+                                        const std::vector<PathShape>& shapes) const {
+    Eigen::MatrixXd of_path(shapes.size(), constant_.cols());
+    path_arms(tree_, state, set_, shapes, of_path);
+    Eigen::MatrixXd R = constant_;
+    for (std::size_t s = 0; s < path_of_.size(); ++s)
+      if (path_of_[s] >= 0) R.row(static_cast<Eigen::Index>(s)) = of_path.row(path_of_[s]);
+    return R;
+  }
+
+  PathSet set_;
+  Tree<double> tree_;
+  Eigen::MatrixXd constant_;  // (strands, coordinates) [m/rad]
+  std::vector<int> path_of_;  // of each strand; -1: constant arms
+};
+
+}  // namespace
+
+std::unique_ptr<StrandPaths> build_wrapped_paths(const Subject& subject, const TendonDigit& digit) {
+  std::vector<std::string> with_path;
+  for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
+    if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
+  return std::make_unique<WrappedStrands>(build_paths(subject, digit.skeleton, with_path), digit);
+}
+
+namespace {
+
+constexpr double kTold = 1e-3;  // possible error of an arm that is told: a tenth of a flexor's
+                                // at a finger's joints [m/rad]
+
+/// The path whose arms may be furthest off, in words; empty: all are near.
+std::string worst_fit(const std::vector<FittedPath>& paths) {
+  const auto worst =
+      std::max_element(paths.begin(), paths.end(), [](const FittedPath& a, const FittedPath& b) {
+        return a.error.arm_bound < b.error.arm_bound;
+      });
+  if (worst == paths.end() || worst->error.arm_bound <= kTold) return "";
+  return fmt::format("fitted arms of '{}' may be off by {:.2g} mm/rad", worst->name,
+                     1e3 * worst->error.arm_bound);
+}
+
+class FittedStrands : public StrandPaths {
+ public:
+  FittedStrands(const Subject& subject, const TendonDigit& digit, int order)
+      : box_(fit_box(digit.skeleton)),
+        names_(digit.names.coordinates),
+        constant_(digit.model.constant_arms) {
+    std::vector<std::string> with_path;
+    for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
+      if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
+    const PathSet set = build_paths(subject, digit.skeleton, with_path);
+    for (std::size_t k = 0; k < set.paths.size(); ++k) {
+      const auto strand =
+          std::find(digit.names.strands.begin(), digit.names.strands.end(), set.paths[k].name);
+      if (strand == digit.names.strands.end()) continue;  // it only carries another
+      row_.push_back(strand - digit.names.strands.begin());
+      paths_.push_back(fit_path(digit.model.tree, set, k, box_, order));
+    }
+    worst_fit_ = worst_fit(paths_);
+  }
+
+  [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
+                                const Eigen::VectorXd& q) const override {
+    StrandArms arms{constant_, worst_fit_,
+                    worst_fit_.empty() ? TendonStatus::kValid : TendonStatus::kApproximate};
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
+    for (Eigen::Index j = 0; j < q.size(); ++j)
+      if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
+        arms.status = TendonStatus::kOutOfRange;
+        arms.warning = fmt::format("joint '{}' is outside the range that paths were fitted over",
+                                   names_[static_cast<std::size_t>(j)]);
+      }
+    return arms;
+  }
+
+  [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& /*state*/,
+                                         const Eigen::VectorXd& q) const override {
+    StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
+    slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),
+                     Eigen::MatrixXd::Zero(q.size(), q.size()));
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+      const FittedLength fitted = fitted_length(paths_[k], q);
+      slopes.length[row_[k]] = fitted.length;
+      slopes.R.row(row_[k]) = fitted.arms;
+      slopes.dR[static_cast<std::size_t>(row_[k])] = arm_derivatives(paths_[k], q);
+    }
+    return slopes;
+  }
+
+  [[nodiscard]] Eigen::VectorXd lengths(const TreeState<double>& /*state*/,
+                                        const Eigen::VectorXd& q) const override {
+    Eigen::VectorXd length = -constant_ * q;
+    for (std::size_t k = 0; k < paths_.size(); ++k)
+      length[row_[k]] = fitted_length(paths_[k], q).length;
+    return length;
+  }
+
+ private:
+  FitBox box_;
+  std::vector<std::string> names_;
+  Eigen::MatrixXd constant_;
+  std::vector<Eigen::Index> row_;  // strand of each fitted path
+  std::vector<FittedPath> paths_;
+  std::string worst_fit_;  // why not to trust them at any posture
+};
+
+}  // namespace
+
+std::unique_ptr<StrandPaths> build_fitted_paths(const Subject& subject, const TendonDigit& digit,
+                                                int order) {
+  return std::make_unique<FittedStrands>(subject, digit, order);
+}
+
+}  // namespace thenar

@@ -1,0 +1,130 @@
+#include "tendons/topology/fitted_nets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/numbers.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kPairs = 40;  // of changes, tried where a misfit is not noise_explains
+
+/// Tries all topologies that differ by one band. @return the bands, best change first
+std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double price) {
+  std::vector<std::pair<double, int>> changes;
+  for (int c = 0; c < static_cast<int>(here.bands.size()); ++c) {
+    const Topology next = flipped(here.bands, c);
+    changes.emplace_back(score({next, tried.fit(next, here.fit.s)}, price), c);
+  }
+  std::sort(changes.begin(), changes.end());
+  std::vector<int> order;
+  for (const auto& [least, c] : changes) order.push_back(c);
+  return order;
+}
+
+/// Tries pairs of the changes that harm least alone, until one helps.
+void change_in_pairs(FittedNets& tried, const FittedNet& here, const std::vector<int>& order,
+                     double price) {
+  int left = kPairs;
+  for (std::size_t b = 1; b < order.size(); ++b)
+    for (std::size_t a = 0; a < b && left > 0; ++a, --left) {
+      const Topology next = flipped(flipped(here.bands, order[a]), order[b]);
+      if (score({next, tried.fit(next, here.fit.s)}, price) < score(here, price)) return;
+    }
+}
+
+}  // namespace
+
+std::vector<Eigen::VectorXd> FittedNets::usual_starts() const {
+  const Eigen::Index n = fitter_->typical().size();
+  return {Eigen::VectorXd::Ones(n), fitter_->least(), fitter_->most()};
+}
+
+const BandFit& FittedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
+  const auto found = tried_.find(bands);
+  if (found != tried_.end()) return found->second.fit;
+  FittedNet net{bands, fitter_->fit(presences_of(bands), start)};
+  for (const Eigen::VectorXd& usual : usual_starts())
+    if (!net.fit.holds) net.fit = fitter_->fit(presences_of(bands), usual);
+  return tried_.emplace(bands, std::move(net)).first->second.fit;
+}
+
+void FittedNets::settle(const Topology& bands, const Eigen::VectorXd& start) {
+  (void)fit(bands, start);
+  FittedNet& net = tried_.at(bands);
+  if (net.settled) return;
+  net.settled = true;
+  std::vector<Eigen::VectorXd> starts = usual_starts();
+  starts.push_back(start);
+  for (const Eigen::VectorXd& from : starts) {
+    BandFit again = fitter_->fit(presences_of(bands), from);
+    const bool better = !net.fit.holds || again.misfit < net.fit.misfit;
+    if (again.holds && better) net.fit = std::move(again);
+  }
+}
+
+const FittedNet* FittedNets::best(double price) const {
+  const FittedNet* best = nullptr;
+  for (const auto& [bands, net] : tried_)
+    if (net.fit.holds && (!best || score(net, price) < score(*best, price))) best = &net;
+  return best;
+}
+
+const FittedNet* FittedNets::best_where(int band, bool present) const {
+  const FittedNet* best = nullptr;
+  for (const auto& [bands, net] : tried_)
+    if (net.fit.holds && bands[band] == present && (!best || net.fit.misfit < best->fit.misfit))
+      best = &net;
+  return best;
+}
+
+double FittedNets::min_misfit(int band, bool present) const {
+  const FittedNet* best = best_where(band, present);
+  return best ? best->fit.misfit : kInfinity;
+}
+
+std::vector<FittedNet> FittedNets::alike(double doubt) const {
+  const FittedNet* first = best();
+  std::vector<FittedNet> nets;
+  for (const auto& [bands, net] : tried_)
+    if (net.fit.holds && net.fit.misfit <= first->fit.misfit + doubt) nets.push_back(net);
+  std::sort(nets.begin(), nets.end(),
+            [](const FittedNet& a, const FittedNet& b) { return a.fit.misfit < b.fit.misfit; });
+  return nets;
+}
+
+bool noise_explains(const BandFit& fit) {
+  const auto rows = static_cast<double>(fit.r.size());
+  return fit.holds && fit.misfit < rows + 6 * std::sqrt(2 * rows);
+}
+
+double score(const FittedNet& net, double price) {
+  if (!net.fit.holds) return kInfinity;
+  return net.fit.misfit + price * std::count(net.bands.begin(), net.bands.end(), true);
+}
+
+Topology flipped(Topology bands, int band) {
+  bands[band] = !bands[band];
+  return bands;
+}
+
+Topology descend(FittedNets& tried, const Topology& from, const Eigen::VectorXd& start,
+                 double price) {
+  FittedNet here{from, tried.fit(from, start)};
+  for (;;) {
+    if (!here.fit.holds) return here.bands;
+    const std::vector<int> order = change_singly(tried, here, price);
+    const Topology nearest = flipped(here.bands, order[0]);
+    FittedNet next{nearest, tried.fit(nearest, here.fit.s)};
+    if (!(score(next, price) < score(here, price)) && !noise_explains(here.fit)) {
+      change_in_pairs(tried, here, order, price);
+      next = *tried.best(price);
+    }
+    if (!(score(next, price) < score(here, price))) return here.bands;
+    here = std::move(next);
+  }
+}
+
+}  // namespace thenar

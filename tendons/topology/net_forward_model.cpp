@@ -1,0 +1,108 @@
+#include "tendons/topology/net_forward_model.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "tendons/net/net_derivatives.h"
+#include "tendons/net/net_statics.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kCollapsedLength = 1e-3;  // a muscle shorter than this has drawn its node in [m]
+
+/// Whether every muscle is held up by the net.
+bool holds(const Net& net, const NetEquilibrium& rest) {
+  const bool still = rest.status == NetStatus::kBalanced ||
+                     (rest.status == NetStatus::kStalled && rest.residual < kSettledNet);
+  if (!still || !rest.x.allFinite()) return false;
+  for (std::size_t b = 0; b < net.bands.size(); ++b)
+    if (net.bands[b].muscle >= 0 && rest.length(static_cast<Eigen::Index>(b)) < kCollapsedLength)
+      return false;
+  return true;
+}
+
+/// Candidates that exist, each with its place among the bands of net_of().
+std::vector<std::pair<int, int>> places_of(const CandidateNet& candidate,
+                                           const Eigen::VectorXd& EA) {
+  std::vector<int> of_band(candidate.net.bands.size(), -1);
+  for (std::size_t c = 0; c < candidate.candidates.size(); ++c)
+    of_band[candidate.candidates[c].band] = static_cast<int>(c);
+  std::vector<std::pair<int, int>> places;
+  int place = 0;
+  for (int c : of_band) {
+    if (c >= 0 && EA(c) <= 0) continue;
+    if (c >= 0) places.emplace_back(c, place);
+    ++place;
+  }
+  return places;
+}
+
+}  // namespace
+
+NetForwardModel::NetForwardModel(CandidateNet candidate, const std::vector<TendonTest>& tests)
+    : candidate_(std::move(candidate)) {
+  check_candidates(candidate_);
+  for (const TendonTest& test : tests) add(test);
+}
+
+void NetForwardModel::add(const TendonTest& test) {
+  check_test(candidate_, test);
+  Posed posed{test, pose_tree(candidate_.tree, test.q), {}};
+  const NetEquilibrium rest =
+      NetSolver(candidate_.net)
+          .solve(posed.state, {test.tension, {}}, test.start.cols() ? &test.start : nullptr);
+  require(holds(candidate_.net, rest), "test {}: net {} with all its bands does not come to rest",
+          test.name, candidate_.net.name);
+  posed.x = rest.x;
+  tests_.push_back(std::move(posed));
+}
+
+Eigen::MatrixXd NetForwardModel::slope_of(const Net& net, const Posed& posed,
+                                          const NetEquilibrium& rest,
+                                          const Eigen::VectorXd& EA) const {
+  Eigen::MatrixXd tau = Eigen::MatrixXd::Zero(candidate_.coordinates, EA.size());
+  const Eigen::MatrixXd turn =
+      length_by_posture(net, candidate_.tree, posed.state, {posed.test.tension, {}}, rest,
+                        static_cast<int>(posed.test.q.size()), kSettledNet);
+  for (const auto& [candidate, band] : places_of(candidate_, EA))
+    tau.col(candidate) = -rest.tension(band) / net.bands[band].EA * turn.row(band).transpose();
+  return posed.test.map * tau;
+}
+
+NetPrediction NetForwardModel::predict(const Eigen::VectorXd& EA, Sensitivities slopes,
+                                       const NetPrediction* near) {
+  require(EA.size() == static_cast<Eigen::Index>(candidate_.candidates.size()) && EA.allFinite() &&
+              (EA.array() >= 0).all(),
+          "wanted {} stiffnesses >= 0, got {}", candidate_.candidates.size(), EA.size());
+  Eigen::Index rows = 0, row = 0;
+  for (const Posed& posed : tests_) rows += posed.test.map.rows();
+  NetPrediction out;
+  out.value.resize(rows);
+  if (slopes == Sensitivities::kWith) out.by_EA.resize(rows, EA.size());
+  const Net net = net_of(candidate_, EA);
+  NetSolver solver(net);
+  for (const Posed& posed : tests_) {
+    const std::size_t place = out.rest.size();
+    const bool warm = near && near->holds && place < near->rest.size();
+    const NetEquilibrium rest =
+        solver.solve(posed.state, {posed.test.tension, {}}, warm ? &near->rest[place] : &posed.x);
+    ++solves_;
+    if (!holds(net, rest)) return out;
+    out.residual = std::max(out.residual, rest.residual);
+    const Eigen::Index n = posed.test.map.rows();
+    Eigen::VectorXd tau =
+        net_torque(net, candidate_.tree, posed.state, rest, candidate_.coordinates);
+    if (posed.test.tau_own.size()) tau += posed.test.tau_own;
+    out.value.segment(row, n) = posed.test.map * tau;
+    if (slopes == Sensitivities::kWith)
+      out.by_EA.middleRows(row, n) = slope_of(net, posed, rest, EA);
+    row += n;
+    out.rest.push_back(rest.x);
+  }
+  out.holds = out.value.allFinite() && out.by_EA.allFinite();
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,65 @@
+#pragma once
+
+/// What a net of given stiffnesses would give in a list of tests.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "solvers/bounded_least_squares.h"
+#include "tendons/net/solve_net.h"
+#include "tendons/topology/candidate_net.h"
+
+namespace thenar {
+
+/// A net that the solver could not bring to rest better than this is left out. Between it and the
+/// solver's tolerance a net counts, slopes as well, as one at rest: far below what a load cell
+/// feels. NetPrediction::residual says what was left [N].
+inline constexpr double kSettledNet = 1e-4;
+
+/// All tests one under the other.
+struct [[nodiscard]] NetPrediction {
+  bool holds = false;     // every test was balanced; otherwise nothing else is meant
+  Eigen::VectorXd value;  // (rows)
+  Eigen::MatrixXd by_EA;  // slope by each candidate's EA (rows, candidates); if asked for
+  double residual = 0;    // largest out-of-balance force of a node in any test [N]
+  std::vector<Eigen::Matrix3Xd> rest;  // where the nodes of each test rest, world [m] (3, nodes)
+};
+
+/// Predicts one list of tests again and again. Each starts where the net of all candidates comes to
+/// rest, so what is predicted depends on nothing but EA, also where a net has two equilibria; or,
+/// if asked, near another forecast, which takes fewer steps.
+class NetForwardModel {
+ public:
+  /// @throws InputError naming what is wrong in the candidates or in a test, or a test in which
+  /// even the net of all candidates does not come to rest.
+  NetForwardModel(CandidateNet candidate, const std::vector<TendonTest>& tests);
+
+  /// @param EA  of each candidate; 0: it does not exist, and its slope is not asked for (column of
+  ///            zeros) [N] (candidates)
+  /// @param near  forecast that holds, whose places to start from; null: the net of all candidates
+  NetPrediction predict(const Eigen::VectorXd& EA, Sensitivities slopes,
+                        const NetPrediction* near = nullptr);
+
+  void add(const TendonTest& test);
+  [[nodiscard]] const CandidateNet& candidate() const { return candidate_; }
+  [[nodiscard]] long solves() const { return solves_; }
+
+ private:
+  struct Posed {
+    TendonTest test;
+    TreeState<double> state;
+    Eigen::Matrix3Xd x;  // where the nodes start, world [m] (3, nodes)
+  };
+  /// By Maxwell's reciprocity, with E the energy of the net at rest and phi that of one band:
+  ///   d tau / d EA = -d2 E / dq dEA = -d (phi / EA) / dq = -(T / EA) dL / dq,
+  /// so one linear solve a joint stands for one by every EA.
+  Eigen::MatrixXd slope_of(const Net& net, const Posed& posed, const NetEquilibrium& rest,
+                           const Eigen::VectorXd& EA) const;
+
+  CandidateNet candidate_;
+  std::vector<Posed> tests_;
+  long solves_ = 0;
+};
+
+}  // namespace thenar

@@ -1,0 +1,222 @@
+#include "tendons/topology/search_nets.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kFirstChance = 0.7;  // that a band is in a topology of the first population
+constexpr double kCross = 0.4;        // chance that a child has two parents
+
+/// Topologies with the stiffnesses that they start their next fit from.
+struct Member {
+  Topology bands;
+  Eigen::VectorXd s;
+};
+using Population = std::vector<Member>;
+
+Topology random_topology(std::size_t bands, std::mt19937& random) {
+  std::bernoulli_distribution present(kFirstChance);
+  Topology out(bands);
+  for (std::size_t c = 0; c < bands; ++c) out[c] = present(random);
+  return out;
+}
+
+Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
+  std::uniform_int_distribution<std::size_t> pick(0, parents.size() - 1);
+  const FittedNet& mother = parents[std::min(pick(random), pick(random))];  // the better more often
+  Member child{mother.bands, mother.fit.s};
+  std::uniform_int_distribution<std::size_t> band(0, child.bands.size() - 1);
+  if (parents.size() > 1 && std::bernoulli_distribution(kCross)(random)) {
+    const FittedNet& father = parents[pick(random)];
+    std::bernoulli_distribution coin(0.5);
+    for (std::size_t c = 0; c < child.bands.size(); ++c)
+      if (coin(random)) {
+        child.bands[c] = father.bands[c];
+        child.s(static_cast<Eigen::Index>(c)) = father.fit.s(static_cast<Eigen::Index>(c));
+      }
+  }
+  const int changes = std::bernoulli_distribution(0.5)(random) ? 1 : 2;
+  for (int i = 0; i < changes; ++i) {
+    const std::size_t c = band(random);
+    child.bands[c] = !child.bands[c];
+  }
+  return child;
+}
+
+/// The best by score, best first.
+std::vector<FittedNet> survivors(std::vector<FittedNet> nets, const NetSearchOptions& options) {
+  std::sort(nets.begin(), nets.end(), [&](const FittedNet& a, const FittedNet& b) {
+    return score(a, options.price) < score(b, options.price);
+  });
+  if (nets.size() > static_cast<std::size_t>(options.population))
+    nets.resize(static_cast<std::size_t>(options.population));
+  return nets;
+}
+
+/// Fits the population to the records at hand and lets it breed.
+std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
+                                std::mt19937& random, const NetSearchOptions& options,
+                                const Progress& progress) {
+  for (const Member& member : population)
+    if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
+  constexpr double kAll = std::numeric_limits<double>::infinity();
+  std::vector<FittedNet> alive;
+  for (int g = 0; g <= options.generations; ++g) {
+    if (!tried.best()) return {};
+    const FittedNet& best = *tried.best();
+    if (g == options.generations && !noise_explains(best.fit))
+      descend(tried, best.bands, best.fit.s, options.price);
+    alive = survivors(tried.alike(kAll), options);
+    if (g == options.generations || progress.stop()) break;
+    for (int i = 0; i < options.children; ++i) {
+      const Member child = child_of(alive, random);
+      (void)tried.fit(child.bands, child.s);
+    }
+  }
+  return alive;
+}
+
+/// The same nets with misfits by the noise that the best of them leaves.
+std::vector<FittedNet> eased(std::vector<FittedNet> nets, double error) {
+  for (FittedNet& net : nets) net.fit.misfit /= error * error;
+  return nets;
+}
+
+/// Whether survivors may agree by chance: fewer than four numbers a band, or a misfit that noise
+/// does not leave.
+bool few(FittedNets& tried) {
+  const Eigen::Index bands = tried.fitter().typical().size();
+  return tried.fitter().rows() < 4 * bands || !noise_explains(tried.best()->fit);
+}
+
+/// Tests not measured yet, at most `count`, that are worth it; no two of one posture if there is a
+/// choice.
+std::vector<RankedTest> choose(const std::vector<RankedTest>& ranked,
+                               const std::vector<TendonTest>& pool, double enough, int count) {
+  std::vector<RankedTest> chosen;
+  for (const RankedTest& promise : ranked) {
+    if (static_cast<int>(chosen.size()) == count || promise.disagreement < enough) break;
+    const bool posture_taken = std::any_of(chosen.begin(), chosen.end(), [&](const RankedTest& c) {
+      return pool[c.test].q.isApprox(pool[promise.test].q);
+    });
+    if (!posture_taken) chosen.push_back(promise);
+  }
+  return chosen;
+}
+
+/// Everything that changes from round to round.
+struct Search {
+  Population population;
+  std::vector<TendonRecord> records;
+  std::vector<bool> used;  // tests of the pool
+
+  void measure(const std::vector<RankedTest>& chosen, const std::vector<TendonTest>& pool,
+               const TestOracle& oracle) {
+    for (const RankedTest& promise : chosen) {
+      records.push_back(oracle(pool[promise.test]));
+      used[promise.test] = true;
+    }
+  }
+};
+
+Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
+             const std::vector<TendonTest>& pool, const TestOracle& oracle, std::mt19937& random,
+             const NetSearchOptions& options) {
+  Search search{{}, std::move(records), std::vector<bool>(pool.size(), false)};
+  const std::size_t n = candidate.candidates.size();
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(n));
+  search.population.push_back({Topology(n, true), one});
+  for (int i = 1; i < 2 * options.population; ++i)
+    search.population.push_back({random_topology(n, random), one});
+  while (search.records.size() < 2 && oracle) {
+    std::uniform_int_distribution<int> pick(0, static_cast<int>(pool.size()) - 1);
+    const int test = pick(random);
+    if (!search.used[test]) search.measure({{test, 0}}, pool, oracle);
+  }
+  return search;
+}
+
+/// What is left of the pool, best first.
+std::vector<RankedTest> open_tests(const std::vector<RankedTest>& ranked,
+                                   const std::vector<bool>& used) {
+  std::vector<RankedTest> open;
+  for (const RankedTest& promise : ranked)
+    if (!used[promise.test]) open.push_back(promise);
+  return open;
+}
+
+/// Why no more is measured. @param left  tests that may still be
+NetSearchStop reason(const Progress& progress, const std::vector<RankedTest>& next, int left,
+                     double enough) {
+  if (progress.stop()) return NetSearchStop::kAsked;
+  if (left == 0 || next.empty()) return NetSearchStop::kTests;
+  return next.front().disagreement < enough ? NetSearchStop::kAgreed : NetSearchStop::kNoOracle;
+}
+
+}  // namespace
+
+std::string to_string(NetSearchStop stop) {
+  switch (stop) {
+    case NetSearchStop::kAgreed:
+      return "no test sets the nets that are left apart";
+    case NetSearchStop::kTests:
+      return "no test is left to measure";
+    case NetSearchStop::kNoOracle:
+      return "more tests would tell the nets apart that are left";
+    case NetSearchStop::kAsked:
+      return "stopped";
+    case NetSearchStop::kNothingHolds:
+      return "no net carries the loads";
+  }
+  return "";
+}
+
+NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRecord> records,
+                            const std::vector<TendonTest>& pool, const TestOracle& oracle,
+                            std::mt19937& random, const NetSearchOptions& options,
+                            const Progress& progress) {
+  require(records.size() >= 2 || (oracle && pool.size() >= 2),
+          "wanted two records, or an oracle and two tests, got {} and {}", records.size(),
+          pool.size());
+  Search search = begin(candidate, std::move(records), pool, oracle, random, options);
+  NetForwardModel forecast(candidate, pool);
+  NetSearchResult out;
+  for (;;) {
+    const int measured = static_cast<int>(search.records.size());
+    progress(0.9 * measured / std::max(options.max_tests, measured),
+             fmt::format("{} tests", measured));
+    BandFitter fitter(candidate, search.records);
+    FittedNets tried(fitter);
+    const std::vector<FittedNet> alive =
+        estimate(tried, search.population, random, options, progress);
+    if (alive.empty()) return out;
+    // With an oracle a bad fit calls for more tests, not for more noise.
+    const double error = oracle ? 1 : model_error(tried);
+    out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
+                                     {error * options.noise.relative, error * options.noise.floor}),
+                          search.used);
+    const int left = oracle ? std::clamp(options.max_tests - measured, 0, options.tests_a_round)
+                            : options.tests_a_round;
+    const std::vector<RankedTest> chosen =
+        choose(out.next, pool, few(tried) ? 0 : options.enough, left);
+    const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
+    out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
+    out.stop = reason(progress, out.next, left, options.enough);
+    if (progress.stop() || chosen.empty() || !oracle) {
+      const FittedNet& best = alive.front();
+      if (!progress.stop()) descend(tried, best.bands, best.fit.s, options.price);
+      out.net = assess_bands(tried, options.weigh, progress);
+      return out;
+    }
+    search.measure(chosen, pool, oracle);
+    search.population.clear();
+    for (const FittedNet& net : alive) search.population.push_back({net.bands, net.fit.s});
+  }
+}
+
+}  // namespace thenar

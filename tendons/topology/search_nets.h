@@ -1,0 +1,73 @@
+#pragma once
+
+/// Topology by search: a population of nets that explain what was measured, and tests chosen to set
+/// them against each other.
+
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "tendons/topology/assess_bands.h"
+#include "tendons/topology/rank_tests.h"
+
+namespace thenar {
+
+struct NetSearchOptions {
+  int population = 12;     // topologies that survive a round
+  int generations = 2;     // of a round
+  int children = 10;       // of a generation
+  int tests_a_round = 3;   // measured before the population is fitted again
+  int max_tests = 36;      // measured in all, those at the start included
+  double enough = 1;       // disagreement of the best test below which measuring stops [1]
+  double price = 4;        // of a band, in chi^2 [1]
+  MeasurementNoise noise;  // of readings to come
+  AssessOptions weigh;
+};
+
+/// One round of measuring.
+struct NetSearchRound {
+  std::vector<RankedTest> measured;  // tests that were asked for
+  int tests;                         // measured before
+  double misfit;                     // chi^2 of the best net before [1]
+  int rivals;                        // nets within `doubt` of it
+};
+
+enum class NetSearchStop {
+  kAgreed,       // no test of the pool sets the survivors apart
+  kTests,        // as many tests as allowed, or the pool is used up
+  kNoOracle,     // tests are worth measuring, and nobody is there to do it
+  kAsked,        // stop was requested
+  kNothingHolds  // no topology carries the loads
+};
+
+/// Why it ended, in words.
+[[nodiscard]] std::string to_string(NetSearchStop stop);
+
+struct [[nodiscard]] NetSearchResult {
+  NetSearchStop stop = NetSearchStop::kNothingHolds;
+  std::vector<NetSearchRound> rounds;
+  std::vector<RankedTest> next;  // tests that would tell most now, best first
+  InferredNet net;
+};
+
+/// Gives the reading of a test: an experiment, or a planted net.
+using TestOracle = std::function<TendonRecord(const TendonTest& test)>;
+
+/// Estimation and exploration in turn. Estimation: topologies change by single bands and by
+/// crossing, each fitted to all records; the best by  chi^2 + price * bands  survive.
+/// NetSearchResult: the tests of the pool on which survivors disagree most are measured next. In
+/// the end the bands are weighed.
+/// @param records  what is known before; may be empty if there is an oracle
+/// @param pool     tests that could be measured
+/// @param oracle   empty: nothing is measured, the next tests are only named
+/// Source: [Bongard2005], [ValeroCuevas2007], [Saxena2012].
+[[nodiscard]] NetSearchResult search_nets(const CandidateNet& candidate,
+                                          std::vector<TendonRecord> records,
+                                          const std::vector<TendonTest>& pool,
+                                          const TestOracle& oracle, std::mt19937& random,
+                                          const NetSearchOptions& options = {},
+                                          const Progress& progress = {});
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#include "tendons/vanishing_arms.h"
+
+#include "base/units.h"
+#include "tendons/name_conventions.h"
+
+namespace thenar {
+
+std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eigen::VectorXd& q) {
+  constexpr int kPlaces = 13;      // on a joint's range
+  constexpr double kLeast = 3e-3;  // arm of a flexor [m/rad]
+  constexpr double kShare = 0.25;
+  std::vector<VanishingArm> found;
+  const TendonDigit& digit = tendons.digit();
+  if (digit.fidelity.path < Path::kViaPoint) return found;
+  const Eigen::VectorXd t =
+      Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size()));
+  const Eigen::MatrixXd here = tendons.pull(q, t).R;
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const std::string& joint = digit.names.coordinates[static_cast<std::size_t>(j)];
+    const auto& limit = digit.skeleton.limits[static_cast<std::size_t>(j)];
+    if (!is_flexion_joint(joint) || limit.upper - limit.lower > 2 * kPi - 1e-9) continue;
+    Eigen::VectorXd most = here.col(j);
+    for (int k = 0; k < kPlaces; ++k) {
+      Eigen::VectorXd there = q;
+      there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
+      most = most.cwiseMax(tendons.pull(there, t).R.col(j));
+    }
+    for (Eigen::Index m = 0; m < most.size(); ++m) {
+      const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
+      if (is_long_flexor(muscle) && most[m] > kLeast && here(m, j) < kShare * most[m])
+        found.push_back({muscle, joint, here(m, j), most[m]});
+    }
+  }
+  return found;
+}
+
+}  // namespace thenar

@@ -1,0 +1,292 @@
+#include "tendons/wrapping/path_tangency.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr int kMostUnknowns = 4 * kMaxWraps;
+using System =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnknowns, kMostUnknowns>;
+using Unknowns = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
+using Row4 = Eigen::Matrix<double, 1, 4>;
+using Map34 = Eigen::Matrix<double, 3, 4>;
+
+/// An end of an arc in the world, and how it moves with (along, across, turn, lengthen).
+struct ArcEnd {
+  Vector3d p, t, n, b;
+  Map34 dp, dn, db;
+};
+
+/// How the frame of an end follows its own shift (sigma along, eta across) and turn omega:
+///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
+ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
+              const Row4& omega) {
+  const SurfaceShapeAt at = shape_at(*link.surface, ray.p);
+  ArcEnd end;
+  end.p = link.X * ray.p;
+  end.t = link.X.R * ray.t;
+  end.n = link.X.R * at.n;
+  end.b = end.t.cross(end.n);
+  const Vector3d St = link.X.R * (at.S * ray.t);
+  const Vector3d Sb = link.X.R * (at.S * (link.X.R.transpose() * end.b));
+  end.dp = end.t * sigma + end.b * eta;
+  end.dn = St * sigma + Sb * eta;
+  end.db = -end.t * omega - end.n * (end.b.transpose() * end.dn);
+  return end;
+}
+
+struct ArcEnds {
+  ArcEnd on, off;
+};
+
+ArcEnds ends_of(const ChainArc& link) {
+  const GeodesicEnd far = follow_geodesic(*link.surface, link.arc.start, link.arc.length);
+  const Row4 along(1, 0, 0, 0), across(0, 1, 0, 0), turn(0, 0, 1, 0);
+  return {end_of(link, link.arc.start, along, across, turn),
+          end_of(link, far.ray, Row4(1, 0, 0, 1), Row4(0, far.a, far.r, 0),
+                 Row4(0, far.da, far.dr, 0))};
+}
+
+/// Residuals of the whole chain, and their Jacobian.
+struct Tangency {
+  Unknowns f;
+  System J;
+};
+
+/// Two rows: a unit run e = +-(end - other) / d against n and b of `end`.
+/// @param sign  1 if the run arrives at the end, -1 if it leaves
+void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const Vector3d& other,
+              int other_column, const Map34* other_dp, double sign) {
+  const Vector3d run = sign * (end.p - other);
+  const double d = run.norm();
+  const Vector3d e = run / d;
+  for (int k = 0; k < 2; ++k) {
+    const Vector3d& v = k == 0 ? end.n : end.b;
+    const Map34& dv = k == 0 ? end.dn : end.db;
+    const Vector3d slope = sign * (v - e * e.dot(v)) / d;
+    system.f[row + k] = e.dot(v);
+    system.J.block<1, 4>(row + k, own) += slope.transpose() * end.dp + e.transpose() * dv;
+    if (other_dp) system.J.block<1, 4>(row + k, other_column) -= slope.transpose() * *other_dp;
+  }
+}
+
+Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
+  const int m = static_cast<int>(chain.size());
+  std::array<ArcEnds, kMaxWraps> ends;
+  for (int i = 0; i < m; ++i)
+    ends[static_cast<std::size_t>(i)] = ends_of(chain[static_cast<std::size_t>(i)]);
+  Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
+  for (int i = 0; i < m; ++i) {
+    const ArcEnds& here = ends[static_cast<std::size_t>(i)];
+    const ArcEnd* before = i > 0 ? &ends[static_cast<std::size_t>(i) - 1].off : nullptr;
+    const ArcEnd* after = i + 1 < m ? &ends[static_cast<std::size_t>(i) + 1].on : nullptr;
+    add_rows(system, 4 * i, 4 * i, here.on, before ? before->p : a, 4 * (i - 1),
+             before ? &before->dp : nullptr, 1);
+    add_rows(system, 4 * i + 2, 4 * i, here.off, after ? after->p : b, 4 * (i + 1),
+             after ? &after->dp : nullptr, -1);
+  }
+  return system;
+}
+
+/// Moves one arc by (along, across, turn, lengthen).
+void vary(ChainArc& link, const Eigen::Vector4d& by) {
+  const SurfaceRay& was = link.arc.start;
+  const Vector3d n = shape_at(*link.surface, was.p).n, across = was.t.cross(n);
+  link.arc.start = project_to_surface(
+      *link.surface,
+      {was.p + by[0] * was.t + by[1] * across, std::cos(by[2]) * was.t + std::sin(by[2]) * across});
+  link.arc.length += by[3];
+}
+
+/// Largest factor up to 1 that moves no arc by more than half its surface's radius or half a
+/// radian.
+double longest_step(const std::vector<ChainArc>& chain, const Unknowns& step) {
+  double most = 1;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const auto by = step.segment<4>(4 * static_cast<Eigen::Index>(i));
+    const double radius = chain[i].surface->shape == SurfaceShape::kEllipsoid
+                              ? chain[i].surface->size.minCoeff()
+                              : chain[i].surface->size[0];
+    const double shift = std::max({std::abs(by[0]), std::abs(by[1]), std::abs(by[3])}) / radius;
+    most = std::max({most, 2 * shift, 2 * std::abs(by[2])});
+  }
+  return 1 / most;
+}
+
+/// Largest kink; 1, the most there is, of a chain that has no tangents.
+double largest_kink(const Unknowns& f) { return f.allFinite() ? f.lpNorm<Eigen::Infinity>() : 1; }
+
+}  // namespace
+
+ChainFit solve_tangency(const Vector3d& a, const Vector3d& b, std::vector<ChainArc>& chain) {
+  constexpr int kSteps = 60;
+  Tangency now = tangency(a, b, chain);
+  double size = now.f.squaredNorm();
+  ChainFit fit{largest_kink(now.f), 0};
+  std::array<WrapArc, kMaxWraps> best;
+  for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
+    const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
+    if (!step.allFinite()) break;
+    for (std::size_t i = 0; i < chain.size(); ++i) best[i] = chain[i].arc;
+    double factor = longest_step(chain, step);
+    bool better = false;
+    for (int halving = 0; halving < 12 && !better; ++halving, factor *= 0.5) {
+      for (std::size_t i = 0; i < chain.size(); ++i) {
+        chain[i].arc = best[i];
+        vary(chain[i], factor * step.segment<4>(4 * static_cast<Eigen::Index>(i)));
+      }
+      const Tangency next = tangency(a, b, chain);
+      better = next.f.squaredNorm() < size;
+      if (better) {
+        now = next;
+        size = now.f.squaredNorm();
+        fit.error = largest_kink(now.f);
+      }
+    }
+    if (better) continue;
+    for (std::size_t i = 0; i < chain.size(); ++i) chain[i].arc = best[i];
+    break;
+  }
+  return fit;
+}
+
+namespace internal {
+namespace {
+
+/// The part of the rates of two tangency conditions that rigid motion makes: of a run
+/// e = sign (end - other) / d  against n and b of an end that a surface carries.
+Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vector3d& other,
+                             const Vector3d& other_dot, double sign) {
+  const Vector3d run = sign * (end.p - other);
+  const double d = run.norm();
+  const Vector3d e = run / d, move = sign * (on.at(end.p) - other_dot);
+  const Vector3d e_dot = (move - e * e.dot(move)) / d;
+  return {e_dot.dot(end.n) + e.dot(on.w.cross(end.n)), e_dot.dot(end.b) + e.dot(on.w.cross(end.b))};
+}
+
+}  // namespace
+
+ChainTangent::ChainTangent(const Vector3d& a, const Vector3d& b, std::vector<ChainArc> chain)
+    : a_(a), b_(b), chain_(std::move(chain)) {
+  constexpr double kSingular = 1e-12;  // reciprocal condition
+  const System J = tangency(a_, b_, chain_).J;
+  if (!J.allFinite()) return;
+  factor_.compute(J);
+  regular_ = factor_.rcond() > kSingular;
+}
+
+std::vector<TouchRate> ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
+                                           const std::vector<BodyTwist>& on) const {
+  const std::size_t m = chain_.size();
+  std::vector<ArcEnds> ends;
+  for (const ChainArc& link : chain_) ends.push_back(ends_of(link));
+  Unknowns f(4 * static_cast<Eigen::Index>(m));
+  for (std::size_t i = 0; i < m; ++i) {
+    const auto row = 4 * static_cast<Eigen::Index>(i);
+    const Vector3d& before = i > 0 ? ends[i - 1].off.p : a_;
+    const Vector3d& after = i + 1 < m ? ends[i + 1].on.p : b_;
+    f.segment<2>(row) =
+        carried_rate(ends[i].on, on[i], before, i > 0 ? on[i - 1].at(before) : a_dot, 1);
+    f.segment<2>(row + 2) =
+        carried_rate(ends[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
+  }
+  const Unknowns x = -factor_.solve(f);
+  std::vector<TouchRate> rates;
+  for (std::size_t i = 0; i < m; ++i) {
+    const Eigen::Vector4d vary = x.segment<4>(4 * static_cast<Eigen::Index>(i));
+    rates.push_back({on[i].at(ends[i].on.p) + ends[i].on.dp * vary,
+                     on[i].at(ends[i].off.p) + ends[i].off.dp * vary});
+  }
+  return rates;
+}
+
+}  // namespace internal
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::size_t kBeads = 24;  // a surface
+constexpr double kRelax = 1.7;
+
+/// A bead, and the surface that it rests on.
+struct Bead {
+  Vector3d p;
+  int on = -1;
+};
+using Beads = std::array<Bead, kBeads * kMaxWraps + 2>;
+
+/// Even beads on the polygon from a over the start of every arc to b.
+std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain,
+                Beads& beads) {
+  std::size_t count = 0;
+  beads[count++] = {a};
+  Vector3d from = a;
+  const std::size_t legs = chain.size() + 1, each = kBeads * chain.size() / legs;
+  for (std::size_t leg = 0; leg < legs; ++leg) {
+    const Vector3d to = leg + 1 == legs ? b : Vector3d(chain[leg].X * chain[leg].arc.start.p);
+    for (std::size_t i = 1; i <= each; ++i)
+      beads[count++] = {from + static_cast<double>(i) / static_cast<double>(each) * (to - from)};
+    from = to;
+  }
+  return count;
+}
+
+/// Out of the surface that the bead is in, if any.
+void push_out(Bead& bead, const std::vector<ChainArc>& chain) {
+  bead.on = -1;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const ChainArc& link = chain[i];
+    const Vector3d p = link.X.R.transpose() * (bead.p - link.X.p);
+    if (level(*link.surface, p) >= 0) continue;
+    bead.p = link.X * project_to_surface(*link.surface, {p, Vector3d::UnitX()}).p;
+    bead.on = static_cast<int>(i);
+  }
+}
+
+}  // namespace
+
+void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
+                    std::vector<ChainArc>& chain) {
+  Beads beads;
+  const std::size_t count = lay(a, b, chain, beads);
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      const Vector3d middle = 0.5 * (beads[i - 1].p + beads[i + 1].p);
+      // Plain at the end: over-relaxed beads hop on the surface.
+      beads[i].p += (sweep < sweeps * 3 / 4 ? kRelax : 1.0) * (middle - beads[i].p);
+      push_out(beads[i], chain);
+    }
+  std::size_t kept = 0;
+  for (std::size_t s = 0; s < chain.size(); ++s) {
+    std::size_t first = 0, last = 0;
+    double length = 0;
+    for (std::size_t i = 1; i + 1 < count; ++i) {
+      if (beads[i].on != static_cast<int>(s)) continue;
+      if (first == 0) first = i;
+      last = i;
+    }
+    if (first == 0) continue;
+    for (std::size_t i = first; i < last; ++i) length += (beads[i + 1].p - beads[i].p).norm();
+    ChainArc link = chain[s];
+    const Pose<double> to_S = link.X.inverse();
+    link.arc = {
+        project_to_surface(*link.surface, {to_S * beads[first].p,
+                                           to_S.R * (beads[first + 1].p - beads[first - 1].p)}),
+        length};
+    chain[kept++] = link;
+  }
+  chain.resize(kept);
+}
+
+}  // namespace thenar

@@ -1,0 +1,91 @@
+#pragma once
+
+/// A string over several surfaces in a row, made tangent to all of them at once.
+
+#include <vector>
+
+#include <Eigen/LU>
+
+#include "hand/tree_velocity.h"
+#include "tendons/wrapping/wrap_arc.h"
+
+namespace thenar {
+
+/// Most surfaces between two points of a path.
+inline constexpr int kMaxWraps = 8;
+
+/// One surface that the string lies on.
+struct ChainArc {
+  const BoneSurface* surface;
+  Pose<double> X;  // X_WS: its frame now
+  WrapArc arc;     // frame S
+};
+
+/// How well a chain of arcs is tangent to its straight runs.
+struct ChainFit {
+  double error;    // largest angle between a run and the plane or line it should lie in [rad]
+  int iterations;  // Newton steps
+};
+
+/// Newton's method on the tangency conditions, four a surface:
+///   e . n = 0  and  e . b = 0  at both ends of its arc,
+/// e the run that arrives or leaves, n the normal, b across the string. The exact Jacobian comes
+/// from the natural variations of a geodesic (shift along, shift across, turn, lengthen) by its
+/// Jacobi fields. Derivation: docs/theory/wrapping.md. Source: [Scholz2016].
+/// @param a, b    ends of the string, world [m] (3)
+/// @param chain   start of the iteration, changed in place to where it ends; at most kMaxWraps
+[[nodiscard]] ChainFit solve_tangency(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                      std::vector<ChainArc>& chain);
+
+namespace internal {
+
+/// Velocities of the touch points of one arc, world [m/s] (3).
+struct TouchRate {
+  Eigen::Vector3d on, off;
+};
+
+/// A tangent chain, made linear: how its touch points follow what its ends and surfaces do.
+///
+/// The tangency conditions f(x, y) = 0, x the natural variations of all arcs and y the poses, stay
+/// fulfilled:  df/dx x' = -df/dy y'  (implicit function theorem).
+class ChainTangent {
+ public:
+  /// @param a, b   ends of the string, world [m] (3)
+  /// @param chain  tangent already, as solve_tangency() leaves it; at most kMaxWraps
+  ChainTangent(const Eigen::Vector3d& a, const Eigen::Vector3d& b, std::vector<ChainArc> chain);
+
+  /// Whether the touch points are determined: not where a free run has no length, nor for a string
+  /// half round a sphere.
+  [[nodiscard]] bool regular() const { return regular_; }
+
+  /// @param a_dot, b_dot  velocities of the ends [m/s] (3)
+  /// @param on            of the surfaces (arcs)
+  [[nodiscard]] std::vector<TouchRate> rates(const Eigen::Vector3d& a_dot,
+                                             const Eigen::Vector3d& b_dot,
+                                             const std::vector<BodyTwist>& on) const;
+
+ private:
+  static constexpr int kMost = 4 * kMaxWraps;
+  using System = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost>;
+
+  Eigen::Vector3d a_, b_;
+  std::vector<ChainArc> chain_;
+  Eigen::PartialPivLU<System> factor_;
+  bool regular_ = false;
+};
+
+}  // namespace internal
+
+// A string of beads that contracts over surfaces: slow, but it finds its way from anywhere.
+
+/// Replaces `chain` by the arcs where a string from a to b comes to rest: it starts over the side
+/// of every surface and contracts, each bead to the middle of its neighbours and out of the
+/// surfaces (Gauss and Seidel, over-relaxed). From a round side it may slip, as a string does. The
+/// arcs are a start for solve_tangency(), no answer; surfaces that the string leaves are left out.
+/// @param a, b   world [m] (3)
+/// @param sweeps  over all beads; a few hundred
+/// @param chain  surfaces with their frames, in order; their arcs start at the point `side` each
+void contract_beads(const Eigen::Vector3d& a, const Eigen::Vector3d& b, int sweeps,
+                    std::vector<ChainArc>& chain);
+
+}  // namespace thenar

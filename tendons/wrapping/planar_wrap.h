@@ -1,0 +1,30 @@
+#pragma once
+
+/// A string round a circle, in its plane.
+
+#include <optional>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// Where a string from a to b lies on the circle of radius r about the origin.
+struct PlanarWrap {
+  Eigen::Vector2d touch_a, touch_b;  // [m] (2)
+  double way;                        // 1: it goes counterclockwise, -1: clockwise
+  double angle;                      // wrapped, 0 .. 2 pi [rad]
+  double free_a, free_b;             // lengths of the straight parts [m]
+};
+
+/// The string never crosses the half line from the origin opposite to `side`; nothing if it is
+/// straight. Ends inside the circle are taken to lie on it.
+[[nodiscard]] std::optional<PlanarWrap> wrap_circle(double r, const Eigen::Vector2d& a,
+                                                    const Eigen::Vector2d& b,
+                                                    const Eigen::Vector2d& side);
+
+/// Whether a point that moved by less than half a turn round the origin did so over the half line
+/// opposite to `side`, where wrap_circle() jumps.
+[[nodiscard]] bool crossed_far_side(const Eigen::Vector2d& side, const Eigen::Vector2d& was,
+                                    const Eigen::Vector2d& is);
+
+}  // namespace thenar

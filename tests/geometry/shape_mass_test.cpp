@@ -1,0 +1,217 @@
+// Tests for geometry/shape_mass.cpp and convex_body.cpp, against closed forms.
+
+#include "geometry/shape_mass.h"
+
+#include <ctime>
+#include <random>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/units.h"
+#include "geometry/convex_body.h"
+#include "geometry/mesh_parts.h"
+#include "geometry/repair_to_solid.h"
+#include "geometry/tessellate.h"
+#include "tests/geometry/random_points.h"
+#include "tests/geometry/sample_meshes.h"
+#include "tests/matrix_near.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::Matrix3d, Eigen::Vector3d;
+
+ShapeSpec spec(ShapeKind kind, const Vector3d& size, const Vector3d& at) {
+  ShapeSpec made;
+  made.kind = kind;
+  made.size = size;
+  made.X_BS.p = at;
+  return made;
+}
+
+ShapeSpec mesh_of(const TriangleMesh& mesh) {
+  ShapeSpec made;
+  made.kind = ShapeKind::kMesh;
+  made.mesh = mesh;
+  return made;
+}
+
+TriangleMesh box_between(const Vector3d& low, const Vector3d& high) {
+  TriangleMesh box = box_mesh(high - low);
+  box.vertices.colwise() += (low + high) / 2;
+  return box;
+}
+
+void expect_mass(const MassProperties& found, const MassProperties& wanted, double relative) {
+  EXPECT_NEAR(found.mass, wanted.mass, relative * wanted.mass);
+  EXPECT_TRUE(matrix_near(found.centre, wanted.centre, relative * 0.1));
+  EXPECT_TRUE(matrix_near(found.inertia, wanted.inertia, relative * wanted.inertia.trace()));
+}
+
+ShapeSpec superellipsoid(const Vector3d& size, double e1, double e2) {
+  ShapeSpec made = spec(ShapeKind::kSuperellipsoid, size, {0, 0, 0});
+  made.exponents = {e1, e2};
+  return made;
+}
+
+// Exponents of 1: an ellipsoid. Of 2: an octahedron, 4/3 abc, with 2/15 a^3 bc as the integral of
+// x^2. Of 2 and 1: two cones base to base, 2 pi/3 abc, with pi/10 a^3 bc and of z^2 pi/15 ab c^3.
+TEST(UnionMass, OfSuperellipsoidsIsThatOfTheSolidsAmongThem) {
+  const Vector3d s(0.02, 0.03, 0.05), q = s.cwiseAbs2();
+  const double abc = s.prod();
+  const UnionMass round = union_mass({superellipsoid(s, 1, 1)});
+  EXPECT_EQ(round.error, 0);
+  expect_mass(round.mass, mass_at_unit_density(spec(ShapeKind::kEllipsoid, s, {0, 0, 0})), 1e-12);
+  const Vector3d octahedron = 2 * abc / 15 * Vector3d(q.y() + q.z(), q.x() + q.z(), q.x() + q.y());
+  expect_mass(union_mass({superellipsoid(s, 2, 2)}).mass,
+              {4 * abc / 3, {0, 0, 0}, Matrix3d(octahedron.asDiagonal())}, 1e-12);
+  const double x = q.x() / 10, y = q.y() / 10, z = q.z() / 15;
+  const Vector3d cones = kPi * abc * Vector3d(y + z, x + z, x + y);
+  expect_mass(union_mass({superellipsoid(s, 2, 1)}).mass,
+              {2 * kPi * abc / 3, {0, 0, 0}, Matrix3d(cones.asDiagonal())}, 1e-12);
+}
+
+// Boxes of a third of a cube's edge, so many that each overlaps with dozens: their union is between
+// the largest and the sum.
+TEST(UnionMass, HasALimitOfWork) {
+  std::mt19937 rng(3);
+  std::uniform_real_distribution<double> along(0, 0.1);
+  std::vector<TriangleMesh> boxes;
+  for (int i = 0; i < 400; ++i) {
+    const Vector3d low(along(rng), along(rng), along(rng));
+    boxes.push_back(box_between(low, low + Vector3d(0.05, 0.05, 0.05)));
+  }
+  const std::clock_t begin = std::clock();
+  const UnionMass found = union_mass({mesh_of(joined(boxes))});
+  EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 8);
+  // All lie within a cube of 0.15; in the middle of it there is always one.
+  const double least = found.mass.mass * (1 - found.error);
+  EXPECT_LE(least, 0.15 * 0.15 * 0.15);
+  EXPECT_GE(found.mass.mass, 0.05 * 0.05 * 0.05);
+  EXPECT_GT(found.error, 0);
+}
+
+// Boxes of 40 x 20 x 20 mm and 20 x 20 x 60 mm that share 20 x 20 x 20 mm: an L of 32 cm^3.
+// By hand: a box from 0 to 40 along x, and one of 20 x 20 x 40 on top of its last half.
+TEST(UnionMass, OfTwoOverlappingBoxesIsThatOfTheL) {
+  const MassProperties L =
+      together({mass_at_unit_density(spec(ShapeKind::kBox, {0.04, 0.02, 0.02}, {0.02, 0, 0})),
+                mass_at_unit_density(spec(ShapeKind::kBox, {0.02, 0.02, 0.04}, {0.03, 0, 0.03}))});
+  EXPECT_NEAR(L.mass, 3.2e-5, 1e-18);
+  EXPECT_TRUE(matrix_near(L.centre, Vector3d(0.025, 0, 0.015), 1e-15));
+  const Vector3d low(0, -0.01, -0.01), high(0.04, 0.01, 0.01);
+  const TriangleMesh two =
+      joined({box_between(low, high), box_between({0.02, -0.01, -0.01}, {0.04, 0.01, 0.05})});
+  const UnionMass of_mesh = union_mass({mesh_of(two)});
+  EXPECT_EQ(of_mesh.error, 0);
+  expect_mass(of_mesh.mass, L, 1e-12);
+  const UnionMass of_shapes =
+      union_mass({spec(ShapeKind::kBox, {0.04, 0.02, 0.02}, {0.02, 0, 0}),
+                  spec(ShapeKind::kBox, {0.02, 0.02, 0.06}, {0.03, 0, 0.02})});
+  EXPECT_EQ(of_shapes.error, 0);
+  expect_mass(of_shapes.mass, L, 1e-12);
+}
+
+// Balls of radius r whose centres are d apart share a lens of  pi (4 r + d) (2 r - d)^2 / 12.
+TEST(UnionMass, OfTwoBallsLacksTheLens) {
+  const double r = 0.03, d = 0.04;
+  const double lens = kPi * (4 * r + d) * std::pow(2 * r - d, 2) / 12;
+  const double exact = 2 * 4 * kPi / 3 * r * r * r - lens;
+  const UnionMass found = union_mass({spec(ShapeKind::kSphere, {r, 0, 0}, {0, 0, 0}),
+                                      spec(ShapeKind::kSphere, {r, 0, 0}, {d, 0, 0})});
+  EXPECT_NEAR(found.mass.mass / exact, 1, 2e-5);
+  EXPECT_LT(std::abs(found.mass.mass / exact - 1), 2 * found.error);
+  EXPECT_LT(found.error, 1e-4);
+  EXPECT_TRUE(matrix_near(found.mass.centre, Vector3d(d / 2, 0, 0), 1e-6));
+}
+
+TEST(UnionMass, OfTheSameShapesAgainIsThatOfOne) {
+  std::mt19937 rng(1);
+  Eigen::Matrix3Xd points(3, 30);
+  for (int i = 0; i < 30; ++i) points.col(i) = 0.03 * random_in_cube(rng);
+  const ShapeSpec hull = mesh_of(hull_mesh(points));
+  const UnionMass found = union_mass({hull, hull, hull});
+  EXPECT_EQ(found.error, 0);
+  expect_mass(found.mass, mass_at_unit_density(hull), 1e-9);
+}
+
+TEST(UnionMass, OfShapesApartIsTheirSum) {
+  const std::vector<ShapeSpec> apart{spec(ShapeKind::kSphere, {0.01, 0, 0}, {0, 0, 0}),
+                                     spec(ShapeKind::kCapsule, {0.01, 0.03, 0}, {0.05, 0, 0}),
+                                     spec(ShapeKind::kBox, {0.01, 0.02, 0.03}, {0, 0.05, 0})};
+  const UnionMass found = union_mass(apart);
+  EXPECT_EQ(found.error, 0);
+  expect_mass(found.mass,
+              together({mass_at_unit_density(apart[0]), mass_at_unit_density(apart[1]),
+                        mass_at_unit_density(apart[2])}),
+              1e-13);
+}
+
+// A ball in the wall of a mug, which is not convex: by columns through the ball, outside the wall.
+// The surface_of_revolution's corners stand at multiples of the sector, normals of its faces half a
+// sector on.
+TEST(UnionMass, OfPartsThatAreNotConvexIsThatOfColumns) {
+  const ShapeSpec cup = mesh_of(mug(40)),
+                  ball = spec(ShapeKind::kSphere, {0.02, 0, 0}, {0.04, 0, 0});
+  const UnionMass found = union_mass({cup, ball});
+  const double sector = 2 * kPi / 40, apothem = std::cos(sector / 2);
+  const int n = 400;
+  double outside = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double x = 0.02 + 0.04 * (i + 0.5) / n, y = 0.02 * (2 * (j + 0.5) / n - 1);
+      const double up = 4e-4 - (x - 0.04) * (x - 0.04) - y * y;
+      if (up <= 0) continue;
+      const double from_corner = std::abs(std::remainder(std::atan2(y, x), sector));
+      const double across = std::hypot(x, y) * std::cos(sector / 2 - from_corner);
+      const bool in_wall = across <= 0.04 * apothem && across >= 0.036 * apothem;
+      if (!in_wall) outside += 2 * std::sqrt(up) * 0.04 * 0.04 / n / n;
+    }
+  EXPECT_NEAR(found.mass.mass / (mass_at_unit_density(cup).mass + outside), 1, 3e-4);
+  EXPECT_GT(found.error, 0);
+  EXPECT_LT(found.error, 1e-3);
+}
+
+// Against Monte Carlo: 12 random boxes through each other.
+TEST(UnionMass, OfManyBoxesIsThatOfRandomPoints) {
+  std::mt19937 rng(3);
+  std::vector<ShapeSpec> boxes;
+  for (int i = 0; i < 12; ++i) {
+    boxes.push_back(spec(ShapeKind::kBox, Vector3d(0.02, 0.02, 0.02) + 0.01 * random_in_cube(rng),
+                         0.02 * random_in_cube(rng)));
+    boxes.back().X_BS.R = random_rotation(rng);
+  }
+  const UnionMass found = union_mass(boxes);
+  EXPECT_EQ(found.error, 0);
+  const int count = 200000;
+  int hits = 0;
+  for (int i = 0; i < count; ++i) {
+    const Vector3d p = 0.045 * random_in_cube(rng);
+    bool in = false;
+    for (const ShapeSpec& box : boxes) {
+      const Vector3d q = box.X_BS.R.transpose() * (p - box.X_BS.p);
+      in = in || (q.cwiseAbs().array() <= box.size.array() / 2).all();
+    }
+    hits += in;
+  }
+  const double share = static_cast<double>(hits) / count;
+  const double sigma = std::sqrt(share * (1 - share) / count);
+  EXPECT_NEAR(found.mass.mass / std::pow(0.09, 3), share, 4 * sigma);
+}
+
+TEST(ConvexBody, OfABoxCutAcrossACornerIsATetrahedronLess) {
+  ConvexBody box = convex_box({Vector3d(0, 0, 0), Vector3d(1, 1, 1)});
+  cut(box, {Vector3d(1, 1, 1).normalized(), 2.5 / std::sqrt(3)}, 1e-12);
+  EXPECT_NEAR(moments_of(box).volume, 1 - 0.125 / 6, 1e-15);
+  cut(box, {-Vector3d::UnitX(), -2}, 1e-12);
+  EXPECT_TRUE(box.empty());
+}
+
+TEST(ConvexBody, IsEmptyForAMug) {
+  EXPECT_TRUE(convex_body(mug()).empty());
+  EXPECT_FALSE(convex_body(box_mesh({0.1, 0.2, 0.3})).empty());
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,38 @@
+// What the default human's thumb reaches, by grasp/compare/opposition.cpp.
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "grasp/compare/abilities.h"
+#include "tendons/human/human_hand.h"
+
+namespace thenar {
+namespace {
+
+// As every healthy thumb, it meets the tips of all fingers. It comes no further than the creases of
+// the little finger, and not to the palm (8 to 10): its metacarpals IV and V do not move.
+TEST(HumanOpposition, MeetsAllFingertips) {
+  HumanHandOptions options;
+  options.cover = Cover::kNone;
+  HumanHand human = build_human_hand(default_human(), HumanTier::kSkewedThumb, options);
+  ComparedHand compared;
+  compared.hand = std::move(human.hand);
+  for (const OppositionTarget& target : human.targets)
+    compared.places.push_back({target.name, target.mark.link, target.mark.p, target.score});
+  const SkinLandmark& pad = pad_of(human.patches, "thumb");
+  compared.thumb = {"thumb", pad.link, pad.p, 0};
+  std::mt19937 random(1);
+  const Opposition found = opposition(compared, random);
+  EXPECT_GE(found.score, 6);
+  for (const char* digit : {"index", "middle", "ring", "little"}) {
+    const std::string place = std::string("tip of the ") + digit + " finger";
+    EXPECT_EQ(std::count(found.reached.begin(), found.reached.end(), place), 1) << place;
+  }
+}
+
+}  // namespace
+}  // namespace thenar

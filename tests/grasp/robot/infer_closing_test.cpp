@@ -1,0 +1,250 @@
+// Hands of files that say nothing of digits, closing and approach hold a ball with what opposes.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <random>
+#include <set>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "base/file_io.h"
+#include "data/io/robot/import_robot.h"
+#include "data/io/robot/urdf.h"
+#include "grasp/closing/grasp.h"
+#include "grasp/robot/infer_hand.h"
+#include "grasp/robot/robot_hand.h"
+#include "tests/grasp/jaws.h"
+#include "tests/grasp/made_up_hands.h"
+#include "tests/message_of.h"
+#include "tests/temporary_folder.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kBallRadius = 0.035;  // radius [m]
+
+/// Links that touch the ball, each with a normal into it; several contacts are several entries.
+using Touches = std::vector<std::pair<std::string, Eigen::Vector3d>>;
+
+/// A ball of 70 mm, grasped along the hand's own approach from 300 mm away.
+Touches touches(const RobotSpec& robot) {
+  const RobotHand hand(robot);
+  const PalmApproach& approach = hand.layout().approach;
+  const Eigen::Vector3d at = approach.point + 0.3 * approach.direction;
+  GraspOptions options;
+  options.way = 0.6;
+  const Grasp done = grasp(
+      collision_hand(hand), {}, open_posture(hand.layout()),
+      sample::scene(
+          {sample::placed("ball", sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0}), at)}),
+      options);
+  Touches found;
+  for (const HandContact& contact : done.contacts)
+    found.emplace_back(hand.surfaces()[static_cast<std::size_t>(contact.surface)].name,
+                       contact.contact.n);
+  return found;
+}
+
+/// The best opposition of links of one set and of another: the least cosine between their normals.
+double opposition(const Touches& touches, const std::set<std::string>& one,
+                  const std::set<std::string>& others) {
+  double least = 1;
+  for (const auto& [a, n] : touches)
+    for (const auto& [b, m] : touches)
+      if (one.count(a) > 0 && others.count(b) > 0) least = std::min(least, n.dot(m));
+  return least;
+}
+
+class ForeignHands : public TemporaryFolder {
+ protected:
+  /// The robot of the library as another program would write it: without digits, closing, approach.
+  [[nodiscard]] RobotSpec as_urdf(const std::string& name) const {
+    const RobotSpec own = import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml");
+    (void)write_urdf(path(name + ".urdf"), own);
+    return import_robot(path(name + ".urdf"));
+  }
+
+  /// Links by digits as the library names them.
+  static std::map<std::string, std::set<std::string>> digits(const std::string& name) {
+    std::map<std::string, std::set<std::string>> digits;
+    const RobotSpec own = import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml");
+    for (const RobotLink& link : own.links)
+      if (!link.digit.empty()) digits[link.digit].insert(link.name);
+    return digits;
+  }
+};
+
+class LibraryHands : public ForeignHands, public testing::WithParamInterface<const char*> {};
+
+TEST_P(LibraryHands, HoldABallWithThumbAndFingersWhenTheyComeAsUrdf) {
+  const std::string name = GetParam();
+  std::map<std::string, std::set<std::string>> own = digits(name);
+  const RobotSpec robot = graspable(as_urdf(name));
+  const Touches found = touches(robot);
+  if (own.count("thumb") > 0) {
+    std::set<std::string> fingers;
+    for (const auto& [digit, links] : own)
+      if (digit != "thumb") fingers.insert(links.begin(), links.end());
+    EXPECT_LT(opposition(found, own["thumb"], fingers), 0) << name;
+    return;
+  }
+  for (const auto& [digit, links] : own) {
+    const auto of_digit = [&links = links](const auto& touch) {
+      return links.count(touch.first) > 0;
+    };
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(), of_digit)) << name << " " << digit;
+  }
+}
+
+// What is guessed is written, read back, and built.
+TEST_P(LibraryHands, AreWrittenAndReadBack) {
+  const RobotSpec stated = as_urdf(GetParam());
+  RobotSpec robot = graspable(stated);
+  write_file(path("robot.toml"), robot_toml(robot, &stated));
+  const RobotSpec kept = graspable(import_robot(path("robot.toml")));
+  EXPECT_EQ(robot_toml(kept), robot_toml(robot));
+  const RobotHand hand(kept);
+  EXPECT_EQ(open_posture(hand.layout()), open_posture(RobotHand(robot).layout()));
+}
+
+TEST_P(LibraryHands, HoldABallWithThumbAndFingersAsTheyAre) {
+  const std::string name = GetParam();
+  std::map<std::string, std::set<std::string>> own = digits(name);
+  const Touches found =
+      touches(graspable(import_robot(std::string(THENAR_DATA_DIR) + "/robots/" + name + ".toml")));
+  if (own.count("thumb") == 0) return;
+  std::set<std::string> fingers;
+  for (const auto& [digit, links] : own)
+    if (digit != "thumb") fingers.insert(links.begin(), links.end());
+  EXPECT_LT(opposition(found, own["thumb"], fingers), 0) << name;
+}
+
+/// Three fingers round a palm, straight up, that may curl either way alike, as some for valves
+/// have.
+/// @param lengths  of their links [m]
+/// @param range    of their outer two joints, either way [rad]
+RobotSpec three_fingers(const std::array<double, 3>& lengths = {0.045, 0.045, 0.045},
+                        double range = 1.4) {
+  RobotSpec robot;
+  robot.name = "three";
+  robot.closing_stated = robot.approach_stated = false;
+  robot.links.resize(1);
+  robot.links[0].name = "palm";
+  robot.links[0].shapes = {sample::shape(ShapeKind::kCylinder, {0.055, 0.02, 0}, {0, 0, -0.01})};
+  for (int f = 0; f < 3; ++f) {
+    std::string parent = "palm";
+    for (std::size_t j = 0; j < 3; ++j) {
+      RobotLink link;
+      link.name = fmt::format("f{}{}", f, j);
+      link.shapes = {sample::shape(ShapeKind::kBox, {0.012, 0.016, lengths[j] - 0.005},
+                                   {0, 0, lengths[j] / 2 - 0.0025})};
+      RobotJoint joint;
+      joint.name = joint.dof = fmt::format("j{}{}", f, j);
+      joint.parent = parent;
+      joint.child = link.name;
+      joint.X_PJ.p = {0, 0, j == 0 ? 0 : lengths[j - 1]};
+      if (j == 0)
+        joint.X_PJ = {
+            rotation_about<double>(Eigen::Vector3d::UnitZ(), 2 * kPi / 3 * f),
+            0.05 * Eigen::Vector3d(std::cos(2 * kPi / 3 * f), std::sin(2 * kPi / 3 * f), 0)};
+      joint.axis = j == 0 ? Eigen::Vector3d::UnitX() : Eigen::Vector3d::UnitY();
+      joint.lower = j == 0 ? -0.5 : -range;
+      joint.upper = -joint.lower;
+      RobotDof dof;
+      dof.name = joint.dof;
+      dof.lower = joint.lower;
+      dof.upper = joint.upper;
+      dof.speed = 1;
+      parent = link.name;
+      robot.links.push_back(link);
+      robot.joints.push_back(joint);
+      robot.dofs.push_back(dof);
+    }
+  }
+  return robot;
+}
+
+// Turned about +y the tips go outwards: all curl downwards, none the other way.
+TEST(GuessClosing, CurlsFingersOfOneKindOneWay) {
+  const RobotSpec robot = graspable(three_fingers());
+  for (const RobotDof& dof : robot.dofs)
+    EXPECT_EQ(dof.speed, dof.name[2] == '0' ? 0 : -1) << dof.name;
+  EXPECT_EQ(robot.approach.direction, Eigen::Vector3d::UnitZ());
+}
+
+// Turned alike from straight, the tips would meet above the ball before anything holds it.
+TEST(GuessClosing, HoldsABallBetweenThreeFingersThatCurlAtEachOther) {
+  const RobotSpec found = graspable(three_fingers({0.028, 0.07, 0.055}, 2));
+  std::set<char> digits;
+  for (const auto& [link, normal] : touches(found))
+    if (link[0] == 'f') digits.insert(link[1]);
+  EXPECT_EQ(digits.size(), 3u);
+}
+
+// As GraspIt! hands have it: motors say how they close, the file has no approach direction.
+TEST(GuessClosing, FindsTheApproachOfAStatedClosing) {
+  RobotSpec robot = sample::jaws();
+  robot.approach = {};
+  robot.approach_stated = false;
+  const RobotSpec found = graspable(robot);
+  EXPECT_EQ(found.approach.direction, Eigen::Vector3d::UnitY());
+  EXPECT_EQ(found.dofs[0].speed, robot.dofs[0].speed);
+}
+
+TEST(GuessClosing, RefusesRobotsThatComeApart) {
+  RobotSpec robot = sample::jaws();
+  robot.open_loops = {"<connect> of 'a' and 'b': no motor drives it"};
+  EXPECT_EQ(
+      message_of<InputError>([&] { (void)graspable(robot); }),
+      "robot 'jaws' cannot grasp: its parts form loops that are not solved, so that it would come "
+      "apart: <connect> of 'a' and 'b': no motor drives it");
+}
+
+class MadeUpHands : public testing::TestWithParam<int> {};
+
+sample::MadeUpHand made_up(int number) {
+  sample::MadeUpHand how;
+  how.left = number % 2 == 1;
+  how.thumb = number % 3;
+  how.one_motor_a_finger = number % 4 >= 2;
+  how.negative = number % 5 == 4;
+  how.meshes = number % 5 == 3;
+  how.arched = number % 7 == 5;
+  how.scale = number % 8 == 7 ? 1.3 : 1;
+  std::mt19937 rng(static_cast<unsigned>(number));
+  if (number % 3 == 1)
+    for (int k = 0; k < 3; ++k) how.turn[k] = static_cast<double>(rng()) / 4294967296.0 * 4 - 2;
+  return how;
+}
+
+/// Their palm's normal is z before the base frame is turned.
+TEST_P(MadeUpHands, HoldABallWithThumbAndFingersAlongThePalmsNormal) {
+  const sample::MadeUpHand how = made_up(GetParam());
+  const RobotSpec robot = graspable(sample::HandMaker(how).hand());
+  const Touches found = touches(robot);
+  std::set<std::string> thumb, fingers;
+  for (const RobotLink& link : robot.links)
+    (link.name.rfind("opposer", 0) == 0 ? thumb : fingers).insert(link.name);
+  fingers.erase("base");
+  EXPECT_LT(opposition(found, thumb, fingers), 0);
+  const Eigen::Vector3d normal =
+      how.turn.norm() > 0
+          ? Eigen::Vector3d(Eigen::AngleAxisd(how.turn.norm(), how.turn.normalized()) *
+                            Eigen::Vector3d::UnitZ())
+          : Eigen::Vector3d::UnitZ();
+  EXPECT_GT(robot.approach.direction.dot(normal), std::cos(0.15));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, MadeUpHands, testing::Range(0, 24));
+
+INSTANTIATE_TEST_SUITE_P(All, LibraryHands,
+                         testing::Values("allegro", "leap", "shadow", "dlr", "robonaut", "rutgers",
+                                         "barrett", "barrett_bh8_280", "robotiq_3f", "franka_hand",
+                                         "robotiq_2f85", "parallel_jaw"),
+                         [](const auto& hand) { return std::string(hand.param); });
+
+}  // namespace
+}  // namespace thenar

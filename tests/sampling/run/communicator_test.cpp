@@ -1,0 +1,49 @@
+// Tests for sampling/run/communicator.cpp and sampling/all_gather_bytes.cpp; ranks_test.py has
+// several processes.
+
+#include "sampling/run/communicator.h"
+
+#include <cstdlib>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace thenar {
+namespace {
+
+TEST(Communicator, OneAloneHasItsOwnVectorOnly) {
+  const auto ranks = single_process();
+  EXPECT_EQ(ranks->rank(), 0);
+  EXPECT_EQ(ranks->size(), 1);
+  EXPECT_EQ(ranks->all_gather(Eigen::Vector2d(3, 4)), Eigen::Vector2d(3, 4));
+  EXPECT_THROW(ranks->abort("this one cannot go on"), InputError);
+}
+
+TEST(Communicator, WithoutMpirunThereIsOne) {
+  if (std::getenv("OMPI_COMM_WORLD_SIZE")) GTEST_SKIP() << "started by mpirun";
+  EXPECT_EQ(world_communicator()->size(), 1);
+}
+
+/// Three ranks that all send what this one sends.
+class Threefold : public Communicator {
+ public:
+  [[nodiscard]] int rank() const override { return 0; }
+  [[nodiscard]] int size() const override { return 3; }
+  [[nodiscard]] Eigen::VectorXd all_gather(const Eigen::VectorXd& mine) const override {
+    return mine.replicate(3, 1);
+  }
+  void barrier() const override {}
+  [[noreturn]] void abort(const std::string& why) const override { throw InputError(why); }
+};
+
+TEST(GatherBytes, KeepsEveryByteOfAnyLength) {
+  for (std::size_t size = 0; size < 20; ++size) {
+    std::string bytes;
+    for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(i * 37 + 128);
+    EXPECT_EQ(internal::all_gather_bytes(Threefold(), bytes), std::vector<std::string>(3, bytes));
+  }
+}
+
+}  // namespace
+}  // namespace thenar

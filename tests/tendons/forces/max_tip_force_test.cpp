@@ -1,0 +1,237 @@
+// Tests for tendons/forces/max_tip_force.cpp and tip_map.cpp.
+
+#include "tendons/forces/max_tip_force.h"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/numbers.h"
+#include "base/units.h"
+#include "tests/matrix_near.h"
+#include "tests/tendons/published_index.h"
+
+namespace thenar {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Tendons that make the columns of A as tip forces, up to F0 each.
+TipStatics map_of(const MatrixXd& A, const VectorXd& F0) {
+  return statics_from_matrix(A, Eigen::Matrix3Xd(3, 0), F0);
+}
+
+// Pulls of 1 N/N along +x and +y, and against each; greatest 2, 3, 5, 7 N.
+TipStatics cross() {
+  MatrixXd A = MatrixXd::Zero(3, 4);
+  A.row(0) << 1, 0, -1, 0;
+  A.row(1) << 0, 1, 0, -1;
+  return map_of(A, Eigen::Vector4d(2, 3, 5, 7));
+}
+
+// Planar two-link finger, links of 0.04 and 0.03 m, straight along x; one flexor and one extensor a
+// joint with arms of 0.01 m.
+TipStatics straight_finger() {
+  TipStatics statics;
+  statics.J = Eigen::Matrix3Xd::Zero(3, 2);
+  statics.J.row(1) << 0.07, 0.03;
+  statics.R = (MatrixXd(4, 2) << 0.01, 0, -0.01, 0, 0, 0.01, 0, -0.01).finished();
+  statics.tau_0 = VectorXd::Zero(2);
+  statics.max_tension = VectorXd::Constant(4, 100);
+  return statics;
+}
+
+struct Published {
+  Vector3d moment, force;
+  double largest;  // [N] or [N m], by vertex enumeration over the published map
+};
+
+class PublishedIndex : public testing::TestWithParam<Published> {};
+
+TEST_P(PublishedIndex, LargestWrenchAgrees) {
+  const Published& p = GetParam();
+  const MaxTipWrench result = max_tip_wrench(published_index(), p.moment, p.force);
+  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_NEAR(result.multiple, p.largest, 0.0006);  // half a unit of the last printed digit
+}
+
+const Vector3d kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1), kNone(0, 0, 0);
+INSTANTIATE_TEST_SUITE_P(Directions, PublishedIndex,
+                         testing::Values(Published{kNone, kX, 28.812}, Published{kNone, kY, 6.758},
+                                         Published{kNone, kZ, 40.284}, Published{kX, kNone, 0.358},
+                                         Published{kNone, -kX, 17.593},
+                                         Published{kNone, -kY, 25.497},
+                                         Published{kNone, -kZ, 15.292},
+                                         Published{-kX, kNone, 0.176}));
+
+TEST(MaxTipForce, MatchesPublishedIndexFinger) {
+  const MaxTipForce result = max_tip_force(published_index(), kX);
+  EXPECT_NEAR(result.magnitude, 28.81, 0.005);
+  EXPECT_TRUE(matrix_near(result.force, Vector3d(result.magnitude, 0, 0), 1e-12));
+}
+
+TEST(MaxTipForce, MatchesPublishedActivation) {
+  VectorXd published(7);
+  published << 0.204, 0.138, 0.323, 1, 1, 1, 0;
+  EXPECT_TRUE(
+      matrix_near(max_tip_force(published_index(), kX).activation, published, 0.0005 + 1e-9));
+}
+
+TEST(MaxTipForce, BalancesEveryJoint) {
+  const TipStatics statics = published_index();
+  const MaxTipForce result = max_tip_force(statics, Vector3d(1, -2, 0.5));
+  const VectorXd left =
+      statics.J.transpose() * result.force - statics.R.transpose() * result.tension - statics.tau_0;
+  EXPECT_LT(left.norm(), 1e-12);
+}
+
+TEST(MaxTipForce, IgnoresLengthOfDirection) {
+  const double one = max_tip_force(cross(), Vector3d(1, 1, 0)).magnitude;
+  EXPECT_NEAR(one, 2 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(max_tip_force(cross(), 1e-200 * Vector3d(1, 1, 0)).magnitude, one, 1e-12);
+}
+
+// Along x the cross makes 2 N. In a cone of 30 deg about the diagonal the best corner is (2, 3):
+// 11.3 deg off the diagonal, so the cone does not bind, and d'f = 5 / sqrt(2).
+TEST(MaxTipForce, ReachesACornerInsideTheCone) {
+  MaxTipForceOptions options;
+  options.tolerance = 0.5235987755982988;
+  const MaxTipForce result = max_tip_force(cross(), Vector3d(1, 1, 0), options);
+  EXPECT_TRUE(matrix_near(result.force, Vector3d(2, 3, 0), 1e-12));
+  EXPECT_NEAR(result.magnitude, 5 / std::sqrt(2.0), 1e-12);
+}
+
+// f = a (1, 1, 0) + b (1, 0, 1) with a <= 1, b <= 10 N. Its angle to x is least, 35.3 deg, at a = b
+// and grows with b; a cone of 40 deg is met at a = 1 and the larger root b of
+// sqrt(1 + b^2) = tan(40 deg) (1 + b).
+TEST(MaxTipForce, MeetsTheConeExactly) {
+  MatrixXd A(3, 2);
+  A << 1, 1, 1, 0, 0, 1;
+  MaxTipForceOptions options;
+  options.tolerance = radians(40);
+  const double s = std::tan(options.tolerance) * std::tan(options.tolerance);
+  const double b = (s + std::sqrt(2 * s - 1)) / (1 - s);  // of (1 - s) b^2 - 2 s b + (1 - s) = 0
+  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(1, 10)), kX, options);
+  EXPECT_NEAR(result.magnitude, 1 + b, 1e-9 * (1 + b));
+  EXPECT_LE(result.force.tail<2>().norm(),
+            std::tan(options.tolerance) * result.force.x() * (1 + 1e-9));
+}
+
+TEST(MaxTipForce, ZeroToleranceIsTheLimitOfACone) {
+  MaxTipForceOptions options;
+  options.tolerance = 1e-7;
+  EXPECT_NEAR(max_tip_force(published_index(), kX, options).magnitude,
+              max_tip_force(published_index(), kX).magnitude, 1e-4);
+}
+
+TEST(MaxTipForce, NoMuscleMakesNoForce) {
+  TipStatics statics = published_index();
+  statics.max_tension.setZero();
+  const MaxTipForce result = max_tip_force(statics, kX);
+  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_EQ(result.magnitude, 0);
+}
+
+TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
+  const MaxTipForce result = max_tip_force(cross(), kZ);
+  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_EQ(result.magnitude, 0);
+}
+
+TEST(MaxTipForce, UnknownStrengthIsUnbounded) {
+  TipStatics statics = cross();
+  statics.max_tension(0) = kInfinity;
+  const MaxTipForce result = max_tip_force(statics, kX);
+  EXPECT_EQ(result.status, ForceStatus::kUnbounded);
+  EXPECT_EQ(result.magnitude, kInfinity);
+  EXPECT_NEAR(max_tip_force(statics, kY).magnitude, 3, 1e-12);
+}
+
+// An unlimited pull c along (1, 0.75, 0.75), outside the cone of 0.7 rad about x but inside its
+// first four tangent planes; b <= 1 N along (0, -1, -1) helps. f = (c, 0.75 c - b, 0.75 c - b)
+// meets the cone at sqrt(2) (0.75 c - b) = tan(0.7) c.
+TEST(MaxTipForce, UnlimitedPullOutsideTheConeStaysBounded) {
+  MatrixXd A(3, 2);
+  A << 1, 0, 0.75, -1, 0.75, -1;
+  MaxTipForceOptions options;
+  options.tolerance = 0.7;
+  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kX, options);
+  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_NEAR(result.magnitude, 1 / (0.75 - std::tan(0.7) / std::sqrt(2.0)), 1e-8);
+}
+
+TEST(MaxTipForce, UnlimitedPullInsideTheConeIsUnbounded) {
+  TipStatics statics = cross();
+  statics.max_tension(0) = kInfinity;
+  EXPECT_EQ(max_tip_force(statics, Vector3d(1, 0.2, 0.3), {0.7}).status, ForceStatus::kUnbounded);
+}
+
+TEST(MaxTipForce, StraightFingerCarriesAnyForceAlongItself) {
+  EXPECT_EQ(max_tip_force(straight_finger(), kX).status, ForceStatus::kUnbounded);
+}
+
+// Across itself: both joints must balance, 0.07 f <= 1 N m and 0.03 f <= 1 N m.
+TEST(MaxTipForce, StraightFingerPushesAcrossItself) {
+  EXPECT_NEAR(max_tip_force(straight_finger(), kY).magnitude, 1 / 0.07, 1e-12);
+}
+
+TEST(MaxTipForce, PassiveTorqueNobodyBalancesIsInfeasible) {
+  TipStatics statics = cross();
+  statics.tau_0 = kZ;  // a force along z that no tendon opposes and x cannot carry
+  EXPECT_EQ(max_tip_force(statics, kX).status, ForceStatus::kInfeasible);
+}
+
+TEST(MaxTipForce, PassiveTorqueShiftsTheAnswer) {
+  TipStatics statics = cross();
+  statics.tau_0 = 0.5 * kX;
+  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, 2.5, 1e-12);
+}
+
+TEST(MaxTipForce, RefusesBadCalls) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW((void)max_tip_force(cross(), kNone), InputError);
+  EXPECT_THROW((void)max_tip_force(cross(), Vector3d(nan, 0, 1)), InputError);
+  EXPECT_THROW((void)max_tip_force(cross(), kX, {-0.1}), InputError);
+  EXPECT_THROW((void)max_tip_force(cross(), kX, {2.0}), InputError);
+  TipStatics statics = cross();
+  statics.max_tension(2) = nan;
+  EXPECT_THROW((void)max_tip_force(statics, kX), InputError);
+}
+
+TEST(MaxTipWrench, MomentNeedsRotationJacobian) {
+  EXPECT_THROW((void)max_tip_wrench(cross(), kX, kNone), InputError);
+}
+
+TEST(MaxTipWrench, AgreesWithLargestForceWhereNoMomentIsAsked) {
+  EXPECT_NEAR(max_tip_wrench(published_index(), kNone, 2 * kY).multiple,
+              max_tip_force(published_index(), kY).magnitude / 2, 1e-12);
+}
+
+// Stability. F0 from 1e-3 to 1e3 N: the weakest tendon of each axis decides, to full precision.
+TEST(LargestForceStability, TensionsOfRatioOneToAMillion) {
+  MatrixXd A(3, 3);
+  A << 1, 1, 0, 0, 1, 1, 0, 0, 1e-6;  // z only from tendon 2, which pulls y far more
+  const TipStatics statics = map_of(A, Vector3d(1e-3, 1e3, 1e3));
+  // f = (1, 1, 0): t = (0, 1000, 0).  f along (0, 1, 1e-6): t_2 alone.
+  EXPECT_NEAR(max_tip_force(statics, Vector3d(1, 1, 0)).magnitude, std::sqrt(2.0) * 1e3, 1e-9);
+  EXPECT_NEAR(max_tip_force(statics, Vector3d(0, 1, 1e-6)).magnitude, 1e3, 1e-8);
+  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, 1e-3, 1e-12);
+}
+
+// Two joints whose axes differ by 1e-6 rad: J has columns (0, 1, 0) L and (sin e, cos e, 0) L, so
+// a force along x is balanced by joint 2 alone, L sin(e) f = 1 N m.
+TEST(LargestForceStability, NearlyParallelAxes) {
+  const double e = 1e-6, L = 0.05;
+  TipStatics statics = straight_finger();
+  statics.J.col(0) = L * kY;
+  statics.J.col(1) = L * Vector3d(std::sin(e), std::cos(e), 0);
+  const double exact = 1 / (L * std::sin(e));
+  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, exact, 1e-9 * exact);
+}
+
+}  // namespace
+}  // namespace thenar
