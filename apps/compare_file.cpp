@@ -28,11 +28,11 @@ OrderedJson number_json(double value) {
 
 // ---- what a cell may hold: whoever seals a file anew may write anything
 
-constexpr double kLargestScale = 1000;  // of an object, and the inverse of the smallest [1]
-constexpr double kFarthest = 1000;      // of a place [m]
-constexpr double kStrongest = 1e12;     // of loads and qualities [N], [1], [N m]
-constexpr double kUnit = 1e-6;          // by which directions may be off [1]
-constexpr int kMost = 10'000'000;       // of approaches
+constexpr double kLargestScale = 1000;      // of an object, and the inverse of the smallest [1]
+constexpr double kFarthest = 1000;          // of a place [m]
+constexpr double kStrongest = 1e12;         // of loads and qualities [N], [1], [N m]
+constexpr double kUnit = 1e-6;              // by which directions may be off [1]
+constexpr int kMaxApproaches = 10'000'000;  // of approaches
 
 [[noreturn]] void refuse(const std::string& name, const std::string& wanted,
                          const nlohmann::json& got) {
@@ -137,7 +137,7 @@ HandContact contact_of(const nlohmann::json& json) {
     refuse("normal", "a direction of length 1", json.at("normal"));
   contact.contact.friction = within(json.at("friction"), "friction", 0, kRoughest);
   contact.contact.torsion = within(json.at("torsion_m"), "torsion_m", 0, kFarthest);
-  contact.surface = whole(json.at("surface"), "surface", -1, kMost);
+  contact.surface = whole(json.at("surface"), "surface", -1, kMaxApproaches);
   contact.depth = within(json.at("depth_m"), "depth_m", -kFarthest, kFarthest);
   return contact;
 }
@@ -197,7 +197,7 @@ OrderedJson cell_json(const HandOnObject& cell) {
 
 /// Counts of a cell, which must add up.
 void read_counts(const nlohmann::json& json, HandOnObject& cell) {
-  cell.approaches = whole(json.at("approaches"), "approaches", 1, kMost);
+  cell.approaches = whole(json.at("approaches"), "approaches", 1, kMaxApproaches);
   int ended = 0;
   for (std::size_t i = 0; i < cell.outcomes.size(); ++i) {
     const std::string name = name_of(static_cast<GraspOutcome>(i));

@@ -16,7 +16,7 @@
 namespace thenar {
 namespace {
 
-using nlohmann::json;
+using ContactJson = nlohmann::json;
 using Names = std::vector<std::string>;
 
 constexpr int kMisspelt = 2;                 // letters that differ
@@ -28,8 +28,8 @@ constexpr std::size_t kLongestShown = 60;    // of a value in a message [charact
 class JsonValue {
  public:
   /// @param first_line  number of the text's first line
-  JsonValue(const std::string& path, const std::string& text, const json& value, JsonPath steps,
-            int first_line)
+  JsonValue(const std::string& path, const std::string& text, const ContactJson& value,
+            JsonPath steps, int first_line)
       : path_(path),
         text_(text),
         value_(value),
@@ -40,7 +40,7 @@ class JsonValue {
     throw DataError(path_, first_line_ - 1 + line_of(text_, steps_), complaint);
   }
   [[noreturn]] void fail_wanted(const std::string& what) const {
-    std::string came = value_.dump(-1, ' ', false, json::error_handler_t::replace);
+    std::string came = value_.dump(-1, ' ', false, ContactJson::error_handler_t::replace);
     if (came.size() > kLongestShown) came = came.substr(0, kLongestShown) + "...";
     fail(fmt::format("wanted {}{}, got {}", what, steps_.empty() ? "" : " as " + name(), came));
   }
@@ -124,7 +124,7 @@ class JsonValue {
     if (!(std::abs(number) <= kLargest)) fail_wanted(fmt::format("no more than {:g}", kLargest));
     return number;
   }
-  [[nodiscard]] JsonValue step(const json& value, const std::string& to) const {
+  [[nodiscard]] JsonValue step(const ContactJson& value, const std::string& to) const {
     JsonPath steps = steps_;
     steps.push_back(to);
     return {path_, text_, value, steps, first_line_};
@@ -135,7 +135,7 @@ class JsonValue {
 
   const std::string& path_;
   const std::string& text_;
-  const json& value_;
+  const ContactJson& value_;
   JsonPath steps_;
   int first_line_;
 };
@@ -219,7 +219,7 @@ ContactFile read_contact_file(const std::string& path) {
 }
 
 ContactFile parse_contacts(const std::string& path, const std::string& text, int first_line) {
-  const json parsed = parse_json(path, text, first_line);
+  const ContactJson parsed = parse_json(path, text, first_line);
   const JsonValue root(path, text, parsed, {}, first_line);
   const Names of_file =
       root.others_than({"centre_of_mass", "torque_scale", "contacts", "task", "name", "source"});

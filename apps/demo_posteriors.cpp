@@ -14,7 +14,7 @@ namespace {
 constexpr double kTargetAcceptance = 0.9;
 
 /// One posterior by the name it goes by.
-struct Named {
+struct NamedPage {
   std::string name;
   PosteriorRun run;
 };
@@ -30,7 +30,7 @@ PosteriorRun sampled(const FitInputs& inputs, long draws, const Progress& progre
   return sample_posterior(inputs, settings);
 }
 
-Json row(const Named& named, const Experiment& experiment, const std::string& how) {
+Json posterior_row(const NamedPage& named, const Experiment& experiment, const std::string& how) {
   const FitProblem& problem = named.run.posterior->problem();
   const int specimen = find_specimen(problem, experiment.specimen);
   const Prediction prediction = summarise(predict_draws(named.run, experiment, specimen));
@@ -44,14 +44,14 @@ Json row(const Named& named, const Experiment& experiment, const std::string& ho
 }
 
 /// Errors of every posterior on every experiment, seen or not.
-Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>& unseen) {
+Json glance(const std::vector<NamedPage>& posteriors, const std::vector<Experiment>& unseen) {
   Json rows = Json::array(), runs = Json::array();
-  for (const Named& named : posteriors) {
+  for (const NamedPage& named : posteriors) {
     const HandPosterior& posterior = *named.run.posterior;
     for (const Experiment& experiment : posterior.problem().experiments())
-      rows.push_back(row(named, experiment, "in sample"));
+      rows.push_back(posterior_row(named, experiment, "in sample"));
     for (const Experiment& experiment : unseen)
-      rows.push_back(row(named, experiment, "never fitted: a stranger"));
+      rows.push_back(posterior_row(named, experiment, "never fitted: a stranger"));
     const auto left_out = leave_out_observations(named.run);
     require(left_out.has_value(), "a likelihood of the posterior of '{}' is not finite",
             named.name);
@@ -92,7 +92,7 @@ Json glance(const std::vector<Named>& posteriors, const std::vector<Experiment>&
 
 Json posterior_pages(const StudyInputs& inputs, const std::string& output,
                      const Progress& progress) {
-  std::vector<Named> posteriors;
+  std::vector<NamedPage> posteriors;
   const auto add = [&](const std::string& name, const FitInputs& of, long draws) {
     if (progress.stop()) return;
     progress(0, "posterior of " + name);
@@ -114,7 +114,7 @@ Json posterior_pages(const StudyInputs& inputs, const std::string& output,
   for (const SourceText& source : inputs.unseen)
     unseen.push_back(parse_experiment(source.text, source.path));
   Json sections = Json::array({glance(posteriors, unseen)});
-  for (const Named& named : posteriors) {
+  for (const NamedPage& named : posteriors) {
     PictureOptions options;
     options.title = "Posterior of " + named.name;
     options.prefix = "posterior-" + named.name + "-";

@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-using nlohmann::json;
+using PlainJson = nlohmann::json;
 
 int line_at(const std::string& text, std::size_t position) {
   const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(position, text.size()));
@@ -56,7 +56,7 @@ class Walk {
   }
 
   std::string member() {
-    const std::string name = json::parse(quoted()).get<std::string>();
+    const std::string name = PlainJson::parse(quoted()).get<std::string>();
     forward();  // the colon
     return name;
   }
@@ -87,7 +87,7 @@ class Walk {
 
 /// Line of the n-th time a member of this name is written.
 int line_of_member(const std::string& text, const std::string& name, int n) {
-  const std::string quoted = json(name).dump();
+  const std::string quoted = PlainJson(name).dump();
   std::size_t at = text.find(quoted);
   while (--n > 0 && at != std::string::npos) at = text.find(quoted, at + 1);
   return line_at(text, at);
@@ -99,10 +99,10 @@ class Strict {
   Strict(const std::string& path, const std::string& text, int before)
       : path_(path), text_(text), before_(before) {}
 
-  bool operator()(int /*depth*/, json::parse_event_t event, const json& parsed) {
-    if (event == json::parse_event_t::object_start) open_.emplace_back();
-    if (event == json::parse_event_t::object_end) open_.pop_back();
-    if (event != json::parse_event_t::key) return true;
+  bool operator()(int /*depth*/, PlainJson::parse_event_t event, const PlainJson& parsed) {
+    if (event == PlainJson::parse_event_t::object_start) open_.emplace_back();
+    if (event == PlainJson::parse_event_t::object_end) open_.pop_back();
+    if (event != PlainJson::parse_event_t::key) return true;
     const auto name = parsed.get<std::string>();
     const int times = ++seen_[name];
     if (!open_.back().insert(name).second)
@@ -135,16 +135,16 @@ int line_of_quoted(const std::string& text, const std::string& message) {
 
 }  // namespace
 
-json parse_json(const std::string& path, const std::string& text, int first_line) {
+PlainJson parse_json(const std::string& path, const std::string& text, int first_line) {
   const int before = first_line - 1;
   guard_text(text, path, GuardedKind::kJson, first_line);
   try {
     const Strict strict(path, text, before);
-    return json::parse(text, strict);
-  } catch (const json::parse_error& e) {
+    return PlainJson::parse(text, strict);
+  } catch (const PlainJson::parse_error& e) {
     throw DataError(path, before + line_at(text, std::max<std::size_t>(e.byte, 1) - 1),
                     "wanted JSON: " + plain(e.what()));
-  } catch (const json::exception& e) {
+  } catch (const PlainJson::exception& e) {
     throw DataError(path, before + line_of_quoted(text, e.what()),
                     "wanted JSON: " + plain(e.what()));
   }

@@ -99,7 +99,7 @@ CLI::App* add(CLI::App& parent, const char* name, const char* text,
       ->required();
   command->add_flag("--allow-unconverged", options->allow_unconverged,
                     "Do not fail if the chains have not converged");
-  command->callback([options, run] { run_posterior(*options); });
+  command->callback([options, run] { run(*options); });
   return command;
 }
 

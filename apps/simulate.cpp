@@ -19,6 +19,7 @@
 #include "apps/print_table.h"
 #include "apps/progress_bar.h"
 #include "apps/read_source.h"
+#include "apps/tendon_question.h"
 #include "apps/to_json.h"
 #include "base/error.h"
 #include "tendons/net/build_tendons.h"

@@ -6,7 +6,9 @@
 #include <fmt/ranges.h>
 #include <Eigen/SVD>
 
+#include "base/error.h"
 #include "base/units.h"
+#include "kinematics_fit/predict_forces.h"
 #include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {

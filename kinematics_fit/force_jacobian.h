@@ -3,7 +3,7 @@
 /// Predicted forces, distances between axes and their exact derivatives: the fence of Ceres'
 /// automatic differentiation.
 
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/predict_forces.h"
 #include "solvers/least_squares.h"
 
 namespace thenar {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/net_records.h"
+#include "kinematics_fit/predict_forces.h"
 #include "tendons/linear_tendons.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/posture_sweep.h"

@@ -2,35 +2,10 @@
 
 /// The forward model: fingertip forces of every trial of an experiment, on any scalar.
 
-#include <map>
-
-#include "base/error.h"
-#include "kinematics_fit/fit_parameters.h"
+#include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/specimen_model.h"
 
 namespace thenar {
-
-/// Names of an experiment resolved against a digit; built once, used at every evaluation.
-struct ExperimentPlan {
-  TipConstraint hold;
-  int force_link;                         // link whose axes the forces use; -1: the base
-  Eigen::Matrix3d components;             // experiment components from (proximal, dorsal, radial)
-  std::vector<Eigen::VectorXd> postures;  // [rad] (coordinates)
-  std::vector<std::string> posture_names;
-  std::vector<int> posture_key;   // column of posture_error of each posture; -1: none
-  std::vector<double> condition;  // of each posture's tip_constraint_loads() before the fit [1]
-  std::vector<int> posture_of_trial;
-  std::vector<Eigen::VectorXd> tension;  // of each trial [N] (muscles)
-  Eigen::Matrix3Xd force;                // measured [N] (3, trials)
-  Eigen::Matrix3Xd sd;                   // [N] (3, trials)
-};
-
-/// @param parameters  says which postures may be in error one by one
-/// @throws InputError if the experiment names a joint, muscle or segment the digit has not, or a
-/// posture in which the held tip is singular: no force there follows from the tendons' torques.
-[[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
-                                             const FitParameters& parameters,
-                                             const Experiment& experiment);
 
 /// The digit as mounted, for these parameter values [SI] (all).
 template <typename T>

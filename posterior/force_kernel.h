@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/predict_forces.h"
 
 namespace thenar {
 

@@ -1,7 +1,7 @@
 #include "viewer/axis_cloud.h"
 
 #include "base/error.h"
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/predict_forces.h"
 #include "kinematics_fit/specimen_model.h"
 #include "viewer/chain_shapes.h"
 #include "viewer/digit_layers.h"

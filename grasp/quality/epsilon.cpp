@@ -77,7 +77,7 @@ class EpsilonSearch {
 
   /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
   bool run() {
-    const auto simplex = internal::first_simplex(support_, internal::kFlatSimplex);
+    const auto simplex = internal::first_simplex(support_, internal::kFlat);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
     Hull hull(simplex.points);

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include "grasp/contact/soft_pads.h"
 #include "grasp/contact/wrench_set.h"
 
 namespace thenar {

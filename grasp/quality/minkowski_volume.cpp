@@ -418,7 +418,7 @@ std::vector<ScaledWrench> distinct(const std::vector<ScaledWrench>& points, doub
 std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points) {
   double size = 0;
   for (const ScaledWrench& point : points) size = std::max(size, point.norm());
-  const double tolerance = kFlatFace * size;
+  const double tolerance = kFlat * size;
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};
   Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, static_cast<Eigen::Index>(body.points.size()));

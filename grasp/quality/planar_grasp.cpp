@@ -131,7 +131,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
     all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
   const Eigen::JacobiSVD<Eigen::Matrix3Xd> svd(all, Eigen::ComputeFullU);
   const Eigen::VectorXd& sigma = svd.singularValues();
-  found.rank = static_cast<int>((sigma.array() > internal::kFlatPlane * sigma(0)).count());
+  found.rank = static_cast<int>((sigma.array() > internal::kFlat * sigma(0)).count());
   Vector3d missing = svd.matrixU().col(2);
   if (found.rank == 3) {
     const std::vector<Points> groups = grouped_points(set);

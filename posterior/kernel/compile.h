@@ -2,7 +2,7 @@
 
 /// All numbers of a digit in a row, in which every parameter is a straight line.
 
-#include "kinematics_fit/experiment_plan.h"
+#include "kinematics_fit/predict_forces.h"
 #include "posterior/kernel/program.h"
 
 namespace thenar::kernel {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/numbers.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -17,7 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-const double kInfinity = std::numeric_limits<double>::infinity();
 const BoundedFitOptions kFine{1e-14, 0, 10, 200};
 
 BoundedFit fit_of(std::function<FitResiduals(const VectorXd& x, Sensitivities slopes)> residuals) {

@@ -33,7 +33,8 @@ TEST(PathSlopes, AreThoseOfTheSamePathAmongWrappedOnes) {
   same.bends.resize(3);
   set.paths = {same};
   PathSolver solver(set);
-  const std::vector<ArmSlopes> slopes = arm_derivatives(tree, state, set, solver.solve(state), 3);
+  const std::vector<ArmDerivatives> slopes =
+      arm_derivatives(tree, state, set, solver.solve(state), 3);
   ASSERT_TRUE(slopes[0].exist);
   EXPECT_TRUE(matrix_near(arm_derivatives(tree, state, flexor(), 3), slopes[0].dR, 1e-15));
 }

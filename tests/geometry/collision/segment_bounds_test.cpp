@@ -34,7 +34,7 @@ TEST(BallPair, FallsWithTheWayWhereBallsDoNotMeet) {
 }  // namespace
 namespace {
 
-constexpr double kHalf = 0.05;  // of the interval [m]
+constexpr double kHalfInterval = 0.05;  // of the interval [m]
 
 struct Found {
   double lower, upper;
@@ -44,11 +44,11 @@ struct Found {
 /// Looks until the least is known to 1 um.
 template <typename Function>
 Found close_in(Function f) {
-  ConvexBracket bracket(-kHalf, kHalf, f(0));
+  ConvexBracket bracket(-kHalfInterval, kHalfInterval, f(0));
   Found found{bracket.lower(), f(0).value, 1};
   while (found.upper - found.lower > 1e-6 && found.asked < 100) {
     const Tangent tangent = f(bracket.next(0.01));
-    EXPECT_LE(std::abs(tangent.t), kHalf);
+    EXPECT_LE(std::abs(tangent.t), kHalfInterval);
     bracket.add(tangent);
     found = {bracket.lower(), std::min(found.upper, tangent.value), found.asked + 1};
   }
@@ -76,7 +76,7 @@ TEST(ConvexBracket, EnclosesTheDistanceOfALineFromAPoint) {
 
 TEST(ConvexBracket, FindsTheEndThatIsLowest) {
   for (const double at : {-1.0, 0.06}) {
-    const double least = std::hypot(std::abs(at) - kHalf, 0.01);
+    const double least = std::hypot(std::abs(at) - kHalfInterval, 0.01);
     const Found found = close_in(distance_to(at, 0.01));
     EXPECT_NEAR(found.upper, least, 1e-6);
     EXPECT_NEAR(found.lower, least, 1e-6);
@@ -94,7 +94,7 @@ TEST(ConvexBracket, FindsAKinkAtOnceFromBothSides) {
 }
 
 TEST(ConvexBracket, KnowsAtOnceWhereItIsFlat) {
-  ConvexBracket bracket(-kHalf, kHalf, {0, 0.02, 0});
+  ConvexBracket bracket(-kHalfInterval, kHalfInterval, {0, 0.02, 0});
   EXPECT_EQ(bracket.lower(), 0.02);
 }
 

@@ -34,7 +34,7 @@ CollisionTree capsule() {
   return collision_tree({nullptr, {{{ends, Eigen::Vector3i(0, 1, 1)}, kRadius}}, {}});
 }
 
-Pose<double> drawn_pose(double reach, std::mt19937& random) {
+Pose<double> pose_within(double reach, std::mt19937& random) {
   const auto draw = [&] { return sample_between(-1, 1, random); };
   const Eigen::Vector3d axis(draw(), draw(), draw()), p(draw(), draw(), draw());
   return {rotation_about<double>(axis.normalized(), kPi * draw()), reach * p};
@@ -56,7 +56,7 @@ TEST(SegmentSeparation, IsTheLeastOfThePointsOfACapsuleBesideAVase) {
   const CollisionTree a = capsule();
   std::mt19937 random(1);
   for (int i = 0; i < 25; ++i) {
-    const Pose<double> X = drawn_pose(0.07, random);
+    const Pose<double> X = pose_within(0.07, random);
     const SignedDistance s = signed_distance(a, X, *shape);
     const double least = sampled(X, *shape);
     EXPECT_LE(s.distance, least + 5e-5) << i;  // SignedDistanceOptions::tolerance
@@ -74,7 +74,7 @@ TEST(SegmentSeparation, NeedsAsManyBallsAsWaysBetweenThemMayBeLong) {
   std::mt19937 random(2);
   int apart = 0;
   for (int i = 0; i < 200; ++i) {
-    const SignedDistance s = signed_distance(a, drawn_pose(0.07, random), *shape);
+    const SignedDistance s = signed_distance(a, pose_within(0.07, random), *shape);
     if (s.distance < 0) continue;
     ++apart;
     const double way = std::sqrt(8 * (s.distance + kRadius) * 5e-5);

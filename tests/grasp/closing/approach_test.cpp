@@ -91,23 +91,23 @@ TEST(Gaps, AreBoundedFromBelowWhateverTheCutoff) {
 }  // namespace
 namespace {
 
-constexpr double kRadius = 0.015;
+constexpr double kBallRadius = 0.015;
 
 ApproachResult go(double x, double most) {
   const RobotHand hand(sample::jaws());
-  const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {kRadius, 0, 0});
+  const ShapeSpec ball = sample::shape(ShapeKind::kSphere, {kBallRadius, 0, 0});
   return yielding_approach(collision_hand(hand), {}, open_posture(hand.layout()),
                            sample::scene({sample::placed("ball", ball, {x, 0.2, 0})}), 0.5, most);
 }
 
 // Its side, at 55 mm, meets the jaw, which begins at 50 mm; the palm's face is at y = -25 mm.
 TEST(YieldingApproach, GivesWayToABallBesideTheMiddle) {
-  const ApproachResult met = go(0.04, kRadius);
+  const ApproachResult met = go(0.04, kBallRadius);
   EXPECT_TRUE(met.touches);
   EXPECT_EQ(met.surface, "base");
-  EXPECT_GE(met.X_WH.p.x(), 0.04 + kRadius - 0.05 - 1e-4);
-  EXPECT_LE(met.X_WH.p.x(), 0.04 + kRadius - 0.05 + 1e-3);  // a step and the accuracy
-  EXPECT_NEAR(met.X_WH.p.y(), 0.2 - kRadius + 0.025, 2e-4);
+  EXPECT_GE(met.X_WH.p.x(), 0.04 + kBallRadius - 0.05 - 1e-4);
+  EXPECT_LE(met.X_WH.p.x(), 0.04 + kBallRadius - 0.05 + 1e-3);  // a step and the accuracy
+  EXPECT_NEAR(met.X_WH.p.y(), 0.2 - kBallRadius + 0.025, 2e-4);
 }
 
 TEST(YieldingApproach, StaysWhereItMetTheBallIfItMayNotGiveWay) {
@@ -117,9 +117,9 @@ TEST(YieldingApproach, StaysWhereItMetTheBallIfItMayNotGiveWay) {
 }
 
 TEST(YieldingApproach, EndsBeforeAnObjectHeadOn) {
-  const ApproachResult met = go(0.055, kRadius);
+  const ApproachResult met = go(0.055, kBallRadius);
   EXPECT_EQ(met.X_WH.p.x(), 0);
-  EXPECT_NEAR(met.X_WH.p.y(), 0.2 - kRadius - 0.02, 2e-4);
+  EXPECT_NEAR(met.X_WH.p.y(), 0.2 - kBallRadius - 0.02, 2e-4);
 }
 
 TEST(YieldingApproach, RefusesToGiveWayByLessThanNothing) {

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "grasp/closing/grasp.h"
 #include "grasp/contact/soft_finger.h"
+#include "grasp/quality/grasp_stiffness.h"
 #include "grasp/robot/robot_hand.h"
 #include "tests/grasp/jaws.h"
 

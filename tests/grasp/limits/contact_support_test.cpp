@@ -29,7 +29,7 @@ constexpr double kMu = 0.5;
 
 double load(const ForceSet& forces, int axis, double way = 1) {
   const WrenchSupport reach = load_margin(forces, way * ScaledWrench::Unit(axis));
-  EXPECT_TRUE(reach.status == ConeStatus::kSolvedPress || reach.status == ConeStatus::kUnbounded);
+  EXPECT_TRUE(reach.status == ConeStatus::kSolved || reach.status == ConeStatus::kUnbounded);
   return reach.value;
 }
 
@@ -295,7 +295,7 @@ double most_squeeze(std::mt19937& rng, double effort) {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
   for (int i = 0; i < kContacts; ++i) program.c(3L * i) = -1;
   const ConeResult result = solve(program);
-  EXPECT_EQ(result.status, ConeStatus::kSolvedPress);
+  EXPECT_EQ(result.status, ConeStatus::kSolved);
   return -result.objective;
 }
 

@@ -20,16 +20,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kExact = 1e-9;   // where the value is 0, negative, or that of a polytope
-constexpr double kScale = 0.04;   // torques are divided by it [m]
-constexpr double kRadius = 0.03;  // of the disc or sphere, half an edge of the cube [m]
+constexpr double kExact = 1e-9;        // where the value is 0, negative, or that of a polytope
+constexpr double kTorqueScale = 0.04;  // torques are divided by it [m]
+constexpr double kBodyRadius = 0.03;   // of the disc or sphere, half an edge of the cube [m]
 
 Epsilon epsilon_of(const std::vector<Contact>& contacts, double gap = 1e-11,
                    ForceNorm limit = ForceNorm::kL1) {
   EpsilonOptions options;
   options.gap = gap;
   options.limit = limit;
-  return epsilon(wrench_set(contacts, {0, 0, 0}, kScale), options);
+  return epsilon(wrench_set(contacts, {0, 0, 0}, kTorqueScale), options);
 }
 
 void expect_value(const Epsilon& found, double expected) {
@@ -53,35 +53,36 @@ void expect_missing(const Epsilon& found, const ScaledWrench& direction) {
 }
 
 Contact on_sphere(const Vector3d& outward, double friction, double torsion = 0) {
-  return {kRadius * outward.normalized(), -outward.normalized(), friction, torsion};
+  return {kBodyRadius * outward.normalized(), -outward.normalized(), friction, torsion};
 }
 
-std::vector<Contact> pinch(double friction, double torsion) {
+std::vector<Contact> opposed_fingers(double friction, double torsion) {
   return {on_sphere({-1, 0, 0}, friction, torsion), on_sphere({1, 0, 0}, friction, torsion)};
 }
 
 double friction_bound(double mu) {
-  return 1 / std::sqrt(1 + 1 / (mu * mu) + std::pow(kScale / (mu * kRadius), 2));
+  return 1 / std::sqrt(1 + 1 / (mu * mu) + std::pow(kTorqueScale / (mu * kBodyRadius), 2));
 }
 
 // At the end where one finger's friction pays for the other's: A = B, f_x = |A|.
 TEST(ClosedForm, TwoSoftFingersLimitedByFriction) {
   for (const double mu : {0.2, 0.5, 1.0}) {
     const double gap = 1e-3, expected = friction_bound(mu);
-    expect_enclosed(epsilon_of(pinch(mu, 2 * kScale), gap), expected, gap);
+    expect_enclosed(epsilon_of(opposed_fingers(mu, 2 * kTorqueScale), gap), expected, gap);
     ScaledWrench worst = ScaledWrench::Zero();
     worst(0) = mu;
     worst(1) = 1;
-    worst(5) = kScale / kRadius;
-    const WrenchSet set = wrench_set(pinch(mu, 2 * kScale), {0, 0, 0}, kScale);
+    worst(5) = kTorqueScale / kBodyRadius;
+    const WrenchSet set =
+        wrench_set(opposed_fingers(mu, 2 * kTorqueScale), {0, 0, 0}, kTorqueScale);
     EXPECT_NEAR(support(set, worst.normalized(), ForceNorm::kL1), expected, kExact);
   }
 }
 
 TEST(ClosedForm, TwoSoftFingersLimitedByTorsion) {
-  const double torsion = 0.1 * kScale, gap = 1e-3;
+  const double torsion = 0.1 * kTorqueScale, gap = 1e-3;
   ASSERT_LT(0.1, friction_bound(0.5));
-  expect_enclosed(epsilon_of(pinch(0.5, torsion), gap), 0.1, gap);
+  expect_enclosed(epsilon_of(opposed_fingers(0.5, torsion), gap), 0.1, gap);
 }
 
 // With each force at most 1, squeezing is free: 2 m = |A - B| + |A + B| is the support wherever
@@ -90,12 +91,12 @@ TEST(ClosedForm, TwoSoftFingersLimitedByTorsion) {
 TEST(ClosedForm, TwoSoftFingersOfUnitForceEach) {
   const double gap = 1e-3;
   const auto at_scale = [&](double mu, double torsion) {
-    std::vector<Contact> contacts = pinch(mu, torsion);
-    for (Contact& contact : contacts) contact.p *= kScale / kRadius;
+    std::vector<Contact> contacts = opposed_fingers(mu, torsion);
+    for (Contact& contact : contacts) contact.p *= kTorqueScale / kBodyRadius;
     return epsilon_of(contacts, gap, ForceNorm::kLinf);
   };
-  expect_enclosed(at_scale(0.5, 2 * kScale), 2 / std::sqrt(4 + 2 / 0.25), gap);
-  expect_enclosed(at_scale(0.5, 0.1 * kScale), 0.2 / std::sqrt(1.01), gap);
+  expect_enclosed(at_scale(0.5, 2 * kTorqueScale), 2 / std::sqrt(4 + 2 / 0.25), gap);
+  expect_enclosed(at_scale(0.5, 0.1 * kTorqueScale), 0.2 / std::sqrt(1.01), gap);
 }
 
 /// Pairs of opposed fingers on a sphere (or on the faces of what is about it).
@@ -113,11 +114,11 @@ std::vector<Contact> pairs(const std::vector<Vector3d>& directions, double mu, d
 // bound is met by f = 0 and a t with all (t'd)^2 = 1 / 3:
 //   epsilon = sqrt((2 mu^2 rho^2 + g^2) / 3).
 void expect_of_pairs(const std::vector<Vector3d>& directions) {
-  const double rho = kRadius / kScale, gap = 3e-2;
+  const double rho = kBodyRadius / kTorqueScale, gap = 3e-2;
   for (const double mu : {0.4, 0.9})
     for (const double g : {0.0, 0.2}) {
       ASSERT_LT(2 * mu * mu * rho * rho + g * g, 2 * mu * mu);
-      expect_enclosed(epsilon_of(pairs(directions, mu, g * kScale), gap),
+      expect_enclosed(epsilon_of(pairs(directions, mu, g * kTorqueScale), gap),
                       std::sqrt((2 * mu * mu * rho * rho + g * g) / 3), gap);
     }
 }
@@ -132,14 +133,14 @@ TEST(ClosedForm, EightFingersOnASphereTowardsTheCornersOfACube) {  // t = (1, 0,
 
 // Hard points leave the twist about the line between them free.
 TEST(ClosedForm, TwoHardFingersMissATwist) {
-  const Epsilon found = epsilon_of(pinch(0.5, 0));
+  const Epsilon found = epsilon_of(opposed_fingers(0.5, 0));
   expect_value(found, 0);
   EXPECT_EQ(found.rank, 5);
   expect_missing(found, ScaledWrench::Unit(3));
 }
 
 TEST(ClosedForm, CollinearHardPointsMissATwist) {
-  std::vector<Contact> contacts = pinch(0.8, 0);
+  std::vector<Contact> contacts = opposed_fingers(0.8, 0);
   contacts.push_back({{0.01, 0, 0}, {0, 0.6, 0.8}, 0.8, 0});
   const Epsilon found = epsilon_of(contacts);
   expect_value(found, 0);
@@ -157,13 +158,13 @@ TEST(ClosedForm, OneContactOnASphereIsOneOff) {
 // Pressing a cube's flange level with its centre, l beside it: the wrench (n, l t1 x n / s) is
 // across both friction axes, mu (t1, 0) and mu (t2, l n / s).
 TEST(ClosedForm, OneContactBesideTheCentre) {
-  expect_value(epsilon_of({{{kRadius, 0, 0}, {0, 0, -1}, 0.7, 0}}),
-               -std::hypot(1, kRadius / kScale));
+  expect_value(epsilon_of({{{kBodyRadius, 0, 0}, {0, 0, -1}, 0.7, 0}}),
+               -std::hypot(1, kBodyRadius / kTorqueScale));
 }
 
 TEST(ClosedForm, ParallelNormalsAreOneOff) {
-  expect_value(epsilon_of({{{kRadius, 0, kRadius}, {0, 0, -1}, 0.7, 0},
-                           {{-kRadius, 0, kRadius}, {0, 0, -1}, 0.7, 0}}),
+  expect_value(epsilon_of({{{kBodyRadius, 0, kBodyRadius}, {0, 0, -1}, 0.7, 0},
+                           {{-kBodyRadius, 0, kBodyRadius}, {0, 0, -1}, 0.7, 0}}),
                -1);
 }
 
@@ -209,7 +210,7 @@ TEST(ClosedForm, FrictionlessDiscMissesAllButTwoForces) {
 // Four frictionless fingers on a square plate, each off the middle of its side, stop all motion in
 // the plane, but none across it.
 TEST(ClosedForm, CoplanarNormalsMissTheirNormal) {
-  const double l = 0.01, h = kRadius;
+  const double l = 0.01, h = kBodyRadius;
   const Epsilon found = epsilon_of({{{h, l, 0}, {-1, 0, 0}, 0, 0},
                                     {{-h, -l, 0}, {1, 0, 0}, 0, 0},
                                     {{l, h, 0}, {0, -1, 0}, 0, 0},
@@ -224,7 +225,7 @@ TEST(ClosedForm, CoplanarNormalsMissTheirNormal) {
 void add_square(std::vector<Contact>& contacts, int i, int j, double d) {
   for (const double face : {1.0, -1.0})
     for (const double side : {1.0, -1.0})
-      contacts.push_back({kRadius * face * Vector3d::Unit(i) + d * side * Vector3d::Unit(j),
+      contacts.push_back({kBodyRadius * face * Vector3d::Unit(i) + d * side * Vector3d::Unit(j),
                           -face * Vector3d::Unit(i), 0, 0});
 }
 
@@ -237,11 +238,11 @@ TEST(ClosedForm, FrictionlessFormClosureOfACube) {
     std::vector<Contact> contacts;
     for (int i = 0; i < 3; ++i) add_square(contacts, i, (i + 1) % 3, d);
     const Epsilon found = epsilon_of(contacts);
-    expect_value(found, std::min(1.0, d / kScale) / std::sqrt(3.0));
+    expect_value(found, std::min(1.0, d / kTorqueScale) / std::sqrt(3.0));
     EXPECT_TRUE(found.force_closure);
     EXPECT_EQ(found.rank, 6);
-    const double volume_expected = std::pow(4 * d / kScale, 3) * 8 / 720;
-    EXPECT_NEAR(volume(wrench_set(contacts, {0, 0, 0}, kScale)).estimate, volume_expected,
+    const double volume_expected = std::pow(4 * d / kTorqueScale, 3) * 8 / 720;
+    EXPECT_NEAR(volume(wrench_set(contacts, {0, 0, 0}, kTorqueScale)).estimate, volume_expected,
                 kExact * volume_expected);
   }
 }

@@ -36,8 +36,8 @@ Eigen::MatrixXd starts_of(Eigen::Index n, double spread) {
 /// Whether one coordinate has converged to what is known of it, within 4 standard errors.
 /// @param draws  (draws, chains)
 /// @param error  of the known values themselves
-void expect_moments(const Eigen::MatrixXd& draws, double mean, double sd, double error = 0,
-                    double r_hat = 1.01) {
+void expect_gaussian_moments(const Eigen::MatrixXd& draws, double mean, double sd, double error = 0,
+                             double r_hat = 1.01) {
   EXPECT_LT(rank_r_hat(draws), r_hat);
   const double got = draws.mean();
   const double got_sd = std::sqrt((draws.array() - got).square().mean());
@@ -57,7 +57,8 @@ void expect_known(const sample::KnownPosterior& known, SamplingMethod method, lo
                                            starts_of(known.mean.size(), spread), draws);
   for (Eigen::Index i = 0; i < known.mean.size(); ++i) {
     SCOPED_TRACE(known.name + " " + std::to_string(i));
-    expect_moments(run.coordinate(static_cast<int>(i)), known.mean[i], known.sd[i], known.mcse[i]);
+    expect_gaussian_moments(run.coordinate(static_cast<int>(i)), known.mean[i], known.sd[i],
+                            known.mcse[i]);
   }
   EXPECT_EQ(run.sum(&StepStats::non_finite), 0);
 }
@@ -93,11 +94,12 @@ TEST(Hamiltonian, FindsTheEightSchools) {
   const double theta[] = {6.1505, 4.9396, 3.9059, 4.7960, 3.6144, 4.0511, 6.3172, 4.8840};
   const Eigen::MatrixXd mu = run.coordinate(0);
   const Eigen::MatrixXd tau = run.coordinate(1).array().exp();
-  expect_moments(mu, 4.4105, 3.3093, 0.06);
-  expect_moments(tau, 3.6021, 3.1985, 0.06);
+  expect_gaussian_moments(mu, 4.4105, 3.3093, 0.06);
+  expect_gaussian_moments(tau, 3.6021, 3.1985, 0.06);
   for (int school = 0; school < 8; ++school) {
     SCOPED_TRACE(school);
-    expect_moments(mu + tau.cwiseProduct(run.coordinate(school + 2)), theta[school], kNaN, 0.06);
+    expect_gaussian_moments(mu + tau.cwiseProduct(run.coordinate(school + 2)), theta[school], kNaN,
+                            0.06);
   }
 }
 
@@ -115,7 +117,8 @@ TEST(Hamiltonian, TakesADiagonalMetric) {
   });
   const auto run = sample::run_hamiltonian(
       target, SamplingMethod::kNuts, options_of(500, Metric::kDiagonal), starts_of(3, 1e-3), 1000);
-  for (int i = 0; i < 3; ++i) expect_moments(run.coordinate(i), 0, std::pow(10, 3 * (i - 1)));
+  for (int i = 0; i < 3; ++i)
+    expect_gaussian_moments(run.coordinate(i), 0, std::pow(10, 3 * (i - 1)));
   // Whitened, three dimensions of a normal need a few leapfrogs a draw.
   EXPECT_LT(run.sum(&StepStats::evaluations), 10 * 4000);
 }
@@ -131,7 +134,7 @@ TEST(Hamiltonian, NeedsNoWarmUpWithAGoodCovariance) {
   const Eigen::MatrixXd starts = Q * variance.cwiseSqrt().asDiagonal() * starts_of(5, 1);
   for (const SamplingMethod method : {SamplingMethod::kNuts, SamplingMethod::kHmc}) {
     const auto run = sample::run_hamiltonian(known.target, method, options, starts, 2000);
-    for (int i = 0; i < 5; ++i) expect_moments(run.coordinate(i), 0, known.sd[i]);
+    for (int i = 0; i < 5; ++i) expect_gaussian_moments(run.coordinate(i), 0, known.sd[i]);
   }
 }
 
@@ -143,7 +146,8 @@ TEST(Hamiltonian, IsValidAfterAnyShortWarmUp) {
       SCOPED_TRACE(std::to_string(warm_up) + " " + name_of(method));
       const auto run =
           sample::run_hamiltonian(known.target, method, options_of(warm_up), starts_of(3, 2), 2000);
-      for (int i = 0; i < 3; ++i) expect_moments(run.coordinate(i), 0, known.sd[i], 0, 1.05);
+      for (int i = 0; i < 3; ++i)
+        expect_gaussian_moments(run.coordinate(i), 0, known.sd[i], 0, 1.05);
     }
 }
 
@@ -184,7 +188,7 @@ TEST(Hamiltonian, StatesTheEnergyOfItsDraws) {
   for (int c = 0; c < 4; ++c)
     for (int i = 0; i < 2000; ++i)
       energy(i, c) = run.stats[static_cast<std::size_t>(c)][static_cast<std::size_t>(i)].energy;
-  expect_moments(energy, 10, std::sqrt(10));
+  expect_gaussian_moments(energy, 10, std::sqrt(10));
 }
 
 TEST(Hamiltonian, ObeysTheLimitOfDepth) {
@@ -220,8 +224,8 @@ TEST(Hamiltonian, DrawsTheRestWhereARegionIsMissing) {
     for (const SamplingMethod method : {SamplingMethod::kNuts, SamplingMethod::kHmc}) {
       const auto run = sample::run_hamiltonian(cut_normal(region.value, region.slope), method,
                                                options_of(500), starts_of(2, 0.1), 4000);
-      expect_moments(run.coordinate(0), m, std::sqrt(1 - m - m * m));
-      expect_moments(run.coordinate(1), 0, 1);
+      expect_gaussian_moments(run.coordinate(0), m, std::sqrt(1 - m - m * m));
+      expect_gaussian_moments(run.coordinate(1), 0, 1);
       EXPECT_EQ(run.sum(&StepStats::non_finite) > 0, region.non_finite);
       EXPECT_GT(run.sum(&StepStats::divergent), 0);
     }
@@ -244,10 +248,10 @@ TEST(Hamiltonian, BearsDuplicatedAndFlatDirections) {
                                            starts_of(3, 1), 2000);
   // Covariance (I + 1e6 1 1')^-1 = I - 1e6 / (1 + 2e6) 1 1'.
   const double sd = std::sqrt(1 - 1e6 / (1 + 2e6));
-  expect_moments(run.coordinate(0), 0, sd);
-  expect_moments(run.coordinate(1), 0, sd);
-  expect_moments(run.coordinate(2), 0, 1);
-  expect_moments(run.coordinate(0) + run.coordinate(1), 0, std::sqrt(2 / (1 + 2e6)));
+  expect_gaussian_moments(run.coordinate(0), 0, sd);
+  expect_gaussian_moments(run.coordinate(1), 0, sd);
+  expect_gaussian_moments(run.coordinate(2), 0, 1);
+  expect_gaussian_moments(run.coordinate(0) + run.coordinate(1), 0, std::sqrt(2 / (1 + 2e6)));
 }
 
 // Step by step through warm-up and beyond, also where the metric has just changed (31, 65).
@@ -336,7 +340,7 @@ TEST(Hamiltonian, TempersTheLikelihoodAlone) {
     options.beta = beta;
     const auto run =
         sample::run_hamiltonian(target, SamplingMethod::kNuts, options, starts_of(1, 1), 2000);
-    expect_moments(run.coordinate(0), 0, 1 / std::sqrt(1 + 3 * beta));
+    expect_gaussian_moments(run.coordinate(0), 0, 1 / std::sqrt(1 + 3 * beta));
   }
 }
 

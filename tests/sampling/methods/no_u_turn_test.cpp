@@ -29,7 +29,7 @@ const MassMatrix kMetric(Metric::kDense, 2, (Eigen::Matrix2d() << 1, 0.3, 0.3, 0
 
 PhasePoint at(const Eigen::Vector2d& x, const Eigen::Vector2d& r) {
   PhasePoint p{x, r, Eigen::VectorXd(2)};
-  kMetric.pull(gradient(x), p.slope);
+  kMetric.whiten_gradient(gradient(x), p.slope);
   return p;
 }
 

@@ -13,14 +13,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-BoneSurface surface(SurfaceShape shape, const Vector3d& size) { return {"S", -1, shape, size, {}}; }
+BoneSurface surface_of(SurfaceShape shape, const Vector3d& size) {
+  return {"S", -1, shape, size, {}};
+}
 
 std::vector<BoneSurface> all_shapes() {
-  return {surface(SurfaceShape::kCylinder, {0.005, 0.01, 0}),
-          surface(SurfaceShape::kSphere, {0.005, 0, 0}),
-          surface(SurfaceShape::kEllipsoid, {0.004, 0.006, 0.01}),
-          surface(SurfaceShape::kCapsule, {0.004, 0.01, 0}),
-          surface(SurfaceShape::kTorus, {0.002, 0.007, 0})};
+  return {surface_of(SurfaceShape::kCylinder, {0.005, 0.01, 0}),
+          surface_of(SurfaceShape::kSphere, {0.005, 0, 0}),
+          surface_of(SurfaceShape::kEllipsoid, {0.004, 0.006, 0.01}),
+          surface_of(SurfaceShape::kCapsule, {0.004, 0.01, 0}),
+          surface_of(SurfaceShape::kTorus, {0.002, 0.007, 0})};
 }
 
 TEST(BoneSurface, GapOfKnownPoints) {
@@ -58,7 +60,7 @@ TEST(BoneSurface, NearestPointLiesOnTheSurface) {
 
 // Inside an ellipsoid of semi-axes (5, 4, 9) mm, across whose shortest axis all of these points
 // lie.
-const BoneSurface kEgg = surface(SurfaceShape::kEllipsoid, {0.005, 0.004, 0.009});
+const BoneSurface kEgg = surface_of(SurfaceShape::kEllipsoid, {0.005, 0.004, 0.009});
 
 TEST(BoneSurface, DepthOfTheCentreOfAnEllipsoidIsItsShortestSemiAxis) {
   EXPECT_NEAR(probe(kEgg, {0, 0, 0}).gap, -0.004, 1e-17);
@@ -97,14 +99,14 @@ TEST(BoneSurface, DepthDoesNotJumpAcrossTheMiddlePlaneOfAnEllipsoid) {
 
 TEST(BoneSurface, DepthOfTheCentreOfARoundEllipsoidIsItsRadius) {
   const SurfaceProbe at =
-      probe(surface(SurfaceShape::kEllipsoid, {0.005, 0.005, 0.005}), {0, 0, 0});
+      probe(surface_of(SurfaceShape::kEllipsoid, {0.005, 0.005, 0.005}), {0, 0, 0});
   EXPECT_NEAR(at.gap, -0.005, 1e-17);
   EXPECT_TRUE(at.normal.allFinite() && at.curvature.allFinite());
 }
 
 // Two shortest axes: off the longest one the nearest point is straight outwards.
 TEST(BoneSurface, DepthOnAShortestAxisOfAnEllipsoidOfRevolution) {
-  const BoneSurface egg = surface(SurfaceShape::kEllipsoid, {0.004, 0.004, 0.009});
+  const BoneSurface egg = surface_of(SurfaceShape::kEllipsoid, {0.004, 0.004, 0.009});
   EXPECT_NEAR(probe(egg, {0, 0.001, 0}).gap, -0.003, 1e-17);
 }
 
