@@ -17,13 +17,18 @@ export function ticks(low, high, count = 5) {
   return values;
 }
 
+const ROUND_OFF = 1e-12; // relative
+
 /// Smallest interval that holds all finite values, widened by a share of itself on both sides.
-export function extent(values, margin = 0) {
+/// Values whose differences are less than `flat` of the largest are taken for one value, which
+/// stands in the middle.
+export function extent(values, margin = 0, flat = ROUND_OFF) {
   const finite = values.filter(Number.isFinite);
   if (finite.length === 0) return [0, 1];
-  const low = Math.min(...finite);
-  const high = Math.max(...finite);
-  const pad = high > low ? margin * (high - low) : 0.5 * (Math.abs(low) || 1);
+  const low = finite.reduce((a, b) => Math.min(a, b));
+  const high = finite.reduce((a, b) => Math.max(a, b));
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  const pad = high - low > flat * size ? margin * (high - low) : 0.5 * (size || 1);
   return [low - pad, high + pad];
 }
 

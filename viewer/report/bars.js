@@ -3,7 +3,7 @@
 import { el, svg } from "./dom.js";
 import { figure } from "./figure.js";
 import { legend } from "./legend.js";
-import { formatNumber, isNumber, MISSING } from "../numbers/format.js";
+import { formatNumber, isNumber, MISSING, sizeOf } from "../numbers/format.js";
 import { cssColor, indexByName } from "./palette.js";
 import { extent, linear, ticks } from "../numbers/ticks.js";
 import { describe } from "./tooltip.js";
@@ -24,7 +24,8 @@ function rangeOf(block) {
   return [values.some((v) => v < 0) ? low : 0, high];
 }
 
-function bar(v, name, x, y, color) {
+function bar(v, name, x, y, color, size) {
+  const told = (value) => formatNumber(value, undefined, size);
   const known = isNumber(v.value);
   const end = known ? x(v.value) : x(0);
   const right = Math.max(x(0), end, isNumber(v.high) ? x(v.high) : 0);
@@ -45,20 +46,18 @@ function bar(v, name, x, y, color) {
     { class: "bar", "data-group": v.series, style: `color: ${color}`, role: "img" },
     svg("rect", { x: Math.min(x(0), end), y: y + 1, width: Math.abs(end - x(0)), height: BAR - 2 }),
     ...whisker,
-    svg("text", { x: right + 5, y: y + BAR - 4 }, known ? formatNumber(v.value) : MISSING),
+    svg("text", { x: right + 5, y: y + BAR - 4 }, known ? told(v.value) : MISSING),
   );
-  const interval = whisker.length
-    ? [`interval ${formatNumber(v.low)} to ${formatNumber(v.high)}`]
-    : [];
-  return describe(group, [`${name}, ${v.series}`, formatNumber(v.value), ...interval]);
+  const interval = whisker.length ? [`interval ${told(v.low)} to ${told(v.high)}`] : [];
+  return describe(group, [`${name}, ${v.series}`, told(v.value), ...interval]);
 }
 
 /// Bars of one group below each other, its name at their left.
-function group(g, top, x, left, color) {
+function group(g, top, x, left, color, size) {
   const middle = top + (g.values.length * BAR) / 2 + 4;
   return [
     svg("text", { class: "name", x: left - 8, y: middle, "text-anchor": "end" }, g.name),
-    ...g.values.map((v, i) => bar(v, g.name, x, top + i * BAR, color(v.series))),
+    ...g.values.map((v, i) => bar(v, g.name, x, top + i * BAR, color(v.series), size)),
   ];
 }
 
@@ -66,9 +65,10 @@ function chart(block, index) {
   const left = 14 + Math.max(60, ...block.groups.map((g) => textWidth(g.name)));
   const range = rangeOf(block);
   const x = linear(range, [left, WIDTH - 56]);
+  const size = sizeOf(block.groups.flatMap((g) => g.values.map((v) => v.value)));
   let top = TOP;
   const rows = block.groups.flatMap((g) => {
-    const drawn = group(g, top, x, left, (name) => cssColor(index.get(name)));
+    const drawn = group(g, top, x, left, (name) => cssColor(index.get(name)), size);
     top += g.values.length * BAR + GAP;
     return drawn;
   });

@@ -10,6 +10,7 @@ import { drawCorner } from "./corner.js";
 import { drawInterval } from "./interval.js";
 import { drawLines } from "./lines.js";
 import { drawPredictive } from "./predictive.js";
+import { withSaving } from "./save.js";
 import { drawScene } from "./scene_block.js";
 import { drawTable } from "./table.js";
 import { drawVectors } from "./vectors.js";
@@ -45,7 +46,7 @@ export function drawBlock(block) {
   if (wrong.length) return errorBox(wrong.join("; "));
   if (isEmpty(block)) return figure("figure", block.caption, remark("No data."));
   try {
-    return DRAW[block.type](block);
+    return withSaving(block, DRAW[block.type](block));
   } catch (error) {
     return errorBox(`block "${block.type}" could not be drawn: ${error.message}`);
   }

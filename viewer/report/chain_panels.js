@@ -4,7 +4,7 @@
 import { svg } from "./dom.js";
 import { panelAxes, panelBox, panelSvg, pathThrough } from "./panel.js";
 import { formatNumber, isNumber } from "../numbers/format.js";
-import { cssColor } from "./palette.js";
+import { cssColor, dashOf } from "./palette.js";
 import { extent } from "../numbers/ticks.js";
 import { describe, hideTooltip, showTooltip } from "./tooltip.js";
 
@@ -40,6 +40,7 @@ function curves(box, lists, shown) {
       ? svg("path", {
           class: "trace",
           style: `color: ${cssColor(c)}`,
+          "stroke-dasharray": dashOf(c)?.join(" "),
           d: pathThrough(list.map((p) => [box.x(p.x), box.y(p.y ?? NaN)])),
         })
       : null,

@@ -6,7 +6,7 @@ import { figure } from "./figure.js";
 import { fluid } from "./fluid.js";
 import { legend } from "./legend.js";
 import { formatNumber, isNumber } from "../numbers/format.js";
-import { cssColor } from "./palette.js";
+import { cssColor, dashOf } from "./palette.js";
 
 const THUMBNAILS = 6;
 const R_HAT = 1.01; // above which chains disagree. Source: Vehtari et al. 2021
@@ -91,7 +91,7 @@ export function drawChains(block) {
     block.caption,
     el("div", { class: "tools chooser" }, select, ...buttons, about),
     legend(
-      block.chains.map((name, c) => ({ name, color: cssColor(c), mark: "line" })),
+      block.chains.map((name, c) => ({ name, color: cssColor(c), dash: dashOf(c), mark: "line" })),
       (name, on) => {
         shown[block.chains.indexOf(name)] = on;
         frames.forEach((frame) => frame.redraw());

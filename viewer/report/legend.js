@@ -1,13 +1,33 @@
 // A row of buttons that name the colours and hide or show what they stand for.
 
-import { el } from "./dom.js";
+import { el, svg } from "./dom.js";
 
-function entry({ name, color, mark = "box" }, onToggle) {
-  const swatch = el("span", { class: `swatch ${mark}`, style: `--swatch: ${color}` });
+const LINE = { width: 26, height: 4 }; // [px]
+
+/// A patch of a mark: box, line, dash, dot, ring, thick or thin. A line has its dashes.
+export function swatch({ color = "var(--ink)", mark = "box", dash }) {
+  if (mark !== "line") return el("span", { class: `swatch ${mark}`, style: `--swatch: ${color}` });
+  const y = LINE.height / 2;
+  return svg(
+    "svg",
+    { class: "swatch-line", ...LINE, "aria-hidden": "true" },
+    svg("line", {
+      x1: 0,
+      x2: LINE.width,
+      y1: y,
+      y2: y,
+      style: `stroke: ${color}`,
+      "stroke-width": 3,
+      "stroke-dasharray": dash?.join(" "),
+    }),
+  );
+}
+
+function entry({ name, ...look }, onToggle) {
   const button = el(
     "button",
     { type: "button", "aria-pressed": "true", title: `Hide or show ${name}` },
-    swatch,
+    swatch(look),
     name,
   );
   button.addEventListener("click", () => {
@@ -18,7 +38,7 @@ function entry({ name, color, mark = "box" }, onToggle) {
   return button;
 }
 
-/// `entries` have a name, a CSS colour and a mark: box, line, dash, or dot.
+/// `entries` have a name, a CSS colour, a mark as swatch() takes it, and a line its dashes.
 export const legend = (entries, onToggle) =>
   el(
     "div",
@@ -31,7 +51,5 @@ export const key = (entries) =>
   el(
     "div",
     { class: "legend key" },
-    ...entries.map(({ name, color = "var(--ink)", mark }) =>
-      el("span", {}, el("span", { class: `swatch ${mark}`, style: `--swatch: ${color}` }), name),
-    ),
+    ...entries.map(({ name, ...look }) => el("span", {}, swatch(look), name)),
   );

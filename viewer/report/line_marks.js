@@ -1,118 +1,111 @@
-// What uPlot does not draw by itself: names beside points, and reference lines.
+// What uPlot does not draw by itself: names beside points, and reference lines with their words.
 
-import { seriesColors } from "./palette.js";
+import { clearPlace, freePlace, pointsAlong } from "./line_places.js";
+import { seriesLooks } from "./palette.js";
 import { themeColor } from "./theme.js";
 
-const onCanvas = (plot, draw) => {
-  plot.ctx.save();
-  plot.ctx.textAlign = "left";
-  plot.ctx.font = `${12 * devicePixelRatio}px system-ui, sans-serif`;
-  draw(plot.ctx, plot.bbox, devicePixelRatio);
-  plot.ctx.restore();
-};
-
-/// Text over a rim of the page's colour, readable across curves.
-function halo(ctx, text, x, y, ratio) {
-  ctx.save();
-  ctx.setLineDash([]);
-  ctx.lineWidth = 4 * ratio;
-  ctx.strokeStyle = themeColor("--page");
-  ctx.strokeText(text, x, y);
-  ctx.restore();
-  ctx.fillText(text, x, y);
-}
-
-function referenceLine(ctx, box, plot, { axis = "y", label, value }, ratio) {
-  const at = Math.round(plot.valToPos(value, axis, true));
-  ctx.beginPath();
-  if (axis === "y") {
-    ctx.moveTo(box.left, at);
-    ctx.lineTo(box.left + box.width, at);
-  } else {
-    ctx.moveTo(at, box.top);
-    ctx.lineTo(at, box.top + box.height);
-  }
-  ctx.stroke();
-  const [x, y] =
-    axis === "y" ? [box.left + 6 * ratio, at - 6 * ratio] : [at + 5 * ratio, box.top + 12 * ratio];
-  halo(ctx, label ?? "", x, y, ratio);
-}
-
-/// Dashed lines at given values of x or y.
-export function drawReferences(plot, lines) {
-  onCanvas(plot, (ctx, box, ratio) => {
-    ctx.setLineDash([5 * ratio, 4 * ratio]);
-    ctx.lineWidth = ratio;
-    ctx.strokeStyle = ctx.fillStyle = themeColor("--muted");
-    for (const line of lines) referenceLine(ctx, box, plot, line, ratio);
-  });
-}
+const FONT_SIZE = 12; // [px]
+const fontAt = (ratio) => `${FONT_SIZE * ratio}px system-ui, sans-serif`;
 
 /// A point's own label, or the name of a series that is a single point.
 const labelOf = (series, point) =>
   point.label ?? (series.x.length === 1 && series.style === "points" ? series.name : null);
 
-const overlaps = (a, b) =>
-  a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+/// Where points stand on the canvas; null for those without a value.
+const pixelsOf = (plot, list) =>
+  list.map(({ x, y }) =>
+    y === null ? null : [plot.valToPos(x, "x", true), plot.valToPos(y, "y", true)],
+  );
 
-/// The first free place beside a point: right, left, above, below; none if all are taken.
-function freePlace(x, y, width, height, box, taken) {
-  const gap = 0.7 * height;
-  const places = [
-    [x + gap, y - height / 2],
-    [x - gap - width, y - height / 2],
-    [x - width / 2, y - gap - height],
-    [x - width / 2, y + gap],
-  ];
-  return places
-    .map(([left, top]) => ({ left, top, right: left + width, bottom: top + height }))
-    .find(
-      (p) =>
-        p.left >= box.left &&
-        p.right <= box.left + box.width &&
-        p.top >= box.top &&
-        !taken.some((other) => overlaps(p, other)),
-    );
+/// Reference lines and their words, clear of the curves.
+function references(plot, lines, curves, sizeOfText, taken) {
+  const { left, top, width, height } = plot.bbox;
+  const drawn = { lines: [], texts: [] };
+  for (const { axis = "y", value, label } of lines) {
+    const at = Math.round(plot.valToPos(value, axis, true));
+    drawn.lines.push(axis === "y" ? [left, at, left + width, at] : [at, top, at, top + height]);
+    if (!label) continue;
+    const place = clearPlace({ axis, at }, sizeOfText(label), plot.bbox, curves, taken);
+    taken.push(place);
+    drawn.texts.push({ text: label, place, color: "--muted" });
+  }
+  return drawn;
 }
 
-/// The marks themselves, which no name may cover.
-function marksOf(plot, points, shown, half) {
-  return points
-    .flatMap((list, s) => (shown[s] ? list : []))
-    .filter(({ y }) => y !== null)
-    .map((point) => {
-      const x = plot.valToPos(point.x, "x", true);
-      const y = plot.valToPos(point.y, "y", true);
-      return { left: x - half, right: x + half, top: y - half, bottom: y + half };
+/// Names of points where there is room; the tooltip names the others.
+function pointNames(plot, block, points, shown, sizeOfText, taken) {
+  const looks = seriesLooks(block.series);
+  const named = [];
+  points.forEach((list, s) => {
+    if (!shown[s]) return;
+    const pixels = pixelsOf(plot, list);
+    list.forEach((point, i) => {
+      const text = labelOf(block.series[s], point);
+      if (text && pixels[i]) named.push({ text, at: pixels[i], color: looks[s].color });
     });
+  });
+  return named.flatMap(({ text, at, color }) => {
+    const place = freePlace(at, sizeOfText(text), plot.bbox, taken);
+    if (!place) return [];
+    taken.push(place);
+    return [{ text, place, color }];
+  });
 }
 
-/// Names points where there is room; the tooltip names the others.
-export function labelPoints(plot, block, points, shown) {
-  const named = points
-    .flatMap((list, s) =>
-      shown[s] ? list.map((p) => ({ ...p, s, label: labelOf(block.series[s], p) })) : [],
-    )
-    .filter(({ label, y }) => label && y !== null);
-  if (!named.length) return;
-  const colors = seriesColors(block.series);
-  onCanvas(plot, (ctx, box, ratio) => {
-    const height = 13 * ratio;
-    const taken = marksOf(plot, points, shown, 4 * ratio);
-    ctx.textBaseline = "middle";
-    for (const { x, y, s, label } of named) {
-      const place = freePlace(
-        plot.valToPos(x, "x", true),
-        plot.valToPos(y, "y", true),
-        ctx.measureText(label).width,
-        height,
-        box,
-        taken,
-      );
-      if (!place) continue;
-      taken.push(place);
-      ctx.fillStyle = themeColor(colors[s]);
-      halo(ctx, label, place.left, place.top + height / 2, ratio);
-    }
+/// { lines: [[x, y, x, y]], texts: [{ text, place, color }] } in pixels of the canvas.
+export function marksOf(plot, block, points, shown) {
+  const ratio = devicePixelRatio;
+  plot.ctx.save();
+  plot.ctx.font = fontAt(ratio);
+  const sizeOfText = (text) => ({
+    width: plot.ctx.measureText(text).width,
+    height: 13 * ratio,
   });
+  const lists = points.map((list, s) => (shown[s] ? pixelsOf(plot, list) : []));
+  const half = 4 * ratio;
+  const taken = lists
+    .flat()
+    .filter(Boolean)
+    .map(([x, y]) => ({ left: x - half, right: x + half, top: y - half, bottom: y + half }));
+  const curves = lists.flatMap((list, s) =>
+    block.series[s].style === "points" ? list.filter(Boolean) : pointsAlong(list),
+  );
+  const words = [];
+  const drawn = references(plot, block.reference_lines ?? [], curves, sizeOfText, words);
+  taken.push(...words);
+  drawn.texts.push(...pointNames(plot, block, points, shown, sizeOfText, taken));
+  plot.ctx.restore();
+  return drawn;
+}
+
+/// Text over a rim of the page's colour, readable across curves.
+function halo(ctx, { text, place, color }, ratio) {
+  const middle = (place.top + place.bottom) / 2;
+  ctx.lineWidth = 4 * ratio;
+  ctx.strokeStyle = themeColor("--page");
+  ctx.strokeText(text, place.left, middle);
+  ctx.fillStyle = themeColor(color);
+  ctx.fillText(text, place.left, middle);
+}
+
+/// Draws the marks onto the canvas of a chart.
+export function drawMarks(plot, { lines, texts }) {
+  const { ctx } = plot;
+  const ratio = devicePixelRatio;
+  ctx.save();
+  ctx.setLineDash([5 * ratio, 4 * ratio]);
+  ctx.lineWidth = ratio;
+  ctx.strokeStyle = themeColor("--muted");
+  for (const [x1, y1, x2, y2] of lines) {
+    ctx.beginPath();
+    ctx.moveTo(x1, y1);
+    ctx.lineTo(x2, y2);
+    ctx.stroke();
+  }
+  ctx.setLineDash([]);
+  ctx.font = fontAt(ratio);
+  ctx.textAlign = "left";
+  ctx.textBaseline = "middle";
+  for (const text of texts) halo(ctx, text, ratio);
+  ctx.restore();
 }

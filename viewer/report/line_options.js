@@ -1,21 +1,23 @@
 // How a chart of a report is put to uPlot: axes, ranges, series and bands.
 
-import { drawReferences, labelPoints } from "./line_marks.js";
-import { formatNumber, isNumber } from "../numbers/format.js";
+import { drawMarks, marksOf } from "./line_marks.js";
+import { formatNumber, isNumber, tickLabels } from "../numbers/format.js";
 import { extent } from "../numbers/ticks.js";
-import { seriesColors } from "./palette.js";
+import { seriesLooks } from "./palette.js";
 import { themeColor } from "./theme.js";
 
 const HEIGHT = 320; // [px]
 const FONT = "12px system-ui, sans-serif";
+const FLAT = 1e-4; // relative: a curve that varies less is drawn as the constant it is
 
-function seriesOptions(block, { series: s, part }, color) {
+function seriesOptions(block, { series: s, part }, color, dash) {
   const style = block.series[s].style ?? "lines";
   if (part !== "y") return { stroke: "transparent", width: 0, points: { show: false } };
   return {
     label: block.series[s].name,
     stroke: () => color(s) + (block.series[s].faint ? "a0" : ""),
     width: style === "points" ? 0 : block.series[s].faint ? 1 : 2,
+    dash,
     paths: style === "points" ? () => null : undefined,
     points: {
       show: style === "points" || style === "both",
@@ -40,7 +42,7 @@ const axis = (label, log) => ({
   grid: { stroke: () => themeColor("--faint"), width: 1 },
   ticks: { stroke: () => themeColor("--faint") },
   ...(log ? { splits: decades, filter: (_, splits) => splits } : {}),
-  values: (_, splits) => splits.map((v) => formatNumber(v)),
+  values: (_, splits) => (log ? splits.map((v) => formatNumber(v)) : tickLabels(splits)),
 });
 
 /// Ticks of a logarithmic axis: 1, 2, 5 within two decades, else every decade, or every few.
@@ -59,15 +61,15 @@ function decades(plot, axisIndex, low, high) {
 function range(log, references) {
   return (_, low, high) => {
     const all = [low, high, ...references].filter((v) => isNumber(v) && (!log || v > 0));
-    const ends = extent(log ? all.map(Math.log10) : all, 0.06);
+    const ends = extent(log ? all.map(Math.log10) : all, 0.06, FLAT);
     return log ? ends.map((v) => 10 ** v) : ends;
   };
 }
 
 /// uPlot's options; `shown` tells for each series whether the reader has it switched on.
 export function chartOptions(block, model, shown, width) {
-  const colors = seriesColors(block.series);
-  const color = (s) => themeColor(colors[s]);
+  const looks = seriesLooks(block.series);
+  const color = (s) => themeColor(looks[s].color);
   const references = (name) =>
     (block.reference_lines ?? []).filter((r) => (r.axis ?? "y") === name).map((r) => r.value);
   return {
@@ -84,13 +86,13 @@ export function chartOptions(block, model, shown, width) {
       { ...axis(block.x_label, block.log_x), size: 34 },
       { ...axis(block.y_label, block.log_y), size: 64 },
     ],
-    series: [{}, ...model.plan.map((column) => seriesOptions(block, column, color))],
+    series: [
+      {},
+      ...model.plan.map((column) => seriesOptions(block, column, color, looks[column.series].dash)),
+    ],
     bands: bands(model.plan, color),
     hooks: {
-      draw: [
-        (plot) => drawReferences(plot, block.reference_lines ?? []),
-        (plot) => labelPoints(plot, block, model.points, shown),
-      ],
+      draw: [(plot) => drawMarks(plot, marksOf(plot, block, model.points, shown))],
     },
   };
 }

@@ -1,10 +1,22 @@
-// Colours that most colour-blind readers can tell apart. Source: Okabe and Ito, Color Universal
-// Design, 2008. Their black follows the text colour, so that it is also seen on a dark page;
-// yellow, weak on white, comes last.
+// Colours that most colour-blind readers can tell apart: seven of Okabe and Ito (Color Universal
+// Design, 2008), whose black follows the text colour so that it is also seen on a dark page, and
+// three between them. Their yellow is left out: it is weak on white, and looks like orange to many.
 
-const NAMES = ["blue", "vermillion", "green", "purple", "orange", "sky", "ink", "yellow"];
+const NAMES = [
+  "blue",
+  "vermillion",
+  "green",
+  "purple",
+  "orange",
+  "sky",
+  "ink",
+  "indigo",
+  "brown",
+  "wine",
+];
 
-const HEX = {
+/// Colours on a white page; for WebGL, where ink has to be seen on either page.
+export const HEX = {
   blue: "#0072b2",
   vermillion: "#d55e00",
   green: "#009e73",
@@ -12,16 +24,29 @@ const HEX = {
   orange: "#e69f00",
   sky: "#56b4e9",
   ink: "#777777",
-  yellow: "#c9b900",
+  indigo: "#222288",
+  brown: "#664433",
+  wine: "#993366",
 };
+
+// Dashes of lines once all colours are used up [px].
+const DASHES = [undefined, [8, 4], [2, 3], [10, 3, 2, 3]];
 
 /// For CSS and SVG: follows the colour scheme by itself.
 export const cssColor = (index) => `var(--${NAMES[index % NAMES.length]})`;
 
-/// Colours of series: faint ones are grey and take none from the others.
-export function seriesColors(series) {
-  let next = 0;
-  return series.map(({ faint }) => (faint ? "var(--muted)" : cssColor(next++)));
+/// The dashes of a line: none for the first ten, then those that tell it from lines of its colour.
+export const dashOf = (index) => DASHES[Math.floor(index / NAMES.length) % DASHES.length];
+
+/// { color, dash } of each series: faint ones are grey and take no colour from the others. Series of
+/// one name look alike.
+export function seriesLooks(series) {
+  const index = indexByName(series.filter(({ faint }) => !faint).map(({ name }) => name));
+  return series.map(({ name, faint }) =>
+    faint
+      ? { color: "var(--muted)", dash: undefined }
+      : { color: cssColor(index.get(name)), dash: dashOf(index.get(name)) },
+  );
 }
 
 /// For WebGL, which has no colour scheme.

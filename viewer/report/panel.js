@@ -1,7 +1,7 @@
 // A small chart with its own axes, as SVG.
 
 import { svg } from "./dom.js";
-import { formatNumber } from "../numbers/format.js";
+import { tickLabels } from "../numbers/format.js";
 import { linear, ticks } from "../numbers/ticks.js";
 
 const TICK_ROOM = { x: 70, y: 36 }; // least distance of two ticks [px]
@@ -30,14 +30,17 @@ export function panelBox(width, height, margin, xs, ys) {
 export function panelAxes(box, { x_label, y_label }) {
   const { left, right, top, bottom, x, y, xs, ys } = box;
   const count = (room, least) => Math.max(2, Math.floor(room / least));
+  const across = ticks(...xs, count(right - left, TICK_ROOM.x));
+  const up = ticks(...ys, count(bottom - top, TICK_ROOM.y));
+  const names = [tickLabels(across), tickLabels(up)];
   return [
-    ...ticks(...xs, count(right - left, TICK_ROOM.x)).flatMap((v) => [
+    ...across.flatMap((v, i) => [
       line("grid", x(v), top, x(v), bottom),
-      svg("text", { x: x(v), y: bottom + 14, "text-anchor": "middle" }, formatNumber(v)),
+      svg("text", { x: x(v), y: bottom + 14, "text-anchor": "middle" }, names[0][i]),
     ]),
-    ...ticks(...ys, count(bottom - top, TICK_ROOM.y)).flatMap((v) => [
+    ...up.flatMap((v, i) => [
       line("grid", left, y(v), right, y(v)),
-      svg("text", { x: left - 5, y: y(v) + 4, "text-anchor": "end" }, formatNumber(v)),
+      svg("text", { x: left - 5, y: y(v) + 4, "text-anchor": "end" }, names[1][i]),
     ]),
     svg(
       "text",

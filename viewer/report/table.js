@@ -3,27 +3,34 @@
 import { csvOf } from "./csv.js";
 import { el } from "./dom.js";
 import { figure } from "./figure.js";
-import { formatCell } from "../numbers/format.js";
+import { fileName } from "./figure_csv.js";
+import { download } from "./save.js";
+import { formatCell, sizeOf } from "../numbers/format.js";
 import { bestRows, isNumeric, matching, sortedBy } from "./table_model.js";
 
 const FOLDED_ROWS = 15;
 
-const cell = (block, c, value, best) =>
+const cell = (block, c, value, best, size) =>
   el(
     "td",
     { class: `${isNumeric(block, c) ? "number" : ""} ${best ? "best" : ""}` },
-    formatCell(value, block.columns[c].digits),
+    formatCell(value, block.columns[c].digits, size),
     best ? el("span", { class: "hidden-words" }, " (best)") : null,
   );
 
-function bodyRows(block, rows, best) {
+/// The size of the numbers of each column, from all its rows.
+const columnSizes = (block) => block.columns.map((_, c) => sizeOf(block.rows.map((row) => row[c])));
+
+function bodyRows(block, rows, best, sizes) {
   if (!rows.length)
     return [el("tr", {}, el("td", { colspan: block.columns.length, class: "empty" }, "no rows"))];
   return rows.map((row) =>
     el(
       "tr",
       {},
-      ...row.map((value, c) => cell(block, c, value, c === block.highlight_best && best.has(row))),
+      ...row.map((value, c) =>
+        cell(block, c, value, c === block.highlight_best && best.has(row), sizes[c]),
+      ),
     ),
   );
 }
@@ -40,14 +47,7 @@ function headCell(block, c, onSort) {
 }
 
 function saveButton(block) {
-  const save = () => {
-    const link = el("a", {
-      href: URL.createObjectURL(new Blob([csvOf(block)], { type: "text/csv" })),
-      download: "table.csv",
-    });
-    link.click();
-    URL.revokeObjectURL(link.href);
-  };
+  const save = () => download(`${fileName(block.caption, "table")}.csv`, csvOf(block), "text/csv");
   return el("button", { type: "button", onclick: save }, "Save CSV");
 }
 
@@ -77,10 +77,13 @@ function foldButton(frame, count) {
 
 export function drawTable(block) {
   const best = bestRows(block);
+  const sizes = columnSizes(block);
   const view = { column: null, descending: false, text: "" };
   const body = el("tbody");
   const fillBody = () =>
-    body.replaceChildren(...bodyRows(block, sortedBy(matching(block.rows, view.text), view), best));
+    body.replaceChildren(
+      ...bodyRows(block, sortedBy(matching(block.rows, view.text), view), best, sizes),
+    );
   const sort = (c) => {
     view.descending = view.column === c && !view.descending;
     view.column = c;

@@ -3,7 +3,7 @@
 
 import { ellipse, shaft } from "./arrow_shapes.js";
 import { svg } from "./dom.js";
-import { formatNumber } from "../numbers/format.js";
+import { formatNumber, tickLabels } from "../numbers/format.js";
 import { cssColor } from "./palette.js";
 import { linear, ticks } from "../numbers/ticks.js";
 import { describe } from "./tooltip.js";
@@ -27,13 +27,16 @@ function frame({ x, y, width, height }, [xs, ys], plane) {
   const count = (span) => Math.max(2, Math.round(span / 32));
   const bottom = MARGIN.top + height;
   const line = (kind, x1, y1, x2, y2) => svg("line", { class: kind, x1, y1, x2, y2 });
-  const vertical = ticks(...xs, count(width)).flatMap((v) => [
+  const across = ticks(...xs, count(width));
+  const up = ticks(...ys, count(height));
+  const names = [tickLabels(across), tickLabels(up)];
+  const vertical = across.flatMap((v, i) => [
     line(v === 0 ? "zero" : "grid", x(v), MARGIN.top, x(v), bottom),
-    svg("text", { x: x(v), y: bottom + 13, "text-anchor": "middle" }, formatNumber(v)),
+    svg("text", { x: x(v), y: bottom + 13, "text-anchor": "middle" }, names[0][i]),
   ]);
-  const horizontal = ticks(...ys, count(height)).flatMap((v) => [
+  const horizontal = up.flatMap((v, i) => [
     line(v === 0 ? "zero" : "grid", MARGIN.left, y(v), MARGIN.left + width, y(v)),
-    svg("text", { x: MARGIN.left - 5, y: y(v) + 3.5, "text-anchor": "end" }, formatNumber(v)),
+    svg("text", { x: MARGIN.left - 5, y: y(v) + 3.5, "text-anchor": "end" }, names[1][i]),
   ]);
   return [
     ...vertical,

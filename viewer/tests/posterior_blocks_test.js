@@ -6,7 +6,7 @@ import { disagrees } from "../report/chains.js";
 import { withUnit } from "../report/chain_panels.js";
 import { brokenName, rangeOf } from "../report/corner_panels.js";
 import { goesOn, rowText } from "../report/interval.js";
-import { seriesColors } from "../report/palette.js";
+import { seriesLooks } from "../report/palette.js";
 import { pathThrough } from "../report/panel.js";
 import { isOutside } from "../report/predictive.js";
 
@@ -43,12 +43,11 @@ test("a truth outside the draws is in sight, unless it is far", () => {
 });
 
 test("faint series are grey and use up no colour", () => {
-  assert.deepEqual(seriesColors([{ faint: true }, {}, { faint: true }, {}]), [
-    "var(--muted)",
-    "var(--blue)",
-    "var(--muted)",
-    "var(--vermillion)",
-  ]);
+  const series = [{ faint: true }, { name: "a" }, { faint: true }, { name: "b" }];
+  assert.deepEqual(
+    seriesLooks(series).map(({ color }) => color),
+    ["var(--muted)", "var(--blue)", "var(--muted)", "var(--vermillion)"],
+  );
 });
 
 test("a missing point interrupts a path", () => {
