@@ -2,7 +2,7 @@
 
 import { el } from "./dom.js";
 
-/// `kind` is "figure" or "table": each is numbered on its own by the style sheet.
+/// `kind` is "figure" or "table": each is numbered on its own by the page.
 export const figure = (kind, caption, ...content) =>
   el(
     "figure",

@@ -3,6 +3,7 @@
 import { drawBlock } from "./blocks.js";
 import { el, paragraphs } from "./dom.js";
 import { errorBox } from "./figure.js";
+import { foldingTitle, startFolding } from "./folding.js";
 import { withMeshes } from "./meshes.js";
 import { tableOfContents } from "./contents.js";
 
@@ -14,19 +15,26 @@ const heading = (report) =>
     report.subtitle ? el("p", { class: "subtitle" }, report.subtitle) : null,
   );
 
-const section = ({ id, title, text, blocks = [] }) =>
+/// A section without its blocks.
+const emptySection = ({ id, title, text }) =>
   el(
     "section",
     { id, "aria-label": title },
-    el(
-      "h2",
-      {},
+    foldingTitle(
       title,
       el("a", { class: "anchor", href: `#${id}`, "aria-label": `Link to ${title}` }, "#"),
     ),
-    el("div", { class: "prose" }, ...paragraphs(text)),
-    ...blocks.map(drawBlock),
+    el("div", { class: "section-body" }, el("div", { class: "prose" }, ...paragraphs(text))),
   );
+
+/// Numbers figures and tables, each kind on its own. Style sheets cannot: what is folded away does
+/// not count for them.
+function numberCaptions(root) {
+  for (const kind of ["figure", "table"])
+    root
+      .querySelectorAll(`.${kind}-caption`)
+      .forEach((caption, i) => caption.setAttribute("data-number", i + 1));
+}
 
 function provenance(facts) {
   const rows = Object.entries(facts ?? {}).flatMap(([name, value]) => [
@@ -49,10 +57,14 @@ function provenance(facts) {
 export function drawPage(root, report) {
   if (!Array.isArray(report.sections)) throw new Error('"sections" is missing');
   document.title = report.title ?? "thenar report";
-  const sections = withMeshes(report).sections.map(section);
+  const sections = report.sections.map(emptySection);
+  const tools = startFolding(sections);
+  withMeshes(report).sections.forEach(({ blocks = [] }, i) =>
+    sections[i].lastElementChild.append(...blocks.map(drawBlock)),
+  );
   root.replaceChildren(
     heading(report),
-    tableOfContents(report.sections, sections),
+    tableOfContents(root, report.sections, sections, tools),
     el(
       "div",
       { class: "sections" },
@@ -60,4 +72,5 @@ export function drawPage(root, report) {
     ),
     provenance(report.provenance),
   );
+  numberCaptions(root);
 }

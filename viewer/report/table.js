@@ -9,11 +9,17 @@ import { formatCell, sizeOf } from "../numbers/format.js";
 import { bestRows, isNumeric, matching, sortedBy } from "./table_model.js";
 
 const FOLDED_ROWS = 15;
+const LONG_TEXT = 40; // characters
+
+/// Sentences are broken into lines; names and numbers are not.
+const isWords = (value) => typeof value === "string" && value.length > LONG_TEXT;
 
 const cell = (block, c, value, best, size) =>
   el(
     "td",
-    { class: `${isNumeric(block, c) ? "number" : ""} ${best ? "best" : ""}` },
+    {
+      class: `${isNumeric(block, c) ? "number" : ""} ${best ? "best" : ""} ${isWords(value) ? "words" : ""}`,
+    },
     formatCell(value, block.columns[c].digits, size),
     best ? el("span", { class: "hidden-words" }, " (best)") : null,
   );
@@ -75,6 +81,19 @@ function foldButton(frame, count) {
   return button;
 }
 
+/// Shows at which sides a table goes on beyond its frame.
+function withEdges(frame) {
+  const box = el("div", { class: "table-box" }, frame);
+  const mark = () => {
+    const rest = frame.scrollWidth - frame.clientWidth - frame.scrollLeft;
+    box.classList.toggle("goes-left", frame.scrollLeft > 1);
+    box.classList.toggle("goes-right", rest > 1);
+  };
+  frame.addEventListener("scroll", mark, { passive: true });
+  new ResizeObserver(mark).observe(frame);
+  return box;
+}
+
 export function drawTable(block) {
   const best = bestRows(block);
   const sizes = columnSizes(block);
@@ -114,5 +133,5 @@ export function drawTable(block) {
     foldButton(frame, block.rows.length),
     saveButton(block),
   );
-  return figure("table", block.caption, frame, tools);
+  return figure("table", block.caption, withEdges(frame), tools);
 }
