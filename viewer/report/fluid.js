@@ -8,11 +8,13 @@ export function fluid(attributes, draw) {
   const frame = el("div", attributes);
   let width = 0;
   frame.redraw = () => width && frame.replaceChildren(...draw(width));
-  new ResizeObserver(() => {
+  const fit = () => {
     const room = Math.floor(frame.clientWidth);
     if (!room || room === width) return;
     width = room;
     frame.redraw();
-  }).observe(frame);
+  };
+  new ResizeObserver(fit).observe(frame);
+  addEventListener("beforeprint", fit);
   return frame;
 }

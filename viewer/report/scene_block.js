@@ -1,15 +1,20 @@
 // A 3D view inside the report: frame, caption, and what to do where there is no WebGL.
 
 import { colored } from "../scene/color_scale.js";
+import { timedLayers } from "../scene/frames.js";
 import { mountScene } from "../scene/view.js";
 import { colorBar } from "./color_bar.js";
 import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
-import { onThemeChange, themeColor } from "./theme.js";
+import { playerOf } from "./player.js";
+import { isPrinting, onThemeChange, themeColor } from "./theme.js";
+import { whenNear, whenShown } from "./when_shown.js";
 
 const NEAR = "1200px"; // of the window, where compact scenes are drawn
-const HINT = "Drag to turn; click, then scroll to zoom; double-click to fit.";
+const HINT =
+  "Drag to turn; click, then scroll to zoom; double-click to fit. Keys: arrows, +, \u2212, 0.";
+const PRINTED = 2; // pixels of printed and saved pictures to each of CSS
 
 const withColors = (layers) =>
   layers.map((layer, i) => ({ ...layer, color: layer.color ?? hexColor(i) }));
@@ -22,44 +27,48 @@ const theme = () => ({
   faint: themeColor("--faint"),
 });
 
-function fillFrame(frame, block, notes) {
-  const scene = { ...block, layers: colored(withColors(block.layers), block.color_scale) };
-  const view = mountScene(frame, scene, theme);
-  onThemeChange(view.draw);
-  const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;
-  if (view.lost) notes.append(remark(lost));
+/// On paper stands a picture of the view, drawn before the page is laid out for it.
+function printPicture(frame, view) {
+  const add = () => {
+    const picture = view.picture(PRINTED);
+    picture.className = "printed";
+    frame.append(picture);
+    view.draw();
+  };
+  if (isPrinting()) add();
+  addEventListener("beforeprint", add);
+  addEventListener("afterprint", () => frame.querySelector(".printed")?.remove());
 }
 
-/// Does the work when the element comes near the window, or is printed.
-function whenNear(element, work) {
-  const observer = new IntersectionObserver(
-    (seen) => seen.some(({ isIntersecting }) => isIntersecting) && begin(),
-    { rootMargin: NEAR },
-  );
-  const begin = () => {
-    observer.disconnect();
-    removeEventListener("beforeprint", begin);
-    work();
+/// `below` takes what stands under the picture: the player of a motion, and remarks.
+function fillFrame(frame, block, below) {
+  const layers = timedLayers(colored(withColors(block.layers), block.color_scale));
+  const view = mountScene(frame, { ...block, layers }, theme);
+  onThemeChange(view.draw);
+  printPicture(frame, view);
+  frame.toPng = (done) => {
+    view.picture(PRINTED).toBlob(done, "image/png");
+    view.draw();
   };
-  observer.observe(element);
-  addEventListener("beforeprint", begin);
+  const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;
+  below.append(...[playerOf(view), view.lost ? remark(lost) : null].filter(Boolean));
 }
 
 export function drawScene(block) {
   const { compact } = block;
   const label = block.caption ?? "3D view";
   const frame = el("div", { class: compact ? "scene compact" : "scene", "data-label": label });
-  const notes = el("div");
+  const below = el("div");
   const fill = () => {
     try {
-      fillFrame(frame, block, notes);
+      fillFrame(frame, block, below);
     } catch (error) {
       frame.replaceChildren(errorBox(`The 3D view cannot be drawn: ${error.message}`));
     }
   };
-  if (compact) whenNear(frame, fill);
-  else requestAnimationFrame(fill);
+  if (compact) whenNear(frame, NEAR, fill);
+  else whenShown(frame, fill);
   const bar = block.color_scale ? colorBar(block.color_scale) : null;
   const hint = compact ? null : el("p", { class: "hint" }, HINT);
-  return figure("figure", block.caption, frame, bar, hint, notes);
+  return figure("figure", block.caption, frame, bar, below, hint);
 }

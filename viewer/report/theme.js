@@ -13,6 +13,9 @@ export const themeColor = (name) =>
 /// Calls `redraw` when the reader switches between light and dark, or prints.
 export const onThemeChange = (redraw) => listeners.add(redraw);
 
+/// Whether the page is being laid out for paper.
+export const isPrinting = () => document.documentElement.classList.contains("printing");
+
 function printing(on) {
   document.documentElement.classList.toggle("printing", on);
   document.querySelectorAll("details").forEach((details) => {

@@ -2,7 +2,8 @@
 
 import GUI from "lil-gui";
 
-const NARROW = 480; // [px] below this the panel starts folded
+const NARROW = 700; // [px] below this the panel starts folded
+const UNFOLDING = 400; // until a panel that was opened or closed is still [ms]
 
 function addLayer(gui, { group, name, color }, draw) {
   const control = gui.add(group, "visible").name(name).onChange(draw);
@@ -28,15 +29,17 @@ function addOpacity(gui, layers, draw) {
   });
 }
 
-/// `view` has layers, grid, show (labels), and the functions draw and fit.
+/// `view` has layers, grid, show (labels), and the functions draw and fit. Layers that are frames of a
+/// motion are left to its player.
 export function addPanel(container, view) {
   const gui = new GUI({ container, title: "Layers", width: 190 });
-  for (const layer of view.layers) addLayer(gui, layer, view.draw);
+  for (const layer of view.layers) if (layer.time === null) addLayer(gui, layer, view.draw);
   addOpacity(gui, view.layers, view.draw);
   if (view.layers.some((layer) => layer.labels.length))
     gui.add(view.show, "labels").onChange(view.draw);
   gui.add(view.grid, "visible").name("grid").onChange(view.draw);
   gui.add(view, "fit").name("fit view");
   if (container.clientWidth < NARROW) gui.close();
+  gui.onOpenClose(() => setTimeout(view.draw, UNFOLDING));
   return gui;
 }

@@ -59,6 +59,7 @@ function buildLayer(layer, size) {
     labels,
     name: layer.name,
     color: layer.color,
+    time: layer.time ?? null,
     lost: layer.items.length - complete.length,
   };
 }

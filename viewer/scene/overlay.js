@@ -2,6 +2,7 @@
 
 import { Vector3 } from "three";
 import { niceStep } from "../numbers/ticks.js";
+import { placeLabels } from "./label_places.js";
 import { formatNumber } from "../numbers/format.js";
 
 const FONT = "system-ui, sans-serif";
@@ -27,26 +28,37 @@ function project(point, camera, width, height) {
   return [((p.x + 1) / 2) * width, ((1 - p.y) / 2) * height];
 }
 
-/// Moves a label down until it covers none that was written before; gives up after a few lines.
-function freeRow(x, y, width, taken) {
-  const hit = (row) =>
-    taken.some((t) => Math.abs(t.y - row) < 13 && x < t.x + t.width && t.x < x + width);
-  const row = [0, 13, -13, 26, -26].map((dy) => y + dy).find((candidate) => !hit(candidate));
-  return row ?? y;
-}
+/// Boxes that the triad and the scale bar stand in.
+const corners = ({ width, height, compact }) => [
+  { left: width - 110, right: width, top: height - 36, bottom: height },
+  ...(compact ? [] : [{ left: 0, right: 84, top: height - 84, bottom: height }]),
+];
 
-export function drawLabels(context, labels, camera, { width, height, ink, page }) {
+/// Words at points of the scene, none over another; `covered` are boxes of the picture that
+/// something else covers.
+export function drawLabels(context, labels, camera, look, covered = []) {
+  const { width, height, ink, page, muted } = look;
   context.font = `600 12px ${FONT}`;
   context.textBaseline = "middle";
-  const taken = [];
-  for (const { position, text } of labels) {
+  const wanted = labels.map(({ position, text }) => {
+    const seen = position.clone().project(camera);
     const [x, y] = project(position, camera, width, height);
-    const wide = context.measureText(text).width;
-    const left = Math.min(x + 6, width - wide - 4);
-    const row = freeRow(left, y, wide, taken);
-    taken.push({ x: left, y: row, width: wide });
-    halo(context, text, left, row, ink, page);
+    return { x, y, depth: seen.z, text, width: context.measureText(text).width };
+  });
+  const placed = placeLabels(wanted, look, [...corners(look), ...covered]);
+  context.strokeStyle = muted ?? ink;
+  context.lineWidth = 1;
+  for (const { label, place } of placed.filter((one) => one.place.far)) {
+    context.beginPath();
+    context.moveTo(label.x, label.y);
+    context.lineTo(
+      place.left > label.x ? place.left - 2 : place.right + 2,
+      (place.top + place.bottom) / 2,
+    );
+    context.stroke();
   }
+  for (const { label, place } of placed)
+    halo(context, label.text, place.left, (place.top + place.bottom) / 2, ink, page);
 }
 
 /// A bar of round length, in the unit of the scene.
@@ -70,17 +82,25 @@ export function drawScaleBar(context, camera, unit, { width, height, ink, page }
   context.textAlign = "left";
 }
 
-/// Directions of the axes as the camera sees them, in the lower left corner.
+/// " up" for the axis that points upwards in this scene, " down" for the one that points down.
+function sense(axis, up) {
+  const along = axis.dot(up);
+  return along > 0.999 ? " up" : along < -0.999 ? " down" : "";
+}
+
+/// Directions of the axes as the camera sees them, in the lower left corner, and which of them is
+/// up.
 export function drawTriad(context, camera, { height, ink, page }) {
-  const origin = [38, height - 38];
+  const origin = [42, height - 40];
   const length = 24;
   const seen = TRIAD.map(([name, color, axis]) => ({
-    name,
+    name: name + sense(axis, camera.up),
     color,
     v: axis.clone().transformDirection(camera.matrixWorldInverse),
   }));
   context.font = `600 11px ${FONT}`;
   context.textAlign = "center";
+  context.textBaseline = "middle";
   for (const { name, color, v } of seen.sort((a, b) => a.v.z - b.v.z)) {
     context.strokeStyle = color;
     context.lineWidth = 2.5;
@@ -88,7 +108,8 @@ export function drawTriad(context, camera, { height, ink, page }) {
     context.moveTo(...origin);
     context.lineTo(origin[0] + length * v.x, origin[1] - length * v.y);
     context.stroke();
-    halo(context, name, origin[0] + (length + 9) * v.x, origin[1] - (length + 9) * v.y, ink, page);
+    const away = length + 9;
+    halo(context, name, origin[0] + away * v.x, origin[1] - away * v.y, ink, page);
   }
   context.textAlign = "left";
 }

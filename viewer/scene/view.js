@@ -2,7 +2,7 @@
 
 import { Scene, Vector3 } from "three";
 import { fitCamera, makeCamera, setAspect, slanted } from "./camera_fit.js";
-import { addControls } from "./controls.js";
+import { addControls, turnByKeys } from "./controls.js";
 import { diagonal, extentOf } from "./extent.js";
 import { buildGrid } from "./grid.js";
 import { addPanel } from "./gui.js";
@@ -16,7 +16,8 @@ function makeCanvas(container) {
   const canvas = document.createElement("canvas");
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", container.dataset.label ?? "3D view");
+  const keys = "arrow keys turn, plus and minus zoom, 0 fits";
+  canvas.setAttribute("aria-label", `${container.dataset.label ?? "3D view"}; ${keys}`);
   container.append(canvas);
   return canvas;
 }
@@ -53,20 +54,53 @@ function assemble({ layers, up = [0, 0, 1], view }) {
   };
 }
 
-function paint(view, context, theme, { unit = "mm", compact }) {
+/// Boxes of the picture that the panel covers, in CSS pixels.
+function coveredBy(panel) {
+  if (!panel) return [];
+  const { offsetLeft: left, offsetTop: top, offsetWidth, offsetHeight } = panel.domElement;
+  return [{ left, top, right: left + offsetWidth, bottom: top + offsetHeight }];
+}
+
+/// Draws the scene and what is written on it, with so many device pixels to each of CSS.
+function paint(view, context, theme, { unit = "mm", compact }, ratio, covered) {
   const { canvas } = context;
-  const ratio = devicePixelRatio;
-  const look = { ...theme(), width: canvas.width / ratio, height: canvas.height / ratio };
+  const size = { width: canvas.width / ratio, height: canvas.height / ratio };
+  const look = { ...theme(), ...size, compact };
   renderTo(context, view.scene, view.camera);
   context.save();
   context.scale(ratio, ratio);
   const labels = view.layers
     .filter((layer) => layer.group.visible)
     .flatMap((layer) => layer.labels);
-  if (view.show.labels) drawLabels(context, labels, view.camera, look);
+  if (view.show.labels) drawLabels(context, labels, view.camera, look, covered);
   if (!compact) drawTriad(context, view.camera, look);
   drawScaleBar(context, view.camera, unit, look);
   context.restore();
+}
+
+/// Makes all lines wider, which are counted in device pixels.
+function widenLines(scene, factor) {
+  scene.traverse(({ material }) => {
+    if (material?.isLineMaterial) material.linewidth *= factor;
+  });
+}
+
+/// The present view as a new canvas on the page's colour, in `ratio` pixels to each of CSS: to be
+/// printed or saved.
+function pictureOf(view, container, theme, spec, ratio) {
+  const canvas = document.createElement("canvas");
+  canvas.width = Math.max(1, Math.round(container.clientWidth * ratio));
+  canvas.height = Math.max(1, Math.round(container.clientHeight * ratio));
+  const context = canvas.getContext("2d");
+  const factor = ratio / devicePixelRatio;
+  widenLines(view.scene, factor);
+  setAspect(view.camera, canvas.width / canvas.height);
+  paint(view, context, theme, spec, ratio, []);
+  widenLines(view.scene, 1 / factor);
+  context.globalCompositeOperation = "destination-over";
+  context.fillStyle = theme().page;
+  context.fillRect(0, 0, canvas.width, canvas.height);
+  return canvas;
 }
 
 /// Sets the canvas to the size of its container, in device pixels.
@@ -90,16 +124,17 @@ function oncePerFrame(work) {
 }
 
 /// Draws `spec` = { layers, unit, up, view, compact } into `container`; `theme()` returns the colours { ink,
-/// page }. Returns the view: draw(), fit(), its layers, and `lost`, the number of items with
-/// missing coordinates.
+/// page }. Returns the view: draw(), fit(), picture(ratio), its layers, and `lost`, the number of
+/// items with missing coordinates.
 /// Throws where the browser has no WebGL.
 export function mountScene(container, spec, theme) {
   sharedRenderer();
   const canvas = makeCanvas(container);
   const context = canvas.getContext("2d");
   const view = assemble(spec);
-  const paintNow = () => paint(view, context, theme, spec);
+  const paintNow = () => paint(view, context, theme, spec, devicePixelRatio, coveredBy(view.panel));
   view.draw = oncePerFrame(paintNow);
+  view.picture = (ratio) => pictureOf(view, container, theme, spec, ratio);
   const controls = addControls(view.camera, canvas, view.draw);
   view.fit = () => {
     controls.target.copy(fitCamera(view.camera, view.box, canvas.width / canvas.height, view.from));
@@ -107,11 +142,13 @@ export function mountScene(container, spec, theme) {
     view.draw();
   };
   canvas.addEventListener("dblclick", view.fit);
+  turnByKeys(controls, canvas, view.fit);
   resize(canvas, container);
   view.fit();
-  if (!spec.compact) addPanel(container, view);
+  if (!spec.compact) view.panel = addPanel(container, view);
   if (spec.link) link(spec.link, view, controls);
   new ResizeObserver(() => {
+    if (!container.clientWidth) return;
     setAspect(view.camera, resize(canvas, container));
     paintNow();
   }).observe(container);

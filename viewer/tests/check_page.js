@@ -8,9 +8,10 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
-import { boxOf, chartWithoutSeries, chooseQuantity, compactCanvases } from "./probes.js";
+import { boxOf, chartWithoutSeries, chooseQuantity, compactCanvases, foldAll } from "./probes.js";
 import { hideFirstTendon, isReady } from "./probes.js";
-import { leaveOutQuantity, look, middleOf, picture, tooltipText } from "./probes.js";
+import { leaveOutQuantity, look, middleOf, picture, pressKey } from "./probes.js";
+import { printedShares, savedFiles, tooltipText } from "./probes.js";
 
 const SHOTS = join(import.meta.dirname, "screenshots");
 const VIEWS = {
@@ -117,6 +118,37 @@ async function checkChoices(browser) {
   assert.deepEqual(await ask(browser, leaveOutQuantity), [21, 15], "panels of 6 and 5 quantities");
 }
 
+/// Every scene is on paper, also those that were not drawn before.
+async function checkPrinted(browser) {
+  const { printed, scenes } = await ask(browser, printedShares);
+  assert.equal(printed.length, scenes, "pictures for paper");
+  for (const [i, share] of printed.entries())
+    assert.ok(share > LEAST_COVERED, `picture ${i} for paper is blank, ${share} of it covered`);
+}
+
+/// Folded sections leave their titles, and a link opens what it leads to.
+async function checkFolding(browser) {
+  const { open, folded, linked, again } = await ask(browser, foldAll);
+  assert.ok(folded < 0.3 * open, `the page is ${open} px high, folded ${folded}`);
+  assert.ok(linked > folded, "a link opens its section");
+  assert.ok(Math.abs(again - open) < 0.02 * open, `opened again it is ${again} px high`);
+}
+
+/// Figures are saved as what their buttons say.
+async function checkSaving(browser) {
+  const chart = await ask(browser, savedFiles, ".uplot");
+  assert.match(chart[0].start, /^<svg xmlns/);
+  assert.match(chart[1].start, /^series,/);
+  const [scene] = await ask(browser, savedFiles, ".scene canvas");
+  assert.equal(scene.type, "image/png");
+}
+
+/// Keys read values off a chart.
+async function checkKeys(browser) {
+  const told = await ask(browser, pressKey, ".chart[tabindex]", "ArrowRight");
+  assert.match(told, /:/, "the arrow key tells nothing");
+}
+
 async function print(browser) {
   const options = { printBackground: true, preferCSSPageSize: true };
   const { data } = await browser.send("Page.printToPDF", options);
@@ -165,6 +197,11 @@ try {
     "a tendon is hidden in 4 panels of 2 planes",
   );
   await checkChoices(browser);
+  await checkKeys(browser);
+  await checkSaving(browser);
+  await checkFolding(browser);
+  await open(browser, path, VIEWS.light);
+  await checkPrinted(browser);
   await print(browser);
   judgeEvents(browser.events);
 } finally {

@@ -99,3 +99,63 @@ export function chartWithoutSeries() {
   figure.querySelector(".legend button").click();
   return new Promise((resolve) => setTimeout(() => resolve(image() !== before), 300));
 }
+
+/// Shares of the pictures for paper that something is painted on, white left out, and how many
+/// scenes there are.
+export function printedShares() {
+  dispatchEvent(new Event("beforeprint"));
+  const share = (canvas) => {
+    const { width, height } = canvas;
+    const { data } = canvas.getContext("2d").getImageData(0, 0, width, height);
+    const pixels = new Uint32Array(data.buffer);
+    return pixels.filter((pixel) => pixel !== 0xffffffff).length / pixels.length;
+  };
+  const printed = [...document.querySelectorAll(".printed")].map(share);
+  dispatchEvent(new Event("afterprint"));
+  return { printed, scenes: document.querySelectorAll(".scene").length };
+}
+
+/// Heights of the page with all sections open and folded, and whether a link opens its section.
+export async function foldAll() {
+  const frame = () => new Promise((resolve) => setTimeout(resolve, 100));
+  const height = () => document.documentElement.scrollHeight;
+  const [openAll, fold] = document.querySelectorAll(".contents-list .tools button");
+  const open = height();
+  fold.click();
+  await frame();
+  const folded = height();
+  const link = document.querySelector(".contents-list a:last-of-type");
+  link.click();
+  await frame();
+  const linked = height();
+  openAll.click();
+  await frame();
+  return { open, folded, linked, again: height() };
+}
+
+/// What the buttons below the figures of a type of block save: the beginning of each file.
+export async function savedFiles(selector) {
+  const blobs = [];
+  const make = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    blobs.push(blob);
+    return make.call(URL, blob);
+  };
+  const figure = document.querySelector(selector).closest("figure");
+  figure.querySelectorAll(".tools.save button").forEach((button) => button.click());
+  await new Promise((resolve) => setTimeout(resolve, 800));
+  URL.createObjectURL = make;
+  return Promise.all(
+    blobs.map(async (blob) => ({ type: blob.type, start: (await blob.text()).slice(0, 60) })),
+  );
+}
+
+/// Presses a key on the first element of a selector, which gets the focus; tells what the tooltip
+/// says then.
+export function pressKey(selector, key) {
+  const element = document.querySelector(selector);
+  element.scrollIntoView({ block: "center", behavior: "instant" });
+  element.focus();
+  element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
+  return document.querySelector(".tooltip")?.innerText ?? "";
+}

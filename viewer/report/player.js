@@ -1,0 +1,88 @@
+// Plays a scene whose layers are instants of a motion.
+
+import { el } from "./dom.js";
+import { instantAt, instantsOf, speedsFor } from "../scene/frames.js";
+import { formatNumber } from "../numbers/format.js";
+
+/// Calls `tick(seconds since the last call)` every frame until it returns false.
+function everyFrame(tick) {
+  let last = null;
+  const step = (now) => {
+    const passed = last === null ? 0 : (now - last) / 1000;
+    last = now;
+    if (tick(passed)) requestAnimationFrame(step);
+  };
+  requestAnimationFrame(step);
+}
+
+/// Shows of all timed layers those of one instant, or with null all of them.
+function show(view, instant) {
+  for (const { group, time } of view.layers)
+    if (time !== null) group.visible = instant === null || time === instant;
+  view.draw();
+}
+
+/// Controls of a view with timed layers: play and pause, a slider, the speed, and all instants at
+/// once, as at the start. Null for a view without instants.
+export function playerOf(view) {
+  const instants = instantsOf(view.layers);
+  if (!instants.length) return null;
+  const [first, last] = [instants[0], instants.at(-1)];
+  const { speeds, chosen } = speedsFor(instants);
+  let playing = false;
+  let now = first;
+  const button = el("button", { type: "button", class: "play" });
+  const told = el("output", {});
+  const slider = el("input", {
+    ...{ type: "range", min: 0, max: instants.length - 1, step: 1, value: 0 },
+    "aria-label": "Instant",
+  });
+  const speed = el(
+    "select",
+    { "aria-label": "Speed" },
+    ...speeds.map((value) =>
+      el("option", { value, selected: value === chosen }, `${formatNumber(value)} \u00d7`),
+    ),
+  );
+  const all = el("input", { type: "checkbox", checked: true });
+  const update = () => {
+    const instant = instantAt(instants, now);
+    button.textContent = playing ? "Pause" : "\u25b6 Play";
+    slider.value = String(instants.indexOf(instant));
+    told.textContent = all.checked ? "" : `${formatNumber(instant)} s`;
+    show(view, all.checked ? null : instant);
+  };
+  const play = () => {
+    playing = true;
+    all.checked = false;
+    if (now >= last) now = first;
+    everyFrame((passed) => {
+      if (!playing) return false;
+      now = Math.min(last, now + passed * Number(speed.value));
+      playing = now < last;
+      update();
+      return playing;
+    });
+  };
+  button.addEventListener("click", () => {
+    if (playing) playing = false;
+    else play();
+    update();
+  });
+  slider.addEventListener("input", () => {
+    playing = false;
+    all.checked = false;
+    now = instants[Number(slider.value)];
+    update();
+  });
+  all.addEventListener("change", () => {
+    playing = false;
+    update();
+  });
+  update();
+  return el(
+    "div",
+    { class: "tools player", role: "group", "aria-label": "Motion" },
+    ...[button, slider, told, speed, el("label", {}, all, " all instants")],
+  );
+}
