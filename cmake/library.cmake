@@ -2,7 +2,7 @@
 #
 # One folder, one library of all its .cpp files. PUBLIC lists the floor below; PRIVATE lists third
 # parties, which only .cpp files may include. ALONE lists sources that unity builds leave out, because
-# the headers of a third party change the meaning of what follows. Its headers are installed.
+# the headers of a third party change the meaning of what follows.
 function(thenar_library name)
   cmake_parse_arguments(ARG "" "" "PUBLIC;PRIVATE;ALONE" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)

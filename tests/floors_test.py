@@ -58,6 +58,7 @@ MAY_SEE |= {
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
 LIBRARIES = list(MAY_SEE)
+MAY_SEE["thenar"] = LIBRARIES  # the header of all public headers
 MAY_SEE |= {
     "viewer": LIBRARIES,
     "apps": LIBRARIES + ["viewer"],
@@ -69,6 +70,7 @@ WITH_SUBFOLDERS = ["sampling/run", "viewer", "apps", "bench", "tests"]  # folder
 
 # Third parties, and the only files that may include them. A folder's name allows the folder.
 FENCES = {
+    r"thenar/thenar\.h": ["tests/install/", "examples/"],
     r"Simbody\.h|(SimTK|simbody|simmath).*": ["hand/multibody.cpp", "bench/", "tests/hand/"],
     r"ceres/jet\.h": ["kinematics_fit/force_jacobian.cpp", "bench/", "tests/"],
     r"ceres/.*": ["solvers/least_squares_ceres.cpp"],

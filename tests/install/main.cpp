@@ -2,10 +2,7 @@
 
 #include <cstdio>
 
-#include "data/io/subject.h"
-#include "hand/chain.h"
-#include "hand/skeleton.h"
-#include "solvers/least_squares.h"
+#include <thenar/thenar.h>
 
 int main(int argc, char** argv) {
   if (argc != 2 || thenar::name_of(thenar::LeastSquaresMethod::kCeres) != "ceres") return 2;
