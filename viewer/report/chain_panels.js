@@ -3,10 +3,11 @@
 
 import { svg } from "./dom.js";
 import { panelAxes, panelBox, panelSvg, pathThrough } from "./panel.js";
+import { nearestOf } from "./line_reading.js";
 import { formatNumber, isNumber } from "../numbers/format.js";
 import { cssColor, dashOf } from "./palette.js";
-import { extent } from "../numbers/ticks.js";
-import { describe, hideTooltip, showTooltip } from "./tooltip.js";
+import { extent, linear } from "../numbers/ticks.js";
+import { describe, hideTooltip, readingRow, showTooltip } from "./tooltip.js";
 
 const HEIGHT = 230;
 const MARGIN = { left: 62, right: 10, top: 10, bottom: 40 };
@@ -15,19 +16,22 @@ const STRIP = 44; // of the ranks of one chain [px]
 /// "tilt [deg]".
 export const withUnit = ({ name, unit }) => (unit ? `${name} [${unit}]` : name);
 
-/// Tells about the nearest point while the pointer is over a panel. `lists` are of { x, y }.
-function followNearest(node, box, lists, words) {
+/// Tells about all chains that are shown, at the place nearest to the pointer. `lists` are of
+/// { x, y }, one a chain, all with the same x; `head` says where, `value` what.
+function followPlace(node, box, block, lists, shown, head, value) {
   const tell = (event) => {
-    const frame = node.getBoundingClientRect();
-    const [px, py] = [event.clientX - frame.left, event.clientY - frame.top];
-    let best = null;
-    lists.forEach((list, c) =>
-      list.forEach((p, i) => {
-        const d = Math.abs(box.x(p.x) - px) + 0.3 * Math.abs(box.y(p.y) - py);
-        if (isNumber(p.y) && (!best || d < best.d)) best = { ...p, c, i, d };
-      }),
+    const xs = (lists[0] ?? []).map(({ x }) => x);
+    const along = linear([box.left, box.right], box.xs);
+    const x = along(event.clientX - node.getBoundingClientRect().left);
+    const i = xs.indexOf(nearestOf(xs, x));
+    const rows = lists.map((list, c) =>
+      shown[c] && list[i]
+        ? readingRow({ color: cssColor(c), dash: dashOf(c) }, block.chains[c], value(list[i].y))
+        : null,
     );
-    if (best) showTooltip(event, words(best));
+    const told = rows.filter(Boolean);
+    if (told.length) showTooltip(event, [head(xs[i]), ...told]);
+    else hideTooltip();
   };
   node.addEventListener("pointermove", tell);
   node.addEventListener("pointerleave", hideTooltip);
@@ -69,11 +73,8 @@ export function tracePanel(block, quantity, shown, width) {
     ...axes,
     ...curves(box, lists, shown),
   );
-  return followNearest(node, box, lists, (p) => [
-    block.chains[p.c],
-    `draw ${p.x}`,
-    `${formatNumber(p.y)} ${quantity.unit ?? ""}`,
-  ]);
+  const value = (y) => `${formatNumber(y)} ${quantity.unit ?? ""}`;
+  return followPlace(node, box, block, lists, shown, (x) => `draw ${x}`, value);
 }
 
 /// Correlation of each chain with itself some draws later.
@@ -92,11 +93,15 @@ export function memoryPanel(block, quantity, shown, width) {
     svg("line", { class: "zero", x1: box.left, x2: box.right, y1: box.y(0), y2: box.y(0) }),
     ...curves(box, lists, shown),
   );
-  return followNearest(node, box, lists, (p) => [
-    block.chains[p.c],
-    `lag ${p.x}`,
-    `autocorrelation ${formatNumber(p.y)}`,
-  ]);
+  return followPlace(
+    node,
+    box,
+    block,
+    lists,
+    shown,
+    (x) => `lag ${x}`,
+    (y) => formatNumber(y),
+  );
 }
 
 function rankBar(block, { counts, mean, low, high }, c, i, { x, y, bottom }) {

@@ -12,6 +12,7 @@ const STYLES = [
 function inline(node, copy) {
   const style = getComputedStyle(node);
   for (const name of STYLES) copy.style.setProperty(name, style.getPropertyValue(name));
+  copy.style.removeProperty("color");
   copy.removeAttribute("class");
   [...node.children].forEach((child, i) => inline(child, copy.children[i]));
 }
@@ -25,34 +26,56 @@ function placed(node, box, origin) {
   return copy;
 }
 
-/// Marks and words of a legend's entry, where they stand.
+/// Words of the page where they stand, in their own type.
+function wordsAt(node, words, left, origin) {
+  const box = node.getBoundingClientRect();
+  const { color, fontFamily, fontSize, fontWeight } = getComputedStyle(node);
+  const place = { x: left - origin.x, y: box.y + box.height / 2 + 4 - origin.y, fill: color };
+  const style = `font-family: ${fontFamily}; font-size: ${fontSize}; font-weight: ${fontWeight}`;
+  return svg("text", { ...place, style }, words);
+}
+
+/// The patch of colour of a legend's entry.
+function patch(mark, seen, origin) {
+  if (mark instanceof SVGElement) return placed(mark, seen, origin);
+  const color = getComputedStyle(mark).getPropertyValue("--swatch").trim();
+  const [x, y] = [seen.x - origin.x, seen.y - origin.y];
+  const middle = y + seen.height / 2;
+  if (mark.matches(".dash, .thin, .thick"))
+    return svg("line", {
+      ...{ x1: x, x2: x + seen.width, y1: middle, y2: middle, stroke: color },
+      "stroke-width": mark.matches(".thick") ? 6 : 2.5,
+      "stroke-opacity": mark.matches(".thick") ? 0.55 : 1,
+      "stroke-dasharray": mark.matches(".dash") ? "5 4" : null,
+    });
+  if (mark.matches(".dot, .ring"))
+    return svg("circle", {
+      ...{ cx: x + seen.width / 2, cy: middle, r: seen.width / 2 - 1, stroke: color },
+      fill: mark.matches(".ring") ? "none" : color,
+      "stroke-width": 2,
+    });
+  return svg("rect", { x, y, width: seen.width, height: seen.height, rx: 2, fill: color });
+}
+
+/// Marks and words of a legend's entry.
 function legendEntry(entry, origin) {
   const mark = entry.firstElementChild;
   const seen = mark.getBoundingClientRect();
-  const words = entry.getBoundingClientRect();
-  const { color, fontFamily, fontSize, opacity } = getComputedStyle(entry);
-  const patch =
-    mark instanceof SVGElement
-      ? placed(mark, seen, origin)
-      : svg("rect", {
-          x: seen.x - origin.x,
-          y: seen.y - origin.y,
-          width: seen.width,
-          height: Math.max(2, seen.height),
-          rx: mark.matches(".dot, .ring") ? seen.width / 2 : 0,
-          fill: getComputedStyle(mark).getPropertyValue("--swatch").trim(),
-        });
-  const text = svg(
-    "text",
-    {
-      x: seen.right + 6 - origin.x,
-      y: words.y + words.height / 2 + 4 - origin.y,
-      style: `font-family: ${fontFamily}; font-size: ${fontSize}`,
-      fill: color,
-    },
-    entry.textContent,
+  const { opacity } = getComputedStyle(entry);
+  const words = wordsAt(entry, entry.textContent, seen.right + 6, origin);
+  return svg("g", { opacity }, patch(mark, seen, origin), words);
+}
+
+/// Titles within a figure: names of planes, and the quantity that was chosen.
+function titles(figure, origin) {
+  const heads = [...figure.querySelectorAll(".plane > h3")].map((node) => [node, node.textContent]);
+  const chosen = [...figure.querySelectorAll(".chooser select")].map((node) => [
+    node,
+    node.selectedOptions[0]?.textContent ?? "",
+  ]);
+  return [...heads, ...chosen].map(([node, words]) =>
+    wordsAt(node, words, node.getBoundingClientRect().left, origin),
   );
-  return svg("g", { opacity }, patch, text);
 }
 
 /// `var(--name)` in a copied style has no meaning outside the page.
@@ -76,7 +99,8 @@ export function figureSvg(figure) {
   const plots = [...figure.querySelectorAll("svg.plot")].filter((node) => !node.closest("button"));
   const entries = [...figure.querySelectorAll(".legend > *")];
   const boxOf = (node) => boxes.get(node) ?? node.getBoundingClientRect();
-  const all = [...plots.map(boxOf), ...entries.map(boxOf)];
+  const heads = figure.querySelectorAll(".plane > h3, .chooser select");
+  const all = [...plots, ...entries, ...heads].map(boxOf);
   const origin = {
     x: Math.min(...all.map((b) => b.left)) - 8,
     y: Math.min(...all.map((b) => b.top)) - 8,
@@ -88,6 +112,7 @@ export function figureSvg(figure) {
     "svg",
     { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}` },
     svg("rect", { width, height, fill: page }),
+    ...titles(figure, origin),
     ...entries.map((entry) => legendEntry(entry, origin)),
     ...plots.map((node) => placed(node, boxOf(node), origin)),
   );

@@ -1,11 +1,10 @@
 // Tells values of a chart under the pointer, or under the arrow keys.
 
 import { el } from "./dom.js";
-import { swatch } from "./legend.js";
 import { curveXs, nearestOf, nearestPoint, pointsAt } from "./line_reading.js";
 import { formatNumber, sizeOf } from "../numbers/format.js";
 import { seriesLooks } from "./palette.js";
-import { hideTooltip, showTooltip } from "./tooltip.js";
+import { hideTooltip, readingRow, showTooltip } from "./tooltip.js";
 
 const REACH = 28; // of the pointer, to the point it tells about [px]
 const MOST = 14; // lines of one tooltip
@@ -35,15 +34,7 @@ const pointWords = (block, p, write) => [
 /// Every curve at one x; that of the point `near` stands out.
 function rowsAt(block, found, near, looks, write) {
   const kept = found.slice(0, MOST);
-  const rows = kept.map((p) =>
-    el(
-      "span",
-      { class: near && near.s === p.s ? "reading near" : "reading" },
-      swatch({ ...looks[p.s], mark: "line" }),
-      el("span", {}, nameOf(block, p)),
-      el("span", { class: "value" }, write(p)),
-    ),
-  );
+  const rows = kept.map((p) => readingRow(looks[p.s], nameOf(block, p), write(p), near?.s === p.s));
   const more = found.length - kept.length;
   return [
     `${block.x_label ?? "x"}: ${formatNumber(found[0].x)}`,

@@ -3,7 +3,7 @@
 import { colored } from "../scene/color_scale.js";
 import { timedLayers } from "../scene/frames.js";
 import { mountScene } from "../scene/view.js";
-import { colorBar } from "./color_bar.js";
+import { colorBar, withColorBar } from "./color_bar.js";
 import { el } from "./dom.js";
 import { errorBox, figure, remark } from "./figure.js";
 import { hexColor } from "./palette.js";
@@ -47,7 +47,10 @@ function fillFrame(frame, block, below) {
   onThemeChange(view.draw);
   printPicture(frame, view);
   frame.toPng = (done) => {
-    view.picture(PRINTED).toBlob(done, "image/png");
+    const picture = view.picture(PRINTED);
+    const scale = block.color_scale;
+    const whole = scale ? withColorBar(picture, scale, theme(), PRINTED) : picture;
+    whole.toBlob(done, "image/png");
     view.draw();
   };
   const lost = `Not drawn (n/a): ${view.lost} of the items, without all their coordinates.`;

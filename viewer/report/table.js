@@ -67,7 +67,7 @@ const searchBox = (onSearch) =>
 
 function foldButton(frame, count) {
   if (count <= FOLDED_ROWS) return null;
-  frame.classList.add("folded");
+  frame.classList.add("long", "folded");
   const button = el(
     "button",
     { type: "button", "aria-expanded": "false" },

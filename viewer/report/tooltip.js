@@ -1,6 +1,7 @@
 // One small box that follows the pointer and tells numbers.
 
 import { el } from "./dom.js";
+import { swatch } from "./legend.js";
 
 let box = null;
 
@@ -26,6 +27,17 @@ export function showTooltip(event, lines) {
   box.hidden = false;
   place(event);
 }
+
+/// A line of a tooltip about one of several curves: its mark, its name and what it is there. `near`
+/// makes it stand out.
+export const readingRow = (look, name, value, near = false) =>
+  el(
+    "span",
+    { class: near ? "reading near" : "reading" },
+    swatch({ ...look, mark: "line" }),
+    el("span", {}, name),
+    el("span", { class: "value" }, value),
+  );
 
 export function hideTooltip() {
   if (box) box.hidden = true;
