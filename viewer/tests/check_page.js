@@ -8,7 +8,14 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pageOf } from "../sample/page.js";
 import { startBrowser } from "./browser.js";
-import { boxOf, chartWithoutSeries, chooseQuantity, compactCanvases, foldAll } from "./probes.js";
+import {
+  boxOf,
+  chartWithoutSeries,
+  chooseQuantity,
+  compactCanvases,
+  foldAll,
+  focusSeen,
+} from "./probes.js";
 import { hideFirstTendon, isReady } from "./probes.js";
 import { leaveOutQuantity, look, middleOf, picture, pressKey } from "./probes.js";
 import { printedShares, savedFiles, tooltipText } from "./probes.js";
@@ -118,6 +125,17 @@ async function checkChoices(browser) {
   assert.deepEqual(await ask(browser, leaveOutQuantity), [21, 15], "panels of 6 and 5 quantities");
 }
 
+/// The panel of layers shows which of its parts has the focus, and is reached by the tab key.
+async function checkFocus(browser) {
+  await browser.send("Emulation.setFocusEmulationEnabled", { enabled: true });
+  await ask(browser, pressKey, ".scene canvas", "0");
+  const tab = { key: "Tab", code: "Tab", windowsVirtualKeyCode: 9 };
+  for (const type of ["keyDown", "keyUp"])
+    await browser.send("Input.dispatchKeyEvent", { type, ...tab });
+  const { inPanel, outline } = await ask(browser, focusSeen);
+  assert.deepEqual([inPanel, outline], [true, "solid"], "focus in the panel of layers");
+}
+
 /// Every scene is on paper, also those that were not drawn before.
 async function checkPrinted(browser) {
   const { printed, scenes } = await ask(browser, printedShares);
@@ -198,6 +216,7 @@ try {
   );
   await checkChoices(browser);
   await checkKeys(browser);
+  await checkFocus(browser);
   await checkSaving(browser);
   await checkFolding(browser);
   await open(browser, path, VIEWS.light);

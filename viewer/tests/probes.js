@@ -159,3 +159,10 @@ export function pressKey(selector, key) {
   element.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
   return document.querySelector(".tooltip")?.innerText ?? "";
 }
+
+/// Whether the focus is in a panel of layers, and how its outline is drawn.
+export function focusSeen() {
+  const element = document.activeElement;
+  const { outlineStyle } = getComputedStyle(element);
+  return { inPanel: element.closest(".lil-gui") !== null, outline: outlineStyle };
+}
