@@ -36,8 +36,10 @@ BoundedNormal::Image BoundedNormal::at(double x) const {
 }
 
 double BoundedNormal::inverse(double z, double margin) const {
+  // Off the bounds, where x would be infinite.
   const double off = margin * std::min(1.0, upper_ - lower_);
   const double inside = std::clamp(z, lower_ + off, upper_ - off);
+  // From the nearer tail.
   const double left = (normal_probability(inside) - below_) / within_;
   if (left <= 0.5) return normal_quantile(left);
   return -normal_quantile((normal_probability(-inside) - above_) / within_);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A normal prior cut off at bounds, as the smooth image of one that is not.
+/// A normal prior cut off at bounds, as the smooth image of an unbounded one.
 
 namespace thenar {
 

@@ -84,6 +84,7 @@ std::vector<Entry> entries_in(const std::string& folder) {
   std::vector<Entry> entries;
   std::error_code ignored;
   const auto now = fs::file_time_type::clock::now();
+  // Entries by their names; others only if they are old leftovers of ours.
   for (fs::directory_iterator at(folder, ignored), end; at != end; at.increment(ignored)) {
     if (ignored) break;
     std::error_code gone;  // another process may remove it
@@ -102,10 +103,12 @@ std::vector<Entry> entries_in(const std::string& folder) {
 
 /// The least recently used go until all fit.
 void make_room(const CacheOptions& options) {
+  // Sizes of all entries.
   std::vector<Entry> entries = entries_in(options.folder);
   std::uintmax_t total = 0;
   for (const Entry& entry : entries) total += entry.size;
   if (total <= options.max_bytes) return;
+  // The least recently used go first.
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.used < b.used; });
   for (const Entry& entry : entries) {
@@ -125,6 +128,7 @@ void write_entry(const CacheOptions& options, const std::string& name, const std
   static std::atomic<int> count{0};
   fs::create_directories(options.folder);
   const fs::path folder = options.folder;
+  // Under a name of this process, renamed when complete.
   const fs::path unfinished =
       folder / fmt::format("{}.{}-{}{}", name, ::getpid(), count++, kUnfinished);
   bool whole = false;
@@ -174,6 +178,7 @@ std::optional<std::string> kept(const std::string& kind, const std::string& inpu
   std::error_code failed;
   if (!fs::is_regular_file(path, failed)) return std::nullopt;
   try {
+    // Heading, name and checksum must all match.
     std::ifstream file(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     const std::size_t start = kHeading.size() + 2 * kHash + 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Results that cost seconds, kept in a folder from one run to the next.
+/// Results that cost seconds, cached in a folder from one run to the next.
 
 #include <cstdint>
 #include <optional>
@@ -13,23 +13,23 @@ struct CacheOptions {
   std::uintmax_t max_bytes = 500000000;  // of all entries; the least recently used give way
 };
 
-/// From now on, kept() and keep() of this process use this folder. A program asks for it; the
-/// library by itself keeps nothing.
+/// Sets the folder that kept() and keep() of this process use from now on. A program asks for it;
+/// the library by itself caches nothing.
 void use_cache(const CacheOptions& options);
 
-/// What the user wants: the folder THENAR_CACHE, nothing if that is "off" or empty; else
+/// The user's settings: the folder THENAR_CACHE, no cache if that is "off" or empty; otherwise
 /// $XDG_CACHE_HOME/thenar or ~/.cache/thenar. THENAR_CACHE_MB is the limit in megabytes.
 [[nodiscard]] CacheOptions cache_options_of_user();
 
-/// What was kept for an input, if it is there and whole: its checksum is computed again.
+/// Finds the result for an input, if it is there and whole: its checksum is computed again.
 /// Entries of another build of the program are not found.
 /// @param kind   of result, with a number that changes when what makes it does: "skin mesh 1"
 /// @param input  all that the result depends on
 [[nodiscard]] std::optional<std::string> kept(const std::string& kind, const std::string& input);
 
-/// Keeps a result. Another process sees all of it or nothing. If the folder cannot be made, is full
-/// or must not be written, nothing is kept and nothing is said. Files that are no entries are never
-/// touched.
+/// Stores a result. Another process sees all of it or nothing. If the folder cannot be made, is
+/// full or is read-only, nothing is stored and no error is raised. Files that are no entries are
+/// never touched.
 void keep(const std::string& kind, const std::string& input, const std::string& result);
 
 }  // namespace thenar

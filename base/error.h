@@ -1,6 +1,6 @@
 #pragma once
 
-/// Every exception this library throws on purpose.
+/// Exceptions that this library throws on purpose.
 ///
 /// A bad call or a bad file throws. Bad luck (no convergence, infeasible) is a
 /// status in the result, so the caller can still look at the best point found.

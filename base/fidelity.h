@@ -1,6 +1,6 @@
 #pragma once
 
-/// All physics that may be left out, on one page.
+/// Fidelity of a model: all physics that may be left out, on one page.
 ///
 /// Each ladder goes from the cheapest rung to the richest; a rung names the
 /// assumption it makes. A question states what it needs beside its declaration, and

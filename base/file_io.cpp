@@ -35,6 +35,7 @@ class RegularFile {
       // A pipe would wait for its writer here, a terminal would become ours.
       : path_(path), file_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC)) {
     if (file_ < 0) refuse(path_, fmt::format("cannot be read: {}", std::strerror(errno)));
+    // Regular files only.
     struct stat about {};
     const bool known = fstat(file_, &about) == 0;
     if (known && S_ISREG(about.st_mode)) {
@@ -56,6 +57,7 @@ class RegularFile {
   [[nodiscard]] std::string first(std::size_t most) const {
     std::string bytes(std::min(most, size_ + 1), '\0');
     std::size_t count = 0;
+    // Until `most` bytes, or the end.
     while (count < most) {
       if (count == bytes.size()) bytes.resize(std::min(most, 2 * bytes.size()));
       const ssize_t got = ::read(file_, bytes.data() + count, bytes.size() - count);
@@ -104,6 +106,7 @@ namespace fs = std::filesystem;
 class Temporary {
  public:
   explicit Temporary(const std::string& path) {
+    // The first name that is free.
     constexpr int kNames = 1000;  // left behind by runs that were killed, or of others just now
     for (int i = 0; i < kNames && !file_; ++i) {
       name_ = path + ".tmp" + (i == 0 ? "" : std::to_string(i));
@@ -144,6 +147,7 @@ std::string behind_links(const std::string& path) {
   constexpr int kMaxLinks = 40;  // as many as Linux follows
   fs::path place(path);
   std::error_code error;
+  // One link after the other.
   for (int i = 0; fs::is_symlink(place, error); ++i) {
     require(i < kMaxLinks, "cannot write '{}': its links lead in a circle", path);
     const fs::path target = fs::read_symlink(place, error);
@@ -175,6 +179,7 @@ void write_file(const std::string& path, const std::string& content) {
 }
 
 void write_files(const std::vector<std::pair<std::string, std::string>>& files) {
+  // All are written before the first is renamed.
   std::vector<std::string> places;
   std::vector<std::unique_ptr<Temporary>> written;  // removed where one of them fails
   for (const auto& [path, content] : files) {
@@ -209,6 +214,7 @@ std::string file_behind(const std::string& path) {
 }  // namespace
 
 FileLock::FileLock(const std::string& path) : name_(file_behind(path) + ".lock") {
+  // Repeated if another process removed the file meanwhile.
   do {
     if (file_ >= 0) (void)close(file_);
     file_ = open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Reading whole files without trusting what stands under their names.
+/// Reading and writing of whole files, without trust in what stands under their names.
 
 #include <cstddef>
 #include <string>
@@ -42,8 +42,8 @@ void write_files(const std::vector<std::pair<std::string, std::string>>& files);
 /// @throws InputError if it cannot.
 void require_writable(const std::string& path);
 
-/// Keeps other processes from a file while one works on it: a lock on an empty file beside it
-/// (where links lead), its name and ".lock", which is removed at the end. It is given back however
+/// Keeps other processes from a file while this one works on it: a lock on an empty file beside it
+/// (where links lead), its name and ".lock", which is removed at the end. It is released however
 /// the process ends.
 class FileLock {
  public:

@@ -1,17 +1,17 @@
 #pragma once
 
-/// Guessing what a misspelt name was meant to be.
+/// Suggestions for misspelt names.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
 
-/// Least number of letters inserted, deleted or replaced to turn `a` into `b`.
+/// Least number of letters inserted, deleted or replaced that turns `a` into `b`.
 [[nodiscard]] int edit_distance(const std::string& a, const std::string& b);
 
-/// The name most like `wanted`; empty if `names` is, or if none is at all alike
-/// (more than half of the letters differ).
+/// Returns the name most similar to `wanted`; empty if `names` is, or if more than half of the
+/// letters of every name differ.
 [[nodiscard]] std::string nearest_name(const std::string& wanted,
                                        const std::vector<std::string>& names);
 

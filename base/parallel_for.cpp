@@ -29,6 +29,7 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& wor
       }
     }
   };
+  // The caller works, too.
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> others;
   for (std::size_t k = 1; k < std::min(cores, count); ++k) others.emplace_back(labour);

@@ -10,7 +10,7 @@ namespace thenar {
 /// Calls work(i) for every i below `count`, several at once in no order; returns when all are done.
 /// Where each writes to a place of its own, the result is that of a loop.
 /// @param work  may be called from several threads at once
-/// @throws what the work of the least i threw that threw; work that has not begun then is left out.
+/// @throws the exception of the least i whose work threw; work that has not begun then is left out.
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& work);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How long work talks to whoever waits for it: a report upwards, a stop request down.
+/// Progress reports and stop requests of long computations.
 
 #include <functional>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Random numbers that depend on nothing but where they are used.
+/// Random numbers that depend on nothing except where they are used.
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Distribution functions that diagnostics read their verdicts from. One fence of Eigen's
-/// unsupported special functions, which are those of Cephes.
+/// Distribution functions, from Eigen's unsupported special functions (those of Cephes): this pair
+/// of files is their fence.
 
 namespace thenar {
 

@@ -27,6 +27,7 @@ void ThreadPool::attempt(int worker) {
 void ThreadPool::serve(int worker) {
   long served = 0;
   while (true) {
+    // Wait for the next round, or the end.
     {
       std::unique_lock<std::mutex> guard(mutex_);
       called_.wait(guard, [&] { return over_ || round_ > served; });
@@ -40,6 +41,7 @@ void ThreadPool::serve(int worker) {
 }
 
 void ThreadPool::run(const std::function<void(int)>& work) {
+  // Announce the round.
   {
     const std::lock_guard<std::mutex> guard(mutex_);
     work_ = &work;
@@ -49,6 +51,7 @@ void ThreadPool::run(const std::function<void(int)>& work) {
   }
   called_.notify_all();
   attempt(0);
+  // Wait for all, then pass the first failure on.
   {
     std::unique_lock<std::mutex> guard(mutex_);
     done_.wait(guard, [&] { return busy_ == 0; });

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Threads that wait for the next piece of common work.
+/// A pool of threads for common work in rounds.
 
 #include <condition_variable>
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace thenar::internal {
 
-/// The caller is worker 0; a team of one starts no thread.
+/// A pool in which the caller is worker 0; a pool of one starts no thread.
 class ThreadPool {
  public:
   explicit ThreadPool(int size);

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 /// All rows of one block (-1: of none), as (own, shared) columns.
 MatrixXd stack(const ArrowLayout& layout, const std::vector<ArrowRows>& rows, int block) {
   const Index own = block < 0 ? 0 : layout.own;
+  // Rows of the block, from all its parts.
   Index count = 0;
   for (const ArrowRows& part : rows)
     if (part.block == block) count += part.shared.rows();
@@ -54,8 +55,10 @@ struct Split {
 
 Split split(const MatrixXd& A, double tolerance) {
   const Index n = A.cols();
+  // A matrix without entries determines nothing.
   if (A.rows() == 0 || n == 0)
     return {MatrixXd(n, 0), MatrixXd::Identity(n, n), MatrixXd(A.rows(), 0), VectorXd(0)};
+  // Singular values above the tolerance and above rounding.
   const Eigen::JacobiSVD<MatrixXd, Eigen::FullPivHouseholderQRPreconditioner> svd(
       A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   const VectorXd& sigma = svd.singularValues();
@@ -83,6 +86,7 @@ ArrowFactor::ArrowFactor(const ArrowLayout& layout, const std::vector<ArrowRows>
 
 VectorXd ArrowFactor::whiten(const VectorXd& g) const {
   VectorXd y(g.size());
+  // Forward substitution: blocks first, then what they leave of the shared coordinates.
   VectorXd shared = g.head(layout_.shared);
   for (int b = 0; b < layout_.blocks; ++b) {
     const Block& block = blocks_[b];
@@ -98,6 +102,7 @@ VectorXd ArrowFactor::whiten(const VectorXd& g) const {
 MatrixXd ArrowFactor::inverse() const {
   const Index p = layout_.shared, d = layout_.own;
   MatrixXd C(layout_.size(), layout_.size());
+  // Shared coordinates first; blocks follow from them.
   const MatrixXd root = shared_.triangularView<Eigen::Upper>().solve(MatrixXd::Identity(p, p));
   C.topLeftCorner(p, p) = root * root.transpose();
   for (int b = 0; b < layout_.blocks; ++b) {
@@ -107,6 +112,7 @@ MatrixXd ArrowFactor::inverse() const {
     const MatrixXd own = R.solve(MatrixXd::Identity(d, d)), carried = R.solve(blocks_[b].S);
     C.block(at, 0, d, p) = -carried * C.topLeftCorner(p, p);
     C.block(0, at, p, d) = C.block(at, 0, d, p).transpose();
+    // Covariance between blocks through the shared coordinates.
     for (int other = 0; other <= b; ++other) {
       const Index to = layout_.first(other);
       C.block(at, to, d, d) = -carried * C.block(0, to, p, d);
@@ -171,6 +177,7 @@ ArrowNullSpace arrow_null_space(const ArrowLayout& layout, const std::vector<Arr
                             (block.column_space.transpose() * (by_shared[b] * shared)));
     out.alone.push_back(block.null_space);
   }
+  // Orthonormal columns.
   if (shared.cols() == 0) return out;
   const Eigen::HouseholderQR<MatrixXd> qr(out.together);
   out.together = qr.householderQ() * MatrixXd::Identity(layout.size(), shared.cols());

@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// How coordinates are laid out: `shared` ones first, then `blocks` times `own` of one block each.
+/// Layout of coordinates: `shared` ones first, then `blocks` times `own` of one block each.
 /// An ordinary dense problem has shared coordinates alone.
 struct ArrowLayout {
   int shared = 0, own = 0, blocks = 0;
@@ -51,15 +51,15 @@ class ArrowFactor {
 /// The rows as one matrix (rows, size).
 [[nodiscard]] Eigen::MatrixXd dense(const ArrowLayout& layout, const std::vector<ArrowRows>& rows);
 
-/// Directions v, |v| = 1, along which rows say nothing, |J v| < tolerance: orthonormal columns, in
-/// which no block meets another but by the shared coordinates.
+/// Directions v, |v| = 1, that the rows do not determine, |J v| < tolerance: orthonormal columns,
+/// in which blocks are connected by the shared coordinates only.
 struct ArrowNullSpace {
   Eigen::MatrixXd together;            // shared coordinates, answered by every block (size, k)
   std::vector<Eigen::MatrixXd> alone;  // of each block, by itself (own, k of the block)
 };
 
-/// `rows` are those of data; blocks without rows are all null. The cost grows in proportion to the
-/// number of blocks.
+/// Null space of the `rows` of data; all directions of a block without rows are null. The cost
+/// grows in proportion to the number of blocks.
 /// @param tolerance  singular values below it count as zero; at least rounding of the largest
 [[nodiscard]] ArrowNullSpace arrow_null_space(const ArrowLayout& layout,
                                               const std::vector<ArrowRows>& rows, double tolerance);

@@ -25,6 +25,7 @@ int least_degree(const Neighbours& joined, const std::vector<bool>& gone) {
 std::vector<int> eliminate(Neighbours& joined) {
   std::vector<int> order;
   std::vector<bool> gone(joined.size(), false);
+  // The neighbours of an eliminated row become neighbours of each other.
   while (order.size() < joined.size()) {
     const int k = least_degree(joined, gone);
     gone[k] = true;
@@ -42,16 +43,19 @@ std::vector<int> eliminate(Neighbours& joined) {
 
 BlockPattern::BlockPattern(int n, const std::vector<std::pair<int, int>>& edges)
     : place_(n), start_(n + 1, 0), update_start_(n + 1, 0) {
+  // Graph of the rows, and its elimination order.
   Neighbours joined(n);
   for (const auto& [i, j] : edges)
     if (i != j) joined[i].insert(j), joined[j].insert(i);
   const std::vector<int> order = eliminate(joined);
   for (int k = 0; k < n; ++k) place_[order[k]] = k;
+  // Blocks of each column, fill included.
   for (int k = 0; k < n; ++k) {
     for (int i : joined[order[k]]) row_.push_back(place_[i]), column_.push_back(k);
     std::sort(row_.begin() + start_[k], row_.end());
     start_[k + 1] = blocks();
   }
+  // Updates that each column makes to later blocks.
   for (int k = 0; k < n; ++k) {
     for (int left = start_[k]; left < start_[k + 1]; ++left)
       for (int right = start_[k]; right <= left; ++right)
@@ -81,6 +85,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
   std::copy(A.off.begin(), A.off.end(), A_.off.begin());
   bad_block_ = -1;
   std::vector<Matrix3d>& off = A_.off;
+  // Column by column.
   for (int k = 0; k < at.size(); ++k) {
     const Matrix3d& D = A_.diagonal[k];
     const double trace = std::abs(A.diagonal[k].trace()), shift = absolute + relative * trace;
@@ -92,6 +97,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
     const double d2 = D(2, 2) + shift - l20 * D(2, 0) - l21 * m21;
     l_[k] << l10, l20, l21;
     d_[k] << d0, d1, d2;
+    // A pivot that is not positive ends the factorisation.
     for (int r = 0; r < 3; ++r) {
       if (d_[k](r) > least) continue;
       bad_block_ = k;
@@ -111,6 +117,7 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
       off[s].col(1) = w.col(1) / d1;
       off[s].col(2) = w.col(2) / d2;
     }
+    // Updates of later blocks.
     for (int u = at.update_start_[k]; u < at.update_start_[k + 1]; ++u) {
       const BlockPattern::Update& up = at.update_[u];
       Matrix3d& target = up.target < 0 ? A_.diagonal[~up.target] : off[up.target];
@@ -122,11 +129,13 @@ bool BlockFactor::factorise(const BlockMatrix& A, double absolute, double relati
 
 void BlockFactor::solve(std::vector<Vector3d>& y) const {
   const BlockPattern& at = *pattern_;
+  // Forward substitution.
   for (int k = 0; k < at.size(); ++k) {
     y[k](1) -= l_[k](0) * y[k](0);
     y[k](2) -= l_[k](1) * y[k](0) + l_[k](2) * y[k](1);
     for (int s = at.start_[k]; s < at.start_[k + 1]; ++s) y[at.row_[s]] -= A_.off[s] * y[k];
   }
+  // Diagonal and back substitution.
   for (int k = at.size() - 1; k >= 0; --k) {
     y[k] = y[k].cwiseQuotient(d_[k]);
     for (int s = at.start_[k]; s < at.start_[k + 1]; ++s)

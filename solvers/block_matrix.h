@@ -1,6 +1,6 @@
 #pragma once
 
-/// Symmetric matrices of 3 x 3 blocks with one fixed pattern: the stiffness of a net.
+/// Symmetric matrices of 3 x 3 blocks with one fixed pattern, and their factorisation.
 
 #include <utility>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thenar::internal {
 
-/// Which blocks are not zero, fill of the factorisation included. Rows stand in elimination order.
+/// Pattern of nonzero blocks, fill of the factorisation included. Rows stand in elimination order.
 class BlockPattern {
  public:
   /// @param edges  pairs of rows that are joined, rows numbered from 0 to n - 1
@@ -43,7 +43,7 @@ struct BlockMatrix {
   std::vector<Eigen::Matrix3d> diagonal, off;
 };
 
-/// L d L' with unit lower L and d diagonal, number by number: its signs are those of the matrix.
+/// Factorisation L d L' with unit lower L and d diagonal: the signs of d are those of the matrix.
 class BlockFactor {
  public:
   explicit BlockFactor(const BlockPattern& pattern);

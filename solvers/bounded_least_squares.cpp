@@ -15,9 +15,11 @@ constexpr double kRounding = 1e-6;  // gap of a linearised problem that no sweep
 
 /// Minimum of the linearised problem within `radius` of here, in every unknown; its gap to `now`.
 Eigen::VectorXd trusted_step(const BoundedFit& fit, BoundedFitResult& now, double radius) {
+  // Gauss-Newton Hessian, slightly regularised.
   Eigen::MatrixXd H = now.at.J.transpose() * now.at.J;
   H.diagonal().array() += 1e-9 * H.diagonal().maxCoeff() + 1e-12;
   const Eigen::VectorXd g = 2 * now.at.J.transpose() * now.at.r + fit.price;
+  // Bounds and trust region.
   const Eigen::VectorXd lower = (fit.lower - now.x).cwiseMax(-radius);
   const Eigen::VectorXd upper = (fit.upper - now.x).cwiseMin(radius);
   Eigen::VectorXd d = bounded_quadratic(H, g, lower, upper);
@@ -35,6 +37,7 @@ double foreseen_change(const BoundedFit& fit, const BoundedFitResult& now,
 
 Eigen::VectorXd bounded_quadratic(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
                                   const Eigen::VectorXd& lower, const Eigen::VectorXd& upper) {
+  // Coordinate descent from the nearest point to zero.
   Eigen::VectorXd d = Eigen::VectorXd::Zero(g.size()).cwiseMax(lower).cwiseMin(upper);
   Eigen::VectorXd slope = 2 * H * d + g;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -65,22 +68,27 @@ double quadratic_gap(const Eigen::MatrixXd& H, const Eigen::VectorXd& g,
 BoundedFitResult bounded_least_squares(const BoundedFit& fit, Eigen::VectorXd x0,
                                        const BoundedFitOptions& options) {
   BoundedFitResult now;
+  // Start within the bounds.
   now.x = x0.cwiseMax(fit.lower).cwiseMin(fit.upper);
   now.at = fit.residuals(now.x, Sensitivities::kWith);
   now.possible = now.at.possible;
   if (!now.possible) return now;
   now.cost = now.at.r.squaredNorm() + fit.price.dot(now.x);
   double radius = options.radius;
+  // Steps within the trust region.
   for (; now.steps < options.max_steps && radius > kSmallest; ++now.steps) {
     const Eigen::VectorXd d = trusted_step(fit, now, radius);
+    // Converged if the linearised problem promises too little.
     const double foreseen = foreseen_change(fit, now, d);
     const double small = std::max(options.tolerance, options.relative * std::abs(now.cost));
     now.converged = -foreseen < small && now.gap <= std::max(small, kRounding);
     if (-foreseen < small) break;
+    // The step as taken, and how much of the promise it keeps.
     const Eigen::VectorXd x = (now.x + d).cwiseMax(fit.lower).cwiseMin(fit.upper);
     FitResiduals next = fit.residuals(x, Sensitivities::kWith);
     const double cost = next.possible ? next.r.squaredNorm() + fit.price.dot(x) : 0;
     const double ratio = next.possible ? (cost - now.cost) / foreseen : -1;
+    // Trust region by that ratio; bad steps are not taken.
     if (ratio < 0.25) radius = 0.3 * d.cwiseAbs().maxCoeff();
     if (ratio > 0.75) radius = std::min(2 * radius, options.radius);
     if (ratio < 1e-3) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Least squares between bounds, with a price on every unknown.
+/// Least squares within bounds, with a linear price on every unknown.
 
 #include <functional>
 
@@ -40,9 +40,9 @@ struct [[nodiscard]] BoundedFitResult {
   int steps = 0;
 };
 
-/// By Gauss and Newton's steps in a box of trust, each the minimum of a bounded quadratic program
+/// Gauss-Newton steps in a box-shaped trust region, each the minimum of a bounded quadratic program
 /// found by coordinate descent. Steps to where the model has no answer are shortened. Converged
-/// says that the linearised problem promises no more than the tolerance, and that its own minimum
+/// means that the linearised problem promises no more than the tolerance, and that its own minimum
 /// is found to that by quadratic_gap().
 /// @param x0  is moved between the bounds first (n)
 [[nodiscard]] BoundedFitResult bounded_least_squares(const BoundedFit& fit, Eigen::VectorXd x0,
@@ -53,7 +53,7 @@ struct [[nodiscard]] BoundedFitResult {
                                                 const Eigen::VectorXd& lower,
                                                 const Eigen::VectorXd& upper);
 
-/// How much lower than at d the minimum of the same is, at most: with the slope s = 2 H d + g,
+/// Upper bound of how much lower the minimum of bounded_quadratic() is than d: with s = 2 H d + g,
 ///   sum over i of  max(s_i (d_i - lower_i), s_i (d_i - upper_i)),
 /// as the tangent plane lies below a convex function. Infinite where a slope leads to no bound.
 /// Source: [Frank1956].

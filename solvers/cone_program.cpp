@@ -73,14 +73,17 @@ RowSpaces row_spaces(const MatrixXd& M) {
 /// Removes equalities, then directions that no cone sees.
 Presolve presolve(const ConeProgram& p) {
   Presolve result;
+  // A point that obeys the equalities, to least squares.
   VectorXd x0 = VectorXd::Zero(p.c.size());
   if (p.A.size() > 0) x0 = Eigen::CompleteOrthogonalDecomposition<MatrixXd>(p.A).solve(p.b);
   if (p.A.rows() > 0) result.misfit = p.A * x0 - p.b;
   if (result.misfit.norm() > kConsistent * (1 + p.b.norm())) return result;
+  // Directions within the equalities that cones see.
   MatrixXd N =
       p.A.rows() > 0 ? row_spaces(p.A).null_space : MatrixXd::Identity(p.c.size(), p.c.size());
   const RowSpaces seen = row_spaces(p.G * N);
   const VectorXd c = N.transpose() * p.c;
+  // The objective falls along a direction that no cone sees.
   const VectorXd unseen = seen.null_space.transpose() * c;
   if (unseen.norm() > kConsistent * (1 + c.norm())) result.falling = -N * seen.null_space * unseen;
   N = (N * seen.row_space).eval();
@@ -147,11 +150,13 @@ class Embedding {
     const Step toward_h = solve_for(kkt, -p_.c, p_.h);
     const VectorXd pure = -internal::cone_product(cones_, lambda, lambda);
     const Step affine = direction(kkt, W, lambda, toward_h, 1, pure, -kappa * tau);
+    // Centring from the length of the affine step.
     const double length = step_length(W, lambda, affine, 1);
     const double sigma = std::pow(1 - length, 3);
     const VectorXd corrected =
         pure - internal::cone_product(cones_, W.divide(affine.s), W.times(affine.z)) +
         sigma * gap_per_cone() * e_;
+    // Corrected direction, and a step that stays inside.
     const Step full = direction(kkt, W, lambda, toward_h, 1 - sigma, corrected,
                                 -kappa * tau - affine.kappa * affine.tau + sigma * gap_per_cone());
     advance(full, std::min(1.0, kShyOfBoundary * step_length(W, lambda, full, kInfinity)));
@@ -247,12 +252,14 @@ struct Core {
 };
 
 void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progress) {
+  // Best certificates so far.
   if (progress.infeasible < best.infeasible || progress.unbounded < best.unbounded)
     best.last_better = best.iterations;
   if (progress.infeasible < best.infeasible) best.infeasible_z = e.z;
   if (progress.unbounded < best.unbounded) best.unbounded_v = e.x;
   best.infeasible = std::min(best.infeasible, progress.infeasible);
   best.unbounded = std::min(best.unbounded, progress.unbounded);
+  // Best iterate so far.
   if (!(progress.solved < best.residual)) return;
   best.last_better = best.iterations;
   best.residual = progress.solved;
@@ -306,6 +313,7 @@ double outside_cones(const VectorXd& v, const std::vector<int>& cones) {
 
 /// KKT conditions of the programme as it was asked, before anything was removed from it.
 double residual_of(const ConeProgram& p, const ConeResult& r) {
+  // Each error over one plus the size of its terms.
   const auto over = [](double error, double size) { return error / (1 + size); };
   VectorXd stationary = p.c + p.G.transpose() * r.z;
   double equalities = 0;
@@ -383,12 +391,14 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   const double most = 10 * options.acceptable;
   const Presolve pre = presolve(program);
   ConeResult result = unanswered(program);
+  // The equalities contradict each other.
   if (!pre.reduced) {
     result.y = pre.misfit;
     (void)settle_infeasible(program, most, result);
     return result;
   }
   const Core core = solve_reduced(*pre.reduced, program.cones, options);
+  // Back to the variables that were asked for.
   const MatrixXd& N = pre.reduced->N;
   result.iterations = core.iterations;
   result.x = pre.reduced->x0 + N * core.v;
@@ -405,6 +415,7 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
                        result))
     return result;
 
+  // Multipliers and residual of the programme as asked.
   result.z = core.z;
   result.y = equality_multipliers(program, -program.c - program.G.transpose() * result.z);
   result.objective = program.c.dot(result.x);

@@ -93,6 +93,7 @@ class Qhull {
 /// Orders the corners of a convex polygon in space counterclockwise about its normal.
 void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet) {
   const auto corner = [&](int row) -> Eigen::Vector3d { return points.row(row); };
+  // Centre and axes of the polygon.
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const int row : facet.ring) centre += corner(row) / static_cast<double>(facet.ring.size());
   const Tangents axes = tangents(facet.normal);
@@ -106,6 +107,7 @@ void sort_ring(const Eigen::Ref<const Eigen::MatrixXd>& points, HullFacet& facet
 
 /// Is every edge of every ring run through once each way, and does Euler's formula hold?
 bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
+  // Each edge is walked once each way.
   std::set<std::pair<int, int>> open;
   std::set<int> corners;
   std::size_t edges = 0;
@@ -117,6 +119,7 @@ bool is_closed(const std::vector<HullFacet>& facets, Eigen::Index d) {
       if (open.erase({edge.second, edge.first}) == 0 && !open.insert(edge).second) return false;
     }
   }
+  // Euler's formula.
   if (d == 2) return corners.size() == facets.size();  // a ring of as many edges as corners
   return open.empty() && corners.size() + facets.size() == edges / 2 + 2;
 }
@@ -128,6 +131,7 @@ Eigen::VectorXd volumes(const Eigen::Ref<const Eigen::MatrixXd>& points, const C
   const auto arm = [&](int row) -> Eigen::VectorXd {
     return (points.row(row) - points.row(0)).transpose();
   };
+  // Each facet's part of the surface integral.
   for (const HullFacet& facet : hull.facets) {
     const Eigen::VectorXd first = arm(facet.ring[0]);
     if (d == 2) {
@@ -145,12 +149,14 @@ Eigen::VectorXd volumes(const Eigen::Ref<const Eigen::MatrixXd>& points, const C
 
 HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const ConvexHull& hull) {
   HullCheck check;
+  // Points beyond planes, and corners off their own.
   for (const HullFacet& facet : hull.facets) {
     const Eigen::VectorXd beyond =
         (points * facet.normal).array() - facet.offset * facet.normal.norm();
     check.outside = max_or_nan(check.outside, max_or_nan(beyond));
     for (const int row : facet.ring) check.outside = max_or_nan(check.outside, -beyond(row));
   }
+  // Closed, with one volume by all three axes.
   check.closed = is_closed(hull.facets, points.cols());
   const Eigen::VectorXd each = volumes(points, hull);
   check.volume = each.mean();
@@ -162,6 +168,7 @@ HullCheck check_hull(const Eigen::Ref<const Eigen::MatrixXd>& points, const Conv
 
 ConvexHull convex_hull(const Eigen::Ref<const Eigen::MatrixXd>& points) {
   const Eigen::Index d = points.cols();
+  // Shape of the input.
   require(d == 2 || d == 3, "hulls are made of points in 2 or 3 dimensions, got {}", d);
   require(points.rows() > d, "a hull in {} dimensions needs {} points, got {}", d, d + 1,
           points.rows());

@@ -9,14 +9,14 @@
 
 namespace thenar {
 
-/// One flat side:  normal' x <= offset holds for every point.
+/// One facet:  normal' x <= offset holds for every point.
 struct HullFacet {
   Eigen::VectorXd normal;  // outward, unit length                                          (d)
   double offset;           // of the plane, in the unit of the points
   std::vector<int> ring;   // rows of its corners, in order; d = 3: counterclockwise from outside
 };
 
-/// What a hull is held to, from points, planes and rings alone. Lengths in the unit of the points.
+/// Check of a hull, from points, planes and rings alone. Lengths in the unit of the points.
 struct HullCheck {
   double outside = 0;   // farthest that a point lies outside a plane, or a corner inside its own
   bool closed = false;  // every edge is run through once each way; d = 3: and V - E + F = 2
@@ -32,10 +32,10 @@ struct ConvexHull {
 
 /// Hull of points that span their space, by Quickhull, without joggling.
 ///
-/// Rounding is met by merging facets: a facet plane may lie 1e-14 of the size of the set off its
-/// points. Sets that are flat to that degree fail: bring their affine hull down first.
-/// Quickhull's word is not believed: a hull that a point leaves by more than 1e-10 of the extent is
-/// a failure. Merged facets may share a corner that is none of their rings'; `check.closed` then
+/// Rounding is handled by merging facets: a facet plane may lie 1e-14 of the size of the set off
+/// its points. Sets that are flat to that degree fail: reduce them to their affine hull first. The
+/// result is checked: a hull that a point leaves by more than 1e-10 of the extent is a failure.
+/// Merged facets may share a corner that belongs to none of their rings; `check.closed` then
 /// says that the surface has gaps, though all planes hold.
 ///
 /// @param points  one a row   k x d, d = 2 or 3

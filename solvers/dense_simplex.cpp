@@ -37,6 +37,7 @@ class DenseSimplex {
  public:
   explicit DenseSimplex(const LinearProgram& program)
       : n_(program.A.cols()), rows_(program.A.rows()) {
+    // Variables are x and the activities of the rows:  [A, -1] (x, z) = 0.
     M_.resize(rows_, n_ + rows_);
     M_ << program.A, -MatrixXd::Identity(rows_, rows_);
     lower_.resize(n_ + rows_);
@@ -45,6 +46,7 @@ class DenseSimplex {
     upper_ << program.upper, program.row_upper;
     cost_ = VectorXd::Zero(n_ + rows_);
     cost_.head(n_) = program.objective;
+    // All at zero or the nearest bound, with the activities as basis.
     basis_.at = VectorXd::Zero(n_ + rows_).cwiseMax(lower_).cwiseMin(upper_);
     is_basic_.assign(static_cast<std::size_t>(n_ + rows_), false);
     for (Index i = 0; i < rows_; ++i) {
@@ -55,12 +57,15 @@ class DenseSimplex {
 
   SimplexVertex run() {
     const Index patient = 10 * (n_ + rows_), most = 100 * (n_ + rows_) + 1000;
+    // Each step: basic variables, entering variable, leaving variable.
     for (Index step = 0; step < most; ++step) {
       place_basic();
       const VectorXd missing = missing_signs();
+      // While basic variables miss their bounds, that is what is lessened.
       const bool feasible = missing.isZero(0);
       const std::optional<Entering> entering = choose(duals(feasible, missing), step > patient);
       if (!entering) return {feasible ? SimplexEnd::kOptimal : SimplexEnd::kInfeasible, basis_};
+      // How basic variables move with the entering one.
       const VectorXd rates = -entering->way * lu_.solve(VectorXd(M_.col(entering->variable)));
       const Step move = longest(*entering, rates, missing, step > patient);
       if (!std::isfinite(move.length))
@@ -111,6 +116,7 @@ class DenseSimplex {
     std::optional<Entering> best;
     double steepest = kPrice;
     for (Index j = 0; j < n_ + rows_; ++j) {
+      // Dantzig's rule, or Bland's least index.
       if (is_basic_[static_cast<std::size_t>(j)] || std::abs(d(j)) <= steepest) continue;
       const double bound = d(j) > 0 ? upper_(j) : lower_(j);
       if (basis_.at(j) == bound) continue;
@@ -131,12 +137,14 @@ class DenseSimplex {
   [[nodiscard]] Step longest(const Entering& entering, const VectorXd& rates,
                              const VectorXd& missing, bool bland_rule) const {
     const Index j = entering.variable;
+    // The entering variable may cross to its other bound.
     Step best{upper_(j) - lower_(j), -1, entering.way > 0 ? upper_(j) : lower_(j)};
     for (Index k = 0; k < rows_; ++k) {
       if (std::abs(rates(k)) < kPivot) continue;
       const double bound = stop(k, rates(k), missing(k));
       if (!std::isfinite(bound)) continue;
       const double length = std::max(0.0, (bound - basis_.at(basic(k))) / rates(k));
+      // Ties: the largest rate, or by Bland's rule the least index.
       const bool tie = best.leaving >= 0 && std::abs(length - best.length) <= kTie;
       const bool preferred =
           tie && (bland_rule ? basic(k) < basic(best.leaving)

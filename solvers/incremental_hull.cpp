@@ -35,12 +35,14 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Hull::Hull(const std::array<HullPoint, 7>& simplex)
     : bar_(std::numeric_limits<double>::infinity()) {
+  // Seven points, and their mean as an inner point.
   for (const HullPoint& p : simplex) {
     inside_ += p / 7;
     size_ = std::max(size_, p.norm());
     code_.push_back(scatter(points_.size()));
     points_.push_back(p);
   }
+  // Each facet lacks one of them; it is across from the facet that lacks the other.
   for (int i = 0; i < 7; ++i) (void)new_facet();
   for (int i = 0; i < 7; ++i) {
     Links& links = links_[at(i)];
@@ -57,6 +59,7 @@ Hull::Hull(const std::array<HullPoint, 7>& simplex)
 }
 
 int Hull::new_facet() {
+  // Reuse a facet that is free.
   ++alive_;
   int facet = static_cast<int>(links_.size());
   if (free_.empty()) {
@@ -106,6 +109,7 @@ bool Hull::insert(const HullPoint& p, int facet) {
   while (room < 8 * horizon_.size()) room *= 2;
   if (room != table_.size()) table_.assign(room, {0, 0, -1, 0});
 
+  // A new facet over every ridge of the horizon; the visible ones are free again.
   for (const Ridge& ridge : horizon_) match_ridges(raise_facet(ridge, point), ridge.place);
   for (const int gone : visible_) {
     links_[at(gone)].birth = 0;
@@ -119,6 +123,7 @@ void Hull::find_visible(const HullPoint& p, int facet) {
   ++stamp_;
   visible_.clear();
   horizon_.clear();
+  // Looks at each facet once an insertion.
   const auto look = [&](int f) {
     Links& links = links_[at(f)];
     if (links.stamp == stamp_) return links.s > 0;
@@ -129,6 +134,7 @@ void Hull::find_visible(const HullPoint& p, int facet) {
     if (links.s > 0) visible_.push_back(f);
     return links.s > 0;
   };
+  // Breadth-first over neighbours; hidden ones beyond a ridge make the horizon.
   look(facet);
   for (std::size_t k = 0; k < visible_.size(); ++k) {
     const int f = visible_[k];
@@ -145,6 +151,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
   const int across = seen.neighbour[place];
   Links& hidden = links_[at(across)];
 
+  // The new facet takes the place of the visible one at the ridge.
   links.vertex = seen.vertex;
   links.vertex[place] = point;
   links.neighbour[place] = across;
@@ -152,6 +159,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
   hidden.neighbour[at(seen.back[place])] = facet;
   hidden.back[at(seen.back[place])] = static_cast<std::int8_t>(ridge.place);
 
+  // Its plane lies in the pencil of both.
   planes_[at(facet)] = pencil(seen, planes_[at(ridge.facet)], hidden, planes_[at(across)]);
   settle(facet);
   queue(facet);
@@ -160,6 +168,7 @@ int Hull::raise_facet(const Ridge& ridge, int point) {
 
 Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
                          const Plane& b) const {
+  // A weighted sum, whose weights are not negative.
   const double wa = -hidden.s, wb = seen.s;
   Plane out{wa * a.n + wb * b.n, wa * a.d + wb * b.d, 0};
   const double scale = 1 / out.n.norm();
@@ -172,6 +181,7 @@ Hull::Plane Hull::pencil(const Links& seen, const Plane& a, const Links& hidden,
 void Hull::settle(int facet) {
   Plane& plane = planes_[at(facet)];
   const Links& links = links_[at(facet)];
+  // A large bound is measured, and if need be the plane is solved for.
   if (!(plane.error <= kErrorToCheck * size_)) {
     plane.error = residual(plane, links);
     if (!(plane.error <= kErrorToCheck * size_)) {
@@ -191,6 +201,7 @@ double Hull::residual(const Plane& plane, const Links& links) const {
 }
 
 Hull::Plane Hull::solve(const Links& links) const {
+  // Normal to five edges, by QR.
   Eigen::Matrix<double, 6, 5> edges;
   const HullPoint& origin = points_[at(links.vertex[5])];
   for (int i = 0; i < 5; ++i) edges.col(i) = points_[at(links.vertex[at(i)])] - origin;
@@ -204,6 +215,7 @@ Hull::Plane Hull::solve(const Links& links) const {
 
 void Hull::match_ridges(int facet, int place_of_point) {
   const Links& links = links_[at(facet)];
+  // Each ridge of the new facet meets one of another new facet: the same five vertices.
   std::uint64_t sum = 0;
   for (const int v : links.vertex) sum += code_[at(v)];
   for (int i = 0; i < 6; ++i)
@@ -212,6 +224,7 @@ void Hull::match_ridges(int facet, int place_of_point) {
 }
 
 void Hull::join(int facet, std::int8_t place, std::uint64_t key) {
+  // Hash table: the first of a pair waits there for the second.
   const std::size_t mask = table_.size() - 1;
   for (std::size_t i = key & mask;; i = (i + 1) & mask) {
     Slot& slot = table_[i];

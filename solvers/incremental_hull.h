@@ -1,6 +1,6 @@
 #pragma once
 
-/// A convex hull in six dimensions that grows point by point and knows its rounding errors.
+/// Convex hull in six dimensions that grows point by point, with bounds of its rounding errors.
 
 #include <array>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace thenar::internal {
 
 using HullPoint = Eigen::Matrix<double, 6, 1>;
 
-/// Beneath-beyond with simplicial facets and no joggling.
+/// Beneath-beyond method with simplicial facets, without joggling.
 ///
 /// A new facet contains the horizon ridge between a visible facet (n1, d1) and a hidden one (n2,
 /// d2), and the new point p. With s = n'p - d, s1 > 0 >= s2, its plane is the pencil's

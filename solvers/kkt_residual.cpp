@@ -48,12 +48,14 @@ VectorXd row_values(const NonlinearProgram& program, const VectorXd& x) {
 
 KktResidual kkt_residual(const NonlinearProgram& program, const VectorXd& x, VectorXd rows,
                          VectorXd bounds) {
+  // Violation, and complementarity of bounds and rows.
   const VectorXd values = row_values(program, x);
   KktResidual result;
   result.violation = violation(program, x);
   result.complementarity =
       Bounded{x, program.lower, program.upper}.complementarity(bounds) +
       Bounded{values, program.row_lower, program.row_upper}.complementarity(rows);
+  // What is left of the gradient after the prices.
   VectorXd d = program.gradient(x) + bounds;
   if (rows.size() > 0) d += program.jacobian(x).transpose() * rows;
   result.stationarity = d.size() > 0 ? d.cwiseAbs().maxCoeff() : 0;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// First-order optimality of a point, by arithmetic of our own.
+/// First-order optimality of a point, by our own arithmetic.
 
 #include <Eigen/Core>
 
@@ -17,7 +17,7 @@ namespace thenar {
 [[nodiscard]] KktResidual kkt_residual(const NonlinearProgram& program, const Eigen::VectorXd& x,
                                        Eigen::VectorXd rows, Eigen::VectorXd bounds);
 
-/// The largest of  |gradient| + |jacobian|' |rows| + |bounds|: what rounding of d is small against.
+/// The largest of  |gradient| + |jacobian|' |rows| + |bounds|: the scale of rounding in d.
 [[nodiscard]] double slope_terms(const NonlinearProgram& program, const Eigen::VectorXd& x,
                                  const Eigen::VectorXd& rows, const Eigen::VectorXd& bounds);
 

@@ -115,6 +115,7 @@ double free_step(const LeastSquares& problem, const Eigen::VectorXd& z, CostSlop
 Eigen::MatrixXd active_rows(const LeastSquares& problem, const Eigen::VectorXd& z,
                             const Eigen::VectorXd& gradient) {
   constexpr double kOn = 1e-5;  // of scaled constraints [1]
+  // Constraints at one of their bounds.
   const ConstraintValues at = problem.constraints(z);
   std::vector<Eigen::Index> active;
   for (Eigen::Index k = 0; k < at.c.size(); ++k)
@@ -153,6 +154,7 @@ Eigen::MatrixXd null_basis(const Eigen::MatrixXd& A) {
 /// The same where constraints are: within what the active ones leave.
 double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
                         const CostSlopes& slopes) {
+  // Directions that bounds and active constraints leave.
   std::vector<Eigen::Index> free;
   for (Eigen::Index i = 0; i < z.size(); ++i)
     if (!held(problem, z, slopes.gradient[i], i)) free.push_back(i);
@@ -160,6 +162,7 @@ double constrained_step(const LeastSquares& problem, const Eigen::VectorXd& z,
   const Eigen::MatrixXd J = dense(slopes.layout, slopes.rows)(Eigen::all, free);
   const Eigen::MatrixXd A = active_rows(problem, z, slopes.gradient)(Eigen::all, free);
   const Eigen::MatrixXd basis = null_basis(A);
+  // Newton step within them.
   if (basis.cols() == 0) return 0;
   const ArrowLayout layout{static_cast<int>(basis.cols())};
   return ArrowFactor(layout, {{-1, J * basis, {}}}).whiten(basis.transpose() * gradient).norm();
@@ -179,6 +182,7 @@ std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen
     return out;
   }
   out.layout = problem.layout;
+  // Each part adds to the shared gradient and to that of its block.
   const int shared = out.layout.shared, own = out.layout.own;
   for (const ResidualPart& part : problem.parts) {
     const Residuals at = part.residuals(z, WithJacobian::kYes);
@@ -196,6 +200,7 @@ std::optional<CostSlopes> slopes_if_any(const LeastSquares& problem, const Eigen
 /// Certifies z, and says so in the status.
 void certify(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
   solution.newton_step = std::nan("");
+  // Newton step that is left at z.
   const std::optional<CostSlopes> found = slopes_if_any(problem, solution.z);
   if (!found) return;
   const CostSlopes& slopes = *found;
@@ -203,6 +208,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
   solution.newton_step = constrained ? constrained_step(problem, solution.z, slopes)
                                      : free_step(problem, solution.z, slopes);
   constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
+  // What the tolerance allows; a longer step refutes the solver.
   const double allowed = std::max(kStep, std::sqrt(20 * options.tolerance * solution.cost));
   if (solution.status == SolveStatus::kConverged && !(solution.newton_step <= allowed)) {
     solution.status = SolveStatus::kStalled;
@@ -212,6 +218,7 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
 
 /// Ceres once more from where it stalled, to the end of its digits.
 void go_on(const LeastSquares& problem, const SolveOptions& options, Solution& solution) {
+  // Stricter, from where it stalled.
   SolveOptions strict = options;
   strict.tolerance = std::min(options.tolerance, 1e-15);
   const Solution first = solution;
@@ -225,9 +232,11 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
                     const SolveOptions& options) {
   const std::vector<int> free = find_free(problem);
   if (free.empty()) return stay(problem, start);
+  // Ceres fixes coordinates of blocks by itself.
   const bool blocks = options.method == LeastSquaresMethod::kCeres && !problem.parts.empty();
   if (static_cast<Eigen::Index>(free.size()) == start.size() || blocks)
     return dispatch(problem, start, options);
+  // Others solve a reduced problem.
   Solution solution = dispatch(reduce(problem, free, start), start(free), options);
   Eigen::VectorXd z = start;
   z(free) = solution.z;
@@ -238,9 +247,11 @@ Solution solve_free(const LeastSquares& problem, const Eigen::VectorXd& start,
 }  // namespace
 
 void fix_coordinate(CostSlopes& slopes, Eigen::Index i) {
+  // Place of the coordinate in its block.
   const ArrowLayout& layout = slopes.layout;
   const int block = i < layout.shared ? -1 : static_cast<int>((i - layout.shared) / layout.own);
   const Eigen::Index at = block < 0 ? i : i - layout.first(block);
+  // Its gradient and columns vanish; a unit row takes their place.
   slopes.gradient[i] = 0;
   for (ArrowRows& rows : slopes.rows) {
     if (block < 0) rows.shared.col(at).setZero();

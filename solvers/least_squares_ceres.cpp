@@ -31,6 +31,7 @@ class Cost final : public ceres::CostFunction {
     const Residuals out =
         part_.residuals(z, jacobians == nullptr ? WithJacobian::kNo : WithJacobian::kYes);
     ++evaluations_;
+    // Residuals, and the two parts of the Jacobian if asked for.
     Eigen::Map<Eigen::VectorXd>(residuals, out.r.size()) = out.r;
     if (jacobians != nullptr && jacobians[0] != nullptr)
       Eigen::Map<RowMajor>(jacobians[0], out.J.rows(), layout_.shared) =
@@ -81,6 +82,7 @@ namespace {
 void bound(const LeastSquares& problem, int first, int count, double* z, ceres::Problem& ceres) {
   constexpr double kRoom = 1e-12;  // less is rounding, in prior sds [1]
   std::vector<int> held;
+  // Coordinates between equal bounds are held.
   for (int i = 0; i < count; ++i) {
     const double lower = problem.lower[first + i], upper = problem.upper[first + i];
     if (upper - lower <= kRoom) {

@@ -16,6 +16,7 @@ class Evaluator {
       : problem_(problem), options_(options), best_(best) {}
 
   const Residuals& at(const Eigen::VectorXd& z) {
+    // The same point again.
     if (z_.size() == z.size() && z_ == z) return last_;
     z_ = z;
     last_ = problem_.residuals(z, WithJacobian::kYes);
@@ -30,6 +31,7 @@ class Evaluator {
   /// For whoever stops half-way: the lowest cost yet that honours the constraints.
   void keep_best() {
     constexpr double kSlack = 1e-6;  // of scaled constraints [1]
+    // A lower cost counts if constraints hold.
     const double cost = 0.5 * last_.r.squaredNorm();
     if (!(best_.evaluations == 1 || cost < best_.cost)) return;
     if (problem_.constraints && best_.evaluations > 1) {
@@ -50,6 +52,7 @@ class Evaluator {
 
 NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
   NonlinearProgram program;
+  // Cost, bounds and constraints as Ipopt asks for them.
   program.lower = problem.lower;
   program.upper = problem.upper;
   program.row_lower = problem.c_lower;

@@ -21,6 +21,7 @@ struct Context {
 
 double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, void* data) {
   auto& context = *static_cast<Context*>(data);
+  // Cost at the point, and the best one so far.
   const Eigen::VectorXd z =
       Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
   const double value = 0.5 * context.problem.residuals(z, WithJacobian::kNo).r.squaredNorm();
@@ -29,6 +30,7 @@ double cost(const std::vector<double>& x, std::vector<double>& /*gradient*/, voi
     best.cost = value;
     best.z = z;
   }
+  // Progress, and requests to stop.
   if (best.evaluations % 100 == 0)
     context.options.progress(static_cast<double>(best.evaluations) / context.limit, "nlopt");
   if (context.options.progress.stop()) context.optimiser.force_stop();
@@ -53,6 +55,7 @@ std::vector<double> first_steps(const LeastSquares& problem) {
 /// One run of one algorithm from best.z; updates best.
 void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOptions& options,
          int limit, Solution& best) {
+  // Bounds, tolerances and first steps.
   nlopt::opt optimiser(algorithm, static_cast<unsigned>(best.z.size()));
   Context context{problem, options, optimiser, limit, best};
   optimiser.set_min_objective(cost, &context);
@@ -83,11 +86,13 @@ void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOpt
 
 Solution solve_nlopt(const LeastSquares& problem, const Eigen::VectorXd& start,
                      const SolveOptions& options) {
+  // Limit of evaluations by the size of the problem.
   Solution best;
   best.z = start;
   const int n = static_cast<int>(start.size());
   const int limit = options.max_evaluations > 0 ? options.max_evaluations : 500 * (n + 10);
   nlopt::srand(options.seed);
+  // Global search first if asked for, then BOBYQA from its best point.
   if (options.method == LeastSquaresMethod::kNloptGlobal)
     run(nlopt::GN_CRS2_LM, problem, options, limit, best);
   if (best.status != SolveStatus::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);

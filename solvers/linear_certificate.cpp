@@ -45,13 +45,16 @@ struct Push {
 };
 
 void add(const Push& push, LinearCertificate& certificate) {
+  // A zero price proves nothing and costs nothing.
   const auto price = static_cast<double>(std::abs(push.price));
   const double bound = push.price > 0 ? push.upper : push.lower;
   if (price == 0) return;
+  // Price times distance to its bound.
   if (std::isfinite(bound)) {
     certificate.gap += price * std::abs(bound - push.value);
     return;
   }
+  // No finite bound pays this price.
   certificate.dual_violation =
       max_or_nan(certificate.dual_violation, price / std::max(1.0, push.terms));
   certificate.gap += price * std::abs(push.value);
@@ -65,6 +68,7 @@ double violation(double value, double lower, double upper, double terms) {
 
 PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basis) {
   const Index n = program.A.cols(), rows = program.A.rows();
+  // Basis matrix and its costs.
   VectorXd all = basis.at, costs = VectorXd::Zero(n + rows), basic_costs(rows);
   costs.head(n) = program.objective;
   MatrixXd B(rows, rows);
@@ -85,6 +89,7 @@ PrimalDualPoint vertex_of(const LinearProgram& program, const SimplexBasis& basi
   const Eigen::PartialPivLU<MatrixXd> lu_turned(B_turned);
   const VectorXd duals = refined(lu_turned, B_turned, basic_costs.cast<long double>());
 
+  // The vertex within its bounds.
   for (Index k = 0; k < rows; ++k) all(basis.basic[static_cast<std::size_t>(k)]) = values(k);
   const VectorXd x = all.head(n);
   if (!x.allFinite()) return {x, duals};

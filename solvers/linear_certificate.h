@@ -1,6 +1,6 @@
 #pragma once
 
-/// What proves that a vertex of a linear program is optimal, in arithmetic of our own.
+/// Certificate of optimality of a vertex of a linear program, by our own arithmetic.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar::internal {
 
-/// A vertex of  A x - z = 0,  where z are the activities of the rows: r variables are basic, all
+/// Basis of  A x - z = 0,  where z are the activities of the rows: r variables are basic, all
 /// others stand at a bound.
 struct SimplexBasis {
   std::vector<Eigen::Index> basic;  // r of 0 .. n + r - 1: x first, then z

@@ -43,6 +43,7 @@ void check(const LinearProgram& program) {
 }
 
 void load(ClpSimplex& simplex, const LinearProgram& program) {
+  // Matrix by columns, without zeros.
   const VectorXd lower = clp_bounds(program.lower), upper = clp_bounds(program.upper);
   const VectorXd row_lower = clp_bounds(program.row_lower);
   const VectorXd row_upper = clp_bounds(program.row_upper);
@@ -53,6 +54,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
       if (program.A(i, j) != 0) A.modifyCoefficient(i, j, program.A(i, j));
   simplex.loadProblem(A, lower.data(), upper.data(), program.objective.data(), row_lower.data(),
                       row_upper.data());
+  // Settings that make answers repeatable.
   simplex.setOptimizationDirection(-1);  // maximise
   simplex.scaling(0);  // its scales hide reduced costs of the wrong sign; ours are of order one
   simplex.setPrimalTolerance(kClpTolerance);
@@ -81,6 +83,7 @@ std::optional<SimplexBasis> basis_of(const ClpSimplex& simplex, const LinearProg
     const double nearest = at_upper ? upper : lower;
     basis.at(k) = std::isfinite(nearest) ? nearest : value;
   };
+  // Columns, then rows.
   for (Index j = 0; j < n; ++j)
     add(j, simplex.getColumnStatus(static_cast<int>(j)), simplex.primalColumnSolution()[j],
         program.lower(j), program.upper(j));
@@ -100,6 +103,7 @@ Proposal propose(const LinearProgram& program, Method method) {
     const internal::SimplexVertex vertex = internal::dense_simplex(program);
     return {vertex.end, vertex.basis};
   }
+  // CLP's primal or dual method.
   ClpSimplex simplex;
   load(simplex, program);
   method == Method::kClpPrimal ? simplex.primal() : simplex.dual();
@@ -148,6 +152,7 @@ LinearResult optimum(const LinearProgram& program) {
 LinearProgram elastic(const LinearProgram& program) {
   const Index n = program.A.cols(), rows = program.A.rows();
   LinearProgram result = program;
+  // Two unknowns for each row take up what it lacks.
   result.A.resize(rows, n + 2 * rows);
   result.A << program.A, MatrixXd::Identity(rows, rows), -MatrixXd::Identity(rows, rows);
   result.objective = -VectorXd::Ones(n + 2 * rows);
@@ -171,9 +176,11 @@ LinearProgram recession(LinearProgram program) {
 
 /// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
 LinearStatus find_feasible(LinearProgram& program, LinearResult& proof) {
+  // Least sum of violations.
   proof = optimum(elastic(program));
   if (proof.status != LinearStatus::kSolved) return LinearStatus::kStalled;
   if (-proof.objective > kBarelyFeasible) return LinearStatus::kInfeasible;
+  // Rounding: relax the rows by what is missing.
   const Index rows = program.A.rows();
   const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
   program.row_lower -= added;
@@ -191,6 +198,7 @@ LinearResult without_optimum(const LinearProgram& asked) {
     result.certificate = proof.certificate;
     return result;
   }
+  // A ray that improves the objective for ever.
   const LinearResult ray = optimum(recession(program));
   if (ray.status == LinearStatus::kSolved && ray.objective > kBarelyFeasible) {
     LinearResult result = unsolved(program, LinearStatus::kUnbounded);
@@ -229,12 +237,14 @@ LinearResult solve_scaled(const LinearProgram& program) {
 LinearResult solve(const LinearProgram& program) {
   check(program);
   if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
+  // Objective of order one.
   const double size = program.objective.size() > 0 ? program.objective.cwiseAbs().maxCoeff() : 0;
   if (size == 0) return solve_scaled(program);
   LinearProgram scaled = program;
   scaled.objective /= size;
   LinearResult result = solve_scaled(scaled);
   if (result.status != LinearStatus::kSolved) return result;
+  // Back to its own scale.
   result.objective = program.objective.dot(result.x);
   result.duals *= size;
   result.certificate.gap *= size;

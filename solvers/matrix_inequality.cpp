@@ -35,6 +35,7 @@ Slope slope_at(const std::vector<MatrixInequality>& inequalities, const VectorXd
       Z.emplace_back(factor.matrixL().solve(half.transpose()));
       out.g(k) -= Z.back().trace();
     }
+    // Second derivatives, symmetric.
     for (std::size_t a = 0; a < Z.size(); ++a)
       for (std::size_t b = 0; b <= a; ++b) {
         const double entry = Z[a].cwiseProduct(Z[b]).sum();
@@ -55,14 +56,17 @@ bool holds(const std::vector<MatrixInequality>& inequalities, const VectorXd& y)
 /// A Newton step that stays inside. @returns the decrement squared before it; 0: no way on
 double step(const std::vector<MatrixInequality>& inequalities, VectorXd& y, int which,
             double weight) {
+  // Gradient and Hessian of the weighted objective with the barrier.
   Slope slope = slope_at(inequalities, y);
   slope.g(which) -= weight;
+  // Scaled Newton step.
   const VectorXd D = slope.H.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   MatrixXd scaled = D.asDiagonal() * slope.H * D.asDiagonal();
   scaled.diagonal().array() += kRegular;
   const VectorXd way = -D.cwiseProduct(scaled.ldlt().solve(D.cwiseProduct(slope.g)));
   const double decrement = -slope.g.dot(way);
   if (!(decrement > 0) || !way.allFinite()) return 0;
+  // Damped, and halved until it stays inside.
   double length = decrement < kQuadratic ? 1 : 1 / (1 + std::sqrt(decrement));
   for (int i = 0; i < kMostHalvings; ++i, length /= 2)
     if (const VectorXd next = y + length * way; holds(inequalities, next)) {
@@ -82,6 +86,7 @@ MatrixXd value_at(const MatrixInequality& inequality, const VectorXd& y) {
 
 MaximisedComponent maximise_component(const std::vector<MatrixInequality>& inequalities, VectorXd y,
                                       int which, double enough) {
+  // Weights grow; each centre bounds how far the unknown can still be raised.
   Eigen::Index rows = 0;
   for (const MatrixInequality& each : inequalities) rows += each.C.rows();
   for (double weight = kFirstWeight; weight < kMostWeight; weight *= kGrowth) {

@@ -9,7 +9,7 @@
 
 namespace thenar::internal {
 
-/// C + sum of y_k M_k is positive semidefinite.
+/// The constraint that C + sum of y_k M_k is positive semidefinite.
 struct MatrixInequality {
   Eigen::MatrixXd C;                                   // symmetric (d, d)
   std::vector<std::pair<int, Eigen::MatrixXd>> terms;  // k and M_k, symmetric (d, d)
@@ -18,7 +18,7 @@ struct MatrixInequality {
 [[nodiscard]] Eigen::MatrixXd value_at(const MatrixInequality& inequality,
                                        const Eigen::VectorXd& y);
 
-/// How far one unknown can be raised.
+/// Result of raising one unknown.
 struct MaximisedComponent {
   Eigen::VectorXd y;  // strictly obeys all inequalities
   bool reached;       // y[which] > enough

@@ -210,6 +210,7 @@ enum class Barrier { kAdaptive, kMonotone };
 
 void set_options(Ipopt::OptionsList& list, const NonlinearProgram& program,
                  const NonlinearOptions& options, Barrier barrier) {
+  // Silent, at our tolerances, with bounds kept exactly.
   list.SetIntegerValue("print_level", 0);
   list.SetStringValue("sb", "yes");  // no banner
   list.SetNumericValue("tol", options.tolerance);
@@ -239,6 +240,7 @@ Run run(const NonlinearProgram& program, const VectorXd& x0, const NonlinearOpti
   if (status == Ipopt::Solve_Succeeded) status = application->OptimizeTNLP(GetRawPtr(tnlp));
   if (tnlp->thrown()) std::rethrow_exception(tnlp->thrown());
 
+  // What Ipopt found, checked by our own arithmetic.
   const Ipopt::SmartPtr<Ipopt::SolveStatistics> statistics = application->Statistics();
   const Outcome outcome = outcome_of(status);
   Run run{{outcome.status, outcome.message, tnlp->x(), tnlp->objective(), 0, KktResidual{}}, 0};

@@ -1,7 +1,7 @@
 #pragma once
 
-/// A x = B by orthogonal columns, on any scalar: errors grow with the condition of A, not its
-/// square, and derivatives come along without a square root.
+/// Least squares A x = B by orthogonal columns, on any scalar: errors grow with the condition of A,
+/// not its square, and derivatives come along without a square root.
 
 #include <numeric>
 #include <utility>
@@ -27,6 +27,7 @@ template <typename T>
   OrthogonalColumns<T> out{std::move(A), MatrixX<T>(n, n), VectorX<T>(n), std::vector<int>(n)};
   std::iota(out.order.begin(), out.order.end(), 0);
   for (Eigen::Index k = 0; k < n; ++k) {
+    // Pivot: the longest remaining column.
     Eigen::Index longest = k;
     T square = out.Q.col(k).squaredNorm();
     for (Eigen::Index l = k + 1; l < n; ++l) {
@@ -41,6 +42,7 @@ template <typename T>
       out.U.col(k).head(k).swap(out.U.col(longest).head(k));
       std::swap(out.order[k], out.order[longest]);
     }
+    // Take its part out of the others.
     out.inverse[k] = T(1) / square;
     for (Eigen::Index l = k + 1; l < n; ++l) {
       out.U(k, l) = out.Q.col(k).dot(out.Q.col(l)) * out.inverse[k];
@@ -59,10 +61,12 @@ template <typename T>
   const Eigen::Index n = A.cols();
   MatrixX<T> y(n, B.cols()), x(n, B.cols());
   for (Eigen::Index m = 0; m < B.cols(); ++m) {
+    // Components along the columns of Q.
     for (Eigen::Index k = 0; k < n; ++k) {
       y(k, m) = a.Q.col(k).dot(B.col(m)) * a.inverse[k];
       B.col(m) -= y(k, m) * a.Q.col(k);
     }
+    // Back substitution.
     for (Eigen::Index k = n - 1; k >= 0; --k) {
       for (Eigen::Index l = k + 1; l < n; ++l) y(k, m) -= a.U(k, l) * y(l, m);
       x(a.order[k], m) = y(k, m);
@@ -81,6 +85,7 @@ template <typename T>
   MatrixX<T> x = MatrixX<T>::Zero(A.cols(), B.cols());
   VectorX<T> c(n);  // Q' x
   for (Eigen::Index m = 0; m < B.cols(); ++m) {
+    // Forward substitution.
     for (Eigen::Index k = 0; k < n; ++k) {
       c[k] = B(a.order[k], m);
       for (Eigen::Index l = 0; l < k; ++l) c[k] -= a.U(l, k) * c[l];

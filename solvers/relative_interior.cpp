@@ -19,6 +19,7 @@ constexpr double kDependent = 1e-12;  // singular value of the equalities that c
 
 /// Orthonormal basis of { z : E z = 0, z_i = 0 for pinned i }.
 MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
+  // Equalities, and one row for each pinned variable.
   MatrixXd rows = MatrixXd::Zero(E.rows() + static_cast<Index>(pinned.size()), E.cols());
   rows.topRows(E.rows()) = E;
   for (std::size_t k = 0; k < pinned.size(); ++k)
@@ -76,6 +77,7 @@ RelativeInterior relative_interior(LinearProgram program) {
 }
 
 NonlinearProgram program_over_interior(const RelativeInterior& interior) {
+  // Finite bounds become constraints of y.
   std::vector<Index> bounded;
   for (Index i = 0; i < interior.z0.size(); ++i)
     if (std::isfinite(interior.lower(i)) || std::isfinite(interior.upper(i))) bounded.push_back(i);

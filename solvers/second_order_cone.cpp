@@ -48,6 +48,7 @@ double first_positive_root(double a, double b, double c) {
 }
 
 double step_of_one(const VectorXd& u, const VectorXd& d) {
+  // The side of the cone, and its tip.
   const double norm = lorentz_norm(u),
                to_side = first_positive_root(lorentz(d, d), lorentz(u, d), norm * norm);
   if (d(0) >= 0) return to_side;
@@ -68,6 +69,7 @@ VectorXd cone_product(const std::vector<int>& cones, const VectorXd& u, const Ve
 VectorXd cone_quotient(const std::vector<int>& cones, const VectorXd& u, const VectorXd& v) {
   VectorXd result(u.size());
   each_cone(cones, [&](Eigen::Index i, int n) {
+    // The inverse of the arrow matrix of u.
     const VectorXd u1 = u.segment(i + 1, n - 1), v1 = v.segment(i + 1, n - 1);
     const double norm = lorentz_norm(u.segment(i, n));
     const double w0 = (u(i) * v(i) - u1.dot(v1)) / (norm * norm);
@@ -96,6 +98,7 @@ double step_to_cone(const std::vector<int>& cones, const VectorXd& u, const Vect
 
 ConeScaling::ConeScaling(const std::vector<int>& cones, const VectorXd& s, const VectorXd& z) {
   each_cone(cones, [&](Eigen::Index i, int n) {
+    // Scaling point of the normalised pair, and its square root as a boost.
     const double s_norm = lorentz_norm(s.segment(i, n)), z_norm = lorentz_norm(z.segment(i, n));
     const VectorXd s_unit = s.segment(i, n) / s_norm, z_unit = z.segment(i, n) / z_norm;
     const double gamma = std::sqrt((1 + s_unit.dot(z_unit)) / 2);

@@ -57,6 +57,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
   Parts(OdeRightHandSide f, double t, const Eigen::VectorXd& y, const StiffOdeOptions& o)
       : slope(std::move(f)), jacobian(o.jacobian), max_steps(o.max_steps), time(t) {
     require(SUNContext_Create(nullptr, &context) == 0, "CVODE has no memory");
+    // Vectors, matrix and solver of CVODE.
     state = N_VNew_Serial(y.size(), context);
     scratch = N_VNew_Serial(y.size(), context);
     matrix = SUNDenseMatrix(y.size(), y.size(), context);
@@ -64,6 +65,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
     cvode = CVodeCreate(CV_BDF, context);
     values(state) = y;
     values(scratch) = o.absolute;
+    // Tolerances, Jacobian and callbacks.
     const bool ready = CVodeInit(cvode, &Parts::call, time, state) == CV_SUCCESS &&
                        CVodeSVtolerances(cvode, o.relative, scratch) == CV_SUCCESS &&
                        CVodeSetLinearSolver(cvode, solver, matrix) == CV_SUCCESS &&
@@ -141,6 +143,7 @@ struct __attribute__((visibility("hidden"))) StiffOde::Parts {
 
 StiffOde::StiffOde(OdeRightHandSide slope, double time, const Eigen::VectorXd& y,
                    const StiffOdeOptions& options) {
+  // A finite state, with tolerances for each entry.
   require(y.size() > 0 && y.allFinite(), "wanted a state of finite numbers, got {} entries",
           y.size());
   require(options.relative > 0, "relative tolerance must be positive, got {}", options.relative);
@@ -156,6 +159,7 @@ StiffOde& StiffOde::operator=(StiffOde&&) noexcept = default;
 
 OdeStatus StiffOde::step(double stop) {
   require(stop > parts_->time, "cannot step from {} s to {} s", parts_->time, stop);
+  // One step, not beyond `stop`.
   if (counts().steps >= parts_->max_steps) return OdeStatus::kTooMany;
   CVodeSetStopTime(parts_->cvode, stop);
   const int flag = CVode(parts_->cvode, stop, parts_->state, &parts_->time, CV_ONE_STEP);

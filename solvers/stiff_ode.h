@@ -14,8 +14,8 @@ namespace thenar {
 /// @param time  [s]
 using OdeRightHandSide = std::function<Eigen::VectorXd(double time, const Eigen::VectorXd& y)>;
 
-/// df/dy at (t, y) (n, n). It only steers the integrator's Newton steps: what a step is accepted by
-/// is f. One that is not finite makes the integrator try a shorter step.
+/// df/dy at (t, y) (n, n). It only steers the integrator's Newton steps; a step is accepted by f
+/// alone. A result that is not finite makes the integrator try a shorter step.
 using OdeJacobian = std::function<Eigen::MatrixXd(double time, const Eigen::VectorXd& y)>;
 
 struct StiffOdeOptions {
