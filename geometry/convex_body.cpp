@@ -16,6 +16,7 @@ Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, P
   Polygon kept;
   kept.reserve(polygon.size() + 1);
   const std::size_t count = polygon.size();
+  // Corners inside stay; a side that crosses the plane gets a point on it.
   for (std::size_t i = 0; i < count; ++i) {
     const std::size_t next = i + 1 == count ? 0 : i + 1;
     if (height[i] <= 0) kept.push_back(polygon[i]);
@@ -34,6 +35,7 @@ Polygon cut_polygon(const Polygon& polygon, const std::vector<double>& height, P
 /// The face on a cutting plane: the points of its rim, in turn.
 Polygon cap_of(Polygon cuts, const Vector3d& n) {
   if (cuts.size() < 3) return {};
+  // Order the points by their angle about the middle.
   Vector3d middle = Vector3d::Zero();
   for (const Vector3d& p : cuts) middle += p / static_cast<double>(cuts.size());
   const Vector3d u = n.unitOrthogonal(), v = n.cross(u);
@@ -43,6 +45,7 @@ Polygon cap_of(Polygon cuts, const Vector3d& n) {
     turned.emplace_back(std::atan2(v.dot(p - middle), u.dot(p - middle)), p);
   std::sort(turned.begin(), turned.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
+  // Neighbours that coincide are one.
   Polygon cap;
   for (const auto& [angle, p] : turned)
     if (cap.empty() || p != cap.back()) cap.push_back(p);
@@ -100,6 +103,7 @@ ConvexBody convex_box(const Eigen::AlignedBox3d& box) {
   ConvexBody body;
   body.box = box;
   const Vector3d &low = box.min(), &high = box.max();
+  // A pair of faces across each axis, counterclockwise seen from outside.
   for (int axis = 0; axis < 3; ++axis)
     for (const bool upper : {false, true}) {
       const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -116,11 +120,13 @@ ConvexBody convex_box(const Eigen::AlignedBox3d& box) {
 }
 
 ConvexBody convex_body(const TriangleMesh& mesh) {
+  // Too large to be tested.
   if (static_cast<double>(mesh.vertices.cols()) * static_cast<double>(mesh.triangles.cols()) > 3e7)
     return {};
   ConvexBody body;
   for (const auto& p : mesh.vertices.colwise()) body.box.extend(Vector3d(p));
   const double extent = body.box.diagonal().norm();
+  // No corner may stand above any triangle's plane.
   for (const auto& t : mesh.triangles.colwise()) {
     const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                    c = mesh.vertices.col(t(2));
@@ -128,6 +134,7 @@ ConvexBody convex_body(const TriangleMesh& mesh) {
     const double offset = n.dot(a);
     if (!((n.transpose() * mesh.vertices).maxCoeff() - offset <= 1e-6 * extent)) return {};
     body.faces.push_back({a, b, c});
+    // Triangles of one plane share a side.
     const bool there = std::any_of(body.sides.begin(), body.sides.end(), [&](const HalfSpace& s) {
       return (s.n - n).squaredNorm() < 1e-24 && std::abs(s.offset - offset) < 1e-12 * extent;
     });
@@ -141,6 +148,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
   const double middle = side.n.dot(body.box.center()) - side.offset;
   const double reach = side.n.cwiseAbs().dot(body.box.sizes()) / 2;
   if (middle + reach <= tolerance) return;
+  // Height above the plane, zero within the tolerance.
   const auto above = [&](const Vector3d& p) {
     const double h = side.n.dot(p) - side.offset;
     return std::abs(h) <= tolerance ? 0 : h;
@@ -149,6 +157,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
     return std::any_of(face.begin(), face.end(), [&](const Vector3d& p) { return above(p) > 0; });
   });
   if (!beyond) return;
+  // Faces below stay, faces across are cut.
   std::vector<Polygon> kept;
   kept.reserve(body.faces.size() + 1);
   Polygon cuts;
@@ -165,6 +174,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
       if (height[i] == 0) cuts.push_back(face[i]);
     if (*least < 0) kept.push_back(std::move(face));
   }
+  // The cut is closed by a cap, or nothing is left.
   Polygon cap = cap_of(std::move(cuts), side.n);
   body.faces = std::move(kept);
   if (body.faces.size() < 3 || cap.size() < 3) {
@@ -173,6 +183,7 @@ void cut(ConvexBody& body, const HalfSpace& side, double tolerance) {
   }
   body.faces.push_back(std::move(cap));
   body.sides.push_back(side);
+  // The box around what is left.
   body.box.setEmpty();
   for (const Polygon& face : body.faces)
     for (const Vector3d& p : face) body.box.extend(p);
@@ -202,6 +213,7 @@ namespace {
 // NOLINTNEXTLINE(misc-no-recursion): as deep as polyhedra lie over each other
 Moments add_union(const std::vector<ConvexBody>& bodies, double tolerance, double& left) {
   Moments sum;
+  // Inclusion and exclusion: each body, less its overlap with those before.
   for (std::size_t i = 0; i < bodies.size() && left > 0; ++i) {
     sum += moments_of(bodies[i]);
     std::vector<ConvexBody> common;

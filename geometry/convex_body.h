@@ -1,6 +1,6 @@
 #pragma once
 
-/// Convex polyhedra, cut by planes, and what they weigh together.
+/// Convex polyhedra: cuts by planes, intersections and mass moments.
 
 #include <vector>
 
@@ -46,10 +46,10 @@ struct ConvexBody {
 /// pairs of both.
 [[nodiscard]] ConvexBody convex_body(const TriangleMesh& mesh);
 
-/// Takes away what does not lie within a half space, unless it is less than `tolerance` high [m].
+/// Cuts off the part outside of a half space, unless it is less than `tolerance` high [m].
 void cut(ConvexBody& body, const HalfSpace& side, double tolerance);
 
-/// What two have in common.
+/// The intersection of two polyhedra.
 [[nodiscard]] ConvexBody intersection(const ConvexBody& a, const ConvexBody& b, double tolerance);
 
 [[nodiscard]] Moments moments_of(const ConvexBody& body);

@@ -15,9 +15,9 @@ struct MassProperties {
 };
 
 /// Moments at density 1 kg/m^3, exact for the polyhedron: those of the tetrahedra between the mean
-/// of the vertices and each triangle are added up,  integral of x x^T = det(A) A C A^T,  A the
-/// corners as columns, C the moments of the unit tetrahedron (1/60 on the diagonal, 1/120 off it).
-/// Of an open surface they depend on that point; where parts overlap, each counts. Source:
+/// of the vertices and each triangle are added up,  integral of x x^T = det(A) A C A^T,  with A the
+/// corners as columns and C the moments of the unit tetrahedron (1/60 on the diagonal, 1/120 off
+/// it). For an open surface they depend on that point; overlapping parts each count. Source:
 /// [Mirtich1996] for the idea of exact integration over faces; the sum over tetrahedra is another
 /// form of it.
 [[nodiscard]] MassProperties signed_moments(const TriangleMesh& mesh);

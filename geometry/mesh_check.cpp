@@ -42,6 +42,7 @@ void check_entries(const TriangleMesh& mesh) {
 
 /// Thinner than a billionth of its longest edge.
 bool is_degenerate(const TriangleMesh& mesh, const Vector3i& t) {
+  // Longest side, and the largest area that rounding leaves.
   const Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                  c = mesh.vertices.col(t(2));
   const double longest =
@@ -64,10 +65,12 @@ MeshHole hole_around(const TriangleMesh& mesh, std::vector<int> loop) {
 
 /// Walks along open edges; where it comes back to a vertex the loop since then is a hole.
 std::vector<MeshHole> holes_of(const TriangleMesh& mesh, const std::vector<MeshSide>& sides) {
+  // Open edges by their start.
   std::vector<Edge> edges = open_edges(sides);
   std::sort(edges.begin(), edges.end());
   std::multimap<int, int> open(edges.begin(), edges.end());  // by where they begin
   std::vector<MeshHole> holes;
+  // Follow them; a vertex that comes again closes a loop.
   while (!open.empty()) {
     std::vector<int> way{open.begin()->first};
     for (auto next = open.begin(); next != open.end(); next = open.find(way.back())) {
@@ -113,6 +116,7 @@ int make_agree(TriangleMesh& mesh) {
       if (mesh.triangles(j, other) == from && mesh.triangles((j + 1) % 3, other) == to) return true;
     return false;
   };
+  // Breadth-first over neighbours, from every triangle not seen yet.
   std::vector<bool> seen(count, false), to_turn(count, false);
   for (int first = 0; first < count; ++first) {
     std::vector<int> waiting;
@@ -129,6 +133,7 @@ int make_agree(TriangleMesh& mesh) {
       }
     }
   }
+  // Turn those that disagree.
   int turned = 0;
   for (int t = 0; t < count; ++t) {
     if (!to_turn[t]) continue;
@@ -141,6 +146,7 @@ int make_agree(TriangleMesh& mesh) {
 /// A fan around the centre of each hole; returns how many.
 int close_holes(TriangleMesh& mesh) {
   int closed = 0;
+  // One vertex and a ring of triangles for each hole.
   for (const MeshHole& hole : holes_of(mesh, sides_by_edge(mesh))) {
     if (hole.loop.size() < 3) continue;
     const auto centre = static_cast<int>(mesh.vertices.cols());
@@ -161,12 +167,14 @@ int close_holes(TriangleMesh& mesh) {
 MeshReport check_mesh(const TriangleMesh& mesh) {
   check_entries(mesh);
   MeshReport report;
+  // Edges of more than two triangles, and edges that two walk the same way.
   const std::vector<MeshSide> sides = sides_by_edge(mesh);
   for_each_edge(sides, [&](const MeshSide* first, const MeshSide* last) {
     if (first->low == first->high) return;
     if (last - first > 2) ++report.nonmanifold_edges;
     if (last - first == 2 && first->upwards == first[1].upwards) ++report.reversed_edges;
   });
+  // Slivers, holes, and the volume of a closed mesh.
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t)
     report.degenerate += is_degenerate(mesh, mesh.triangles.col(t));
   report.holes = holes_of(mesh, sides);
@@ -179,6 +187,7 @@ std::string describe(const MeshReport& report) {
   const auto add = [&](int count, const char* what) {
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : "; ", count, what);
   };
+  // Holes first, the first few in detail.
   add(static_cast<int>(report.holes.size()), "hole(s)");
   for (std::size_t i = 0; i < std::min(report.holes.size(), kHolesTold); ++i) {
     const MeshHole& hole = report.holes[i];
@@ -206,10 +215,12 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
     std::sort(by_corners[t].begin(), by_corners[t].begin() + 3);
   }
   std::sort(by_corners.begin(), by_corners.end());
+  // Those that are there before.
   std::vector<bool> again(count, false);
   for (std::size_t i = 1; i < count; ++i)
     if (std::equal(by_corners[i].begin(), by_corners[i].begin() + 3, by_corners[i - 1].begin()))
       again[static_cast<std::size_t>(by_corners[i][3])] = true;
+  // Keep the rest, unless it has no area.
   std::vector<Vector3i> kept;
   for (std::size_t t = 0; t < count; ++t) {
     const Vector3i v = mesh.triangles.col(static_cast<Eigen::Index>(t));
@@ -219,6 +230,7 @@ MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes) {
       ++repair.dropped;
   }
   repair.mesh = with_triangles(mesh, kept);
+  // Agree, close, and face outwards.
   repair.turned = make_agree(repair.mesh);
   if (holes == MeshHoles::kClose) repair.closed_holes = close_holes(repair.mesh);
   if (volume_of(repair.mesh) < 0) {

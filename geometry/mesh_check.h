@@ -1,6 +1,6 @@
 #pragma once
 
-/// Whether a triangle mesh bounds a solid, and what is wrong if not.
+/// Check whether a triangle mesh bounds a solid, and report of its defects.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ struct MeshHole {
   double length = 0;                // [m]
 };
 
-/// What is wrong with a mesh; all empty or zero: nothing.
+/// Defects of a mesh; all empty or zero if it has none.
 struct MeshReport {
   std::vector<MeshHole> holes;
   int nonmanifold_edges = 0;  // of more than two triangles
@@ -24,7 +24,7 @@ struct MeshReport {
   int degenerate = 0;         // triangles whose corners coincide or are in line
   double volume = 0;          // enclosed, if there is no hole; negative: inside out [m^3]
 
-  /// Ready to bound a solid.
+  /// Whether it is ready to bound a solid.
   [[nodiscard]] bool watertight() const {
     return holes.empty() && nonmanifold_edges == 0 && reversed_edges == 0 && degenerate == 0;
   }
@@ -37,7 +37,7 @@ struct MeshReport {
 /// empty if watertight.
 [[nodiscard]] std::string describe(const MeshReport& report);
 
-/// A mesh and what was done to it.
+/// A repaired mesh, and the repairs.
 struct MeshRepair {
   TriangleMesh mesh;
   int dropped = 0;  // triangles without area, or there twice
@@ -47,9 +47,9 @@ struct MeshRepair {
 
 enum class MeshHoles { kClose, kKeep };
 
-/// Drops triangles of no area and those there twice, turns triangles to agree with their neighbours
-/// and the whole outwards, and closes each hole by a fan around its centre, if asked to. What is
-/// still wrong then check_mesh() tells.
+/// Drops triangles of no area and duplicates, turns triangles to agree with their neighbours and
+/// the whole outwards, and closes each hole by a fan around its centre, if asked to. check_mesh()
+/// tells what is still wrong afterwards.
 [[nodiscard]] MeshRepair repair_mesh(const TriangleMesh& mesh, MeshHoles holes = MeshHoles::kClose);
 
 }  // namespace thenar

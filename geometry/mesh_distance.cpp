@@ -37,6 +37,7 @@ double angle_at(const TriangleForm& form, int k) {
 
 std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
                                          const internal::TriangleTree& tree) {
+  // Normals at vertices: those of the faces, weighted with their angles.
   Eigen::Matrix3Xd at_vertex = Eigen::Matrix3Xd::Zero(3, mesh.vertices.cols());
   std::vector<Vector3d> of_triangle(tree.forms().size());
   for (std::size_t i = 0; i < tree.forms().size(); ++i) {
@@ -45,9 +46,11 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
     of_triangle[static_cast<std::size_t>(tree.order()[i])] = form.normal;
     for (int k = 0; k < 3; ++k) at_vertex.col(v(k)) += angle_at(form, k) * form.normal;
   }
+  // Places of the mesh's triangles in the tree.
   std::vector<int> place(tree.forms().size());  // of each of the mesh's triangles in the tree
   for (std::size_t i = 0; i < place.size(); ++i)
     place[static_cast<std::size_t>(tree.order()[i])] = static_cast<int>(i);
+  // Normals at edges: the sum of both faces.
   std::vector<Pseudonormals> all(tree.forms().size());
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     Vector3d sum = Vector3d::Zero();
@@ -57,6 +60,7 @@ std::vector<Pseudonormals> pseudonormals(const TriangleMesh& mesh,
       all[static_cast<std::size_t>(place[static_cast<std::size_t>(side->triangle)])]
           .edge[static_cast<std::size_t>(side->side)] = sum;
   });
+  // Each corner takes that of its vertex.
   for (std::size_t i = 0; i < all.size(); ++i)
     for (int k = 0; k < 3; ++k)
       all[i].corner[k] = at_vertex.col(mesh.triangles(k, tree.order()[i]));
@@ -115,9 +119,11 @@ class Recent {
   void add(const std::string& content, const std::shared_ptr<const Shape>& shape,
            Eigen::Index triangles) {
     const std::lock_guard lock(mutex_);
+    // Forget meshes that are gone.
     for (auto at = known_.begin(); at != known_.end();)
       at = at->second.expired() ? known_.erase(at) : std::next(at);
     known_[content] = shape;
+    // Hold on to this one, and let the oldest go.
     held_.push_back({shape, triangles});
     triangles_ += triangles;
     while (triangles_ > kMost) {
@@ -139,6 +145,7 @@ class Recent {
 
 std::shared_ptr<const Shape> build_mesh_distance(const TriangleMesh& mesh) {
   static Recent recent;
+  // The same content shares one shape.
   const std::string content = sha256(bytes_of(mesh));
   if (std::shared_ptr<const Shape> shape = recent.find(content)) return shape;
   auto shape = std::make_shared<MeshDistance>(mesh);

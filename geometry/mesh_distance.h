@@ -9,12 +9,12 @@
 
 namespace thenar {
 
-/// Exact to rounding. The sign is that of (p - foot) . n, where n is the normal of the face, the
-/// sum of those of an edge's two faces, or the sum of those around a corner, each weighted with its
-/// angle there: right everywhere, inside cavities as well [Baerentzen2005].
+/// Builds the signed distance, exact to rounding. The sign is that of (p - foot) . n, where n is
+/// the sum of those of an edge's two faces, or the sum of those around a corner, each weighted with
+/// its angle there: right everywhere, inside cavities as well [Baerentzen2005].
 ///
 /// Up to one length of the mesh around it, cubes list the triangles that may be nearest; farther
-/// off, and where those would be many, a tree of boxes is searched from a first guess.
+/// away, and where those would be many, a tree of boxes is searched from a first guess.
 ///
 /// Lists are filled as they are asked for, with the same answers whatever was asked before and from
 /// however many threads. Meshes of the same content share them within a process.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The surface of any solid as triangles.
+/// Triangulation of the surface of any solid.
 
 #include "geometry/shape.h"
 #include "geometry/triangle_mesh.h"

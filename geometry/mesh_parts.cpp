@@ -21,6 +21,7 @@ using Eigen::Vector3d;
 /// @param number  of each vertex of the mesh, -1; left so
 TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangles,
                        std::vector<int>& number) {
+  // Corners get new numbers as they come.
   TriangleMesh part{{}, Eigen::Matrix3Xi(3, triangles.size())};
   std::vector<int> vertices;
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -33,6 +34,7 @@ TriangleMesh taken_out(const TriangleMesh& mesh, const std::vector<int>& triangl
       }
       part.triangles(k, static_cast<Eigen::Index>(i)) = now;
     }
+  // Vertices in that order; the numbers are given back.
   part.vertices.resize(3, static_cast<Eigen::Index>(vertices.size()));
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     part.vertices.col(static_cast<Eigen::Index>(i)) = mesh.vertices.col(vertices[i]);
@@ -67,6 +69,7 @@ struct Part {
 
 /// Whether a part lies within another, by the box and up to 64 of its vertices.
 bool is_within(const Part& inner, const Part& outer) {
+  // The box first, then windings around some vertices.
   if (!outer.box.contains(inner.box)) return false;
   const Eigen::Index count = inner.mesh.vertices.cols();
   const Eigen::Index step = std::max<Eigen::Index>(1, count / 64);
@@ -87,6 +90,7 @@ Part closed_part(TriangleMesh mesh) {
 
 /// Puts cavities to the smallest part around them, turns all else outwards.
 std::vector<TriangleMesh> outward(std::vector<Part> parts) {
+  // Smaller parts first, so that a cavity finds the smallest part around it.
   std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) {
     return std::abs(a.volume) < std::abs(b.volume);
   });
@@ -100,6 +104,7 @@ std::vector<TriangleMesh> outward(std::vector<Part> parts) {
       }
     if (parts[i].volume < 0 && !is_cavity[i]) turn(parts[i].mesh);
   }
+  // Each solid with its cavities.
   std::vector<TriangleMesh> solids;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (is_cavity[i]) continue;
@@ -114,12 +119,14 @@ std::vector<TriangleMesh> outward(std::vector<Part> parts) {
 
 TriangleMesh joined(const std::vector<TriangleMesh>& parts) {
   if (parts.size() == 1) return parts.front();
+  // Room for all.
   Eigen::Index vertices = 0, triangles = 0;
   for (const TriangleMesh& part : parts) {
     vertices += part.vertices.cols();
     triangles += part.triangles.cols();
   }
   TriangleMesh whole{Eigen::Matrix3Xd(3, vertices), Eigen::Matrix3Xi(3, triangles)};
+  // Vertex numbers move up by those before.
   vertices = triangles = 0;
   for (const TriangleMesh& part : parts) {
     whole.vertices.middleCols(vertices, part.vertices.cols()) = part.vertices;
@@ -136,6 +143,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
   std::vector<bool> seen(static_cast<std::size_t>(mesh.triangles.cols()), false);
   std::vector<int> number(static_cast<std::size_t>(mesh.vertices.cols()), -1);
   std::vector<TriangleMesh> parts;
+  // Breadth-first over neighbours.
   for (std::size_t first = 0; first < seen.size(); ++first) {
     if (seen[first]) continue;
     std::vector<int> members{static_cast<int>(first)};
@@ -148,6 +156,7 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
         seen[static_cast<std::size_t>(other)] = true;
         members.push_back(other);
       }
+    // The whole mesh is one part.
     if (members.size() == seen.size()) return {mesh};
     std::sort(members.begin(), members.end());
     parts.push_back(taken_out(mesh, members, number));
@@ -156,10 +165,12 @@ std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh) {
 }
 
 std::vector<TriangleMesh> solid_parts(const TriangleMesh& mesh) {
+  // Closed or not at all.
   require(!mesh.empty(), "a mesh has no triangle");
   const MeshReport found = check_mesh(mesh);
   require(found.holes.empty(), "a mesh bounds no solid: {}", describe(found));
   const bool sound = found.watertight() && found.volume > 0;
+  // Put right first, if it is not sound.
   std::vector<TriangleMesh> meshes =
       connected_parts(sound ? mesh : repair_mesh(mesh, MeshHoles::kKeep).mesh);
   require(!meshes.empty(), "a mesh bounds no solid: no volume");

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A mesh as the closed surfaces it is made of.
+/// Decomposition of a mesh into the closed surfaces it is made of.
 
 #include <vector>
 
@@ -8,10 +8,10 @@
 
 namespace thenar {
 
-/// All triangles of some meshes as one mesh.
+/// Joins all triangles of some meshes into one mesh.
 [[nodiscard]] TriangleMesh joined(const std::vector<TriangleMesh>& parts);
 
-/// Triangles that hang together over edges of exactly two, each part with vertices of its own.
+/// Splits a mesh into parts connected over edges of exactly two triangles, each with own vertices.
 [[nodiscard]] std::vector<TriangleMesh> connected_parts(const TriangleMesh& mesh);
 
 /// The solids whose union a mesh bounds. Triangles that face inwards are turned, those of no area

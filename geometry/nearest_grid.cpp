@@ -46,12 +46,14 @@ NearestGrid::Ball NearestGrid::ball_of(const TriangleForm& form) {
 }
 
 NearestGrid::NearestGrid(const TriangleTree& tree, double share) : share_(share) {
+  // A power of two of smallest cubes around the mesh.
   const double longest = tree.bounds().sizes().maxCoeff();
   const double whole = (1 + 2 * kAround) * longest;
   levels_ = std::max(0, static_cast<int>(std::floor(std::log2(whole / cell_of(tree)))));
   cell_ = std::ldexp(whole, -levels_);
   inverse_ = 1 / cell_;
   origin_ = tree.bounds().center().array() - whole / 2;
+  // All triangles, with a ball around each.
   every_.resize(tree.forms().size());
   std::iota(every_.begin(), every_.end(), 0);
   balls_.reserve(every_.size());
@@ -82,10 +84,12 @@ std::vector<NearestGrid::Candidate> NearestGrid::near(const Block& block,
     least = std::min(least, distance);
     if (distance <= least + 2 * reach) here.push_back({distance, triangle});
   }
+  // Triangles too far for any point of the cube.
   const auto end = std::remove_if(here.begin(), here.end(), [&](const Candidate& candidate) {
     return candidate.distance > least + 2 * reach;
   });
   here.erase(end, here.end());
+  // Long lists are worth a sharper test; the nearest comes first.
   if (here.size() > kFew) drop_beaten(block, here, tree);
   std::swap(here.front(), *std::min_element(here.begin(), here.end(), nearer));
   return here;
@@ -97,6 +101,7 @@ bool NearestGrid::nearer(const Candidate& a, const Candidate& b) {
 
 void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
                               const TriangleTree& tree) const {
+  // Corners of the cube, and distances of a point from all of them.
   const double edge = std::ldexp(cell_, block.level), rounding = 1e-9 * edge;
   Eigen::Array<double, 8, 3> corner;
   for (int c = 0; c < 8; ++c)
@@ -125,12 +130,14 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
           best[c] = foot;
       }
   }
+  // Rivals: those eight points of the mesh.
   std::array<PerCorner, 8> rival;
   for (int s = 0; s < 8; ++s) rival[s] = to_corners(best[s].at) + rounding;
   const auto beaten = [&](const PerCorner& distance) {
     return std::any_of(rival.begin(), rival.end(),
                        [&](const PerCorner& point) { return (distance > point).all(); });
   };
+  // Triangles that a rival beats everywhere go, by their ball or exactly.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < here.size(); ++i) {
     if (beaten(least[i])) continue;
@@ -145,6 +152,7 @@ void NearestGrid::drop_beaten(const Block& block, std::vector<Candidate>& here,
 
 bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<int>& above,
                               const TriangleTree& tree) const {
+  // Asked often enough to be worth filling, and nobody else is filling.
   const int asked = cell.asked.fetch_add(1, std::memory_order_relaxed);
   if (asked < static_cast<int>(above.size()) / kSearched) return false;
   const std::unique_lock lock(filling_, std::try_to_lock);
@@ -155,10 +163,12 @@ bool NearestGrid::fill_if_due(Cell& cell, const Block& block, const std::vector<
 
 void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& above,
                        const TriangleTree& tree) const {
+  // Candidates, and whether dividing would help.
   std::vector<Candidate> here = near(block, above, tree);
   const double edge = std::ldexp(cell_, block.level);
   const double far = here.front().distance;
   const bool in_vain = edge<far&& static_cast<double>(here.size())> kInVain * above.size();
+  // A divided cube.
   if (block.level > 0 && here.size() > kFew && edge > share_ * far && !in_vain) {
     auto divided = std::make_unique<Divided>();
     divided->triangles.reserve(here.size());
@@ -168,6 +178,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
     cell.count.store(kDivided, std::memory_order_release);
     return;
   }
+  // A list, or the nearest as a guess for the tree.
   const bool listed = here.size() <= kMost;
   if (listed) std::sort(here.begin(), here.end(), nearer);
   const std::size_t count = listed ? here.size() : 1;
@@ -178,6 +189,7 @@ void NearestGrid::fill(Cell& cell, const Block& block, const std::vector<int>& a
 }
 
 NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree) const {
+  // Cell of the point, clamped to the grid.
   NearestTriangle best;
   const Vector3d scaled = inverse_ * (p - origin_);
   const double size = std::ldexp(1.0, levels_);
@@ -203,11 +215,13 @@ NearestTriangle NearestGrid::nearest(const Vector3d& p, const TriangleTree& tree
     }
     count = cell->count.load(std::memory_order_acquire);
   }
+  // A guess, or a point outside: the tree decides.
   const Candidate* candidate = cell->candidates;
   if (count == kGuess || !(scaled.array() >= 0 && scaled.array() < size).all()) {
     tree.ask(candidate->triangle, p, best);
     return tree.nearest(p, best);
   }
+  // Through the list until no triangle can be nearer.
   const double off = (p - centre(block_at(level))).norm();
   for (int i = 0; i < count; ++i) {
     const double bound = candidate[i].distance - off;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which triangles may be nearest to the points of a small cube.
+/// Grid of cubes that list the triangles nearest to their points.
 
 #include <array>
 #include <atomic>
@@ -16,9 +16,10 @@ namespace thenar::internal {
 
 /// A tree of cubes around a mesh, small near the surface and large far off. A cube of centre c and
 /// half diagonal r lists the triangles that may be nearest to one of its points, the nearest to c
-/// first; left out are those with
+/// first. It leaves out triangles with
 ///   d(c, triangle) > d(c, mesh) + 2 r,
-/// and those that a point s of the mesh beats at all eight corners, hence in the whole cube:
+/// and triangles that are farther than some point s of the mesh at all eight corners, hence in the
+/// whole cube:
 ///   d(p, triangle)^2 - |p - s|^2
 /// is concave, since d^2 is the least of |p - x|^2 = |p|^2 - 2 p.x + |x|^2 over the triangle's
 /// points x. A search of the list ends where d(c, triangle) - |p - c| exceeds the best distance so
@@ -26,9 +27,9 @@ namespace thenar::internal {
 /// so do those nearest to points beyond all cubes.
 ///
 /// Cubes are filled when they have been asked so often that the tree, which answers until then, has
-/// cost as much as filling will: all in all at most about twice what the best choice would have
-/// cost. Cubes and tree find the same triangle (NearestTriangle), so that no answer depends on what
-/// was asked before or by whom. May be asked from several threads at once.
+/// cost as much as filling will: in total at most about twice the cost of the best choice. Cubes
+/// and tree find the same triangle (NearestTriangle), so that no answer depends on earlier
+/// questions. May be asked from several threads at once.
 class NearestGrid {
  public:
   /// @param share  of its distance from the mesh, an edge that need not be divided: less makes far

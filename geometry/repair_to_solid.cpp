@@ -54,6 +54,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
   std::map<std::array<long, 3>, std::vector<int>> cells;
   std::vector<int> stands_for(static_cast<std::size_t>(mesh.vertices.cols()));
   const Vector3d low = mesh.vertices.rowwise().minCoeff();
+  // Cells of the tolerance's size: only neighbouring cells can hold a corner that is near.
   for (int i = 0; i < static_cast<int>(stands_for.size()); ++i) {
     const Vector3d p = mesh.vertices.col(i);
     const Eigen::Array<long, 3, 1> cell = ((p - low) / near).array().floor().cast<long>();
@@ -68,6 +69,7 @@ TriangleMesh welded(const TriangleMesh& mesh, double near) {
     stands_for[static_cast<std::size_t>(i)] = found;
     if (found == i) cells[{cell(0), cell(1), cell(2)}].push_back(i);
   }
+  // Triangles that keep three different corners.
   std::vector<Vector3i> kept;
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3i v = mesh.triangles.col(t).unaryExpr(
@@ -113,11 +115,13 @@ using Loose = std::multimap<double, int>;
 /// Those within `near` of the inside of an edge, along it.
 std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a, int b,
                              double near) {
+  // The edge, and loose vertices whose x lies in its range.
   const Vector3d p = mesh.vertices.col(a), way = mesh.vertices.col(b) - p;
   const double length = way.norm();
   std::vector<std::pair<double, int>> on;
   const auto last = loose.upper_bound(std::max(p.x(), p.x() + way.x()) + near);
   for (auto at = loose.lower_bound(std::min(p.x(), p.x() + way.x()) - near); at != last; ++at) {
+    // Along the edge's inside, and near it.
     const Vector3d r = mesh.vertices.col(at->second) - p;
     const double along = r.dot(way) / length;
     if (at->second != a && at->second != b && along > near && along < length - near &&
@@ -134,14 +138,17 @@ std::vector<int> vertices_on(const TriangleMesh& mesh, const Loose& loose, int a
 int cut_at_corners(TriangleMesh& mesh) {
   const double near = 2e-6 * extent_of(mesh);
   int cuts = 0;
+  // Cutting makes new edges, so it is repeated.
   for (int round = 0; round < 8; ++round) {
     const auto open = open_edges(mesh);
     std::set<int> ends;
     for (const auto& [edge, t] : open) ends.insert({edge.first, edge.second});
+    // Ends of open edges, sorted by x.
     Loose loose;
     for (const int v : ends) loose.emplace(mesh.vertices(0, v), v);
     std::set<int> cut;
     std::vector<Vector3i> made;
+    // A triangle is cut once a round, at its first edge that holds other corners.
     for (const auto& [edge, t] : open) {
       if (cut.count(t) != 0) continue;
       int k = 0;
@@ -158,6 +165,7 @@ int cut_at_corners(TriangleMesh& mesh) {
       int from = a;
       for (const int to : on) made.emplace_back(from, to, c), from = to;
     }
+    // Triangles that were not cut stay.
     if (cut.empty()) break;
     cuts += static_cast<int>(cut.size());
     for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t)
@@ -170,6 +178,7 @@ int cut_at_corners(TriangleMesh& mesh) {
 /// Pairs of triangles on the same corners that face each other: a wall within, or a sheet.
 TriangleMesh without_walls(const TriangleMesh& mesh) {
   std::map<std::array<int, 3>, std::array<std::vector<int>, 2>> at;  // by the way they face
+  // Triangles by their corners and the way they face.
   for (int t = 0; t < static_cast<int>(mesh.triangles.cols()); ++t) {
     const Vector3i v = mesh.triangles.col(t);
     std::array<int, 3> sorted{v(0), v(1), v(2)};
@@ -177,6 +186,7 @@ TriangleMesh without_walls(const TriangleMesh& mesh) {
     const bool even = (v(0) < v(1)) == (v(1) < v(2)) ? v(0) < v(1) : v(2) < v(0);
     at[sorted][even ? 0 : 1].push_back(t);
   }
+  // Of those on the same corners keep one, and none if they face both ways.
   std::vector<Vector3i> kept;
   for (const auto& [corners, ways] : at) {
     if (!ways[0].empty() && !ways[1].empty()) continue;
@@ -215,6 +225,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
   int flat = 0, hulls = 0, holes = 0;
   double longest = 0;  // hole [m]
   const double all = area_of(mesh);
+  // Each part by itself: repaired, replaced by its hull, or left out.
   for (const TriangleMesh& part : connected_parts(mesh)) {
     for (const MeshHole& hole : check_mesh(part).holes) longest = std::max(longest, hole.length);
     MeshRepair repair = repair_mesh(part);
@@ -233,6 +244,7 @@ RepairedSolid closed(const TriangleMesh& mesh, const TriangleMesh& given, Done d
       left_out += area_of(part);
     }
   }
+  // Too little is left of the mesh.
   if (solids.empty() || left_out > 0.5 * all) return hull_of(given);
   if (holes > 0)
     done.add(fmt::format("{} hole(s) closed, the longest {:.4g} mm around", holes, 1e3 * longest));
@@ -251,12 +263,14 @@ bool is_solid(const TriangleMesh& mesh) {
 
 /// A mesh that bounds no solid, whatever it takes.
 RepairedSolid mended(const TriangleMesh& mesh) {
+  // Corners at the same place first.
   const TriangleMesh merged = best_welded(mesh);
   if (merged.empty()) return hull_of(mesh);
   Done merging;
   if (open_edges(merged).size() < open_edges(mesh).size())
     merging.add("corners at the same place joined");
   std::vector<RepairedSolid> tries;
+  // With inner walls, then without them.
   for (const bool walls : {true, false}) {
     Done done = merging;
     const MeshRepair repair = repair_mesh(walls ? merged : without_walls(merged), MeshHoles::kKeep);
@@ -264,11 +278,13 @@ RepairedSolid mended(const TriangleMesh& mesh) {
     done.add(repair.dropped, "triangle(s) of no area or there twice dropped");
     done.add(repair.turned, "triangle(s) turned");
     if (!walls) done.add("walls within left out");
+    // Cut triangles at corners of others; is it a solid now?
     TriangleMesh now = repair.mesh;
     done.add(cut_at_corners(now), "triangle(s) cut where corners of others lie on them");
     if (is_solid(now)) return {std::move(now), done.text()};
     tries.push_back(closed(now, mesh, done));
   }
+  // Otherwise part by part, and at last the hull of the whole.
   for (RepairedSolid& mended : tries)
     if (is_solid(mended.mesh)) return std::move(mended);
   return hull_of(mesh);
@@ -280,6 +296,7 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
   require(!mesh.empty(), "a mesh has no triangle");
   (void)check_mesh(mesh);
   if (is_solid(mesh)) return {mesh, ""};
+  // Large meshes are kept on disk with the words of their repair.
   constexpr Eigen::Index kMany = 2000;  // triangles, which take longer to mend than to look up
   if (mesh.triangles.cols() < kMany) return mended(mesh);
   const std::string input = bytes_of(mesh), kind = "mended mesh 1";
@@ -295,6 +312,7 @@ RepairedSolid repair_to_solid(const TriangleMesh& mesh) {
 
 RepairedSolid watertight_mesh(const TriangleMesh& mesh) {
   RepairedSolid mended = repair_to_solid(mesh);
+  // Does it need more than was done?
   const MeshReport before = check_mesh(mended.mesh);
   TriangleMesh sound = joined(solid_parts(mended.mesh));
   const double volume = check_mesh(sound).volume;
@@ -316,12 +334,14 @@ struct Facet {
 };
 
 Facet facet_of(const Matrix3Xd& p, int a, int b, int c) {
+  // Its plane, outward of the first three corners.
   const Vector3d n = (p.col(b) - p.col(a)).cross(p.col(c) - p.col(a)).normalized();
   return {{a, b, c}, n, n.dot(p.col(a))};
 }
 
 /// Four points that span as much as they can, one after the other.
 std::vector<int> first_tetrahedron(const Matrix3Xd& p) {
+  // Extreme point, farthest from it, from their line, and from their plane.
   Eigen::Index a = 0, b = 0, c = 0, d = 0;
   p.row(0).minCoeff(&a);
   (p.colwise() - p.col(a)).colwise().squaredNorm().maxCoeff(&b);
@@ -336,6 +356,7 @@ std::vector<int> first_tetrahedron(const Matrix3Xd& p) {
 
 /// Facets that see the point give way to those between it and their rim.
 void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
+  // Facets that see the point go; edges between them and the rest are the rim.
   std::set<std::pair<int, int>> rim;
   std::vector<Facet> kept;
   for (const Facet& facet : facets) {
@@ -348,6 +369,7 @@ void add_point(const Matrix3Xd& p, int point, std::vector<Facet>& facets) {
       if (rim.erase({edge.second, edge.first}) == 0) rim.insert(edge);
     }
   }
+  // It lies inside.
   if (kept.size() == facets.size()) return;
   for (const auto& [a, b] : rim) kept.push_back(facet_of(p, a, b, point));
   facets = std::move(kept);
@@ -369,6 +391,7 @@ double thickness(const Matrix3Xd& p) {
 
 TriangleMesh hull_mesh(const Matrix3Xd& points) {
   require(points.allFinite(), "a hull has a point that is not finite");
+  // Points moved a little, so that no four lie in a plane.
   if (points.cols() < 4 || !(thickness(points) > 1e-4)) return {};
   Matrix3Xd p = points;
   const double size = (p.rowwise().maxCoeff() - p.rowwise().minCoeff()).norm();

@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// The surface as seen from a point.
+/// Nearest surface as seen from a point.
 struct NearestSurface {
   double distance;         // of the point to the surface, negative inside [m]
   Eigen::Vector3d normal;  // unit, outward: gradient of the distance (3)

@@ -40,6 +40,7 @@ MassProperties cylinder(double r, double height) {
 
 /// A cylinder and two half balls, whose centroids stand 3/8 r from their flat sides.
 MassProperties capsule(double r, double height) {
+  // The cylinder, then both half balls about the middle.
   MassProperties body = cylinder(r, height);
   const double m = 4 * kPi / 3 * r * r * r, h = height / 2;
   const double across = m * (2 * r * r / 5 + h * h + 3 * h * r / 4);
@@ -54,6 +55,7 @@ MassProperties capsule(double r, double height) {
 ///   integral of x^2 = 1/2 a^3 bc e1 e2 B(3/2 e2, e2/2) B(e1/2, 2 e1 + 1),  of y^2 alike,
 ///   integral of z^2 = 2 ab c^3 e1 e2 B(e2/2, e2/2 + 1) B(3/2 e1, e1 + 1).
 MassProperties superellipsoid(const Eigen::Vector3d& s, const Eigen::Vector2d& e) {
+  // Dirichlet's integrals for the volume and the second moments.
   const double size = s.prod() * e.prod(), turn = std::beta(e[1] / 2, e[1] / 2 + 1);
   const double across =
       size / 2 * std::beta(1.5 * e[1], e[1] / 2) * std::beta(e[0] / 2, 2 * e[0] + 1);
@@ -66,6 +68,7 @@ MassProperties superellipsoid(const Eigen::Vector3d& s, const Eigen::Vector2d& e
 /// Triangles that face inwards are turned first: each takes away twice what it holds.
 MassProperties enclosed(const TriangleMesh& mesh) {
   if (mesh.empty()) return {};
+  // A sound mesh directly, others part by part.
   const MeshReport found = check_mesh(mesh);
   if (found.watertight() && found.volume > 0) return signed_moments(mesh);
   std::vector<MassProperties> parts;
@@ -109,12 +112,14 @@ MassProperties mass_at_unit_density(const ShapeSpec& shape) {
 }
 
 MassProperties together(const std::vector<MassProperties>& parts) {
+  // Common centre.
   MassProperties sum;
   for (const MassProperties& part : parts) {
     sum.mass += part.mass;
     sum.centre += part.mass * part.centre;
   }
   if (sum.mass > 0) sum.centre /= sum.mass;
+  // Inertia about it by Steiner's theorem.
   for (const MassProperties& part : parts) {
     const Eigen::Vector3d r = part.centre - sum.centre;
     sum.inertia += part.inertia +
@@ -145,6 +150,7 @@ struct UnionPart {
 };
 
 ConvexBody placed(ConvexBody body, const Pose<double>& X) {
+  // Corners, box and sides in the new frame.
   body.box.setEmpty();
   for (auto& face : body.faces)
     for (Vector3d& p : face) {
@@ -159,6 +165,7 @@ ConvexBody placed(ConvexBody body, const Pose<double>& X) {
 }
 
 UnionPart part_of(const ShapeSpec& spec) {
+  // Shape and box; moments where there is a closed form.
   UnionPart part;
   part.shape = build_solid({spec}).shape;
   part.box = part.shape->bounds();
@@ -166,6 +173,7 @@ UnionPart part_of(const ShapeSpec& spec) {
   if (part.has_moments) part.moments = moments_of(mass_at_unit_density(spec));
   if (spec.kind == ShapeKind::kMesh || spec.kind == ShapeKind::kSuperellipsoid)
     part.look = kMeshLook;
+  // Boxes and convex meshes can be cut exactly.
   if (spec.kind == ShapeKind::kBox)
     part.convex = placed(convex_box({-spec.size / 2, spec.size / 2}), spec.X_BS);
   if (spec.kind == ShapeKind::kMesh) part.convex = placed(convex_body(spec.mesh), spec.X_BS);
@@ -179,6 +187,7 @@ std::vector<UnionPart> parts_of(const std::vector<ShapeSpec>& shapes) {
       parts.push_back(part_of(shape));
       continue;
     }
+    // A mesh counts as the solids that it bounds.
     for (TriangleMesh& mesh : solid_parts(shape.mesh)) {
       ShapeSpec one;
       one.kind = ShapeKind::kMesh;
@@ -200,6 +209,7 @@ Eigen::AlignedBox3d common_box(const UnionPart& a, const UnionPart& b) {
 
 /// Parts whose boxes overlap, directly or through others.
 std::vector<std::vector<const UnionPart*>> clusters_of(const std::vector<UnionPart>& parts) {
+  // Merge the groups of all parts that overlap.
   std::vector<std::size_t> group(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     group[i] = i;
@@ -249,7 +259,9 @@ class CubeSum {
       if (std::abs(distance) <= reach + slack) through.push_back(part);
     }
     const auto passing = static_cast<int>(through.size());
+    // Nothing to count in this cube.
     if (whole + passing < (excess_ ? 2 : 1)) return;
+    // No surface passes through: the cube counts as a whole.
     if (passing == 0 || (!excess_ && whole > 0)) {
       const Moments cube = moments_of(convex_box(box));
       for (int i = 0; i < (excess_ ? whole - 1 : 1); ++i) sum_ += cube;
@@ -259,6 +271,7 @@ class CubeSum {
       add_cut(box, through, whole);
       return;
     }
+    // Otherwise its eight halves.
     const Vector3d half = box.sizes() / 2;
     for (int c = 0; c < 8; ++c) {
       const Vector3d low = box.min() + half.cwiseProduct(Vector3d(c & 1, c >> 1 & 1, c >> 2 & 1));
@@ -269,6 +282,7 @@ class CubeSum {
   /// In a smallest cube, each part is what lies below the plane nearest to the middle.
   void add_cut(const Eigen::AlignedBox3d& box, const std::vector<const UnionPart*>& through,
                int whole) {
+    // Each part as the cube below its nearest plane.
     std::vector<ConvexBody> filled;
     for (const UnionPart* part : through) {
       const NearestSurface near = part->shape->nearest(box.center());
@@ -276,6 +290,7 @@ class CubeSum {
       cut(body, {near.normal, near.normal.dot(box.center()) - near.distance}, tolerance_);
       if (!body.empty()) filled.push_back(std::move(body));
     }
+    // Union of the parts in the cube, or how often it is counted too often.
     if (whole == 0) {
       const Moments all = union_moments(filled, tolerance_).moments;
       if (!excess_) sum_ += all;
@@ -335,16 +350,19 @@ Summed upper_bound(const std::vector<const UnionPart*>& parts) {
 
 /// @param looks  that it may take; else it is the upper bound
 Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
+  // The excess of the parts is smaller than their union, and so is its error.
   const bool excess = std::all_of(parts.begin(), parts.end(),
                                   [](const UnionPart* part) { return part->has_moments; });
   const Eigen::AlignedBox3d cube = cube_around(parts, excess);
   CubeSum fine(parts, excess, kDepth, looks), coarse(parts, excess, kDepth - 1, looks);
+  // Coarse and fine sum: their difference is the error.
   const double before = coarse.over(cube).volume;
   if (!coarse.complete()) return upper_bound(parts);
   Summed result{fine.over(cube), 0};
   if (!fine.complete()) return upper_bound(parts);
   result.error = std::abs(result.moments.volume - before);
   if (!excess) return result;
+  // Sum of the parts less the excess.
   Moments all;
   for (const UnionPart* part : parts) all += part->moments;
   all -= result.moments;
@@ -354,6 +372,7 @@ Summed sum_cubes(const std::vector<const UnionPart*>& parts, double looks) {
 
 /// @param share  of all work that these parts may take
 Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double share) {
+  // Alone, or all of them convex: exact.
   if (parts.size() == 1 && parts[0]->has_moments) return {parts[0]->moments, 0};
   std::vector<ConvexBody> convex;
   double extent = 0;
@@ -372,6 +391,7 @@ Summed moments_of_cluster(const std::vector<const UnionPart*>& parts, double sha
 UnionMass union_mass(const std::vector<ShapeSpec>& shapes) {
   require(!shapes.empty(), "a solid needs at least one shape");
   const std::vector<UnionPart> parts = parts_of(shapes);
+  // Groups of overlapping parts, each with its share of the work.
   Moments sum;
   double error = 0;
   for (const auto& cluster : clusters_of(parts)) {

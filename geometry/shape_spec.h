@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shapes as plain data, as files give them.
+/// Shapes as plain data, as files state them.
 
 #include <string>
 #include <vector>
@@ -29,9 +29,8 @@ enum class ShapeKind {
 ///   capsule         radius size[0] about the segment |z| <= size[1] / 2
 ///   tapered capsule radius size[0] at z = -size[2] / 2, size[1] at z = +size[2] / 2
 ///   ellipsoid       semi-axes size[0..2]
-///   superellipsoid  semi-axes size[0..2];  ((x/a)^(2/e2) + (y/b)^(2/e2))^(e2/e1) + (z/c)^(2/e1) =
-///   1
-///                   with (e1, e2) = exponents, each in [0.1, 2]. Source: [Barr1981].
+///   superellipsoid  semi-axes size[0..2], with (e1, e2) = exponents, each in [0.1, 2]:
+///                   ((x/a)^(2/e2) + (y/b)^(2/e2))^(e2/e1) + (z/c)^(2/e1) = 1. Source: [Barr1981].
 ///   mesh            the surface of `mesh`, which stands in its file's frame, in metres
 struct ShapeSpec {
   ShapeKind kind = ShapeKind::kSphere;

@@ -42,6 +42,7 @@ class Placed final : public Shape {
 class Union final : public Shape {
  public:
   explicit Union(std::vector<std::shared_ptr<const Shape>> parts) : parts_(std::move(parts)) {
+    // Box and accuracy of the whole.
     for (const auto& part : parts_) {
       boxes_.push_back(part->bounds());
       whole_.extend(boxes_.back());
@@ -109,6 +110,7 @@ class SmoothUnion final : public Shape {
  public:
   SmoothUnion(std::vector<std::shared_ptr<const Shape>> parts, double blend)
       : parts_(std::move(parts)), blend_(blend) {
+    // The fillet grows the box and limits the accuracy.
     fillet_ = blend * largest_fillet(parts_.size());
     double of_parts = 0;
     for (const auto& part : parts_) {
@@ -121,6 +123,7 @@ class SmoothUnion final : public Shape {
   }
 
   double distance(const Vector3d& p) const override {
+    // Nearest part first; each overlap takes the blend's parabola off.
     const Near near = find_near(p);
     double value = near.parts[0].distance;
     for (std::size_t i = 1; i < near.count; ++i) {
@@ -132,6 +135,7 @@ class SmoothUnion final : public Shape {
   }
 
   NearestSurface nearest(const Vector3d& p) const override {
+    // The same for the normal, by the blend's weights.
     const Near near = find_near(p);
     NearestSurface blended = parts_[near.parts[0].index]->nearest(p);
     blended.supports = false;  // but one of the parts
@@ -167,6 +171,7 @@ class SmoothUnion final : public Shape {
   Near find_near(const Vector3d& p) const {
     Near near;
     double least = std::numeric_limits<double>::infinity();
+    // Parts within the blend of the nearest one, by their boxes first.
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       const double reach = std::max(least + blend_, 0.0);
       if (boxes_[i].squaredExteriorDistance(p) > reach * reach) continue;

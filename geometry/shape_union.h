@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shapes placed and joined.
+/// Placement and union of shapes.
 
 #include <memory>
 #include <vector>
@@ -14,13 +14,12 @@ namespace thenar {
 [[nodiscard]] std::shared_ptr<const Shape> place(std::shared_ptr<const Shape> shape,
                                                  const Pose<double>& X_BS);
 
-/// The union of some shapes, at least one: the least of their distances. Exact
-/// outside and on the surface; inside, where parts overlap, the depth is a
-/// lower bound (the deepest part counts, though its surface may lie within
-/// another). It changes by no more than the way gone everywhere.
+/// The union of some shapes, at least one: the least of their distances. Exact outside and on the
+/// surface; inside, where parts overlap, the depth is a lower bound (the deepest part counts,
+/// though its surface may lie within another). It changes by no more than the way gone everywhere.
 [[nodiscard]] std::shared_ptr<const Shape> join(std::vector<std::shared_ptr<const Shape>> parts);
 
-// Shapes that flow into each other.
+// Smooth unions with a fillet.
 
 /// The union of some shapes with a fillet where they meet. Two distances a <= b that differ by less
 /// than the blend k give

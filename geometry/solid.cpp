@@ -34,6 +34,7 @@ int sizes_of(ShapeKind kind) {
 }
 
 void check(const ShapeSpec& spec) {
+  // Sizes and exponents in range.
   for (int i = 0; i < sizes_of(spec.kind); ++i)
     require(spec.size(i) > 0 && std::isfinite(spec.size(i)),
             "size {} of a {} must be positive and finite, got {} m", i, name_of(spec.kind),
@@ -42,6 +43,7 @@ void check(const ShapeSpec& spec) {
     require(spec.exponents.minCoeff() >= 0.1 && spec.exponents.maxCoeff() <= 2,
             "exponents of a superellipsoid must lie in [0.1, 2], got {} and {}", spec.exponents(0),
             spec.exponents(1));
+  // A proper rotation.
   const Pose<double>& X = spec.X_BS;
   require(X.p.allFinite() && X.R.allFinite() && (X.R * X.R.transpose()).isIdentity(1e-9) &&
               X.R.determinant() > 0,
@@ -86,6 +88,7 @@ TriangleMesh tapered_capsule_mesh(const Vector3d& size, double tolerance) {
   const int below = std::max(2, static_cast<int>(std::ceil((kPi / 2 + slope) * sides / (2 * kPi))));
   const int above = std::max(2, static_cast<int>(std::ceil((kPi / 2 - slope) * sides / (2 * kPi))));
   const double swell = 1 + 2 * outside_by(sides);
+  // Profile from pole to pole: two arcs, whose ends the side's line joins.
   std::vector<Vector2d> profile;
   const auto arc = [&](double radius, double z, double from, double to, int steps) {
     if (to - from < 1e-9) return;
@@ -128,6 +131,7 @@ double touch_tolerance(const Shape& shape) {
 /// What a ball sweeps, if the shape is such a thing; else its surface.
 RoundedMesh touch_of(const ShapeSpec& spec, const Shape& shape) {
   RoundedMesh touch;
+  // Spheres and capsules keep their core; others are tessellated.
   if (spec.kind == ShapeKind::kSphere) {
     touch = {{Vector3d::Zero(), Eigen::Vector3i::Zero()}, spec.size(0)};
   } else if (spec.kind == ShapeKind::kCapsule) {
@@ -165,6 +169,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
   Solid solid;
   std::vector<std::shared_ptr<const Shape>> parts;
   std::vector<TriangleMesh> pictures;
+  // Each shape, a mesh as the solids that it bounds.
   for (const ShapeSpec& given : shapes)
     for (const ShapeSpec& spec : parts_of(given)) {
       const std::shared_ptr<const Shape> shape = shape_of(spec);
@@ -174,6 +179,7 @@ Solid build_solid(const std::vector<ShapeSpec>& shapes) {
       move(pictures.back(), spec.X_BS);
       parts.push_back(place(shape, spec.X_BS));
     }
+  // Pictures joined, distances united.
   solid.picture = joined(pictures);
   solid.shape = join(std::move(parts));
   return solid;

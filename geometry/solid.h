@@ -10,14 +10,14 @@
 
 namespace thenar {
 
-/// A surface swept by a ball: everything within `radius` of the core. A capsule is a segment
-/// (a degenerate triangle) with a radius, a mesh has radius 0. Several stand for their union.
+/// A surface swept by a ball: everything within `radius` of the core. A capsule is a segment (a
+/// degenerate triangle) with a radius, a mesh has radius 0. A list of them stands for their union.
 struct RoundedMesh {
   TriangleMesh core;
   double radius = 0;  // [m]
 };
 
-/// Constant once built; all in one body frame.
+/// A body; constant once built, all in one frame.
 struct Solid {
   std::shared_ptr<const Shape> shape;  // asked for distances; shared: hands are copied, grids large
   std::vector<RoundedMesh> touch;      // what searches another shape's distance for contacts

@@ -74,9 +74,11 @@ class Norm {
     // So near a plane of symmetry that powers would underflow is on it.
     Vector3d u = x.cwiseProduct(inverse_);
     u = (u.array() < 1e-12 * u.maxCoeff()).select(0.0, u);
+    // Powers of the coordinates, and the chain rule's factors.
     const Powers at = powers(u);
     const double ratio = q_ / p_, over = at.s > 0 ? at.disc / at.s : 0;
     const double f1 = ratio * over, f2 = at.s > 0 ? ratio * (ratio - 1) * over / at.s : 0;
+    // Gradient and Hessian of T.
     const Vector2d s1(p_ * slope(at.a, u.x()), p_ * slope(at.b, u.y()));
     Vector3d g(f1 * s1.x(), f1 * s1.y(), q_ * slope(at.c, u.z()));
     Matrix3d H = Matrix3d::Zero();
@@ -84,6 +86,7 @@ class Norm {
     H(0, 0) += f1 * p_ * bend(at.a, u.x(), p_);
     H(1, 1) += f1 * p_ * bend(at.b, u.y(), p_);
     H(2, 2) = q_ * bend(at.c, u.z(), q_);
+    // Scaled to a unit normal.
     g = g.cwiseProduct(inverse_);
     const double steep = g.norm();
     return {to_norm_(at.disc + at.c), g / steep,
@@ -93,6 +96,7 @@ class Norm {
  private:
   /// The point of |u|^k + |v|^k = 1 farthest along w, both >= 0.
   static Vector2d dual_shares(const Vector2d& w, double k) {
+    // Scaled by the largest, so that no power overflows.
     const double most = w.maxCoeff();
     if (!(most > 0)) return {1, 0};
     if (k == 1) return w.x() >= w.y() ? Vector2d(1, 0) : Vector2d(0, 1);
@@ -136,11 +140,13 @@ struct Bound {
 ///   (I + d K) step = (p - x) along the surface,  K the curvature at x.
 /// Zero where the curvature forbids it.
 Vector3d newton_step(const Norm::Value& at, const Vector3d& arm) {
+  // Curvature in the tangent plane.
   const Tangents tangent = tangents(at.gradient);
   Eigen::Matrix<double, 3, 2> basis;
   basis << tangent.e1, tangent.e2;
   const Eigen::Matrix2d M = Eigen::Matrix2d::Identity() +
                             at.gradient.dot(arm) * at.norm * (basis.transpose() * at.bend * basis);
+  // The 2 x 2 system, if it is positive.
   const Vector2d along = basis.transpose() * arm;
   const double det = M.determinant();
   if (!(det > 1e-9 && M.trace() > 0)) return Vector3d::Zero();
@@ -157,6 +163,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
               double enough) {
   Bound best;
   for (int i = 0; i < most; ++i) {
+    // Onto the surface; its tangent plane bounds the distance.
     if (i > 0) at = norm.value(x);
     x /= at.norm;
     const Vector3d arm = p - x;
@@ -164,6 +171,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
     if (!(distance > best.distance)) break;
     best = {distance, arm.norm() - std::abs(distance), at.gradient, x};
     if (best.gap <= enough) break;
+    // Newton's step along the surface.
     x = (x + newton_step(at, arm)).cwiseMax(0.0);
   }
   return best;
@@ -173,6 +181,7 @@ Bound improve(const Norm& norm, const Vector3d& p, Vector3d x, Norm::Value at, i
 /// point from the normal in turn, which settles where the surface bends more sharply than p is far.
 Bound settle(const Norm& norm, const Vector3d& p, Bound best, int most, double enough) {
   for (int i = 0; i < most && best.gap > enough; ++i) {
+    // Support point along the way from the surface to p.
     const Vector3d n = (p - best.x).normalized().cwiseMax(0.0).normalized();
     const Vector3d x = norm.support(n);
     const double distance = n.dot(p - x);
@@ -229,10 +238,12 @@ class Superellipsoid final : public Shape {
   NearestSurface find(const Vector3d& p) const {
     const Norm::Value at = norm_.value(p);
     const double norm = at.norm, enough = kEnough * size_;
+    // Outside: Newton's method from the radial point.
     if (norm > 1) {
       const Bound bound = outside(p, p, at);
       if (bound.gap <= enough) return {bound.distance, bound.normal, true};
     }
+    // Otherwise from the tessellation's nearest point.
     const internal::NearestTriangle near = grid_.nearest(p, tree_);
     const double rough = std::copysign(std::sqrt(near.foot.squared), norm - 1);
     const Vector3d x = near.foot.at.cwiseMax(0.0);
@@ -241,6 +252,7 @@ class Superellipsoid final : public Shape {
     // A bound far below what the tessellation says is no good; its own error decides.
     if (std::abs(bound.distance - rough) <= 1.05 * kTessellation * size_)
       return {bound.distance, bound.normal, true};
+    // The tessellation has the last word.
     const Vector3d way = (p - near.foot.at).cwiseMax(0.0);
     return {rough, rough > 0 && way.norm() > 0 ? Vector3d(way.normalized()) : bound.normal};
   }

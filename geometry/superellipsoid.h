@@ -1,6 +1,6 @@
 #pragma once
 
-/// Boxes, cylinders, balls, octahedra and all between them.
+/// Superellipsoids: boxes, cylinders, balls, octahedra and the shapes between them.
 
 #include <memory>
 
@@ -12,18 +12,17 @@ namespace thenar {
 /// left side is a power of a norm N.
 ///
 /// Its signed distance is the largest of  n . (p - x)  over its surface points x with their normals
-/// n. From the point p / N(p), moved along the surface by Newton's method, such a bound is mostly
-/// found outside that equals |p - x| within 1e-12 of the size, so that nothing can be nearer.
-/// Elsewhere (deep inside, where several sides compete; at edges so sharp that Newton's method does
-/// not settle, with exponents close to 2) the search starts from the nearest point of a fine
+/// n. From the point p / N(p), moved along the surface by Newton's method, a bound is usually found
+/// outside that equals |p - x| within 1e-12 of the size, so that nothing can be nearer. Elsewhere
+/// (deep inside, where several sides compete; at edges so sharp that Newton's method does not
+/// settle, with exponents close to 2) the search starts from the nearest point of a fine
 /// tessellation of one octant. That is right within accuracy(), 3e-4 of the largest semi-axis;
-/// mostly Newton's method improves it to rounding. What it tells of the nearest surface supports
-/// it, except where the tessellation has the last word.
+/// usually Newton's method improves it to rounding. The nearest surface then supports the solid,
+/// except where the tessellation has the last word.
 ///
 /// @param semi_axes  a, b, c [m] (3)
-/// @param exponents  e1, e2 in [0.1, 2] [1] (2). Of 0.1 edges are round by about a fourteenth of
-/// the
-///                   semi-axes; of 2 they are sharp.
+/// @param exponents  e1, e2 in [0.1, 2] [1] (2): at 0.1 edges are round by about a fourteenth
+///                   of the semi-axes, at 2 they are sharp
 [[nodiscard]] std::shared_ptr<const Shape> build_superellipsoid(const Eigen::Vector3d& semi_axes,
                                                                 const Eigen::Vector2d& exponents);
 

@@ -37,8 +37,9 @@ namespace thenar {
 /// @param tolerance  [m]
 [[nodiscard]] TriangleMesh tessellate(const Shape& convex, double tolerance);
 
-/// The part of it where no coordinate is negative, of a solid that is symmetric about all three
-/// planes; open. The distances may be rough, if they have the right sign and vanish on the surface.
+/// The part of tessellate() where no coordinate is negative, of a solid that is symmetric about all
+/// three planes; open. The distances may be rough, if they have the right sign and vanish on the
+/// surface.
 [[nodiscard]] TriangleMesh tessellate_octant(const Shape& convex, double tolerance);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A surface made of triangles.
+/// Triangle meshes and their edges.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Corners of a triangle stand counterclockwise seen from outside.
+/// A surface of triangles, whose corners stand counterclockwise seen from outside.
 struct TriangleMesh {
   Eigen::Matrix3Xd vertices;   // [m] (3, vertices)
   Eigen::Matrix3Xi triangles;  // columns of `vertices` (3, triangles)
@@ -16,18 +16,18 @@ struct TriangleMesh {
   [[nodiscard]] bool empty() const { return triangles.cols() == 0; }
 };
 
-// Which triangles of a mesh meet at which edge.
+// Edges of a mesh and the triangles that meet there.
 
 /// A side of a triangle, as one of those at the edge between two vertices.
 struct MeshSide {
   int low, high;  // vertices of the edge, the lesser first
-  int triangle;   //
+  int triangle;   // of the mesh
   int side;       // from corner `side` of the triangle to the next
   bool upwards;   // the triangle walks from the lesser vertex to the greater
 };
 
-/// All sides, ordered by edge (low, high) and at each edge by triangle and side, in a time that
-/// grows with their number.
+/// Returns all sides, ordered by edge (low, high) and at each edge by triangle and side, in a time
+/// that grows with their number.
 /// @param mesh  whose corners are vertices
 [[nodiscard]] std::vector<MeshSide> sides_by_edge(const TriangleMesh& mesh);
 

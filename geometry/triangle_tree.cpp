@@ -40,6 +40,7 @@ double thinness(const TriangleForm& form) {
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   const Eigen::Index count = mesh.triangles.cols();
+  // Boxes of all triangles, and the tree over them.
   std::vector<Eigen::AlignedBox3d> boxes(count);
   for (Eigen::Index t = 0; t < count; ++t)
     for (int k = 0; k < 3; ++k) boxes[t].extend(mesh.vertices.col(mesh.triangles(k, t)));
@@ -47,6 +48,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
   std::iota(order_.begin(), order_.end(), 0);
   nodes_.reserve(2 * count);
   build(0, static_cast<int>(count), boxes);
+  // Forms in the order of the tree.
   forms_.reserve(count);
   for (const int t : order_)
     forms_.push_back(TriangleForm::of(mesh.vertices.col(mesh.triangles(0, t)),
@@ -64,6 +66,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) {
 
 int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox3d>& boxes) {
   constexpr int kLeaf = 3;
+  // Box of the node and of its triangles' centres.
   const int here = static_cast<int>(nodes_.size());
   nodes_.push_back({{}, first, 0, 0});
   Eigen::AlignedBox3d box, centres;
@@ -72,6 +75,7 @@ int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox
     centres.extend(boxes[order_[i]].center());
   }
   nodes_[here].box = box;
+  // A leaf.
   if (last - first <= kLeaf) {
     nodes_[here].count = last - first;
     return here;
@@ -91,6 +95,7 @@ int TriangleTree::build(int first, int last, const std::vector<Eigen::AlignedBox
 }
 
 NearestTriangle TriangleTree::nearest(const Vector3d& p, NearestTriangle guess) const {
+  // Boxes still to be searched.
   struct Waiting {
     int node;
     double squared;
@@ -104,6 +109,7 @@ NearestTriangle TriangleTree::nearest(const Vector3d& p, NearestTriangle guess) 
     const Node& node = nodes_[next.node];
     for (int i = node.first; i < node.first + node.count; ++i) ask(i, p, guess);
     if (node.count > 0) continue;
+    // The nearer child is searched first.
     Waiting near{next.node + 1, nodes_[next.node + 1].box.squaredExteriorDistance(p)};
     Waiting far{node.second, nodes_[node.second].box.squaredExteriorDistance(p)};
     if (far.squared < near.squared) std::swap(near, far);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Triangles in boxes in boxes, for nearest-point searches anywhere.
+/// Tree of boxes over triangles, for nearest-point searches.
 
 #include <array>
 #include <limits>
@@ -13,9 +13,9 @@
 
 namespace thenar::internal {
 
-// A triangle as the search for nearest points wants it.
+// A triangle in the form that the search needs.
 
-/// What of a triangle is nearest: its face, an edge or a corner.
+/// The feature of a triangle that is nearest: its face, an edge or a corner.
 struct Feature {
   enum Kind { kFace, kEdge, kCorner } kind = kFace;
   int k = 0;  // edge from corner k to the next, or corner k
@@ -39,7 +39,7 @@ struct TriangleForm {
   [[nodiscard]] static TriangleForm of(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                                        const Eigen::Vector3d& c);
 
-  /// The point nearest to p. What it finds depends on p and the triangle alone, whatever `limit`
+  /// Finds the point nearest to p. The result depends on p and the triangle alone, whatever `limit`
   /// is.
   /// @param limit  a squared distance beyond which it need not be found [m^2]
   /// @return false: it lies beyond; `foot` may hold another point of the triangle
@@ -90,11 +90,11 @@ class TriangleTree {
   /// @param mesh  triangles whose corners are not in line, at least one
   explicit TriangleTree(const TriangleMesh& mesh);
 
-  /// Improves on a first guess, whose distance may be infinite. Rounding does not decide what is
-  /// left out, so that the answer is the same whatever the guess was.
+  /// Improves on a first guess, whose distance may be infinite. Triangles are left out with a
+  /// margin for rounding, so that the answer is the same whatever the guess was.
   [[nodiscard]] NearestTriangle nearest(const Eigen::Vector3d& p, NearestTriangle guess) const;
 
-  /// Puts triangle i in place of `best` if it is nearer.
+  /// Replaces `best` by triangle i if that is nearer.
   void ask(int i, const Eigen::Vector3d& p, NearestTriangle& best) const;
 
   /// In the order of forms(): the mesh's triangle that stands there.

@@ -33,6 +33,7 @@ class MovedAxis {
   /// Of a direction beyond the hinge.
   [[nodiscard]] ByAxis direction(const Eigen::Vector3d& now) const {
     const Eigen::Vector3d& d = hinge_.direction;
+    // Derivative of Rodrigues' formula by a tilt of the axis.
     const Eigen::Vector3d v = state_.X.R.transpose() * now;
     const auto tilt = [&](const Eigen::Vector3d& e) -> Eigen::Vector3d {
       return R_parent_ * (std::sin(angle_) * e.cross(v) +
@@ -45,6 +46,7 @@ class MovedAxis {
 
   /// Of the direction of hinge j now.
   [[nodiscard]] ByAxis axis_of(int j) const {
+    // Hinges nearer the base do not move; those beyond move as directions do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
     if (j != question_.hinge) return direction(question_.state[j].axis);
     ByAxis D;
@@ -54,6 +56,7 @@ class MovedAxis {
 
   /// Of the point of hinge j now.
   [[nodiscard]] ByAxis point_of(int j) const {
+    // Hinges nearer the base do not move; those beyond move as points do.
     if (!moves(question_.tree, question_.hinge, j)) return ByAxis::Zero();
     if (j != question_.hinge) return point(question_.state[j].point);
     ByAxis D = ByAxis::Zero();
@@ -83,8 +86,10 @@ std::vector<ByAxis> position_jacobian_by_axis(const AxisQuestion& question, int 
   const Tree<double>& tree = question.tree;
   if (!moves(tree, question.hinge, link)) return result;
 
+  // Motion of the point by the axis.
   const MovedAxis moved_axis(question);
   const ByAxis dx = moved_axis.point(x);
+  // Product rule over axis, point of the hinge and point of the link.
   for_each_hinge_to_base(tree, link, [&](int j) {
     const LinkState<double>& own = question.state[j];
     const ByAxis d_axis = moved_axis.axis_of(j), d_point = moved_axis.point_of(j);

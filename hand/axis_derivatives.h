@@ -1,6 +1,6 @@
 #pragma once
 
-/// How kinematics change when the axis of one hinge is placed differently, in closed form.
+/// Derivatives of kinematics by the placement of one hinge's axis, in closed form.
 
 #include <utility>
 #include <vector>
@@ -15,7 +15,7 @@ namespace thenar {
 /// the direction along tangents() e1 and e2 [m/rad], then x, y, z of its point [m/m].
 using ByAxis = Eigen::Matrix<double, 3, 5>;
 
-/// One hinge of a posed tree whose axis is to be moved. Refers to the tree and its state, which
+/// One hinge of a posed tree whose axis is the variable. Refers to the tree and its state, which
 /// must outlive it; temporaries are refused.
 struct AxisQuestion {
   AxisQuestion(const Tree<double>& of_tree, const TreeState<double>& at, Eigen::VectorXd posture,

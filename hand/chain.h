@@ -39,7 +39,7 @@ using Tree = std::vector<Hinge<T>>;
 template <typename T>
 using TreeState = std::vector<LinkState<T>>;
 
-/// Poses every link.
+/// Forward kinematics: poses every link.
 /// @param tree  hinges, parents before children
 /// @param q     coordinates, anything indexable [rad]
 template <typename T, typename Q>
@@ -47,9 +47,11 @@ template <typename T, typename Q>
   TreeState<T> state(tree.size());
   for (std::size_t i = 0; i < tree.size(); ++i) {
     const Hinge<T>& hinge = tree[i];
+    // Rotation about the hinge.
     const T angle = T(hinge.ratio) * T(q[hinge.coordinate]) + T(hinge.offset);
     const Mat3<T> turn = rotation_about(hinge.direction, angle);
     LinkState<T>& link = state[i];
+    // The base does not move; other links move with their parents.
     if (hinge.parent < 0) {
       link.axis = hinge.direction;
       link.point = hinge.point;
@@ -65,7 +67,7 @@ template <typename T, typename Q>
   return state;
 }
 
-/// Where a point of link `link` (-1: the base) is now.
+/// Present place of a point of link `link` (-1: the base).
 template <typename T>
 [[nodiscard]] Vec3<T> moved(const TreeState<T>& state, int link, const Vec3<T>& p) {
   return link < 0 ? p : Vec3<T>(state[link].X * p);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What grasping needs to know of any hand, human or robot.
+/// The interface of a hand, human or robot, as grasping sees it.
 
 #include <memory>
 #include <string>
@@ -13,20 +13,20 @@
 
 namespace thenar {
 
-/// Torques that come by themselves, without effort: of stops, locks and clutches.
+/// Reaction torques that need no effort: joint limits, locks and clutches.
 struct Reactions {
-  Eigen::MatrixXd R;                  // (coordinates, reactions)
+  Eigen::MatrixXd R;                  // torque per reaction (coordinates, reactions)
   Eigen::VectorXd least;              // of each: 0 is one-sided, -infinity both ways (reactions)
   Eigen::VectorXd most;               // of each (reactions)
-  std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worms
+  std::vector<int> non_backdrivable;  // coordinates whose drive cannot be driven back: worm gears
 };
 
-/// How far to believe what a hand says of its torques, from good to bad.
+/// How far the torques of a hand can be trusted, from good to bad.
 enum class ActuationStatus {
   kExact,       // torque is linear in the efforts
   kLinearised,  // it is not: B is exact at u = 0 and at one working effort, see the hand
-  kDoubtful,    // a tendon is where its model does not hold: see `warning`
-  kUnbalanced   // a part of the torque is that of no balance, and not to be used: see `warning`
+  kDoubtful,    // a tendon is outside the validity of its model: see `warning`
+  kUnbalanced   // a part of the torque is not in equilibrium, and not to be used: see `warning`
 };
 
 /// The joint torques a hand can make at a posture:
@@ -51,10 +51,10 @@ struct AppliedTorque {
   std::string warning{};
 };
 
-/// What happens to the other coordinates of a drive when one is blocked by a contact.
+/// Motion of a drive's other coordinates when one is blocked by a contact.
 enum class DriveCoupling {
   kRigid,      // all stop
-  kBreakaway,  // those further out go on
+  kBreakaway,  // more distal ones go on
   kCompliant   // all others go on
 };
 
@@ -64,18 +64,18 @@ struct DrivenCoordinate {
   double ratio;  // coordinate speed per drive speed
 };
 
-/// What closes a hand: a motor, a tendon, or a single joint, with the coordinates it moves from the
-/// base outwards.
+/// A drive that closes a hand: a motor, a tendon or a single joint, with the coordinates that it
+/// moves, from the base outwards.
 struct Drive {
   std::string name;
   DriveCoupling coupled = DriveCoupling::kRigid;
   std::vector<DrivenCoordinate> moves;
   double speed = 0;          // in closing; 0: it stays where it is [1/s]
   double breakaway = 0;      // effort at which a clutch opens [N m]
-  bool backdrivable = true;  // false: a worm or brake, which holds whatever pushes it back
+  bool backdrivable = true;  // false: a worm gear or brake, which holds against any load
 };
 
-/// A link's surface, or the base's.
+/// Surface of a link, or of the base.
 struct LinkSurface {
   int link = -1;      // that carries it; -1: the base
   std::string name;   // "DP2", "palm"
@@ -84,7 +84,7 @@ struct LinkSurface {
   std::shared_ptr<const Solid> solid;  // hand frame, reference posture; shared by copies of a hand
 };
 
-/// Which way a hand goes at an object, in the hand's frame.
+/// Approach direction of the palm, in the hand's frame.
 struct PalmApproach {
   Eigen::Vector3d point{0, 0, 0};      // [m] (3)
   Eigen::Vector3d direction{0, 0, 1};  // unit (3)
@@ -129,7 +129,7 @@ class Hand {
 
   [[nodiscard]] virtual Actuation actuation(const Eigen::VectorXd& q) const = 0;
 
-  /// What one effort does, without the linearisation that actuation() may have.
+  /// The torque of one effort, without the linearisation that actuation() may have.
   /// @param u  (actuators)
   [[nodiscard]] virtual AppliedTorque effort(const Eigen::VectorXd& q,
                                              const Eigen::VectorXd& u) const {
@@ -137,7 +137,7 @@ class Hand {
     return {actuation.B * u + actuation.tau_0, actuation.B, actuation.status, actuation.warning};
   }
 
-  /// What can touch; empty: a hand of bones without surfaces.
+  /// Surfaces that can touch; empty for a hand of bones without surfaces.
   [[nodiscard]] virtual const std::vector<LinkSurface>& surfaces() const = 0;
 };
 

@@ -60,6 +60,7 @@ std::vector<bool> carries_mass(const Skeleton& skeleton) {
 
 struct Multibody::Parts {
   Parts(const Skeleton& s, Passive p) : skeleton(s), passive(p), matter(system) {
+    // Pins first, then couplings between them.
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i)
       add_pin(skeleton.tree[i], skeleton.masses[i]);
     for (std::size_t i = 0; i < skeleton.tree.size(); ++i) couple(static_cast<int>(i));
@@ -82,8 +83,10 @@ struct Multibody::Parts {
   void couple(int i) {
     if (leads(i)) return;
     const Hinge<double>& hinge = skeleton.tree[i];
+    // The hinge that turns by the coordinate itself.
     int leader = 0;
     while (skeleton.tree[leader].coordinate != hinge.coordinate || !leads(leader)) ++leader;
+    // A linear constraint between both pin angles.
     const SimTK::Array_<SimTK::MobilizedBodyIndex> bodies{body(leader), body(i)};
     const SimTK::Array_<SimTK::MobilizerQIndex> angles(2, SimTK::MobilizerQIndex(0));
     const SimTK::Vector coefficients(SimTK::Vec3(hinge.ratio, -1, hinge.offset));
@@ -97,6 +100,7 @@ struct Multibody::Parts {
     N = Eigen::MatrixXd::Zero(hinges, skeleton.coordinates());
     offset = Eigen::VectorXd::Zero(hinges);
     leader_of.assign(skeleton.coordinates(), 0);
+    // Rows in Simbody's order.
     for (Eigen::Index i = 0; i < hinges; ++i) {
       const Hinge<double>& hinge = skeleton.tree[i];
       const int row = matter.getMobilizedBody(body(static_cast<int>(i))).getFirstUIndex(state);
@@ -145,8 +149,10 @@ struct Multibody::Parts {
       matter.getMobilizedBody(body(link))
           .applyForceToBodyPoint(state, to_simbody(p), to_simbody(f_W), F);
     };
+    // Weights at the centres of mass.
     for (std::size_t i = 0; i < skeleton.masses.size(); ++i)
       add(static_cast<int>(i), skeleton.masses[i].com, skeleton.masses[i].mass * loads.gravity);
+    // Forces at their points.
     for (const PointForce& force : loads.forces) {
       require_link(force.link);
       add(force.link, force.p, force.f_W);
@@ -182,6 +188,7 @@ Multibody& Multibody::operator=(Multibody&&) noexcept = default;
 std::vector<Pose<double>> Multibody::pose(const Eigen::Ref<const Eigen::VectorXd>& q) {
   parts_->set(q);
   std::vector<Pose<double>> poses(parts_->skeleton.tree.size());
+  // Simbody's transforms are displacements, as body frames stand at the base.
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const SimTK::Transform& X = parts_->matter.getMobilizedBody(Parts::body(static_cast<int>(i)))
                                     .getBodyTransform(parts_->state);
@@ -253,6 +260,7 @@ Eigen::VectorXd Multibody::forward_dynamics(const JointMotion& motion,
   SpatialVectors A;
   parts_->matter.calcAcceleration(parts_->state, on_pins, parts_->body_forces(loads), u_dot, A);
 
+  // Accelerations of the leaders.
   Eigen::VectorXd q_ddot(total.size());
   for (Eigen::Index i = 0; i < total.size(); ++i) q_ddot[i] = u_dot[parts_->leader_of[i]];
   return q_ddot;

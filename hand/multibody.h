@@ -1,6 +1,6 @@
 #pragma once
 
-/// The same skeleton as a Simbody multibody: the second machine, for dynamics and cross-checks.
+/// A skeleton as a Simbody multibody: the second machine, for dynamics and cross-checks.
 
 #include <memory>
 #include <vector>
@@ -18,7 +18,7 @@ enum class Passive {
   kOn    // plus  -stiffness (q - rest) - damping q_dot  at every coordinate
 };
 
-/// Where the joints are and how fast they turn.
+/// Posture and speeds of the joints.
 struct JointMotion {
   Eigen::VectorXd q;      // (coordinates) [rad]
   Eigen::VectorXd q_dot;  // (coordinates) [rad/s]

@@ -25,6 +25,7 @@ bool keeps(const std::vector<std::string>& digits, const Digit& digit) {
 std::set<std::string> kept_segments(const Subject& subject,
                                     const std::vector<std::string>& digits) {
   std::set<std::string> kept;
+  // From the tips towards the base.
   for (const Digit& digit : subject.digits)
     if (keeps(digits, digit)) kept.insert(digit.tip_segment);
   for (auto joint = subject.joints.rbegin(); joint != subject.joints.rend(); ++joint)
@@ -33,10 +34,12 @@ std::set<std::string> kept_segments(const Subject& subject,
 }
 
 void require_known(const Subject& subject, const SkeletonOptions& options) {
+  // Digits that exist.
   for (const std::string& name : options.digits)
     require(std::any_of(subject.digits.begin(), subject.digits.end(),
                         [&](const Digit& digit) { return digit.name == name; }),
             "subject '{}' has no digit '{}'", subject.name, name);
+  // Joints that exist, frozen within their limits.
   for (const auto& [name, angle] : options.frozen) {
     const auto joint = std::find_if(subject.joints.begin(), subject.joints.end(),
                                     [&, &n = name](const JointAxis& j) { return j.name == n; });
@@ -64,10 +67,12 @@ class Builder {
  public:
   Builder(const Subject& subject, const SkeletonOptions& options)
       : subject_(subject), options_(options), kept_(kept_segments(subject, options.digits)) {
+    // The base, then joints from the wrist outwards.
     skeleton_.link_of_segment[subject.base] = -1;
     skeleton_.segment_at[subject.base] = {};
     for (const JointAxis& joint : subject.joints)
       if (kept_.count(joint.child) > 0) add(joint);
+    // Masses and tips on the links that are there.
     for (const Segment& segment : subject.segments) add_mass(segment);
     for (const Digit& digit : subject.digits)
       if (keeps(options.digits, digit)) add_tip(digit);
@@ -86,10 +91,12 @@ class Builder {
             joint.child, joint.parent, carrier);
     require(skeleton_.link_of_segment.count(from) > 0,
             "joint '{}' hangs on segment '{}', which no earlier joint reaches", joint.name, from);
+    // The axis at the reference posture, with frozen joints turned.
     const int parent = skeleton_.link_of_segment.at(from);
     const Pose<double> at = skeleton_.segment_at.at(from);
     const Eigen::Vector3d direction = at.R * joint.direction, point = at * joint.point;
 
+    // A frozen joint welds its segments; another adds a hinge.
     if (const auto angle = frozen_angle(joint)) {
       skeleton_.link_of_segment[joint.child] = parent;
       skeleton_.segment_at[joint.child] = screw_motion(direction, point, *angle) * at;
@@ -100,6 +107,7 @@ class Builder {
   }
 
   std::optional<double> frozen_angle(const JointAxis& joint) {
+    // Frozen by name, or by following a frozen joint.
     const auto asked = options_.frozen.find(joint.name);
     std::optional<double> angle;
     if (asked != options_.frozen.end()) {
@@ -115,6 +123,7 @@ class Builder {
                 const Eigen::Vector3d& point) {
     int coordinate = skeleton_.coordinates();
     double ratio = 1, offset = 0;
+    // A follower shares its leader's coordinate; another joint gets its own.
     if (joint.coupling) {
       coordinate = coordinate_of(joint.coupling->leader, joint.name);
       ratio = joint.coupling->ratio;
@@ -125,6 +134,7 @@ class Builder {
       skeleton_.limits.push_back(
           {joint.lower, joint.upper, joint.rest, joint.stiffness, joint.damping});
     }
+    // Hinge, with the mass still to come.
     skeleton_.hinge_names.push_back(joint.name);
     skeleton_.tree.push_back({parent, coordinate, ratio, offset, direction, point});
     skeleton_.masses.emplace_back();
@@ -133,6 +143,7 @@ class Builder {
 
   /// Spring and damper of a follower, felt by its leader; two springs are one with a new rest.
   static void add_passive(CoordinateLimits& leader, const JointAxis& joint, const Coupling& by) {
+    // Two springs on one coordinate are one, with the mean rest.
     const double stiffness = by.ratio * by.ratio * joint.stiffness;
     const double moment =
         leader.stiffness * leader.rest + by.ratio * joint.stiffness * (joint.rest - by.offset);
@@ -237,9 +248,11 @@ namespace {
 /// Solid capsule: a cylinder of length h with two half balls. The transverse moment adds
 /// the parallel-axis terms of the half balls, whose centres lie 3/8 r beyond the cylinder.
 LinkMass capsule(const Eigen::Vector3d& a, const Eigen::Vector3d& b, double r) {
+  // Masses of cylinder and half balls.
   const double h = (b - a).norm();
   const double cylinder = kHandDensity * kPi * r * r * h;
   const double balls = kHandDensity * 4.0 / 3.0 * kPi * r * r * r;
+  // Moments along and across the axis.
   const double along = cylinder * r * r / 2 + balls * 2 * r * r / 5;
   const double across =
       cylinder * (h * h / 12 + r * r / 4) + balls * (2 * r * r / 5 + h * h / 4 + 3 * h * r / 8);
@@ -257,6 +270,7 @@ Eigen::Matrix3d point_inertia(double mass, const Eigen::Vector3d& r) {
 }  // namespace
 
 LinkMass segment_mass(const Segment& segment) {
+  // Capsule, measured mass, or both.
   LinkMass body;
   if (segment.radius > 0) body = capsule(segment.proximal, segment.distal, segment.radius);
   if (segment.mass == 0) return body;

@@ -9,13 +9,13 @@
 
 namespace thenar {
 
-/// What the motor of every coordinate can do.
+/// Torque limits of the motor of every coordinate.
 struct TorqueLimits {
   Eigen::VectorXd lower;  // [N m] (coordinates)
   Eigen::VectorXd upper;  // [N m] (coordinates)
 };
 
-/// How a hand is used: what closes it, from where, and which way it goes at things.
+/// How a hand closes: its drives, the posture it starts from and its approach direction.
 struct ClosingSynergy {
   std::vector<Drive> drives;
   PalmApproach approach;

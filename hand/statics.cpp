@@ -21,12 +21,14 @@ void add_force(const Skeleton& skeleton, const TreeState<double>& state, const P
 Eigen::VectorXd load_torque(const Skeleton& skeleton, const Eigen::Ref<const Eigen::VectorXd>& q,
                             const Loads& loads) {
   const int links = static_cast<int>(skeleton.tree.size());
+  // Shape of q, and links that exist.
   require(q.size() == skeleton.coordinates(), "the skeleton has {} coordinates, q has {}",
           skeleton.coordinates(), q.size());
   for (const PointForce& force : loads.forces)
     require(force.link >= -1 && force.link < links, "a force acts on link {} of {}", force.link,
             links);
 
+  // External forces, then weights.
   const TreeState<double> state = pose_tree(skeleton.tree, q);
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(skeleton.coordinates());
   for (const PointForce& force : loads.forces) add_force(skeleton, state, force, tau);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What weights and pushes ask of the joints: virtual work on the chain.
+/// Joint torques of weights and external forces, by virtual work on the chain.
 
 #include <vector>
 
@@ -17,7 +17,7 @@ struct PointForce {
   Eigen::Vector3d f_W;  // force on the link, base frame           [N] (3)
 };
 
-/// Everything that loads a hand from outside.
+/// All external loads of a hand.
 struct Loads {
   Eigen::Vector3d gravity{0, 0, 0};  // acceleration of free fall, base frame [m/s^2] (3)
   std::vector<PointForce> forces;

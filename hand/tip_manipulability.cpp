@@ -11,6 +11,7 @@ namespace thenar {
 TipManipulability tip_manipulability(const Eigen::Ref<const Eigen::Matrix3Xd>& J) {
   require(J.cols() > 0, "a tip that no joint moves has no mobility");
   require(J.allFinite(), "a tip Jacobian must be finite");
+  // Singular values of the Jacobian, those of a straight finger set to zero.
   const Eigen::MatrixXd matrix = J;
   Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullU);
   svd.setThreshold(internal::kRankTolerance);

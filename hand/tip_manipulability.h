@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which ways a fingertip can move, and how easily.
+/// Directions in which a fingertip can move, and how easily.
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How links and hinges move while one joint coordinate turns.
+/// Velocities of links and hinges while one joint coordinate turns.
 
 #include <vector>
 
@@ -26,7 +26,7 @@ struct TreeVelocity {
   }
 };
 
-/// One joint coordinate turns by 1 rad.
+/// Velocities while one joint coordinate turns by 1 rad/s.
 [[nodiscard]] TreeVelocity joint_velocity_tree(const Tree<double>& tree,
                                                const TreeState<double>& state, int coordinate);
 

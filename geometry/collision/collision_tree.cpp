@@ -18,6 +18,7 @@ class TreeBuilder {
   int build(int first, int last) {
     const int index = static_cast<int>(body_.nodes.size());
     body_.nodes.emplace_back();
+    // A leaf: the ball around one swept triangle.
     if (last - first == 1) {
       CollisionNode& leaf = body_.nodes.back();
       leaf.triangle = first;
@@ -25,6 +26,7 @@ class TreeBuilder {
       leaf.ball.r += triangle(first).radius;
       return index;
     }
+    // An inner node: two halves about the median.
     const Eigen::AlignedBox3d box = box_around(first, last);
     const int middle = split(first, last, box);
     const int left = build(first, middle), right = build(middle, last);
@@ -101,6 +103,7 @@ Ball smallest_ball(const Eigen::Matrix3d& corners) {
 
 CollisionTree collision_tree(const Solid& solid) {
   CollisionTree body;
+  // Checked triangles of all collision surfaces.
   for (const RoundedMesh& mesh : solid.touch) {
     require(mesh.radius >= 0 && std::isfinite(mesh.radius),
             "the radius of a touch surface must be finite and >= 0, got {}", mesh.radius);
@@ -118,6 +121,7 @@ CollisionTree collision_tree(const Solid& solid) {
     }
   }
   require(!body.triangles.empty(), "a touch surface must have {} triangle or more", 1);
+  // The tree over them.
   body.nodes.reserve(2 * body.triangles.size());
   TreeBuilder(body).build(0, static_cast<int>(body.triangles.size()));
   return body;
@@ -147,6 +151,7 @@ Eigen::Vector3d nearest_in_triangle(const Eigen::Matrix3d& corners, const Eigen:
 }
 
 std::array<Eigen::Matrix3d, 2> halves(const Eigen::Matrix3d& corners) {
+  // Longest side.
   int from = 0;
   double longest = -1;
   for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A solid's touch surface, sorted into a tree of spheres for searches.
+/// A solid's collision surface, sorted into a tree of spheres for searches.
 
 #include <array>
 #include <vector>
@@ -38,7 +38,7 @@ struct CollisionTree {
   std::vector<CollisionNode> nodes;
 };
 
-/// Sorts the touch surface of a solid: median splits along the longest side.
+/// Sorts the collision surface of a solid: median splits along the longest side.
 /// @throws InputError if it has no triangle, or one that is not finite.
 [[nodiscard]] CollisionTree collision_tree(const Solid& solid);
 

@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double step) {
   require(p.allFinite(), "a point of a surface must be finite");
   require(step > 0 && std::isfinite(step), "a step must be positive and finite, got {} m", step);
+  // Second differences of the distance in four directions.
   const NearestSurface at = shape.nearest(p);
   const auto second = [&](const Vector3d& v) {
     return (shape.distance(p + step * v) + shape.distance(p - step * v) - 2 * at.distance) /
@@ -22,6 +23,7 @@ PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double ste
   const double rising = second((t.e1 + t.e2).normalized());
   const double falling = second((t.e1 - t.e2).normalized());
 
+  // Mohr's circle of the four.
   const double mean = (along1 + along2 + rising + falling) / 4;
   const double x = (along1 - along2) / 2, y = (rising - falling) / 2;
   const double turn = std::atan2(y, x) / 2, half = std::hypot(x, y);
@@ -30,6 +32,7 @@ PrincipalCurvatures curvatures(const Shape& shape, const Vector3d& p, double ste
 
 RelativeCurvatures relative_curvatures(const PrincipalCurvatures& a, const PrincipalCurvatures& b,
                                        double angle) {
+  // Sum of both Hessians by Mohr's circle.
   const double A = a.k1 - a.k2, B = b.k1 - b.k2;
   const double mean = (a.k1 + a.k2 + b.k1 + b.k2) / 2;
   const double half = std::hypot(A + B * std::cos(2 * angle), B * std::sin(2 * angle)) / 2;

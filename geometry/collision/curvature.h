@@ -1,6 +1,6 @@
 #pragma once
 
-/// How curved surfaces are where they meet.
+/// Curvatures of surfaces where they touch.
 
 #include <Eigen/Core>
 

@@ -41,10 +41,12 @@ constexpr double kHighest = 10;  // lift: farther off, rounding counts [m]
 
 Ball lifted_ball(const Shape& b, const Eigen::Matrix3d& corners, const Ball& ball,
                  const NearestSurface& seen, double wanted) {
+  // Height of the triangle above the plane that the middle sees.
   const double lowest =
       seen.distance + (seen.normal.transpose() * (corners.colwise() - ball.c)).minCoeff();
   const double spare = lowest - wanted;
   if (!(spare > 0)) return {ball.c, -std::numeric_limits<double>::infinity()};
+  // Lift at which the rim sinks by less than what is to spare.
   const double h = std::min(ball.r * ball.r / spare, kHighest);
   const Eigen::Vector3d above = ball.c + h * seen.normal;
   return {above, b.distance(above)};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a search has learnt of the space beside a body.
+/// Balls and half-spaces known to be empty beside a body, from earlier looks at its distance.
 
 #include <algorithm>
 #include <array>
@@ -46,7 +46,7 @@ class EmptySpace {
   std::size_t planes_seen_ = 0;
 };
 
-// How near a triangle can be to a solid whose distance is known at a few points.
+// Bounds of a triangle's distance from a solid whose distance is known at a few points.
 
 /// A ball without a point of the solid, so that nothing in it is nearer than its rim is far:
 /// a triangle whose corners lie within r' of its centre is no nearer than  r - r'.

@@ -32,6 +32,7 @@ FclMesh::FclMesh(const TriangleMesh& mesh) : model_(std::make_unique<Model>()) {
   require(!mesh.empty() && mesh.vertices.allFinite(),
           "a mesh for FCL must have finite vertices and triangles, got {} of these",
           mesh.triangles.cols());
+  // Vertices and triangles in FCL's types.
   std::vector<fcl::Vector3d> vertices;
   for (Eigen::Index i = 0; i < mesh.vertices.cols(); ++i)
     vertices.emplace_back(mesh.vertices.col(i));
@@ -41,6 +42,7 @@ FclMesh::FclMesh(const TriangleMesh& mesh) : model_(std::make_unique<Model>()) {
   };
   for (Eigen::Index i = 0; i < mesh.triangles.cols(); ++i)
     triangles.emplace_back(corner(0, i), corner(1, i), corner(2, i));
+  // FCL builds its tree.
   model_->tree = std::make_shared<fcl::BVHModel<fcl::OBBRSS<double>>>();
   model_->tree->beginModel();
   model_->tree->addSubModel(vertices, triangles);

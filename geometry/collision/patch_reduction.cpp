@@ -26,11 +26,13 @@ double distance_from_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a,
 
 /// Corners of the convex hull, counterclockwise.
 std::vector<int> convex_hull(const Points& points) {
+  // By x, then by y.
   std::vector<int> order(static_cast<std::size_t>(points.cols()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int i, int j) {
     return std::pair(points(0, i), points(1, i)) < std::pair(points(0, j), points(1, j));
   });
+  // Lower and upper chain: right turns go.
   std::vector<int> hull;
   const auto sweep = [&](auto first, auto last) {
     const std::size_t base = hull.size();
@@ -91,6 +93,7 @@ class Polygon {
 
   /// Outermost distance of any hull corner once the k-th is dropped as well.
   [[nodiscard]] double loss_without(std::size_t k) const {
+    // Distance beyond the new side, and beyond all others.
     double loss = beyond(before(k), after(k));
     for (std::size_t i = 0; i < size(); ++i)
       if (i != k && i != before(k)) loss = std::max(loss, loss_[i]);
@@ -144,6 +147,7 @@ class Polygon {
 /// Drops corners that cost least.
 ReducedPoints simplified(const Points& points, const std::vector<int>& hull, double allowed,
                          int most) {
+  // Cheapest corners go until the loss is too large and few enough are left.
   Polygon polygon(points, hull);
   double loss = 0;
   while (polygon.size() > 3) {
@@ -164,14 +168,17 @@ ReducedPoints reduce_points(const Points& points, double merge, int most) {
   require(merge >= 0 && most >= 3, "merge must be >= 0 and most >= 3, got {} m and {}", merge,
           most);
   const std::vector<int> hull = convex_hull(points);
+  // All in one place: the first point stands for them.
   const FarthestPair pair = farthest_pair(points, hull);
   if (pair.distance <= merge) {
     double loss = 0;
     for (const int i : hull) loss = std::max(loss, (points.col(i) - points.col(0)).norm());
     return {{0}, loss};
   }
+  // Nearly on a line: the two farthest apart.
   const double wide = width(points, hull, pair);
   if (wide <= merge / 2 || hull.size() < 3) return {{pair.a, pair.b}, wide};
+  // Otherwise a polygon.
   return simplified(points, hull, merge / 10, most);
 }
 

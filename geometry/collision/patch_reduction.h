@@ -1,6 +1,6 @@
 #pragma once
 
-/// A few points in place of many.
+/// Reduction of many contact points to a few.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Which points to keep.
+/// The points to keep.
 struct ReducedPoints {
   std::vector<int> kept;  // columns, around the hull
   double loss;            // no point is farther from the hull of the kept ones, in the plane [m]

@@ -45,6 +45,7 @@ class PatchSearch {
       : a_(a), X_BA_(X_BA), b_(b), query_(query) {}
 
   PatchPieces run() {
+    // Depth-first through the tree; far nodes are left out.
     std::vector<int> nodes{0};
     while (!nodes.empty()) {
       const CollisionNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
@@ -96,13 +97,16 @@ class PatchSearch {
   }
 
   void search(int triangle) {
+    // The triangle in B's frame; halves go back onto the stack.
     const SweptTriangle& t = a_.triangles[static_cast<std::size_t>(triangle)];
     std::vector<Part> parts{{(X_BA_.R * t.corners).colwise() + X_BA_.p, t.radius, {}}};
     while (!parts.empty()) {
       Part part = parts.back();
       parts.pop_back();
+      // Out of reach by place, or by what its corners have seen.
       const Ball ball = smallest_ball(part.corners);
       if (far_by_corners(part) || far_by_place({ball.c, ball.r + part.radius})) continue;
+      // Out of reach by what its middle sees.
       const NearestSurface near = b_.nearest(ball.c);
       if (bound_of(part, ball, near) > query_.level) continue;
       const PatchPoint middle = point_at(ball.c, near, part.radius);
@@ -136,6 +140,7 @@ class PatchSearch {
 
   /// Whether the part need not be halved; its points are then among those found.
   bool keep(Part& part, const Ball& ball, const PatchPoint& middle) {
+    // Corners inside and outside the level.
     std::vector<PatchPoint> inside, outside;
     const auto sort_in = [&](const PatchPoint& point) {
       (counts(point) ? inside : outside).push_back(point);
@@ -144,9 +149,12 @@ class PatchSearch {
       if (!part.seen[k]) part.seen[k] = seen(part.corners.col(k), part.radius);
       sort_in(*part.seen[k]);
     }
+    // Certainly outside.
     if (inside.empty() && !counts(middle) && (far_by_corners(part) || clear(part, ball, middle)))
       return true;
+    // Crossed by the rim, and still larger than the resolution.
     if (ball.r > query_.resolution && !(outside.empty() && counts(middle))) return false;
+    // Points inside, and the rim towards those outside.
     PatchPiece piece{ball, inside};
     (counts(middle) ? piece.points : outside).push_back(middle);
     for (const PatchPoint& point : outside) add_rim(part, inside, point, piece);
@@ -157,9 +165,11 @@ class PatchSearch {
   /// Points of the rim towards a point outside.
   void add_rim(const Part& part, const std::vector<PatchPoint>& inside, const PatchPoint& point,
                PatchPiece& piece) {
+    // The point of the part nearest to what lies below the outer one.
     PatchPoint over = seen(nearest_in_triangle(part.corners, point.on_b), part.radius);
     if (!counts(over)) over = down_from(part, point, over.core);
     if (counts(over)) piece.points.push_back(over);
+    // Points where sides cross the rim.
     if (query_.halvings == 0) return;
     for (const PatchPoint& in : inside) piece.points.push_back(crossing(in, point));
   }
@@ -189,6 +199,7 @@ class PatchSearch {
   /// Newton's step down the slope of the distance, which the way to `over` shows, to the level
   /// aimed at: of a slope up to an edge, onto the edge.
   PatchPoint down_from(const Part& part, const PatchPoint& point, const Eigen::Vector3d& over) {
+    // Slope along the way to `over`, and the step to the level aimed at.
     const Eigen::Vector3d way = over - point.core;
     const double square = way.squaredNorm(), d = point.distance + part.radius;
     if (!(square > 0)) return point;

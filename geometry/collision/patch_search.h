@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a touch surface lies near a solid.
+/// Search for the parts of a collision surface that lie near a solid.
 
 #include <vector>
 
@@ -28,7 +28,7 @@ struct PatchPiece {
   std::vector<PatchPoint> points;  // those of its points that are near enough, the nearest first
 };
 
-/// What to look for.
+/// Parameters of the search.
 struct PatchQuery {
   double level = 0;       // points no farther from B than this [m]
   double aim = 0;         // distance to look for at the rim, a little less than the level [m]
@@ -43,7 +43,7 @@ struct PatchPieces {
   bool complete = true;  // the search ended before max_evaluations
 };
 
-/// Pieces of A within a level of B's distance.
+/// Finds the pieces of A within a level of B's distance.
 ///
 /// A piece with all corners inside the level is kept whole: its corners span it. Others are halved
 /// down to the resolution; of those left at the rim the points count that are inside, among them

@@ -22,6 +22,7 @@ ConvexBracket::ConvexBracket(double low, double high, const Tangent& first)
 }
 
 void ConvexBracket::add(const Tangent& tangent) {
+  // The side of the minimum that it is on, and how often in turn.
   const bool falls = tangent.slope <= 0;
   same_side_ = falls == last_low_ ? same_side_ + 1 : 1;
   last_low_ = falls;
@@ -42,10 +43,12 @@ double ConvexBracket::lower() const {
 }
 
 double ConvexBracket::next(double step) const {
+  // Only one side is known: growing steps towards the other.
   if (!closed()) {
     const double way = step * std::pow(4, same_side_ - 1);
     return seen_low_ ? std::min(high_.t, low_.t + way) : std::max(low_.t, high_.t - way);
   }
+  // Stuck on one side: where the tangents meet; otherwise regula falsi on the slope.
   if (same_side_ > 1) return meeting();
   return low_.t - low_.slope * (high_.t - low_.t) / (high_.slope - low_.slope);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How near a segment can be to a solid whose distance is known at both its ends.
+/// Bounds of a segment's distance from a solid whose distance is known at both ends.
 
 namespace thenar {
 
@@ -22,7 +22,7 @@ struct BallPair {
   [[nodiscard]] double least() const;
 };
 
-// The least of a convex function on an interval, closed in from both sides.
+// Least value of a convex function on an interval, bracketed from both sides.
 
 /// A convex function at one place.
 struct Tangent {

@@ -38,8 +38,10 @@ class DistanceSearch {
       : a_(a), X_BA_(X_BA), b_(b), options_(options) {}
 
   SignedDistance run() {
+    // A triangle of a near pose is a good start.
     if (options_.start >= 0 && options_.start < static_cast<int>(a_.triangles.size()))
       descend(whole(options_.start));
+    // Bound of the root; only near pairs are worth a guess.
     const Ball root = posed(a_.nodes.front());
     const bool single = a_.nodes.front().triangle >= 0;
     const NearestSurface seen = single ? whole(a_.nodes.front().triangle).seen : see(root.c);
@@ -50,6 +52,7 @@ class DistanceSearch {
       add_node(0, bound);
     else
       push({bound, 0, -1});
+    // Lowest bound first, until no candidate can be better by more than the tolerance.
     while (!heap_.empty() && heap_.front().bound < enough() &&
            heap_.front().bound <= options_.cutoff && evaluations_ < options_.max_evaluations)
       expand(pop());
@@ -110,6 +113,7 @@ class DistanceSearch {
       n = seen_.normal;
       last = lowest;
     }
+    // Planes and segments have bounds of their own.
     if (seen_.supports || (a_.triangles.size() == 1 && fills_in(0))) return;
     for (const double h : {3.0, 30.0}) {
       const Eigen::Vector3d above = core_ + h * a_.nodes.front().ball.r * seen_.normal;
@@ -126,11 +130,13 @@ class DistanceSearch {
       const CollisionNode& node = a_.nodes[static_cast<std::size_t>(nodes.back())];
       nodes.pop_back();
       if (n.dot(node.ball.c) - node.ball.r >= least) continue;
+      // Inner nodes: both children.
       if (node.triangle < 0) {
         nodes.push_back(node.left);
         nodes.push_back(node.right);
         continue;
       }
+      // The triangle's lowest corner.
       const SweptTriangle& t = a_.triangles[static_cast<std::size_t>(node.triangle)];
       const double low = (n.transpose() * t.corners).minCoeff() - t.radius;
       if (low < least) least = low, best = node.triangle;
@@ -168,13 +174,16 @@ class DistanceSearch {
 
   /// Queues a triangle or a part of one.
   void add_piece(const Eigen::Matrix3d& corners, double radius, int triangle, double parent) {
+    // What is known to be empty may rule it out.
     const double bound = std::max(parent, empty_.bound(corners, radius));
     if (bound >= enough()) {
       dropped_ = std::min(dropped_, bound);
       return;
     }
+    // Look at its middle.
     const Piece piece = evaluated(corners, radius, triangle);
     const double seen = std::max(bound, bound_of(piece));
+    // Segments have sharper bounds of their own.
     if (is_segment(triangle)) {
       const double lower = piece.seen.supports ? close_in(piece) : fill_in(piece);
       if (lower > kNothing) {
@@ -203,6 +212,7 @@ class DistanceSearch {
   /// Along a segment planes of B close in from both sides. Returns a bound of the segment,
   /// kNothing if a plane does not support B.
   double close_in(const Piece& piece) {
+    // Distance and slope at a point of the segment.
     const Eigen::Matrix3d& c = piece.corners;
     const Eigen::Vector3d u = longest_side(c).stableNormalized();
     const auto tangent = [&](double t, const NearestSurface& seen) {
@@ -210,6 +220,7 @@ class DistanceSearch {
     };
     NearestSurface seen = piece.seen;
     ConvexBracket bracket(-piece.ball.r, piece.ball.r, tangent(0, seen));
+    // Planes from both sides, until the bound is high enough.
     for (int i = 0; i < kMaxAlong && bracket.lower() < enough() &&
                     bracket.lower() <= options_.cutoff && evaluations_ < options_.max_evaluations;
          ++i) {
@@ -233,6 +244,7 @@ class DistanceSearch {
   /// if it goes into B, not all of it counts, or distances are not exact.
   double fill_in(const Piece& piece) {
     const double r = piece.ball.r;
+    // Only where all of the segment counts and distances are exact.
     if (!fills_in(piece.triangle) || !(r > 0)) return kNothing;
     const Eigen::Vector3d u = longest_side(piece.corners).stableNormalized();
     const auto distance_at = [&](double t) {
@@ -241,6 +253,7 @@ class DistanceSearch {
       offer(p, seen, piece);
       return seen.distance;
     };
+    // Balls at both ends; then between the pair with the lowest bound.
     std::vector<BallPair> pairs{{-r, r, distance_at(-r), distance_at(r)}};
     while (pairs.back().d_from > 0 && pairs.back().d_to > 0) {
       const auto lowest = std::min_element(
@@ -268,13 +281,16 @@ class DistanceSearch {
   }
 
   void add_node(int index, double parent) {
+    // Outside of the region that counts.
     const CollisionNode& node = a_.nodes[static_cast<std::size_t>(index)];
     const Ball ball = posed(node);
     if (!near(ball)) return;
+    // A leaf is a triangle.
     if (node.triangle >= 0) {
       const double radius = a_.triangles[static_cast<std::size_t>(node.triangle)].radius;
       return add_piece(corners_of(node.triangle), radius, node.triangle, parent);
     }
+    // A node's ball, against empty space and against B.
     double bound = std::max(parent, empty_.bound(ball));
     if (bound < enough())
       bound =
@@ -283,12 +299,14 @@ class DistanceSearch {
   }
 
   void expand(const Candidate& candidate) {
+    // A node: both children.
     if (candidate.node >= 0) {
       const CollisionNode& node = a_.nodes[static_cast<std::size_t>(candidate.node)];
       add_node(node.left, candidate.bound);
       add_node(node.right, candidate.bound);
       return;
     }
+    // A piece: look for better points, then sharpen its bound, then halve it.
     const Piece piece = pieces_[static_cast<std::size_t>(candidate.piece)];
     descend(piece);
     const double bound = std::max({candidate.bound, empty_.bound(piece.corners, piece.radius),
@@ -310,6 +328,7 @@ class DistanceSearch {
 
   /// Looks for better points: the corner farthest down, and the point nearest to B's, alternately.
   void descend(const Piece& piece) {
+    // The corner that B's plane sees lowest.
     Eigen::Index lowest = 0;
     const double rise = (piece.seen.normal.transpose() * (piece.corners.colwise() - piece.ball.c))
                             .minCoeff(&lowest);
@@ -319,6 +338,7 @@ class DistanceSearch {
     const Eigen::Vector3d corner = piece.corners.col(lowest);
     offer(corner, see(corner), piece);
 
+    // Alternate between the nearest points of the two.
     Eigen::Vector3d on_b = piece.ball.c - piece.seen.distance * piece.seen.normal;
     for (int i = 0; i < 3; ++i) {
       const double before = best_;
@@ -337,6 +357,7 @@ class DistanceSearch {
 
   /// In B's frame.
   SignedDistance result() {
+    // The lowest bound that is left tells the error.
     if (triangle_ < 0) whole(0);  // beyond the cutoff before any triangle was seen
     const double below = heap_.empty() ? kInfinity : heap_.front().bound;
     const double lower = std::min({below, dropped_, best_});

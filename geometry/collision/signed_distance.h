@@ -1,6 +1,6 @@
 #pragma once
 
-/// How far two solids are apart.
+/// Signed distance of two solids.
 
 #include <Eigen/Core>
 
@@ -21,7 +21,7 @@ struct SignedDistance {
   int evaluations = 0;     // of B's distance
 };
 
-/// How exactly to search.
+/// Accuracy of the search.
 struct SignedDistanceOptions {
   double tolerance = 5e-5;        // error allowed, besides that of B's distance [m]
   double relative = 0;            // error allowed as a share of the distance, if that is more [1]
@@ -35,12 +35,12 @@ struct SignedDistanceOptions {
 ///
 /// The distance of B changes by no more than the way gone, so nothing in a ball of radius r about c
 /// is nearer than  d(c) - r.  A triangle is searched twice: in the ball around it, and in the ball
-/// about a point lifted off B, through the triangle's corners, which is all but flat there; of flat
-/// faces lying on each other it leaves nothing to be divided. Triangles are halved until the best
+/// about a point lifted off B, through the triangle's corners, which is nearly flat there; where
+/// flat faces lie on each other nothing is left to be divided. Triangles are halved until the best
 /// point is within the tolerance of the lowest bound.
 ///
 /// The core of a capsule is searched along itself: beside a convex solid between supporting planes
-/// (ConvexBracket), beside others whose distance is exact between empty balls (BallPair).
+/// (ConvexBracket), beside other solids with exact distances between empty balls (BallPair).
 ///
 /// A rounded triangle of radius r is as far as its core less r. Where A encloses B without touching
 /// it the distance is positive: hands do not swallow objects. Beyond `cutoff` the distance is a
@@ -57,7 +57,8 @@ struct SignedDistanceOptions {
                                              const Shape& b,
                                              const SignedDistanceOptions& options = {});
 
-/// The same for one question: sorts A's touch surface first, which takes longer than to search it.
+/// The same for one question: sorts A's collision surface first, which takes longer than the
+/// search.
 [[nodiscard]] SignedDistance signed_distance(const Solid& a, const Pose<double>& X_WA,
                                              const Solid& b, const Pose<double>& X_WB,
                                              double tolerance = 5e-5, double cutoff = 1e30);

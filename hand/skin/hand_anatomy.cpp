@@ -63,6 +63,7 @@ bool is_link(const Segment& segment) {
 /// The segments with flesh from the tip towards the base, at most four: the digit's and its root.
 std::vector<const Segment*> flesh_of(const Subject& subject, const Digit& digit) {
   std::vector<const Segment*> chain;
+  // Down the chain from the tip; links of universal joints have no flesh.
   std::string name = digit.tip_segment;
   while (chain.size() < kBones) {
     const Segment* segment = segment_named(subject, name);
@@ -107,6 +108,7 @@ Vector3d nearest_on_axis(const JointAxis& joint, const Vector3d& p) {
 /// A joint's centre, see find_anatomy(). `across` is the radial direction.
 Vector3d joint_center(const Subject& subject, const Segment& bone, double radius,
                       const Vector3d& across) {
+  // The hinge that flexes most.
   const JointAxis* flexion = nullptr;
   for (const JointAxis* hinge : hinges_of(subject, bone.name)) {
     if (flexion == nullptr ||
@@ -114,32 +116,38 @@ Vector3d joint_center(const Subject& subject, const Segment& bone, double radius
       flexion = hinge;
   }
   if (flexion == nullptr) return bone.proximal;
+  // Start from the bone's end, or half way to the middle of the joint's head.
   Vector3d from = bone.proximal;
   const std::string root = root_of(subject, bone.name);
   for (const Surface& head : subject.surfaces)
     if (head.segment == root && head.shape == SurfaceShape::kCylinder &&
         (head.center - bone.proximal).norm() < 2 * radius)
       from = (bone.proximal + head.center) / 2;
+  // Towards the axis, no further than 1.5 radii.
   const Vector3d way = nearest_on_axis(*flexion, from) - bone.proximal;
   return bone.proximal + std::min(1.0, 1.5 * radius / std::max(way.norm(), 1e-9)) * way;
 }
 
 /// Directions across a bone that keep the digit's radial one.
 void aim(const Digit& digit, DigitBone& bone) {
+  // Radial direction of the digit, made normal to the bone.
   const Vector3d proximal = (bone.proximal - bone.distal).normalized();
   Vector3d radial = digit.radial - digit.radial.dot(proximal) * proximal;
   if (radial.norm() < 0.1) radial = tangents(proximal).e1;
   bone.radial = radial.normalized();
+  // Right-handed or left-handed.
   const double hand = digit.radial.cross(digit.proximal).dot(digit.dorsal) < 0 ? -1 : 1;
   bone.dorsal = hand * bone.radial.cross(proximal);
 }
 
 DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double length, bool& assumed) {
+  // Bones from the root to the tip.
   const std::vector<const Segment*> chain = flesh_of(subject, digit);
   DigitAnatomy anatomy{digit.name, root_of(subject, chain.back()->name), {}};
   for (int i = 0; i < kBones; ++i) {
     const Segment& segment = *chain[kBones - 1 - i];
     assumed = assumed || segment.radius == 0;
+    // Stated radius, or one in proportion to the hand.
     const double radius =
         segment.radius > 0 ? segment.radius : proportion_of(digit.name).radius[i] * length;
     anatomy.bones.push_back({segment.name,
@@ -150,6 +158,7 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
                              {}});
     if (i > 0) anatomy.bones[i - 1].distal = anatomy.bones[i].proximal;
   }
+  // Directions need the bones' final ends.
   for (DigitBone& bone : anatomy.bones) {
     require((bone.distal - bone.proximal).norm() > 1e-3, "segment '{}' of '{}' has no length",
             bone.segment, subject.name);
@@ -160,6 +169,7 @@ DigitAnatomy anatomy_of(const Subject& subject, const Digit& digit, double lengt
 
 /// From the bones of all digits together.
 double length_of(const Subject& subject) {
+  // Stated, or from the lengths of all bones.
   const auto stated = subject.lengths.find("hand_length");
   if (stated != subject.lengths.end()) return stated->second;
   double bones = 0, parts = 0;
@@ -189,6 +199,7 @@ std::optional<PalmAnatomy> palm_of(const Subject& subject, const HandAnatomy& ha
   const Segment* segment = segment_named(subject, root);
   if (knuckles.size() < 2 || segment == nullptr) return std::nullopt;
 
+  // Wrist, and the mean of the knuckles.
   PalmAnatomy palm;
   palm.segment = root;
   palm.wrist = wrist_of(subject, *segment);
@@ -197,11 +208,13 @@ std::optional<PalmAnatomy> palm_of(const Subject& subject, const HandAnatomy& ha
     heads += bone->proximal / static_cast<double>(knuckles.size());
     dorsal += bone->dorsal;
   }
+  // Axes: distal, radial towards the index finger, dorsal as the bones are.
   palm.distal = (heads - palm.wrist).normalized();
   const Vector3d across = knuckles.front()->proximal - knuckles.back()->proximal;
   palm.radial = (across - across.dot(palm.distal) * palm.distal).normalized();
   palm.dorsal = palm.distal.cross(palm.radial);
   if (palm.dorsal.dot(dorsal) < 0) palm.dorsal = -palm.dorsal;
+  // Stated breadth, or one in proportion.
   const auto stated = subject.lengths.find("hand_breadth");
   palm.breadth = stated == subject.lengths.end() ? kBreadthOfLength * hand.length : stated->second;
   palm.thickness = kThicknessOfBreadth * palm.breadth;
@@ -213,6 +226,7 @@ std::optional<PalmAnatomy> palm_of(const Subject& subject, const HandAnatomy& ha
 HandAnatomy find_anatomy(const Subject& subject) {
   require(!subject.digits.empty(), "subject '{}' has no digit to lay skin on", subject.name);
   HandAnatomy hand;
+  // Length first: radii follow from it.
   hand.length = length_of(subject);
   bool assumed = false;
   for (const Digit& digit : subject.digits)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the joints, bones and breadths of a subject are, as its skin needs them.
+/// Joint centres, bones and breadths of a subject, as its skin needs them.
 
 #include <optional>
 #include <string>
@@ -38,7 +38,7 @@ struct PalmAnatomy {
   double thickness;                        // without thenar and hypothenar [m]
 };
 
-/// The hand as its surface sees it.
+/// Anatomy of a hand for its surface.
 struct HandAnatomy {
   double length;  // wrist to the tip of the middle finger [m]
   std::vector<DigitAnatomy> digits;
@@ -46,7 +46,7 @@ struct HandAnatomy {
   std::vector<std::string> warnings;  // what was taken from proportions
 };
 
-/// Finds them.
+/// Finds the anatomy of a subject.
 ///
 /// A joint's centre is the point of its flexion axis next to the bone's end, so that skin lies
 /// around the joint even where landmarks were digitised on the back of the hand; where the subject

@@ -31,6 +31,7 @@ class SoftShape final : public Shape {
     return implicit_height(body_, p);
   }
   [[nodiscard]] NearestSurface nearest(const Vector3d& p) const override {
+    // Gradient by central differences.
     const double h = 1e-6;  // [m]
     Vector3d slope;
     for (int i = 0; i < 3; ++i)
@@ -53,6 +54,7 @@ const Segment& find_segment(const Subject& subject, const std::string& name) {
 
 /// Throws if an edge does not belong to two triangles that walk it in opposite ways.
 void require_closed(const TriangleMesh& mesh, const std::string& segment) {
+  // Edges that are not walked equally often both ways.
   int open = 0, from = 0;
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     const auto up = std::count_if(first, last, [](const MeshSide& side) { return side.upwards; });
@@ -102,9 +104,11 @@ class SkinMaker {
   /// @param picture  empty: the mesh itself
   void add(const std::string& digit, const std::string& segment, TriangleMesh mesh,
            TriangleMesh picture = {}) {
+    // Segments that the skeleton left out have no surface.
     const auto link = skeleton_.link_of_segment.find(segment);
     if (link == skeleton_.link_of_segment.end()) return;
     const Pose<double>& at = skeleton_.segment_at.at(segment);
+    // In the hand's frame.
     for (TriangleMesh* each : {&mesh, &picture})
       each->vertices = ((at.R * each->vertices).colwise() + at.p).eval();
     Solid solid = solid_of(std::move(mesh), segment);
@@ -138,12 +142,14 @@ struct Skin {
 /// Those of all segments that have links, but for the user's own.
 std::vector<Skin> skins_of(const HandAnatomy& hand, const Skeleton& skeleton,
                            const SkinOptions& options) {
+  // Segments without a mesh of their own.
   std::vector<Skin> skins;
   for (const auto& [segment, body] : skin_bodies(hand))
     if (skeleton.link_of_segment.count(segment) > 0 && options.own.count(segment) == 0)
       skins.push_back({digit_of(hand, segment), segment, body, {}, {}});
   std::mutex telling;
   double done = 0;
+  // In parallel, as each takes seconds.
   parallel_for(skins.size(), [&](std::size_t i) {
     Skin& skin = skins[i];
     {
@@ -167,6 +173,7 @@ TriangleMesh skin_mesh(const ImplicitBody& body, int triangles) {
     const Vector3d size = shape.bounds().sizes();
     const double area = (size.x() * size.y() + size.y() * size.z() + size.z() * size.x()) * 1.2;
     double cell = std::sqrt(2 * area / triangles);
+    // Larger cells until there are few enough triangles.
     for (;;) {
       TriangleMesh mesh = mesh_from_distance(shape, cell);
       if (mesh.triangles.cols() <= triangles) return mesh;
@@ -180,6 +187,7 @@ std::vector<LinkSurface> human_surfaces(const Subject& subject, const Skeleton& 
   const HandAnatomy hand = find_anatomy(subject);
   const std::vector<Skin> skins = skins_of(hand, skeleton, options);
   SkinMaker maker(skeleton, options);
+  // Generated skins, then the user's own.
   for (const Skin& skin : skins) maker.add(skin.digit, skin.segment, skin.mesh, skin.picture);
   for (const auto& [segment, mesh] : options.own)
     maker.add(digit_of(hand, segment), find_segment(subject, segment).name, mesh);
@@ -211,11 +219,13 @@ ShapeSpec shaft(const Vector3d& a, const Vector3d& b, double ra, double rb) {
 
 /// Shaft, base and condyles between two joints; `end` before the second in parts of the radius.
 std::vector<ShapeSpec> bone_shapes(const DigitBone& bone, bool last) {
+  // Ends of the shaft within the flesh.
   const double r = bone.radius, thin = 0.4 * r;
   const Vector3d along = (bone.distal - bone.proximal).normalized();
   const Vector3d base = bone.proximal + 0.45 * r * along;
   const Vector3d head = bone.distal - (last ? 0.9 : 0.1) * r * along;
   const Vector3d middle = (base + head) / 2;
+  // A fingertip ends in a tuft, other bones in two condyles.
   std::vector<ShapeSpec> shapes{shaft(base, middle, 0.58 * r, thin)};
   if (last) {
     shapes.push_back(shaft(middle, head, thin, 0.35 * r));
@@ -233,6 +243,7 @@ std::vector<ShapeSpec> palm_shapes(const HandAnatomy& hand) {
   std::vector<ShapeSpec> shapes;
   for (const DigitAnatomy& digit : hand.digits) {
     if (digit.root != palm.segment || digit.name == "thumb") continue;
+    // From the carpus to the knuckle.
     const DigitBone& bone = digit.bones.front();
     const Vector3d way = bone.proximal - palm.wrist;
     const Vector3d foot = palm.wrist + 0.25 * way.dot(palm.distal) * palm.distal +

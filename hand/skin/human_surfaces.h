@@ -1,6 +1,6 @@
 #pragma once
 
-/// What of a human hand can touch: skin, or the bones within it.
+/// Surfaces of a human hand that can touch: skin, or the bones within it.
 
 #include <map>
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace thenar {
 
-/// How fine the skin is, and what is used instead of it.
+/// Resolution of the skin, and meshes to use instead.
 struct SkinOptions {
   int triangles = 800;            // of each link, at most, of the palm twice as many
   int drawn = 0;                  // of its picture, likewise: 2500 look smooth, and take no time

@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 double round_cone(const Vector3d& a, const Vector3d& b, double ra, double rb, const Vector3d& p) {
   const Vector3d ba = b - a, pa = p - a;
   const double length = ba.norm(), drop = ra - rb;
+  // One ball holds the other.
   if (length <= std::abs(drop)) return ra >= rb ? pa.norm() - ra : (p - b).norm() - rb;
   const double along = pa.dot(ba) / length;
   const double across = std::sqrt(std::max(0.0, pa.squaredNorm() - along * along));
@@ -25,6 +26,7 @@ double round_cone(const Vector3d& a, const Vector3d& b, double ra, double rb, co
 }
 
 double triangle_distance(const std::array<Vector3d, 3>& t, const Vector3d& p) {
+  // Distance to the sides, or to the plane within all of them.
   const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
   bool within = normal.squaredNorm() > 0;
   double edge = std::numeric_limits<double>::infinity();
@@ -55,6 +57,7 @@ double lump_height(const Lump& lump, const Vector3d& p) {
 
 double implicit_height(const ImplicitBody& body, const Vector3d& p) {
   double height = std::numeric_limits<double>::infinity();
+  // Smooth minimum over the lumps.
   for (const Lump& lump : body) {
     const double next = lump_height(lump, p);
     const double near =
@@ -66,6 +69,7 @@ double implicit_height(const ImplicitBody& body, const Vector3d& p) {
 
 Eigen::AlignedBox3d implicit_bounds(const ImplicitBody& body) {
   Eigen::AlignedBox3d box;
+  // Box of each lump with its thickness and its blend.
   for (const Lump& lump : body) {
     const double thick = std::sqrt(std::max(lump.aspect, 1 / lump.aspect)) *
                              std::max(lump.radius[0], lump.sheet ? 0 : lump.radius[1]) +

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Flesh as rounded lumps that flow into each other.
+/// Flesh as an implicit surface: rounded lumps that blend into each other.
 
 #include <array>
 #include <vector>
@@ -20,7 +20,7 @@ struct Lump {
   double blend = 0;                     // within which it flows into those before it [m]
 };
 
-/// Lumps in order; each is joined to the union of those before it.
+/// Lumps in order; each is blended with the union of those before it.
 using ImplicitBody = std::vector<Lump>;
 
 /// Height of a point above the skin: zero on it, negative inside; never more than the distance.

@@ -26,6 +26,7 @@ Lump capsule(const Vector3d& a, const Vector3d& b, double ra, double rb, double 
 }
 
 Lump flattened(Lump lump, const Vector3d& dorsal, double aspect) {
+  // Direction of flattening, normal to the capsule.
   const Vector3d along = lump.core[1] - lump.core[0];
   const Vector3d across = dorsal - dorsal.dot(along) / std::max(along.squaredNorm(), 1e-12) * along;
   lump.flat = across.normalized();
@@ -52,6 +53,7 @@ double joint_radius(const DigitAnatomy& digit, int i) {
 ImplicitBody phalanx(const DigitAnatomy& digit, int i) {
   const DigitBone& bone = digit.bones[i];
   const double r = bone.radius, from = joint_radius(digit, i), to = joint_radius(digit, i + 1);
+  // The bone's flesh, then the pulp.
   ImplicitBody body{
       flattened(capsule(bone.proximal, bone.distal, from, to, 0), bone.dorsal, kJointAspect)};
   body.push_back(
@@ -63,12 +65,14 @@ ImplicitBody phalanx(const DigitAnatomy& digit, int i) {
 ImplicitBody fingertip(const DigitAnatomy& digit) {
   const int i = static_cast<int>(digit.bones.size()) - 1;
   const DigitBone& bone = digit.bones[i];
+  // The cap ends at the tip, however wide it is.
   const double r = bone.radius, length = (bone.distal - bone.proximal).norm(), end = 0.66 * r;
   const double wide = std::sqrt(kTipAspect);
   const double last = 1 - wide * end / length;  // the cap ends at the tip
   ImplicitBody body{
       flattened(capsule(bone.proximal, beside(bone, last, -0.1), joint_radius(digit, i), end, 0),
                 bone.dorsal, kTipAspect)};
+  // Bulge of the pad.
   const double middle = 1 - 1.15 * r / length;
   body.push_back(flattened(capsule(beside(bone, middle - 0.12, -0.22), beside(bone, middle, -0.26),
                                    0.8 * r, 0.76 * r, 0),
@@ -83,6 +87,7 @@ struct ThumbWeb {
 };
 
 ThumbWeb thumb_web(const HandAnatomy& hand, const DigitAnatomy& thumb) {
+  // From the thumb's root to the index knuckle.
   const DigitBone& bone = thumb.bones.front();
   const DigitAnatomy* index = digit_named(hand, "index");
   const Vector3d knuckle = index != nullptr ? index->bones.front().proximal : bone.distal;
@@ -93,8 +98,10 @@ ThumbWeb thumb_web(const HandAnatomy& hand, const DigitAnatomy& thumb) {
 ImplicitBody thumb_metacarpal(const HandAnatomy& hand, const DigitAnatomy& thumb) {
   const DigitBone& bone = thumb.bones.front();
   const double r = bone.radius;
+  // Bone, then the thenar bulge.
   ImplicitBody body{capsule(bone.proximal, bone.distal, 0.95 * r, joint_radius(thumb, 1), 0)};
   body.push_back(capsule(beside(bone, 0.22, -0.5), beside(bone, 0.75, -0.35), 0.9 * r, 0.8 * r, r));
+  // Half of the web, with its free edge sagging.
   if (hand.palm) {
     const ThumbWeb web = thumb_web(hand, thumb);
     const Vector3d edge = web.thumb + 0.65 * (web.index - web.thumb);
@@ -118,6 +125,7 @@ class PalmMaker {
   }
 
   ImplicitBody make() {
+    // Lumps blend with those before them, so that their order matters.
     metacarpals();
     carpus();
     pads();
@@ -164,6 +172,7 @@ class PalmMaker {
   /// The hypothenar eminence and the cushion in front of the knuckles.
   void pads() {
     const int last = static_cast<int>(fingers_.size()) - 1;
+    // Hypothenar eminence, then cushions between the knuckles.
     body_.push_back(capsule(at(-0.25, 0.22, -0.4),
                             head(last) - 0.25 * length_ * palm_.distal - 0.3 * half_ * palm_.dorsal,
                             0.78 * half_, 0.55 * half_, 0.8 * half_));
@@ -188,10 +197,12 @@ class PalmMaker {
   void thenar(const DigitAnatomy& thumb) {
     const DigitBone& bone = thumb.bones.front();
     const Vector3d down = -0.5 * half_ * palm_.dorsal;
+    // Muscles of the thenar.
     body_.push_back(capsule(at(0.16, 0.12, -0.35), beside(bone, 0.3, -0.3) + down, 0.75 * half_,
                             0.75 * half_, half_));
     body_.push_back(capsule(at(0.16, 0.12, -0.1), beside(bone, 0.15, 0), 0.8 * half_,
                             0.9 * bone.radius, half_));
+    // The palm's half of the web.
     const ThumbWeb web = thumb_web(hand_, thumb);
     const Vector3d edge = web.index + 0.65 * (web.thumb - web.index);
     const Vector3d sag = edge + 0.12 * (web.root - edge);
@@ -210,6 +221,7 @@ class PalmMaker {
 std::map<std::string, ImplicitBody> skin_bodies(const HandAnatomy& hand) {
   std::map<std::string, ImplicitBody> bodies;
   for (const DigitAnatomy& digit : hand.digits) {
+    // Phalanges, then the fingertip.
     const int last = static_cast<int>(digit.bones.size()) - 1;
     for (int i = 0; i < last; ++i)
       bodies[digit.bones[i].segment] =
@@ -244,6 +256,7 @@ std::map<std::string, std::vector<Border>> borders_of(
     const HandAnatomy& hand, const std::map<std::string, ImplicitBody>& bodies) {
   std::map<std::string, std::vector<Border>> borders;
   for (const DigitAnatomy& digit : hand.digits) {
+    // Planes between neighbours bisect the bend at the joint.
     std::string inner = digit.root;
     Vector3d before = (digit.bones[0].distal - digit.bones[0].proximal).normalized();
     for (const DigitBone& bone : digit.bones) {
@@ -260,6 +273,7 @@ std::map<std::string, std::vector<Border>> borders_of(
 /// Share of a cell that neighbours leave to a body [1].
 double share_left(const std::vector<Border>& borders, const Vector3d& p, double step) {
   double share = 1;
+  // Half spaces of neighbours that overlap here.
   for (const Border& border : borders) {
     const double beyond = (p - border.center).dot(border.outward) / step;
     if (beyond > -0.5 && implicit_height(*border.other, p) < 0)
@@ -270,6 +284,7 @@ double share_left(const std::vector<Border>& borders, const Vector3d& p, double 
 
 /// Sums over the cells of a grid.
 LinkMass integrate(const ImplicitBody& body, const std::vector<Border>& borders) {
+  // About 80 cells along the diagonal.
   const Eigen::AlignedBox3d box = implicit_bounds(body);
   const double step = box.diagonal().norm() / 80;
   const Eigen::Vector3i cells = (box.sizes() / step).array().ceil().cast<int>();
@@ -279,16 +294,19 @@ LinkMass integrate(const ImplicitBody& body, const std::vector<Border>& borders)
   for (int i = 0; i < cells.x(); ++i)
     for (int j = 0; j < cells.y(); ++j)
       for (int k = 0; k < cells.z(); ++k) {
+        // Part of the cell inside the body, less that of neighbours.
         const Vector3d p = box.min() + step * Vector3d(i + 0.5, j + 0.5, k + 0.5);
         double part = std::clamp(0.5 - implicit_height(body, p) / step, 0.0, 1.0);
         if (part > 0) part *= share_left(borders, p, step);
         if (part == 0) continue;
+        // Moments of the cell about the middle of the box.
         const Vector3d from = p - box.center();
         volume += part;
         first += part * from;
         second += part * (from * from.transpose() + step * step / 12 * Matrix3d::Identity());
       }
   if (volume == 0) return {};
+  // About the centre of mass.
   const Vector3d com = first / volume;
   second -= volume * com * com.transpose();
   const double cell = kHandDensity * step * step * step;
@@ -315,6 +333,7 @@ std::map<std::string, LinkMass> skin_masses(const HandAnatomy& hand,
 Subject with_skin_masses(Subject subject) {
   const HandAnatomy hand = find_anatomy(subject);
   const auto masses = skin_masses(hand, skin_bodies(hand));
+  // Only where nothing is stated.
   for (Segment& segment : subject.segments) {
     const auto found = masses.find(segment.name);
     if (found == masses.end() || segment.mass > 0 || segment.radius > 0) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The flesh of every link of a hand, as lumps.
+/// Flesh of every link of a hand, as implicit bodies.
 
 #include <map>
 #include <string>

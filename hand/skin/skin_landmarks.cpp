@@ -19,12 +19,14 @@ class Marker {
   /// Where the ray from a point within a segment leaves its skin.
   [[nodiscard]] SkinLandmark mark(const std::string& digit, const std::string& segment,
                                   const Vector3d& from, const Vector3d& direction) const {
+    // Bisection along the ray.
     const ImplicitBody& body = bodies_.at(segment);
     double inside = 0, outside = implicit_bounds(body).diagonal().norm();
     while (outside - inside > 1e-9) {
       const double middle = (inside + outside) / 2;
       (implicit_height(body, from + middle * direction) < 0 ? inside : outside) = middle;
     }
+    // In the hand's frame at the skeleton's posture.
     const Vector3d p = from + inside * direction;
     const Pose<double>& at = skeleton_.segment_at.at(segment);
     return {digit, segment, skeleton_.link_of_segment.at(segment), at * p,
@@ -116,6 +118,7 @@ void add_little_creases(const Marker& marker, const HandAnatomy& hand,
 std::vector<SkinPatch> skin_patches(const HandAnatomy& hand, const Skeleton& skeleton) {
   const Marker marker(hand, skeleton);
   std::vector<SkinPatch> patches;
+  // Pad and nail of each distal phalanx.
   for (const DigitAnatomy& digit : hand.digits) {
     const DigitBone& bone = digit.bones.back();
     if (!marker.keeps(bone.segment)) continue;
@@ -132,6 +135,7 @@ std::vector<SkinPatch> skin_patches(const HandAnatomy& hand, const Skeleton& ske
 }
 
 bool on_patch(const SkinPatch& patch, const Vector3d& p) {
+  // Coordinates on the patch, in parts of its half axes.
   const Vector3d from = p - patch.middle.p;
   const Vector3d across = patch.middle.outward.cross(patch.along);
   const double u = from.dot(patch.along) / patch.half_length;

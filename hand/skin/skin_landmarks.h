@@ -1,6 +1,6 @@
 #pragma once
 
-/// Places on the skin that have a name: pads, nails, and what the thumb is asked to touch.
+/// Named places on the skin: pads, nails, and the targets of thumb opposition.
 
 #include <string>
 #include <vector>
@@ -46,7 +46,7 @@ struct SkinPatch {
 [[nodiscard]] const SkinLandmark& pad_of(const std::vector<SkinPatch>& patches,
                                          const std::string& digit);
 
-/// A place that the tip of the thumb is asked to reach.
+/// A place that the tip of the thumb should reach.
 struct OppositionTarget {
   int score;         // 1 .. 10 for reaching it
   std::string name;  // "tip of the ring finger"
