@@ -7,6 +7,7 @@ namespace thenar {
 
 Eigen::MatrixXd DigitTendons::torque_by_posture(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                                 const TendonTorque& at) const {
+  // Closed form where it exists, otherwise central differences.
   if (TendonDerivatives known = slopes(q, t); known.exist) return known.by_posture;
   constexpr double kStep = 1e-5;  // [rad]
   Eigen::MatrixXd slope(q.size(), q.size());
@@ -28,6 +29,7 @@ Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
                                                {0, 0.56888888888888888889},
                                                {0.53846931010568309104, 0.47862867049936646804},
                                                {0.90617984593866399280, 0.23692688505618908751}}};
+  // Pieces of at most 0.1 rad, five points each.
   constexpr double kPiece = 0.1;  // [rad]
   const Eigen::VectorXd way = to - from;
   const double longest = way.size() > 0 ? way.cwiseAbs().maxCoeff() : 0;
@@ -37,6 +39,7 @@ Excursion excursion(const DigitTendons& tendons, const Eigen::VectorXd& from,
   Eigen::Matrix3Xd nodes;
   for (int k = 0; k < pieces; ++k)
     for (const Node& node : kGauss) {
+      // Arms at the point; a net starts from the point before.
       const double s = (k + (1 + node.at) / 2) / pieces;
       const TendonTorque pull = tendons.pull(from + s * way, t, nodes);
       sum.e -= node.weight / (2 * pieces) * (pull.R * way);

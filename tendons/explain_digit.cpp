@@ -37,6 +37,7 @@ class Explainer {
   }
 
   void explain_segment(const Segment& segment) {
+    // Kept segments carry links between the wrist and the tip.
     if (kept_segment(segment.name))
       says_.segments.push_back(segment.name);
     else
@@ -44,6 +45,7 @@ class Explainer {
   }
 
   void explain_joint(const JointAxis& joint) {
+    // Kept as a hinge, or dropped for one of three reasons.
     if (contains(built_.names.hinges, joint.name)) {
       says_.joints.push_back(joint.name);
     } else if (!kept_segment(joint.child)) {
@@ -75,6 +77,7 @@ class Explainer {
   }
 
   void explain_hood(const Digit& digit) {
+    // No hood, a hood that was not asked for, or its muscles and slips.
     if (!digit.hood) {
       says_.hood = "none stated: every muscle pulls its own strand";
     } else if (!built_.model.hood) {

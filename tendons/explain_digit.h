@@ -1,6 +1,6 @@
 #pragma once
 
-/// What building a digit kept of a subject, and why it dropped the rest.
+/// Explanation of a digit: the parts of a subject that building it kept, and why it dropped others.
 
 #include <string>
 #include <vector>

@@ -36,12 +36,14 @@ class StraightStrands : public StrandPaths {
   }
   [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& state,
                                          const VectorXd& q) const override {
+    // Arms, lengths, and second derivatives of every path.
     StrandDerivatives slopes{true, strand_arms(model_, state, q), lengths(state, q), {}};
     for (const TendonPath<double>& path : model_.paths)
       slopes.dR.push_back(arm_derivatives(model_.tree, state, path, model_.coordinates));
     return slopes;
   }
   [[nodiscard]] VectorXd lengths(const TreeState<double>& state, const VectorXd& q) const override {
+    // Constant arms give lengths that are linear in the posture.
     VectorXd length = -model_.constant_arms * q;
     for (std::size_t s = 0; s < model_.paths.size(); ++s)
       if (!model_.paths[s].empty())
@@ -59,9 +61,11 @@ VectorXd hood_rate(const TendonModel<double>& model, const VectorXd& q, const Ve
   VectorXd rate = VectorXd::Zero(static_cast<Eigen::Index>(model.paths.size()));
   if (!model.hood) return rate;
   for (const HoodShare<double>& share : model.hood_shares) {
+    // The central share at this angle, and its derivative.
     const double by = share.slope * (mcp_angle(model, q) - kHoodAngle);
     const double c = shift_fraction(share.to_central, by);
     const double more = share.into_hood * share.slope * c * (1 - c) * t[share.muscle];
+    // What the central slip gains the bands lose, each its part.
     const double radial = share.side == HoodSide::kRadial  ? more
                           : share.side == HoodSide::kUlnar ? 0
                                                            : 0.5 * more;
@@ -96,6 +100,7 @@ class LinearTendons : public DigitTendons {
 
   TendonTorque pull(const VectorXd& q, const VectorXd& t,
                     const Eigen::Matrix3Xd& /*start*/) const override {
+    // Arms of the strands, reduced by friction in the sheaths.
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
     StrandArms arms = paths_->arms(pose_tree(model.tree, q), q);
@@ -103,6 +108,7 @@ class LinearTendons : public DigitTendons {
       if (model.friction[s] != 0)
         arms.R.row(s) =
             arms.R.row(s).cwiseProduct(remaining_tension(model, q, model.friction[s]).transpose());
+    // Muscles pull strands in the shares of the hood.
     TendonTorque pull;
     pull.R = strand_matrix(model, q).transpose() * arms.R;
     pull.tau = pull.R.transpose() * t;
@@ -123,13 +129,16 @@ class LinearTendons : public DigitTendons {
   [[nodiscard]] TendonDerivatives slopes(const VectorXd& q, const VectorXd& t) const override {
     check(digit_, q, t);
     const TendonModel<double>& model = digit_.model;
+    // Shares, arms and their derivatives at this posture.
     const MatrixXd S = strand_matrix(model, q);
     const StrandDerivatives strands = paths_->slopes(pose_tree(model.tree, q), q);
     TendonDerivatives out{strands.exist, MatrixXd::Zero(q.size(), q.size()),
                           S.transpose() * strands.length};
     if (!out.exist) return out;
+    // Strand tensions, and their derivative by the knuckle's angle.
     const VectorXd f = S * t, f_rate = hood_rate(model, q, t);
     const MatrixXd bending = bend_rate(model, q);
+    // Product rule over share, friction and arm.
     for (Eigen::Index s = 0; s < f.size(); ++s) {
       const double mu = model.friction[s];
       const VectorXd left = mu == 0 ? VectorXd::Ones(q.size()) : remaining_tension(model, q, mu);
@@ -158,9 +167,11 @@ SlipTension slip_tension(const TendonModel<double>& model, const VectorXd& q, co
 
 std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject, const std::string& digit,
                                                    const TendonOptions& options) {
+  // The rung of the hood is linear.
   require(options.hood <= Hood::kFractions,
           "a hood that floats is no linear map of tensions: build a net");
   TendonDigit built = build_tendon_digit(subject, digit, options);
+  // Paths on the rung that is asked for.
   std::unique_ptr<StrandPaths> paths;
   if (options.path == Path::kWrapped)
     paths = build_wrapped_paths(subject, built);

@@ -9,9 +9,8 @@
 
 namespace thenar {
 
-/// One digit with  tau = R' t,  R = S' R_strands:  S shares tensions between strands
-/// (strand_matrix), R_strands are the strands' moment arms on the rung of paths that `options` asks
-/// for.
+/// Builds one digit with  tau = R' t,  R = S' R_strands, where S shares tensions between strands
+/// (strand_matrix) and R_strands are the strands' moment arms on the rung of paths in `options`.
 /// @throws InputError if the digit, or an arm or path of a crossing strand, is missing, or if the
 /// rung of the hood is above fixed fractions.
 [[nodiscard]] std::unique_ptr<DigitTendons> build_linear_tendons(const Subject& subject,

@@ -1,7 +1,6 @@
 #pragma once
 
-/// Kinds of joints and muscles by their names: "MCP2_AA" abducts, "RU_PS" pronates, "FDP2"
-/// is_flexion_joint.
+/// Kinds of joints and muscles by their names: "MCP2_AA" abducts, "RU_PS" pronates, "FDP2" flexes.
 
 #include <string>
 

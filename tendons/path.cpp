@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How one hinge moves a run.
+/// Motion of a run's end by one hinge.
 struct RunMotion {
   int hinge;
   bool on_b;
@@ -37,11 +37,13 @@ Eigen::MatrixXd arm_derivatives(const Tree<double>& tree, const TreeState<double
   std::vector<RunMotion> moves;
   for (std::size_t k = 1; k < path.size(); ++k) {
     if (path[k - 1].link == path[k].link) continue;
+    // Direction of the run, and how each hinge moves its ends.
     const Vector3d p_a = moved(state, path[k - 1].link, path[k - 1].p);
     const Vector3d p_b = moved(state, path[k].link, path[k].p);
     const double length = (p_b - p_a).norm();
     const Vector3d u = (p_b - p_a) / length;
     find_motions(tree, state, path[k - 1], path[k], p_a, p_b, moves);
+    // Second derivative by two hinges: across the run, and by the turn of the outer motion.
     for (const RunMotion& x : moves)
       for (const RunMotion& y : moves) {
         const RunMotion &inner = x.hinge < y.hinge ? x : y, &outer = x.hinge < y.hinge ? y : x;

@@ -44,6 +44,7 @@ template <typename T>
   for (std::size_t k = 1; k < path.size(); ++k) {
     int a = path[k - 1].link, b = path[k].link;
     if (a == b) continue;
+    // Direction of the run.
     const Vec3<T> p_a = moved(state, a, path[k - 1].p), p_b = moved(state, b, path[k].p);
     const Vec3<T> u = (p_b - p_a).normalized();
     // Climb from both links to their common ancestor; parents have smaller indices.
@@ -59,14 +60,14 @@ template <typename T>
   return R;
 }
 
-// How moment arms of straight runs through via points change with posture, in closed form.
+// Derivatives of the moment arms of straight runs by posture, in closed form.
 
-/// Slopes of moment_arms(),  dR_j/dq_k = -d2L/(dq_j dq_k),  symmetric.
+/// Derivatives of moment_arms(),  dR_j/dq_k = -d2L/(dq_j dq_k),  symmetric.
 ///
-/// Of one run r from a to b, u its direction, only hinges between its links count. With axis z_j
+/// For one run r from a to b with direction u, only hinges between its links count. With axis z_j
 /// through c_j, r_j = z_j x (b - c_j) on the side of b and -z_j x (a - c_j) on that of a,
 ///   d2|r| = r_j . (1 - u u') r_k / |r| + u . (z_j x r_k),
-/// j the hinge nearer the base; the last term only for two hinges of one side.
+/// with j the hinge nearer the base; the last term only for two hinges of one side.
 /// @return [m/rad^2] (coordinates, coordinates)
 [[nodiscard]] Eigen::MatrixXd arm_derivatives(const Tree<double>& tree,
                                               const TreeState<double>& state,

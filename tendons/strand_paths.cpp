@@ -39,6 +39,7 @@ class WrappedStrands : public StrandPaths {
  public:
   WrappedStrands(PathSet set, const TendonDigit& digit)
       : set_(std::move(set)), tree_(digit.model.tree), constant_(digit.model.constant_arms) {
+    // Path of each strand; those without one keep constant arms.
     for (const std::string& name : digit.names.strands) {
       const auto found = std::find_if(set_.paths.begin(), set_.paths.end(),
                                       [&](const WrappedPath& path) { return path.name == name; });
@@ -49,9 +50,11 @@ class WrappedStrands : public StrandPaths {
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& state,
                                 const Eigen::VectorXd& /*q*/) const override {
+    // Geodesics at this posture.
     PathSolver solver(set_);
     const std::vector<PathShape>& shapes = solver.solve(state);
     StrandArms arms{rows_of(state, shapes), "", TendonStatus::kValid};
+    // The worst status of all strands, with its warning.
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       if (path_of_[s] < 0) continue;
       const auto path = static_cast<std::size_t>(path_of_[s]);
@@ -66,9 +69,11 @@ class WrappedStrands : public StrandPaths {
                                          const Eigen::VectorXd& q) const override {
     PathSolver solver(set_);
     const std::vector<PathShape>& shapes = solver.solve(state);
+    // Second derivatives of all paths.
     std::vector<ArmDerivatives> paths =
         arm_derivatives(tree_, state, set_, shapes, static_cast<int>(q.size()));
     StrandDerivatives slopes{true, rows_of(state, shapes), lengths_of(shapes, q), {}};
+    // Strands without a path have constant arms.
     for (std::size_t s = 0; s < path_of_.size(); ++s) {
       slopes.dR.emplace_back(Eigen::MatrixXd::Zero(q.size(), q.size()));
       if (path_of_[s] < 0) continue;
@@ -89,6 +94,7 @@ class WrappedStrands : public StrandPaths {
   /// Of all strands (strands) [m].
   [[nodiscard]] Eigen::VectorXd lengths_of(const std::vector<PathShape>& shapes,
                                            const Eigen::VectorXd& q) const {
+    // Constant arms give lengths that are linear in the posture.
     Eigen::VectorXd length = -constant_ * q;
     for (std::size_t s = 0; s < path_of_.size(); ++s)
       if (path_of_[s] >= 0)
@@ -99,6 +105,7 @@ class WrappedStrands : public StrandPaths {
   /// Arms of all strands (strands, coordinates) [m/rad].
   [[nodiscard]] Eigen::MatrixXd rows_of(const TreeState<double>& state,
                                         const std::vector<PathShape>& shapes) const {
+    // Rows of the paths replace the constant ones.
     Eigen::MatrixXd of_path(shapes.size(), constant_.cols());
     path_arms(tree_, state, set_, shapes, of_path);
     Eigen::MatrixXd R = constant_;
@@ -144,10 +151,12 @@ class FittedStrands : public StrandPaths {
       : box_(fit_box(digit.skeleton)),
         names_(digit.names.coordinates),
         constant_(digit.model.constant_arms) {
+    // Strands that have a path.
     std::vector<std::string> with_path;
     for (std::size_t s = 0; s < digit.names.strands.size(); ++s)
       if (!digit.model.paths[s].empty()) with_path.push_back(digit.names.strands[s]);
     const PathSet set = build_paths(subject, digit.skeleton, with_path);
+    // Each wrapped path is fitted over the ranges of its joints.
     for (std::size_t k = 0; k < set.paths.size(); ++k) {
       const auto strand =
           std::find(digit.names.strands.begin(), digit.names.strands.end(), set.paths[k].name);
@@ -160,10 +169,12 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandArms arms(const TreeState<double>& /*state*/,
                                 const Eigen::VectorXd& q) const override {
+    // Polynomials at this posture.
     StrandArms arms{constant_, worst_fit_,
                     worst_fit_.empty() ? TendonStatus::kValid : TendonStatus::kApproximate};
     for (std::size_t k = 0; k < paths_.size(); ++k)
       arms.R.row(row_[k]) = fitted_length(paths_[k], q).arms;
+    // Outside of the ranges they are not valid.
     for (Eigen::Index j = 0; j < q.size(); ++j)
       if (q[j] < box_.lower[j] || q[j] > box_.upper[j]) {
         arms.status = TendonStatus::kOutOfRange;
@@ -175,6 +186,7 @@ class FittedStrands : public StrandPaths {
 
   [[nodiscard]] StrandDerivatives slopes(const TreeState<double>& /*state*/,
                                          const Eigen::VectorXd& q) const override {
+    // Constant arms, then the polynomials with their derivatives.
     StrandDerivatives slopes{true, constant_, -constant_ * q, {}};
     slopes.dR.assign(static_cast<std::size_t>(constant_.rows()),
                      Eigen::MatrixXd::Zero(q.size(), q.size()));

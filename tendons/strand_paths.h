@@ -13,13 +13,13 @@ namespace thenar {
 /// Moment arms at one posture, before friction in sheaths.
 struct [[nodiscard]] StrandArms {
   Eigen::MatrixXd R;                           // flexion + (strands, coordinates) [m/rad]
-  std::string warning;                         // why not to trust them, in words; empty: nothing
+  std::string warning;                         // why not to trust them; may be empty
   TendonStatus status = TendonStatus::kValid;  // the worst of all strands
 };
 
-/// Lengths, arms and their slopes at one posture, before friction in sheaths.
+/// Lengths, arms and their derivatives at one posture, before friction in sheaths.
 struct [[nodiscard]] StrandDerivatives {
-  bool exist = true;                // false: a strand has no slopes here
+  bool exist = true;                // false: a strand is not differentiable here
   Eigen::MatrixXd R;                // as of StrandArms
   Eigen::VectorXd length;           // [m]; of strands with constant arms  -R q (strands)
   std::vector<Eigen::MatrixXd> dR;  // d R_j/d q_k [m/rad^2] (strands) of (coordinates, coordinates)

@@ -23,6 +23,7 @@ const Digit& digit_of(const Subject& subject, const std::string& name) {
 /// Path with points on the kept links; points on dropped segments end it, surfaces do not bend it.
 TendonPath<double> kept_path(const Skeleton& skeleton, const Strand& strand) {
   TendonPath<double> path;
+  // Points on kept links; a run across a joint needs a length.
   for (const PathPoint& point : strand.path) {
     if (!point.surface.empty()) continue;
     const auto link = skeleton.link_of_segment.find(point.segment);
@@ -47,6 +48,7 @@ bool crosses_a_joint(const TendonPath<double>& path) {
 
 /// Joints frozen by name, and the wrist_mode unless it is free.
 std::map<std::string, double> frozen_joints(const Subject& subject, const TendonOptions& options) {
+  // A welded wrist stands at its reference posture.
   std::map<std::string, double> frozen = options.frozen;
   if (options.wrist_mode == WristMode::kWelded)
     for (const std::string& joint : shared_joints(subject)) frozen.emplace(joint, 0);
@@ -61,6 +63,7 @@ class DigitBuilder {
         digit_(digit_of(subject, name)),
         options_(options),
         frozen_(frozen_joints(subject, options)) {
+    // Bones first, then strands, muscles and the hood that joins them.
     built_.skeleton = build_skeleton(subject, {{name}, frozen_});
     built_.calibrated_on = subject.calibrated_on;
     set_bones();
@@ -68,6 +71,7 @@ class DigitBuilder {
     for (const Strand& strand : subject.strands) add_strand(strand);
     for (const MuscleUnit& muscle : subject.muscles) add_muscle(muscle);
     if (digit_.hood && options.hood == Hood::kFractions) add_hood_rule(*digit_.hood);
+    // Arrays, and the rungs that were really built.
     built_.max_tension = Eigen::Map<const Eigen::VectorXd>(
         max_tension_.data(), static_cast<Eigen::Index>(max_tension_.size()));
     built_.model.friction = Eigen::VectorXd::Zero(built_.model.constant_arms.rows());
@@ -102,6 +106,7 @@ class DigitBuilder {
 
   /// The angle that a joint of the digit takes, or is frozen at.
   PostureAngle angle_of(const JointAxis& joint) const {
+    // A hinge of the model, a joint frozen by name, or a follower of a frozen one.
     const int i = find(built_.names.hinges, joint.name);
     if (i >= 0) {
       const Hinge<double>& hinge = built_.model.tree[static_cast<std::size_t>(i)];
@@ -116,6 +121,7 @@ class DigitBuilder {
   }
 
   void set_bends() {
+    // Every flexion joint bends the sheaths, also a frozen one.
     std::vector<SheathBend>& bends = built_.model.bends;
     for (const JointAxis& joint : subject_.joints)
       if (kept(joint) && std::abs(flexion(joint)) > kFlexion)
@@ -141,6 +147,7 @@ class DigitBuilder {
 
   /// Flexion of the joint before the last one that the central slip crosses.
   PostureAngle knuckle(const std::string& central_slip) const {
+    // Flexion joints from the wrist outwards, and how many of them the slip crosses.
     const auto slip = std::find_if(subject_.strands.begin(), subject_.strands.end(),
                                    [&](const Strand& s) { return s.name == central_slip; });
     std::vector<PostureAngle> flexions;  // from the wrist outwards, flexion positive
@@ -193,15 +200,18 @@ class DigitBuilder {
 
   void add_strand(const Strand& strand) {
     TendonModel<double>& model = built_.model;
+    // Path and constant arms; without either the strand crosses nothing.
     const Eigen::RowVectorXd arms = arms_of(strand);
     TendonPath<double> path;
     if (options_.path != Path::kConstant || strand.arms.empty())
       path = kept_path(built_.skeleton, strand);
     if (!crosses_a_joint(path)) path.clear();
     if (path.empty() && arms.isZero(0) && !in_hood(strand.name)) return;
+    // Constant arms were asked for, and there are none.
     require(path.empty() || options_.path != Path::kConstant,
             "strand '{}' of subject '{}' has no constant moment arms (arms_mm)", strand.name,
             subject_.name);
+    // One row more.
     model.paths.push_back(std::move(path));
     model.constant_arms.conservativeResize(static_cast<Eigen::Index>(model.paths.size()),
                                            model.coordinates);
@@ -225,9 +235,11 @@ class DigitBuilder {
   }
 
   void add_hood_rule(const HoodRule& rule) {
+    // Rows of the slips, and the joint that their shares depend on.
     built_.model.hood = HoodRows{hood_row(rule.central_slip), hood_row(rule.radial_band),
                                  hood_row(rule.ulnar_band), hood_row(rule.terminal_slip)};
     built_.model.knuckle = knuckle(rule.central_slip);
+    // Shares of the muscles that feed the hood.
     for (const HoodBranch& branch : rule.branches) {
       const int muscle = find(built_.names.muscles, branch.muscle);
       require(muscle >= 0, "hood of digit '{}' names muscle '{}', which crosses none of its joints",
@@ -253,10 +265,12 @@ TendonDigit build_tendon_digit(const Subject& subject, const std::string& digit,
 }
 
 TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q) {
+  // A posture of the digit.
   const TendonModel<double>& model = digit.model;
   require(q.size() == model.coordinates, "posture has {} angles, the digit {} joints", q.size(),
           model.coordinates);
   require(q.allFinite(), "posture has an angle that is not finite");
+  // Jacobians of the tip, moment arms and passive torque.
   const TreeState<double> state = pose_tree(model.tree, q);
   const Eigen::Vector3d tip = moved(state, model.tip_link, model.tip);
   return {position_jacobian(model.tree, state, model.tip_link, tip, model.coordinates),

@@ -73,7 +73,7 @@ struct TendonDigit {
   std::vector<CalibratedOn> calibrated_on{};  // forces that the subject was fitted to before
 };
 
-/// What becomes of joints that other digits share: the wrist.
+/// Treatment of joints that digits share: the wrist.
 enum class WristMode {
   kWelded,  // at the reference posture, or where `frozen` says: a question of one fingertip
   kFree     // they move, and every tendon across them counts

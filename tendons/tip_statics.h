@@ -1,6 +1,6 @@
 #pragma once
 
-/// One digit at one posture, as everything that acts at its tip in static balance.
+/// Statics of one digit at one posture: everything that acts at its tip in balance.
 
 #include <string>
 #include <vector>

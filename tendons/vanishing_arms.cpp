@@ -12,19 +12,23 @@ std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons, const Eige
   std::vector<VanishingArm> found;
   const TendonDigit& digit = tendons.digit();
   if (digit.fidelity.path < Path::kViaPoint) return found;
+  // Arms do not depend on tension.
   const Eigen::VectorXd t =
       Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size()));
   const Eigen::MatrixXd here = tendons.pull(q, t).R;
   for (Eigen::Index j = 0; j < q.size(); ++j) {
+    // Flexion joints with a range.
     const std::string& joint = digit.names.coordinates[static_cast<std::size_t>(j)];
     const auto& limit = digit.skeleton.limits[static_cast<std::size_t>(j)];
     if (!is_flexion_joint(joint) || limit.upper - limit.lower > 2 * kPi - 1e-9) continue;
+    // Largest arms over the joint's range.
     Eigen::VectorXd most = here.col(j);
     for (int k = 0; k < kPlaces; ++k) {
       Eigen::VectorXd there = q;
       there[j] = limit.lower + k * (limit.upper - limit.lower) / (kPlaces - 1);
       most = most.cwiseMax(tendons.pull(there, t).R.col(j));
     }
+    // Long flexors whose arm is a small part of that.
     for (Eigen::Index m = 0; m < most.size(); ++m) {
       const std::string& muscle = digit.names.muscles[static_cast<std::size_t>(m)];
       if (is_long_flexor(muscle) && most[m] > kLeast && here(m, j) < kShare * most[m])

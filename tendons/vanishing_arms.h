@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where straight runs between the points of a path cut through a joint.
+/// Joints at which straight runs of a path pass so close that a moment arm vanishes.
 
 #include <string>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace thenar {
 
-/// An arm that all but vanishes, or turns over, at a posture.
+/// A moment arm that nearly vanishes, or changes sign, at a posture.
 struct VanishingArm {
   std::string muscle, joint;
   double arm;   // here, flexion + [m/rad]
   double most;  // the largest one as this joint alone goes through its range [m/rad]
 };
 
-/// Arms of long flexors about flexion joints that are below a quarter of the largest which they
-/// have as the joint alone goes through its range, that being 3 mm at least: their sheaths hold
-/// them off the joint. A rule of thumb. Wrapped paths have such arms too where the subject has no
-/// surface at the joint; joints without a range have nothing to be compared with.
+/// Returns arms of long flexors about flexion joints below a quarter of the largest arm that they
+/// have as the joint alone goes through its range, if that is at least 3 mm: sheaths hold these
+/// tendons off the joint. A rule of thumb. Wrapped paths have such arms, too, where the subject has
+/// no surface at the joint; joints without a range are left out.
 /// @param tendons  without a net
 [[nodiscard]] std::vector<VanishingArm> vanishing_arms(const DigitTendons& tendons,
                                                        const Eigen::VectorXd& q);

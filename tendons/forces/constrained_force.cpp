@@ -34,11 +34,13 @@ ConstraintValue evaluate(const std::vector<ForceConstraint>& limits, const Vecto
                          const VectorXd& t) {
   ConstraintValue all{VectorXd(0), Eigen::MatrixX3d(0, 3), MatrixXd(0, t.size())};
   for (const ForceConstraint& limit : limits) {
+    // Value and gradients of one limit.
     const ConstraintValue one = limit(f, t);
     const Index k = one.g.size(), old = all.g.size();
     require(one.dg_df.rows() == k && one.dg_dt.rows() == k && one.dg_dt.cols() == t.size(),
             "a limit of {} rows has gradients of {} and {} rows, for {} of {} tensions", k,
             one.dg_df.rows(), one.dg_dt.rows(), one.dg_dt.cols(), t.size());
+    // Appended to those above.
     all.g.conservativeResize(old + k);
     all.dg_df.conservativeResize(old + k, 3);
     all.dg_dt.conservativeResize(old + k, t.size());
@@ -54,10 +56,12 @@ LinearProgram balance_program(const internal::TipBalance& balance, const MatrixX
                               ForceDirection aim) {
   const Index n = loads.rows(), k = loads.cols(), m = balance.most.size();
   LinearProgram program;
+  // Balance in the rows: loads and tensions.
   program.A.resize(n, k + m);
   program.A << loads, balance.tension_part;
   program.row_lower = program.row_upper = balance.constant;
   program.lower = VectorXd::Zero(k + m);
+  // Amounts along a component may be negative.
   if (aim == ForceDirection::kComponent) program.lower.head(k).setConstant(-kInfinity);
   program.upper = VectorXd::Constant(k + m, kInfinity);
   program.upper.tail(m) = balance.most;
@@ -84,6 +88,7 @@ void add_limits(const internal::RelativeInterior& interior, const Unknowns& unkn
   };
   program.jacobian = [at, linear = program.jacobian, &interior, &unknowns, bounds,
                       rows](const VectorXd& y) {
+    // Gradients by the chain rule.
     const ConstraintValue value = at(y);
     const Index k = unknowns.forces.cols(), m = unknowns.unit.size();
     MatrixXd all(bounds + rows, y.size());
@@ -121,6 +126,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   if (interior.status == LinearStatus::kStalled) result.message = "a linear program stalled";
   if (interior.status != LinearStatus::kSolved) return result;
 
+  // Largest component along the direction, within the limits.
   NonlinearProgram program = internal::program_over_interior(interior);
   add_limits(interior, unknowns, limits, program);
   const VectorXd slope = interior.Z.topRows(axes.cols()).transpose() * (axes.transpose() * d);
@@ -128,12 +134,14 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   program.gradient = [&slope](const VectorXd&) -> VectorXd { return -slope; };
   const NonlinearResult best = solve_ipopt(program, VectorXd::Zero(slope.size()));
 
+  // Forces and tensions at the optimum.
   const VectorXd z = interior.z0 + interior.Z * best.x;
   result.status = internal::force_status(best.status);
   result.force = unknowns.force(z);
   result.magnitude = result.status == ForceStatus::kUnbounded ? kInfinity : d.dot(result.force);
   result.tension = internal::tension(balance, z.tail(m));
   result.activation = internal::activation(statics, result.tension);
+  // How far limits are exceeded, and first-order conditions in newtons.
   const VectorXd g = evaluate(limits, result.force, result.tension).g;
   result.excess = g.size() > 0 ? g.maxCoeff() : 0;
   result.message = best.message;

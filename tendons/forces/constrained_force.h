@@ -1,6 +1,6 @@
 #pragma once
 
-/// The largest fingertip force under limits that are not linear.
+/// The largest fingertip force under nonlinear constraints.
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which muscles share a wanted fingertip force, if effort is least.
+/// Muscle coordination: tensions of least effort for a wanted fingertip force.
 
 #include <string>
 

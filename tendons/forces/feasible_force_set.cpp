@@ -116,20 +116,24 @@ VectorXd any_across(const MatrixXd& known) {
 
 /// Finds the affine hull: the set is flat across every direction that is not in the frame.
 Frame span(SupportOracle& oracle, std::vector<Point>& points) {
+  // Support points both ways; returns the width between them.
   const Index r = oracle.dimension();
   const auto add_both_ways = [&](const VectorXd& u) {
     points.push_back(oracle.farthest(u));
     points.push_back(oracle.farthest(-u));
     return u.dot(points[points.size() - 2].phi - points.back().phi);
   };
+  // Support along the axes, and the size of the set.
   for (Index i = 0; i < r; ++i) add_both_ways(VectorXd::Unit(r, i));
   double size = 0;
   for (const Point& point : points) size = std::max(size, point.phi.norm());
   const double flat = std::max(kFlat * size, kNoForce);
 
   Frame frame{VectorXd::Zero(r), MatrixXd(r, 0), VectorXd(0)};
+  // One direction after the other, each across those known.
   MatrixXd known(r, 0);
   while (known.cols() < r) {
+    // Follow the longest difference; if there is none, any direction.
     VectorXd u = widest_across(known, points);
     bool wide = u.norm() > flat;
     u = wide ? u.normalized() : any_across(known);
@@ -145,6 +149,7 @@ Frame span(SupportOracle& oracle, std::vector<Point>& points) {
     frame.half.conservativeResize(frame.axes.cols());
     frame.half(frame.axes.cols() - 1) = width / 2;
   }
+  // The centre.
   for (const Point& point : points) frame.centre += point.phi / static_cast<double>(points.size());
   return frame;
 }
@@ -182,15 +187,18 @@ ConvexHull grow(SupportOracle& oracle, const Frame& frame, std::vector<Point>& p
   std::vector<HullFacet> certified;
   excess = 0;
   for (int round = 0; round < kMostRounds; ++round) {
+    // Hull of the points so far.
     ConvexHull hull = convex_hull(local_points(frame, points));
     if (!hull.failure.empty()) return hull;
     bool grown = false;
     double open = 0;  // of facets that are exceeded, though by no new point
+    // Ask for the farthest point over every facet that is not certified yet.
     for (const HullFacet& facet : hull.facets) {
       const auto is_same = [&](const HullFacet& other) { return same_plane(facet, other); };
       if (std::any_of(certified.begin(), certified.end(), is_same)) continue;
       const Point beyond = oracle.farthest(frame.outward(facet.normal));
       const double over = facet.normal.dot(frame.local(beyond.phi)) + beyond.gap - facet.offset;
+      // A new point grows the hull.
       if (over > kCertified && add_new(frame, beyond, points)) grown = true;
       open = max_or_nan(open, over);
       if (over > kCertified) continue;
@@ -210,10 +218,12 @@ std::vector<Point> corners(const ConvexHull& hull, const Frame& frame,
   std::vector<Point> kept;
   for (const Point& point : points) {
     const VectorXd local = frame.local(point.phi);
+    // Normals of the facets that meet at the point.
     MatrixXd normals(local.size(), 0);
     for (const HullFacet& facet : hull.facets)
       if (facet.normal.dot(local) > facet.offset - kCertified) append(facet.normal, normals);
     if (normals.cols() < local.size()) continue;
+    // A corner needs as many independent ones as there are dimensions.
     const VectorXd sigma = Eigen::JacobiSVD<MatrixXd>(normals).singularValues();
     if (sigma(local.size() - 1) > kStraightEdge) kept.push_back(point);
   }
@@ -222,6 +232,7 @@ std::vector<Point> corners(const ConvexHull& hull, const Frame& frame,
 
 /// Puts the corners of a polygon in order about their centre.
 void sort_ring(const Frame& frame, std::vector<Point>& points) {
+  // Centre, and angles about it.
   VectorXd centre = VectorXd::Zero(2);
   for (const Point& point : points)
     centre += frame.local(point.phi) / static_cast<double>(points.size());
@@ -242,8 +253,10 @@ void add_fan(const std::vector<int>& ring, FeasibleForceSet& set) {
 
 double measure(const FeasibleForceSet& set) {
   const auto vertex = [&](Index i) -> Eigen::Vector3d { return set.vertices.row(i); };
+  // A point counts as 1, an edge by its length.
   if (set.dimension == 0) return 1;
   if (set.dimension == 1) return (vertex(1) - vertex(0)).norm();
+  // Triangles: area, or volume of the cones over the first vertex.
   double total = 0;
   for (Index i = 0; i < set.triangles.rows(); ++i) {
     const Eigen::Vector3d a = vertex(set.triangles(i, 1)) - vertex(set.triangles(i, 0));
@@ -256,10 +269,12 @@ double measure(const FeasibleForceSet& set) {
 
 void write_points(const TipStatics& statics, const internal::TipBalance& balance,
                   const std::vector<Point>& points, FeasibleForceSet& set) {
+  // Room for all vertices.
   const auto k = static_cast<Index>(points.size());
   set.vertices.resize(k, 3);
   set.tension.resize(k, balance.most.size());
   set.activation.resize(k, balance.most.size());
+  // Force, tensions and activations of each vertex.
   for (Index i = 0; i < k; ++i) {
     const Point& point = points[static_cast<std::size_t>(i)];
     set.vertices.row(i) = balance.force_unit * (balance.U.leftCols(balance.rank) * point.phi);
@@ -272,6 +287,7 @@ void write_points(const TipStatics& statics, const internal::TipBalance& balance
 
 void write_facets(const internal::TipBalance& balance, const Frame& frame, const ConvexHull& hull,
                   FeasibleForceSet& set) {
+  // Outward normals in world axes, and a fan of triangles for each facet.
   const auto sides = static_cast<Index>(hull.facets.size());
   set.normals.resize(sides, 3);
   for (Index i = 0; i < sides; ++i) {
@@ -302,6 +318,7 @@ bool closed(const Eigen::MatrixX3i& triangles) {
 void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
                 SupportOracle& oracle, const Frame& frame, const std::vector<Point>& support,
                 FeasibleForceSet& set) {
+  // Hull of support points, then of its corners alone.
   std::vector<Point> points = distinct(frame, support);
   ConvexHull hull = grow(oracle, frame, points, set.excess);
   if (hull.failure.empty()) {
@@ -313,11 +330,13 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     set.failure = hull.failure.empty() ? "a linear program stalled" : hull.failure;
     return;
   }
+  // Facets must be certified.
   if (!(set.excess <= kAccepted)) {
     set.status = ForceStatus::kStalled;
     set.failure = "a facet of the hull could not be certified";
     return;
   }
+  // A polygon's corners in order; a solid's facets in triangles.
   if (set.dimension == 2) sort_ring(frame, points);
   write_points(statics, balance, points, set);
   if (set.dimension == 3) {

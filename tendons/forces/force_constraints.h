@@ -1,6 +1,6 @@
 #pragma once
 
-/// Limits on a tip force and its tensions that are not linear.
+/// Nonlinear constraints on a tip force and its tensions.
 
 #include <functional>
 
@@ -15,7 +15,7 @@ struct ConstraintValue {
   Eigen::MatrixXd dg_dt;   // (k, m)  [unit of g / N]
 };
 
-/// Any smooth limit; f is the force of the tip on the world [N] (3), t are tensions [N] (m).
+/// Any smooth constraint; f is the force of the tip on the world [N] (3), t are tensions [N] (m).
 using ForceConstraint =
     std::function<ConstraintValue(const Eigen::Vector3d& f, const Eigen::VectorXd& t)>;
 

@@ -42,11 +42,13 @@ LinearProgram linear_program(const LoadProblem& problem) {
   program.A.topRightCorner(n, m) = problem.balance.tension_part;
   program.row_lower = VectorXd::Constant(n + cuts, -kInfinity);
   program.row_upper = VectorXd::Zero(n + cuts);
+  // Balance in the first rows, tangent planes of the cone below.
   program.row_lower.head(n) = program.row_upper.head(n) = problem.balance.constant;
   for (Index cut = 0; cut < cuts; ++cut) {
     const double angle = problem.cuts[static_cast<std::size_t>(cut)];
     program.A.row(n + cut).head<3>() << -1, std::cos(angle), std::sin(angle);
   }
+  // The amount along the axis and the tensions are not negative.
   program.lower = VectorXd::Zero(k + m);
   program.lower.segment(1, k - 1).setConstant(-kInfinity);
   program.upper = VectorXd::Constant(k + m, kInfinity);
@@ -75,11 +77,13 @@ bool cut_off(const VectorXd& x, LoadProblem& problem) {
 /// Kelley's method: solve, cut the vertex off if it is outside the cone, and again. While cuts are
 /// few the program may be unbounded although the cone is not: then a ray is cut off instead.
 LinearResult maximise(LoadProblem problem) {
+  // Four tangent planes to begin with.
   if (problem.loads.cols() == 3) problem.cuts = {0, kPi / 2, kPi, -kPi / 2};
   while (problem.cuts.size() < kMostCuts) {
     const LinearProgram program = linear_program(problem);
     const LinearResult result = solve(program);
     if (result.status == LinearStatus::kUnbounded) {
+      // Unbounded for want of planes: cut the ray off.
       const LinearResult ray = solve(recession(program));
       if (ray.status != LinearStatus::kSolved || !cut_off(ray.x, problem)) return result;
     } else if (result.status != LinearStatus::kSolved || !cut_off(result.x, problem)) {

@@ -25,6 +25,7 @@ struct TipLeastSquares {
   bool full;            // rank is min(rows, columns)
 
   TipLeastSquares(const MatrixXd& matrix, const VectorXd& tau) : B(matrix) {
+    // Pseudo-inverse, solution and residual.
     Eigen::JacobiSVD<MatrixXd> svd(B, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(internal::kRankTolerance);
     full = svd.rank() == std::min(B.rows(), B.cols());
@@ -58,6 +59,7 @@ TipStatics tip_statics(const DigitTendons& tendons, const VectorXd& q) {
 std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, const VectorXd& q) {
   std::vector<StaticsDerivative> slopes;
   for (Index k = 0; k < q.size(); ++k) {
+    // Fourth order: two steps each way.
     const auto at = [&](double steps) {
       return tip_statics(tendons, q + steps * kStep * VectorXd::Unit(q.size(), k));
     };
@@ -74,9 +76,11 @@ std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons, 
 Eigen::Matrix3Xd tip_force_jacobian(const TipStatics& statics,
                                     const std::vector<StaticsDerivative>& slopes,
                                     const VectorXd& t) {
+  // Force and residual at this posture.
   const TipLeastSquares force(statics.J.transpose(), statics.R.transpose() * t + statics.tau_0);
   const auto n = static_cast<Index>(slopes.size());
   Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Constant(3, n, kInfinity);
+  // Without full rank the force jumps.
   const bool rank_3 = force.full && statics.J.cols() >= 3;
   for (Index k = 0; rank_3 && k < n; ++k) {
     const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
@@ -89,6 +93,7 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
                              const std::vector<StaticsDerivative>& slopes, const VectorXd& t,
                              const TipWrenchOptions& options) {
   require(has_rotation(statics), "a held tip needs the rotation Jacobian W of the tip");
+  // Unknowns are moment / length and force.
   const auto n = static_cast<Index>(slopes.size());
   const auto joined = [&](const Eigen::Matrix3Xd& W, const Eigen::Matrix3Xd& J) {
     MatrixXd B(J.cols(), 6);
@@ -102,6 +107,7 @@ MatrixXd tip_wrench_jacobian(const TipStatics& statics,
     const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
     result.col(k) = wrench.slope(joined(slope.W, slope.J), torque_slope(slope, t));
   }
+  // Back to moments.
   result.topRows<3>() *= options.length;
   return result;
 }
@@ -113,8 +119,10 @@ VectorXd max_tip_force_gradient(const TipStatics& statics,
           "a direction that turns with the tip needs its rotation Jacobian W");
   VectorXd result(slopes.size());
   for (Index k = 0; k < result.size(); ++k) {
+    // Torque that the change leaves to be balanced.
     const StaticsDerivative& slope = slopes[static_cast<std::size_t>(k)];
     VectorXd torque = torque_slope(slope, largest.tension) - slope.J.transpose() * largest.force;
+    // A direction that turns with the tip turns the force.
     if (frame == DirectionFrame::kTip) {
       const Eigen::Vector3d turned = Eigen::Vector3d(statics.W.col(k)).cross(largest.force);
       torque -= statics.J.transpose() * turned;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How forces of a fingertip change with the posture.
+/// Derivatives of fingertip forces by posture.
 
 #include <vector>
 
@@ -29,9 +29,9 @@ struct StaticsDerivative {
   Eigen::VectorXd tau_0;  // (n)     [N m/rad]
 };
 
-/// By central differences of fourth order over 0.001 rad, accurate to about 1e-11 of the statics:
-/// these are smooth whatever the condition is. What is ill-conditioned is left to closed forms
-/// below.
+/// Derivatives of the statics, by central differences of fourth order over 0.001 rad, accurate to
+/// about 1e-11 of the statics: these are smooth whatever the condition is. Ill-conditioned steps
+/// are left to the closed forms below.
 /// @param tendons  without a net;  @param q  (n) [rad]
 /// @return one for each coordinate (n)
 [[nodiscard]] std::vector<StaticsDerivative> statics_derivatives(const DigitTendons& tendons,
@@ -45,7 +45,7 @@ struct StaticsDerivative {
                                                   const std::vector<StaticsDerivative>& slopes,
                                                   const Eigen::VectorXd& t);
 
-/// The same of tip_wrench(): moment [N m/rad] above force [N/rad], (6, n); infinite where the rank
+/// Derivative of tip_wrench(): moment [N m/rad] above force [N/rad], (6, n); infinite if the rank
 /// is below min(n, 6). Least norm adds (1 - B+ B) dB' B+' w to the derivative.
 [[nodiscard]] Eigen::MatrixXd tip_wrench_jacobian(const TipStatics& statics,
                                                   const std::vector<StaticsDerivative>& slopes,

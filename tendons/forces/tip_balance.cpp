@@ -10,6 +10,7 @@
 namespace thenar::internal {
 
 void require_statics(const TipStatics& statics) {
+  // Shapes.
   const Eigen::Index n = statics.J.cols(), m = statics.R.rows();
   require(n > 0, "a finger without joints balances nothing");
   require(statics.R.cols() == n, "R has {} joints, J has {}", statics.R.cols(), n);
@@ -18,6 +19,7 @@ void require_statics(const TipStatics& statics) {
   require(statics.tau_0.size() == n, "tau_0 has {} joints, J has {}", statics.tau_0.size(), n);
   require(statics.max_tension.size() == m, "R has {} tendons, max_tension has {}", m,
           statics.max_tension.size());
+  // Numbers.
   require(statics.J.allFinite() && statics.W.allFinite() && statics.R.allFinite() &&
               statics.tau_0.allFinite(),
           "J, W, R and tau_0 must be finite");

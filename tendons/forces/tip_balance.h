@@ -1,6 +1,6 @@
 #pragma once
 
-/// The static balance of a pinned tip as linear equations in force and activation.
+/// Static balance of a pinned tip as linear equations in force and activation.
 
 #include <Eigen/Core>
 

@@ -13,10 +13,12 @@ namespace {
 /// The bone of the digit that a hinge lies before; absent: another digit's, or the wrist.
 std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy& digit,
                                       const std::string& joint) {
+  // Segment that the joint moves.
   std::string child;
   for (const JointAxis& each : subject.joints)
     if (each.name == joint) child = each.child;
   for (std::size_t i = 0; i < digit.bones.size(); ++i) {
+    // Bones of the digit, from the root outwards.
     // From the bone inwards, through the links of a universal joint.
     std::string name = digit.bones[i].segment;
     const std::string stop = i == 0 ? digit.root : digit.bones[i - 1].segment;
@@ -33,11 +35,13 @@ std::optional<std::size_t> bone_after(const Subject& subject, const DigitAnatomy
 
 Drive flexion_drive(const DigitAnatomy& digit, const Subject& subject, const Skeleton& skeleton) {
   Drive drive;
+  // Speed by convention, slower for the thumb.
   drive.name = digit.name;
   drive.coupled = DriveCoupling::kBreakaway;
   const bool thumb = digit.name == "thumb";
   drive.speed = thumb ? 0.25 : 1;
   const double distal = thumb ? 1 : 2.0 / 3;
+  // All flexion joints of the digit.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const std::string& joint = skeleton.coordinate_names[i];
     const auto bone = bone_after(subject, digit, joint);
@@ -60,6 +64,7 @@ Eigen::VectorXd neutral_posture(const Skeleton& skeleton, const std::vector<bool
 }
 
 PalmApproach palm_approach(const HandAnatomy& hand) {
+  // A palm: its middle, towards the knuckles, on the palmar side.
   if (hand.palm) {
     Eigen::Vector3d knuckles = Eigen::Vector3d::Zero();
     int fingers = 0;
@@ -71,6 +76,7 @@ PalmApproach palm_approach(const HandAnatomy& hand) {
     const Eigen::Vector3d middle = 0.3 * hand.palm->wrist + 0.7 * knuckles / fingers;
     return {middle - hand.palm->thickness / 2 * hand.palm->dorsal, -hand.palm->dorsal};
   }
+  // No palm: the first bone of the first digit.
   const DigitBone& bone = hand.digits.front().bones.front();
   return {bone.distal - bone.radius * bone.dorsal, -bone.dorsal};
 }
@@ -78,11 +84,13 @@ PalmApproach palm_approach(const HandAnatomy& hand) {
 /// Replaces the ratios of a drive by those of the torques of the flexors; leaves it where there
 /// are none.
 void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
+  // The joint with the largest torque is the fastest.
   double most = 0;
   for (const DrivenCoordinate& driven : drive.moves)
     most = std::max(most, torque[driven.coordinate]);
   if (most <= 0) return;
   drive.coupled = DriveCoupling::kCompliant;
+  // Joints that the flexors extend are left out.
   std::vector<DrivenCoordinate> moves;
   for (const DrivenCoordinate& driven : drive.moves)
     if (torque[driven.coordinate] > 0)
@@ -94,11 +102,13 @@ void follow_tendons(const Eigen::VectorXd& torque, Drive& drive) {
 
 ClosingSynergy motor_synergy(const HandAnatomy& hand, const Subject& subject,
                              const Skeleton& skeleton) {
+  // One drive for each digit.
   ClosingSynergy use;
   for (const DigitAnatomy& digit : hand.digits) {
     const Drive drive = flexion_drive(digit, subject, skeleton);
     if (!drive.moves.empty()) use.drives.push_back(drive);
   }
+  // A resting drive for every joint that is left.
   std::vector<bool> moved(static_cast<std::size_t>(skeleton.coordinates()), false);
   for (const Drive& drive : use.drives)
     for (const DrivenCoordinate& driven : drive.moves) moved[driven.coordinate] = true;

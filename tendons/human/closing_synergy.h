@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a human hand closes, and which way it goes at things.
+/// Closing synergies of a human hand, and the approach direction of its palm.
 
 #include "data/io/subject.h"
 #include "hand/skeleton_hand.h"
@@ -8,29 +8,29 @@
 
 namespace thenar {
 
-/// One drive a digit, of all its flexion joints, and one of speed 0 for every other joint.
+/// One drive for each digit, of all its flexion joints, and one of speed 0 for every other joint.
 ///
 /// Speeds are a convention: MCP : PIP : DIP as 1 : 1 : 2/3, so that the fingertip curls into the
 /// palm, at 1 rad/s; CMC : MCP : IP of the thumb as 1 : 1 : 1, at 1/4 rad/s, so that it closes over
-/// the fingers of a fist, not under them. A blocked phalanx lets those further
-/// out go on, as independent muscles would. The hand goes palm first. It opens to joints that close
-/// at zero, or the limit next to it, not bent backwards, and the others in the middle of their
-/// ranges: fingers not spread, the thumb half abducted, over against them.
+/// the fingers of a fist, not under them. A blocked phalanx lets the more distal ones continue, as
+/// independent muscles would. The hand approaches palm first. Its open posture has closing joints
+/// at zero, or at the nearest limit, and other joints in the middle of their ranges: fingers not
+/// spread, the thumb half abducted in opposition.
 [[nodiscard]] ClosingSynergy motor_synergy(const HandAnatomy& hand, const Subject& subject,
                                            const Skeleton& skeleton);
 
-/// Tensions of a hand that closes: of the flexors (FDS and FDP, or FPL) their largest, of the
-/// others none. Closing by them posture by posture is tendon_rates() of
+/// Tensions of a closing hand: the largest ones for flexors (FDS and FDP, or FPL), none for other
+/// muscles. Closing by them posture by posture is tendon_rates() of
 /// grasp/closing/tendon_closing.h.
 /// @return (actuators) [N]
 /// @throws InputError unless every actuator has a name.
 [[nodiscard]] Eigen::VectorXd max_flexor_tensions(const std::vector<std::string>& actuators,
                                                   const Actuation& actuation);
 
-/// The same of a hand at its zero posture, or where its limits come next to that.
+/// The same at the hand's zero posture, or at its nearest limits.
 [[nodiscard]] Eigen::VectorXd max_flexor_tensions(const Hand& hand);
 
-/// The same by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio
+/// Closing by tendon excursion: the flexors (FDS and FDP, or FPL) pull with tensions in the ratio
 /// of their largest ones. Joints of equal stiffness k then turn by dq = B t / k,  in the ratio of
 /// their torques; the fastest joint of a finger by 1 rad/s, of the thumb by 1/4. Equal stiffness is
 /// an assumption, as joints of most subjects state none. When a joint is blocked the tendon goes on

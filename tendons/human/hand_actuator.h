@@ -1,6 +1,6 @@
 #pragma once
 
-/// All tendons of a hand as something that moves its joints, from call to call.
+/// All tendons of a hand as an actuator: a state that continues from call to call.
 
 #include <memory>
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What the tendons of a hand do at a posture under tensions, and how that changes.
+/// Torque of the tendons of a hand at a posture under tensions, and its derivatives.
 struct [[nodiscard]] HandAction {
   TendonStatus status = TendonStatus::kValid;  // the worst of all digits: read this first
   bool snapped = false;                        // a knot of a net has jumped since the state before
@@ -22,8 +22,8 @@ struct [[nodiscard]] HandAction {
   std::vector<const TendonAction*> digits;  // parts; null: a digit without muscles
 };
 
-/// One TendonActuator a digit. A muscle of two digits adds up both.
-/// For one thread; the hand must outlive it.
+/// One TendonActuator for each digit; a muscle of two digits adds both.
+/// For one thread. Keeps a reference: the hand must outlive it.
 class HandActuator {
  public:
   explicit HandActuator(const TendonHand& hand, const NetContinuationOptions& options = {});

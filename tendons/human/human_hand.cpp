@@ -35,6 +35,7 @@ const NetDescription& finger_net() {
 /// The wrist at its reference, or as near as its limits allow; and what was asked for.
 std::map<std::string, double> frozen_joints(const Subject& subject,
                                             const std::map<std::string, double>& asked) {
+  // Joints that digits share are frozen as well.
   std::map<std::string, double> frozen = asked;
   for (const std::string& name : shared_joints(subject))
     for (const JointAxis& joint : subject.joints)
@@ -48,10 +49,12 @@ bool has_tendons(const Subject& subject) { return !subject.muscles.empty(); }
 TendonOptions tendon_options(const Subject& subject, const std::string& digit,
                              const std::map<std::string, double>& frozen, Path path) {
   TendonOptions options;
+  // Frozen joints that this subject has.
   options.path = path;
   for (const auto& [joint, angle] : frozen)
     for (const JointAxis& each : subject.joints)
       if (each.name == joint) options.frozen[joint] = angle;
+  // Its hood, if the subject states one.
   for (const Digit& each : subject.digits)
     if (each.name == digit) options.hood = each.hood ? Hood::kFractions : Hood::kSeparate;
   // Subjects that state arms instead of points have strands without a path.
@@ -64,6 +67,7 @@ TendonOptions tendon_options(const Subject& subject, const std::string& digit,
 std::unique_ptr<DigitTendons> net_or_less(const Subject& subject, const std::string& digit,
                                           TendonOptions options,
                                           std::vector<std::string>& warnings) {
+  // The thumb has no net; a finger that cannot carry one keeps linear tendons.
   TendonOptions floating = options;
   floating.hood = Hood::kFloatingNet;
   if (digit != "thumb") try {
@@ -81,6 +85,7 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
                          std::vector<std::string>& warnings) {
   HandTendons tendons;
   std::vector<std::string> muscles;
+  // Tendons of each digit, and all muscles once.
   for (const Digit& digit : subject.digits) {
     const TendonOptions options = tendon_options(subject, digit.name, frozen, path);
     tendons.digits.push_back(extensors == Extensors::kNet
@@ -89,6 +94,7 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
     for (const std::string& name : tendons.digits.back()->digit().names.muscles)
       if (std::count(muscles.begin(), muscles.end(), name) == 0) muscles.push_back(name);
   }
+  // Largest tensions, with the assumptions that they rest on.
   MuscleForces forces = muscle_forces(subject, muscles);
   tendons.max_force = std::move(forces.max_force);
   for (const std::string& assumed : forces.assumed)
@@ -99,10 +105,12 @@ HandTendons hand_tendons(const Subject& subject, Extensors extensors,
 /// Strength of joints by their names.
 std::map<std::string, std::pair<double, double>> named_strength(const Skeleton& skeleton,
                                                                 HandTendons tendons) {
+  // Limits at the reference posture.
   const TendonHand hand(skeleton, std::move(tendons));
   const TorqueLimits limits =
       joint_torque_limits(hand, Eigen::VectorXd::Zero(skeleton.coordinates()));
   std::map<std::string, std::pair<double, double>> strength;
+  // Joints that no muscle moves are left out.
   for (int i = 0; i < skeleton.coordinates(); ++i)
     if (limits.upper[i] > limits.lower[i])
       strength[skeleton.coordinate_names[i]] = {limits.lower[i], limits.upper[i]};
@@ -123,6 +131,7 @@ const std::map<std::string, std::pair<double, double>>& default_strength() {
 TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
                           const Skeleton& skeleton, const std::map<std::string, double>& frozen,
                           Path path, std::vector<std::string>& warnings) {
+  // Limits from the subject's own tendons.
   std::map<std::string, std::pair<double, double>> own;
   if (has_tendons(subject)) try {
       own =
@@ -130,10 +139,12 @@ TorqueLimits motor_limits(const Subject& subject, const HandAnatomy& anatomy,
     } catch (const InputError& error) {
       warnings.push_back(fmt::format("tendons of '{}' left out: {}", subject.name, error.what()));
     }
+  // Strength of joints grows with the cube of the size.
   const double scale = std::pow(anatomy.length / find_anatomy(default_human()).length, 3);
   TorqueLimits limits{Eigen::VectorXd(skeleton.coordinates()),
                       Eigen::VectorXd(skeleton.coordinates())};
   std::string borrowed;
+  // Joints without an own limit borrow that of the default hand.
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const std::string& joint = skeleton.coordinate_names[i];
     auto found = own.find(joint);
@@ -174,6 +185,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   const Subject subject = tier == HumanTier::kOrthogonalThumb ? orthogonal_thumb(given) : given;
   // Skin lies around the joints as measured, whatever becomes of the thumb's axes.
   const HandAnatomy anatomy = find_anatomy(given);
+  // Bones, contact model, patches and targets.
   const auto frozen = frozen_joints(subject, options.frozen);
   const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
   HumanHand human;
@@ -183,6 +195,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;
   std::vector<LinkSurface> surfaces = covered(given, skeleton, options);
+  // Tendons: digit by digit, through nets where they can be carried.
   if (tier == HumanTier::kTendonNet) {
     require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
             subject.name);
@@ -192,6 +205,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
       require(!tendons.digits[i]->digit().names.muscles.empty(),
               "no muscle of '{}' moves its {}; the fourth version wants tendons at every digit",
               subject.name, subject.digits[i].name);
+    // The closing synergy follows from linear tendons.
     std::vector<std::string> unheard;
     const TendonHand straight(
         skeleton, hand_tendons(subject, Extensors::kLinear, frozen, options.path, unheard));
@@ -202,6 +216,7 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
                                               std::move(use));
     return human;
   }
+  // Motors: limits from tendons.
   TorqueLimits limits =
       motor_limits(subject, anatomy, skeleton, frozen, options.path, human.warnings);
   human.hand = std::make_unique<SkeletonHand>(skeleton, std::move(limits), std::move(surfaces),
@@ -228,6 +243,7 @@ namespace {
 /// none of the thumb's.
 const DigitBone* bone_moved(const Subject& subject, const DigitAnatomy& thumb, std::string child) {
   for (std::size_t step = 0; step <= subject.joints.size(); ++step) {
+    // Down the chain from the joint, until a bone of the thumb.
     for (const DigitBone& bone : thumb.bones)
       if (bone.segment == child) return &bone;
     const JointAxis* next = nullptr;
@@ -251,6 +267,7 @@ Eigen::Vector3d axis_of(const JointAxis& joint, const DigitBone& bone) {
 }  // namespace
 
 Subject orthogonal_thumb(Subject subject) {
+  // The thumb of the subject.
   const HandAnatomy hand = find_anatomy(subject);
   const DigitAnatomy* thumb = digit_named(hand, "thumb");
   require(thumb != nullptr, "subject '{}' has no thumb", subject.name);
@@ -259,6 +276,7 @@ Subject orthogonal_thumb(Subject subject) {
     if (joint.child == thumb->root) continue;
     const DigitBone* bone = bone_moved(subject, *thumb, joint.child);
     if (bone == nullptr) continue;
+    // Orthogonal axis through the joint's centre, with the sense of the old one.
     const Eigen::Vector3d axis = axis_of(joint, *bone);
     joint.direction = joint.direction.dot(axis) < 0 ? Eigen::Vector3d(-axis) : axis;
     joint.point = bone->proximal;

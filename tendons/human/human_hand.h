@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// Which version. Source of the four steps: [Miller2005], in the order in which they are compared
+/// The version. Source of the four steps: [Miller2005], in the order in which they are compared
 /// here.
 enum class HumanTier {
   kOrthogonalThumb,  // rigid, thumb axes crossing at right angles, hard points
@@ -24,14 +24,14 @@ enum class HumanTier {
   kTendonNet         // and tendons in place of motors, the extensors through a floating net
 };
 
-/// What it touches with.
+/// Surfaces with which the hand touches.
 enum class Cover {
   kSkin,
   kBones,  // as a specimen without flesh
   kNone    // nothing: for questions of joints and tendons alone
 };
 
-/// How to build it.
+/// Options of build_human_hand().
 struct HumanHandOptions {
   Cover cover = Cover::kSkin;
   SkinOptions skin;
@@ -39,7 +39,7 @@ struct HumanHandOptions {
   std::map<std::string, double> frozen;  // joint -> the angle it is frozen at [rad]; the wrist: 0
 };
 
-/// A hand with all that comparing it needs.
+/// A hand with all that comparisons need.
 struct HumanHand {
   std::unique_ptr<Hand> hand;
   ContactModel contact;                   // hard points, or soft fingers from tier 3 on

@@ -47,10 +47,12 @@ MuscleForces muscle_forces(const Subject& subject, const std::vector<std::string
   for (const std::string& name : muscles) {
     const MuscleUnit* muscle = muscle_named(subject, name);
     require(muscle != nullptr, "subject '{}' has no muscle '{}'", subject.name, name);
+    // Stated by the subject.
     if (muscle->max_force) {
       forces.max_force[name] = *muscle->max_force;
       continue;
     }
+    // Otherwise: its namesake on the middle finger, scaled by the cross-section.
     const auto like = namesake_of(name);
     const MuscleUnit* other = like ? muscle_named(subject, like->muscle) : nullptr;
     require(
@@ -58,6 +60,7 @@ MuscleForces muscle_forces(const Subject& subject, const std::vector<std::string
         "largest tension of muscle '{}' of '{}' is unknown, and so is that of a like one on the "
         "middle finger",
         name, subject.name);
+    // Anatomy is looked up once, and only if it is needed.
     if (!hand) hand = find_anatomy(subject);
     const double ratio = section_ratio(*hand, like->digit);
     forces.max_force[name] = ratio * *other->max_force;

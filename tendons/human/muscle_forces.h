@@ -1,6 +1,6 @@
 #pragma once
 
-/// Largest tendon tensions of a hand, and what stands in where a subject does not say.
+/// Largest tendon tensions of a hand, with substitutes for those that a subject does not state.
 
 #include <map>
 #include <string>

@@ -31,6 +31,7 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
           working_share_);
   layout_.actuators.clear();
   std::vector<double> force;
+  // Rows and columns of each digit within the hand.
   for (const auto& tendons_of : digits_) {
     const TendonNames& names = tendons_of->digit().names;
     Place place;
@@ -39,6 +40,7 @@ TendonHand::TendonHand(const Skeleton& skeleton, HandTendons tendons,
       require(place.coordinates.back() < skeleton.coordinates(),
               "tendons move joint '{}', which the hand lacks", name);
     }
+    // A muscle that two digits share is one actuator.
     for (const std::string& name : names.muscles) {
       place.actuators.push_back(place_of(layout_.actuators, name));
       if (place.actuators.back() < static_cast<int>(force.size())) continue;
@@ -76,17 +78,20 @@ struct DigitSecant {
 
 DigitSecant secant(const DigitTendons& tendons, const Eigen::VectorXd& q,
                    const Eigen::VectorXd& t) {
+  // Linear tendons: their arms.
   const auto* net = dynamic_cast<const NetTendons*>(&tendons);
   if (net == nullptr) {
     const TendonTorque pull = tendons.pull(q, t);
     return {pull.R.transpose(), Eigen::VectorXd::Zero(q.size()), status_of(pull.status),
             pull.warning};
   }
+  // A net: exact without tension and at the working tension.
   TendonActuator slackened(tendons, kHandWalk), pulled(tendons, kHandWalk);
   const TendonAction& at = pulled.act(q, t);
   const TendonAction& slack = slackened.act(q, Eigen::VectorXd::Zero(t.size()));
   DigitSecant out{at.R.transpose(), slack.tau, status_of(at.status), at.warning};
   if (out.status == ActuationStatus::kExact) out.status = ActuationStatus::kLinearised;
+  // The correction acts through the muscles that pull the net.
   const Eigen::VectorXd pulls = net->shares().colwise().sum().transpose();
   const Eigen::VectorXd w = (pulls.array() > 0).select(t, 0);
   if (w.squaredNorm() > 0)
@@ -105,9 +110,11 @@ void note(ActuationStatus status, const std::string& warning, ActuationStatus& w
 Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
   Actuation actuation = bones_.actuation(q);  // tau_0 has the passive torque
   const Eigen::Index m = max_force_.size();
+  // One actuator for each muscle, which can only pull.
   actuation.B = Eigen::MatrixXd::Zero(q.size(), m);
   actuation.lower = Eigen::VectorXd::Zero(m);
   actuation.upper = max_force_;
+  // Digit by digit, in its rows and columns.
   for (std::size_t i = 0; i < digits_.size(); ++i) {
     const Place& place = places_[i];
     if (place.actuators.empty()) continue;  // a digit without muscles
@@ -122,6 +129,7 @@ Actuation TendonHand::actuation(const Eigen::VectorXd& q) const {
 
 AppliedTorque TendonHand::effort(const Eigen::VectorXd& q, const Eigen::VectorXd& u) const {
   HandActuator actuator(*this, kHandWalk);
+  // Exact torque, with the worst status of the digits.
   const HandAction& action = actuator.act(q, u);
   AppliedTorque effort{action.tau + passive(q), action.B, ActuationStatus::kExact, ""};
   for (const TendonAction* digit : action.digits)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A hand that is moved by its tendons, digit by digit, on whatever rung.
+/// A hand moved by its tendons, digit by digit, on any rung.
 
 #include <map>
 #include <memory>
@@ -25,10 +25,10 @@ struct HandTendons {
 /// tau(t) is not linear in the tensions. actuation() takes the secant through no tension and t* =
 /// working_share F0 that is nearest to the tangent R at t*:
 ///   tau_0 = tau(0) + passive,   B = R(t*)' + (tau(t*) - tau(0) - R(t*)' t*) w' / (w' t*),
-/// w being t* of the muscles that pull the net, else 0: exact at both. effort() is exact
-/// everywhere. Nets rest as TendonActuator has them from the straight finger, so both agree with
-/// `thenar tendon solve`. Where a net finds no rest the status says so.
-/// Both are for single postures; who goes on from one to the next takes a HandActuator.
+/// where w is t* for the muscles that pull the net and 0 for others: exact at both tensions.
+/// effort() is exact everywhere. Nets come from the straight finger as with TendonActuator, so both
+/// agree with `thenar tendon solve`. Where a net finds no equilibrium the status says so.
+/// Both are for single postures; for a sequence of postures take a HandActuator.
 /// A muscle that crosses joints of two digits is one actuator; its arms about one digit are those
 /// with the other at its reference posture.
 class TendonHand final : public Hand {
@@ -79,12 +79,12 @@ class TendonHand final : public Hand {
   HandLayout layout_;
 };
 
-// What the tendons of a hand could do at each joint alone: limits for a hand of motors.
+// Largest torque of the tendons of a hand at each joint alone: limits for a hand of motors.
 
-/// The largest and least torque of each coordinate at posture q,
+/// Largest and least torque of each coordinate at posture q,
 ///   upper_j = sum_i max(B_ji, 0) upper_i,   lower_j = sum_i min(B_ji, 0) upper_i.
-/// It is the least box about the torques that the tendons make, passive torque aside: a hand of
-/// motors with these limits can do at least as much, as its joints do not share muscles.
+/// the bounds of each joint's torque if it alone mattered, passive torque aside: a hand of motors
+/// with these limits can do at least as much, as its joints do not share muscles.
 /// @param tendons  a hand whose least tensions are 0
 [[nodiscard]] TorqueLimits joint_torque_limits(const Hand& tendons, const Eigen::VectorXd& q);
 

@@ -78,6 +78,7 @@ class RigidTendon : public Contraction {
     return fibre_length(muscle(m), state.length - muscle(m).slack);
   }
   std::unique_ptr<Contraction> with_compliant_tendon(double strain) const override {
+    // Slack length of one optimal fibre length.
     std::vector<Musculotendon> short_ones = muscles();
     for (Musculotendon& m : short_ones) m.slack = m.optimal;
     HillOptions options = options_;
@@ -119,6 +120,7 @@ std::vector<Musculotendon> musculotendons(const Subject& subject, const TendonDi
       require(known, "muscle '{}' of subject '{}' needs '{}' to pull on this rung of muscles", name,
               subject.name, key);
     };
+    // Each rung needs the keys of the one below.
     require_key(muscle.max_force.has_value(), "max_force_N");
     if (rung >= Muscle::kRigidTendon) require_key(muscle.fibre_length > 0, "fibre_length_mm");
     if (rung >= Muscle::kElasticTendon) require_key(muscle.tendon_slack > 0, "tendon_slack_mm");

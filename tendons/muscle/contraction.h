@@ -1,6 +1,6 @@
 #pragma once
 
-/// How tension follows from activation: the rungs of the ladder `Muscle`, behind one interface.
+/// Tension from activation: the rungs of the ladder `Muscle`, behind one interface.
 
 #include <memory>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// One muscle now.
+/// State of one muscle.
 struct MuscleState {
   double activation = 0;       // 0..1 [1]
   double length = 0;           // of muscle and tendon [m]
@@ -29,10 +29,10 @@ class Contraction {
 
   [[nodiscard]] virtual Muscle rung() const = 0;
 
-  /// Does tension depend on the velocity?
+  /// Whether tension depends on velocity.
   [[nodiscard]] virtual bool depends_on_velocity() const = 0;
 
-  /// Is the projected_fibre of the fibres a state?
+  /// Whether the projected length of the fibres is a state.
   [[nodiscard]] virtual bool has_fibre_state() const = 0;
 
   /// Tension of muscle m, >= 0 [N].
@@ -51,7 +51,7 @@ class Contraction {
     return {};
   }
 
-  /// Reach of muscle m at rest [m]; 0 where it is no state.
+  /// Projected fibre length of muscle m at rest [m]; 0 where it is no state.
   [[nodiscard]] virtual double projected_fibre_at_rest(int m, double activation,
                                                        double length) const = 0;
 
@@ -74,8 +74,8 @@ class Contraction {
   std::vector<Musculotendon> muscles_;
 };
 
-/// Bounds: tension = activation F0. Rigid tendon: by length and velocity. Elastic tendon: by length
-/// and projected_fibre, whose rate follows from the balance of fibre and tendon.
+/// Bounds: tension = activation F0. Rigid tendon: tension by length and velocity. Elastic tendon:
+/// tension by length and projected fibre, whose rate follows from the balance of fibre and tendon.
 [[nodiscard]] std::unique_ptr<Contraction> build_contraction(std::vector<Musculotendon> muscles,
                                                              Muscle rung,
                                                              const HillOptions& options = {});

@@ -30,6 +30,7 @@ class ExcitationTable {
       : path_(path), muscles_(muscles) {}
 
   void read_header(int line, const std::vector<std::string>& cells) {
+    // Time first, then one known muscle a column.
     if (cells.size() < 2 || cells.front() != "time_s")
       throw DataError(path_, line, "wanted a header 'time_s,MUSCLE,...'");
     for (std::size_t i = 1; i < cells.size(); ++i) {
@@ -50,6 +51,7 @@ class ExcitationTable {
       throw DataError(path_, line,
                       fmt::format("wanted {} cells, got {}", columns_.size() + 1, cells.size()));
     std::vector<double> row;
+    // Numbers, in rising time and within the range of excitations.
     for (const std::string& cell : cells) row.push_back(number(line, cell));
     if (row.front() < (rows_.empty() ? 0 : rows_.back().front()))
       throw DataError(path_, line, "wanted times from 0 on that never fall");
@@ -63,6 +65,7 @@ class ExcitationTable {
 
   [[nodiscard]] Excitation take() const {
     if (rows_.empty()) throw DataError(path_, 1, "wanted a header and at least one row");
+    // Columns in the order of the muscles; those without a column stay 0.
     const auto knots = static_cast<Eigen::Index>(rows_.size());
     Excitation result{Eigen::VectorXd(knots),
                       Eigen::MatrixXd::Zero(knots, static_cast<Eigen::Index>(muscles_.size()))};
@@ -108,6 +111,7 @@ Excitation constant_excitation(const Eigen::VectorXd& value) {
 std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, double seconds) {
   check(excitation);
   std::vector<ExcitationPiece> pieces;
+  // A piece of no duration is a jump.
   double begin = 0;
   Eigen::VectorXd first = excitation.value.row(0);
   const auto add = [&](double end, const Eigen::VectorXd& last) {
@@ -118,6 +122,7 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
     }
     first = last;
   };
+  // Knots up to the end; the last piece is cut there.
   for (Eigen::Index k = 0; k < excitation.time.size() && begin < seconds; ++k) {
     const Eigen::VectorXd value = excitation.value.row(k);
     const double time = excitation.time[k];
@@ -135,6 +140,7 @@ std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation, dou
 Excitation parse_excitation(const std::string& text, const std::string& path,
                             const std::vector<std::string>& muscles) {
   ExcitationTable table(path, muscles);
+  // The first row that is no comment is the header.
   std::istringstream in(text);
   int line = 0;
   for (std::string row; std::getline(in, row);) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What excites muscles over time.
+/// Excitations of muscles over time.
 
 #include <string>
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace thenar {
 
-/// Straight lines between knots; constant before the first and after the last. Two knots of one
-/// time are a jump.
+/// Piecewise linear excitations: straight between knots, constant before the first and after the
+/// last. Two knots of one time are a jump.
 struct Excitation {
   Eigen::VectorXd time;   // never falling [s] (knots)
   Eigen::MatrixXd value;  // 0..1 [1] (knots, muscles)
 };
 
-/// One straight line of it.
+/// One linear piece of an excitation.
 struct ExcitationPiece {
   double begin, end;            // [s]
   Eigen::VectorXd first, last;  // [1] (muscles)
@@ -27,10 +27,10 @@ struct ExcitationPiece {
   }
 };
 
-/// One value for ever. @param value  (muscles)
+/// Constant excitation. @param value  (muscles)
 [[nodiscard]] Excitation constant_excitation(const Eigen::VectorXd& value);
 
-/// From 0 to `seconds`, without gaps.
+/// Linear pieces from 0 to `seconds`, without gaps.
 /// @throws InputError if shapes disagree, times fall, or a value is outside 0..1.
 [[nodiscard]] std::vector<ExcitationPiece> excitation_pieces(const Excitation& excitation,
                                                              double seconds);

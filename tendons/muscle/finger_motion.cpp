@@ -46,6 +46,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
   require(model.tonus >= 0 && model.tonus < 1e3, "tonus must be >= 0, and little, got {} N",
           model.tonus);
   require(model.gravity.allFinite(), "gravity has an entry that is not finite");
+  // Muscles of the contraction are those of the digit, in its order.
   const std::vector<std::string>& names = model.tendons.digit().names.muscles;
   const std::vector<Musculotendon>& muscles = model.contraction.muscles();
   require(muscles.size() == names.size(), "{} muscles contract, the digit has {}", muscles.size(),
@@ -57,6 +58,7 @@ FingerMotion::FingerMotion(const MotionModel& model)
 
 MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
                                 const VectorXd& activation) {
+  // Shapes and ranges.
   const Index joints = damping_.size(), muscles = muscles_;
   require(q.size() == joints && q_dot.size() == joints && activation.size() == muscles,
           "wanted {} angles, {} speeds, {} activations; got {}, {}, {}", joints, joints, muscles,
@@ -65,10 +67,12 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
   require((activation.array() >= 0 && activation.array() <= 1).all(),
           "activations must be in 0..1");
   last_nodes_.resize(3, 0);  // of another motion
+  // Excursion from the reference posture, along a walk of the net.
   const Excursion way =
       excursion(tendons(), VectorXd::Zero(joints), q, VectorXd::Ones(muscles));  // [N]
   const std::string warning = way.warning.empty() ? "" : "on the way to the start: " + way.warning;
   MotionState state{q, q_dot, activation, way.e, {}, 0, 0};
+  // Fibres in balance with their tendons.
   if (contraction().has_fibre_state()) {
     VectorXd projected_fibre(muscles);
     for (int m = 0; m < muscles; ++m)
@@ -76,6 +80,7 @@ MotionOnset FingerMotion::start(const VectorXd& q, const VectorXd& q_dot,
           contraction().projected_fibre_at_rest(m, activation[m], muscle_state(state, m).length);
     state.projected_fibre = projected_fibre;
   }
+  // Lengths of lines where excursions are zero, for the correction of drift.
   slack_length_.resize(0);
   if (has_net(model_) && tendons().digit().model.friction.isZero(0)) {
     const MotionInstant now = at(state);
@@ -107,9 +112,11 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
   const DigitTendons& tendons = this->tendons();
   const VectorXd none = VectorXd::Zero(muscles_);
   MotionInstant now;
+  // Fibre lengths follow from the states.
   now.fibre = VectorXd::NullaryExpr(muscles_, [&](Index m) {
     return contraction().fibre(static_cast<int>(m), muscle_state(state, static_cast<int>(m)));
   });
+  // On rigid tendons velocity comes first, from arms without tension.
   const bool feels = contraction().depends_on_velocity();
   now.tension = tension(
       state, feels ? VectorXd(-tendons.pull(state.q, none, last_nodes_).R * state.q_dot) : none);
@@ -119,6 +126,7 @@ MotionInstant FingerMotion::at(const MotionState& state) const {
     now.pull.R = Eigen::MatrixXd::Zero(muscles_, joints);
     return now;
   }
+  // Torque and arms at these tensions.
   now.pull = tendons.pull(state.q, now.tension, last_nodes_);
   return now;
 }
@@ -127,8 +135,10 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
                                                      const MotionInstant& now,
                                                      const VectorXd& excitation) const {
   TensionRate out;
+  // Without a net: excursion' = -R q'.
   out.excursion = -now.pull.R * state.q_dot;
   if (!has_net(model_)) return out;
+  // Derivatives of tension, and its rate at constant length.
   VectorXd by_length(muscles_), rest(muscles_);
   for (Index i = 0; i < muscles_; ++i) {
     const int m = static_cast<int>(i);
@@ -139,9 +149,11 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
                   activation_rate(excitation[i], state.activation[i], model_.activation) +
               slopes.by_fibre * contraction().projected_fibre_rate(m, muscle);
   }
+  // Compliance of the net, and the linear system for excursion'.
   out.G = tendons().give(state.q, now.tension, now.pull);
   out.A = out.G * by_length.asDiagonal();
   out.A.diagonal().array() += 1;
+  // Correction of drift, then the solution.
   out.excursion -= kBaumgarteRate * drift(state, now);
   out.excursion = out.A.partialPivLu().solve(out.excursion - out.G * rest);
   out.tension = by_length.cwiseProduct(out.excursion) + rest;
@@ -149,14 +161,17 @@ FingerMotion::TensionRate FingerMotion::tension_rate(const MotionState& state,
 }
 
 MotionState FingerMotion::slope(const MotionState& state, const VectorXd& excitation) {
+  // A trial state far off: an infinite rate makes the integrator take a shorter step.
   const MotionInstant now = at(state);
   if (!now.pull.tau.allFinite() || !now.tension.allFinite())
     return unpack(VectorXd::Constant(pack(state).size(), HUGE_VAL));
+  // Torque of tendons, resistance and damping.
   const VectorXd damped = damping_.cwiseProduct(state.q_dot);
   const VectorXd tau =
       now.pull.tau +
       resistance_torque(model_.tendons.digit().skeleton, model_.resistance, state.q) - damped;
   MotionState rate = state;
+  // Bones, activations, fibres, excursions, energies.
   rate.q = state.q_dot;
   rate.q_dot = multibody_.forward_dynamics({state.q, state.q_dot}, tau, {model_.gravity, {}});
   for (int m = 0; m < excitation.size(); ++m) {
@@ -247,6 +262,7 @@ ArmRateDerivatives arm_derivatives(const DigitTendons& tendons, const MotionStat
   constexpr double kPart = 1e-3, kLeast = 0.01;  // of a tension and [N]
   const Index joints = state.q.size(), muscles = t.size();
   const bool net = tendons.digit().fidelity.hood == Hood::kFloatingNet;
+  // The quantity whose derivative is sought: R q' + G t'.
   const auto rate = [&](const VectorXd& q, const VectorXd& at, const TendonTorque& pull) {
     VectorXd v = pull.R * state.q_dot;
     if (net) v += tendons.give(q, at, pull) * t_dot;
@@ -254,11 +270,13 @@ ArmRateDerivatives arm_derivatives(const DigitTendons& tendons, const MotionStat
   };
   const VectorXd v = rate(state.q, t, here);
   ArmRateDerivatives out{MatrixXd(muscles, joints), MatrixXd::Zero(muscles, muscles)};
+  // One column for each angle.
   for (Index j = 0; j < joints; ++j) {
     VectorXd q = state.q;
     q[j] += kStep;
     out.by_q.col(j) = (rate(q, t, tendons.pull(q, t, here.nodes)) - v) / kStep;
   }
+  // With a net, one column for each tension.
   for (Index m = 0; net && m < muscles; ++m) {
     VectorXd more = t;
     more[m] += kPart * (t[m] + kLeast);
@@ -277,6 +295,7 @@ MatrixXd acceleration_slopes(const MotionState& state, const Acceleration& bones
   const double speed_step = kStep * (1 + state.q_dot.cwiseAbs().maxCoeff());
   MatrixXd slopes(n, 2 * n);
   for (Index j = 0; j < n; ++j) {
+    // Central differences by an angle, then by a speed.
     const VectorXd one = VectorXd::Unit(n, j);
     slopes.col(j) =
         (bones(state.q + kStep * one, state.q_dot) - bones(state.q - kStep * one, state.q_dot)) /
@@ -295,6 +314,7 @@ MatrixXd FingerMotion::jacobian(const MotionState& state, const VectorXd& excita
   const Index a = 2 * n, e = a + m, r = e + m;
   constexpr double kStretch = 1e-8;  // [m]
   const Skeleton& skeleton = model_.tendons.digit().skeleton;
+  // The instant, its rates, and derivatives of the arms.
   const MotionInstant now = at(state);
   const MatrixXd& R = now.pull.R;
   const TensionRate rate = tension_rate(state, now, excitation);

@@ -21,12 +21,12 @@ inline constexpr double kTonus = 5e-3;
 /// the fibre, a choice of ours [1]: see docs/theory/muscles.md.
 inline constexpr double kRigidStrain = 0.01;
 
-/// How fast excursions that have strayed from the lengths of lines come back, a choice of ours
-/// [1/s]: within what a fibre takes to follow.
+/// Rate at which excursions that have drifted from the lengths of lines are drawn back, a choice of
+/// ours [1/s]: within the time that a fibre takes to follow.
 inline constexpr double kBaumgarteRate = 1e3;
 
-/// Everything about a digit in motion that is constant. Refers to the tendons and the contraction,
-/// which must outlive it; temporaries are refused.
+/// The constants of a digit in motion. Refers to the tendons and the contraction, which must
+/// outlive it; temporaries are refused.
 struct MotionModel {
   MotionModel(const DigitTendons& of_tendons, const Contraction& of_contraction)
       : tendons(of_tendons), contraction(of_contraction) {}
@@ -54,13 +54,13 @@ struct MotionState {
   double dissipated = 0;            // in the dampers of the joints [J]
 };
 
-/// Where a motion begins.
+/// The first state of a motion.
 struct [[nodiscard]] MotionOnset {
   MotionState state;
-  std::string warning;  // why not to trust its excursion; empty: nothing
+  std::string warning;  // why its excursion may be wrong; may be empty
 };
 
-/// What follows from a state.
+/// Quantities that follow from a state.
 struct MotionInstant {
   Eigen::VectorXd tension;  // [N] (muscles)
   Eigen::VectorXd fibre;    // length over optimal length [1] (muscles)
@@ -75,9 +75,9 @@ struct MotionInstant {
 /// at its optimal length at the subject's reference posture, as no subject says better.
 ///
 /// Bones move by Simbody; nets are massless and at rest at every instant, each search starting from
-/// the last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
-/// moment arms, on tension; under a net they are with_compliant_tendon by kRigidStrain, so that the
-/// projected_fibre of the fibres is a state and tension follows from states alone.
+/// last accepted state. On rigid tendons tension depends on velocity, and velocity, by a net's
+/// moment arms, on tension; under a net a rigid tendon is therefore replaced by one that stretches
+/// by kRigidStrain, so that the projected fibre is a state and tension follows from states alone.
 class FingerMotion {
  public:
   /// @throws InputError if the contraction has other muscles than the digit.
@@ -93,29 +93,29 @@ class FingerMotion {
   /// @return rates of all states
   [[nodiscard]] MotionState slope(const MotionState& state, const Eigen::VectorXd& excitation);
 
-  /// Slopes of all rates by all states, packed alike:  J_ij = d slope_i / d y_j.
+  /// Derivatives of all rates by all states, packed alike:  J_ij = d slope_i / d y_j.
   ///
-  /// Exact in what is stiff: muscles, resistance of joints, torque of tendons by posture and
-  /// tension. Moment arms by posture and tension and the multibody's terms by posture and speed are
-  /// differences, of functions that are smooth.
+  /// The stiff terms are exact: muscles, resistance of joints, torque of tendons by posture and
+  /// tension. Derivatives of moment arms and of the multibody's terms are differences of smooth
+  /// functions.
   [[nodiscard]] Eigen::MatrixXd jacobian(const MotionState& state,
                                          const Eigen::VectorXd& excitation);
 
   [[nodiscard]] MotionInstant at(const MotionState& state) const;
 
-  /// What tendons are in an accepted state.
+  /// Tendons in an accepted state.
   struct Accepted {
-    std::string warning;    // why not to trust them; empty: nothing
+    std::string warning;    // why they may be wrong; may be empty
     Eigen::VectorXd drift;  // of muscles that pull; 0 of slack ones [m] (muscles)
   };
 
-  /// Later searches start from here.
+  /// Accepts a state: later searches for the net's equilibrium start from here.
   Accepted accept(const MotionState& state);
 
-  /// Of motion, weights, springs and stops [J].
+  /// Energy of motion, weights, springs and stops [J].
   [[nodiscard]] double energy(const MotionState& state);
 
-  /// Of motion alone [J].
+  /// Energy of motion alone [J].
   [[nodiscard]] double kinetic_energy(const MotionState& state);
 
   /// All states in one column, and back.
@@ -136,12 +136,12 @@ class FingerMotion {
   }
   Eigen::VectorXd tension(const MotionState& state, const Eigen::VectorXd& velocity) const;
 
-  /// How far excursions are from the lengths of lines, less those at the start: what integration
-  /// has left, and what a net that has jumped to another rest has changed; 0 without a net, and
-  /// where friction in sheaths takes part of R [m] (muscles).
+  /// Difference between excursions and lengths of lines, less that at the start: what integration
+  /// has added, and what a net that jumped to another equilibrium has changed. Zero without a net,
+  /// and where friction in sheaths takes part of R [m] (muscles).
   [[nodiscard]] Eigen::VectorXd drift(const MotionState& state, const MotionInstant& now) const;
 
-  /// How excursions and tensions change. Under a net t' depends in turn on excursion':
+  /// Rates of excursions and tensions. Under a net t' depends in turn on excursion':
   ///   A excursion' = -R q' - kBaumgarteRate drift - G (t' at excursion' = 0),  A = 1 + G
   ///   dt/dexcursion.
   /// The lengths of lines then change by  -R q' - G t',  so that  drift' = -kBaumgarteRate drift.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What joints do by themselves in motion: springs, stops at their limits, dampers.
+/// Passive torques of joints in motion: springs, stops at their limits, dampers.
 
 #include "hand/skeleton.h"
 
@@ -27,7 +27,7 @@ struct JointResistance {
                                                     const JointResistance& resistance,
                                                     const Eigen::VectorXd& q);
 
-/// Energy stored in them; its slope is minus the torque [J].
+/// Energy stored in springs and stops; its derivative is minus the torque [J].
 [[nodiscard]] double resistance_energy(const Skeleton& skeleton, const JointResistance& resistance,
                                        const Eigen::VectorXd& q);
 

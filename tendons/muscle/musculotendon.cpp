@@ -24,6 +24,7 @@ double cosine_slope(const Musculotendon& muscle, double projected_fibre) {
 double balancing_velocity(double strength, double beta, double force) {
   // At 0 or force / beta the left side is too large, at -1 or force / beta too small.
   double low = std::min(-1.0, force / beta), high = std::max(0.0, force / beta), v = 0;
+  // Newton's step, or bisection where it leaves the bracket.
   for (int i = 0; i < 100 && high - low > 1e-15 * (1 + high - low); ++i) {
     const double excess = strength * force_velocity(v) + beta * v - force;
     (excess > 0 ? high : low) = v;
@@ -46,8 +47,10 @@ double fibre_length(const Musculotendon& muscle, double projected_fibre) {
 
 double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double velocity) {
+  // The fibre is as long as the tendon leaves it.
   const double projected_fibre = length - muscle.slack;
   if (projected_fibre <= 0) return 0;
+  // Angle and speed of the fibre.
   const double l = fibre_length(muscle, projected_fibre), along = cosine(muscle, projected_fibre);
   const double v = velocity * along / (options.max_velocity * muscle.optimal);
   const double force = activation * active_force(l) * force_velocity(v) + passive_force(l);
@@ -56,7 +59,9 @@ double rigid_tendon_tension(const Musculotendon& muscle, const HillOptions& opti
 
 TensionDerivatives rigid_tendon_derivatives(const Musculotendon& muscle, const HillOptions& options,
                                             double activation, double length, double velocity) {
+  // No derivatives where the tension is cut off.
   if (rigid_tendon_tension(muscle, options, activation, length, velocity) <= 0) return {};
+  // The fibre, its angle and its speed, with their derivatives.
   const double projected_fibre = length - muscle.slack;
   const double l = fibre_length(muscle, projected_fibre), along = cosine(muscle, projected_fibre);
   const double turn = cosine_slope(muscle, projected_fibre),
@@ -89,13 +94,16 @@ TensionDerivatives elastic_tendon_derivatives(const Musculotendon& muscle,
 
 double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& options,
                             double activation, double length, double projected_fibre) {
+  // Fibre of at least the shortest length, and the tendon's force on it.
   const double r = std::max(projected_fibre, kShortest * muscle.optimal);
   const double l = fibre_length(muscle, r), along = cosine(muscle, r);
   const double pull =
       tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain);
+  // Velocity that balances fibre and tendon.
   const double v = balancing_velocity(activation * active_force(l), options.damping,
                                       pull / along - passive_force(l));
   const double rate = v * options.max_velocity * muscle.optimal / along;
+  // Shortening fades out near the shortest length.
   const double fade = (projected_fibre / muscle.optimal - kShortest) / (kFading - kShortest);
   return rate < 0 ? rate * std::clamp(fade, 0.0, 1.0) : rate;
 }
@@ -103,6 +111,7 @@ double projected_fibre_rate(const Musculotendon& muscle, const HillOptions& opti
 FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const HillOptions& options,
                                             double activation, double length,
                                             double projected_fibre) {
+  // Fibre, tendon and velocity, as in projected_fibre_rate().
   const double shortest = kShortest * muscle.optimal, r = std::max(projected_fibre, shortest);
   const double moves = projected_fibre > shortest ? 1 : 0;  // of r with the projected_fibre
   const double l = fibre_length(muscle, r), along = cosine(muscle, r);
@@ -134,11 +143,13 @@ FibreRateDerivatives fibre_rate_derivatives(const Musculotendon& muscle, const H
 
 double projected_fibre_at_rest(const Musculotendon& muscle, const HillOptions& options,
                                double activation, double length) {
+  // Force of the tendon above that of the fibre.
   const auto excess = [&](double projected_fibre) {
     const double l = fibre_length(muscle, projected_fibre);
     return tendon_force((length - projected_fibre) / muscle.slack, options.tendon_strain) -
            cosine(muscle, projected_fibre) * (activation * active_force(l) + passive_force(l));
   };
+  // Bracket between the shortest fibre and a slack tendon; then bisection.
   double low = kShortest * muscle.optimal;
   double high = length - taut_tendon(options.tendon_strain) * muscle.slack;
   if (high <= low || excess(low) < 0) return low;

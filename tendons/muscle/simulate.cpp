@@ -27,10 +27,12 @@ class Recorder {
         seconds_(options.seconds),
         tolerance_(options.tolerance),
         room_(static_cast<Index>(std::floor(options.seconds / options.sample * (1 + 1e-12))) + 1) {
+    // Names and fidelity.
     const TendonDigit& digit = model.tendons.digit();
     kept_.joints = digit.names.coordinates;
     kept_.muscles = digit.names.muscles;
     kept_.fidelity = digit.fidelity | Fidelity(Motion::kDynamic, model.contraction.rung());
+    // Room for all instants.
     const auto joints = static_cast<Index>(kept_.joints.size());
     const auto muscles = static_cast<Index>(kept_.muscles.size());
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
@@ -51,6 +53,7 @@ class Recorder {
   void keep(const MotionState& state, const VectorXd& excitation) {
     const MotionInstant now = motion_.at(state);
     const Index i = next_;
+    // States and tensions.
     kept_.time[i] = next();
     kept_.angle.row(i) = state.q;
     kept_.speed.row(i) = state.q_dot;
@@ -59,10 +62,12 @@ class Recorder {
     kept_.tension.row(i) = now.tension;
     kept_.excursion.row(i) = state.excursion;
     kept_.fibre.row(i) = now.fibre;
+    // Slips of the hood, and the tip.
     const SlipTension& slips = now.pull.slips;
     kept_.slips.row(i) << slips.central, slips.radial, slips.ulnar, slips.terminal;
     const TendonModel<double>& bones = model_.tendons.digit().model;
     kept_.tip.row(i) = moved(pose_tree(bones.tree, state.q), bones.tip_link, bones.tip);
+    // Energies.
     kept_.energy[i] = motion_.energy(state);
     kept_.work[i] = state.work;
     kept_.dissipated[i] = state.dissipated;
@@ -79,9 +84,11 @@ class Recorder {
   void note_accepted(const FingerMotion::Accepted& accepted, double time) {
     note(accepted.warning, time);
     if (accepted.drift.size() == 0) return;
+    // Muscle of the largest drift.
     Index most = 0;
     const double drift = accepted.drift.cwiseAbs().maxCoeff<Eigen::PropagateNaN>(&most);
     if (drift <= kept_.drift || std::isnan(kept_.drift)) return;
+    // First instant at which the drift shows a jump.
     if (kept_.drift <= kJump) jumped_ = time;
     kept_.drift = drift;
     strays_ = kept_.muscles[static_cast<std::size_t>(most)];
@@ -97,6 +104,7 @@ class Recorder {
 
   Trajectory take(MotionStatus status, const std::string& why, const StiffOde& ode,
                   const EnergyBalance& balance) {
+    // A jump of the net is part of the ending's story.
     if (!(kept_.drift <= kJump))
       note_end(fmt::format("the net jumped to another rest, the line of '{}' by up to {:.2g} mm: "
                            "what that sets free is in no balance, and the motion after it may "
@@ -108,6 +116,7 @@ class Recorder {
     kept_.balance = balance;
     kept_.tolerance = tolerance_;
     kept_.counts = ode.counts();
+    // Cut to the instants that were reached.
     for (VectorXd* v : {&kept_.time, &kept_.energy, &kept_.work, &kept_.dissipated})
       v->conservativeResize(next_);
     for (Eigen::MatrixXd* m : {&kept_.angle, &kept_.speed, &kept_.excitation, &kept_.activation,
@@ -159,6 +168,7 @@ class Account {
   }
 
   void add(const MotionState& state) {
+    // Energy drift, kinetic energy, and the work turned over.
     const double made = motion_.energy(state) - begin_ - state.work + state.dissipated;
     error_ = max_or_nan(error_, std::abs(made));
     kinetic_ = max_or_nan(kinetic_, motion_.kinetic_energy(state));
@@ -181,6 +191,7 @@ class Patience {
 
   /// @return false: give up
   bool go_on(double time) {
+    // Judge progress once in every `steps_` steps.
     if (++count_ < steps_) return true;
     const bool far = time - since_ >= kStallTime;
     since_ = time;
@@ -208,12 +219,14 @@ void check(const SimulateOptions& options) {
 /// One integration.
 Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece>& pieces,
                      const MotionStart& start, const SimulateOptions& options) {
+  // First state, with activations of the first excitation if none are given.
   const ExcitationPiece* piece = &pieces.front();
   FingerMotion motion(model);
   const VectorXd still = VectorXd::Zero(start.q.size());
   const auto [first, warning] =
       motion.start(start.q, start.q_dot.size() > 0 ? start.q_dot : still,
                    start.activation.size() > 0 ? start.activation : piece->first);
+  // Everything that is recorded begins with the first instant.
   Recorder recorder(model, motion, options);
   recorder.note(warning, 0);
   recorder.note(motion.accept(first).warning, 0);
@@ -221,6 +234,7 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
   Account account(motion, first);
   Patience stall_steps(options.stall_steps);
 
+  // Rates and their derivatives for the integrator.
   const auto slope = [&](double time, const VectorXd& y) {
     return motion.pack(motion.slope(motion.unpack(y), piece->at(time)));
   };
@@ -234,6 +248,7 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
     return recorder.take(status, why, ode, account.balance());
   };
 
+  // Integrate piece by piece of the excitation.
   for (const ExcitationPiece& next : pieces) {
     piece = &next;
     if (piece->jumps) ode.restart();
@@ -241,11 +256,14 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
       const OdeStatus status = ode.step(piece->end);
       if (status != OdeStatus::kStepped)
         return take(MotionStatus::kIntegratorFailed, reason(status));
+      // Instants to keep lie within the last step.
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));
+      // Accept the step, and account for its energy.
       const MotionState now = motion.unpack(ode.state());
       recorder.note_accepted(motion.accept(now), ode.time());
       account.add(now);
+      // Progress, stopping and stalling.
       options.progress(ode.time() / options.seconds, "simulating");
       if (options.progress.stop()) return take(MotionStatus::kStopped, "");
       if (!stall_steps.go_on(ode.time()))
@@ -267,9 +285,11 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
           excitation.value.cols());
   const std::vector<ExcitationPiece> pieces = excitation_pieces(excitation, options.seconds);
 
+  // First integration.
   Trajectory path = integrate(model, pieces, start, options);
   const bool balanced = path.balance.holds();
   if (path.status != MotionStatus::kCompleted || (balanced && path.drift <= kJump)) return path;
+  // Energy does not balance, or the net jumped: once more with a smaller tolerance.
   SimulateOptions finer = options;
   finer.tolerance *= kFiner;
   // Smaller steps do not help a net that jumps by itself.
@@ -278,6 +298,7 @@ Trajectory simulate(const MotionModel& model, const Excitation& excitation,
         std::min<double>(options.max_steps, kMoreSteps * static_cast<double>(path.counts.steps)));
   Trajectory again = integrate(model, pieces, start, finer);
   if (again.status == MotionStatus::kStopped) return again;
+  // Keep the better one.
   const bool better = again.status == MotionStatus::kCompleted && again.balance.holds() &&
                       (!balanced || !(again.drift >= path.drift));
   if (better) path = std::move(again);

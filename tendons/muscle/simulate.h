@@ -1,6 +1,6 @@
 #pragma once
 
-/// A digit moved by its muscles' excitations.
+/// Simulation of a digit moved by its muscles' excitations.
 
 #include "base/progress.h"
 #include "solvers/stiff_ode.h"
@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Where a motion starts.
+/// Initial state of a motion.
 struct MotionStart {
   Eigen::VectorXd q;           // posture [rad] (coordinates)
   Eigen::VectorXd q_dot;       // [rad/s] (coordinates); empty: at rest
@@ -21,27 +21,27 @@ struct SimulateOptions {
   double sample = 0.005;    // between the instants that are kept [s]
   double tolerance = 1e-6;  // error of one step, of each state's size [1]
   int max_steps = 1000000;  // of one integration
-  int stall_steps =
-      500;  // steps; if all of them together take it less than kStallTime, it gives up
+  int stall_steps = 500;  // steps after which it gives up, if together they advance it by less than
+                          // kStallTime
   Progress progress{};
 };
 
-/// Time that `stall_steps` steps must take a motion on [s]: a hundredth of what is fast in a
-/// finger.
+/// Time by which `stall_steps` steps must advance a motion [s]: a hundredth of the fastest time
+/// constant of a finger.
 inline constexpr double kStallTime = 2e-5;
 
-/// Share of the energy turned over that an integration may make of nothing, and what is none [J].
+/// Numerical energy drift that is accepted: a share of the energy turned over [1], and a rest [J].
 inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
 
 enum class MotionStatus {
   kCompleted,         // all the time that was asked for, and its energy balances
-  kStopped,           // asked to stop: all up to then
-  kIntegratorFailed,  // the integrator found no step: all up to then, and `warning` says why
-  kNoProgress,        // it hardly gets on, see SimulateOptions::stall_steps: all up to then
-  kUnbalanced         // all the time, but energy came of nothing: not to be believed
+  kStopped,           // the caller asked to stop; holds all up to then
+  kIntegratorFailed,  // the integrator found no step; holds all up to then, `warning` says why
+  kNoProgress,        // see SimulateOptions::stall_steps; holds all up to then
+  kUnbalanced         // all the time, but energy is not conserved: not to be believed
 };
 
-/// What an integration did with energy, over all its steps and not only the instants kept.
+/// Energy balance of an integration, over all its steps and not only the instants kept.
 struct EnergyBalance {
   double error = 0;        // largest |energy - energy at the start - work + dissipated| [J]
   double turned_over = 0;  // largest kinetic energy, plus loss, plus all |work| of the steps [J]
@@ -51,7 +51,7 @@ struct EnergyBalance {
 /// A digit over time; one row an instant.
 struct [[nodiscard]] Trajectory {
   MotionStatus status = MotionStatus::kIntegratorFailed;  // read this first
-  std::string warning;                                    // why not to trust this; empty: nothing
+  std::string warning;                                    // why not to trust it; may be empty
   Fidelity fidelity;                                      // what was simulated
   std::vector<std::string> joints, muscles;
   Eigen::VectorXd time;        // [s] (instants)
@@ -71,23 +71,23 @@ struct [[nodiscard]] Trajectory {
   double drift = 0;            // largest of an excursion from the length of its line, over all
                                // steps: FingerMotion::Accepted [m]
   double tolerance = 0;        // that it was integrated to [1]
-  OdeCounts counts;            // what it took
+  OdeCounts counts;            // work of the integrator
 };
 
-/// Integrates to the tolerance; if energy then does not balance, or a net has jumped to another
-/// rest (`drift` above 0.1 mm), once more to a hundredth of it. A net that jumps there, too, or
-/// needs many more steps, does so by itself: `warning` says when.
-/// Who is asked to stop, is stuck or gives up says so and keeps what there is.
+/// Integrates to the tolerance. If energy then does not balance, or a net has jumped to another
+/// equilibrium (`drift` above 0.1 mm), it integrates once more, to a hundredth of the tolerance. A
+/// net that jumps there, too, or needs many more steps, does so by itself: `warning` says when.
+/// A motion that is stopped or stalls keeps all instants up to then, and says so.
 /// @throws InputError if the model or the start does not fit, a joint moves nothing that has mass,
 /// or an option is not positive.
 Trajectory simulate(const MotionModel& model, const Excitation& excitation,
                     const MotionStart& start, const SimulateOptions& options = {});
 
-/// energy - energy at the start - work + dissipated:  what the integration has made of nothing up
-/// to each instant [J] (instants).
+/// energy - energy at the start - work + dissipated:  the numerical energy drift up to each instant
+/// [J] (instants).
 [[nodiscard]] Eigen::VectorXd energy_drift(const Trajectory& trajectory);
 
-/// Largest of them in size [J].
+/// Largest absolute energy drift [J].
 [[nodiscard]] double energy_error(const Trajectory& trajectory);
 
 }  // namespace thenar

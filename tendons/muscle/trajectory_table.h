@@ -1,6 +1,6 @@
 #pragma once
 
-/// A trajectory as one table, for files.
+/// Tables of trajectories, for files.
 
 #include "tendons/muscle/simulate.h"
 

@@ -38,15 +38,18 @@ Pose<double> surface_pose(const BoneSurface& surface, const TreeState<double>& s
 
 BandCourse band_course(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest,
                        int band) {
+  // A straight band.
   require(band >= 0 && band < static_cast<int>(net.bands.size()), "net '{}' has no band {}",
           net.name, band);
   const NetBand& wanted = net.bands[static_cast<std::size_t>(band)];
   const Vector3d a = rest.x.col(wanted.a), b = rest.x.col(wanted.b);
   if (wanted.over < 0) return {false, {a, b}};
+  // String over the bone; it may miss it.
   const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(wanted.over)];
   const Pose<double> X_WS = surface_pose(surface, state), X_SW = X_WS.inverse();
   const WrappedString chord = wrap_string(surface, X_SW * a, X_SW * b, wanted.side);
   if (!chord.bent) return {false, {a, b}};
+  // Points along the arc.
   BandCourse course{true, {a}};
   for (int k = 0; k <= kSteps; ++k)
     course.points.push_back(X_WS *

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a band runs, for tables and pictures.
+/// Course of a band, for tables and pictures.
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace thenar {
 
 inline constexpr double kTaut = 1e-6;  // a band that pulls with less is called slack [N]
 
-/// A band at rest.
+/// A band at equilibrium.
 struct BandCourse {
   bool bent;                            // lies on the bone that it bends over
   std::vector<Eigen::Vector3d> points;  // from end to end; along the bone in small steps [m]

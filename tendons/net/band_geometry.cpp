@@ -39,19 +39,24 @@ double stiff(double r, double f) { return 1 / std::max(f, 1e-7 * r); }
 
 WrapState over_sphere(const RoundBone& bone, const Vector3d& a, const Vector3d& b,
                       BandGeometry& run) {
+  // Ends from the centre, in polar form.
   const double r = bone.radius;
   const Vector3d pa = a - bone.center, pb = b - bone.center;
   End A, B;
   if (!reach(r, pa.norm(), A) || !reach(r, pb.norm(), B)) return WrapState::kDegenerate;
+  // Angle between them.
   const Vector3d ea = A.inverse * pa, eb = B.inverse * pb, cross = ea.cross(eb);
   const double sine = cross.norm(), cosine = ea.dot(eb);
   if (sine < 1e-12) return WrapState::kDegenerate;
   const double arc = arc_of(A, B, cosine, sine, false);
   if (!(arc > 0)) return WrapState::kStraight;
+  // Directions in the plane of both ends and the centre.
   const Vector3d m = cross / sine, ta = ea.cross(m), tb = m.cross(eb);
+  // Length and its gradient.
   run.length = A.f + B.f + r * arc;
   run.ua = A.s * ea + A.c * ta;
   run.ub = B.s * eb + B.c * tb;
+  // Across the free runs, and out of the plane.
   run.na = A.c * ea - A.s * ta;
   run.nb = B.c * eb - B.s * tb;
   run.wa = stiff(r, A.f);
@@ -72,6 +77,7 @@ double turn_order(double x, double y) {
 
 WrapState over_cylinder(const RoundBone& bone, const Vector3d& a, const Vector3d& b,
                         BandGeometry& run) {
+  // Ends across and along the axis.
   const double r = bone.radius;
   const Vector3d pa = a - bone.center, pb = b - bone.center;
   const double ax = bone.e1.dot(pa), ay = bone.e2.dot(pa), bx = bone.e1.dot(pb),
@@ -79,10 +85,12 @@ WrapState over_cylinder(const RoundBone& bone, const Vector3d& a, const Vector3d
   End A, B;
   if (!reach(r, std::sqrt(ax * ax + ay * ay), A) || !reach(r, std::sqrt(bx * bx + by * by), B))
     return WrapState::kDegenerate;
+  // Sense of rotation, counted over the side.
   const double way = turn_order(bx, by) < turn_order(ax, ay) ? -1 : 1;
   const double scale = A.inverse * B.inverse;
   const double cosine = (ax * bx + ay * by) * scale, sine = way * (ax * by - ay * bx) * scale;
   const double arc = arc_of(A, B, cosine, sine, sine < 0);
+  // Length: planar run and climb.
   if (!(arc > 0)) return WrapState::kStraight;
   const double P = A.f + B.f + r * arc, L = std::sqrt(P * P + dz * dz);
   // Planar tangents and normals, then unrolled: L^2 = P^2 + dz^2.

@@ -1,13 +1,13 @@
 #pragma once
 
-/// The run of a band straight in world axes, in the form in which a net needs it: no 6 x 6
-/// matrices, one arctangent. wrap_string() says the same, and a test holds the two equal.
+/// The string of a band in world axes, in the form in which a net needs it: no 6 x 6 matrices, one
+/// arctangent. A test holds it equal to wrap_string().
 
 #include "tendons/wrapping/bone_surface.h"
 
 namespace thenar::internal {
 
-/// What a band bends over, in world axes.
+/// A bone that a band bends over, in world axes.
 struct RoundBone {
   bool sphere = false;
   double radius = 0;          // [m]
@@ -30,10 +30,9 @@ struct BandGeometry {
 };
 
 enum class WrapState {
-  kStraight,  // of the bone: it runs straight
-  kBent,
-  kDegenerate  // an end inside, or both in line with a sphere's centre: wrap_string() knows what to
-               // do
+  kStraight,   // the band misses the bone
+  kBent,       // it lies on the bone
+  kDegenerate  // an end lies inside, or both are in line with a sphere's centre: see wrap_string()
 };
 
 /// Sets `run` if the band is bent.

@@ -25,9 +25,11 @@ Law law(double p, double toe, double q) {
 }  // namespace
 
 BandResponse smoothed_response(double length, double slack, double EA, double toe, double blend) {
+  // Smoothed strain, in a form without cancellation for slack bands.
   const double e = (length - slack) / slack, q = blend * blend / 4;
   const double root = std::hypot(e, blend), root_0 = std::hypot(1, blend);
   const double p = e > 0 ? (e + root) / 2 : 2 * q / (root - e), p_0 = 2 * q / (root_0 + 1);
+  // Law at this strain, less that at no length.
   const Law at = law(p, toe, q), none = law(p_0, toe, q);
   const double energy = at.energy - none.energy - none.tension * length / slack;
   return {EA * slack * energy, EA * (at.tension - none.tension),

@@ -1,12 +1,12 @@
 #pragma once
 
-/// Tension of a band that is pulled but never pushes.
+/// Tension of a band that can pull but not push.
 
 #include <cmath>
 
 namespace thenar {
 
-/// A band stretched to some length.
+/// Response of a band at some length.
 struct BandResponse {
   double energy;     // integral of the tension over the length [J]
   double tension;    // >= 0 [N]
@@ -27,7 +27,7 @@ struct BandResponse {
   return {EA * slack * (0.5 * past * past + toe * toe / 24), EA * past, EA / slack};
 }
 
-/// The same law T of a strain that is never negative,
+/// The same law T of a strain that is never negative:
 ///   p = (e + sqrt(e^2 + blend^2)) / 2,    tension = T(p(e)) - T(p(-1)):
 /// smooth, above 0 at any length above 0 and 0 at none. Taut, T(p) = EA e (1 + blend^2 / (2 e)^2);
 /// slack, EA blend^2 (1 / |e| - 1) / 4. The energy is its integral, by e = p - blend^2 / (4 p).

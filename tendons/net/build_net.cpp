@@ -24,6 +24,7 @@ int index_of(const std::vector<Part>& parts, const std::string& name) {
 }
 
 BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
+  // Scale of the cross section: at its place, or the smaller one of a shaft's ends.
   const FingerBone& bone = frame.bone(plan.center.bone);
   const double ratio = plan.shape == SurfaceShape::kCapsule ? std::min(bone.ratio[0], bone.ratio[1])
                                                             : height_ratio(bone, plan.center.along);
@@ -31,6 +32,7 @@ BoneSurface surface_on(const FingerFrame& frame, const NetSurface& plan) {
   surface.name = plan.name;
   surface.link = bone.link;
   surface.shape = plan.shape;
+  // Size, and axes along or across the bone.
   const double along = plan.across ? ratio : frame.scale;
   surface.size = {plan.radius * ratio, plan.half_length * along, 0};
   const Vector3d flexion = bone.along.cross(bone.dorsal);
@@ -47,6 +49,7 @@ class NetBuilder {
  public:
   NetBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& plan)
       : subject_(subject), digit_(digit), plan_(plan) {
+    // Parts in order: each refers to those before it.
     built_.frame = finger_frame(subject, digit, plan);
     built_.net.name = plan.name;
     built_.net.friction = plan.friction;
@@ -55,6 +58,7 @@ class NetBuilder {
     for (const NetNodePlan& node : plan.nodes) add_node(node);
     for (const NetBandPlan& band : plan.bands) add_band(band);
     for (const NetMusclePlan& muscle : plan.muscles) add_role(muscle);
+    // Bands of the slips by name.
     const auto slip = [&](const std::vector<std::string>& names) {
       std::vector<int> bands;
       for (const std::string& name : names) bands.push_back(index_of(plan.bands, name));
@@ -81,6 +85,7 @@ class NetBuilder {
   }
 
   void add_node(const NetNodePlan& plan) {
+    // At a point of a strand if the subject has it, otherwise at its place on the bone.
     const CarriedPoint at = strand_point(plan.strand)
                                 .value_or(CarriedPoint{built_.frame.bone(plan.place.bone).link,
                                                        point_of(built_.frame, plan.place)});
@@ -128,6 +133,7 @@ class NetBuilder {
 
   /// The rest of a muscle's path, from its first point on the bone or nearer to the wrist.
   TendonPath<double> own_path(const NetMusclePlan& role, const std::string& muscle) const {
+    // Where the muscle leaves the net.
     const Strand& strand = strand_of(subject_, muscle);
     const FingerBone& bone = built_.frame.bone(role.exit);
     TendonPath<double> path;
@@ -137,6 +143,7 @@ class NetBuilder {
       const CarriedPoint exit = exit_of(first);
       path.push_back({exit.link, exit.p});
     }
+    // Points of its strand from there towards the wrist.
     for (const CarriedPoint& point : carried_points(digit_.skeleton, strand))
       if ((!path.empty() || within(point.link, bone)) &&
           !(place && (point.link == bone.link || !within(point.link, bone))))
@@ -150,6 +157,7 @@ class NetBuilder {
 
   /// Share of a muscle that enters the hood, as the subject says, or as the net does.
   double share_of(const NetMusclePlan& role, const std::string& muscle, double stated) const {
+    // The hood of the subject decides where the description lets it.
     for (const Digit& d : subject_.digits)
       if (role.hood_share && d.hood && d.name == digit_.skeleton.tips.front().digit)
         for (const HoodBranch& branch : d.hood->branches)
@@ -158,13 +166,16 @@ class NetBuilder {
   }
 
   void add_muscle(const NetMusclePlan& role, const std::string& muscle) {
+    // Pulls that others relay count for nothing.
     double stated = 0;
     for (const NetPullPlan& pull : role.pulls) stated += pull.relayed ? 0 : pull.share;
     const auto& names = digit_.names.muscles;
     const int m = static_cast<int>(std::find(names.begin(), names.end(), muscle) - names.begin());
     const double to_net = share_of(role, muscle, stated);
+    // A muscle that does not enter the net stays a whole tendon.
     if (to_net <= 0) return;
     built_.muscles.push_back({m, to_net, own_path(role, muscle)});
+    // Its share is divided among its pulls as described.
     for (std::size_t k = 0; k < role.pulls.size(); ++k)
       add_pull(role.pulls[k], m, role.pulls[k].share / stated * to_net,
                role.pulls.size() == 1 ? muscle : fmt::format("{}/{}", muscle, k + 1));
@@ -181,6 +192,7 @@ class NetBuilder {
 
   void add_pull(const NetPullPlan& plan, int muscle, double share, const std::string& name) {
     Net& net = built_.net;
+    // The muscle's end of the band is a fixed node at the exit.
     const CarriedPoint exit = strand_point(plan.exit).value_or(exit_of(plan));
     NetBand band;
     band.name = name;
@@ -204,6 +216,7 @@ class NetBuilder {
 
 /// Length of each described band in the reference finger [m].
 std::vector<double> reference_lengths(const NetDescription& plan) {
+  // The same parts on the reference finger.
   const FingerFrame frame = reference_finger(plan);
   Net net;
   for (const NetSurface& surface : plan.surfaces)
@@ -243,18 +256,22 @@ int needed(const std::vector<Part>& parts, const std::string& name, const std::s
 
 BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                    const NetDescription& description, const NetBuildOptions& options) {
+  // Ranges of the options.
   require(options.taut_load > 0, "taut_load must be > 0, got {}", options.taut_load);
   require(options.pretension >= 0 && options.pretension < 1, "pretension must be in 0..1, got {}",
           options.pretension);
+  // Bands straight: the description without surfaces to bend over.
   if (options.runs == NetRuns::kStraight) {
     NetBuildOptions bent = options;
     bent.runs = NetRuns::kBent;
     return build_net(subject, digit, straightened(description), bent);
   }
+  // Parts first, then slack lengths in the straight finger.
   BuiltNet built = NetBuilder(subject, digit, description).take();
   const TreeState<double> straight = pose_tree(digit.model.tree, built.frame.straight);
   const std::vector<double> here = start_lengths(built.net, straight);
   const std::vector<double> there = reference_lengths(description);
+  // Stated slack lengths scale with the finger; the others are fitted.
   std::vector<FittedBand> fitted;
   for (std::size_t b = 0; b < description.bands.size(); ++b) {
     NetBand& band = built.net.bands[b];
@@ -265,6 +282,7 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
     band.slack = stated ? description.bands[b].slack * here[b] / there[b]
                         : here[b] / (1 + options.pretension);
   }
+  // Fit under an even load of the muscles.
   Eigen::VectorXd load(built.net.muscles.size());
   for (Eigen::Index p = 0; p < load.size(); ++p)
     load[p] = options.taut_load * built.pulls[static_cast<std::size_t>(p)].share;
@@ -277,9 +295,11 @@ BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
 }
 
 BuiltNet cut(const BuiltNet& built, const std::string& band) {
+  // Only passive bands can be cut.
   const int gone = band_named(built.net, band);
   require(built.net.bands[static_cast<std::size_t>(gone)].muscle < 0,
           "band '{}' is a muscle's: give it no tension instead", band);
+  // Indices of the slips move up.
   BuiltNet left = built;
   left.net.bands.erase(left.net.bands.begin() + gone);
   for (std::vector<int>* slip : {&left.central, &left.radial, &left.ulnar, &left.terminal}) {

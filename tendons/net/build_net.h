@@ -1,6 +1,6 @@
 #pragma once
 
-/// A net laid on the finger of a subject.
+/// Construction of a net on the finger of a subject.
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Where slack lengths come from.
+/// Origin of slack lengths.
 enum class NetSlack {
   kStated,   // the description's, scaled by how much longer the band is here than in the reference
              // finger; fitted where it states none
@@ -24,6 +24,7 @@ enum class NetRuns {
   kStraight  // through whatever lies between, as through via points
 };
 
+/// Options of build_net().
 struct NetBuildOptions {
   NetRuns runs = NetRuns::kBent;
   NetSlack slack = NetSlack::kStated;
@@ -32,20 +33,20 @@ struct NetBuildOptions {
   double pretension = 0;  // strain of fitted bands before that load [1]
 };
 
-/// How one muscle of the digit pulls the net.
+/// Pull of one muscle of the digit on the net.
 struct MuscleAttachment {
   int muscle;    // of the digit's
   double share;  // of its tension [1]
 };
 
-/// What becomes of one muscle of the digit.
+/// Path and share of one muscle of the digit.
 struct NetMuscle {
   int muscle;              // of the digit's
   double to_net;           // share of its tension that enters the net [1]
   TendonPath<double> own;  // path from where it leaves the net to its origin
 };
 
-/// A net with all that ties it to its digit.
+/// A net with its relation to the digit.
 struct BuiltNet {
   Net net;                              // its `muscles` are the pulls
   std::vector<MuscleAttachment> pulls;  // one a muscle of the net
@@ -54,16 +55,16 @@ struct BuiltNet {
   FingerFrame frame;
 };
 
-/// Lays a net on a finger: along the bones in parts of their lengths, across them in parts of the
-/// extensor's heights, so that its moment arms in the straight finger are those measured on the
-/// subject. Capsules take the smaller of the two ratios at their bone's ends, so that no shaft
-/// stands out over a head.
+/// Lays a net on a finger. Lengths along bones are parts of the bones' lengths; lengths across them
+/// are parts of the extensor's heights, so that its moment arms in the straight finger are those
+/// measured on the subject. Capsules take the smaller of the two ratios at their bone's ends, so
+/// that no shaft stands out over a head.
 /// @throws InputError naming what the subject lacks.
 [[nodiscard]] BuiltNet build_net(const Subject& subject, const TendonDigit& digit,
                                  const NetDescription& description,
                                  const NetBuildOptions& options = {});
 
-/// The net without one of its bands. @throws InputError if it has no such band.
+/// Returns the net without one of its bands. @throws InputError if it has no such band.
 [[nodiscard]] BuiltNet cut(const BuiltNet& built, const std::string& band);
 
 /// Index of a band. @throws InputError naming the bands there are.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The tendons of a digit on the rung that is asked for, and what they do at its tip.
+/// Tendons of a digit on the rung that is asked for, and the statics of its tip.
 
 #include <memory>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Least that serves: linear tendons up to fixed fractions, a net beyond.
+/// Builds the simplest tendons of that rung: linear ones up to fixed fractions, a net beyond.
 /// @param options      rungs of path and hood; whole tendons of a net's digit run on that of paths
 /// @param description  the net; needed if and only if `options.hood` asks for one
 /// @throws InputError if the description is absent or the subject lacks something.
@@ -19,22 +19,22 @@ namespace thenar {
     const Subject& subject, const std::string& digit, const TendonOptions& options = {},
     const NetDescription* description = nullptr, const NetBuildOptions& net = {});
 
-/// The digit with separate tendons but without its hood rule: what a net is laid on.
+/// A digit with separate tendons, without its hood rule: the base of a net.
 [[nodiscard]] std::unique_ptr<DigitTendons> build_net_tendons(const Subject& subject,
                                                               const std::string& digit,
                                                               const TendonOptions& options,
                                                               const NetDescription& description,
                                                               const NetBuildOptions& net = {});
 
-/// Everything at the tip for the tensions t that gave `pull`; R' t + tau_0 is the tendons' torque
-/// and the passive one, which for a net holds at these tensions only: tau_0 takes what R' t misses.
+/// Statics of the tip at the tensions t that gave `pull`; R' t + tau_0 is the tendons' torque and
+/// the passive one. For a net this holds at these tensions only: tau_0 takes what R' t misses.
 [[nodiscard]] TipStatics tip_statics(const TendonDigit& digit, const Eigen::VectorXd& q,
                                      const Eigen::VectorXd& t, const TendonTorque& pull);
 
-/// Force of a pinned tip, and why not to trust it.
+/// Force of a pinned tip, and how far it can be trusted.
 struct [[nodiscard]] TendonTip {
   TipForce force;
-  std::string warning;  // of the tendons; empty: nothing
+  std::string warning;  // of the tendons; may be empty
 };
 
 /// J' f = tau(q, t) + tau_0.

@@ -30,6 +30,7 @@ struct Nearest {
 };
 
 Nearest nearest(const Vector3d& axis_point, const Vector3d& axis, const Run& run) {
+  // Nearest points of two lines in general position.
   const Vector3d u = (run.proximal.p - run.distal.p).normalized();
   const Vector3d w = run.distal.p - axis_point;
   const double cosine = axis.dot(u), square = 1 - cosine * cosine;
@@ -43,6 +44,7 @@ class FrameBuilder {
  public:
   FrameBuilder(const Subject& subject, const TendonDigit& digit, const NetDescription& net)
       : subject_(subject), digit_(digit), net_(net), skeleton_(digit.skeleton) {
+    // The digit, its flexion axis and its radial side.
     for (const Digit& d : subject.digits)
       if (d.name == skeleton_.tips.front().digit) tip_digit_ = &d;
     require(tip_digit_->name != "thumb", "net '{}' is of a finger; the thumb is none", net.name);
@@ -53,6 +55,7 @@ class FrameBuilder {
   }
 
   FingerFrame take() {
+    // Joint centres and bones at the reference posture, then heights in the straight finger.
     for (std::size_t j = 0; j < 3; ++j) centre_[j] = nearest_at_reference(j).on_axis;
     set_bones();
     set_straight();
@@ -65,6 +68,7 @@ class FrameBuilder {
  private:
   /// The joints of the finger, walking up from the tip.
   void find_joints() {
+    // Joints whose axis flexes, from the tip to the base.
     std::string segment = tip_digit_->tip_segment;
     for (auto joint = subject_.joints.rbegin(); joint != subject_.joints.rend(); ++joint) {
       if (joint->child != segment) continue;
@@ -94,6 +98,7 @@ class FrameBuilder {
 
   /// The run of a strand across joint j, if it has one.
   std::optional<Run> run_across(const Strand& strand, std::size_t j) const {
+    // Consecutive points on both sides of the joint.
     const int child = depth(joint_[j]->child);
     const PathPoint* a = nullptr;
     for (const PathPoint& b : strand.path) {
@@ -106,6 +111,7 @@ class FrameBuilder {
   }
 
   Run extensor_run(std::size_t j) const {
+    // A strand named for this joint, otherwise the extensor's own run.
     const auto named = net_.height_strands.find(static_cast<FingerJoint>(j));
     if (named != net_.height_strands.end())
       if (const Strand* strand = find_strand(subject_, digit_, named->second))
@@ -138,28 +144,33 @@ class FrameBuilder {
     bone.segment = segment;
     bone.link = skeleton_.link_of_segment.at(segment);
     bone.proximal = proximal;
+    // Length and direction of its line.
     bone.distal = distal;
     bone.length = (proximal - distal).norm();
     require(bone.length > 0, "a bone of the {} of subject '{}' has no length: segment '{}'",
             tip_digit_->name, subject_.name, segment);
     bone.along = (proximal - distal) / bone.length;
+    // Dorsal, across the mean of the flexion axes; then radial.
     bone.dorsal = flexion.cross(bone.along).normalized();
     bone.radial = side_ * bone.along.cross(bone.dorsal);
   }
 
   void set_bones() {
     const Vector3d tip = skeleton_.tips.front().p;
+    // Phalanges between joint centres and the tip.
     set_bone(BoneRole::kProximal, joint_[kPip]->parent, centre_[kMcp], centre_[kPip],
              axis(kMcp) + axis(kPip));
     set_bone(BoneRole::kMiddle, joint_[kDip]->parent, centre_[kPip], centre_[kDip],
              axis(kPip) + axis(kDip));
     set_bone(BoneRole::kDistal, joint_[kDip]->child, centre_[kDip], tip, axis(kDip));
+    // Scale against the reference finger.
     double length = 0, reference = 0;
     for (BoneRole role : {BoneRole::kProximal, BoneRole::kMiddle, BoneRole::kDistal}) {
       length += frame_.bone(role).length;
       reference += net_.bone_length.at(role);
     }
     frame_.scale = length / reference;
+    // Metacarpal of the scaled length.
     const double metacarpal = frame_.scale * net_.bone_length.at(BoneRole::kMetacarpal);
     set_bone(BoneRole::kMetacarpal, joint_[kMcp]->parent,
              centre_[kMcp] + metacarpal * metacarpal_direction(), centre_[kMcp], axis(kMcp));
@@ -168,12 +179,14 @@ class FrameBuilder {
   /// Unit, towards the wrist.
   Vector3d metacarpal_direction() const {
     const std::string& segment = joint_[kMcp]->parent;
+    // Points of the extensor on the metacarpal.
     std::vector<Vector3d> points;
     for (const PathPoint& point : extensor_->path)
       if (point.segment == segment && point.surface.empty()) points.push_back(carried(point).p);
     constexpr double kLongEnough = 0.01;  // [m] a direction is wanted, not the tendon's bow
     if (points.size() > 1 && (points.back() - points.front()).norm() > kLongEnough)
       return (points.back() - points.front()).normalized();
+    // Its segment, then the axes of the digit.
     for (const Segment& s : subject_.segments)
       if (s.name == segment && (s.proximal - s.distal).norm() > kLongEnough)
         return (skeleton_.segment_at.at(segment).R * (s.proximal - s.distal)).normalized();
@@ -183,10 +196,12 @@ class FrameBuilder {
   /// Turns every joint that may back by the angle between its bones.
   void set_straight() {
     frame_.straight = Eigen::VectorXd::Zero(skeleton_.coordinates());
+    // Coupled joints have no coordinate of their own.
     for (std::size_t j = 0; j < 3; ++j) {
       const auto& names = skeleton_.coordinate_names;
       const auto found = std::find(names.begin(), names.end(), joint_[j]->name);
       if (found == names.end()) continue;
+      // Angle between the two bones about the joint's axis.
       const Vector3d d = axis(j), u = frame_.bones[j].along, v = frame_.bones[j + 1].along;
       const double bent = std::atan2(d.dot(u.cross(v)), u.dot(v) - d.dot(u) * d.dot(v));
       frame_.straight[found - names.begin()] = -bent;
@@ -194,6 +209,7 @@ class FrameBuilder {
   }
 
   void set_height(std::size_t j, const TreeState<double>& state) {
+    // Run and axis of the joint in the straight finger.
     Run run = extensor_run(j);
     for (CarriedPoint* point : {&run.distal, &run.proximal})
       point->p = moved(state, point->link, point->p);
@@ -204,6 +220,7 @@ class FrameBuilder {
   }
 
   void set_ratios() {
+    // Ratios at the joints, then at both ends of each bone.
     std::array<double, 3> ratio;
     for (std::size_t j = 0; j < 3; ++j)
       ratio[j] = frame_.height[j] / net_.height.at(static_cast<FingerJoint>(j));
@@ -238,6 +255,7 @@ FingerFrame finger_frame(const Subject& subject, const TendonDigit& digit,
 FingerFrame reference_finger(const NetDescription& description) {
   FingerFrame frame;
   frame.scale = 1;
+  // Bones end to end along x.
   double end = description.bone_length.at(BoneRole::kMetacarpal);
   for (std::size_t b = 0; b < 4; ++b) {
     FingerBone& bone = frame.bones[b];

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The bones of one finger by role, with what a net is laid on them by.
+/// Bones of one finger by role, with the directions and scales by which a net is laid on them.
 
 #include <array>
 #include <string>
@@ -25,7 +25,7 @@ struct FingerBone {
                                      // the net's reference finger [1]
 };
 
-/// A finger ready for a net.
+/// Frame of a finger, on which a net is built.
 struct FingerFrame {
   std::array<FingerBone, 4> bones;  // by BoneRole
   std::array<double, 3> height;     // of the extensor over the joints' axes, by FingerJoint [m]
@@ -55,7 +55,7 @@ struct FingerFrame {
 /// Extensor height at a place of a bone per that of the reference finger, between its two ends [1].
 [[nodiscard]] double height_ratio(const FingerBone& bone, double along);
 
-/// Where a place is at the reference posture [m] (3).
+/// Returns a place at the reference posture [m] (3).
 [[nodiscard]] Eigen::Vector3d point_of(const FingerFrame& frame, const NetPlace& place);
 
 /// Unit vector at `angle` about a bone: 0 dorsal, +90 degrees radial (3).

@@ -14,10 +14,12 @@ namespace {
 using Eigen::Vector3d;
 
 double band_length(const Net& net, const TreeState<double>& state, const NetBand& band) {
+  // Ends at the given posture.
   const NetNode &a = net.nodes[static_cast<std::size_t>(band.a)],
                 &b = net.nodes[static_cast<std::size_t>(band.b)];
   const Vector3d p_a = moved(state, a.link, a.p), p_b = moved(state, b.link, b.p);
   if (band.over < 0) return (p_a - p_b).norm();
+  // The string over its surface.
   const BoneSurface& surface = net.surfaces[static_cast<std::size_t>(band.over)];
   const Pose<double> X = surface_pose(surface, state);
   const WrappedString chord = wrap_string(surface, X.inverse() * p_a, X.inverse() * p_b, band.side);
@@ -42,6 +44,7 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
   Eigen::Matrix3Xd start;
   double off = 0;
   for (int round = 0; round < rounds; ++round) {
+    // Equilibrium under the load, from the one before.
     const NetEquilibrium rest = solver.solve(state, {load, {}}, round == 0 ? nullptr : &start);
     if (rest.status != NetStatus::kBalanced && rest.status != NetStatus::kNodeCollapsed)
       return std::numeric_limits<double>::infinity();
@@ -51,6 +54,7 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
     };
     start = rest.x;
     off = 0;
+    // Corrections towards the wanted strains.
     std::vector<double> slack;
     for (const FittedBand& fitted : bands) {
       const double own = strain(fitted.band);
@@ -62,6 +66,7 @@ double fit_slack(Net& net, const TreeState<double>& state, const Eigen::VectorXd
                       (1 - step * (wanted - own)));
     }
     if (off < kAlike) break;
+    // New slack lengths, and a new solver for them.
     for (std::size_t k = 0; k < bands.size(); ++k)
       net.bands[static_cast<std::size_t>(bands[k].band)].slack = slack[k];
     solver = NetSolver(net);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Slack lengths for nets whose bands are to be just taut.
+/// Slack lengths of bands that are to be just taut.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// Length of each band with every node where it starts [m] (bands).
+/// Length of each band with every node at its start [m] (bands).
 /// @throws InputError naming a band that starts inside the surface that it bends over.
 [[nodiscard]] std::vector<double> start_lengths(const Net& net, const TreeState<double>& state);
 

@@ -71,10 +71,12 @@ void check_net(const Net& net) {
 
 void check_drive(const Net& net, const NetDrive& drive) {
   const auto muscles = static_cast<Eigen::Index>(net.muscles.size());
+  // One tension for each muscle, and lengths for all or for none.
   require(drive.tension.size() == muscles, "net {} has {} muscles, drive has {} tensions", net.name,
           muscles, drive.tension.size());
   require(drive.length.size() == muscles || drive.length.size() == 0,
           "net {} has {} muscles, drive has {} lengths", net.name, muscles, drive.length.size());
+  // Each value is possible, and a length needs a stiffness to act on.
   for (Eigen::Index m = 0; m < muscles; ++m) {
     const bool by_length = drive.length.size() > 0 && std::isfinite(drive.length(m));
     const double given = by_length ? drive.length(m) : drive.tension(m);

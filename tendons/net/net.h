@@ -37,7 +37,7 @@ struct NetBand {
   int muscle = -1;                // that pulls it; -1: a passive band
 };
 
-/// Constant once built.
+/// A net; constant once built.
 struct Net {
   std::string name;
   std::vector<NetNode> nodes;
@@ -49,7 +49,7 @@ struct Net {
                      // tension, though little, at any length; 0: at once [1]
 };
 
-/// How muscles drive the net.
+/// Inputs by which muscles drive the net.
 struct NetDrive {
   Eigen::VectorXd tension;  // of each muscle, >= 0 [N] (muscles)
   Eigen::VectorXd length;   // finite: this musculotendon length instead of a tension [m] (muscles);

@@ -17,6 +17,7 @@ Matrix3Xd node_velocity(const NetTendons& tendons, const NetEquilibrium& rest, c
                         const VectorXd& t, const VectorXd& q_dot, const VectorXd& t_dot) {
   const Net& net = tendons.net().net;
   const Tree<double>& tree = tendons.digit().model.tree;
+  // The perturbation is the sum of all joint velocities ...
   const TreeState<double> state = pose_tree(tree, q);
   const internal::TangentNet tangent(net, state, {tendons.drive(t), {}}, rest);
   internal::NetPerturbation input = internal::still(net, tree.size());
@@ -33,6 +34,7 @@ Matrix3Xd node_velocity(const NetTendons& tendons, const NetEquilibrium& rest, c
       input.point[i] += q_dot[j] * turn.point[i];
     }
   }
+  // ... and of the rates of the pulls.
   const VectorXd drive_dot = tendons.drive(t_dot);
   for (std::size_t b = 0; b < net.bands.size(); ++b)
     if (net.bands[b].muscle >= 0)
@@ -76,6 +78,7 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
                            const VectorXd& t, const VectorXd& to_q, const VectorXd& to_t,
                            const NetContinuationOptions& options) {
   const Net& net = tendons.net().net;
+  // Whole change of posture and tension.
   const VectorXd turn = to_q - q, load = to_t - t;
   const double most =
       std::max({t.size() > 0 ? t.maxCoeff() : 0, to_t.size() > 0 ? to_t.maxCoeff() : 0, 1e-3});
@@ -86,6 +89,7 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
   const double least = 1 / std::max({turned, loaded, 1.0});
   NetContinuation walk{rest, 0, 0};
   double done = 0, step = 1;
+  // Predict and correct until the end is reached.
   while (done < 1) {
     const bool follows = settled(net, walk.rest) && pulled(tendons, t + done * load) &&
                          pulled(tendons, to_t) && walk.solves < options.max_solves;
@@ -94,11 +98,13 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
       rate = node_velocity(tendons, walk.rest, q + done * turn, t + done * load, turn, load);
     else
       step = 1 - done;
+    // Shorten the step until the correction is small.
     for (;;) {
       const double end = step >= 1 - done ? 1 : done + step;
       const Matrix3Xd start = walk.rest.x + (end - done) * rate;
       NetEquilibrium next = tendons.rest(q + end * turn, t + end * load, start);
       ++walk.solves;
+      // Distance between prediction and equilibrium.
       const bool judged = follows && settled(net, next);
       const double off = judged ? largest_deviation(net, walk.rest.undetermined, start, next) : 0;
       const bool astray = off > options.stray || (follows && !judged);
@@ -107,6 +113,7 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
         continue;
       }
       if (off > options.stray) ++walk.snaps;
+      // No balance found from the prediction: search from scratch.
       if (unbalanced(next)) {
         NetEquilibrium cold = tendons.rest(q + end * turn, t + end * load, {});
         ++walk.solves;
@@ -115,6 +122,7 @@ NetContinuation follow_net(const NetTendons& tendons, const NetEquilibrium& rest
           ++walk.snaps;
         }
       }
+      // Accept, and try a step twice as long.
       walk.rest = std::move(next);
       step = 2 * (end - done);
       done = end;

@@ -51,6 +51,7 @@ MatrixXd tension_by_drive(const TangentNet& tangent, const NetDrive& drive) {
 
 MatrixXd length_by_posture(const TangentNet& tangent, const Tree<double>& tree,
                            const TreeState<double>& state, int coordinates) {
+  // One joint coordinate at a time: nodes follow, bands change length.
   MatrixXd slopes(static_cast<Index>(tangent.band.size()), coordinates);
   for (int l = 0; l < coordinates; ++l) {
     const NetPerturbation input = internal::joint_perturbation(tangent.net, tree, state, l);
@@ -65,10 +66,12 @@ MatrixXd length_by_posture(const TangentNet& tangent, const Tree<double>& tree,
 NetJacobian follow(const TangentNet& tangent, const Tree<double>& tree,
                    const TreeState<double>& state, const std::vector<NetPerturbation>& inputs,
                    int coordinates) {
+  // One column for each input.
   const auto count = static_cast<Index>(inputs.size());
   const auto bands = static_cast<Index>(tangent.band.size());
   NetJacobian out{MatrixXd(tangent.rest.x.size(), count), MatrixXd(bands, count),
                   MatrixXd(coordinates, count)};
+  // Nodes, then tensions and torque at their velocities.
   for (Index i = 0; i < count; ++i) {
     const NetPerturbation& input = inputs[static_cast<std::size_t>(i)];
     const Eigen::Matrix3Xd v = internal::node_rates(tangent, input);
@@ -96,10 +99,12 @@ std::vector<NetPerturbation> tightening(const TangentNet& tangent, std::size_t l
 }  // namespace
 
 std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest, double settled) {
+  // Status of the equilibrium.
   const bool stalled = rest.status == NetStatus::kStalled && !(rest.residual < settled);
   if (stalled || rest.status == NetStatus::kFarSideWrap)
     return fmt::format("it is not balanced: {:.2g} N are left", rest.residual);
   if (rest.status == NetStatus::kUnstable) return "it is at a saddle";
+  // Two floating nodes in one place have no derivative.
   for (const CollapsedBand& collapsed : rest.collapsed) {
     const NetBand& band = net.bands[static_cast<std::size_t>(collapsed.band)];
     if (net.nodes[static_cast<std::size_t>(band.a)].free &&
@@ -125,6 +130,7 @@ MatrixXd torque_by_drive(const Net& net, const Tree<double>& tree, const TreeSta
 MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state, const NetDrive& drive,
                            const NetEquilibrium& rest) {
   const TangentNet tangent = tangent_at(net, state, drive, rest);
+  // Response of band lengths to the tensions of each muscle.
   const MatrixXd D = tension_by_drive(tangent, drive);
   MatrixXd length(D.rows(), D.cols());
   Index i = 0;
@@ -140,6 +146,7 @@ MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state, const
 MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
                            const NetDrive& drive, const NetEquilibrium& rest, int coordinates) {
   const TangentNet tangent = tangent_at(net, state, drive, rest);
+  // One column for each coordinate.
   MatrixXd slope(coordinates, coordinates);
   for (int l = 0; l < coordinates; ++l) {
     const NetPerturbation input = internal::joint_perturbation(net, tree, state, l);
@@ -153,6 +160,7 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                const TreeState<double>& state, const NetDrive& drive,
                                const NetEquilibrium& rest, int coordinates) {
   const TangentNet tangent = tangent_at(net, state, drive, rest);
+  // Inputs: bands' stiffness and slack length.
   const auto bands = static_cast<Index>(net.bands.size());
   VectorXd EA(bands), slack(bands);
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
@@ -160,6 +168,7 @@ NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
     slack(static_cast<Index>(b)) =
         driven_by_length(drive, net.bands[b].muscle) ? 0 : by_slack(tangent, b);
   }
+  // Joint coordinates.
   std::vector<NetPerturbation> turns;
   for (int l = 0; l < coordinates; ++l)
     turns.push_back(internal::joint_perturbation(net, tree, state, l));

@@ -1,7 +1,7 @@
 #pragma once
 
-/// How a net at rest changes with whatever it depends on, by implicit differentiation; one-sided
-/// where a band is exactly slack or a node just touches.
+/// Derivatives of a net's equilibrium by implicit differentiation; one-sided where a band is
+/// exactly slack or a node just touches.
 ///
 /// With  E*(q, p)  the energy minimised over the floating nodes,  tau = -dE*/dq  and for any input
 /// p that leaves bones still  dE*/dp = sum_bands of dE_b/dp at fixed length, so that
@@ -18,14 +18,14 @@
 
 namespace thenar {
 
-/// Why an equilibrium has no slopes; empty: it has. It must be balanced and not at a saddle, which
-/// it leaves at the least push, and no band may have collapsed two floating nodes together. A node
-/// that is collapsed into a fixed exit has slopes: it rides on the exit.
+/// Returns the reason why an equilibrium is not differentiable, or an empty text. It is
+/// differentiable if it is balanced, is no saddle, and no band has collapsed two floating nodes
+/// together. A node that is collapsed into a fixed exit moves with the exit.
 /// @param settled  residual of a stalled net below which it counts as balanced [N]
 [[nodiscard]] std::string why_not_differentiable(const Net& net, const NetEquilibrium& rest,
                                                  double settled = 0);
 
-/// dL/dq of all bands while the net stays at rest (bands, coordinates) [m/rad].
+/// dL/dq of all bands while the net stays in equilibrium (bands, coordinates) [m/rad].
 /// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd length_by_posture(const Net& net, const Tree<double>& tree,
                                                 const TreeState<double>& state,
@@ -45,7 +45,7 @@ namespace thenar {
 [[nodiscard]] Eigen::MatrixXd muscle_compliance(const Net& net, const TreeState<double>& state,
                                                 const NetDrive& drive, const NetEquilibrium& rest);
 
-/// d tau/dq while the net stays at rest: minus its stiffness at the joints, symmetric [N m/rad]
+/// d tau/dq while the net stays in equilibrium: minus its joint stiffness, symmetric [N m/rad]
 /// (coordinates, coordinates).
 /// @throws InputError as of why_not_differentiable().
 [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Net& net, const Tree<double>& tree,
@@ -53,7 +53,7 @@ namespace thenar {
                                                 const NetDrive& drive, const NetEquilibrium& rest,
                                                 int coordinates);
 
-/// Slopes of (x, tension, tau) by one group of inputs.
+/// Derivatives of (x, tension, tau) by one group of inputs.
 struct NetJacobian {
   Eigen::MatrixXd x;        // of all nodes, stacked (3 nodes, inputs)
   Eigen::MatrixXd tension;  // of all bands (bands, inputs)
@@ -67,7 +67,7 @@ struct NetDerivatives {
   NetJacobian by_slack;    // by each band's slack length [1/m]
 };
 
-/// All of them: a solve an input, where the torque alone needs fewer.
+/// All derivatives: one solve for each input, where the torque alone needs fewer.
 /// @throws InputError as of why_not_differentiable().
 [[nodiscard]] NetDerivatives net_derivatives(const Net& net, const Tree<double>& tree,
                                              const TreeState<double>& state, const NetDrive& drive,

@@ -34,6 +34,7 @@ NetDescent::NetDescent(const Net& net, const NetSolverOptions& options)
 void NetDescent::project_start(int k) {
   const int i = plan_.node[k];
   const NetNode& node = plan_.net.nodes[i];
+  // Bones that the node touches, or lies in.
   NodeContact& touch = contact_[k];
   touch.pressed = touch.touching = 0;
   touch.collapsed = 0;
@@ -43,6 +44,7 @@ void NetDescent::project_start(int k) {
     depth = std::min(depth, gap);
     if (std::abs(gap) <= kLying && touch.pressed < 3) touch.surface[touch.pressed++] = s;
   }
+  // Moved out of the bones; if this fails it keeps its place.
   const Vector3d before = x_[i];
   if (!project_node(plan_.net, scene_, node, x_[i], touch)) {
     x_[i] = before;
@@ -52,11 +54,13 @@ void NetDescent::project_start(int k) {
 }
 
 void NetDescent::place(const TreeState<double>& state, const Eigen::Matrix3Xd* start) {
+  // Nodes with their links, or where the start has them.
   for (std::size_t i = 0; i < x_.size(); ++i) {
     const NetNode& node = plan_.net.nodes[i];
     x_[i] = node.free && start ? Vector3d(start->col(static_cast<Eigen::Index>(i)))
                                : moved(state, node.link, node.p);
   }
+  // Floating nodes come out of the bones.
   pushed_out_.clear();
   for (int k = 0; k < rows(); ++k) project_start(k);
   x_next_ = x_;
@@ -72,11 +76,13 @@ NetStatus NetDescent::descend(int patience) {
   definite_ = false;
   radius_ = kLongest;
   for (iterations_ = 0;; ++iterations_) {
+    // Forces left out of balance, and collapsed nodes that their pull no longer holds.
     balance();
     if (release_from_exit()) {
       evaluate(plan_, scene_, x_, at_);
       balance();
     }
+    // Balanced: update the multipliers, then tell a minimum from a saddle.
     if (residual_ <= options_.tolerance) {
       if (grip()) {
         evaluate(plan_, scene_, x_, at_);
@@ -89,6 +95,7 @@ NetStatus NetDescent::descend(int patience) {
         continue;
       }
     }
+    // Otherwise another Newton step.
     if (iterations_ >= patience) return NetStatus::kStalled;
     if (leave_saddle_early()) continue;
     if (!direction() || !line_search()) return NetStatus::kStalled;
@@ -109,17 +116,20 @@ NetStatus NetDescent::settle(const TreeState<double>& state, const NetDrive& dri
 /// where that is too slow, the net is first pulled hard, and then ten times less each time.
 NetStatus NetDescent::load_continuation(const TreeState<double>& state, const NetDrive& drive) {
   const double most = drive.tension.size() > 0 ? drive.tension.maxCoeff() : 0;
+  // Pulls ten times less each time, the last one as asked.
   if (!(most > 0) || most > kHard) return NetStatus::kStalled;
   const std::vector<int> pushed_out = pushed_out_;
   int spent = iterations_;
   NetStatus status = NetStatus::kStalled;
   for (double times = kHard / most; times > 0; times = times == 1 ? 0 : std::max(times / 10, 1.0)) {
+    // Start from the nodes of the pull before.
     Eigen::Matrix3Xd from(3, static_cast<Eigen::Index>(x_.size()));
     for (std::size_t i = 0; i < x_.size(); ++i) from.col(static_cast<Eigen::Index>(i)) = x_[i];
     const int patience = times == 1 ? options_.max_iterations : options_.max_iterations / 5;
     status = settle(state, {times * drive.tension, drive.length}, &from, patience);
     spent += iterations_;
   }
+  // The answer counts all steps and the nodes of the first placement.
   iterations_ = spent;
   pushed_out_ = pushed_out;
   return status;
@@ -127,6 +137,7 @@ NetStatus NetDescent::load_continuation(const TreeState<double>& state, const Ne
 
 NetEquilibrium NetDescent::run(const TreeState<double>& state, const NetDrive& drive,
                                const Eigen::Matrix3Xd* start) {
+  // Half of the steps directly; then from strong pulls; then the rest of the steps.
   NetStatus status = settle(state, drive, start, options_.max_iterations / 2);
   if (status == NetStatus::kStalled && far_side_bands().empty())
     status = load_continuation(state, drive);
@@ -153,6 +164,7 @@ constexpr double kDigit = 1e-17;  // rounding of a lift [m]
 /// tell: their slope along the normal grows as  sqrt(2 lift / radius)  times their tension S, and
 /// rounding of the lift by kDigit changes it by S kDigit / sqrt(2 lift radius).
 double NetDescent::clasp(int k, int surface) const {
+  // Tensions of the bands that bend over this surface.
   double sum = 0;
   for (int b : plan_.wrapping_bands[k]) {
     const NetBand& band = plan_.net.bands[b];
@@ -160,6 +172,7 @@ double NetDescent::clasp(int k, int surface) const {
     const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
     if (now.chord.bent) sum += now.pull.tension;
   }
+  // Slop of the lift, at least what rounding makes of it.
   const double radius = plan_.net.surfaces[surface].size[0];
   return sum *
          std::max(std::sqrt(2 * kLift / radius), 4 * kDigit * sum / (options_.tolerance * radius));
@@ -169,12 +182,14 @@ double NetDescent::clasp(int k, int surface) const {
 /// leave along the surface, so all of it is rounding of the node's lift, the same as in at_.g [N].
 double NetDescent::normal_rounding(int k, int surface, const Vector3d& normal) const {
   double sum = 0;
+  // Bands over this surface, in closed form where they bend.
   for (int b : plan_.wrapping_bands[k]) {
     const NetBand& band = plan_.net.bands[b];
     BandGeometry run;
     if (band.over != surface || scene_.collapsed[b]) continue;
     const WrapState bend = wrap_over(scene_.bone[b], x_[band.a], x_[band.b], run);
     if (bend == WrapState::kStraight) continue;
+    // A degenerate wrap: by its string.
     if (bend == WrapState::kDegenerate) {
       const WrappedString chord = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]).chord;
       if (!chord.bent) continue;
@@ -189,11 +204,13 @@ void NetDescent::balance() {
   residual_ = 0;
   for (int k = 0; k < rows(); ++k) {
     NodeContact& c = contact_[k];
+    // Normal forces within the tolerance.
     const Vector3d& x = x_[plan_.node[k]];
     std::array<double, 3> slop{};
     slop.fill(options_.tolerance);
     const int touching = c.touching;
     balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
+    // A node that lets go of a bone may be held by bands that bend over it.
     if (c.pressed < touching && !plan_.wrapping_bands[k].empty()) {
       for (int i = 0; i < touching; ++i) slop[i] += clasp(k, c.surface[i]);
       balance_node(plan_.net, scene_, x, at_.g[k], slop, c);
@@ -216,15 +233,18 @@ void NetDescent::reduce() {
   for (int k = 0; k < rows(); ++k) {
     const NodeContact& c = contact_[k];
     Matrix3d& D = reduced_.diagonal[k];
+    // Turned Hessian of the Lagrangian.
     D = c.Q * (at_.H.diagonal[k] - c.bend) * c.Q.transpose();
     double scale = at_.H.diagonal[k].trace();
     if (scale <= 0) scale = 1, D.setIdentity();  // nothing holds it: it stays
+    // Pinned directions keep a unit row of the same size.
     for (int r = 0; r < c.pinned; ++r) {
       D.row(r).setZero();
       D.col(r).setZero();
       D(r, r) = scale;
     }
   }
+  // The same for blocks between two nodes.
   for (int s = 0; s < plan_.pattern.blocks(); ++s) {
     const auto [i, j] = plan_.pattern.rows_of(s);
     Matrix3d& B = reduced_.off[s];
@@ -236,11 +256,13 @@ void NetDescent::reduce() {
 
 /// Solves for the step. @return the longest move of a node [m]
 double NetDescent::solve_step() {
+  // Forces along the free directions.
   for (int k = 0; k < rows(); ++k) {
     step_[k] = -(contact_[k].Q * at_.g[k]);
     step_[k].head(contact_[k].pinned).setZero();
   }
   factor_.solve(step_);
+  // Back to world axes.
   double longest = 0;
   for (int k = 0; k < rows(); ++k) {
     step_[k] = contact_[k].Q.transpose() * step_[k].eval();
@@ -252,11 +274,13 @@ double NetDescent::solve_step() {
 /// Newton's step, shifted where the stiffness is not positive definite or the step leaves the
 /// radius within which the last steps were good.
 bool NetDescent::direction() {
+  // Factor; semidefinite to rounding is good enough.
   reduce();
   definite_ = factor_.factorise(reduced_, 0);
   longest_ = std::numeric_limits<double>::infinity();
   if (definite_ || factor_.factorise(reduced_, options_.tolerance / kSoft, 1e-9))
     longest_ = solve_step();
+  // Shift the stiffness until the step stays within the radius.
   for (double shift = 0.1 * residual_ / radius_; longest_ > radius_; shift *= 4) {
     if (!(shift < 1e30)) return false;
     if (factor_.factorise(reduced_, shift)) longest_ = solve_step();
@@ -269,13 +293,16 @@ bool NetDescent::direction() {
 bool NetDescent::add_secant_stiffness() {
   bool any = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
+    // Tension and length that the step has added.
     const double more = next_.tension[b] - at_.tension[b], dL = next_.length[b] - at_.length[b];
     if (scene_.pull[b] >= 0 || !(more > 0) || !(dL > 0)) continue;
     const BandPlan& at = plan_.bands[b];
     const NetBand& band = plan_.net.bands[b];
+    // Secant stiffness, where it exceeds the tangent one by far.
     const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
     const double k = more / dL - now.pull.stiffness;
     if (!(k > 1e-3 * now.pull.stiffness)) continue;
+    // Rank-one terms in the Hessian.
     const Vector3d ua = now.chord.slope.head<3>(), ub = now.chord.slope.tail<3>();
     if (at.ka >= 0) at_.H.diagonal[at.ka] += k * ua * ua.transpose();
     if (at.kb >= 0) at_.H.diagonal[at.kb] += k * ub * ub.transpose();
@@ -306,16 +333,19 @@ void NetDescent::lift(int k, Vector3d& there) const {
   const NodeContact& c = contact_[k];
   const Vector3d& x = x_[plan_.node[k]];
   int before = -1;
+  // One surface after the other, those that press already left out.
   for (int b : plan_.wrapping_bands[k]) {
     const int s = plan_.net.bands[b].over;
     const int* last = c.surface.data() + c.pressed;
     if (s == before || std::find(c.surface.data(), last, s) != last) continue;
     before = s;
+    // Lift of the node, and Newton's step in it.
     const double radius = plan_.net.surfaces[s].size[0];
     const SurfaceGap at = gap_world(plan_.net, scene_, s, x);
     if (at.gap > kNear * radius) continue;
     const double h = std::max(at.gap, 0.5e-14 * radius), dh = at.normal.dot(there - x);
     if (dh <= -2 * h) continue;
+    // The correction ends where the root law ends.
     const double more = dh * dh / (4 * h), most = kNear * radius;
     if (h + dh + more <= most)
       there += more * at.normal;
@@ -329,13 +359,16 @@ bool NetDescent::try_step(double part, double& slope) {
   slope = 0;
   for (int k = 0; k < rows(); ++k) {
     const int i = plan_.node[k];
+    // Node and contacts at the end of the step.
     contact_next_[k] = contact_[k];
     x_next_[i] = x_[i] + part * step_[k];
+    // Slope of the energy along the straight step.
     const double straight = part * at_.g[k].dot(step_[k]);
     if (contact_[k].collapsed > 0 || plan_.net.nodes[i].surfaces.empty()) {
       slope += straight;
       continue;
     }
+    // Out of the bones; a node that hits one takes another way.
     if (!plan_.wrapping_bands[k].empty()) lift(k, x_next_[i]);
     if (!project_node(plan_.net, scene_, plan_.net.nodes[i], x_next_[i], contact_next_[k]))
       return false;
@@ -350,6 +383,7 @@ bool NetDescent::try_step(double part, double& slope) {
 double NetDescent::step_to_exit() const {
   double part = 1;
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    // Bands of constant pull with their ends' relative move.
     if (!(scene_.pull[b] > 0)) continue;
     const BandPlan& at = plan_.bands[b];
     const NetBand& band = plan_.net.bands[b];
@@ -358,6 +392,7 @@ double NetDescent::step_to_exit() const {
     if (at.kb >= 0) move -= step_[at.kb];
     const Vector3d d = x_[band.a] - x_[band.b];
     if (is_regularised(scene_, static_cast<int>(b), d.norm())) continue;  // it is there
+    // Part of the move at which the length would pass zero.
     const double way = -d.dot(move), whole = move.squaredNorm();
     if (way > 0 && way < whole && whole > 0.1 * d.squaredNorm()) part = std::min(part, way / whole);
   }
@@ -374,6 +409,7 @@ double NetDescent::rounding() const {
 
 /// Shortens the step until E falls. @return whether it did
 bool NetDescent::line_search() {
+  // First trial: the whole step, or up to the first exit.
   const double noise = rounding();
   const double exit = step_to_exit();
   double part = exit > 1e-3 && exit < 0.9 ? exit : 1;
@@ -382,7 +418,9 @@ bool NetDescent::line_search() {
   for (int tries = 0; tries < 60; ++tries) {
     double slope = 0;
     const bool possible = try_step(part, slope);
+    // Armijo's condition, up to rounding.
     if (possible && next_.energy <= at_.energy + 1e-4 * std::min(slope, 0.0) + noise) {
+      // Radius for the next step.
       accept();
       if (part < 0.3)
         radius_ = std::max({2 * part * longest_, 0.1 * std::min(longest_, radius_), 1e-7});
@@ -391,11 +429,13 @@ bool NetDescent::line_search() {
       longest_ *= part;
       return true;
     }
+    // A long first step: bands that it makes taut get their secant stiffness.
     if (part == 1 && possible && longest_ < kKinks && looks-- > 0 && add_secant_stiffness()) {
       if (!direction()) return false;
       definite_ = false;  // of what it was made to be
       continue;
     }
+    // Shorten.
     part = at_exit ? 1 : 0.5 * part;
     at_exit = false;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Newton's method on the energy of a net, outside of bones. Derivation:
+/// Newton's method for the least energy of a net, outside of bones. Derivation:
 /// docs/theory/extensor_net.md
 
 #include <vector>
@@ -21,7 +21,7 @@ class NetDescent {
 
   const NetPlan& plan() const { return plan_; }
 
-  /// Places the nodes, pushes those inside bones out, and goes down to rest.
+  /// Places the nodes, pushes those inside bones out, and descends to equilibrium.
   [[nodiscard]] NetEquilibrium run(const TreeState<double>& state, const NetDrive& drive,
                                    const Eigen::Matrix3Xd* start);
 
@@ -31,7 +31,7 @@ class NetDescent {
 
   int rows() const { return plan_.pattern.size(); }
 
-  // net_descent.cpp: from the start to rest.
+  // From the start to equilibrium.
   void place(const TreeState<double>& state, const Eigen::Matrix3Xd* start);
   void project_start(int k);
   void accept();
@@ -40,35 +40,35 @@ class NetDescent {
                    const Eigen::Matrix3Xd* start, int patience);
   NetStatus load_continuation(const TreeState<double>& state, const NetDrive& drive);
 
-  // net_balance.cpp: what presses nodes on bones, and what is left out of balance.
+  // Contact forces on nodes, and what is left out of balance.
   double clasp(int k, int surface) const;
   double normal_rounding(int k, int surface, const Eigen::Vector3d& normal) const;
   void balance();
 
-  // net_direction.cpp: in which direction it goes down.
+  // Direction of descent.
   void reduce();
   double solve_step();
   bool direction();
   bool add_secant_stiffness();
 
-  // net_search.cpp: how far it goes.
+  // Length of the step.
   void lift(int k, Eigen::Vector3d& there) const;
   bool try_step(double part, double& slope);
   double step_to_exit() const;
   [[nodiscard]] double rounding() const;
   bool line_search();
 
-  // net_exit.cpp: nodes that a muscle draws into its exit.
+  // Nodes that a muscle pulls into its exit.
   bool collapse_to_exit(int band);
   bool release_from_exit();
   bool grip();
 
-  // net_saddle.cpp: a minimum or a saddle.
+  // A minimum or a saddle.
   bool is_minimum();
   bool leave_saddle();
   bool leave_saddle_early();
 
-  // net_report.cpp: what is said of it.
+  // The result.
   std::vector<int> far_side_bands() const;
   void report_band(int b, NetEquilibrium& out) const;
   std::vector<int> undetermined(const NetEquilibrium& at) const;

@@ -32,13 +32,16 @@ Matrix3d block(const BandState& band, int i, int j) {
 /// The run of a is_regularised band, told by a chord whose slope is p / t.
 WrappedString grip_chord(double t, double grip, const Vector3d& multiplier, const Vector3d& a,
                          const Vector3d& b) {
+  // Force at the present length, cut off at the pull.
   WrappedString chord = straight_string(a, b);
   const Vector3d d = a - b, w = multiplier + grip * d;
   const double pull = w.norm();
   const bool in = pull <= t;
   const Vector3d p = in ? w : Vector3d(t / pull * w);
+  // Its derivative: a spring, or a force of constant size that turns.
   Matrix3d H = grip / t * Matrix3d::Identity();
   if (!in) H = grip / pull * (Matrix3d::Identity() - w * w.transpose() / (pull * pull));
+  // As a string, whose gradient times t is the force.
   chord.slope << p / t, -p / t;
   chord.curve << H, -H, -H, H;
   chord.length = (p.dot(d) - (p - multiplier).squaredNorm() / (2 * grip)) / t + t / (2 * grip);
@@ -56,6 +59,7 @@ BandResponse law(const Net& net, const NetScene& scene, int i, double L) {
 /// more.
 double grip_of(const Net& net, const NetScene& scene, int i) {
   const NetBand& band = net.bands[i];
+  // Twenty times what its own bands can set against it.
   double against = scene.pull[i] / 1e-5;
   for (std::size_t j = 0; j < net.bands.size(); ++j) {
     const NetBand& other = net.bands[j];
@@ -81,6 +85,7 @@ NetScene pose_surfaces(const Net& net, const TreeState<double>& state) {
 
 NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDrive& drive) {
   NetScene scene = pose_surfaces(net, state);
+  // Geometry and law of each band.
   for (const NetBand& band : net.bands) {
     scene.bone.push_back(
         band.over < 0 ? RoundBone{}
@@ -90,6 +95,7 @@ NetScene pose_scene(const Net& net, const TreeState<double>& state, const NetDri
     scene.slack.push_back(by_length ? drive.length(band.muscle) : band.slack);
     scene.pull.push_back(band.muscle < 0 || by_length ? -1 : drive.tension(band.muscle));
   }
+  // Nothing has collapsed yet.
   scene.multiplier.assign(net.bands.size(), Vector3d::Zero());
   scene.collapsed.assign(net.bands.size(), false);
   for (int i = 0; i < static_cast<int>(net.bands.size()); ++i)
@@ -101,6 +107,7 @@ WrappedString band_string(const Net& net, const NetScene& scene, int i, const Ve
                           const Vector3d& b) {
   const NetBand& band = net.bands[i];
   if (band.over < 0) return straight_string(a, b);
+  // Solved in the surface's frame.
   const Pose<double> X = scene.surface[band.over], back = X.inverse();
   WrappedString chord = wrap_string(net.surfaces[band.over], back * a, back * b, band.side);
   turn(X, chord);
@@ -181,6 +188,7 @@ void add_odd(const BandPlan& at, const BandState& now, NetEnergy& out) {
 BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const Vector3d& a,
                       const Vector3d& b, NetEnergy& out) {
   BandGeometry run;
+  // Over a bone, in closed form.
   const WrapState bend =
       plan.net.bands[i].over < 0 ? WrapState::kStraight : wrap_over(scene.bone[i], a, b, run);
   if (bend == WrapState::kBent) {
@@ -189,6 +197,7 @@ BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const V
     if (pull.tension > 0) add_bent(plan.bands[i], run, pull.tension, pull.stiffness, out);
     return pull;
   }
+  // Straight bands; degenerate ones by their strings.
   const Vector3d d = a - b;
   const double L = d.norm();
   if (bend == WrapState::kDegenerate || L == 0 || is_regularised(scene, i, L)) {
@@ -207,6 +216,7 @@ BandResponse add_band(const NetPlan& plan, const NetScene& scene, int i, const V
 
 void evaluate(const NetPlan& plan, const NetScene& scene, const std::vector<Vector3d>& x,
               NetEnergy& out) {
+  // Energy, gradient and Hessian start from zero.
   out.energy = out.size = 0;
   for (Vector3d& g : out.g) g.setZero();
   for (Matrix3d& H : out.H.diagonal) H.setZero();
@@ -232,6 +242,7 @@ std::vector<int> number_free(const Net& net) {
 }
 
 BlockPattern pattern_of(const Net& net) {
+  // Free nodes and the bands between them.
   const std::vector<int> number = number_free(net);
   std::vector<std::pair<int, int>> edges;
   int free = 0;
@@ -250,6 +261,7 @@ const Net& checked(const Net& net) {
 }  // namespace
 
 NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net)) {
+  // Free nodes in elimination order.
   row = number_free(net);
   node.resize(pattern.size());
   for (int i = 0; i < static_cast<int>(row.size()); ++i)
@@ -257,6 +269,7 @@ NetPlan::NetPlan(const Net& given) : net(checked(given)), pattern(pattern_of(net
       row[i] = pattern.place(row[i]);
       node[row[i]] = i;
     }
+  // Blocks of each band, and bands that wrap at each node.
   wrapping_bands.resize(node.size());
   for (const NetBand& band : net.bands) {
     BandPlan plan{row[band.a], row[band.b], -1, row[band.a] < row[band.b]};

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Energy of a net on posed bones, with slope and stiffness.
+/// Energy of a net on posed bones, with gradient and Hessian.
 
 #include <vector>
 
@@ -13,8 +13,7 @@
 
 namespace thenar::internal {
 
-// What never changes while one net is solved: who is free, who is joined, in which order to
-// eliminate.
+// Constant while one net is solved: free nodes, which of them are joined, elimination order.
 
 /// A band with its places in the stiffness matrix.
 struct BandPlan {
@@ -42,8 +41,9 @@ struct NetScene {
   std::vector<Pose<double>> surface;  // world from S
   std::vector<double> pull;           // constant tension of each band; < 0: it follows its law [N]
   std::vector<double> slack;          // of each band [m]
-  // A constant pull t has no slope at length zero, where the node is collapsed into the exit. There
-  // its energy  t |d|, d = a - b,  is written  max_{|p| <= t} p.d - |p - multiplier|^2 / (2 grip).
+  // A constant pull t has no derivative at length zero, where the node is collapsed into the exit.
+  // Its energy  t |d|, d = a - b,  is written as an augmented Lagrangian,
+  //   max_{|p| <= t} p.d - |p - multiplier|^2 / (2 grip).
   std::vector<double> grip;                 // [N/m]
   std::vector<Eigen::Vector3d> multiplier;  // force on end a that was found; zero: not held [N]
   std::vector<bool> collapsed;  // its end lies in the exit and counts as fixed: no force, no energy
@@ -55,14 +55,14 @@ struct NetScene {
 /// Whether a straight band of constant pull is so short that `grip` takes its place.
 [[nodiscard]] bool is_regularised(const NetScene& scene, int band, double length);
 
-/// The surfaces alone.
+/// Poses the surfaces alone.
 [[nodiscard]] NetScene pose_surfaces(const Net& net, const TreeState<double>& state);
 
-/// The run of one band from a to b, all in world axes.
+/// The string of one band from a to b, all in world axes.
 [[nodiscard]] WrappedString band_string(const Net& net, const NetScene& scene, int band,
                                         const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// One band where it is now.
+/// Geometry and response of one band at its present ends.
 struct BandState {
   WrappedString chord;  // in world axes
   BandResponse pull;
@@ -71,7 +71,7 @@ struct BandState {
 [[nodiscard]] BandState band_state(const Net& net, const NetScene& scene, int band,
                                    const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// E, its slope and its second derivative by the free nodes, rows in elimination order.
+/// E, its gradient and its Hessian by the free nodes, rows in elimination order.
 struct NetEnergy {
   explicit NetEnergy(const NetPlan& plan)
       : g(plan.pattern.size()),

@@ -42,6 +42,7 @@ class Rounds {
   }
 
   NetFrictionRest run() {
+    // Solve with the present friction, then judge it by the forces found.
     for (out_.iterations = 1; out_.iterations <= options_.max_iterations; ++out_.iterations) {
       solve();
       const bool switched = judge();
@@ -65,6 +66,7 @@ class Rounds {
     x_.resize(3, static_cast<Eigen::Index>(net_.nodes.size()));
     for (int i = 0; i < static_cast<int>(net_.nodes.size()); ++i) {
       const NetNode& node = net_.nodes[static_cast<std::size_t>(i)];
+      // Place of the node, and whether it touches a bone.
       Vector3d x = moved(state_, node.link, node.p);
       if (start && node.free) x = start->col(i);
       Rub rub{i, x};
@@ -73,6 +75,7 @@ class Rounds {
         if (probe_at(s, x).gap < 0) x = frame(s) * nearest_point(bone, frame(s).inverse() * x);
         rub.sticks |= probe_at(s, x).gap < kOn;
       }
+      // Nodes at bones stick at first.
       rub.seat = x;
       rub.sticks = rub.sticks && mu_ > 0;
       if (node.free && !node.surfaces.empty()) rubs_.push_back(rub);
@@ -90,9 +93,11 @@ class Rounds {
       start.col(start.cols() - 1) = p;
     };
     for (const Rub& rub : rubs_) {
+      // A sticking node is fixed in space.
       NetNode& node = net.nodes[static_cast<std::size_t>(rub.node)];
       if (rub.sticks) node.free = false, node.link = -1, node.p = rub.seat;
       if (rub.sticks || rub.pull <= 0) continue;
+      // A slipping node is drawn back by a band of constant pull.
       NetBand band{"friction of " + node.name, rub.node, static_cast<int>(net.nodes.size())};
       band.muscle = static_cast<int>(net.muscles.size());
       net.muscles.push_back(band.name);
@@ -111,12 +116,14 @@ class Rounds {
   /// Leaves the given net's own nodes and bands in the answer.
   void forget_friction() {
     NetEquilibrium& rest = out_.rest;
+    // Energy and arrays of the given net alone.
     const auto bands = static_cast<Eigen::Index>(net_.bands.size());
     for (Eigen::Index b = bands; b < rest.tension.size(); ++b)
       rest.energy -= rest.tension(b) * rest.length(b);
     rest.x = rest.x.leftCols(x_.cols()).eval();
     rest.length = rest.length.head(bands).eval();
     rest.tension = rest.tension.head(bands).eval();
+    // A friction band that collapsed is no finding about the net.
     const auto foreign = [&](const CollapsedBand& collapsed) { return collapsed.band >= bands; };
     rest.collapsed.erase(std::remove_if(rest.collapsed.begin(), rest.collapsed.end(), foreign),
                          rest.collapsed.end());
@@ -149,10 +156,12 @@ class Rounds {
 
   /// What the bone does to a node that sticks, and whether that is more than friction can.
   bool gives_way(Rub& rub) {
+    // Force that the bone must balance.
     const Vector3d f = pull_on(rub.node);
     rub.normal = 0;
     rub.f = -f;
     rub.n.setZero();
+    // Its normal part: on the surface that is pressed most.
     for (int s : net_.nodes[static_cast<std::size_t>(rub.node)].surfaces) {
       const SurfaceProbe seen = probe_at(s, rub.seat);
       if (seen.gap > kOn || -f.dot(seen.normal) <= rub.normal) continue;
@@ -160,7 +169,9 @@ class Rounds {
       rub.n = seen.normal;
       rub.f = -(f + rub.normal * rub.n);
     }
+    // Within the friction cone it sticks.
     if (rub.f.norm() <= mu_ * rub.normal * (1 + 1e-12)) return false;
+    // Otherwise it starts to slip, against the friction force.
     rub.sticks = false;
     rub.pull = mu_ * rub.normal;
     x_.col(rub.node) -= kNudge * rub.f.normalized();
@@ -171,6 +182,7 @@ class Rounds {
   /// t cos(angle) = mu N is friction, and t sin(angle) is part of the bone's normal force.
   bool comes_back(Rub& rub) {
     const Vector3d way = rub.seat - x_.col(rub.node);
+    // Normal force and normal of the contacts.
     double pressed = 0;
     rub.n.setZero();
     for (const NetContact& contact : out_.rest.contacts)
@@ -178,16 +190,19 @@ class Rounds {
         pressed += contact.force;
         rub.n += contact.force * contact.normal;
       }
+    // Back at its start: it sticks, unless it has returned too often.
     if (rub.pull > 0 && way.norm() < kBack) {
       rub.sticks = ++rub.returns <= kMostReturns;
       x_.col(rub.node) = rub.seat;
       return true;
     }
+    // Friction along the surface, and the normal force without the band's part.
     const Vector3d u = way.norm() > 0 ? Vector3d(way.normalized()) : Vector3d::Zero();
     if (pressed > 0) rub.n.normalize();
     const double into = -u.dot(rub.n), along = (u + into * rub.n).norm();
     rub.normal = std::max(pressed - rub.pull * into, 0.0);
     rub.f = rub.pull * (u + into * rub.n);
+    // Pull that Coulomb's law asks for.
     const double wanted = along > 0 ? mu_ * rub.normal / along : 0;
     out_.change = std::max(out_.change, std::abs(wanted - rub.pull));
     rub.pull = wanted;
@@ -203,9 +218,11 @@ class Rounds {
   /// inwards.
   void report() {
     for (const Rub& rub : rubs_) {
+      // Nodes that are pressed.
       if (rub.normal <= 0) continue;
       const double slip = (rub.seat - x_.col(rub.node)).norm();
       out_.nodes.push_back({rub.node, rub.sticks, rub.normal, rub.f, slip});
+      // The contact shows the normal force without friction.
       auto& contacts = out_.rest.contacts;
       const auto mine = [&](const NetContact& contact) { return contact.node == rub.node; };
       const auto first = std::find_if(contacts.begin(), contacts.end(), mine);
@@ -239,6 +256,7 @@ class Rounds {
 NetFrictionRest solve_net_friction(const Net& net, const TreeState<double>& state,
                                    const NetDrive& drive, const Matrix3Xd* start,
                                    const NetFrictionOptions& options) {
+  // Input, checked as for a net without friction.
   require(net.friction >= 0 && std::isfinite(net.friction),
           "net {}: friction must be finite and >= 0, got {}", net.name, net.friction);
   Net smooth = net;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Nets whose nodes rub on bone.
+/// Equilibrium of nets with Coulomb friction between nodes and bone.
 
 #include <vector>
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// A node pressed on a bone.
+/// Friction at a node pressed on a bone.
 struct NodeFriction {
   int node;
   bool sticks;            // where it started
@@ -29,17 +29,16 @@ struct [[nodiscard]] NetFrictionRest {
   double change = 0;     // of a friction force in the last round [N]
   int iterations = 0;    // rounds
   NetEquilibrium rest;   // of the given net; its status, residual and contacts, sticking nodes too
-  std::vector<NodeFriction> nodes;  // that are pressed on a bone
+  std::vector<NodeFriction> nodes;  // nodes that are pressed on a bone
 };
 
-/// Where a net with friction comes to rest that lay at `start` without slipping: one step of
-/// incremental Coulomb friction,
-///   |f| <= mu N  where a node stays,   f = -mu N s / |s|  along the surface, s the slip,
-///   elsewhere.
+/// Equilibrium of a net with friction that lay at `start` without slipping: one step of incremental
+/// Coulomb friction,
+///   |f| <= mu N  where a node stays,   f = -mu N s / |s|  along the surface where it slips by s.
 /// A node that sticks is held; one that slips is pulled to where it started by a band of constant
 /// tension. Rounds repeat until normal forces and these tensions agree.
-/// The slip of a step should be small beside the radius of the bone: its course is taken straight.
-/// Derivation: docs/theory/net_friction.md.
+/// The slip of a step should be small compared with the radius of the bone: it is taken as
+/// straight. Derivation: docs/theory/net_friction.md.
 ///
 /// @param net    with friction mu = net.friction >= 0
 /// @param start  nodes before the step, carried by the bones to `state`, world [m] (3, nodes);

@@ -26,6 +26,7 @@ struct LinkWrenches {
 LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetEquilibrium& rest) {
   LinkWrenches all(state.size());
   const internal::NetScene scene = internal::pose_surfaces(net, state);
+  // Each band pulls at its fixed ends.
   for (std::size_t i = 0; i < net.bands.size(); ++i) {
     const NetBand& band = net.bands[i];
     const Vector3d a = rest.x.col(band.a), b = rest.x.col(band.b);
@@ -38,10 +39,12 @@ LinkWrenches wrenches(const Net& net, const TreeState<double>& state, const NetE
     const Vector3d fb = held ? Vector3d(-fa) : Vector3d(-t * chord.slope.tail<3>());
     if (!net.nodes[band.a].free) all.add(net.nodes[band.a].link, a, fa);
     if (!net.nodes[band.b].free) all.add(net.nodes[band.b].link, b, fb);
+    // A bent band presses on its bone: the sum of its two pulls.
     if (!chord.bent || held) continue;
     all.add(net.surfaces[band.over].link, a, -fa);
     all.add(net.surfaces[band.over].link, b, -fb);
   }
+  // Nodes press on their bones.
   for (const NetContact& c : rest.contacts)
     all.add(net.surfaces[c.surface].link, rest.x.col(c.node), -c.force * c.normal);
   return all;
@@ -60,6 +63,7 @@ std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& st
 
 Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
                            const NetEquilibrium& rest, int coordinates) {
+  // Moments about the hinges of all wrenches beyond them.
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(coordinates);
   for (const LinkWrench& w : wrenches(net, state, rest).on)
     for_each_hinge_to_base(tree, w.link, [&](int i) {

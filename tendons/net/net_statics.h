@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a net at rest does to the bones.
+/// Forces of a net on the bones.
 
 #include <vector>
 
@@ -17,15 +17,15 @@ namespace thenar {
                                          const TreeState<double>& state, const NetEquilibrium& rest,
                                          int coordinates);
 
-/// Wrench of the net on a link, world axes, about the world origin.
+/// Wrench of the net on a link, world axes, moments about the world origin.
 struct LinkWrench {
   int link;           // -1: the base
   Eigen::Vector3d m;  // moment [N m] (3)
   Eigen::Vector3d f;  // force [N] (3)
 };
 
-/// Wrenches on all links that the net touches, the base too: they sum to zero but for the exits of
-/// muscles given by tension, whose bodies are links as well.
+/// Wrenches on all links that the net touches, the base included. They sum to zero up to the exits
+/// of muscles given by tension, whose bodies are links as well.
 [[nodiscard]] std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& state,
                                                    const NetEquilibrium& rest);
 

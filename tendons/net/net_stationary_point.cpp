@@ -14,11 +14,14 @@ using Eigen::Vector3d;
 bool NetDescent::collapse_to_exit(int b) {
   const BandPlan& at = plan_.bands[b];
   const NetBand& band = plan_.net.bands[b];
+  // One fixed end, and not too often.
   if ((at.ka >= 0) == (at.kb >= 0) || draws_[b] > 2) return false;
   const int k = std::max(at.ka, at.kb), i = plan_.node[k];
+  // The exit must be outside of the node's bones.
   const Vector3d exit = x_[at.ka >= 0 ? band.b : band.a];
   for (int s : plan_.net.nodes[i].surfaces)
     if (gap_world(plan_.net, scene_, s, exit).gap < 0) return false;
+  // The node rests in the exit.
   x_[i] = exit;
   contact_[k].collapsed += scene_.pull[b];
   contact_[k].touching = contact_[k].pressed = 0;
@@ -30,6 +33,7 @@ bool NetDescent::collapse_to_exit(int b) {
 /// Lets go of nodes that more than their pull drags out of an exit. @return whether there were any
 bool NetDescent::release_from_exit() {
   bool any = false;
+  // Bands whose node is pulled out of the exit by more than the tolerance.
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
     if (!scene_.collapsed[b]) continue;
     NodeContact& c = contact_[std::max(plan_.bands[b].ka, plan_.bands[b].kb)];
@@ -37,6 +41,7 @@ bool NetDescent::release_from_exit() {
     scene_.collapsed[b] = false;
     any = true;
   }
+  // Other collapsed bands of such a node go with it.
   for (std::size_t b = 0; any && b < plan_.bands.size(); ++b) {
     const int k = std::max(plan_.bands[b].ka, plan_.bands[b].kb);
     if (k < 0) continue;  // between two bones
@@ -51,17 +56,22 @@ bool NetDescent::release_from_exit() {
 bool NetDescent::grip() {
   bool changed = false;
   for (int b = 0; b < static_cast<int>(plan_.bands.size()); ++b) {
+    // Short bands of constant pull.
     const NetBand& band = plan_.net.bands[b];
     const Vector3d d = x_[band.a] - x_[band.b];
     if (scene_.collapsed[b] || !is_regularised(scene_, b, d.norm())) continue;
+    // Force that the augmented Lagrangian shows there.
     Vector3d p = scene_.multiplier[b] + scene_.grip[b] * d;
     const double excess = p.norm() / scene_.pull[b];
+    // Below the pull: the node belongs into the exit.
     if (excess < 1 && collapse_to_exit(b)) {
       changed = true;
       continue;
     }
+    // Above it: cut off, or a band that is no longer short.
     if (excess > 1) p /= excess;
     if (excess > 1 && d.norm() * scene_.grip[b] > scene_.pull[b]) p.setZero();
+    // The next multiplier is that force.
     if ((p - scene_.multiplier[b]).norm() < 0.1 * options_.tolerance) continue;
     scene_.multiplier[b] = p;
     changed = true;
@@ -84,12 +94,14 @@ bool NetDescent::is_minimum() {
 
 /// Leaves a saddle along a direction of negative curvature.
 bool NetDescent::leave_saddle() {
+  // Direction of negative curvature, in world axes.
   if (!factor_.negative_direction(step_)) return false;
   double longest = 0;
   for (int k = 0; k < rows(); ++k) {
     step_[k] = contact_[k].Q.transpose() * step_[k].eval();
     longest = std::max(longest, step_[k].norm());
   }
+  // The first step either way that lowers the energy.
   const double noise = 1e-14 * at_.size;
   for (double size = 1e-3; size > 1e-7; size *= 0.3)
     for (double way : {size, -size}) {
@@ -131,8 +143,10 @@ constexpr double kDrawn = 1e-9;  // length at which a pull has collapsed its nod
 std::vector<int> NetDescent::far_side_bands() const {
   std::vector<int> found;
   for (std::size_t b = 0; b < plan_.bands.size(); ++b) {
+    // Cylinders only: a sphere has no side.
     const RoundBone& bone = scene_.bone[b];
     if (plan_.net.bands[b].over < 0 || bone.sphere) continue;
+    // A free end behind the axis, near the half plane.
     const auto beyond = [&](int node) {
       const Vector3d p = x_[node] - bone.center;
       const double along = bone.e1.dot(p), across = bone.e2.dot(p);
@@ -157,8 +171,10 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
     out.tension(b) = force.norm();
     return;
   }
+  // Length and tension of an ordinary band.
   out.length(b) = at_.length[b];
   out.tension(b) = at_.tension[b];
+  // A short band of constant pull shows the force on its node.
   const double length = (x_[band.a] - x_[band.b]).norm();
   if (length > kDrawn || !is_regularised(scene_, b, length)) return;
   const BandState now = band_state(plan_.net, scene_, b, x_[band.a], x_[band.b]);
@@ -169,6 +185,7 @@ void NetDescent::report_band(int b, NetEquilibrium& out) const {
 
 /// Floating nodes that no band holds.
 std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
+  // Nodes held by a taut band, or in an exit.
   std::vector<bool> held(x_.size(), false);
   const auto hold = [&](int band) {
     const NetBand& holds = plan_.net.bands[static_cast<std::size_t>(band)];
@@ -177,6 +194,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
   for (int b = 0; b < at.tension.size(); ++b)
     if (at.tension(b) > 0) hold(b);
   for (const CollapsedBand& collapsed : at.collapsed) hold(collapsed.band);
+  // Floating nodes that are left.
   std::vector<int> found;
   for (std::size_t i = 0; i < x_.size(); ++i)
     if (plan_.row[i] >= 0 && !held[i]) found.push_back(static_cast<int>(i));
@@ -184,6 +202,7 @@ std::vector<int> NetDescent::undetermined(const NetEquilibrium& at) const {
 }
 
 NetEquilibrium NetDescent::report(NetStatus status) const {
+  // How the search ended.
   NetEquilibrium out;
   out.status = status;
   out.residual = residual_;
@@ -192,14 +211,17 @@ NetEquilibrium NetDescent::report(NetStatus status) const {
   out.pushed_out = pushed_out_;
   if (status == NetStatus::kStalled) out.far_side_bands = far_side_bands();
   if (!out.far_side_bands.empty()) out.status = NetStatus::kFarSideWrap;
+  // Nodes and bands.
   out.x.resize(3, static_cast<Eigen::Index>(x_.size()));
   for (Eigen::Index i = 0; i < out.x.cols(); ++i) out.x.col(i) = x_[static_cast<std::size_t>(i)];
   const int bands = static_cast<int>(plan_.bands.size());
   out.length.resize(bands);
   out.tension.resize(bands);
   for (int b = 0; b < bands; ++b) report_band(b, out);
+  // A balance that rests on a collapsed node is reported as that.
   if (status == NetStatus::kBalanced && !out.collapsed.empty())
     out.status = NetStatus::kNodeCollapsed;
+  // Contacts, without the rounding of bands that bend over the bone.
   for (int k = 0; k < rows(); ++k)
     for (int c = 0; c < contact_[k].pressed; ++c)
       out.contacts.push_back(

@@ -37,10 +37,12 @@ std::string drawn_in(const Net& net, const NetEquilibrium& rest) {
 /// The first band in tension that ends inside the bone over which it bends; empty: none.
 std::string buried_band(const Net& net, const TreeState<double>& state,
                         const NetEquilibrium& rest) {
+  // Tension at the slack length of a smoothed band.
   constexpr double kInside = 1e-8;  // deeper than the solver's rounding [m]
   for (std::size_t b = 0; b < net.bands.size(); ++b) {
     const NetBand& band = net.bands[b];
     const double slack = band.EA * net.blend / 2;  // tension at the slack length [N]
+    // Taut bands with an end deeper than rounding.
     if (band.over < 0 || rest.tension[static_cast<Eigen::Index>(b)] <= slack) continue;
     const BoneSurface& bone = net.surfaces[static_cast<std::size_t>(band.over)];
     const Pose<double> X = surface_pose(bone, state);
@@ -92,6 +94,7 @@ TendonStatus net_status(const Net& net, const TreeState<double>& state,
 NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& options,
                                     const TreeState<double>& state, const NetDrive& drive,
                                     const Eigen::Matrix3Xd* start) {
+  // Take a solver that is idle, or build one.
   std::unique_ptr<NetSolver> solver;
   {
     const std::lock_guard<std::mutex> hold(lock_);
@@ -102,6 +105,7 @@ NetEquilibrium NetSolverPool::solve(const Net& net, const NetSolverOptions& opti
   }
   if (!solver) solver = std::make_unique<NetSolver>(net, options);
   NetEquilibrium rest = solver->solve(state, drive, start);
+  // Give it back.
   const std::lock_guard<std::mutex> hold(lock_);
   idle_.push_back(std::move(solver));
   return rest;
@@ -131,6 +135,7 @@ NetTendons::NetTendons(std::shared_ptr<const DigitTendons> linear, BuiltNet net,
       net_(std::move(net)),
       options_(options),
       digit_(linear_->digit()) {
+  // Shares of the muscles in the pulls of the net.
   digit_.fidelity.hood = Hood::kFloatingNet;
   shares_ = MatrixXd::Zero(static_cast<Eigen::Index>(net_.pulls.size()),
                            static_cast<Eigen::Index>(digit_.names.muscles.size()));
@@ -159,10 +164,12 @@ TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t) co
 
 TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const VectorXd& t) const {
   const TendonModel<double>& model = digit_.model;
+  // Whole tendons carry what does not enter the net.
   VectorXd whole = VectorXd::Ones(t.size());  // share of each muscle that runs as one tendon
   for (const NetMuscle& m : net_.muscles) whole[m.muscle] = 1 - m.to_net;
   TendonDerivatives slopes = linear_->slopes(q, whole.cwiseProduct(t));
   const TreeState<double> state = pose_tree(model.tree, q);
+  // Muscles of the net add the path from their exit to their origin.
   slopes.length = whole.cwiseProduct(slopes.length);
   for (const NetMuscle& m : net_.muscles) {
     slopes.by_posture +=
@@ -175,6 +182,7 @@ TendonDerivatives NetTendons::derivatives_outside(const VectorXd& q, const Vecto
 TendonTorque NetTendons::torque_outside(const VectorXd& q, const VectorXd& t,
                                         const TreeState<double>& state) const {
   TendonTorque pull = linear_->pull(q, t);
+  // Arms of a muscle of the net: in parts those of the whole tendon and of its own path.
   const TendonModel<double>& model = digit_.model;
   for (const NetMuscle& m : net_.muscles)
     pull.R.row(m.muscle) = (1 - m.to_net) * pull.R.row(m.muscle) +
@@ -204,6 +212,7 @@ std::shared_ptr<const NetEquilibrium> NetTendons::rest_of(const TendonTorque& at
 MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
                                        const TendonTorque& at) const {
   const TendonModel<double>& model = digit_.model;
+  // Both the net and the rest must be differentiable.
   const TreeState<double> state = pose_tree(model.tree, q);
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
   const TendonDerivatives outside = derivatives_outside(q, t);
@@ -214,6 +223,7 @@ MatrixXd NetTendons::torque_by_posture(const VectorXd& q, const VectorXd& t,
 }
 
 MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
+  // Through the shares to the digit's muscles.
   const std::shared_ptr<const NetEquilibrium> rest = rest_of(at, q, t);
   if (!why_not_differentiable(net_.net, *rest).empty()) return MatrixXd::Zero(t.size(), t.size());
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
@@ -222,6 +232,7 @@ MatrixXd NetTendons::give(const VectorXd& q, const VectorXd& t, const TendonTorq
 
 VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonTorque& at) const {
   const TreeState<double> state = pose_tree(digit_.model.tree, q);
+  // Whole tendons and own paths in their shares, then the bands of the net.
   VectorXd length = linear_->lengths(q, t, {});
   for (const NetMuscle& m : net_.muscles)
     length[m.muscle] = (1 - m.to_net) * length[m.muscle] + m.to_net * path_length(state, m.own);
@@ -230,14 +241,17 @@ VectorXd NetTendons::lengths(const VectorXd& q, const VectorXd& t, const TendonT
 
 TendonTorque NetTendons::torque_at_rest(const VectorXd& q, const VectorXd& t,
                                         NetEquilibrium rest) const {
+  // Tendons outside of the net, then the net.
   const TendonModel<double>& model = digit_.model;
   const TreeState<double> state = pose_tree(model.tree, q);
   TendonTorque pull = torque_outside(q, t, state);
   pull.tau += net_torque(net_.net, model.tree, state, rest, model.coordinates);
   pull.slips = slip_tension(net_, rest);
   pull.nodes = rest.x;
+  // Status and warning of the worst part.
   add_warning(net_warning(net_.net, state, rest), pull);
   pull.status = worse(pull.status, net_status(net_.net, state, rest));
+  // Arms of the net where it is differentiable.
   if (why_not_differentiable(net_.net, rest).empty())
     pull.R +=
         (torque_by_drive(net_.net, model.tree, state, {drive(t), {}}, rest, model.coordinates) *

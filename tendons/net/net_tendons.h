@@ -1,6 +1,6 @@
 #pragma once
 
-/// One digit whose extensor mechanism is a floating net.
+/// Tendons of one digit whose extensor mechanism is a floating net.
 
 #include <memory>
 #include <mutex>
@@ -12,8 +12,8 @@
 
 namespace thenar {
 
-/// Solvers of one net that threads take turns with, as building one costs more than solving with
-/// it. They hold nothing that changes an answer.
+/// Solvers of one net that threads share, as building one costs more than solving with it. They
+/// hold nothing that changes an answer.
 class NetSolverPool {
  public:
   [[nodiscard]] NetEquilibrium solve(const Net& net, const NetSolverOptions& options,
@@ -39,41 +39,41 @@ class NetTendons : public DigitTendons {
   [[nodiscard]] const TendonDigit& digit() const override { return digit_; }
   [[nodiscard]] const BuiltNet& net() const { return net_; }
 
-  /// All tendons, separate, as if there were no net.
+  /// All tendons as separate ones, without the net.
   [[nodiscard]] const DigitTendons& linear() const { return *linear_; }
 
-  /// `warning` says what the paths outside of the net have to say, and why a hood is not to be
-  /// trusted: not balanced, unstable, collapsed into an exit, or with a band buried in bone. `R`
-  /// has the share of the net wherever the net has slopes, see why_not_differentiable(); where not,
-  /// `warning` says so.
+  /// `warning` says what is wrong with the paths outside of the net, and why a hood is not to be
+  /// trusted: not balanced, unstable, collapsed into an exit, or with a band inside bone. `R` has
+  /// the share of the net wherever the net is differentiable, see why_not_differentiable();
+  /// elsewhere `warning` says so.
   TendonTorque pull(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                     const Eigen::Matrix3Xd& start) const override;
 
   /// By implicit differentiation of the net and slopes() of what runs outside of it; by differences
-  /// where either has none.
+  /// where one of them is not differentiable.
   [[nodiscard]] Eigen::MatrixXd torque_by_posture(const Eigen::VectorXd& q,
                                                   const Eigen::VectorXd& t,
                                                   const TendonTorque& at) const override;
 
-  /// Of the net by implicit differentiation; 0 where the net has no slopes.
+  /// Compliance of the net by implicit differentiation; 0 where it is not differentiable.
   [[nodiscard]] Eigen::MatrixXd give(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                      const TendonTorque& at) const override;
 
   [[nodiscard]] Eigen::VectorXd lengths(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                         const TendonTorque& at) const override;
 
-  /// The same with Net::blend.
+  /// A copy with Net::blend.
   [[nodiscard]] std::unique_ptr<DigitTendons> blended(double strain) const override;
 
-  /// The same where the net has come to rest already.
+  /// The torque where the equilibrium of the net is known.
   [[nodiscard]] TendonTorque torque_at_rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             NetEquilibrium rest) const;
 
-  /// The net at rest, for pictures and for its bands' tensions. Arguments as of pull().
+  /// Equilibrium of the net, for pictures and tensions of bands. Arguments as of pull().
   [[nodiscard]] NetEquilibrium rest(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                     const Eigen::Matrix3Xd& start) const;
 
-  /// Joint torque of all tendons, the net's at rest where `rest` has it [N m] (coordinates).
+  /// Joint torque of all tendons, with the net at `rest` [N m] (coordinates).
   [[nodiscard]] Eigen::VectorXd torque(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                        const NetEquilibrium& rest) const;
 
@@ -83,20 +83,20 @@ class NetTendons : public DigitTendons {
   /// D (pulls, muscles) [1].
   [[nodiscard]] const Eigen::MatrixXd& shares() const { return shares_; }
 
-  /// Torque, arms and status of all that the net leaves to runs of its own.
+  /// Torque, arms and status of all tendons outside of the net.
   [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q,
                                             const Eigen::VectorXd& t) const;
 
-  /// Slopes of the same, with the lengths of the muscles outside of the net.
+  /// Their derivatives, with the lengths of the muscles outside of the net.
   [[nodiscard]] TendonDerivatives derivatives_outside(const Eigen::VectorXd& q,
                                                       const Eigen::VectorXd& t) const;
 
  private:
-  /// Torque and moment arms of all that the net leaves to runs of its own, with their warning.
+  /// Torque and moment arms of all tendons outside of the net, with their warning.
   [[nodiscard]] TendonTorque torque_outside(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                             const TreeState<double>& state) const;
 
-  /// The net at rest where `at` was pulled: its own, or else searched from its nodes.
+  /// Equilibrium at `at`: that stored in it, otherwise one searched from its nodes.
   [[nodiscard]] std::shared_ptr<const NetEquilibrium> rest_of(const TendonTorque& at,
                                                               const Eigen::VectorXd& q,
                                                               const Eigen::VectorXd& t) const;
@@ -115,11 +115,11 @@ class NetTendons : public DigitTendons {
 /// Sum of the tensions in the bands of each slip [N].
 [[nodiscard]] SlipTension slip_tension(const BuiltNet& net, const NetEquilibrium& rest);
 
-/// How far to believe an equilibrium.
+/// How far an equilibrium can be trusted.
 [[nodiscard]] TendonStatus net_status(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 
-/// The same in words; empty: nothing.
+/// The same in words; may be empty.
 [[nodiscard]] std::string net_warning(const Net& net, const TreeState<double>& state,
                                       const NetEquilibrium& rest);
 

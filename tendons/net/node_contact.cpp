@@ -35,6 +35,7 @@ double gaps(const Net& net, const NetScene& scene, const std::array<int, 3>& hel
 bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held, int count,
           Vector3d& x) {
   if (count == 0) return true;
+  // One surface: along its normal.
   if (count == 1) {  // the nearest point, twice for rounding
     for (int i = 0; i < 2; ++i) {
       const SurfaceGap at = gap_world(net, scene, held[0], x);
@@ -43,6 +44,7 @@ bool land(const Net& net, const NetScene& scene, const std::array<int, 3>& held,
     }
     return std::abs(gap_world(net, scene, held[0], x).gap) < kOnSurface;
   }
+  // Several: Newton's method for all gaps at once.
   Normals N;
   Forces gap;
   for (int i = 0; i < 30; ++i) {
@@ -86,17 +88,20 @@ void balance_one(const Vector3d& g, double slop, const Matrix3d& curvature, Node
 
 void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, const Vector3d& g,
                   const std::array<double, 3>& slop, NodeContact& contact) {
+  // Start: all touching surfaces press.
   contact.left = g;
   contact.Q.setIdentity();
   contact.bend.setZero();
   contact.pressed = contact.touching;
   contact.pinned = 0;
+  // A collapsed node: its pull holds up to its size.
   if (contact.collapsed > 0) {
     contact.left *= std::max(1 - contact.collapsed / std::max(g.norm(), 1e-300), 0.0);
     contact.pinned = 3;
     contact.pressed = 0;
     return;
   }
+  // Normals and curvatures at the node.
   std::array<Matrix3d, 3> curvature;
   std::array<double, 3> least = slop;
   for (int i = 0; i < contact.touching; ++i) {
@@ -105,6 +110,7 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     curvature[i] = at.curvature;
   }
   if (contact.touching == 1) return balance_one(g, least[0], curvature[0], contact);
+  // Least squares; drop the surface with the most negative force, and repeat.
   Normals N;
   Forces force;
   while (contact.pressed > 0) {
@@ -122,6 +128,7 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     std::swap(curvature[worst], curvature[contact.pressed]);
     std::swap(least[worst], least[contact.pressed]);
   }
+  // What the forces balance, and what they add to the Hessian.
   contact.pinned = contact.pressed;
   if (contact.pressed == 0) return;
   for (int i = 0; i < contact.pressed; ++i) {
@@ -129,6 +136,7 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
     contact.left -= force(i) * contact.normal[i];
     contact.bend += force(i) * curvature[i];
   }
+  // Basis of normals and tangents.
   if (contact.pressed == 1) {
     turn_to(contact.normal[0], contact.Q);
   } else {
@@ -138,11 +146,13 @@ void balance_node(const Net& net, const NetScene& scene, const Vector3d& x, cons
 
 bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Vector3d& x,
                   NodeContact& contact) {
+  // Start on the surfaces that press.
   const Vector3d wanted = x;
   std::array<int, 3> held = contact.surface;
   int count = contact.pressed;
   while (true) {
     if (!land(net, scene, held, count, x)) return false;
+    // Another surface may be entered there.
     const int next = deepest(net, scene, node, x);
     if (next < 0) break;
     // A surface just entered may alone be enough; else it joins those held.
@@ -156,6 +166,7 @@ bool project_node(const Net& net, const NetScene& scene, const NetNode& node, Ve
         break;
       }
     }
+    // Three surfaces fix a point: there is no place for a fourth.
     if (count == 3) return false;
     held[count++] = next;
   }
@@ -192,6 +203,7 @@ Radial radial(const BoneSurface& bone, const Pose<double>& X, const Vector3d& x)
 }  // namespace
 
 SurfaceGap gap_world(const Net& net, const NetScene& scene, int surface, const Vector3d& x) {
+  // Round surfaces in closed form.
   const BoneSurface& bone = net.surfaces[surface];
   if (is_round(bone)) {
     const Radial at = radial(bone, scene.surface[surface], x);
@@ -208,6 +220,7 @@ SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, con
     const Radial to = radial(bone, X, x);
     if (to.distance > 0) {
       Matrix3d across = Matrix3d::Identity() - to.normal * to.normal.transpose();
+      // A cylinder has no curvature along its axis.
       if (bone.shape == SurfaceShape::kCylinder) {
         const Vector3d d = X.R.col(2);
         across -= d * d.transpose();
@@ -215,6 +228,7 @@ SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface, con
       return {to.distance - bone.size[0], to.normal, to.inverse * across};
     }
   }
+  // Other surfaces in their own frame.
   SurfaceProbe at = probe(bone, X.R.transpose() * (x - X.p));
   at.normal = X.R * at.normal;
   at.curvature = X.R * at.curvature * X.R.transpose();

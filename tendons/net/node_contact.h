@@ -1,6 +1,6 @@
 #pragma once
 
-/// One floating node among the bones it may rest on.
+/// Contact of one floating node with the bones it may rest on.
 
 #include <array>
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace thenar::internal {
 
-// Surfaces where the bones have carried them.
+// Surfaces posed with their bones.
 
-/// How far a point is from a surface, and which way.
+/// Signed distance of a point from a surface, and its direction.
 struct SurfaceGap {
   double gap;              // negative inside [m]
   Eigen::Vector3d normal;  // out of the bone, world (3)
@@ -20,11 +20,11 @@ struct SurfaceGap {
 [[nodiscard]] SurfaceGap gap_world(const Net& net, const NetScene& scene, int surface,
                                    const Eigen::Vector3d& x);
 
-/// The same with the curvature of the gap.
+/// Signed distance with its curvature.
 [[nodiscard]] SurfaceProbe probe_world(const Net& net, const NetScene& scene, int surface,
                                        const Eigen::Vector3d& x);
 
-/// Surfaces that a node lies on, and how it is pressed on them.
+/// Surfaces that a node lies on, and the forces that press it on them.
 struct NodeContact {
   int touching = 0;            // surfaces it lies on, at most 3
   int pressed = 0;             // the first of them bear on it
@@ -38,8 +38,8 @@ struct NodeContact {
   Eigen::Vector3d left;         // slope of E that no bone balances [N]
 };
 
-/// Which of the touching surfaces bear on a node whose energy has slope g, and what is left of g:
-/// least squares over forces >= -slop.
+/// Contact forces of the touching surfaces that balance a node whose energy has gradient g, and the
+/// rest of g: least squares over forces >= -slop.
 /// @param slop  how hard each touching surface may seem to pull the node [N]
 void balance_node(const Net& net, const NetScene& scene, const Eigen::Vector3d& x,
                   const Eigen::Vector3d& g, const std::array<double, 3>& slop,

@@ -16,6 +16,7 @@ void compare_places(const Net& net, const SweepPoint& before, SweepPoint& point)
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     const auto node = static_cast<Eigen::Index>(i);
     const double way = (point.rest.x.col(node) - before.rest.x.col(node)).norm();
+    // Fixed nodes show how far the bones moved; undetermined ones show nothing.
     if (!net.nodes[i].free) {
       point.carried = std::max(point.carried, way);
     } else if (way > point.moved && std::find(undetermined.begin(), undetermined.end(),
@@ -61,6 +62,7 @@ std::vector<SweepPoint> sweep_net(const NetTendons& tendons,
 SweepPoint sweep_on(const NetTendons& tendons, const SweepPoint* before, const Eigen::VectorXd& q,
                     const Eigen::VectorXd& t, const NetContinuationOptions& options) {
   if (before == nullptr) return point_at(tendons, q, t, tendons.rest(q, t, {}));
+  // From the point before, along the net's course.
   NetContinuation walk = follow_net(tendons, before->rest, before->q, t, q, t, options);
   SweepPoint point = point_at(tendons, q, t, std::move(walk.rest));
   point.snapped = walk.snaps > 0;
@@ -114,6 +116,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
     progress(static_cast<double>(i) / static_cast<double>(postures.size()), "postures");
     DigitPoint point;
     point.q = postures[i];
+    // A net continues from the posture before.
     if (net != nullptr) {
       now = i == 0 ? sweep_in(*net, point.q, t) : sweep_on(*net, &now, point.q, t);
       point.rest = now.rest;
@@ -122,6 +125,7 @@ std::vector<DigitPoint> sweep_digit(const DigitTendons& tendons,
     } else {
       point.pull = tendons.pull(point.q, t);
     }
+    // Tip force at that torque.
     point.tip = tip_force(tip_statics(tendons.digit(), point.q, t, point.pull), t);
     points.push_back(std::move(point));
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A net followed from posture to posture.
+/// Equilibria of a net followed from posture to posture.
 
 #include <vector>
 
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// A net at rest on the way.
+/// One equilibrium of a sweep.
 struct SweepPoint {
   Eigen::VectorXd q;  // [rad] (coordinates)
   NetEquilibrium rest;
@@ -26,9 +26,9 @@ struct SweepPoint {
 [[nodiscard]] std::vector<Eigen::VectorXd> postures_between(const Eigen::VectorXd& from,
                                                             const Eigen::VectorXd& to, int steps);
 
-/// Brings the net to rest at one posture after another, each time by follow_net() from where it lay
-/// before: the equilibrium found is the one that a finger moved this way would have, and neither it
-/// nor its snaps depend on how close the postures are.
+/// Solves a net at one posture after another, each time by follow_net() from the one before: the
+/// equilibrium is that of a finger moved this way, and neither it nor its snaps depend on how close
+/// the postures are.
 /// @param t      tension of each muscle [N] (muscles)
 /// @param start  nodes to start from at the first posture; empty: each with its link
 /// @throws InputError as DigitTendons::pull().
@@ -44,7 +44,7 @@ struct SweepPoint {
                                   const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                   const NetContinuationOptions& options = {});
 
-/// Nodes to start from at q: those of follow_from_straight(); empty for tendons without a net
+/// Nodes to start from at q, by follow_from_straight(); empty for tendons without a net
 /// (3, nodes).
 [[nodiscard]] Eigen::Matrix3Xd start_from_straight(const DigitTendons& tendons,
                                                    const Eigen::VectorXd& q,
@@ -55,7 +55,7 @@ struct SweepPoint {
 [[nodiscard]] double band_arm(const NetTendons& tendons, const SweepPoint& point, int band,
                               int coordinate);
 
-// A digit with its tendons taken from posture to posture, on whatever rung its hood is.
+// Sweeps of a digit, with or without a net.
 
 /// One posture under given tensions.
 struct DigitPoint {
@@ -66,7 +66,7 @@ struct DigitPoint {
   bool snapped = false;  // the net left the course it had followed since the point before
 };
 
-/// Every posture, in order. A net comes to the first one from the straight finger, and to each
+/// Solves all postures in order. A net comes to the first one from the straight finger, and to each
 /// other from the one before.
 /// @param t         tension of each muscle [N] (muscles)
 /// @param progress  may stop it: the points that are done come back

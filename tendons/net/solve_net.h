@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a net comes to rest.
+/// Equilibrium of a net.
 ///
 /// Minimises  E(x) = sum_bands phi(L) + sum_muscles t L  over the floating nodes, which may not be
 /// inside a bone. Without bones E is convex: every minimum is the global one, and it is found from
@@ -20,12 +20,12 @@ namespace thenar {
 
 enum class NetStatus {
   kBalanced,       // residual below tolerance at a minimum
-  kUnstable,       // balanced, but at a saddle: the least push moves it elsewhere
+  kUnstable,       // balanced, but at a saddle: any disturbance moves it elsewhere
   kNodeCollapsed,  // balanced only because a muscle has collapsed a node into its exit: the net
                    // does not hold
   kStalled,        // not balanced: see the residual
-  kFarSideWrap  // not balanced: a band has far_side_bands round its cylinder to the far side, where
-                // its length jumps (`far_side_bands`): there is no minimum on this side
+  kFarSideWrap  // not balanced: a band has turned to the far side of its cylinder, where its length
+                // jumps (`far_side_bands`): there is no minimum on this side
 };
 
 struct NetSolverOptions {
@@ -58,16 +58,15 @@ struct [[nodiscard]] NetEquilibrium {
   Eigen::VectorXd length;                  // of each band [m] (bands)
   Eigen::VectorXd tension;                 // of each band, 0 where slack [N] (bands)
   std::vector<NetContact> contacts;
-  std::vector<int>
-      undetermined;  // floating nodes whose place nothing decides: all their bands are slack
+  std::vector<int> undetermined;  // floating nodes whose place nothing decides: all bands are slack
   std::vector<CollapsedBand> collapsed;  // bands of no length under a pull: kNodeCollapsed
-  std::vector<int> far_side_bands;       // bands that have far_side_bands round: kFarSideWrap
+  std::vector<int> far_side_bands;       // bands on the far side of a cylinder: kFarSideWrap
   std::vector<int> pushed_out;  // nodes that started inside a bone and were moved to its surface
   double energy = 0;            // E [J]
 };
 
-/// Solves one net again and again. Holds the elimination order and the workspace of one thread, and
-/// nothing that changes an answer.
+/// Solves one net again and again. Holds the elimination order and the workspace of one thread,
+/// which change no answer.
 class NetSolver {
  public:
   /// @throws InputError naming the node or band that is wrong: an index out of range, a passive
@@ -88,14 +87,13 @@ class NetSolver {
   std::unique_ptr<Workspace> work_;
 };
 
-// One net at rest at many postures.
+// One net at many postures.
 
-/// Brings the net to rest at one posture after another, each time from where it lay at the last one
-/// at which it was balanced: a net on bone stays on the side of a joint on which it came.
+/// Solves the net at one posture after another, each time from the last balanced equilibrium: a net
+/// on bone stays on the side of a joint on which it came.
 /// @param postures  [rad] (coordinates) each
 /// @param start     nodes to start from at the first one, world [m] (3, nodes); empty: each with
-/// its
-///                  link
+///                  its link
 /// @throws InputError as NetSolver::solve(), or naming a posture of too few coordinates.
 [[nodiscard]] std::vector<NetEquilibrium> solve_postures(
     NetSolver& solver, const Tree<double>& tree, const std::vector<Eigen::VectorXd>& postures,

@@ -25,12 +25,14 @@ TangentNet::TangentNet(const Net& of, const TreeState<double>& state, const NetD
 }
 
 void TangentNet::number_nodes() {
+  // Floating nodes in file order.
   for (std::size_t i = 0; i < net.nodes.size(); ++i) {
     row.push_back(net.nodes[i].free ? static_cast<int>(nodes.size()) : -1);
     if (!net.nodes[i].free) continue;
     nodes.emplace_back();
     nodes.back().node = static_cast<int>(i);
   }
+  // Nodes that lie in an exit follow it.
   for (std::size_t d = 0; d < rest.collapsed.size(); ++d) {
     const NetBand& pulled = net.bands[static_cast<std::size_t>(rest.collapsed[d].band)];
     require(row[pulled.a] < 0 || row[pulled.b] < 0,
@@ -66,11 +68,13 @@ void TangentNet::state_bands() {
 }
 
 void TangentNet::free_directions() {
+  // Nodes held by a band that is taut or stiff.
   std::vector<bool> held(net.nodes.size(), false);
   for (std::size_t b = 0; b < band.size(); ++b)
     if (collapsed[b] < 0 && (band[b].pull.stiffness != 0 || band[b].pull.tension != 0))
       held[net.bands[b].a] = held[net.bands[b].b] = true;
   Index column = 0;
+  // Directions within all surfaces that the node touches.
   for (TangentNode& node : nodes) {
     node.column = column;
     node.free = Matrix3d::Identity();
@@ -82,6 +86,7 @@ void TangentNet::free_directions() {
       node.free = Q.rightCols(3 - split.rank());
       node.bear = split.pseudoInverse();
     }
+    // Collapsed and undetermined nodes do not move.
     if (node.exit >= 0 || !held[static_cast<std::size_t>(node.node)]) node.free.resize(3, 0);
     column += node.free.cols();
   }
@@ -90,6 +95,7 @@ void TangentNet::free_directions() {
 void TangentNet::factor() {
   const Index size = nodes.empty() ? 0 : nodes.back().column + nodes.back().free.cols();
   Eigen::MatrixXd H = Eigen::MatrixXd::Zero(size, size);
+  // Adds a block in the free directions of two nodes.
   const auto add = [&](int i, int j, const Matrix3d& K) {
     if (i < 0 || j < 0) return;
     const TangentNode &a = nodes[static_cast<std::size_t>(i)],
@@ -97,6 +103,7 @@ void TangentNet::factor() {
     H.block(a.column, b.column, a.free.cols(), b.free.cols()) +=
         a.free.transpose().lazyProduct((K * b.free).eval());
   };
+  // Stiffness of the bands.
   for (std::size_t b = 0; b < band.size(); ++b) {
     if (collapsed[b] >= 0) continue;
     const int ends[] = {row[net.bands[b].a], row[net.bands[b].b]};
@@ -108,6 +115,7 @@ void TangentNet::factor() {
                     chord.slope.segment<3>(3 * j).transpose() +
                 band[b].pull.tension * chord.curve.block<3, 3>(3 * i, 3 * j));
   }
+  // A normal force bends the surface's curvature into the Hessian.
   for (std::size_t c = 0; c < probe.size(); ++c) {
     const int k = row[rest.contacts[c].node];
     add(k, k, -rest.contacts[c].force * probe[c].curvature);
@@ -142,13 +150,16 @@ namespace {
 /// Nodes that bones take along; those that float slide on the bones that they touch.
 Matrix3Xd carried(const TangentNet& tangent, const NetPerturbation& input) {
   Matrix3Xd v = Matrix3Xd::Zero(3, tangent.rest.x.cols());
+  // Fixed nodes move with their links.
   for (std::size_t i = 0; i < tangent.row.size(); ++i)
     if (tangent.row[i] < 0)
       v.col(static_cast<Index>(i)) =
           input.body(tangent.net.nodes[i].link).at(tangent.x(static_cast<int>(i)));
+  // Collapsed nodes move with their exit.
   for (const TangentNode& node : tangent.nodes) {
     if (node.exit >= 0) v.col(node.node) = v.col(node.exit);
     if (node.exit >= 0 || node.contact.empty()) continue;
+    // Floating nodes keep pace with the bones along the normals.
     Vector3d along(0, 0, 0);
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
@@ -171,6 +182,7 @@ BandRate band_rate(const TangentNet& tangent, Index b, const NetPerturbation& in
   if (now.chord.bent) bone = input.body(tangent.net.surfaces[band.over].link);
   Eigen::Matrix<double, 6, 1> move;
   move << v.col(band.a) - bone.at(tangent.x(band.a)), v.col(band.b) - bone.at(tangent.x(band.b));
+  // Rates of length, tension and direction.
   const Eigen::Matrix<double, 6, 1> turn = now.chord.curve * move, &u = now.chord.slope;
   const double dL = u.dot(move), T = now.pull.tension;
   const double dT = input.tension(b) + now.pull.stiffness * dL;
@@ -200,8 +212,10 @@ Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input, co
 }
 
 Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input) {
+  // Motion with the bones alone, and the force that it leaves.
   Matrix3Xd v = carried(tangent, input);
   const Matrix3Xd f = force_rate(tangent, input, v);
+  // Response along the free directions.
   Eigen::VectorXd along(tangent.stiffness.rows());
   for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
     const TangentNode& node = tangent.nodes[k];
@@ -236,8 +250,10 @@ void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Ma
     const BandState& now = tangent.band[b];
     const int collapsed = tangent.collapsed[b];
     BandRate rate = band_rate(tangent, static_cast<Index>(b), input, v);
+    // Force of the band on its two ends.
     Vector3d fa = -now.pull.tension * now.chord.slope.head<3>(),
              fb = -now.pull.tension * now.chord.slope.tail<3>();
+    // A collapsed band makes up for what is left on its node.
     if (collapsed >= 0) {
       const int k = std::max(tangent.row[band.a], tangent.row[band.b]);
       const Vector3d on_node = -left.col(k) / tangent.nodes[static_cast<std::size_t>(k)].collapsed;
@@ -245,6 +261,7 @@ void add_bands(const TangentNet& tangent, const NetPerturbation& input, const Ma
       rate.fb = -rate.fa;
       fa = tangent.rest.collapsed[static_cast<std::size_t>(collapsed)].force, fb = -fa;
     }
+    // On the links of fixed ends, and on the bone over which it bends.
     const bool bent = now.chord.bent && collapsed < 0;
     const int over = bent ? tangent.net.surfaces[band.over].link : -1;
     for (const auto& [end, f, df] :
@@ -262,12 +279,14 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
   for (std::size_t k = 0; k < tangent.nodes.size(); ++k) {
     const TangentNode& node = tangent.nodes[k];
     if (node.contact.empty()) continue;
+    // Change of the contact forces balances what is left.
     VectorXd force = -node.bear * left.col(static_cast<Index>(k));
     if (node.exit >= 0) force.setZero();  // the band that drew it makes up for all
     for (std::size_t i = 0; i < node.contact.size(); ++i) {
       const NetContact& contact = tangent.rest.contacts[node.contact[i]];
       const SurfaceProbe& probe = tangent.probe[node.contact[i]];
       const int link = tangent.net.surfaces[contact.surface].link;
+      // Force on the bone at a point that moves, along a normal that turns.
       const Vector3d p = tangent.x(node.node), dp = v.col(node.node);
       const BodyTwist& bone = input.body(link);
       const Vector3d turn = bone.w.cross(probe.normal) + probe.curvature * (dp - bone.at(p));
@@ -282,11 +301,13 @@ void add_contacts(const TangentNet& tangent, const NetPerturbation& input, const
 VectorXd torque_rate(const TangentNet& tangent, const Tree<double>& tree,
                      const TreeState<double>& state, const NetPerturbation& input,
                      const Matrix3Xd& v, int coordinates) {
+  // Forces on links, with their rates.
   std::vector<ForceRate> all;
   const Matrix3Xd left = force_rate(tangent, input, v);
   add_bands(tangent, input, v, left, all);
   add_contacts(tangent, input, v, left, all);
   VectorXd tau = VectorXd::Zero(coordinates);
+  // Rate of their moments about the hinges.
   for (const auto& [link, p, dp, f, df] : all) {
     const Vector3d m = p.cross(f), dm = dp.cross(f) + p.cross(df);
     for_each_hinge_to_base(tree, link, [&, &f = f, &df = df](int i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A net at rest, made linear: how its nodes answer to small forces.
+/// A net at equilibrium, linearised: the response of its nodes to small forces.
 
 #include <vector>
 
@@ -25,14 +25,14 @@ struct TangentNode {
   int node = -1;             // in the net
   std::vector<int> contact;  // in the equilibrium, at most three
   int exit = -1;             // node that it is collapsed into; -1: none
-  int collapsed = 0;         // bands that drew it
-  Columns3 free;  // directions in which it may move, orthonormal; none where it is collapsed
-                  // in or undetermined
+  int collapsed = 0;         // bands that collapsed it
+  Columns3 free;  // directions in which it may move, orthonormal; none where it is collapsed or
+                  // undetermined
   Rows3 bear;     // contact forces from a force on the node: inverse of the normals
   Eigen::Index column = 0;  // of the first of them in `stiffness`
 };
 
-/// Constant once built; the net and the equilibrium must outlive it.
+/// Constant once built. The net and the equilibrium must outlive it: it keeps references.
 struct TangentNet {
   /// @throws InputError if a band has collapsed two floating nodes together.
   TangentNet(const Net& of, const TreeState<double>& state, const NetDrive& drive,
@@ -47,7 +47,7 @@ struct TangentNet {
   std::vector<int> row;             // of each node in `nodes`; -1: it does not float
   std::vector<TangentNode> nodes;   // that float
 
-  /// Of the Lagrangian  E - sum contact force gap,  along the free directions [N/m].
+  /// Hessian of the Lagrangian  E - sum contact force gap,  along the free directions [N/m].
   Eigen::LDLT<Eigen::MatrixXd> stiffness;
 
   [[nodiscard]] Eigen::Vector3d x(int node) const { return rest.x.col(node); }
@@ -61,21 +61,21 @@ struct TangentNet {
   void factor();
 };
 
-// What can be changed about a net at rest, each as a rate.
+// Perturbations of a net at equilibrium, as rates.
 
-/// How everything moves by one input, the floating nodes excepted.
+/// Motion of everything by one input, the floating nodes excepted.
 struct NetPerturbation : TreeVelocity {
   Eigen::VectorXd tension;  // of each band at a fixed length (bands)
 };
 
-/// Nothing moves and no tension changes.
+/// The perturbation that moves nothing and changes no tension.
 [[nodiscard]] NetPerturbation still(const Net& net, std::size_t links);
 
 /// One joint coordinate turns by 1 rad.
 [[nodiscard]] NetPerturbation joint_perturbation(const Net& net, const Tree<double>& tree,
                                                  const TreeState<double>& state, int coordinate);
 
-// How a net at rest follows an input.
+// Response of a net at equilibrium to a perturbation.
 
 /// Rate of one band.
 struct BandRate {
@@ -87,12 +87,12 @@ struct BandRate {
 [[nodiscard]] BandRate band_rate(const TangentNet& tangent, Eigen::Index band,
                                  const NetPerturbation& input, const Eigen::Matrix3Xd& v);
 
-/// Rate of the force that bands and bones leave on each floating node, collapsed bands left out:
-/// balance asks for 0 along the free directions. (3, floating nodes)
+/// Rate of the force that bands and bones leave on each floating node, without collapsed bands; in
+/// equilibrium it is 0 along the free directions. (3, floating nodes)
 [[nodiscard]] Eigen::Matrix3Xd force_rate(const TangentNet& tangent, const NetPerturbation& input,
                                           const Eigen::Matrix3Xd& v);
 
-/// Velocity of all nodes, such that those that float keep on their bones and in balance.
+/// Velocity of all nodes, such that floating nodes stay on their bones and in equilibrium.
 /// (3, nodes)
 [[nodiscard]] Eigen::Matrix3Xd node_rates(const TangentNet& tangent, const NetPerturbation& input);
 

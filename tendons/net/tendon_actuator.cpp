@@ -40,13 +40,16 @@ const TendonAction& TendonActuator::start_at(const VectorXd& q, const VectorXd& 
 /// All but the net.
 void TendonActuator::answer(const VectorXd& q, const VectorXd& t) {
   TendonTorque pull = net_ == nullptr ? tendons_.pull(q, t) : net_->torque_outside(q, t);
+  // Status of the tendons outside of the net.
   action_.paths = action_.status = pull.status;
   action_.hood = TendonStatus::kValid;
   action_.residual = 0;
+  // Torque and arms.
   action_.tau = std::move(pull.tau);
   action_.R = std::move(pull.R);
   action_.slips = pull.slips;
   action_.warning = std::move(pull.warning);
+  // Derivatives and lengths.
   TendonDerivatives slopes =
       net_ == nullptr ? tendons_.slopes(q, t) : net_->derivatives_outside(q, t);
   action_.slopes = slopes.exist;
@@ -67,11 +70,13 @@ void TendonActuator::move_net(const VectorXd& q, const VectorXd& t) {
     start += Eigen::Map<const Matrix3Xd>(move.data(), 3, start.cols());
   }
   NetEquilibrium next = net_->rest(q, t, start);
+  // Near the prediction: this is the equilibrium.
   if (follows &&
       largest_deviation(net_->net().net, rest_.undetermined, start, next) <= options_.stray) {
     rest_ = std::move(next);
     return;
   }
+  // Otherwise follow the net in smaller steps.
   NetContinuation walk = follow_net(*net_, rest_, q_, t_, q, t, options_);
   rest_ = std::move(walk.rest);
   action_.snapped = walk.snaps > 0;
@@ -83,13 +88,16 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
   const Net& net = net_->net().net;
   const TendonModel<double>& model = tendons_.digit().model;
   const TreeState<double> state = pose_tree(model.tree, q);
+  // The new state.
   known_ = true;
   q_ = q, t_ = t;
+  // Status and warning of the worst part.
   action_.residual = rest_.residual;
   action_.hood = net_status(net, state, rest_);
   action_.status = worse(action_.paths, action_.hood);
   const std::string warning = net_warning(net, state, rest_);
   action_.warning += (action_.warning.empty() || warning.empty() ? "" : "; ") + warning;
+  // Slips and torque.
   action_.slips = slip_tension(net_->net(), rest_);
   action_.tau += net_torque(net, model.tree, state, rest_, model.coordinates);
   by_posture_.resize(0, 0);
@@ -115,6 +123,7 @@ void TendonActuator::add_net(const VectorXd& q, const VectorXd& t) {
       action_.K.col(l) +=
           internal::torque_rate(tangent, model.tree, state, turn, v, model.coordinates);
   }
+  // Arms and lengths in shares of the digit's muscles.
   action_.R += (shortens * net_->shares()).transpose();
   if (action_.slopes) action_.length += net_->shares().transpose() * muscle_band_length(net, rest_);
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The tendons of one digit as something that moves joints: a state that goes on from call to call.
+/// Tendons of one digit as an actuator: a state that continues from call to call.
 ///
 /// What a call costs: docs/theory/extensor_net.md, section "As an actuator".
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// What tendons do at a posture under tensions, and how that changes.
+/// Torque of tendons at a posture under tensions, and its derivatives.
 struct [[nodiscard]] TendonAction {
   TendonStatus status = TendonStatus::kUnbalanced;  // the worst of all parts: read this first
   TendonStatus paths = TendonStatus::kValid;        // of tendons outside of a net
@@ -32,10 +32,10 @@ struct [[nodiscard]] TendonAction {
 /// while tensions stay (envelope theorem).
 ///
 /// The first call, and the first after reset(), comes from the straight finger as
-/// follow_from_straight() does, and so finds what `thenar tendon solve` finds. Later ones start
-/// from the state before, moved by its slopes; where that strays by more than
-/// NetContinuationOptions::stray the way is halved, so that a long step ends where many short ones
-/// do. For one thread; the tendons must outlive it.
+/// follow_from_straight() does, and so finds what `thenar tendon solve` finds. Later calls start
+/// from the state before, moved by its derivatives; where the equilibrium differs from this by more
+/// than NetContinuationOptions::stray the step is halved, so that a long step ends where many short
+/// ones do. For one thread. Keeps a reference: the tendons must outlive it.
 class TendonActuator {
  public:
   explicit TendonActuator(const DigitTendons& tendons, const NetContinuationOptions& options = {});
@@ -49,8 +49,8 @@ class TendonActuator {
   /// Nodes of the net in the present state; empty: none, or no state yet [m] (3, nodes).
   [[nodiscard]] const Eigen::Matrix3Xd& nodes() const { return rest_.x; }
 
-  /// Takes the net to be where these nodes come to rest at (q, t), whatever it was before: to go on
-  /// from a state that was kept. @throws InputError as DigitTendons::pull()
+  /// Sets the state to the equilibrium that these nodes reach at (q, t), whatever it was before: to
+  /// continue from a state that was kept. @throws InputError as DigitTendons::pull()
   const TendonAction& start_at(const Eigen::VectorXd& q, const Eigen::VectorXd& t,
                                const Eigen::Matrix3Xd& nodes);
 

@@ -41,9 +41,11 @@ std::vector<int> doubtful(const FittedNets& tried, int bands, double below) {
 /// Single changes of the best net, again from whatever is better.
 void try_singles(FittedNets& tried) {
   for (const FittedNet* best = tried.best(); best;) {
+    // Fit every net that differs in one band.
     const FittedNet here = *best;
     for (int c = 0; c < static_cast<int>(here.bands.size()); ++c)
       (void)tried.fit(flipped(here.bands, c), here.fit.s);
+    // Continue from the best one if it is clearly better.
     best = tried.best();
     if (best->fit.misfit > here.fit.misfit - 0.5) return;
   }
@@ -52,6 +54,7 @@ void try_singles(FittedNets& tried) {
 void try_pairs(FittedNets& tried, const AssessOptions& options, double below,
                const Progress& progress) {
   const FittedNet here = *tried.best();
+  // Pairs of bands with little evidence.
   const std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   int left = options.max_pairs;
   for (std::size_t b = 1; b < open.size(); ++b)
@@ -62,6 +65,7 @@ void try_pairs(FittedNets& tried, const AssessOptions& options, double below,
 void try_combinations(FittedNets& tried, const AssessOptions& options, double below,
                       const Progress& progress) {
   const FittedNet here = *tried.best();
+  // All combinations of the most doubtful bands.
   std::vector<int> open = doubtful(tried, static_cast<int>(here.bands.size()), below);
   open.resize(std::min<std::size_t>(open.size(), static_cast<std::size_t>(options.max_open)));
   for (unsigned way = 0; way < 1u << open.size() && !progress.stop(); ++way) {
@@ -73,6 +77,7 @@ void try_combinations(FittedNets& tried, const AssessOptions& options, double be
 
 /// Fits the best net, and the best that differs from it in each band, from all starts.
 void settle_rivals(FittedNets& tried, const Progress& progress) {
+  // The best net itself, then its best rival in each band.
   tried.settle(tried.best()->bands, tried.best()->fit.s);
   const FittedNet here = *tried.best();
   for (int c = 0; c < static_cast<int>(here.bands.size()) && !progress.stop(); ++c) {
@@ -87,6 +92,7 @@ void search_around(FittedNets& tried, const AssessOptions& options, const Progre
   for (int round = 0; round < options.max_rounds && !progress.stop(); ++round) {
     progress(0.7 + 0.3 * round / options.max_rounds, "changes of the best net");
     const double before = tried.best()->fit.misfit;
+    // Single changes, then pairs and combinations where the evidence is small.
     try_singles(tried);
     const double error = std::pow(model_error(tried), 2);
     try_pairs(tried, options, options.screen * error, progress);
@@ -105,16 +111,19 @@ Eigen::MatrixXd information(const BandFit& fit) {
 /// Standard deviations of log EA, others free; infinite along blind directions.
 void state_stiffness(FittedNets& tried, InferredNet& out) {
   const FittedNet& best = *tried.best();
+  // Eigenvectors of the information with no eigenvalue are not felt by any reading.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information(best.fit));
   const Eigen::VectorXd& lambda = eigen.eigenvalues();
   Eigen::VectorXd variance = Eigen::VectorXd::Zero(lambda.size());
   for (Eigen::Index k = 0; k < lambda.size(); ++k) {
+    // Variance along each eigenvector.
     const Eigen::VectorXd v = eigen.eigenvectors().col(k);
     const bool present = best.fit.s.cwiseProduct(v).norm() > 1e-9;
     if (lambda(k) < kBlind && present) out.blind.push_back(v);
     for (Eigen::Index c = 0; c < v.size(); ++c)
       if (std::abs(v(c)) > 1e-6) variance(c) += v(c) * v(c) / std::max(lambda(k), 1e-300);
   }
+  // Stiffness in the best net, its deviation, and whether the data say more than the bounds.
   for (std::size_t c = 0; c < out.verdicts.size(); ++c) {
     const auto i = static_cast<Eigen::Index>(c);
     out.verdicts[c].EA = best.fit.s(i) * tried.fitter().typical()(i);
@@ -142,6 +151,7 @@ bool linked(FittedNets& tried, double limit, int a, int b) {
 
 std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, double limit) {
   const int n = static_cast<int>(found.verdicts.size());
+  // Undecided bands that depend on each other share a root.
   std::vector<int> root(static_cast<std::size_t>(n));
   std::iota(root.begin(), root.end(), 0);
   const auto open = [&](int c) { return found.verdicts[c].verdict == Verdict::kUndecided; };
@@ -149,12 +159,14 @@ std::vector<BandGroup> groups_of(FittedNets& tried, const InferredNet& found, do
     for (int b = a + 1; b < n; ++b)
       if (open(a) && open(b) && linked(tried, limit, a, b))
         std::replace(root.begin(), root.end(), int{root[b]}, int{root[a]});
+  // One group for each root with several bands.
   std::vector<BandGroup> groups;
   for (int r = 0; r < n; ++r) {
     BandGroup group;
     for (int c = 0; c < n; ++c)
       if (root[c] == r) group.bands.push_back(c);
     if (group.bands.size() < 2) continue;
+    // The sets of bands that equally good nets have.
     for (const FittedNet& net : found.alike) {
       std::vector<int> way;
       for (int c : group.bands)
@@ -178,6 +190,7 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
   InferredNet out;
   out.rows = tried.fitter().rows();
   if (!tried.best()) return out;
+  // Try what is missing, then take stock of the best net.
   search_around(tried, options, progress);
   const FittedNet& best = *tried.best();
   out.inflation = model_error(tried);
@@ -187,6 +200,7 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
   out.misfit = best.fit.misfit;
   out.converged = best.fit.converged;
   const std::vector<std::string> names = candidate_names(tried.fitter().candidate());
+  // Evidence on each candidate, and its verdict.
   for (int c = 0; c < static_cast<int>(names.size()); ++c) {
     BandVerdict band;
     band.name = names[c];
@@ -196,6 +210,7 @@ InferredNet assess_bands(FittedNets& tried, const AssessOptions& options,
     state_fits(tried, c, band, out);
     out.verdicts.push_back(band);
   }
+  // Nets that the data cannot tell from the best one.
   out.alike = tried.alike(options.doubt / weight);
   state_stiffness(tried, out);
   out.groups = groups_of(tried, out, best.fit.misfit + options.doubt / weight);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What data say of each band, and which topologies they cannot tell apart.
+/// Verdict of the data on each band, and topologies that they cannot tell apart.
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ enum class Verdict { kYes, kNo, kUndecided };
 
 [[nodiscard]] std::string to_string(Verdict verdict);
 
-/// What the data say of one candidate.
+/// Verdict on one candidate.
 struct BandVerdict {
   std::string name;
   Verdict verdict = Verdict::kUndecided;
@@ -35,7 +35,7 @@ struct BandGroup {
   std::vector<std::vector<int>> ways;  // sets of them that the data allow together
 };
 
-/// All that was inferred of a net.
+/// Result of the inference of a net.
 struct [[nodiscard]] InferredNet {
   bool found = false;      // some topology carries all loads; otherwise nothing else is meant
   Topology bands;          // the best
@@ -63,9 +63,9 @@ struct AssessOptions {
   int max_rounds = 8;  // of changes around the best net
 };
 
-/// Weighs the bands by what was tried, after trying what is missing: single changes of the best
-/// net, pairs of them where the evidence is small, all combinations of what is then undecided, and
-/// other starts for the nets that the evidence rests on; again from whatever turns out better.
+/// Assesses the bands by the topologies tried, after trying those that are missing: single changes
+/// of the best net, pairs of them where the evidence is small, all combinations of undecided bands,
+/// and other starts for the nets that the evidence rests on; repeated from every better net.
 [[nodiscard]] InferredNet assess_bands(FittedNets& tried, const AssessOptions& options = {},
                                        const Progress& progress = {});
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A net of which it is not known which bands exist, and what was measured on it.
+/// A net whose bands are not known to exist, and measurements on it.
 
 #include <string>
 #include <vector>
@@ -38,7 +38,7 @@ struct TendonTest {
   Eigen::MatrixXd map;      // tip force per joint torque [1/m] (rows, coordinates), or the identity
 };
 
-/// What a test gave.
+/// Result of a test.
 struct TendonRecord {
   TendonTest test;
   Eigen::VectorXd measured;  // [N] if a tip force, [N m] if a torque (rows)

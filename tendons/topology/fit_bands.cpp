@@ -41,6 +41,7 @@ void BandFitter::add(const TendonRecord& record) {
 
 FitResiduals BandFitter::residuals(const NetPrediction& forecast) const {
   FitResiduals out;
+  // Nothing to compare where the net does not carry the loads.
   out.possible = forecast.holds;
   if (!out.possible) return out;
   out.r = (forecast.value - measured_).cwiseQuotient(sd_);
@@ -66,6 +67,7 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
   const Eigen::Index n = typical_.size();
   require(static_cast<Eigen::Index>(presence.size()) == n && start.size() == n,
           "wanted {} presences and stiffnesses, got {} and {}", n, presence.size(), start.size());
+  // Bounds of the unknowns by presence.
   BoundedFit problem;
   problem.lower = problem.upper = Eigen::VectorXd::Zero(n);
   problem.price = price.size() ? price : Eigen::VectorXd::Zero(n);
@@ -86,6 +88,7 @@ BandFit BandFitter::fit(const Presences& presence, const Eigen::VectorXd& start,
 
 BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorXd& x0,
                                         Memory memory) {
+  // Residuals by the unknowns; each net starts near the one before.
   NetPrediction near;
   problem.residuals = [&](const Eigen::VectorXd& x, Sensitivities slopes) {
     const Eigen::VectorXd s = stiffness_of(x);
@@ -95,17 +98,20 @@ BandFitter::Followed BandFitter::follow(BoundedFit problem, const Eigen::VectorX
     if (forecast.holds && memory == Memory::kKept) near = std::move(forecast);
     return at;
   };
+  // Least squares within bounds.
   const BoundedFitResult found = bounded_least_squares(problem, x0, options_);
   Followed out;
   if (!found.possible) return out;
   BandFit& fit = out.fit;
   fit.s = stiffness_of(found.x);
+  // The answer again, as predict() gives it from scratch.
   const NetPrediction forecast =
       forward_.predict(fit.s.cwiseProduct(typical_), Sensitivities::kWith);
   FitResiduals at = residuals(forecast);
   fit.holds = at.possible;
   out.strayed = !at.possible;
   if (!fit.holds) return out;
+  // Quality of the fit.
   fit.converged = found.converged;
   fit.residual = forecast.residual;
   fit.misfit = at.r.squaredNorm();

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Stiffnesses that a topology needs to explain what was measured.
+/// Fit of stiffnesses: those that a topology needs to explain what was measured.
 
 #include <vector>
 
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// What is assumed of one candidate in a fit.
+/// Assumption about one candidate in a fit.
 enum class Presence {
   kNo,     // EA = 0
   kYes,    // least <= EA <= most
@@ -26,7 +26,7 @@ inline constexpr double kSoft = 0.05;
 /// slope by it stays defined; it then carries this part of its share [1].
 inline constexpr double kGhost = 0.01;
 
-/// Best stiffnesses under one set of assumptions.
+/// Result of a fit: the best stiffnesses under one set of assumptions.
 struct [[nodiscard]] BandFit {
   bool holds = false;      // the net carries all loads; otherwise nothing else is meant
   bool converged = false;  // to the tolerance of the fit

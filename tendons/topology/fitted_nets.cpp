@@ -13,6 +13,7 @@ constexpr int kPairs = 40;  // of changes, tried where a misfit is not noise_exp
 
 /// Tries all topologies that differ by one band. @return the bands, best change first
 std::vector<int> change_singly(FittedNets& tried, const FittedNet& here, double price) {
+  // Score after each single change.
   std::vector<std::pair<double, int>> changes;
   for (int c = 0; c < static_cast<int>(here.bands.size()); ++c) {
     const Topology next = flipped(here.bands, c);
@@ -43,8 +44,10 @@ std::vector<Eigen::VectorXd> FittedNets::usual_starts() const {
 }
 
 const BandFit& FittedNets::fit(const Topology& bands, const Eigen::VectorXd& start) {
+  // Known already.
   const auto found = tried_.find(bands);
   if (found != tried_.end()) return found->second.fit;
+  // From the given start, then from the usual ones until it carries the loads.
   FittedNet net{bands, fitter_->fit(presences_of(bands), start)};
   for (const Eigen::VectorXd& usual : usual_starts())
     if (!net.fit.holds) net.fit = fitter_->fit(presences_of(bands), usual);
@@ -56,6 +59,7 @@ void FittedNets::settle(const Topology& bands, const Eigen::VectorXd& start) {
   FittedNet& net = tried_.at(bands);
   if (net.settled) return;
   net.settled = true;
+  // All starts; the best fit is kept.
   std::vector<Eigen::VectorXd> starts = usual_starts();
   starts.push_back(start);
   for (const Eigen::VectorXd& from : starts) {
@@ -88,6 +92,7 @@ double FittedNets::min_misfit(int band, bool present) const {
 std::vector<FittedNet> FittedNets::alike(double doubt) const {
   const FittedNet* first = best();
   std::vector<FittedNet> nets;
+  // Every net that carries the loads and fits as well.
   for (const auto& [bands, net] : tried_)
     if (net.fit.holds && net.fit.misfit <= first->fit.misfit + doubt) nets.push_back(net);
   std::sort(nets.begin(), nets.end(),
@@ -115,9 +120,11 @@ Topology descend(FittedNets& tried, const Topology& from, const Eigen::VectorXd&
   FittedNet here{from, tried.fit(from, start)};
   for (;;) {
     if (!here.fit.holds) return here.bands;
+    // Best single change.
     const std::vector<int> order = change_singly(tried, here, price);
     const Topology nearest = flipped(here.bands, order[0]);
     FittedNet next{nearest, tried.fit(nearest, here.fit.s)};
+    // Two at once where no single change helps and the misfit is no noise.
     if (!(score(next, price) < score(here, price)) && !noise_explains(here.fit)) {
       change_in_pairs(tried, here, order, price);
       next = *tried.best(price);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Topologies that were fitted to the same records, so that none is fitted twice.
+/// Topologies fitted to the same records, so that none is fitted twice.
 
 #include <map>
 #include <vector>
@@ -19,7 +19,7 @@ struct FittedNet {
   bool settled = false;  // fitted from all starts of settle()
 };
 
-/// Every topology tried so far, by its bands. Holds the fitter's address.
+/// Every topology tried so far, by its bands. Keeps a pointer: the fitter must outlive it.
 class FittedNets {
  public:
   explicit FittedNets(BandFitter& fitter) : fitter_(&fitter) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a net of given stiffnesses would give in a list of tests.
+/// Forward model of a net: its readings in a list of tests, for given stiffnesses.
 
 #include <vector>
 
@@ -12,12 +12,12 @@
 
 namespace thenar {
 
-/// A net that the solver could not bring to rest better than this is left out. Between it and the
-/// solver's tolerance a net counts, slopes as well, as one at rest: far below what a load cell
-/// feels. NetPrediction::residual says what was left [N].
+/// Residual above which a net that the solver could not balance is left out. Below it a net counts
+/// as balanced, its derivatives as well: far below what a load cell measures.
+/// NetPrediction::residual states it [N].
 inline constexpr double kSettledNet = 1e-4;
 
-/// All tests one under the other.
+/// Readings of all tests, one below the other.
 struct [[nodiscard]] NetPrediction {
   bool holds = false;     // every test was balanced; otherwise nothing else is meant
   Eigen::VectorXd value;  // (rows)
@@ -26,9 +26,9 @@ struct [[nodiscard]] NetPrediction {
   std::vector<Eigen::Matrix3Xd> rest;  // where the nodes of each test rest, world [m] (3, nodes)
 };
 
-/// Predicts one list of tests again and again. Each starts where the net of all candidates comes to
-/// rest, so what is predicted depends on nothing but EA, also where a net has two equilibria; or,
-/// if asked, near another forecast, which takes fewer steps.
+/// Predicts one list of tests again and again. Each test starts from the equilibrium of the net of
+/// all candidates, so the prediction depends on nothing but EA, also where a net has two
+/// equilibria; or, if asked, near another prediction, which takes fewer steps.
 class NetForwardModel {
  public:
   /// @throws InputError naming what is wrong in the candidates or in a test, or a test in which

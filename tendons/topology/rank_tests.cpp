@@ -18,9 +18,11 @@ struct Voice {
 std::vector<Voice> voices(NetForwardModel& pool, const std::vector<FittedNet>& nets,
                           const Eigen::VectorXd& typical) {
   std::vector<Voice> out;
+  // Least misfit, against which models are weighed.
   double least = std::numeric_limits<double>::infinity();
   for (const FittedNet& net : nets)
     if (net.fit.holds) least = std::min(least, net.fit.misfit);
+  // Readings of every model that carries the loads.
   for (const FittedNet& net : nets) {
     if (!net.fit.holds) continue;
     const NetPrediction forecast =
@@ -34,6 +36,7 @@ std::vector<Voice> voices(NetForwardModel& pool, const std::vector<FittedNet>& n
 double disagreement(const std::vector<Voice>& voices, Eigen::Index row, Eigen::Index rows,
                     const MeasurementNoise& noise) {
   double sum = 0, weights = 0;
+  // Each pair of models, by its weight.
   for (std::size_t b = 1; b < voices.size(); ++b)
     for (std::size_t a = 0; a < b; ++a) {
       const Eigen::VectorXd va = voices[a].value.segment(row, rows);
@@ -57,6 +60,7 @@ std::vector<RankedTest> rank_tests(NetForwardModel& pool, const std::vector<Tend
                                    const std::vector<FittedNet>& nets,
                                    const Eigen::VectorXd& typical, const MeasurementNoise& noise) {
   const std::vector<Voice> all = voices(pool, nets, typical);
+  // Rows of each test within the pool.
   std::vector<RankedTest> promises;
   Eigen::Index row = 0;
   for (std::size_t i = 0; i < tests.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The test that would tell most: on which models that agree so far disagree most.
+/// Ranking of tests by how much models that fit so far disagree on them.
 
 #include <vector>
 
@@ -19,14 +19,15 @@ struct MeasurementNoise {
 [[nodiscard]] Eigen::VectorXd reading_sd(const MeasurementNoise& noise,
                                          const Eigen::VectorXd& value);
 
-/// What one test of a pool promises.
+/// Rank of one test of a pool.
 struct RankedTest {
   int test = -1;            // of the pool; -1: none
   double disagreement = 0;  // mean over pairs of models of  min(|difference / sd|^2, 25)  [1]
 };
 
-/// Promises of all tests of a pool, best first. Pairs weigh  exp(-(misfit_a + misfit_b) / 2), less
-/// the best's; the cap makes a test that splits many pairs better than one that splits one far.
+/// Ranks all tests of a pool, best first. Pairs weigh  exp(-(misfit_a + misfit_b) / 2), relative to
+/// the best pair's; the cap makes a test that splits many pairs better than one that splits one
+/// far.
 /// @param pool  predicts the tests of the pool, one after the other
 /// @param tests  the pool
 /// @param nets   that fit so far, with their misfits

@@ -27,10 +27,12 @@ Topology random_topology(std::size_t bands, std::mt19937& random) {
 }
 
 Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
+  // One parent, the better ones more often.
   std::uniform_int_distribution<std::size_t> pick(0, parents.size() - 1);
   const FittedNet& mother = parents[std::min(pick(random), pick(random))];  // the better more often
   Member child{mother.bands, mother.fit.s};
   std::uniform_int_distribution<std::size_t> band(0, child.bands.size() - 1);
+  // Crossing: each band from either parent.
   if (parents.size() > 1 && std::bernoulli_distribution(kCross)(random)) {
     const FittedNet& father = parents[pick(random)];
     std::bernoulli_distribution coin(0.5);
@@ -40,6 +42,7 @@ Member child_of(const std::vector<FittedNet>& parents, std::mt19937& random) {
         child.s(static_cast<Eigen::Index>(c)) = father.fit.s(static_cast<Eigen::Index>(c));
       }
   }
+  // Mutation of one or two bands.
   const int changes = std::bernoulli_distribution(0.5)(random) ? 1 : 2;
   for (int i = 0; i < changes; ++i) {
     const std::size_t c = band(random);
@@ -62,13 +65,16 @@ std::vector<FittedNet> survivors(std::vector<FittedNet> nets, const NetSearchOpt
 std::vector<FittedNet> estimate(FittedNets& tried, const Population& population,
                                 std::mt19937& random, const NetSearchOptions& options,
                                 const Progress& progress) {
+  // Fit the population to the records at hand.
   for (const Member& member : population)
     if (!progress.stop() || !tried.best()) (void)tried.fit(member.bands, member.s);
   constexpr double kAll = std::numeric_limits<double>::infinity();
   std::vector<FittedNet> alive;
+  // Generations: survivors breed, their children are fitted.
   for (int g = 0; g <= options.generations; ++g) {
     if (!tried.best()) return {};
     const FittedNet& best = *tried.best();
+    // At the end, single changes of a best net that noise does not explain.
     if (g == options.generations && !noise_explains(best.fit))
       descend(tried, best.bands, best.fit.s, options.price);
     alive = survivors(tried.alike(kAll), options);
@@ -99,6 +105,7 @@ bool few(FittedNets& tried) {
 std::vector<RankedTest> choose(const std::vector<RankedTest>& ranked,
                                const std::vector<TendonTest>& pool, double enough, int count) {
   std::vector<RankedTest> chosen;
+  // Best tests first, one for each posture.
   for (const RankedTest& promise : ranked) {
     if (static_cast<int>(chosen.size()) == count || promise.disagreement < enough) break;
     const bool posture_taken = std::any_of(chosen.begin(), chosen.end(), [&](const RankedTest& c) {
@@ -128,11 +135,13 @@ Search begin(const CandidateNet& candidate, std::vector<TendonRecord> records,
              const std::vector<TendonTest>& pool, const TestOracle& oracle, std::mt19937& random,
              const NetSearchOptions& options) {
   Search search{{}, std::move(records), std::vector<bool>(pool.size(), false)};
+  // The full topology, and random ones.
   const std::size_t n = candidate.candidates.size();
   const Eigen::VectorXd one = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(n));
   search.population.push_back({Topology(n, true), one});
   for (int i = 1; i < 2 * options.population; ++i)
     search.population.push_back({random_topology(n, random), one});
+  // Without records, two random tests are measured.
   while (search.records.size() < 2 && oracle) {
     std::uniform_int_distribution<int> pick(0, static_cast<int>(pool.size()) - 1);
     const int test = pick(random);
@@ -190,6 +199,7 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
     const int measured = static_cast<int>(search.records.size());
     progress(0.9 * measured / std::max(options.max_tests, measured),
              fmt::format("{} tests", measured));
+    // Fit the population to all records.
     BandFitter fitter(candidate, search.records);
     FittedNets tried(fitter);
     const std::vector<FittedNet> alive =
@@ -197,9 +207,11 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
     if (alive.empty()) return out;
     // With an oracle a bad fit calls for more tests, not for more noise.
     const double error = oracle ? 1 : model_error(tried);
+    // Rank the tests that are left by how much survivors disagree on them.
     out.next = open_tests(rank_tests(forecast, pool, eased(alive, error), fitter.typical(),
                                      {error * options.noise.relative, error * options.noise.floor}),
                           search.used);
+    // Measure as many as a round allows.
     const int left = oracle ? std::clamp(options.max_tests - measured, 0, options.tests_a_round)
                             : options.tests_a_round;
     const std::vector<RankedTest> chosen =
@@ -207,12 +219,14 @@ NetSearchResult search_nets(const CandidateNet& candidate, std::vector<TendonRec
     const int rivals = static_cast<int>(tried.alike(error * error * options.weigh.doubt).size());
     out.rounds.push_back({chosen, measured, tried.best()->fit.misfit, rivals});
     out.stop = reason(progress, out.next, left, options.enough);
+    // No more measurements: assess the bands.
     if (progress.stop() || chosen.empty() || !oracle) {
       const FittedNet& best = alive.front();
       if (!progress.stop()) descend(tried, best.bands, best.fit.s, options.price);
       out.net = assess_bands(tried, options.weigh, progress);
       return out;
     }
+    // Measure, and breed from the survivors.
     search.measure(chosen, pool, oracle);
     search.population.clear();
     for (const FittedNet& net : alive) search.population.push_back({net.bands, net.fit.s});

@@ -26,7 +26,7 @@ struct NetSearchOptions {
   AssessOptions weigh;
 };
 
-/// One round of measuring.
+/// What one round measured and found.
 struct NetSearchRound {
   std::vector<RankedTest> measured;  // tests that were asked for
   int tests;                         // measured before
@@ -52,13 +52,13 @@ struct [[nodiscard]] NetSearchResult {
   InferredNet net;
 };
 
-/// Gives the reading of a test: an experiment, or a planted net.
+/// Supplies the reading of a test: an experiment, or a planted net.
 using TestOracle = std::function<TendonRecord(const TendonTest& test)>;
 
-/// Estimation and exploration in turn. Estimation: topologies change by single bands and by
-/// crossing, each fitted to all records; the best by  chi^2 + price * bands  survive.
-/// NetSearchResult: the tests of the pool on which survivors disagree most are measured next. In
-/// the end the bands are weighed.
+/// Alternates estimation and exploration. Estimation: topologies change by single bands and by
+/// crossing, each fitted to all records; the best by  chi^2 + price * bands  survive. Exploration:
+/// the tests of the pool on which survivors disagree most are measured next. In the end the bands
+/// are assessed.
 /// @param records  what is known before; may be empty if there is an oracle
 /// @param pool     tests that could be measured
 /// @param oracle   empty: nothing is measured, the next tests are only named

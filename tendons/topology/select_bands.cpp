@@ -30,11 +30,13 @@ PenaltyStep refit(FittedNets& tried, double price, const BandFit& priced) {
 void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions& options,
             std::vector<PenaltyStep>& path, const Progress& progress) {
   BandFitter& fitter = tried.fitter();
+  // Prices in equal ratios.
   const Presences either(static_cast<std::size_t>(start.size()), Presence::kEither);
   const double ratio =
       std::pow(options.last_price / options.first_price, 1.0 / std::max(options.prices - 1, 1));
   Eigen::VectorXd s = start;
   double price = options.first_price;
+  // Each price starts from the fit before.
   for (int i = 0; i < options.prices; ++i, price *= ratio) {
     if (progress.stop() && !path.empty()) return;
     const BandFit priced = fitter.fit(either, s, Eigen::VectorXd::Constant(s.size(), price));
@@ -49,6 +51,7 @@ void follow(FittedNets& tried, const Eigen::VectorXd& start, const SelectOptions
 Selection select_bands(FittedNets& tried, const SelectOptions& options, const Progress& progress) {
   const Eigen::Index n = tried.fitter().typical().size();
   Selection out;
+  // Paths from soft and from typical bands.
   double part = 0;
   for (double s : kStarts) {
     progress(part, "path over the price");
@@ -59,12 +62,14 @@ Selection select_bands(FittedNets& tried, const SelectOptions& options, const Pr
   // All bands hold whatever can be held.
   (void)tried.fit(Topology(static_cast<std::size_t>(n), true), Eigen::VectorXd::Ones(n));
   const double price = std::log(static_cast<double>(tried.fitter().rows()));
+  // All nets that carry the loads, by Schwarz's criterion.
   std::vector<FittedNet> starts = tried.alike(std::numeric_limits<double>::infinity());
   if (starts.empty()) return out;
   std::sort(starts.begin(), starts.end(), [&](const FittedNet& a, const FittedNet& b) {
     return score(a, price) < score(b, price);
   });
   starts.resize(std::min<std::size_t>(starts.size(), kDescents));
+  // Descend from the best of them by single changes.
   for (const FittedNet& start : starts) {
     progress(part += 0.1 / kDescents, "changes of single bands");
     if (!progress.stop()) descend(tried, start.bands, start.fit.s, price);

@@ -13,13 +13,13 @@ struct SelectOptions {
   int prices = 6;           // on the way, in equal ratios
 };
 
-/// One stop of the path over the price.
+/// One price on the path.
 struct PenaltyStep {
   double price;        // [1]
   double misfit;       // chi^2 of the priced fit [1]
   Topology bands;      // that it keeps
-  double information;  // chi^2 of the dual_violation refit + log(rows) * bands [1]; infinite: does
-                       // not hold
+  double information;  // chi^2 of the refit without price + log(rows) * bands [1]; infinite if it
+                       // does not carry the loads
 };
 
 struct [[nodiscard]] Selection {

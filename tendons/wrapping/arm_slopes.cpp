@@ -48,8 +48,10 @@ void add_span(const Turn& turn, const SpanRate& run, double scale, double scale_
               Column column) {
   int a = run.span->link_a, b = run.span->link_b;
   if (a == b) return;
+  // Scaled direction and moment of the run's line, with their rates.
   const Vector3d u = scale * run.u.at, u_dot = scale * run.u.dot + scale_dot * run.u.at;
   const Vector3d m = run.span->a.cross(u), m_dot = run.a_dot.cross(u) + run.span->a.cross(u_dot);
+  // Hinges on the two branches up to the common ancestor.
   while (a != b) {
     const bool climb_b = b > a;
     const auto i = static_cast<std::size_t>(climb_b ? b : a);
@@ -85,6 +87,7 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
                                 const PathShape& shape) {
   std::vector<RunChain> chains;
   for (std::size_t i = 0; i < shape.arcs.size();) {
+    // Consecutive arcs without a fixed point between them form one chain.
     std::vector<ChainArc> arcs;
     std::vector<int> links;
     const std::size_t first = i;
@@ -98,6 +101,7 @@ std::vector<RunChain> chains_of(const TreeState<double>& state, const PathSet& s
       links.push_back(surface.link);
       ++i;
     } while (i < shape.arcs.size() && shape.arcs[i].after == shape.arcs[i - 1].after + 1);
+    // The chain ends at the points before its first arc and after its last one.
     const auto before = static_cast<std::size_t>(shape.arcs[first].after);
     const auto after = static_cast<std::size_t>(shape.arcs[i - 1].after) + 1;
     chains.push_back({first, std::move(links),
@@ -120,6 +124,7 @@ RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
                    double shortened_dot) {
   const auto k = static_cast<std::size_t>(rider.ride_span);
   const SpanRate& run = carrier[k];
+  // Distance of the origin along its carrier's span, and how it changes.
   const double l = run.span->length;
   const double d = (rider.spans.back().b - run.span->a).dot(run.u.at);
   return {&carrier, k, d / l, shortened_dot / l - d * run.length_dot / (l * l),
@@ -129,15 +134,18 @@ RideRate ride_rate(const PathShape& rider, const std::vector<SpanRate>& carrier,
 /// Rates of the terms of a riding origin; see path_arms.cpp.
 void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Column column) {
   const SpanRate& run = (*ride.carrier)[ride.span];
+  // Part of the pull along the carrier, and the rest across it.
   const Rated &u = last.u, &v = run.u;
   const double along = u.at.dot(v.at), along_dot = u.dot.dot(v.at) + u.at.dot(v.dot);
   const Rated across{u.at - along * v.at, u.dot - along_dot * v.at - along * v.dot};
   const double s = ride.share, s_dot = ride.share_dot;
+  // Weights of the span's two ends, with their rates.
   const Rated on_a{-along * v.at - (1 - s) * across.at,
                    -along_dot * v.at - along * v.dot + s_dot * across.at - (1 - s) * across.dot};
   const Rated on_b{-s * across.at, -s_dot * across.at - s * across.dot};
   add_motion(turn, run.span->link_a, {run.span->a, run.a_dot}, on_a, column);
   add_motion(turn, run.span->link_b, {run.span->b, run.b_dot}, on_b, column);
+  // The part along the carrier follows that tendon's excursion.
   for (std::size_t k = 0; k < ride.span; ++k)
     add_span(turn, (*ride.carrier)[k], -along, -along_dot, column);
 }
@@ -145,11 +153,13 @@ void add_riding(const Turn& turn, const SpanRate& last, const RideRate& ride, Co
 /// Velocities of the ends of all runs while one coordinate turns.
 std::vector<SpanRate> span_rates(const TreeVelocity& rate, const PathShape& shape,
                                  const std::vector<RunChain>& chains, const Vector3d* origin_dot) {
+  // Ends that are fixed to links.
   std::vector<Vector3d> a_dot, b_dot;
   for (const PathSpan& span : shape.spans) {
     a_dot.push_back(rate.body(span.link_a).at(span.a));
     b_dot.push_back(span.link_b == kRiding ? *origin_dot : rate.body(span.link_b).at(span.b));
   }
+  // Touch points follow from the linearised tangency conditions.
   for (const RunChain& chain : chains) {
     const auto before = static_cast<std::size_t>(shape.arcs[chain.first_arc].after);
     std::vector<BodyTwist> on;
@@ -161,6 +171,7 @@ std::vector<SpanRate> span_rates(const TreeVelocity& rate, const PathShape& shap
       a_dot[before + i + 1] = touch[i].off;
     }
   }
+  // Rates of the spans between those ends.
   std::vector<SpanRate> rates;
   for (std::size_t s = 0; s < shape.spans.size(); ++s)
     rates.push_back(rated(shape.spans[s], a_dot[s], b_dot[s]));
@@ -195,6 +206,7 @@ double shortened(const TreeVelocity& rate, const std::vector<SpanRate>& carrier,
 std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
                                             const TreeState<double>& state, const PathSet& set,
                                             const std::vector<PathShape>& shapes, int coordinates) {
+  // Chains of all paths, and whether their touch points are determined.
   std::vector<ArmDerivatives> slopes(shapes.size());
   std::vector<std::vector<RunChain>> chains;
   for (std::size_t k = 0; k < shapes.size(); ++k) {
@@ -204,12 +216,14 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
                       (carrier < 0 || slopes[static_cast<std::size_t>(carrier)].exist);
     slopes[k].dR = Eigen::MatrixXd::Zero(coordinates, coordinates);
   }
+  // One column for each coordinate: rates while it turns at unit speed.
   for (int l = 0; l < coordinates; ++l) {
     const Turn turn{tree, state, internal::joint_velocity_tree(tree, state, l)};
     std::vector<std::vector<SpanRate>> runs(shapes.size());
     for (std::size_t k = 0; k < shapes.size(); ++k) {
       if (!slopes[k].exist) continue;
       const PathShape& shape = shapes[k];
+      // A riding origin moves with its carrier, which stands earlier in the set.
       RideRate ride{};
       if (set.paths[k].carrier >= 0) {
         const auto& carrier = runs[static_cast<std::size_t>(set.paths[k].carrier)];
@@ -217,6 +231,7 @@ std::vector<ArmDerivatives> arm_derivatives(const Tree<double>& tree,
                          shortened(turn.rate, carrier, static_cast<std::size_t>(shape.ride_span)));
       }
       runs[k] = span_rates(turn.rate, shape, chains[k], &ride.x_dot);
+      // Rate of each span's share of the arms.
       for (const SpanRate& run : runs[k]) {
         if (run.span->link_b != kRiding) {
           add_span(turn, run, 1, 0, slopes[k].dR.col(l));

@@ -1,11 +1,11 @@
 #pragma once
 
-/// How moment arms of wrapped tendons change with posture: second derivatives of their lengths.
+/// Derivatives of the moment arms of wrapped tendons by posture: second derivatives of length.
 ///
-/// With touch points x that keep the path tangent, f(x, q) = 0, arms are R(x, q) and
+/// With touch points x that keep the path tangent, f(x, q) = 0, the arms are R(x, q) and
 ///   dR/dq = R_q - R_x f_x^-1 f_q      (implicit function theorem),
-/// which is -d2L/dq2 and symmetric. One-sided where a string just touches a surface: there the arms
-/// are continuous and their slopes jump. Derivation: docs/theory/wrapping.md.
+/// which is -d2L/dq2 and symmetric. Where a string just touches a surface the arms are continuous
+/// and their derivatives jump; this gives one of the sides. Derivation: docs/theory/wrapping.md.
 
 #include <vector>
 
@@ -13,9 +13,9 @@
 
 namespace thenar {
 
-/// Of one path.
+/// Derivatives of the arms of one path.
 struct [[nodiscard]] ArmDerivatives {
-  bool exist = true;   // false: not taut, or touch points that nothing determines; dR is then zero
+  bool exist = true;   // false: not taut, or touch points are not determined; dR is then zero
   Eigen::MatrixXd dR;  // d R_j / d q_k  [m/rad^2] (coordinates, coordinates)
 };
 

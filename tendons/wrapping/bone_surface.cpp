@@ -30,10 +30,12 @@ SurfaceProbe capsule(const Vector3d& size, const Vector3d& p) {
 
 /// In the half plane through p and the axis it is a circle; across that plane it turns about z.
 SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
+  // Nearest point of the ring.
   const double m = std::hypot(p.x(), p.y());
   const Vector3d out = m > 0 ? Vector3d(p.x() / m, p.y() / m, 0) : Vector3d::UnitX();
   const Vector3d round_z = Vector3d::UnitZ().cross(out);
   const Matrix3d plane = Matrix3d::Identity() - round_z * round_z.transpose();
+  // Circle of the tube, and rotation of the normal about the axis.
   SurfaceProbe probe = round(p - size[1] * out, size[0], plane);
   if (m > 0) probe.curvature += probe.normal.dot(out) / m * round_z * round_z.transpose();
   return probe;
@@ -44,16 +46,19 @@ SurfaceProbe torus(const Vector3d& size, const Vector3d& p) {
 /// which keeps its digits near 0. In the middle of the plane across the shortest axis there is no
 /// such root: u = 0, and the point lies off that plane. Source: [Eberly2013].
 Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
+  // Coefficients measured from the shortest axis.
   Eigen::Index shortest = 0;
   const double least = s.minCoeff(&shortest);
   const Eigen::Array3d s2 = s.array().square(), sp = s.array() * p.array();
   const Eigen::Array3d longer = s2 - least * least;
+  // In the plane across the shortest axis the root may be u = 0.
   if (p[shortest] == 0) {
     Vector3d y = (p.array() == 0).select(0, s2 * p.array() / longer);
     const double rest = 1 - y.cwiseQuotient(s).squaredNorm();
     y[shortest] = least * std::sqrt(std::max(rest, 0.0));
     if (rest >= 0) return y;
   }
+  // Bisection between bounds of the root.
   double low = 0, high = sp.matrix().norm() + least * least;
   for (int i = 0; i < 1100 && low < high; ++i) {  // bisection ends at neighbouring numbers
     const double u = 0.5 * (low + high);
@@ -64,11 +69,13 @@ Vector3d nearest_on_ellipsoid(const Vector3d& s, const Vector3d& p) {
 }
 
 SurfaceProbe ellipsoid(const Vector3d& s, const Vector3d& p) {
+  // Normal and shape operator at the nearest point.
   const Vector3d y = nearest_on_ellipsoid(s, p), w = s.array().square().inverse();
   const Vector3d gradient = w.cwiseProduct(y), n = gradient.normalized();
   const double gap = n.dot(p - y);
   const Matrix3d P = Matrix3d::Identity() - n * n.transpose();
   const Matrix3d S = P * w.asDiagonal() * P / gradient.norm();  // shape operator at y
+  // Curvature of the parallel surface through p.
   return {gap, n, (Matrix3d::Identity() + gap * S).fullPivLu().solve(S)};
 }
 

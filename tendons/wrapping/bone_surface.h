@@ -20,13 +20,13 @@ namespace thenar {
 ///   torus      tube of radius size[0] about the ring of radius size[1] in the plane z = 0
 struct BoneSurface {
   std::string name;
-  int link = -1;                // that carries it; -1: the base
+  int link = -1;  // that carries it; -1: the base
   SurfaceShape shape = SurfaceShape::kSphere;
   Eigen::Vector3d size{0, 0, 0};  // [m] (3)
-  Pose<double> X;               // X_0S: frame S at the reference posture
+  Pose<double> X;                 // X_0S: frame S at the reference posture
 };
 
-/// What a surface looks like from a point p of its frame.
+/// A surface seen from a point p of its frame.
 struct SurfaceProbe {
   double gap;                 // signed distance, negative inside [m]
   Eigen::Vector3d normal;     // gradient of `gap` unit (3)

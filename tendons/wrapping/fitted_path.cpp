@@ -26,6 +26,7 @@ void add_between(const Tree<double>& tree, int a, int b, std::set<int>& crossed)
 }
 
 std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const WrappedPath& path) {
+  // Hinges between consecutive points and surfaces.
   std::set<int> crossed;
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     int before = path.points[k].link;
@@ -36,6 +37,7 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
     }
     add_between(tree, before, path.points[k + 1].link, crossed);
   }
+  // A riding origin also depends on all that its carrier crosses.
   if (path.carrier >= 0) {
     const WrappedPath& carrier = set.paths[static_cast<std::size_t>(path.carrier)];
     crossed.merge(crossed_by(tree, set, carrier));
@@ -46,12 +48,14 @@ std::set<int> crossed_by(const Tree<double>& tree, const PathSet& set, const Wra
 
 /// One run of a path as a set of its own, the carrier of its origin first.
 PathSet run_alone(const PathSet& set, const WrappedPath& path, std::size_t k) {
+  // Two points with the surfaces between them.
   PathSet alone;
   alone.surfaces = set.surfaces;
   WrappedPath run;
   run.name = path.name;
   run.points = {path.points[k], path.points[k + 1]};
   run.bends = {path.bends[k]};
+  // The last run of a riding tendon needs its carrier.
   if (path.carrier >= 0 && k + 2 == path.points.size()) {
     alone.paths.push_back(set.paths[static_cast<std::size_t>(path.carrier)]);
     run.carrier = 0;
@@ -78,9 +82,11 @@ class Run {
 
   /// Length and d length / dx of each own coordinate.
   FittedLength at(const VectorXd& x) {
+    // Posture: own coordinates from x, all others in the middle of their range.
     VectorXd q = 0.5 * (box_.lower + box_.upper);
     for (std::size_t i = 0; i < coordinates.size(); ++i)
       q[coordinates[i]] += half(i) * x[static_cast<Index>(i)];
+    // The wrapped path there.
     const TreeState<double> state = pose_tree(tree_, q);
     const auto& shapes = solver_.solve(state);
     const PathShape& shape = shapes.back();
@@ -88,6 +94,7 @@ class Run {
             "strand '{}' cannot be fitted: it is not taut within its joints' ranges (kink {:.3g} "
             "rad, a point {:.3g} mm inside a surface)",
             set_.paths.back().name, shape.error, 1e3 * shape.depth);
+    // Arms by posture become slopes by x.
     MatrixXd R(shapes.size(), q.size());
     path_arms(tree_, state, set_, shapes, R);
     RowVectorXd slope(coordinates.size());
@@ -131,6 +138,7 @@ struct PolynomialBasis {
 };
 PolynomialBasis basis(int order, double x) {
   const VectorXd none = VectorXd::Zero(order + 1);
+  // Recurrence T_k = 2 x T_(k-1) - T_(k-2), differentiated twice.
   PolynomialBasis at{VectorXd::Ones(order + 1), none, none};
   if (order == 0) return at;
   at.T[1] = x;
@@ -145,10 +153,12 @@ PolynomialBasis basis(int order, double x) {
 
 /// Value and slopes by x of a tensor: contracts its first coordinate, then the next.
 FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
+  // parts[0] carries the value, the others the slope by one coordinate each.
   const Index n = run.order + 1;
   std::vector<VectorXd> parts{run.c};  // value, then one a coordinate done
   for (Index i = 0; i < x.size(); ++i) {
     const PolynomialBasis at = basis(run.order, x[i]);
+    // Contract the next coordinate; its derivative starts a new part.
     const VectorXd whole = parts[0];
     const auto contracted = [&](const VectorXd& part, const VectorXd& by) {
       return VectorXd(Eigen::Map<const MatrixXd>(part.data(), n, part.size() / n).transpose() * by);
@@ -164,6 +174,7 @@ FittedLength evaluate(const FittedRun& run, const VectorXd& x) {
 /// Samples in Chebyshev points, turned into coefficients one coordinate after the other:
 ///   c_i = (2 - [i = 0]) / n  sum_k f(x_k) T_i(x_k),   x_k = cos(pi (k + 1/2) / n).
 FittedRun interpolate(Run& run, int order) {
+  // Chebyshev points, and the matrix from samples to coefficients.
   const std::size_t d = run.coordinates.size();
   const Index n = order + 1;
   MatrixXd to_coefficients(n, n);
@@ -173,6 +184,7 @@ FittedRun interpolate(Run& run, int order) {
     to_coefficients.col(k) = 2.0 / static_cast<double>(n) * basis(order, points[k]).T;
   }
   to_coefficients.row(0) *= 0.5;
+  // Samples of the length on the tensor grid.
   FittedRun fit{run.coordinates, order, VectorXd(power(n, d))};
   VectorXd x(static_cast<Index>(d));
   for (Index s = 0; s < fit.c.size(); ++s) {
@@ -197,6 +209,7 @@ Index grid_points(std::size_t coordinates, int order) {
 
 /// Errors on an even grid, and how they change between neighbours.
 FitError measure(Run& run, const FittedRun& fit) {
+  // Differences of length and arms on an even grid.
   const std::size_t d = run.coordinates.size();
   const Index m = grid_points(d, d <= 3 ? fit.order : 0), all = power(m, d);
   MatrixXd arm_error(static_cast<Index>(d), all);  // [m/rad]
@@ -213,9 +226,11 @@ FitError measure(Run& run, const FittedRun& fit) {
       arm_error(row, s) = (fitted.arms[row] - wrapped.arms[row]) / run.half(i);
     }
   }
+  // Largest differences seen on the grid.
   error.arm = arm_error.cwiseAbs().maxCoeff();
   error.arm_bound = error.arm;
   error.length_bound = error.length;
+  // Between grid points an arm's error can change as much as between neighbours.
   for (std::size_t i = 0; i < d; ++i) {
     const Index stride = power(m, i);
     double change = 0;
@@ -225,6 +240,7 @@ FitError measure(Run& run, const FittedRun& fit) {
             std::max(change, (arm_error.col(s + stride) - arm_error.col(s)).cwiseAbs().maxCoeff());
     error.arm_bound += change;
   }
+  // Integrated over half a mesh, the bound of the arms bounds the length.
   for (std::size_t i = 0; i < d; ++i)
     error.length_bound += run.half(i) / static_cast<double>(m - 1) * error.arm_bound;
   return error;
@@ -244,10 +260,12 @@ FitBox fit_box(const Skeleton& skeleton) {
 FittedPath fit_path(const Tree<double>& tree, const PathSet& set, std::size_t path,
                     const FitBox& box, int order) {
   require(order >= 1 && order <= 40, "the order of a fitted path must be 1 to 40, got {}", order);
+  // Each run is fitted by itself; the errors of the runs add up.
   const WrappedPath& whole = set.paths.at(path);
   FittedPath fit{whole.name, box, 0, {}, {}};
   for (std::size_t k = 0; k + 1 < whole.points.size(); ++k) {
     Run run(tree, run_alone(set, whole, k), box);
+    // A run that crosses no joint is constant.
     if (run.coordinates.empty()) {
       fit.constant += run.at({}).length;
       continue;
@@ -295,12 +313,14 @@ double contract(const FittedRun& run, const std::vector<const VectorXd*>& by) {
 MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
   MatrixXd dR = MatrixXd::Zero(q.size(), q.size());
   for (const FittedRun& run : path.runs) {
+    // Polynomials and two derivatives, one coordinate at a time.
     const std::size_t d = run.coordinates.size();
     const BoxPlace place = place_in_box(path, run, q);
     std::vector<PolynomialBasis> bases;
     std::vector<const VectorXd*> by;
     for (Index i = 0; i < place.x.size(); ++i) bases.push_back(basis(run.order, place.x[i]));
     for (const PolynomialBasis& at : bases) by.push_back(&at.T);
+    // Second derivatives: two coordinates differentiated, or one of them twice.
     for (std::size_t i = 0; i < d; ++i)
       for (std::size_t j = 0; j < d; ++j) {
         std::vector<const VectorXd*> twice = by;
@@ -314,6 +334,7 @@ MatrixXd arm_derivatives(const FittedPath& path, const VectorXd& q) {
 }
 
 FittedLength fitted_length(const FittedPath& path, const VectorXd& q) {
+  // Sum of the runs' lengths and arms.
   FittedLength sum{path.constant, RowVectorXd::Zero(q.size())};
   for (const FittedRun& run : path.runs) {
     const auto [x, half] = place_in_box(path, run, q);

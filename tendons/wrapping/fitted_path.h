@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// Where to fit.
+/// Ranges of the coordinates over which a path is fitted.
 struct FitBox {
   Eigen::VectorXd lower, upper;  // of each coordinate [rad] (coordinates)
 };
@@ -20,7 +20,7 @@ struct FitBox {
 /// The limits of a skeleton's coordinates.
 [[nodiscard]] FitBox fit_box(const Skeleton& skeleton);
 
-/// How far a fit is from the wrapped path, in the box.
+/// Difference between a fit and the wrapped path, in the box.
 struct FitError {
   double length = 0;        // largest on the test grid [m]
   double arm = 0;           // largest of any moment arm on it [m/rad]

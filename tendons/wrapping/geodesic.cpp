@@ -32,10 +32,12 @@ void along_sphere(GeodesicEnd& end, const Vector3d& center, double radius, doubl
 
 /// Helix about z.
 void along_cylinder(GeodesicEnd& end, double radius, double s) {
+  // Normal, direction round the axis, and the angle that the stretch turns by.
   const Vector3d n(end.ray.p.x() / radius, end.ray.p.y() / radius, 0), t = end.ray.t;
   const Vector3d round = Vector3d::UnitZ().cross(n);
   const double across = t.dot(round), angle = s * across / radius;
   const double c = std::cos(angle), f = std::sin(angle);
+  // New place and direction.
   const Vector3d out = c * n + f * round;
   end.ray.p = radius * out + Vector3d(0, 0, end.ray.p.z() + s * t.z());
   end.ray.t = across * Vector3d::UnitZ().cross(out) + Vector3d(0, 0, t.z());
@@ -60,6 +62,7 @@ void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
     // On a seam, the direction says which piece comes next.
     const bool cap =
         std::abs(z) > half * (1 + 1e-14) || (std::abs(z) >= half * (1 - 1e-14) && z * climb > 0);
+    // On the cylinder: up to the seam, or to the end.
     if (!cap) {
       const double room = climb == 0 ? std::abs(s) : (std::copysign(half, climb) - z) / climb;
       const double step = sign * std::min(std::abs(s), std::max(room, 0.0));
@@ -68,6 +71,7 @@ void along_capsule(GeodesicEnd& end, const Vector3d& size, double s) {
       if (s != 0) end.ray.p.z() = std::copysign(half, climb);
       continue;
     }
+    // On a cap: up to its equator, or to the end.
     const Vector3d center(0, 0, std::copysign(half, z));
     const double room =
         radius * std::abs(to_equator((end.ray.p - center) / radius, end.ray.t, sign));
@@ -106,6 +110,7 @@ State rate(const BoneSurface& surface, const State& y) {
 
 /// Modified midpoint rule of n steps over h. Source: [Hairer1993] section II.9.
 State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
+  // Euler step, then midpoint steps.
   const double step = h / n;
   State before = y0, now = y0 + step * rate(surface, y0);
   for (int i = 1; i < n; ++i) {
@@ -113,6 +118,7 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
     before = now;
     now = next;
   }
+  // Smoothing step at the end.
   return 0.5 * (now + before + step * rate(surface, now));
 }
 
@@ -120,10 +126,12 @@ State midpoint(const BoneSurface& surface, const State& y0, double h, int n) {
 State extrapolate(const BoneSurface& surface, const State& y0, double h) {
   constexpr int kColumns = 9;
   std::array<State, kColumns> row;  // last row of Aitken and Neville's scheme
+  // Columns of Aitken and Neville's scheme.
   State best = y0;
   for (int k = 0; k < kColumns; ++k) {
     const double n = 2 * (k + 1);
     State newer = midpoint(surface, y0, h, static_cast<int>(n));
+    // Eliminate the next even power of the step.
     for (int j = 0; j < k; ++j) {
       const double ratio = n / (2 * (k - j)), grown = ratio * ratio - 1;
       const State better = newer + (newer - row[static_cast<std::size_t>(j)]) / grown;
@@ -131,6 +139,7 @@ State extrapolate(const BoneSurface& surface, const State& y0, double h) {
       newer = better;
     }
     row[static_cast<std::size_t>(k)] = newer;
+    // Stop when two columns agree.
     const double change = (newer - best).head<6>().norm();
     best = newer;
     if (change < 1e-16) break;
@@ -141,6 +150,7 @@ State extrapolate(const BoneSurface& surface, const State& y0, double h) {
 /// Steps of at most half a radian of the surface's sharpest bend.
 GeodesicEnd integrate(const BoneSurface& surface, const SurfaceRay& start, double length,
                       double sharpest) {
+  // Extrapolated steps from the start, with unit fields.
   const int steps = std::max(1, static_cast<int>(std::ceil(2 * std::abs(length) * sharpest)));
   State y;
   y << start.p, start.t, 1, 0, 0, 1;
@@ -188,6 +198,7 @@ double level(const BoneSurface& surface, const Vector3d& p_S) {
 }
 
 SurfaceRay project_to_surface(const BoneSurface& surface, const SurfaceRay& near) {
+  // Move the point onto the surface.
   Vector3d p = near.p;
   if (surface.shape == SurfaceShape::kEllipsoid) {
     p /= p.cwiseQuotient(surface.size).norm();  // along the ray from the centre: exactly on it
@@ -195,6 +206,7 @@ SurfaceRay project_to_surface(const BoneSurface& surface, const SurfaceRay& near
     const SurfaceProbe at = probe(surface, p);
     p -= at.gap * at.normal;
   }
+  // Make the direction a unit tangent.
   const Vector3d n = shape_at(surface, p).n;
   return {p, (near.t - near.t.dot(n) * n).normalized()};
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shortest lines on surfaces, followed from a point in a direction.
+/// Geodesics of surfaces, followed from a point in a direction.
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ struct SurfaceRay {
   Eigen::Vector3d t;  // unit, tangent (3)
 };
 
-/// Where a geodesic ends, and how its end moves when its start does.
+/// End of a geodesic, and its derivatives by the start.
 ///
 /// The Jacobi fields a and r solve  y'' + K y = 0  along it (K: Gaussian curvature), with
 /// a(0) = 1, a'(0) = 0  and  r(0) = 0, r'(0) = 1:  moving the start by beta across the line and

@@ -29,8 +29,10 @@ void add_span(const Tree<double>& tree, const TreeState<double>& state, const Pa
               double scale, Row row) {
   int a = span.link_a, b = span.link_b;
   if (a == b) return;
+  // Direction and moment of the run's line.
   const Vector3d u = scale * direction(span);
   const Vector3d moment = span.a.cross(u);  // of the run's line about the origin
+  // Climb both branches up to the common ancestor.
   while (a != b) {
     const bool climb_b = b > a;
     const auto i = static_cast<std::size_t>(climb_b ? b : a);
@@ -67,17 +69,20 @@ Ride ride_of(const PathSet& set, const std::vector<PathShape>& shapes, std::size
 void add_riding(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                 const std::vector<PathShape>& shapes, std::size_t path, Row row) {
   const Ride ride = ride_of(set, shapes, path);
+  // Part of the pull along the carrier, and the rest across it.
   const double along = ride.u.dot(ride.v);
   const Vector3d across = ride.u - along * ride.v;
   add_motion(tree, state, ride.span->link_a, ride.span->a,
              -along * ride.v - (1 - ride.share) * across, row);
   add_motion(tree, state, ride.span->link_b, ride.span->b, -ride.share * across, row);
+  // The part along the carrier shortens with that tendon.
   for (const PathSpan* span = ride.carrier->spans.data(); span != ride.span; ++span)
     add_span(tree, state, *span, -along, row);
 }
 
 void add_path(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
               const std::vector<PathShape>& shapes, std::size_t path, Row row) {
+  // Spans between links, and the last one of a riding tendon.
   for (const PathSpan& span : shapes[path].spans) {
     if (span.link_b != kRiding) {
       add_span(tree, state, span, 1, row);
@@ -93,6 +98,7 @@ class PathWrenches {
  public:
   void add(int link, const Vector3d& at, const Vector3d& f) { add(link, {link, at.cross(f), f}); }
   void add(int link, const PathWrench& wrench) {
+    // Add to the link's sum if it has one.
     for (PathWrench& sum : all)
       if (sum.link == link) {
         sum.m += wrench.m;
@@ -111,6 +117,7 @@ Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, do
   static constexpr std::array<double, 3> kAt{0.0, 0.538469310105683091, 0.906179845938663993};
   static constexpr std::array<double, 3> kWeight{0.568888888888888889, 0.478628670499366468,
                                                  0.236926885056189088};
+  // Gauss points: tension times curvature is the force per length.
   Spatial sum = Spatial::Zero();
   for (int i = -2; i <= 2; ++i) {
     const auto k = static_cast<std::size_t>(std::abs(i));
@@ -127,6 +134,7 @@ Spatial pressure(const BoneSurface& surface, const WrapArc& arc, double from, do
 /// Halves the arc until the quadrature agrees with itself: a capsule's seams have a jump.
 Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double from, double to,
                        const Spatial& coarse, int depth) {
+  // Two halves against the whole.
   const double half = 0.5 * (from + to);
   const Spatial left = pressure(surface, arc, from, half), right = pressure(surface, arc, half, to);
   const double change = (left + right - coarse).lpNorm<Eigen::Infinity>();
@@ -137,10 +145,12 @@ Spatial whole_pressure(const BoneSurface& surface, const WrapArc& arc, double fr
 
 void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& arc, double tension,
              PathWrenches& wrenches) {
+  // Total pressure of the arc, in the frame of its surface.
   const BoneSurface& surface = set.surfaces[static_cast<std::size_t>(arc.surface)];
   const double length = arc.arc.length;
   const Spatial w = tension * whole_pressure(surface, arc.arc, 0, length,
                                              pressure(surface, arc.arc, 0, length), 40);
+  // The same in the world, on the link that carries the surface.
   const Pose<double> X =
       surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
   const Vector3d f = X.R * w.tail<3>();
@@ -155,6 +165,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathShap
       return arc.after == static_cast<int>(span) - (end ? 0 : 1);
     });
   };
+  // Ends of spans that are fixed points are pulled along the span.
   for (std::size_t s = 0; s < spans; ++s) {
     const PathSpan& span = shape.spans[s];
     const Vector3d pull = tension * direction(span);
@@ -162,6 +173,7 @@ void add_part(const TreeState<double>& state, const PathSet& set, const PathShap
     if (!(cut && s + 1 == spans) && span.link_b != kRiding && !touches(s, true))
       wrenches.add(span.link_b, span.b, -pull);
   }
+  // Arcs within the part press on their surfaces.
   for (const PathArc& arc : shape.arcs)
     if (arc.after + 1 < static_cast<int>(spans)) add_arc(state, set, arc, tension, wrenches);
 }
@@ -179,6 +191,7 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
 
 std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
                                       const std::vector<PathShape>& shapes, std::size_t path) {
+  // The tendon itself.
   PathWrenches wrenches;
   add_part(state, set, shapes[path], shapes[path].spans.size(), 1, false, wrenches);
   if (set.paths[path].carrier < 0) return wrenches.all;
@@ -196,6 +209,7 @@ std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const Path
 
 Eigen::RowVectorXd torque_of(const Tree<double>& tree, const TreeState<double>& state,
                              const std::vector<PathWrench>& wrenches, int coordinates) {
+  // About each hinge, sum the wrenches of all links beyond it.
   Eigen::RowVectorXd torque = Eigen::RowVectorXd::Zero(coordinates);
   for (const PathWrench& wrench : wrenches)
     for_each_hinge_to_base(tree, wrench.link, [&](int i) {

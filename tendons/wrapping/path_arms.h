@@ -1,6 +1,6 @@
 #pragma once
 
-/// Moment arms of wrapped tendons, worked out in two ways that share nothing but the path.
+/// Moment arms of wrapped tendons, by two methods that share nothing but the path.
 
 #include <vector>
 

@@ -45,6 +45,7 @@ struct Ridden {
 };
 Ridden ride_on(const PathSet& set, const TreeState<double>& state, const PathShape& carrier,
                double ride) {
+  // Walk along runs and arcs in turn until `ride` is used up.
   auto arc = carrier.arcs.begin();
   const std::size_t spans = carrier.spans.size();
   for (std::size_t s = 0; s < spans; ++s) {
@@ -103,6 +104,7 @@ void nudge(std::vector<ChainArc>& chain, int attempt) {
 PathSolver::PathSolver(const PathSet& set)
     : set_(&set), X_(set.surfaces.size()), far_(set.paths.size()), shapes_(set.paths.size()) {
   for (const WrappedPath& path : set.paths) rigid_.push_back(rigid_lengths(path));
+  // Points that can turn about a cylinder beside them, with their angle at the reference posture.
   for (std::size_t p = 0; p < set.paths.size(); ++p) {
     const WrappedPath& path = set.paths[p];
     for (std::size_t k = 0; k < path.bends.size(); ++k)
@@ -116,6 +118,7 @@ PathSolver::PathSolver(const PathSet& set)
         }
       }
   }
+  // Reserved once, so that solving uses no heap.
   slots_.reserve(kMaxWraps);
   chain_.reserve(kMaxWraps);
   rest_.reserve(kMaxWraps);
@@ -146,17 +149,20 @@ bool PathSolver::has_crossed(std::size_t path, const TreeState<double>& state) c
 void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
   const WrappedPath& path = set_->paths[k];
   PathShape& shape = shapes_[k];
+  // Start from an empty path.
   shape.status = PathStatus::kTaut;
   shape.error = shape.depth = shape.length = 0;
   shape.iterations = 0;
   shape.ride_span = -1;
   shape.spans.clear();
   shape.arcs.clear();
+  // Runs in turn, from the insertion to the origin.
   Vector3d a = moved(state, path.points[0].link, path.points[0].p);
   for (std::size_t i = 1; i < path.points.size(); ++i) {
     const WrapPoint& point = path.points[i];
     Vector3d b = moved(state, point.link, point.p);
     int link = point.link;
+    // An origin that rides lies on its carrier's path, which is solved by now.
     if (path.carrier >= 0 && i + 1 == path.points.size()) {
       const PathShape& carrier = shapes_[static_cast<std::size_t>(path.carrier)];
       const Ridden ridden = ride_on(*set_, state, carrier, path.ride);
@@ -173,6 +179,7 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
     add_run(path.bends[i - 1], {path.points[i - 1].link, link, a, b, rigid_[k][i - 1]}, shape);
     a = b;
   }
+  // The worst finding decides the status.
   if (!std::isfinite(shape.length)) shape.error = 1;
   if (has_crossed(k, state)) shape.status = PathStatus::kFarSideWrap;
   if (!(shape.error <= kTangent)) shape.status = PathStatus::kStalled;
@@ -181,14 +188,18 @@ void PathSolver::solve_path(std::size_t k, const TreeState<double>& state) {
 
 void PathSolver::add_run(const std::vector<PathWrap>& bends, const PathEnds& ends,
                          PathShape& shape) {
+  // One round surface is solved in closed form.
   if (bends.size() == 1 && add_round(bends[0], ends, shape)) return;
+  // Ends that lie inside a surface.
   for (const PathWrap& bend : bends) {
     const auto i = static_cast<std::size_t>(bend.surface);
     const Pose<double> to_S = X_[i].inverse();
     shape.depth = std::max({shape.depth, depth_of(set_->surfaces[i], to_S * ends.a),
                             depth_of(set_->surfaces[i], to_S * ends.b)});
   }
+  // Several surfaces, or other shapes: iterate.
   if (!bends.empty()) tighten(bends, ends.a, ends.b, shape);
+  // Straight spans and arcs in turn.
   int link = ends.link_a;
   Vector3d from = ends.a;
   for (std::size_t i = 0; i < bends.size(); ++i) {
@@ -210,14 +221,17 @@ bool PathSolver::add_round(const PathWrap& bend, const PathEnds& ends, PathShape
   const auto i = static_cast<std::size_t>(bend.surface);
   const BoneSurface& surface = set_->surfaces[i];
   if (!is_round(surface)) return false;
+  // Ends in the surface's frame.
   const Pose<double>& X = X_[i];
   const Vector3d a_S = X.R.transpose() * (ends.a - X.p), b_S = X.R.transpose() * (ends.b - X.p);
   shape.depth = std::max({shape.depth, depth_of(surface, a_S), depth_of(surface, b_S)});
   const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
+  // The string misses the surface: one straight span.
   if (!wrap) {
     add_span(shape, ends.link_a, ends.link_b, ends.a, ends.b, -1);
     return true;
   }
+  // Span, arc, span.
   const Vector3d touch_b = X * wrap->end;
   add_span(shape, ends.link_a, surface.link, ends.a, X * wrap->arc.start.p, -1);
   shape.arcs.push_back({bend.surface, static_cast<int>(shape.spans.size()) - 1, wrap->arc});
@@ -235,12 +249,14 @@ void PathSolver::wrap_one(std::size_t i, const PathWrap& bend, const Vector3d& a
   const Pose<double> to_S = X.inverse();
   const Vector3d a_S = to_S * a, b_S = to_S * b;
   Slot& slot = slots_[i];
+  // Round surfaces: closed form.
   if (is_round(surface)) {
     const auto wrap = wrap_round(surface, a_S, b_S, bend.side_S);
     slot.on = wrap.has_value();
     if (slot.on) slot = {true, 0, {&surface, X, wrap->arc}, X * wrap->arc.start.p, X * wrap->end};
     return;
   }
+  // Other surfaces: Newton's method from an initial arc.
   const auto arc = initial_arc(surface, a_S, b_S, bend.side_S);
   slot.on = arc.has_value();
   if (!slot.on) return;
@@ -264,14 +280,17 @@ void PathSolver::set_touches(Slot& slot) {
 /// a string of beads says which surfaces touch and about where; around that it is tried again.
 void PathSolver::tighten(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
                          PathShape& shape) {
+  // Start: relax the surfaces one at a time, then solve for all of them.
   slots_.assign(bends.size(), Slot{});
   sweep(bends, a, b, shape);
   double error = settle_on(bends, a, b, shape);
+  // A contracted string of beads says which surfaces touch.
   if (!(error <= kTangent)) {
     start_over_sides(bends);
     contract_beads(a, b, 400, chain_);
     rest_ = chain_;
   }
+  // Newton's method again, from slightly different starts.
   for (int attempt = 0; !(error <= kTangent) && attempt < kAttempts; ++attempt) {
     chain_ = rest_;
     nudge(chain_, attempt);
@@ -285,12 +304,14 @@ void PathSolver::tighten(const std::vector<PathWrap>& bends, const Vector3d& a, 
 /// @return largest kink [rad]
 double PathSolver::touch_together(const Vector3d& a, const Vector3d& b, PathShape& shape) {
   for (std::size_t round = 0; round <= slots_.size(); ++round) {
+    // All surfaces in contact, solved together.
     chain_.clear();
     for (const Slot& slot : slots_)
       if (slot.on) chain_.push_back(slot.link);
     if (chain_.empty()) return 0;
     const ChainFit fit = solve_tangency(a, b, chain_);
     shape.iterations += fit.iterations;
+    // Surfaces whose arcs came out negative have lifted off.
     bool lifts = false;
     std::size_t next = 0;
     for (Slot& slot : slots_) {
@@ -323,6 +344,7 @@ bool PathSolver::runs_clear(const std::vector<PathWrap>& bends, const Vector3d& 
       from = slots_[i].touch_b;
       continue;
     }
+    // The run goes on to the next surface that is touched.
     Vector3d to = b;
     for (std::size_t k = bends.size(); k-- > i + 1;)
       if (slots_[k].on) to = slots_[k].touch_a;
@@ -360,15 +382,18 @@ void PathSolver::take_chain(const std::vector<PathWrap>& bends) {
 
 void PathSolver::sweep(const std::vector<PathWrap>& bends, const Vector3d& a, const Vector3d& b,
                        PathShape& shape) {
+  // Gauss-Seidel over the surfaces until no touch point moves.
   const std::size_t m = bends.size();
   for (int pass = 0; pass < (m == 1 ? 1 : 40); ++pass) {
     double moved_by = 0, error = 0;
     for (std::size_t i = 0; i < m; ++i) {
+      // Neighbours in contact bound the string of this surface.
       Vector3d before = a, after = b;
       for (std::size_t k = 0; k < i; ++k)
         if (slots_[k].on) before = slots_[k].touch_b;
       for (std::size_t k = m; k-- > i + 1;)
         if (slots_[k].on) after = slots_[k].touch_a;
+      // How far its touch points move when it is solved anew.
       const Slot was = slots_[i];
       wrap_one(i, bends[i], before, after, shape);
       if (was.on != slots_[i].on)
@@ -388,6 +413,7 @@ Eigen::Matrix3Xd path_points(const PathSet& set, const TreeState<double>& state,
   require(spacing > 0, "points along a path need a spacing > 0, got {} m", spacing);
   std::vector<Vector3d> points;
   auto arc = shape.arcs.begin();
+  // Ends of each span, and between them samples of its arcs.
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     points.push_back(shape.spans[s].a);
     points.push_back(shape.spans[s].b);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where wrapped tendons run at a posture, and how long they are.
+/// Solves for the paths of wrapped tendons at a posture, and for their lengths.
 
 #include <vector>
 
@@ -55,8 +55,8 @@ struct [[nodiscard]] PathShape {
   int ride_span = -1;  // of the carrier, on which the origin lies; -1: the origin does not ride
 };
 
-/// Poses the tendons of one set again and again. Holds the workspace of one thread, and nothing
-/// that changes an answer; after the first posture it uses no heap.
+/// Finds the paths of the tendons of one set, posture after posture. It holds the workspace of one
+/// thread, which changes no answer; after the first posture it uses no heap.
 class PathSolver {
  public:
   /// @param set  must outlive the solver

@@ -31,12 +31,14 @@ struct ArcEnd {
 ///   dp = sigma t + eta b,  dn = S dp,  db = -omega t - (b . dn) n.
 ArcEnd end_of(const ChainArc& link, const SurfaceRay& ray, const Row4& sigma, const Row4& eta,
               const Row4& omega) {
+  // Position and frame in the world.
   const SurfaceShapeAt at = shape_at(*link.surface, ray.p);
   ArcEnd end;
   end.p = link.X * ray.p;
   end.t = link.X.R * ray.t;
   end.n = link.X.R * at.n;
   end.b = end.t.cross(end.n);
+  // Derivatives by shift and turn, through the shape operator.
   const Vector3d St = link.X.R * (at.S * ray.t);
   const Vector3d Sb = link.X.R * (at.S * (link.X.R.transpose() * end.b));
   end.dp = end.t * sigma + end.b * eta;
@@ -82,9 +84,11 @@ void add_rows(Tangency& system, int row, int own, const ArcEnd& end, const Vecto
 
 Tangency tangency(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc>& chain) {
   const int m = static_cast<int>(chain.size());
+  // Ends of all arcs, with their derivatives.
   std::array<ArcEnds, kMaxWraps> ends;
   for (int i = 0; i < m; ++i)
     ends[static_cast<std::size_t>(i)] = ends_of(chain[static_cast<std::size_t>(i)]);
+  // Four conditions a surface; its runs end at its neighbours, or at a and b.
   Tangency system{Unknowns::Zero(4 * m), System::Zero(4 * m, 4 * m)};
   for (int i = 0; i < m; ++i) {
     const ArcEnds& here = ends[static_cast<std::size_t>(i)];
@@ -135,10 +139,12 @@ ChainFit solve_tangency(const Vector3d& a, const Vector3d& b, std::vector<ChainA
   ChainFit fit{largest_kink(now.f), 0};
   std::array<WrapArc, kMaxWraps> best;
   for (; fit.iterations < kSteps && fit.error > 1e-15; ++fit.iterations) {
+    // Newton step, bounded to where the geometry still resembles the present one.
     const Unknowns step = -Eigen::PartialPivLU<System>(now.J).solve(now.f);
     if (!step.allFinite()) break;
     for (std::size_t i = 0; i < chain.size(); ++i) best[i] = chain[i].arc;
     double factor = longest_step(chain, step);
+    // Halve the step until the residual falls.
     bool better = false;
     for (int halving = 0; halving < 12 && !better; ++halving, factor *= 0.5) {
       for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -153,6 +159,7 @@ ChainFit solve_tangency(const Vector3d& a, const Vector3d& b, std::vector<ChainA
         fit.error = largest_kink(now.f);
       }
     }
+    // No step helps: stay at the best point.
     if (better) continue;
     for (std::size_t i = 0; i < chain.size(); ++i) chain[i].arc = best[i];
     break;
@@ -179,6 +186,7 @@ Eigen::Vector2d carried_rate(const ArcEnd& end, const BodyTwist& on, const Vecto
 ChainTangent::ChainTangent(const Vector3d& a, const Vector3d& b, std::vector<ChainArc> chain)
     : a_(a), b_(b), chain_(std::move(chain)) {
   constexpr double kSingular = 1e-12;  // reciprocal condition
+  // Regular only if the Jacobian of the conditions is well conditioned.
   const System J = tangency(a_, b_, chain_).J;
   if (!J.allFinite()) return;
   factor_.compute(J);
@@ -188,6 +196,7 @@ ChainTangent::ChainTangent(const Vector3d& a, const Vector3d& b, std::vector<Cha
 std::vector<TouchRate> ChainTangent::rates(const Vector3d& a_dot, const Vector3d& b_dot,
                                            const std::vector<BodyTwist>& on) const {
   const std::size_t m = chain_.size();
+  // Rates of the conditions while surfaces and ends move and arcs stay.
   std::vector<ArcEnds> ends;
   for (const ChainArc& link : chain_) ends.push_back(ends_of(link));
   Unknowns f(4 * static_cast<Eigen::Index>(m));
@@ -200,7 +209,9 @@ std::vector<TouchRate> ChainTangent::rates(const Vector3d& a_dot, const Vector3d
     f.segment<2>(row + 2) =
         carried_rate(ends[i].off, on[i], after, i + 1 < m ? on[i + 1].at(after) : b_dot, -1);
   }
+  // Arcs vary so that the conditions stay fulfilled.
   const Unknowns x = -factor_.solve(f);
+  // A touch point moves with its surface and along it.
   std::vector<TouchRate> rates;
   for (std::size_t i = 0; i < m; ++i) {
     const Eigen::Vector4d vary = x.segment<4>(4 * static_cast<Eigen::Index>(i));
@@ -232,6 +243,7 @@ std::size_t lay(const Vector3d& a, const Vector3d& b, const std::vector<ChainArc
   std::size_t count = 0;
   beads[count++] = {a};
   Vector3d from = a;
+  // The same number of beads on each leg of the polygon.
   const std::size_t legs = chain.size() + 1, each = kBeads * chain.size() / legs;
   for (std::size_t leg = 0; leg < legs; ++leg) {
     const Vector3d to = leg + 1 == legs ? b : Vector3d(chain[leg].X * chain[leg].arc.start.p);
@@ -258,6 +270,7 @@ void push_out(Bead& bead, const std::vector<ChainArc>& chain) {
 
 void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
                     std::vector<ChainArc>& chain) {
+  // Relax the beads.
   Beads beads;
   const std::size_t count = lay(a, b, chain, beads);
   for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -267,6 +280,7 @@ void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
       beads[i].p += (sweep < sweeps * 3 / 4 ? kRelax : 1.0) * (middle - beads[i].p);
       push_out(beads[i], chain);
     }
+  // Surfaces on which beads rest become arcs of the chain.
   std::size_t kept = 0;
   for (std::size_t s = 0; s < chain.size(); ++s) {
     std::size_t first = 0, last = 0;
@@ -276,6 +290,7 @@ void contract_beads(const Vector3d& a, const Vector3d& b, int sweeps,
       if (first == 0) first = i;
       last = i;
     }
+    // The arc runs from the first bead on the surface to the last one.
     if (first == 0) continue;
     for (std::size_t i = first; i < last; ++i) length += (beads[i + 1].p - beads[i].p).norm();
     ChainArc link = chain[s];

@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// Most surfaces between two points of a path.
+/// Largest number of surfaces between two points of a path.
 inline constexpr int kMaxWraps = 8;
 
 /// One surface that the string lies on.
@@ -29,9 +29,9 @@ struct ChainFit {
 
 /// Newton's method on the tangency conditions, four a surface:
 ///   e . n = 0  and  e . b = 0  at both ends of its arc,
-/// e the run that arrives or leaves, n the normal, b across the string. The exact Jacobian comes
-/// from the natural variations of a geodesic (shift along, shift across, turn, lengthen) by its
-/// Jacobi fields. Derivation: docs/theory/wrapping.md. Source: [Scholz2016].
+/// where e is the run that arrives or leaves, n the normal and b the direction across the string.
+/// The exact Jacobian comes from the natural variations of a geodesic (shift along, shift across,
+/// turn, lengthen) by its Jacobi fields. Derivation: docs/theory/wrapping.md. Source: [Scholz2016].
 /// @param a, b    ends of the string, world [m] (3)
 /// @param chain   start of the iteration, changed in place to where it ends; at most kMaxWraps
 [[nodiscard]] ChainFit solve_tangency(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -44,10 +44,10 @@ struct TouchRate {
   Eigen::Vector3d on, off;
 };
 
-/// A tangent chain, made linear: how its touch points follow what its ends and surfaces do.
+/// Linearisation of a tangent chain: how its touch points follow its ends and surfaces.
 ///
-/// The tangency conditions f(x, y) = 0, x the natural variations of all arcs and y the poses, stay
-/// fulfilled:  df/dx x' = -df/dy y'  (implicit function theorem).
+/// The tangency conditions f(x, y) = 0 hold at all times, with x the natural variations of all arcs
+/// and y the poses:  df/dx x' = -df/dy y'  (implicit function theorem).
 class ChainTangent {
  public:
   /// @param a, b   ends of the string, world [m] (3)
@@ -76,7 +76,7 @@ class ChainTangent {
 
 }  // namespace internal
 
-// A string of beads that contracts over surfaces: slow, but it finds its way from anywhere.
+// Contraction of a string of beads over surfaces: slow, but it converges from any start.
 
 /// Replaces `chain` by the arcs where a string from a to b comes to rest: it starts over the side
 /// of every surface and contracts, each bead to the middle of its neighbours and out of the

@@ -33,6 +33,7 @@ Vector2d touch(double r, const Vector2d& p, double rho, double free, double way)
 
 std::optional<PlanarWrap> wrap_circle(double r, const Vector2d& a, const Vector2d& b,
                                       const Vector2d& side) {
+  // Does the straight line pass on the wrong side, or through the circle?
   const double above_a = cross(side, a), above_b = cross(side, b);
   const bool parted = (above_a > 0) != (above_b > 0);
   // The straight line crosses the line of `side` at (a above_b - b above_a) / (above_b - above_a).
@@ -40,14 +41,17 @@ std::optional<PlanarWrap> wrap_circle(double r, const Vector2d& a, const Vector2
       parted && (side.dot(a) * above_b - side.dot(b) * above_a) * (above_b - above_a) < 0;
   if (!barred && nearest2(a, b) >= r * r) return std::nullopt;
 
+  // Sense of rotation about the origin.
   PlanarWrap wrap;
   wrap.way = (parted ? above_b > 0 : cross(a, b) > 0) ? 1 : -1;
   const double rho_a = a.norm(), rho_b = b.norm();
   if (std::min(rho_a, rho_b) == 0) return std::nullopt;
+  // Free parts and touch points by Pythagoras.
   wrap.free_a = std::sqrt(std::max(rho_a * rho_a - r * r, 0.0));
   wrap.free_b = std::sqrt(std::max(rho_b * rho_b - r * r, 0.0));
   wrap.touch_a = touch(r, a, rho_a, wrap.free_a, wrap.way);
   wrap.touch_b = touch(r, b, rho_b, wrap.free_b, -wrap.way);
+  // Angle between the touch points, in that sense.
   wrap.angle =
       std::atan2(wrap.way * cross(wrap.touch_a, wrap.touch_b), wrap.touch_a.dot(wrap.touch_b));
   if (wrap.angle < 0) {

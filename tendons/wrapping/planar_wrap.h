@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// Where a string from a to b lies on the circle of radius r about the origin.
+/// Contact of a string from a to b with the circle of radius r about the origin.
 struct PlanarWrap {
   Eigen::Vector2d touch_a, touch_b;  // [m] (2)
   double way;                        // 1: it goes counterclockwise, -1: clockwise
@@ -16,8 +16,8 @@ struct PlanarWrap {
   double free_a, free_b;             // lengths of the straight parts [m]
 };
 
-/// The string never crosses the half line from the origin opposite to `side`; nothing if it is
-/// straight. Ends inside the circle are taken to lie on it.
+/// Wraps a string so that it never crosses the half line from the origin opposite to `side`.
+/// Returns nothing if the string is straight. Ends inside the circle are taken to lie on it.
 [[nodiscard]] std::optional<PlanarWrap> wrap_circle(double r, const Eigen::Vector2d& a,
                                                     const Eigen::Vector2d& b,
                                                     const Eigen::Vector2d& side);

@@ -41,11 +41,14 @@ Vector3d core_near(const BoneSurface& surface, const Vector3d& in_plane, const V
 std::optional<PlaneSection> section_through(const BoneSurface& surface, const Vector3d& a,
                                             const Vector3d& b, const Vector3d& third,
                                             const Vector3d& side) {
+  // Normal of the plane; none if the three points are in line.
   const Vector3d m = (b - a).cross(third - a);
   if (m.norm() <= 1e-9 * (b - a).norm() * (third - a).norm()) return std::nullopt;
+  // Middle of the section: the core's point nearest to the plane.
   const Vector3d normal = m.normalized(), core = core_near(surface, third, normal);
   const Vector3d o = core - normal * normal.dot(core - a);
   if (level(surface, o) >= 0) return std::nullopt;
+  // Axes of the section: towards the side, and across.
   const Vector3d up = side - o, x = up - normal * normal.dot(up);
   if (x.norm() <= 1e-9 * up.norm()) return std::nullopt;
   return PlaneSection{o, x.normalized(), normal.cross(x.normalized())};
@@ -104,6 +107,7 @@ struct FlatArc {
 };
 FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vector2d& a,
              const Vector2d& b, double way) {
+  // Samples of the section's edge.
   constexpr int kSamples = 64;
   std::array<Vector2d, kSamples> rim;
   for (int i = 0; i < kSamples; ++i) {
@@ -117,6 +121,7 @@ FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vect
     if (way * signed_area(rim[on] - a, rim[i] - a) < 0) on = i;
     if (way * signed_area(rim[off] - b, rim[i] - b) > 0) off = i;
   }
+  // Length of the polygon between the two touch points.
   double length = 0;
   const std::size_t steps = (off + kSamples - on) % kSamples;
   if (steps > 3 * kSamples / 4) return {rim[on], b - a, 0};  // between two samples: it just touches
@@ -127,15 +132,18 @@ FlatArc taut(const BoneSurface& surface, const PlaneSection& section, const Vect
 
 std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a, const Vector3d& b,
                                    const Vector3d& side) {
+  // Plane through the side; failing that, through the centre.
   auto section = section_through(surface, a, b, side, side);
   if (!section) section = section_through(surface, a, b, Vector3d::Zero(), side);
   const bool clear = clearance(surface, a, b) >= 0;
   if (!section) return std::nullopt;
+  // Does the straight line pass on the wrong side, or through the surface?
   const Vector2d flat_a = section->flat(a), flat_b = section->flat(b);
   const bool parted = (flat_a.y() > 0) != (flat_b.y() > 0);
   const bool barred =
       parted && (flat_a.x() * flat_b.y() - flat_b.x() * flat_a.y()) * (flat_b.y() - flat_a.y()) < 0;
   if (clear && !barred) return std::nullopt;
+  // Taut string over the section, brought onto the surface.
   const double way = (parted ? flat_b.y() > 0 : signed_area(flat_a, flat_b) > 0) ? 1 : -1;
   const FlatArc flat = taut(surface, *section, flat_a, flat_b, way);
   const Vector3d start = section->at(flat.start);
@@ -147,6 +155,7 @@ std::optional<WrapArc> over_convex(const BoneSurface& surface, const Vector3d& a
 /// The answer where a capsule is met on its straight part only: that of its cylinder.
 std::optional<WrapArc> over_middle(const BoneSurface& capsule, const Vector3d& a, const Vector3d& b,
                                    const Vector3d& side) {
+  // The cylinder's answer holds if it stays between the caps.
   BoneSurface cylinder = capsule;
   cylinder.shape = SurfaceShape::kCylinder;
   const auto wrap = wrap_round(cylinder, a, b, side);
@@ -158,6 +167,7 @@ std::optional<WrapArc> over_middle(const BoneSurface& capsule, const Vector3d& a
 /// Over the inside of the tube, in the half plane in which the straight line crosses the ring's.
 std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& a,
                                     const Vector3d& b, const Vector3d& side) {
+  // Half plane in which the straight line crosses the plane of the ring.
   const double tube = surface.size[0], ring = surface.size[1];
   const bool crosses = (a.z() > 0) != (b.z() > 0);
   const Vector3d at = crosses ? Vector3d(a + (b - a) * (a.z() / (a.z() - b.z()))) : side;
@@ -165,6 +175,7 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
   const Vector3d out =
       off > 1e-9 * ring ? Vector3d(at.x() / off, at.y() / off, 0) : Vector3d(Vector3d::UnitX());
   const Vector3d round = Vector3d::UnitZ().cross(out);
+  // In this half plane the tube is a circle.
   const Vector2d flat_a(out.dot(a) - ring, a.z()), flat_b(out.dot(b) - ring, b.z());
   const auto flat = wrap_circle(tube, flat_a, flat_b, {-1, 0});
   const Deepest low = deepest(surface, a, b, 32);
@@ -188,6 +199,7 @@ std::optional<WrapArc> through_ring(const BoneSurface& surface, const Vector3d& 
 double clearance(const BoneSurface& surface, const Vector3d& a_S, const Vector3d& b_S) {
   if (surface.shape == SurfaceShape::kTorus) return deepest(surface, a_S, b_S, 32).level;
   if (surface.shape == SurfaceShape::kCapsule) return deepest(surface, a_S, b_S, 2).level;
+  // Scaled so that the surface is a unit sphere or cylinder: nearest point of the line.
   const Vector3d scale = rounding(surface), u = scale.cwiseProduct(a_S);
   const Vector3d d = scale.cwiseProduct(b_S) - u;
   const double along = std::clamp(-u.dot(d) / std::max(d.squaredNorm(), 1e-300), 0.0, 1.0);
@@ -210,11 +222,14 @@ using Eigen::Vector3d;
 /// Unrolled, the string is a straight line: z grows in step with the way run across the axis.
 std::optional<RoundArc> over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                       const Vector3d& side) {
+  // Across the axis the string wraps a circle.
   const auto flat = wrap_circle(r, a.head<2>(), b.head<2>(), side.head<2>());
   if (!flat) return std::nullopt;
+  // Its climb is shared out evenly over the unrolled length.
   const double way = flat->free_a + r * flat->angle + flat->free_b, climb = b.z() - a.z();
   const double length = std::sqrt(way * way + climb * climb),
                z = a.z() + climb * flat->free_a / way;
+  // Direction at the start, and height of the end.
   const Vector2d round = flat->way / r * Vector2d(-flat->touch_a.y(), flat->touch_a.x());
   const Vector3d t(way / length * round.x(), way / length * round.y(), climb / length);
   const double end_z = b.z() - climb * flat->free_b / way;
@@ -236,6 +251,7 @@ std::optional<RoundArc> over_sphere(double r, const Vector3d& a, const Vector3d&
                                     const Vector3d& side) {
   const double rho_a = a.norm(), rho_b = b.norm();
   if (rho_a == 0 || rho_b == 0) return std::nullopt;
+  // Axes of the plane: towards a, and across.
   const Vector3d m = plane_normal(a, b, side), x = a / rho_a, y = m.cross(x);
   const Vector2d flat_a(rho_a, 0), flat_b(b.dot(x), std::abs(b.dot(y)));
   // The bisector of a and b, in a form that holds for a quarter and for half a turn.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a string between two points meets one surface.
+/// Contact of a string between two points with one surface.
 
 #include <optional>
 
@@ -14,17 +14,17 @@ struct WrapArc {
   double length = 0;  // of the geodesic [m]
 };
 
-/// The same on a round surface, with its end.
+/// An arc on a round surface, with its end.
 struct RoundArc {
   WrapArc arc;
   Eigen::Vector3d end;  // where it leaves the surface, frame S [m] (3)
 };
 
-/// Where a string from a to b lies on a sphere or a cylinder, in closed form; nothing if it is
-/// straight.
+/// Returns the arc of a string from a to b over a sphere or a cylinder, in closed form; nothing if
+/// the string is straight.
 ///
-/// On a cylinder the string is held on its side: seen along the axis it never crosses the half line
-/// opposite to `side`, however long the way round. On a sphere, from which a string would slip, it
+/// On a cylinder the string stays on its side: seen along the axis it never crosses the half line
+/// opposite to `side`, however long the detour. On a sphere, from which a string would slip, it
 /// takes the shorter way, and `side` decides between ways of equal length.
 /// A point inside the surface is taken to lie on it.
 [[nodiscard]] std::optional<RoundArc> wrap_round(const BoneSurface& surface,
@@ -36,7 +36,7 @@ struct RoundArc {
 [[nodiscard]] double clearance(const BoneSurface& surface, const Eigen::Vector3d& a_S,
                                const Eigen::Vector3d& b_S);
 
-/// A start for Newton's method on any other surface; nothing if the string is straight.
+/// Returns a start for Newton's method on any other surface; nothing if the string is straight.
 ///
 /// Capsule and ellipsoid: the taut string in the plane of a, b and the point `side`, held on its
 /// side as on a cylinder. Torus: the taut string through the hole, in the half plane of the axis

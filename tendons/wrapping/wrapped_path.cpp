@@ -55,11 +55,13 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
                  const BoneSurface& surface, const Skeleton& skeleton) {
   if (surface.shape != SurfaceShape::kCylinder) return;
   for (const std::size_t end : {k, k + 1}) {
+    // Joints between the point and the cylinder.
     const WrapPoint& point = path.points[end];
     const Vector3d was = surface.X.inverse() * point.p;
     const std::vector<int> joints = between(skeleton.tree, point.link, surface.link);
     int postures = 1;
     for (std::size_t i = 0; i < joints.size(); ++i) postures *= 3;
+    // Every combination of lower limit, middle and upper limit.
     Eigen::VectorXd q = Eigen::VectorXd::Zero(skeleton.coordinates());
     for (int n = 0; n < postures; ++n) {
       int rest = n;
@@ -69,6 +71,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
         q[j] = ranges ? limit.lower + 0.5 * (rest % 3) * (limit.upper - limit.lower) : 0;
         rest /= 3;
       }
+      // Where the point stands in the cylinder's frame.
       const TreeState<double> state = pose_tree(skeleton.tree, q);
       const Vector3d base_p = moved(state, point.link, point.p);
       const Pose<double> X = surface.link < 0
@@ -85,6 +88,7 @@ void check_sides(const WrappedPath& path, std::size_t k, const PathWrap& bend,
 }
 
 void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton) {
+  // Runs across a joint need a length and not too many surfaces.
   for (std::size_t k = 0; k + 1 < path.points.size(); ++k) {
     const WrapPoint &a = path.points[k], &b = path.points[k + 1];
     require(a.link == b.link || (a.p - b.p).norm() > 1e-9,
@@ -93,6 +97,7 @@ void check(const WrappedPath& path, const PathSet& set, const Skeleton& skeleton
     require(path.bends[k].size() <= static_cast<std::size_t>(kMaxWraps),
             "strand '{}' bends over {} surfaces after point {}; the most is {}", path.name,
             path.bends[k].size(), k + 1, kMaxWraps);
+    // Points beside a surface stay outside it and on its near side.
     for (const PathWrap& bend : path.bends[k]) {
       check_outside(path, k, set.surfaces[static_cast<std::size_t>(bend.surface)]);
       check_outside(path, k + 1, set.surfaces[static_cast<std::size_t>(bend.surface)]);
@@ -112,16 +117,20 @@ WrappedPath kept_path(const Strand& strand, const Skeleton& skeleton, const Path
   WrappedPath path;
   path.name = strand.name;
   std::vector<PathWrap> bends;  // since the last point
+  // Elements of the strand that lie on kept links.
   for (const PathPoint& element : strand.path) {
     const auto link = skeleton.link_of_segment.find(element.segment);
     if (link == skeleton.link_of_segment.end()) continue;
+    // At the reference posture.
     const Vector3d p = skeleton.segment_at.at(element.segment) * element.p;
+    // A surface bends the run that follows the last point.
     if (!element.surface.empty()) {
       const int surface = index_of(set.surfaces, element.surface);
       const Pose<double>& X = set.surfaces[static_cast<std::size_t>(surface)].X;
       if (!path.points.empty()) bends.push_back({surface, X.inverse() * p});
       continue;
     }
+    // A point ends that run.
     if (!path.points.empty()) path.bends.push_back(bends);
     bends.clear();
     path.points.push_back({link->second, p});
@@ -137,6 +146,7 @@ PathPlace nearest_place(const PathShape& shape, const Vector3d& p) {
   PathPlace nearest{std::numeric_limits<double>::infinity(), 0};
   double before = 0;
   auto arc = shape.arcs.begin();
+  // Nearest point of every straight run.
   for (std::size_t s = 0; s < shape.spans.size(); ++s) {
     const PathSpan& span = shape.spans[s];
     const Vector3d u = direction(span);
@@ -155,9 +165,11 @@ void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
               const Skeleton& skeleton) {
   path.carrier = index_of(set.paths, carrier);
   if (path.carrier < 0) return;
+  // Carrier at the reference posture.
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(skeleton.coordinates());
   PathSolver solver(set);
   const auto& shapes = solver.solve(pose_tree(skeleton.tree, rest));
+  // Nearest place to the origin, which must be close.
   const PathPlace place =
       nearest_place(shapes[static_cast<std::size_t>(path.carrier)], path.points.back().p);
   require(place.off <= kRideReach,
@@ -168,6 +180,7 @@ void set_ride(WrappedPath& path, const std::string& carrier, const PathSet& set,
 
 PathSet build(const Subject& subject, const Skeleton& skeleton,
               const std::vector<std::string>* only) {
+  // A strand is wanted if it is named or carries a named one.
   PathSet set;
   set.surfaces = place_surfaces(subject, skeleton);
   const auto wanted = [&](const Strand& strand) {
@@ -180,6 +193,7 @@ PathSet build(const Subject& subject, const Skeleton& skeleton,
     return !only || std::find(only->begin(), only->end(), strand.name) != only->end() ||
            std::any_of(only->begin(), only->end(), carries);
   };
+  // Paths in file order; a rider stands behind its carrier.
   for (const Strand& strand : subject.strands) {
     if (!wanted(strand)) continue;
     WrappedPath path = kept_path(strand, skeleton, set);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Tendons as points fixed in bones and surfaces between them, ready to be posed.
+/// Tendons as points fixed in bones and surfaces between them, ready to be solved.
 
 #include <string>
 #include <vector>
@@ -22,10 +22,10 @@ struct PathWrap {
   Eigen::Vector3d side_S;  // point on whose side of the surface it passes, frame S [m] (3)
 };
 
-/// The way of one strand, from insertion to origin.
+/// The path of one strand, from insertion to origin.
 struct WrappedPath {
   std::string name;
-  std::vector<WrapPoint> points;             // at least two, or none: it crosses no kept joint
+  std::vector<WrapPoint> points;             // at least two; none if it crosses no kept joint
   std::vector<std::vector<PathWrap>> bends;  // between points k and k + 1 (points - 1)
   int carrier = -1;                          // path that the origin rides on; -1: it is fixed
   double ride = 0;                           // from the carrier's insertion to that origin [m]

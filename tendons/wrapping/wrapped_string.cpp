@@ -71,6 +71,7 @@ Vector3d unit_plane_normal(const Vector3d& a, const Vector3d& b, const Vector3d&
 
 WrappedString chord_over_sphere(double r, const Vector3d& a, const Vector3d& b,
                                 const Vector3d& side) {
+  // Great circle in the plane of both ends and the centre.
   WrappedString chord = straight_string(a, b);
   const double rho_a = a.norm(), rho_b = b.norm();
   const Vector3d ea = a / rho_a, eb = b / rho_b, m = unit_plane_normal(ea, eb, side);
@@ -97,9 +98,11 @@ double angle_from(const Vector3d& side, const Vector3d& p) {
 
 WrappedString chord_over_cylinder(double r, const Vector3d& a, const Vector3d& b,
                                   const Vector3d& side) {
+  // In the plane across the axis the string wraps a circle.
   WrappedString chord = straight_string(a, b);
   const Vector3d pa(a.x(), a.y(), 0), pb(b.x(), b.y(), 0), z = Vector3d::UnitZ();
   const double rho_a = pa.norm(), rho_b = pb.norm();
+  // The angle is counted over the side.
   const double turn = angle_from(side, pb) - angle_from(side, pa), way = turn < 0 ? -1 : 1;
   const Vector3d ea = pa / rho_a, eb = pb / rho_b;
   const Plane plane = across(r, end(r, rho_a, ea, -way * z.cross(ea)),
@@ -131,7 +134,9 @@ Brought bring_out(double r, bool sphere, const Vector3d& end) {
   const Eigen::Vector3d flat(1, 1, sphere ? 1 : 0);
   const Vector3d from = flat.cwiseProduct(end);
   const double rho = from.norm();
+  // A point outside, or on the surface to rounding, stays.
   if (rho >= r * (1 - 1e-9)) return {end, false, Eigen::Matrix3d::Identity()};
+  // Otherwise: nearest point, and how it follows the end.
   const Vector3d n = rho > 0 ? Vector3d(from / rho) : Vector3d::UnitX();
   Eigen::Matrix3d J =
       r / std::max(rho, 1e-6 * r) * (Eigen::Matrix3d(flat.asDiagonal()) - n * n.transpose());
@@ -142,6 +147,7 @@ Brought bring_out(double r, bool sphere, const Vector3d& end) {
 }  // namespace
 
 WrappedString straight_string(const Vector3d& a, const Vector3d& b) {
+  // Straight: its gradient is a pair of opposite unit vectors.
   WrappedString chord{(a - b).norm(), false, true, {}, {}, a, b};
   chord.slope.setZero();
   chord.curve.setZero();
@@ -158,11 +164,13 @@ WrappedString wrap_string(const BoneSurface& surface, const Vector3d& a_S, const
   const bool sphere = surface.shape == SurfaceShape::kSphere;
   require(sphere || surface.shape == SurfaceShape::kCylinder,
           "a chord bends over a sphere or a cylinder, not {}", surface.name);
+  // Ends that lie inside are brought out first.
   const double r = surface.size[0];
   const Brought a = bring_out(r, sphere, a_S), b = bring_out(r, sphere, b_S);
   WrappedString chord =
       sphere ? chord_over_sphere(r, a.p, b.p, side_S) : chord_over_cylinder(r, a.p, b.p, side_S);
   if (!a.inside && !b.inside) return chord;
+  // Chain rule through the points that were brought out.
   chord.possible = false;
   Eigen::Matrix<double, 6, 6> J = Eigen::Matrix<double, 6, 6>::Zero();
   J << a.J, Eigen::Matrix3d::Zero(), Eigen::Matrix3d::Zero(), b.J;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The shortest way between two points round one round obstacle, in closed form: for nets and for
+/// The shortest string between two points round one obstacle, in closed form: for nets and for
 /// paths that meet one surface at a time.
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@ namespace thenar {
 /// Length of a string from a to b and its derivatives; (a, b) stacked.
 struct WrappedString {
   double length;                      // [m]
-  bool bent;                          // touches the surface
+  bool bent;                          // whether it touches the surface
   bool possible = true;               // false: an end lies inside the surface
   Eigen::Matrix<double, 6, 1> slope;  // d length / d(a, b); ends are unit tangents [1]
   Eigen::Matrix<double, 6, 6> curve;  // second derivative [1/m]
@@ -22,7 +22,7 @@ struct WrappedString {
 /// Straight string.
 [[nodiscard]] WrappedString straight_string(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// String over a sphere or a cylinder, all in the surface's frame S.
+/// String over a sphere or a cylinder, with all points in the surface's frame S.
 ///   sphere    L = |a tangent| + arc + |b tangent|  in the plane of a, b and the centre
 ///   cylinder  L = sqrt(P^2 + dz^2), P the same in the plane across the axis
 /// An end inside the surface counts as lying on it, at the nearest point; `possible` is then false
