@@ -14,20 +14,23 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
   require(way >= 0 && way < kInfinity, "the way of an approach is {} m", way);
   ApproachResult result;
   result.X_WH = X_WH;
+  // A hand that starts inside something is not moved.
   PosedCollisionHand posed{hand, X_WH, hand.hand->pose(q)};
   result.overlaps = find_overlaps(posed, scene, options.accuracy);
   if (!result.overlaps.empty()) return result;
   const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
   std::vector<Clearance> clearances = scene_clearances(posed, scene);
 
-  // A pure translation: nothing moves faster than the hand.
+  // Conservative advancement of a pure translation: nothing moves faster than the hand.
   double gone = 0;
   for (int steps = 0; gone < way && steps < options.max_steps; ++steps) {
     double step = way - gone;
+    // The step ends before the nearest body could be touched.
     for (Clearance& clearance : clearances) {
       if (clearance.bound - options.accuracy / 2 >= step) continue;
       const SignedDistance found =
           measure_clearance(clearance, posed, options.accuracy / 4, step + 2 * options.accuracy);
+      // Measured: still clear, in contact, or sliding along.
       if (found.distance > options.accuracy) {
         step = std::min(step, clearance.bound - options.accuracy / 2);
       } else if (found.normal.dot(direction) < 0) {
@@ -40,6 +43,7 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
         step = std::min(step, options.accuracy / 4);  // slides along
       }
     }
+    // All bounds shrink by the step.
     gone += step;
     for (Clearance& clearance : clearances) clearance.bound -= step;
     posed.X_WH.p = result.X_WH.p = X_WH.p + gone * direction;
@@ -49,16 +53,17 @@ ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
 
 namespace {
 
-constexpr double kStep = 0.05;   // by reach [1]
-constexpr double kHeadOn = 0.2;  // sine of the least angle between normal and approach [1]
+constexpr double kStep = 0.05;   // in units of the object's radius [1]
+constexpr double kHeadOn = 0.2;  // smallest sine of the angle between normal and approach [1]
 
-/// Where the object pushes the surface that met it, across the approach; zero: nowhere. (3)
+/// Direction in which the object pushes the digit that met it, across the approach; zero: none. (3)
 Eigen::Vector3d push_across(const CollisionHand& hand, const Eigen::VectorXd& q, const Scene& scene,
                             const ApproachResult& met, double accuracy) {
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
   if (!met.touches || met.body != scene.object.name) return Eigen::Vector3d::Zero();
   const PosedCollisionHand posed{hand, met.X_WH, hand.hand->pose(q)};
   const Eigen::Vector3d d = met.X_WH.R * hand.hand->layout().approach.direction;
+  // Only a digit gives way; its contact normal tells the direction.
   for (int s = 0; s < static_cast<int>(surfaces.size()); ++s) {
     if (surfaces[s].name != met.surface || surfaces[s].digit.empty()) continue;
     Clearance clearance{s, -1, &scene.object};
@@ -79,6 +84,7 @@ ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& 
   ApproachResult met = approach(hand, X_WH, q, scene, way, options);
   const Eigen::Vector3d d = X_WH.R * hand.hand->layout().approach.direction;
   const double step = kStep * scene.object.reach;
+  // Step aside, and approach again by the distance that is left.
   for (double given = step; given <= most; given += step) {
     const Eigen::Vector3d across = push_across(hand, q, scene, met, options.accuracy);
     if (across.isZero(0)) break;

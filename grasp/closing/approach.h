@@ -1,6 +1,6 @@
 #pragma once
 
-/// Going at an object along the palm.
+/// Approach of a hand to an object along the direction of its palm.
 
 #include <string>
 #include <vector>
@@ -9,30 +9,29 @@
 
 namespace thenar {
 
+/// Result of approach().
 struct [[nodiscard]] ApproachResult {
-  Pose<double> X_WH;              // where the hand came to
-  bool touches = false;           // false: it went all the way and met nothing
-  std::string surface, body;      // that met first
-  double clearance = 0;           // between them [m]
+  Pose<double> X_WH;              // final pose of the hand
+  bool touches = false;           // false: it moved the whole distance and met nothing
+  std::string surface, body;      // first contact: surface of the hand, body of the scene
+  double clearance = 0;           // between these two [m]
   std::vector<Overlap> overlaps;  // at the start; not empty: it was not moved
 };
 
 /// Moves the hand along its approach direction until a link is within `accuracy` of the object or
-/// of an obstacle and would go into it, by conservative advancement as in close_hand().
-/// @param way  farthest it may go [m]
+/// an obstacle and would go into it, by conservative advancement as in close_hand().
+/// @param way  largest distance to move [m]
 /// @throws InputError as close_hand() does.
 ApproachResult approach(const CollisionHand& hand, const Pose<double>& X_WH,
                         const Eigen::VectorXd& q, const Scene& scene, double way,
                         const CloseOptions& options = {});
 
-// Going at an object that a finger meets before the palm does.
-
-/// approach(), but where a digit meets the object the hand gives way and goes on: by steps of a
-/// twentieth of the object's reach across the approach d, to where the digit is pushed by the
-/// normal n of the contact, n - (n'd) d. It ends where the palm or an obstacle is met, where a
-/// digit meets the object head-on (|n - (n'd) d| < 0.2), where another step would go into
-/// something, or when it has given way by `most`.
-/// @param most  farthest it gives way [m]; 0: as approach()
+/// approach() that lets digits give way. Where a digit meets the object, the hand steps aside, by a
+/// twentieth of the object's radius across the approach direction d, along n - (n'd) d with the
+/// normal n of the contact, and goes on. It ends where the palm or an obstacle is met, where a
+/// digit meets the object head-on (|n - (n'd) d| < 0.2), where another step would overlap
+/// something, or after steps of `most` in all.
+/// @param most  largest distance of giving way [m]; 0: as approach()
 /// @throws InputError as approach(), or if `most` is negative.
 ApproachResult yielding_approach(const CollisionHand& hand, const Pose<double>& X_WH,
                                  const Eigen::VectorXd& q, const Scene& scene, double way,

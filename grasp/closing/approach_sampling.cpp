@@ -12,13 +12,12 @@
 namespace thenar {
 namespace {
 
-constexpr double kClear = 1e-3;  // left between hand and object at the start [m]
-constexpr double kOff = 0.1;     // farthest from the centre, by reach [1]
-constexpr double kOffAny = 0.5;  // the same of approaches from anywhere [1]
+constexpr double kClear = 1e-3;  // clearance between hand and object at the start [m]
+constexpr double kOff = 0.1;     // largest offset of the aim from the centre, by the radius [1]
+constexpr double kOffAny = 0.5;  // the same for approaches from anywhere [1]
+constexpr int kPreshapes = 4;    // one in so many approaches begins with the open hand
 
-constexpr int kPreshapes = 4;  // of so many approaches one begins open
-
-/// What every approach draws, in [0, 1).
+/// Random numbers of one approach, in [0, 1).
 struct StartDraws {
   double kind, side, half_turn;
   std::array<double, 3> turn, aim;
@@ -30,7 +29,7 @@ StartDraws draw(std::mt19937& random) {
   return {u[0], u[1], u[2], {u[3], u[4], u[5]}, {u[6], u[7], u[8]}};
 }
 
-/// Uniform on the sphere, by the first two.
+/// Uniform on the unit sphere, by the first two numbers. (3)
 Eigen::Vector3d on_sphere(const std::array<double, 3>& u) {
   const double z = 2 * u[0] - 1, turn = 2 * kPi * u[1];
   const double r = std::sqrt(1 - z * z);
@@ -39,7 +38,7 @@ Eigen::Vector3d on_sphere(const std::array<double, 3>& u) {
 
 Eigen::Vector3d in_ball(const std::array<double, 3>& u) { return on_sphere(u) * std::cbrt(u[2]); }
 
-/// Turns a to A and the direction b across it to B, likewise across A.
+/// Rotation that turns a to A, and the direction b across a to B across A.
 Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                         const Eigen::Vector3d& A, const Eigen::Vector3d& B) {
   Eigen::Matrix3d from, to;
@@ -48,31 +47,34 @@ Eigen::Matrix3d turn_to(const Eigen::Vector3d& a, const Eigen::Vector3d& b,
   return to * from.transpose();
 }
 
-/// R_WH of an approach along the object's axes.
+/// Orientation R_WH of an approach along an axis of the object's box.
 Eigen::Matrix3d along_axes(const CollisionHand& hand, const Eigen::VectorXd& q,
                            const SceneBody& object, const StartDraws& u) {
+  // Side of the box from which the hand comes.
   const Eigen::Matrix3d axes = object.X_WB.R * object.box.axes;
   const int side = std::min(5, static_cast<int>(6 * u.side));
   const int from = side / 2, shorter = from == 2 ? 1 : 2;
   const Eigen::Vector3d towards = (side % 2 == 0 ? 1.0 : -1.0) * axes.col(from);
+  // The hand closes across the shorter of the other two axes.
   const Eigen::Vector3d across = (u.half_turn < 0.5 ? 1.0 : -1.0) * axes.col(shorter);
   const Eigen::Vector3d closing = fingertip_paths(*hand.hand, q).axis;
   return turn_to(hand.hand->layout().approach.direction, closing, towards, across);
 }
 
-/// R_WH of an approach from anywhere.
+/// Orientation R_WH of an approach from any direction.
 Eigen::Matrix3d any(const CollisionHand& hand, const StartDraws& u) {
   const Eigen::Vector3d towards = on_sphere(u.turn), &d = hand.hand->layout().approach.direction;
   return rotation_about<double>(towards, 2 * kPi * u.turn[2]) *
          turn_to(d, tangents(d).e1, towards, tangents(towards).e1);
 }
 
-/// How far any surface is from the point of approach [m].
+/// Largest distance of any surface from the point of approach [m].
 double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
   const PalmApproach& approach = hand.hand->layout().approach;
   const std::vector<Pose<double>> links = hand.hand->pose(q);
   double reach = 0;
   for (std::size_t s = 0; s < hand.touch.size(); ++s) {
+    // The bounding ball of each surface, on its link.
     const Ball& ball = hand.touch[s].nodes[0].ball;
     const int link = hand.hand->surfaces()[s].link;
     const Eigen::Vector3d c = link < 0 ? ball.c : links[link] * ball.c;
@@ -81,7 +83,7 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
   return reach;
 }
 
-/// From the point of approach at the start to its aim [m].
+/// Distance from the point of approach at the start to its aim [m].
 double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const SceneBody& object) {
   return (1 + kOffAny) * object.reach + hand_reach(hand, q) + kClear;
 }
@@ -91,10 +93,12 @@ double far_off(const CollisionHand& hand, const Eigen::VectorXd& q, const SceneB
 Pose<double> sample_approach_pose(const CollisionHand& hand, const Eigen::VectorXd& q,
                                   const SceneBody& object, std::mt19937& random) {
   const StartDraws u = draw(random);
+  // Half of all approaches come along an axis of the box.
   const bool axes = u.kind < 0.5;
   const PalmApproach& approach = hand.hand->layout().approach;
   Pose<double> X_WH;
   X_WH.R = axes ? along_axes(hand, q, object, u) : any(hand, u);
+  // The palm looks at a random point near the centre, from a clear distance.
   const Eigen::Vector3d aim =
       object.X_WB * object.com + (axes ? kOff : kOffAny) * object.reach * in_ball(u.aim);
   X_WH.p = aim - X_WH.R * (approach.point + far_off(hand, q, object) * approach.direction);
@@ -112,10 +116,12 @@ double sample_stand_off(std::mt19937& random) {
 
 Eigen::VectorXd sample_preshape(const CollisionHand& hand, int number, std::mt19937& random) {
   const HandLayout& layout = hand.hand->layout();
+  // Every fourth approach begins with the open hand.
   Eigen::VectorXd q = open_posture(hand.hand->layout());
   if (number % kPreshapes == 0) return q;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
+  // Undriven coordinates are random, unless they move all digits alike, like a wrist.
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     bool all = true;
     for (std::size_t s = 0; s < surfaces.size(); ++s)

@@ -5,7 +5,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kRelative = 0.2;  // error of a clearance: far ones are asked for again anyway [1]
+constexpr double kRelative = 0.2;  // error of a clearance: far ones are measured again anyway [1]
 
 const LinkSurface& surface_of(const PosedCollisionHand& posed, int surface) {
   return posed.touching.hand->surfaces()[surface];
@@ -20,6 +20,7 @@ Pose<double> PosedCollisionHand::of_surface(int surface) const {
 
 SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand& posed,
                                  double tolerance, double cutoff) {
+  // A fifth of the distance is enough where it is large.
   SignedDistanceOptions options;
   options.tolerance = tolerance;
   options.relative = kRelative;
@@ -27,12 +28,13 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
   options.start = clearance.nearest;
   const CollisionTree& touch = posed.touching.touch[clearance.surface];
   const Pose<double> X = posed.of_surface(clearance.surface);
+  // Against a body of the scene, or against another surface of the hand.
   const SignedDistance found =
       clearance.body != nullptr
           ? signed_distance(touch, X, clearance.body->solid, clearance.body->X_WB, options)
           : signed_distance(touch, X, *surface_of(posed, clearance.other).solid,
                             posed.of_surface(clearance.other), options);
-  // A bound itself has an infinite error; a distance beyond the cutoff may be less exact than that.
+  // An infinite error marks a bound; a distance beyond the cutoff may be inexact.
   clearance.bound = std::isfinite(found.error) ? found.distance - found.error : found.distance;
   clearance.nearest = found.triangle;
   return found;
@@ -41,6 +43,7 @@ SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand&
 double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed) {
   const Ball& ball = posed.touching.touch[clearance.surface].nodes[0].ball;
   const Eigen::Vector3d c = posed.of_surface(clearance.surface) * ball.c;
+  // Two balls, or a ball against the distance field of the body.
   if (clearance.body == nullptr) {
     const Ball& other = posed.touching.touch[clearance.other].nodes[0].ball;
     return (c - posed.of_surface(clearance.other) * other.c).norm() - ball.r - other.r;
@@ -55,6 +58,7 @@ std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const S
     clearances.push_back({surface, -1, &body});
     clearances.back().bound = ball_bound(clearances.back(), posed);
   };
+  // Every surface against the object and every obstacle.
   for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
     add(s, scene.object);
     for (const SceneBody& obstacle : scene.obstacles) add(s, obstacle);
@@ -65,6 +69,7 @@ std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed, const S
 SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy) {
   SelfClearances self;
   for (const SurfacePair& pair : posed.touching.self) {
+    // Ball bounds first, exact distances only where these are not enough.
     Clearance clearance{pair.a, pair.b};
     clearance.yield = pair.yield;
     clearance.stick = pair.stick;
@@ -72,6 +77,7 @@ SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy)
     double distance = clearance.bound;
     if (clearance.margin() <= accuracy)
       distance = measure_clearance(clearance, posed, accuracy / 4, 100 * accuracy).distance;
+    // Clear pairs are watched; overlapping ones cannot stop each other.
     if (clearance.margin() > accuracy)
       self.clearances.push_back(clearance);
     else if (distance + clearance.yield < 0)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Lower bounds of the clearances between everything that may meet while a hand moves.
+/// Clearances between everything that may meet while a hand moves, bounded from below.
 
 #include <string>
 #include <vector>
@@ -13,57 +13,58 @@
 
 namespace thenar {
 
-/// A surface of the hand and what it may meet.
+/// Clearance of a surface of the hand from another surface or a body; `body` must outlive it.
 struct Clearance {
   int surface;                      // of Hand::surfaces()
   int other = -1;                   // another surface; -1: `body`
-  const SceneBody* body = nullptr;  // null: `other`
-  double bound = 0;                 // the clearance is at least this [m]
-  int nearest = -1;                 // triangle of the surface that was nearest; -1: unknown
-  double yield = 0;                 // they touch when they are this deep in each other [m]
+  const SceneBody* body = nullptr;  // null: against `other`
+  double bound = 0;                 // lower bound of the clearance [m]
+  int nearest = -1;                 // nearest triangle of the surface; -1: unknown
+  double yield = 0;                 // overlap at which the two touch: depth of soft layers [m]
   double stick = 0;                 // SurfacePair::stick
 
-  /// What is left until they touch, at least [m].
+  /// Lower bound of the distance until contact [m].
   [[nodiscard]] double margin() const { return bound + yield; }
 };
 
-/// A posed hand.
+/// A hand in a posture. The collision hand must outlive it.
 struct PosedCollisionHand {
   const CollisionHand& touching;
   Pose<double> X_WH;
-  std::vector<Pose<double>> links;  // displacements, as Hand::pose() gives them
+  std::vector<Pose<double>> links;  // displacements from the reference posture, as Hand::pose()
 
-  /// From a surface's points at the reference posture to the world.
+  /// Displacement of a surface from the reference posture to the world.
   [[nodiscard]] Pose<double> of_surface(int surface) const;
 };
 
-/// Measures a clearance at a pose, to a fifth of it or to the tolerance, and notes its bound.
+/// Measures a clearance, to a fifth of it or to the tolerance, and updates its bound.
 /// @param tolerance, cutoff  as of signed_distance() [m]
 SignedDistance measure_clearance(Clearance& clearance, const PosedCollisionHand& posed,
                                  double tolerance, double cutoff);
 
-/// A bound from one distance, by the balls around the surfaces [m].
+/// Lower bound of a clearance by the balls around the surfaces: one distance evaluation [m].
 [[nodiscard]] double ball_bound(const Clearance& clearance, const PosedCollisionHand& posed);
 
-/// Every surface with every body of the scene, bounded by balls.
+/// Clearances of every surface from every body of the scene, bounded by balls.
 [[nodiscard]] std::vector<Clearance> scene_clearances(const PosedCollisionHand& posed,
                                                       const Scene& scene);
 
-/// Two things that are in each other.
+/// Two things that overlap.
 struct Overlap {
   std::string surface;
   std::string other;
   double depth;  // [m]
 };
 
-/// Surfaces of a hand that may meet.
+/// Pairs of surfaces of a hand that may meet.
 struct SelfClearances {
-  std::vector<Clearance> clearances;  // bounded from below, with margin left
-  std::vector<Overlap> overlaps;      // of the others, those deeper in each other than they yield
+  std::vector<Clearance> clearances;  // with a margin left
+  std::vector<Overlap> overlaps;      // of the other pairs, those deeper than they yield
 };
+/// Clearances between the surfaces of a hand. @param accuracy  of contact [m]
 [[nodiscard]] SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy);
 
-/// Which surfaces are in bodies of the scene.
+/// Overlaps of surfaces with bodies of the scene. @param accuracy  of the depths [m]
 [[nodiscard]] std::vector<Overlap> find_overlaps(const PosedCollisionHand& posed,
                                                  const Scene& scene, double accuracy);
 

@@ -11,14 +11,15 @@
 namespace thenar {
 namespace {
 
-constexpr double kSoftWay = 1e-3;  // between two looks at soft links that slide [m]
+constexpr double kSoftWay = 1e-3;  // distance between two checks of soft links that slide [m]
 
-/// Speed and turn of one thing as seen from another.
+/// Linear and angular speed of one thing relative to another.
 struct RelativeSpeed {
   double speed = 0;  // [m/s]
   double turn = 0;   // [rad/s]
 };
 
+/// Closes a hand by conservative advancement.
 class Closing {
  public:
   Closing(const CollisionHand& touching, const Pose<double>& X_WH, const Eigen::VectorXd& q,
@@ -31,6 +32,7 @@ class Closing {
         q_(q),
         clearances_(scene_clearances(posed_, scene)),
         speeds_(touching.touch.size()) {
+    // Links that may stop each other.
     if (!options.self) return;
     SelfClearances self = self_clearances(posed_, options.accuracy);
     clearances_.insert(clearances_.end(), self.clearances.begin(), self.clearances.end());
@@ -48,10 +50,11 @@ class Closing {
   }
 
  private:
-  /// Asks for rates at the start, after a stop, and after some way.
+  /// Updates given rates at the start, after a stop, and after the refresh distance.
   void follow_rates() {
     if (!options_.rates) return;
     const Eigen::Array<bool, Eigen::Dynamic, 1> free = drives_.free();
+    // Nothing was stopped and little has moved: keep the rates.
     const bool same = followed_.size() == q_.size() && (free == free_).all();
     if (same && (q_ - followed_).lpNorm<Eigen::Infinity>() < 0.999 * options_.refresh) return;
     drives_.follow(options_.rates(q_, free));
@@ -59,7 +62,7 @@ class Closing {
     free_ = free;
   }
 
-  /// Until rates are to be asked for again.
+  /// Time until rates have to be updated [s].
   double time_to_refresh() const {
     if (!options_.rates) return kInfinity;
     double time = kInfinity;
@@ -77,7 +80,7 @@ class Closing {
                                  touching_.touch[s].nodes[0].ball);
   }
 
-  /// What moves both things moves neither on the other.
+  /// Sum of the speeds of coordinates that move one of the two things and not the other.
   RelativeSpeed relative_speed(const Clearance& clearance) const {
     RelativeSpeed sum;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
@@ -91,10 +94,11 @@ class Closing {
     return sum;
   }
 
-  /// One step, as long as all clearances allow, or the stop of whatever has met.
+  /// One step, as long as all clearances allow, or the stop of coordinates that caused a contact.
   void advance() {
     find_speeds();
     double time = std::min(time_to_limits(), time_to_refresh());
+    // Only clearances that the step might use up are measured.
     for (Clearance& clearance : clearances_) {
       const RelativeSpeed relative = relative_speed(clearance);
       if (relative.speed == 0 || safe(relative, clearance) >= time) continue;
@@ -102,6 +106,7 @@ class Closing {
       const SignedDistance found =
           measure_clearance(clearance, posed_, options_.accuracy / 4, way + 2 * options_.accuracy);
       ++queries_;
+      // In contact: stop what presses, or let it slide on; otherwise the new bound limits the step.
       if (found.distance + clearance.yield <= options_.accuracy) {
         if (stop(clearance, found)) return;
         time = std::min(time, slide(clearance) / relative.speed);
@@ -117,12 +122,12 @@ class Closing {
                      std::max(0.0, clearance.margin() - options_.accuracy / 2));
   }
 
-  /// Way until two things that slide along each other are looked at again [m].
+  /// Distance until two things that slide along each other are checked again [m].
   double slide(const Clearance& clearance) const {
     return clearance.stick > 0 ? kSoftWay : options_.accuracy / 4;
   }
 
-  /// A time by which no clearance is asked for more than the hand can cross.
+  /// A finite time, in which a coordinate moves no farther than a metre [s].
   static double finite(double time, const RelativeSpeed& relative) {
     return std::min(time, safe_time(relative.speed, relative.turn, 1.0));
   }
@@ -140,12 +145,15 @@ class Closing {
     return drives_.rates()[j] > 0 ? hand_.layout().upper[j] : hand_.layout().lower[j];
   }
 
+  /// Moves all coordinates, and stops those that reach their limits.
   void move(double time) {
+    // Bounds shrink by the longest distance a point can move.
     for (Clearance& clearance : clearances_) {
       const RelativeSpeed relative = relative_speed(clearance);
       clearance.bound -= longest_way(relative.speed, relative.turn, time);
     }
     const Eigen::VectorXd rates = drives_.rates();
+    // Coordinates move at their rates, up to their limits.
     std::vector<int> at_limit;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       if (rates[j] == 0) continue;
@@ -157,8 +165,8 @@ class Closing {
     for (const int j : at_limit) drives_.stop(j, StoppedBy::kLimit);
   }
 
-  /// Of a point of a surface by each coordinate, of those that do not move the other surface as
-  /// well. (3, coordinates)
+  /// Velocity of a point of a surface by each coordinate that does not move the other surface, too.
+  /// [m/s] (3, coordinates)
   Eigen::Matrix3Xd velocities(int surface, int other, const Eigen::Vector3d& at_W) const {
     const int link = hand_.surfaces()[surface].link;
     if (link < 0) return Eigen::Matrix3Xd::Zero(3, q_.size());
@@ -170,14 +178,18 @@ class Closing {
     return v;
   }
 
-  /// Stops what goes into the other, if anything does: of soft links each that sticks to the other,
-  /// of others all that moves them on each other.
+  /// Stops the coordinates that press two things together: for soft links each that sticks to the
+  /// other, for others all that move the two relative to each other. @returns whether it stopped
+  /// any
   bool stop(const Clearance& clearance, const SignedDistance& found) {
+    // Velocities of both contact points.
     const Eigen::Matrix3Xd a = velocities(clearance.surface, clearance.other, found.on_a);
     Eigen::Matrix3Xd b = Eigen::Matrix3Xd::Zero(3, q_.size());
     if (clearance.body == nullptr) b = velocities(clearance.other, clearance.surface, found.on_b);
+    // Closing speed by each coordinate; parting things are not stopped.
     const Eigen::VectorXd into = (b - a).transpose() * found.normal;  // [m/s] (coordinates)
     if (into.sum() <= 0) return false;
+    // Soft links slide unless they stick.
     const bool sticks[] = {sticks_to(-a, found.normal, into.sum(), clearance.stick),
                            sticks_to(b, found.normal, into.sum(), clearance.stick)};
     bool stopped = false;
@@ -192,8 +204,8 @@ class Closing {
     return stopped;
   }
 
-  /// Whether a link goes into another within the cone of friction, and no slower than it follows
-  /// where that one gives way. @param closing  how fast the two come together [m/s]
+  /// Whether a link goes into another within the friction cone, and faster than that gives way.
+  /// @param closing  speed at which the two come together [m/s]
   static bool sticks_to(const Eigen::Matrix3Xd& velocities, const Eigen::Vector3d& inwards,
                         double closing, double stick) {
     const Eigen::Vector3d v = velocities.rowwise().sum();
@@ -229,6 +241,7 @@ void require_start(const Hand& hand, const Eigen::VectorXd& q) {
 ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                       const Scene& scene, const CloseOptions& options) {
   require_start(*hand.hand, q);
+  // Overlaps at the start leave nothing to close.
   std::vector<Overlap> overlaps =
       find_overlaps({hand, X_WH, hand.hand->pose(q)}, scene, options.accuracy);
   if (overlaps.empty()) return Closing(hand, X_WH, q, scene, options).run();
@@ -241,7 +254,7 @@ ClosedHand close_hand(const CollisionHand& hand, const Pose<double>& X_WH, const
 
 namespace {
 
-constexpr double kLongestTurn = 1.5;  // e^x - 1 <= x + x^2 up to 1.79 [rad]
+constexpr double kLongestTurn = 1.5;  // e^x - 1 <= x + x^2 up to x = 1.79 [rad]
 
 }  // namespace
 
@@ -249,6 +262,7 @@ SurfaceSpeed surface_speed(const Hand& hand, const Eigen::VectorXd& q, const Eig
                            int surface, const Ball& ball) {
   const int link = hand.surfaces()[surface].link;
   if (link < 0) return {Eigen::VectorXd::Zero(q.size()), Eigen::VectorXd::Zero(q.size())};
+  // The centre of the ball by the Jacobian; its rim moves faster by radius times angular speed.
   const auto J = hand.jacobian(q, link, ball.c);
   const Eigen::VectorXd rate = q_dot.cwiseAbs();
   const Eigen::VectorXd turn = J.topRows<3>().colwise().norm().transpose().cwiseProduct(rate);
@@ -258,7 +272,7 @@ SurfaceSpeed surface_speed(const Hand& hand, const Eigen::VectorXd& q, const Eig
 
 double safe_time(double speed, double turn, double clearance) {
   if (speed <= 0) return std::numeric_limits<double>::infinity();
-  // speed turn t^2 + speed t = clearance, in a form that does not cancel.
+  // Root of  speed turn t^2 + speed t = clearance,  in a form without cancellation.
   const double time = 2 * clearance / speed / (1 + std::sqrt(1 + 4 * turn * clearance / speed));
   return turn > 0 ? std::min(time, kLongestTurn / turn) : time;
 }

@@ -11,6 +11,7 @@ namespace {
 std::vector<Drive> drives_of(const HandLayout& layout) {
   if (!layout.drives.empty()) return layout.drives;
   std::vector<Drive> drives;
+  // Without drives every coordinate closes by itself.
   for (std::size_t i = 0; i < layout.coordinates.size(); ++i)
     drives.push_back(
         {layout.coordinates[i], DriveCoupling::kRigid, {{static_cast<int>(i), 1}}, /*speed=*/1, 0});
@@ -40,6 +41,7 @@ ClosingDrives::ClosingDrives(const HandLayout& layout)
       rates_(Eigen::VectorXd::Zero(layout.lower.size())),
       stopped_(layout.coordinates.size(), StoppedBy::kNoDrive) {
   for (const Drive& drive : drives_)
+    // Rates by drive speed; only these coordinates count as free.
     for (const DrivenCoordinate& driven : drive.moves) {
       const double rate = drive.speed * driven.ratio;
       rates_[driven.coordinate] = rate;
@@ -68,12 +70,13 @@ void ClosingDrives::halt(int coordinate, StoppedBy why) {
 void ClosingDrives::stop(int coordinate, StoppedBy why) {
   halt(coordinate, why);
   for (const Drive& drive : drives_) {
+    // A compliant coupling stops nothing; others stop what gears or clutch connect.
     if (drive.coupled == DriveCoupling::kCompliant) continue;
     const auto at =
         std::find_if(drive.moves.begin(), drive.moves.end(),
                      [&](const DrivenCoordinate& d) { return d.coordinate == coordinate; });
     if (at == drive.moves.end()) continue;
-    // A clutch lets go of what is further out; gears hold everything.
+    // A clutch releases what is farther out; gears stop everything.
     const auto end = drive.coupled == DriveCoupling::kRigid ? drive.moves.end() : at;
     for (auto d = drive.moves.begin(); d != end; ++d) halt(d->coordinate, StoppedBy::kCoupling);
   }
@@ -82,6 +85,7 @@ void ClosingDrives::stop(int coordinate, StoppedBy why) {
 double time_to_limits(const HandLayout& layout, const Eigen::VectorXd& q,
                       const Eigen::VectorXd& rates) {
   double time = 0;
+  // The slowest coordinate counts.
   for (Eigen::Index j = 0; j < q.size(); ++j) {
     const double limit = rates[j] > 0 ? layout.upper[j] : layout.lower[j];
     if (rates[j] != 0) time = std::max(time, (limit - q[j]) / rates[j]);
@@ -90,6 +94,7 @@ double time_to_limits(const HandLayout& layout, const Eigen::VectorXd& q,
 }
 
 Eigen::VectorXd open_posture(const HandLayout& layout) {
+  // The stated open posture, or the limit from which each drive comes.
   if (layout.open.size() > 0) return layout.open;
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   Eigen::VectorXd q = layout.lower.cwiseMax(0).cwiseMin(layout.upper);

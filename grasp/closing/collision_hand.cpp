@@ -16,6 +16,7 @@ MovedBy moved_by(const Hand& hand) {
   const HandLayout& layout = hand.layout();
   const Eigen::VectorXd q = (layout.lower + layout.upper) / 2;
   const Eigen::Vector3d somewhere(0.1, 0.2, 0.3);  // off every likely axis [m]
+  // A coordinate moves a surface if its Jacobian column is not zero.
   MovedBy moves(hand.surfaces().size(), q.size());
   for (Eigen::Index s = 0; s < moves.rows(); ++s) {
     const int link = hand.surfaces()[s].link;
@@ -25,7 +26,7 @@ MovedBy moved_by(const Hand& hand) {
   return moves;
 }
 
-/// The nearest link towards the base, itself included, that carries a surface; -1: the base.
+/// The nearest link towards the base, itself included, that has a surface; -1: the base.
 int carrier(const Hand& hand, int link) {
   const auto carries = [&](int l) {
     return std::any_of(hand.surfaces().begin(), hand.surfaces().end(),
@@ -35,14 +36,14 @@ int carrier(const Hand& hand, int link) {
   return link;
 }
 
-/// Whether b is a, or carries it at most `steps` surfaces further out.
+/// Whether b is a, or carries a at most `steps` surfaces farther out.
 bool carries(const Hand& hand, int a, int b, int steps) {
   for (; a != b && a >= 0 && steps > 0; --steps) a = carrier(hand, hand.layout().parents[a]);
   return a == b;
 }
 
-/// Angular velocity of a link in closing, by the coordinates that move it and not the other, with
-/// drives at their speeds in the middle of their ranges [rad/s] (3).
+/// Angular velocity of a link in closing, by coordinates that move it and not the other, with
+/// drives at their speeds and joints in the middle of their ranges [rad/s] (3).
 Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, int other) {
   const HandLayout& layout = hand.layout();
   const int link = hand.surfaces()[surface].link;
@@ -54,21 +55,23 @@ Eigen::Vector3d own_turn(const Hand& hand, const MovedBy& moves, int surface, in
   return hand.jacobian(q, link, Eigen::Vector3d::Zero()).topRows<3>() * rates;
 }
 
-/// Whether two links curl the same way.
+/// Whether two links curl in the same direction.
 bool curl_alongside(const Hand& hand, const MovedBy& moves, int a, int b) {
   const Eigen::Vector3d one = own_turn(hand, moves, a, b), other = own_turn(hand, moves, b, a);
   return one.dot(other) > kAlongside * one.norm() * other.norm();
 }
 
-/// Absent: these never meet.
+/// The pair of two surfaces; nothing if they never meet.
 std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
                                    const Materials& materials, int a, int b) {
   const LinkSurface &first = hand.surfaces()[a], &second = hand.surfaces()[b];
+  // Two soft links fold over each other across one more joint.
   const double layers[] = {soft_layer(first, materials), soft_layer(second, materials)};
   const int steps = layers[0] > 0 && layers[1] > 0 ? 2 : 1;
   if (carries(hand, first.link, second.link, steps) ||
       carries(hand, second.link, first.link, steps))
     return std::nullopt;
+  // Soft pairs yield by both layers, and stick within the friction cone.
   SurfacePair pair{a, b, layers[0] + layers[1]};
   if (steps > 1) {
     if (curl_alongside(hand, moves, a, b)) return std::nullopt;
@@ -90,6 +93,7 @@ CollisionHand collision_hand(const Hand& hand, const Materials& materials) {
   const std::vector<LinkSurface>& surfaces = hand.surfaces();
   require(!surfaces.empty(), "the hand has no surface that could touch");
   CollisionHand built{&hand, {}, moved_by(hand), {}};
+  // A tree of triangles for each surface, and the pairs that may meet.
   for (const LinkSurface& surface : surfaces) built.touch.push_back(collision_tree(*surface.solid));
   for (int a = 0; a < static_cast<int>(surfaces.size()); ++a)
     for (int b = 0; b < a; ++b)

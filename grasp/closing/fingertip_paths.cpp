@@ -10,15 +10,14 @@
 namespace thenar {
 namespace {
 
-constexpr int kTimes = 20;
-
-/// Until the last coordinate is at its limit [s].
+constexpr int kTimes = 20;  // intervals of closing
 }  // namespace
 
 Eigen::Matrix3Xd fingertip_positions(const Hand& hand, const Eigen::VectorXd& q) {
   const std::vector<HandTip>& tips = hand.layout().tip_points;
   const std::vector<Pose<double>> links = hand.pose(q);
   Eigen::Matrix3Xd at(3, static_cast<Eigen::Index>(tips.size()));
+  // Each tip on its link; tips on the base do not move.
   for (Eigen::Index t = 0; t < at.cols(); ++t) {
     const HandTip& tip = tips[static_cast<std::size_t>(t)];
     at.col(t) = tip.link < 0 ? tip.p : links[static_cast<std::size_t>(tip.link)] * tip.p;
@@ -30,6 +29,7 @@ FingertipPaths fingertip_paths(const Hand& hand, const Eigen::VectorXd& q) {
   const HandLayout& layout = hand.layout();
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const double whole = time_to_limits(layout, q, rates);
+  // Positions at equal times; coordinates stay at their limits.
   FingertipPaths ways;
   for (int i = 0; i <= kTimes; ++i)
     ways.tips.push_back(fingertip_positions(
@@ -40,10 +40,12 @@ FingertipPaths fingertip_paths(const Hand& hand, const Eigen::VectorXd& q) {
 
 Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
                              const Eigen::Vector3d& approach) {
+  // Motion of the tips in the first half of closing, across the approach.
   const Tangents across = tangents(approach);
   Eigen::Matrix<double, 2, 3> plane;
   plane << across.e1.transpose(), across.e2.transpose();
   const Eigen::Matrix2Xd way = plane * (tips[tips.size() / 2] - tips.front());
+  // Main direction of these motions.
   const Eigen::Matrix2d spread = way * way.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(spread);
   return (plane.transpose() * axes.eigenvectors().col(1)).normalized();
@@ -51,6 +53,7 @@ Eigen::Vector3d closing_axis(const std::vector<Eigen::Matrix3Xd>& tips,
 
 double tips_ahead(const FingertipPaths& ways, const PalmApproach& approach, double width) {
   double least = kInfinity, ahead = -kInfinity;
+  // The tips come together until they are as near as the width.
   for (const Eigen::Matrix3Xd& tips : ways.tips) {
     if (tips.cols() == 0) continue;
     const Eigen::RowVectorXd along = ways.axis.transpose() * tips;

@@ -8,7 +8,8 @@
 namespace thenar {
 namespace {
 
-/// Back from the object by the share of its room that it has come.
+/// Moves the hand back from the object, by a share of max_stand_off() and at most as far as it
+/// came.
 void stand_off(ApproachResult& approached, const CollisionHand& hand, const Pose<double>& X_WH,
                const Eigen::VectorXd& q, const SceneBody& object, double share) {
   const Eigen::Vector3d direction = X_WH.R * hand.hand->layout().approach.direction;
@@ -23,6 +24,7 @@ ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X
   ApproachResult approached;
   approached.X_WH = X_WH;
   if (options.way <= 0) return approached;
+  // Digits that meet the object give way.
   approached = yielding_approach(hand, X_WH, q, scene, options.way,
                                  options.side_step * scene.object.reach, options.close);
   if (options.stand_off > 0 && approached.touches && approached.body == scene.object.name)
@@ -30,7 +32,7 @@ ApproachResult approach_or_stay(const CollisionHand& hand, const Pose<double>& X
   return approached;
 }
 
-/// Why there is nothing to close on; kGrasped: there is.
+/// Outcome of the approach; kGrasped: the hand may close.
 GraspOutcome judge(const ApproachResult& approached, double way) {
   if (!approached.overlaps.empty()) return GraspOutcome::kOverlaps;
   return way <= 0 || approached.touches ? GraspOutcome::kGrasped : GraspOutcome::kMissed;
@@ -41,13 +43,13 @@ GraspOutcome judge(const ClosedHand& closed) {
   return closed.finished ? GraspOutcome::kGrasped : GraspOutcome::kTooLong;
 }
 
-/// What it means that a closed hand touches nothing.
+/// Outcome of a closed hand that touches nothing.
 GraspOutcome judge_empty(const ApproachResult& approached, const Scene& scene) {
   const bool blocked = approached.touches && approached.body != scene.object.name;
   return blocked ? GraspOutcome::kBlocked : GraspOutcome::kEmpty;
 }
 
-/// Fills in the torsion of every contact of a patch with the object.
+/// Sets the torsion of every contact of a patch with the object.
 void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& scene,
             const PadOptions& pads) {
   const int surface = patch.contacts[0].surface;
@@ -59,13 +61,14 @@ void soften(ContactPatch& patch, const PosedCollisionHand& posed, const Scene& s
   for (HandContact& contact : patch.contacts) contact.contact.torsion = torsion;
 }
 
-/// Adds a patch, in place of all before of its link that it meets: a link of several parts has no
-/// more force in one place than a link of one.
+/// Adds a patch, merged with all patches of its link that it meets: a link of several parts has no
+/// more force in one place than a link of one part.
 void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const CollisionHand& hand,
                const ContactPatchOptions& options) {
   const auto link_of = [&](const ContactPatch& each) {
     return hand.hand->surfaces()[each.contacts[0].surface].link;
   };
+  // Only patches of different surfaces of one link can be parts of one.
   for (std::size_t i = 0; i < patches.size(); ++i) {
     if (patches[i].contacts[0].surface == patch.contacts[0].surface ||
         link_of(patches[i]) != link_of(patch))
@@ -101,9 +104,11 @@ std::string name_of(GraspOutcome outcome) {
 double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                      const SceneBody& object) {
   const PalmApproach& approach = hand.hand->layout().approach;
+  // Extent of the object along the closing axis.
   const FingertipPaths ways = fingertip_paths(*hand.hand, q);
   const Eigen::RowVectorXd along =
       (object.X_WB.R.transpose() * X_WH.R * ways.axis).transpose() * object.solid.picture.vertices;
+  // Distance of the object's centre ahead of the palm, and of the tips when they are that near.
   const Eigen::Vector3d centre = X_WH.inverse() * (object.X_WB * object.com) - approach.point;
   const double ahead = tips_ahead(ways, approach, along.maxCoeff() - along.minCoeff());
   return std::max(0.0, ahead - approach.direction.dot(centre));
@@ -112,6 +117,7 @@ double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH, const 
 std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Scene& scene,
                                        const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<ContactPatch> patches;
+  // Patches of every surface near the object, with the friction of both materials.
   for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
     Clearance clearance{s, -1, &scene.object};
     if (ball_bound(clearance, posed) > options.tolerance) continue;
@@ -125,6 +131,7 @@ std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Sc
       add_patch(patches, std::move(patch), posed.touching, options);
     }
   }
+  // Soft fingers have torsion.
   if (pads.contact != ContactModel::kHardPoint)
     for (ContactPatch& patch : patches) soften(patch, posed, scene, pads);
   return contacts_of(patches);
@@ -135,14 +142,17 @@ Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::Ve
   require(options.stand_off >= 0 && options.stand_off <= 1,
           "the stand-off of a grasp is a share of 0 .. 1, got {}", options.stand_off);
   Grasp done{};
+  // Approach.
   done.approached = approach_or_stay(hand, X_WH, q, scene, options);
   done.closed.q = q;
   done.outcome = judge(done.approached, options.way);
   if (done.outcome != GraspOutcome::kGrasped) return done;
+  // Close.
   done.closed = close_hand(hand, done.approached.X_WH, q, scene, options.close);
   done.outcome = judge(done.closed);
   if (done.outcome != GraspOutcome::kGrasped) return done;
 
+  // Contacts and their quality about the object's centre of mass.
   const PosedCollisionHand posed{hand, done.approached.X_WH, hand.hand->pose(done.closed.q)};
   done.contacts = find_contacts(posed, scene, options.patches, options.pads);
   if (done.contacts.empty()) done.outcome = judge_empty(done.approached, scene);

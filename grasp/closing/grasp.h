@@ -1,6 +1,6 @@
 #pragma once
 
-/// One grasp from start to quality.
+/// A whole grasp: approach, closing, contacts, quality.
 
 #include <string>
 #include <vector>
@@ -15,58 +15,61 @@
 
 namespace thenar {
 
+/// Settings of grasp().
 struct GraspOptions {
-  double way = 1;        // farthest approach [m]; 0: it begins where it is
-  double side_step = 1;  // farthest it gives way to the side, by the object's reach [1]
-  double stand_off = 0;  // share of max_stand_off() that the hand goes back before it closes [1]
+  double way = 1;        // largest distance of approach [m]; 0: closes where it is
+  double side_step = 1;  // largest distance of giving way, by the object's radius [1]
+  double stand_off = 0;  // share of max_stand_off() that the hand moves back before it closes [1]
   CloseOptions close;
   ContactPatchOptions patches;
   EpsilonOptions epsilon;
-  PadOptions pads;  // hard points unless it says soft fingers
+  PadOptions pads;  // hard points unless they say soft fingers
 };
 
-/// How far a grasp came.
+/// How far a grasp got.
 enum class GraspOutcome {
-  kGrasped,   // there are contacts: `quality` holds
-  kOverlaps,  // the hand began in something: approached.overlaps or closed.overlaps say in what
+  kGrasped,   // there are contacts, and `quality` holds
+  kOverlaps,  // the hand began in something: see approached.overlaps or closed.overlaps
   kMissed,    // the approach met nothing
   kBlocked,   // the approach met an obstacle first, and closing there touched nothing
-  kTooLong,   // closing did not end
-  kEmpty      // closed, and the object is not touched
+  kTooLong,   // closing exceeded its step limit
+  kEmpty      // the closed hand does not touch the object
 };
 
 /// "grasped", "overlaps", "missed", "blocked", "too long", "empty".
 [[nodiscard]] std::string name_of(GraspOutcome outcome);
 
+/// Result of grasp().
 struct [[nodiscard]] Grasp {
   GraspOutcome outcome;
   ApproachResult approached;
   ClosedHand closed;
-  std::vector<HandContact> contacts;  // object frame
-  Epsilon quality;                    // about the object's centre of mass, torques over its reach
+  std::vector<HandContact> contacts;  // in the object's frame
+  Epsilon quality;                    // about the centre of mass, torques over the object's radius
 };
 
-/// Where a posed hand touches the object, patch by patch, numbered in `Contact::patch`; friction
-/// from the materials of both, and torsion from their soft layers, if contacts are soft fingers
-/// (torsion_of()). Patches of one link that meet are one (joined()).
-/// @throws InputError if the scene has no friction for a pair of materials, or lacks one of them
-/// where contacts are soft.
+/// Finds the contacts of a posed hand with the object, patch by patch, numbered in
+/// `Contact::patch`, with the friction of both materials, and for soft fingers the torsion of their
+/// soft layers (torsion_of()). Patches of one link that meet are merged.
+/// @throws InputError if the scene has no friction for a pair of materials, or for soft fingers
+/// lacks a material.
 [[nodiscard]] std::vector<HandContact> find_contacts(const PosedCollisionHand& posed,
                                                      const Scene& scene,
                                                      const ContactPatchOptions& options = {},
                                                      const PadOptions& pads = {});
 
-/// How far a hand may go back so that its tips, where they are as far apart along the closing axis
-/// as the object is wide there, are still beyond the object's centre of mass:
+/// Largest stand-off at which the tips still close beyond the object's centre of mass: the tips
+/// count at the time at which they are as far apart along the closing axis as the object is wide
+/// there.
 ///   max(0, tips_ahead() - d'(com - point of approach)),  d the direction of approach [m].
 /// @param q  posture of the approach (coordinates)
 [[nodiscard]] double max_stand_off(const CollisionHand& hand, const Pose<double>& X_WH,
                                    const Eigen::VectorXd& q, const SceneBody& object);
 
-/// Approaches (yielding_approach()), closes, finds the contacts, and measures. A hand that meets
-/// the object goes back by its stand-off, so that fingertips may hold it off the palm; one that
-/// meets an obstacle closes there, too.
-/// @param q  posture of the approach, where closing begins (coordinates)
+/// Approaches (yielding_approach()), closes, finds the contacts, and computes their quality. A hand
+/// that meets the object moves back by its stand-off, so that fingertips may hold it off the palm;
+/// a hand that meets an obstacle closes there, too.
+/// @param q  posture of the approach, at which closing begins (coordinates)
 /// @throws InputError as approach(), close_hand() and find_contacts(), or if stand_off is not in
 /// [0, 1].
 Grasp grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,

@@ -17,7 +17,7 @@ double reach_of(const TriangleMesh& mesh, const Eigen::Vector3d& com) {
   return (mesh.vertices.colwise() - com).colwise().norm().maxCoeff();
 }
 
-/// Centre of the volume: of the union, if shapes or parts of meshes overlap.
+/// Centroid of the volume: of the union, if shapes or parts of meshes overlap [m] (3)
 Eigen::Vector3d volume_centre(const BodySpec& body) {
   BodySpec even = body;
   even.density = 1;
@@ -31,7 +31,7 @@ std::vector<std::string> names_of(const WorldSpec& world) {
   return names;
 }
 
-/// build_solid(), complaints with the names of the body and its meshes.
+/// build_solid() whose errors name the body and its meshes.
 Solid solid_of(const BodySpec& body) {
   try {
     return build_solid(body.shapes);
@@ -57,6 +57,7 @@ SceneBody build_body(const PlacedBody& placed) {
   body.material = placed.body.material.empty() ? kDefaultMaterial : placed.body.material;
   body.solid = solid_of(placed.body);
   body.X_WB = placed.X_WB;
+  // The centre of mass, or of volume if the mass is unknown.
   body.com = placed.body.mass ? placed.body.mass->com : volume_centre(placed.body);
   body.reach = reach_of(body.solid.picture, body.com);
   body.box = body_box(body.solid.picture);
@@ -66,6 +67,7 @@ SceneBody build_body(const PlacedBody& placed) {
 Scene build_scene(const WorldSpec& world, const std::string& object) {
   Scene scene;
   bool found = false;
+  // The object is the named body, or the only dynamic one; all others are obstacles.
   for (const PlacedBody& placed : world.bodies) {
     if (!is_object(placed, object)) {
       scene.obstacles.push_back(build_body(placed));
@@ -87,8 +89,9 @@ Scene build_scene(const WorldSpec& world, const std::string& object) {
 
 namespace {
 
-constexpr double kSmaller = 0.99;  // volume of a box that is taken instead [1]
+constexpr double kSmaller = 0.99;  // largest ratio of volumes at which the turned box is taken [1]
 
+/// Box along given axes that holds all points.
 BodyBox box_along(const Eigen::Matrix3d& axes, const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd along = axes.transpose() * points;
   return {axes, (along.rowwise().maxCoeff() - along.rowwise().minCoeff()) / 2};
@@ -98,6 +101,7 @@ BodyBox longest_first(const BodyBox& box) {
   std::array<int, 3> order{0, 1, 2};
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return box.half[a] > box.half[b]; });
+  // Sort the axes, and keep them right-handed.
   BodyBox sorted;
   for (int i = 0; i < 3; ++i) {
     sorted.axes.col(i) = box.axes.col(order[static_cast<std::size_t>(i)]);
@@ -110,6 +114,7 @@ BodyBox longest_first(const BodyBox& box) {
 }  // namespace
 
 BodyBox body_box(const TriangleMesh& picture) {
+  // Boxes along the frame and along the principal axes.
   const BodyBox framed = box_along(Eigen::Matrix3d::Identity(), picture.vertices);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> inertia(mass_properties(picture, 1).inertia);
   const BodyBox turned = box_along(inertia.eigenvectors(), picture.vertices);

@@ -22,7 +22,7 @@ void require_pull(const HandLayout& layout, const ClosingTensions& pull, const F
   require(std::isfinite(pull.excursion), "an excursion must be finite, got {} m/s", pull.excursion);
 }
 
-/// Shares of the tendons that turn any joint of the drive, added up.
+/// Sum of the tensions of tendons that turn any joint of the drive [N].
 double pulled(const Drive& drive, const Eigen::MatrixXd& B, const Eigen::VectorXd& u) {
   double sum = 0;
   for (Eigen::Index i = 0; i < u.size(); ++i) {
@@ -40,17 +40,19 @@ Eigen::VectorXd tendon_rates(const Hand& hand, const ClosingTensions& pull,
                              const Eigen::VectorXd& q, const Free& free) {
   const HandLayout& layout = hand.layout();
   require_pull(layout, pull, free);
+  // Torques of the tendons at this posture.
   const Eigen::MatrixXd B = hand.effort(q, pull.u).B;
   const Eigen::VectorXd torque = B * pull.u;
   Eigen::VectorXd rates = Eigen::VectorXd::Zero(q.size());
   for (const Drive& drive : layout.drives) {
     if (drive.speed == 0) continue;
-    double power = 0;  // of the pull, while the joints turn by torque / stiffness
+    double power = 0;  // of the tensions, while the joints turn by torque / stiffness
     for (const DrivenCoordinate& driven : drive.moves) {
       const Eigen::Index j = driven.coordinate;
       if (free[j] && torque[j] > 0) power += torque[j] * torque[j] / pull.stiffness[j];
     }
     if (power == 0) continue;
+    // Scale: the tendons run in at the speed of the drive.
     const double pace = pull.excursion * drive.speed * pulled(drive, B, pull.u) / power;
     for (const DrivenCoordinate& driven : drive.moves) {
       const Eigen::Index j = driven.coordinate;
@@ -65,6 +67,7 @@ ClosingRates tendon_closing_rates(const Hand& hand, Eigen::VectorXd pull) {
   ClosingTensions all{std::move(pull), Eigen::VectorXd::Ones(n)};
   require_pull(hand.layout(), all, Free::Constant(n, true));
   require((all.u.array() > 0).any(), "no tendon of the hand pulls");
+  // Keeps a reference to the hand, as the header says.
   return [&hand, all](const Eigen::VectorXd& q, const Free& free) {
     return tendon_rates(hand, all, q, free);
   };

@@ -15,10 +15,12 @@ HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& opt
   HandAbilities abilities;
   abilities.hand = hand.name;
   abilities.reach = reach_of_digits(*hand.hand);
+  // Workspaces first: all draws come from one generator, in a fixed order.
   Workspaces spaces =
       workspaces(*hand.hand, options.workspace_draws, options.workspace_voxel, random, progress);
   abilities.overlap = spaces.overlap;
   abilities.digits = std::move(spaces.digits);
+  // Tip forces with all joints in the middle of their ranges.
   const Eigen::VectorXd q = middle_posture(hand.hand->layout());
   for (std::size_t tip = 0; tip < abilities.digits.size() && !progress.stop(); ++tip) {
     const TipForces forces = tip_forces(*hand.hand, q, static_cast<int>(tip));

@@ -23,14 +23,14 @@
 namespace thenar {
 namespace {
 
-/// An object where hands go at it.
+/// An object as hands approach it, with what is computed once for all hands.
 struct Standing {
   Scene scene;
   double scale;
   double mass;  // [kg]
 };
 
-/// What is worked out once for a hand and an object.
+/// What is computed once for a hand and an object. The references must outlive it.
 struct Setting {
   const ComparedHand& hand;
   const CollisionHand& touching;
@@ -39,7 +39,7 @@ struct Setting {
   double mass;  // [kg]
 };
 
-/// An approach and what the hand's own efforts make of it.
+/// An approach and the epsilon that the hand's own efforts give it.
 struct Tried {
   Grasp grasp;
   ExplainedLoad epsilon{std::numeric_limits<double>::quiet_NaN(), ""};  // of closures
@@ -50,6 +50,7 @@ struct Tried {
 };
 
 Standing stand(const BodySpec& object, double scale) {
+  // The object with its mass, alone in the world.
   PlacedBody placed;
   placed.body = scaled(object, scale);
   const BodyMass mass = body_mass(placed.body);
@@ -58,6 +59,7 @@ Standing stand(const BodySpec& object, double scale) {
 }
 
 Grasp make_grasp(const Setting& setting, int number, const CompareOptions& options) {
+  // Contact model and closing rates belong to the hand.
   GraspOptions grasping = options.grasp;
   grasping.pads.contact = setting.hand.contact;
   grasping.close.rates = setting.hand.rates;
@@ -80,13 +82,14 @@ Tried attempt_grasp(const Setting& setting, int number, const CompareOptions& op
   return tried;
 }
 
-/// Every approach of a cell, in whatever order threads come to them. Fewer if stopped.
+/// Every approach of a hand to an object, on all threads, in any order. Empty if stopped.
 std::vector<Tried> all_grasps(const Setting& setting, const CompareOptions& options,
                               const Progress& progress) {
   std::vector<Tried> grasps(static_cast<std::size_t>(options.approaches));
   std::atomic<int> next{0}, finished{0};
   std::exception_ptr failure;
   std::mutex mutex;
+  // Threads take the next number; the first error stops all of them.
   const auto work = [&](bool reports) {
     try {
       for (int n = next++; n < options.approaches && !progress.stop(); n = next++) {
@@ -100,6 +103,7 @@ std::vector<Tried> all_grasps(const Setting& setting, const CompareOptions& opti
       next = options.approaches;
     }
   };
+  // This thread works, too, and is the only one that reports.
   std::vector<std::thread> others;
   for (int t = 1; t < options.threads; ++t) others.emplace_back(work, false);
   work(true);
@@ -119,6 +123,7 @@ BestGrasp describe(const Setting& setting, const Tried& tried, int number,
   best.contacts = grasp.contacts;
   best.epsilon = grasp.quality.lower;
   best.type = grasp_type(*setting.hand.hand, grasp.contacts);
+  // Loads that the grasp resists, and reasons for zero or unknown ones.
   const GraspLoads loads =
       grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
   best.hold = loads.hold;
@@ -136,6 +141,7 @@ Eigen::VectorXd ascending(std::vector<double> values) {
 
 void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>& grasps,
            const CompareOptions& options, const Progress& progress) {
+  // Count outcomes, and collect the epsilon of closures.
   std::vector<std::pair<double, int>> closed;
   std::vector<double> epsilon, hand_epsilon;
   for (std::size_t n = 0; n < grasps.size(); ++n) {
@@ -147,6 +153,7 @@ void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>&
     if (!std::isnan(tried.epsilon.value)) hand_epsilon.push_back(tried.epsilon.value);
     ++cell.types[grasp_type(*setting.hand.hand, tried.grasp.contacts)];
   }
+  // Closures sorted by epsilon.
   std::sort(closed.begin(), closed.end());
   cell.approaches = options.approaches;
   cell.closures = static_cast<int>(closed.size());
@@ -154,6 +161,7 @@ void count(HandOnObject& cell, const Setting& setting, const std::vector<Tried>&
   cell.interval = wilson_interval(cell.closures, options.approaches);
   cell.epsilon = ascending(std::move(epsilon));
   cell.hand_epsilon = ascending(std::move(hand_epsilon));
+  // Loads of the best ones, from the largest epsilon down.
   for (int i = 1; i <= std::min(options.best, cell.closures) && !progress.stop(); ++i) {
     const int number = closed[static_cast<std::size_t>(cell.closures - i)].second;
     cell.best.push_back(
@@ -174,7 +182,7 @@ void require_numbers(const CompareOptions& options) {
           options.threads);
 }
 
-/// "human:tier1, human:tier2: what was assumed": each warning once, with the hands it concerns.
+/// Lines like "human:tier1, human:tier2: assumption": each warning once, with its hands.
 std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands) {
   std::vector<std::pair<std::string, std::string>> whose;  // warning, hands
   for (const ComparedHand& hand : hands)
@@ -191,13 +199,14 @@ std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands)
   return folded;
 }
 
-/// Refuses at once what would fail hours later, by the hand's name.
+/// Refuses at once what would fail hours later, with the hand's name.
 void require_hands(const std::vector<ComparedHand>& hands, const std::vector<BodySpec>& objects) {
   const Materials& materials = built_in_materials();
   for (const ComparedHand& hand : hands) {
     require(hand.hand != nullptr, "hand '{}' is not there", hand.name);
     require(!hand.hand->surfaces().empty(), "hand '{}' has no surface that could touch", hand.name);
     require(!hand.hand->layout().tip_points.empty(), "hand '{}' has no digits", hand.name);
+    // Friction must be known for every pair of materials.
     try {
       for (const LinkSurface& surface : hand.hand->surfaces())
         for (const BodySpec& object : objects)
@@ -230,6 +239,7 @@ HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
   cell.hand = setting.hand.name;
   cell.object = setting.scene.object.name;
   cell.scale = setting.scale;
+  // A stopped cell is marked by zero approaches.
   const std::vector<Tried> grasps = all_grasps(setting, options, progress);
   if (grasps.empty()) return cell;
   count(cell, setting, grasps, options, progress);
@@ -238,7 +248,7 @@ HandOnObject compare_cell(const Setting& setting, const CompareOptions& options,
   return cell;
 }
 
-/// Builds objects when they are first asked for; each scale once.
+/// Objects, built when first asked for, once for each scale.
 class Standings {
  public:
   const Standing& of(const BodySpec& object, double scale) {
@@ -252,7 +262,7 @@ class Standings {
   std::map<std::pair<std::string, double>, Standing> built_;
 };
 
-/// Progress of the cell that comes after `finished` of `all`.
+/// Progress of the cell after `finished` of `all` cells.
 Progress of_cell(const Progress& whole, std::size_t finished, std::size_t all,
                  const std::string& what) {
   Progress cell = whole;
@@ -286,6 +296,7 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
   require_numbers(options);
   Comparison out = heading(hands, objects, options);
   require_hands(hands, objects);
+  // Sizes are relative to the first hand.
   const double first_reach = reach_of_digits(*hands.front().hand);
   const std::size_t all = hands.size() * objects.size();
   Standings standings;
@@ -297,6 +308,7 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
     for (const BodySpec& object : objects) {
       const Progress here =
           of_cell(progress, out.cells.size(), all, hand.name + " on " + object.name);
+      // A cell of an earlier run is taken over.
       here(0, "");
       HandOnObject cell;
       if (const HandOnObject* known = find_cell(done, hand.name, object.name)) {
@@ -305,11 +317,13 @@ Comparison compare(const std::vector<ComparedHand>& hands, const std::vector<Bod
         const Standing& standing = standings.of(object, scale);
         cell = compare_cell({hand, touching, standing.scene, scale, standing.mass}, options, here);
       }
+      // Stopped: the unfinished cell is dropped.
       if (cell.approaches == 0) return out;
       for (const auto& [type, times] : cell.types) types.insert(type);
       out.cells.push_back(std::move(cell));
       if (options.keep) options.keep(out);
     }
+    // Abilities of the hand without an object.
     HandAbilities abilities = hand_abilities(hand, options, progress);
     if (progress.stop()) return out;
     out.abilities.push_back(std::move(abilities));

@@ -26,6 +26,7 @@ GraspTask grasp_task(const std::string& name) {
 }
 
 double HandOnObject::quantile(double p) const {
+  // Linear interpolation between order statistics.
   if (epsilon.size() == 0) return std::numeric_limits<double>::quiet_NaN();
   const double at = p * static_cast<double>(epsilon.size() - 1);
   const Eigen::Index below = static_cast<Eigen::Index>(std::floor(at));
@@ -36,6 +37,7 @@ double HandOnObject::quantile(double p) const {
 
 LoadFound HandOnObject::load(GraspTask task) const {
   LoadFound load;
+  // NaN margins are unknown and leave the maximum alone.
   for (const BestGrasp& grasp : best) {
     const auto found = grasp.margin.find(name_of(task));
     if (found == grasp.margin.end()) continue;
@@ -77,6 +79,7 @@ BodySpec scaled(BodySpec body, double scale) {
     shape.mesh_scale *= scale;
     shape.X_BS.p *= scale;
   }
+  // Mass grows with the volume, inertia with its fifth power of length.
   const double volume = std::pow(scale, 3);
   body.uniform_mass *= volume;
   if (body.mass) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Hands compared on the same objects by the same approaches: what goes in, and what comes out.
+/// Input and output of comparing hands on the same objects by the same approaches.
 
 #include <array>
 #include <functional>
@@ -21,12 +21,12 @@
 
 namespace thenar {
 
-/// A place on a hand, reference posture.
+/// A named place on a hand, in the reference posture.
 struct HandPlace {
   std::string name;
-  int link = -1;               // that carries it; -1: the base
+  int link = -1;               // link of the place; -1: the base
   Eigen::Vector3d p{0, 0, 0};  // hand frame [m] (3)
-  int score = 0;               // of Kapandji's ten, where it is one of them
+  int score = 0;               // in Kapandji's scale, if it belongs to it
 };
 
 /// A hand to be compared.
@@ -35,62 +35,62 @@ struct ComparedHand {
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;  // or soft fingers
   ClosingRates rates;                               // as CloseOptions::rates
-  HandPlace thumb;                                  // its pad, where there are `opposition` places
-  std::vector<HandPlace> places;                    // Kapandji's; empty: an analogous scale serves
+  HandPlace thumb;                                  // pad of the thumb, if there are `places`
+  std::vector<HandPlace> places;                    // Kapandji's; empty: an analogous scale is used
   std::vector<std::string> warnings;
 };
 
-/// What a grasp is asked to do, measured with what drives the hand.
+/// Task of a grasp, measured with the actuation of the hand.
 enum class GraspTask {
   kForceClosure,  // [1] no load: the share of approaches that reach it
-  kHoldWeight,    // [1] times the object's weight, along each of its axes both ways
+  kHoldWeight,    // [1] load in units of the object's weight, along each of its axes both ways
   kPull,          // [N] along its z axis, either way
   kTurn           // [N m] about its z axis, either way
 };
 
-/// "force-closure", "hold-weight", "pull", "turn"; the reverse @throws InputError listing them.
+/// "force-closure", "hold-weight", "pull", "turn"; grasp_task() @throws InputError listing them.
 [[nodiscard]] std::string name_of(GraspTask task);
 [[nodiscard]] GraspTask grasp_task(const std::string& name);
 
 struct Comparison;
 
+/// Settings of compare().
 struct CompareOptions {
   int approaches = 20;          // of every hand to every object
   unsigned seed = 1;            //
   int threads = 1;              //
-  int best = 3;                 // grasps whose loads are worked out, of each hand and object
+  int best = 3;                 // number of grasps of each hand and object whose loads are computed
   bool normalise_size = false;  // objects scaled by reach_of_digits() over the first hand's
   std::vector<GraspTask> tasks{GraspTask::kForceClosure, GraspTask::kHoldWeight};
   int workspace_draws = 150000;                 // postures
   double workspace_voxel = 5e-3;                // [m]
   GraspOptions grasp;                           // `way` is set for each approach
-  std::function<void(const Comparison&)> keep;  // hears of every finished cell
+  std::function<void(const Comparison&)> keep;  // called after every finished cell
 };
 
-/// One of the best grasps of a cell.
+/// One of the best grasps of a hand on an object.
 struct BestGrasp {
   int approach = 0;   // its number
-  Pose<double> X_WH;  // where the hand came to; the object stands at the world's origin
+  Pose<double> X_WH;  // final pose of the hand; the object stands at the world's origin
   Eigen::VectorXd q;  // (coordinates)
-  std::vector<HandContact> contacts;     // object frame
+  std::vector<HandContact> contacts;     // in the object's frame
   double epsilon = 0;                    // certified lower bound [unit forces]
-  std::string type;                      // of grasp_type()
-  double hold = 0;                       // smallest sum of normal forces that holds the weight
+  std::string type;                      // grasp_type()
+  double hold = 0;                       // smallest sum of normal forces that holds the weight,
                                          // whichever axis points down, by friction alone [N];
-                                         // infinite: they cannot
-  std::map<std::string, double> margin;  // task -> largest load withstood with the hand's
-                                         // actuators; units as GraspTask; NaN: not known
-  std::map<std::string, std::string>
-      reasons;  // task or "epsilon" -> why it is zero, not known or infinite
-  /// Least of all wrenches that the hand's actuators withstand [N]; NaN: not known.
+                                         // infinite: impossible
+  std::map<std::string, double> margin;  // task -> largest load resisted with the actuation of the
+                                         // hand; units as GraspTask; NaN: unknown
+  std::map<std::string, std::string> reasons;  // task or "epsilon" -> why zero, unknown or infinite
+  /// Smallest wrench that the actuation of the hand cannot resist [N]; NaN: unknown.
   double hand_epsilon = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A load over several grasps: the largest, whichever grasp withstands it.
+/// The largest load over several grasps.
 struct LoadFound {
-  double most = std::numeric_limits<double>::quiet_NaN();  // as BestGrasp; NaN: none is known
-  int known = 0;                                           // grasps that it is known of
-  int of = 0;                                              // grasps that were asked
+  double most = std::numeric_limits<double>::quiet_NaN();  // as BestGrasp; NaN: unknown for all
+  int known = 0;                                           // number of grasps for which it is known
+  int of = 0;                                              // number of grasps asked
 };
 
 /// One hand on one object.
@@ -98,67 +98,68 @@ struct HandOnObject {
   std::string hand, object;
   double scale = 1;  // of the object: 1 without normalise_size
   int approaches = 0;
-  std::array<int, 6> outcomes{};      // by GraspOutcome
-  int closures = 0;                   // force closure, certified
+  std::array<int, 6> outcomes{};      // number of approaches by GraspOutcome
+  int closures = 0;                   // number with certified force closure
   double success = 0;                 // closures by approaches [1]
-  ConfidenceInterval interval{0, 1};  // of its probability, Wilson, 95 %
+  ConfidenceInterval interval{0, 1};  // of the probability of success, Wilson, 95 %
   Eigen::VectorXd epsilon;            // of all closures, ascending [unit forces]
-  Eigen::VectorXd hand_epsilon;       // of those where it is known, ascending [N]
-  std::map<std::string, int> types;   // of grasp_type() -> closures
+  Eigen::VectorXd hand_epsilon;       // of closures for which it is known, ascending [N]
+  std::map<std::string, int> types;   // grasp_type() -> number of closures
   std::vector<BestGrasp> best;        // best first
   double seconds = 0;                 // wall time
 
-  /// Margins of a task over `best`. Force closure has none: it is `success`.
+  /// Margin of a task over `best`. Force closure has none: see `success`.
   [[nodiscard]] LoadFound load(GraspTask task) const;
 
   /// Epsilon of the hand over all closures.
   [[nodiscard]] LoadFound best_hand_epsilon() const;
 
-  /// Least `hold` of `best`; NaN if there is none [N].
+  /// Least `hold` of `best`; NaN without grasps [N].
   [[nodiscard]] double min_grasp_force() const;
 
-  /// Of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
+  /// Quantile of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
 
-/// What one digit can do.
+/// Abilities of one digit.
 struct DigitAbility {
   std::string digit;
-  int dimension = 0;           // in which its tip moves: 0 .. 3
+  int dimension = 0;           // of the motion of its tip: 0 .. 3
   double workspace = 0;        // [m^dimension]
-  double workspace_error = 0;  // half of the cells at its rim [m^dimension]
-  double closing_force = 0;    // largest along the tip's way in closing, tip_forces() [N]; NaN:
-                               // efforts unknown
-  double max_tip_force = 0;    // over 64 directions [N]; NaN: efforts unknown
+  double workspace_error = 0;  // half of the voxels at its rim [m^dimension]
+  double closing_force = 0;  // largest along the tip's direction in closing, tip_forces() [N]; NaN:
+                             // efforts unknown
+  double max_tip_force = 0;  // over 64 directions [N]; NaN: efforts unknown
 };
 
-/// What a hand can do without an object.
+/// Abilities of a hand without an object.
 struct HandAbilities {
   std::string hand;
   double reach = 0;                  // reach_of_digits() [m]
   double opposition = 0;             // 0 .. 10; NaN: not defined
-  std::string opposition_scale;      // which scale it is
-  std::vector<std::string> reached;  // places, or digits, that are met
+  std::string opposition_scale;      // name of the scale
+  std::vector<std::string> reached;  // places or digits that the thumb meets
   std::vector<DigitAbility> digits;
   double overlap = 0;              // of the workspaces of the opposing digit and all others [m^3]
-  std::vector<std::string> types;  // distinct grasp_type() of all closures, alphabetic
+  std::vector<std::string> types;  // distinct grasp_type() of all closures, in alphabetic order
 };
 
+/// Result of compare().
 struct Comparison {
   unsigned seed = 1;
   int approaches = 0;
   bool normalise_size = false;
   std::vector<std::string> hands, objects, tasks;
-  std::vector<HandAbilities> abilities;  // of each hand that is finished
+  std::vector<HandAbilities> abilities;  // of each finished hand
   std::vector<HandOnObject> cells;       // hand by hand, the objects of each in order
   std::vector<std::string> warnings;
   bool complete = false;  // false: stopped; `cells` are whole as far as they go
 };
 
-/// How far the tips of an open hand are from its point of approach, at most [m].
+/// Largest distance of the tips of an open hand from its point of approach [m].
 [[nodiscard]] double reach_of_digits(const Hand& hand);
 
-/// The object, larger or smaller, of the same density. @param scale  > 0
+/// The object scaled at the same density. @param scale  > 0 [1]
 [[nodiscard]] BodySpec scaled(BodySpec body, double scale);
 
 }  // namespace thenar

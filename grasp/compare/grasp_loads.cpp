@@ -15,9 +15,9 @@ namespace thenar {
 namespace {
 
 constexpr double kGravity = 9.81;  // [m/s^2]
-constexpr double kGap = 0.05;      // of hand_epsilon(), as a part of it [1]
+constexpr double kGap = 0.05;      // relative accuracy of hand_epsilon() [1]
 
-/// Both ways along axes `first` .. `last` of a wrench: forces 0..2, torques 3..5.
+/// Unit wrenches of both signs along axes `first` .. `last`: forces 0..2, torques 3..5.
 std::vector<ScaledWrench> both_ways(int first, int last, double size) {
   std::vector<ScaledWrench> loads;
   for (int axis = first; axis <= last; ++axis)
@@ -26,10 +26,11 @@ std::vector<ScaledWrench> both_ways(int first, int last, double size) {
   return loads;
 }
 
-/// The value, and where it is zero, NaN or infinite the reason. @param size  of a load at value 1
+/// The value, with the reason where it is zero, NaN or infinite. @param size  of a load at value 1
 /// [N]
 ExplainedLoad limited(const HandForceInputs& forces, ConeStatus status, double value,
                       const std::vector<ScaledWrench>& loads, double size) {
+  // The order matters: a stalled solver or an unknown effort leaves the value unknown.
   if (status == ConeStatus::kStalled) return {kNaN, "the programme did not converge"};
   const std::string unknown = explain_unknown_effort(forces);
   if (!unknown.empty()) return {kNaN, unknown};
@@ -74,11 +75,13 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
                        const std::vector<GraspTask>& tasks) {
   const HandForceInputs held_by = hand_force_inputs(held, object);
   GraspLoads loads;
+  // Grasp force that friction alone needs for the weight, along every axis.
   const ForceSet friction = free_forces(held_by.set);
   for (const ScaledWrench& load : both_ways(0, 2, kGravity * mass))
     loads.hold = std::max(loads.hold,
                           minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
 
+  // Margins of the tasks within the actuation of the hand.
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   for (const GraspTask task : tasks) {
     const std::vector<ScaledWrench> list = task_loads(task, kGravity * mass, object.reach);
@@ -94,6 +97,7 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
 
 ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
   const HandForceInputs held_by = hand_force_inputs(held, object);
+  // Unknown efforts and unsupported loads need no search.
   const std::string unknown = explain_unknown_effort(held_by);
   if (!unknown.empty()) return {kNaN, unknown};
   BallOptions options;
@@ -101,6 +105,7 @@ ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
   const ScaledWrench unborne = unsupported_load(forces);
   if (!unborne.isZero(0)) return {0, explain_zero_margin(held_by, {unborne})};
+  // A stalled search still has a certified lower bound.
   const InscribedBall ball = inscribed_ball(forces, options);
   const bool known =
       ball.status == ConeStatus::kStalled && ball.lower > kNegligibleLoad;  // less sharply
@@ -116,7 +121,7 @@ bool feels(const HandForceInputs& forces, Index coordinate) {
   return forces.T.cols() > 0 && forces.T.row(coordinate).cwiseAbs().maxCoeff() > 1e-12;
 }
 
-/// The same with a motor of any strength at each of some joints.
+/// The actuation with an additional motor of any strength at each of some joints.
 Actuation with_motors(Actuation actuation, const std::vector<int>& joints) {
   for (const int joint : joints) {
     const Index old = actuation.B.cols();
@@ -132,6 +137,7 @@ Actuation with_motors(Actuation actuation, const std::vector<int>& joints) {
 
 bool holds(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
   const TaskMargin margin = margin_of_loads(forces, loads);
+  // Smallest load of the list, for a limit in newtons.
   double size = kInfinity;
   for (const ScaledWrench& load : loads) size = std::min(size, load.norm());
   return margin.status == ConeStatus::kSolved && margin.lower * size >= kNegligibleLoad;
@@ -142,9 +148,10 @@ bool holds_driven(const HandForceInputs& forces, const std::vector<ScaledWrench>
   return holds(hand_forces(forces.set, forces.T, with_motors(forces.actuation, joints)), loads);
 }
 
-/// Joints that must be driven all together: none of them can be left out.
+/// A least set of joints that must be driven together: none of them can be left out.
 std::vector<int> minimal_motors(const HandForceInputs& forces,
                                 const std::vector<ScaledWrench>& loads, std::vector<int> joints) {
+  // Try without each joint, from the fingertips inwards.
   for (std::size_t i = joints.size(); i-- > 0;) {
     std::vector<int> fewer = joints;
     fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
@@ -158,6 +165,7 @@ std::vector<int> minimal_motors(const HandForceInputs& forces,
 std::string explain_unknown_effort(const HandForceInputs& forces) {
   const Actuation& a = forces.actuation;
   for (Index k = 0; k < a.B.cols(); ++k) {
+    // Unlimited actuators count where they move a joint that feels a contact and is not locked.
     if (std::isfinite(a.lower(k)) && std::isfinite(a.upper(k))) continue;
     for (Index j = 0; j < a.B.rows(); ++j)
       if (a.B(j, k) != 0 && feels(forces, j) && !is_locked(a.reactions, j))
@@ -169,11 +177,13 @@ std::string explain_unknown_effort(const HandForceInputs& forces) {
 
 std::string explain_zero_margin(const HandForceInputs& forces,
                                 const std::vector<ScaledWrench>& loads) {
+  // First friction alone, then unlimited motors at all joints that feel a contact.
   if (!holds(free_forces(forces.set), loads)) return "friction at the contacts cannot bear it";
   std::vector<int> joints;
   for (Index j = 0; j < forces.T.rows(); ++j)
     if (feels(forces, j)) joints.push_back(static_cast<int>(j));
   if (!holds_driven(forces, loads, joints)) return "nothing presses on what its joints bear";
+  // Name a least set of joints whose motors are missing.
   std::vector<std::string> names;
   for (const int joint : minimal_motors(forces, loads, joints))
     names.push_back(

@@ -9,7 +9,7 @@
 namespace thenar {
 namespace {
 
-/// What touches.
+/// Parts of the hand that touch the object.
 struct TouchedSegments {
   std::map<std::string, Eigen::Vector3d> push;  // digit -> sum of its normals
   bool palm = false;
@@ -17,6 +17,7 @@ struct TouchedSegments {
 };
 
 TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandContact>& contacts) {
+  // Last links of all digits.
   std::set<int> last;
   for (const HandTip& tip : hand.layout().tip_points) last.insert(tip.link);
   TouchedSegments touching;
@@ -24,6 +25,7 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
     const LinkSurface& surface = hand.surfaces()[contact.surface];
     if (surface.digit.empty()) {
       touching.palm = true;
+      // Contacts of the palm have no digit.
       continue;
     }
     if (last.count(surface.link) == 0) touching.inner = true;
@@ -33,9 +35,10 @@ TouchedSegments find_touched_parts(const Hand& hand, const std::vector<HandConta
   return touching;
 }
 
-/// Whether a digit pushes against the rest: the thumb, in a hand without one any.
+/// Whether a digit pushes against the others: the thumb, or any digit in a hand without thumb.
 bool opposed(bool has_thumb, const TouchedSegments& touching) {
   if (has_thumb) return touching.push.count("thumb") > 0;
+  // A digit opposes if its normals point against those of the others.
   return std::any_of(touching.push.begin(), touching.push.end(), [&](const auto& digit) {
     Eigen::Vector3d rest(0, 0, 0);
     for (const auto& [other, push] : touching.push)
@@ -63,6 +66,7 @@ std::string thumb_of(const Hand& hand) {
 }
 
 std::string grasp_type(const Hand& hand, const std::vector<HandContact>& contacts) {
+  // Power with the palm; otherwise by the number of digits and their opposition.
   const TouchedSegments touching = find_touched_parts(hand, contacts);
   if (touching.push.empty()) return "palm alone";
   if (touching.palm) return "power, palm, " + counted(touching);

@@ -12,8 +12,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kSkinMeets = 10e-3;  // two points of skin this near meet [m]
-constexpr double kTipsMeet = 20e-3;   // middles of two tips, about a finger's thickness [m]
+constexpr double kSkinMeets = 10e-3;  // two points of skin nearer than this meet [m]
+constexpr double kTipsMeet = 20e-3;   // centres of two tips, about a finger's thickness [m]
 constexpr int kStarts = 12, kSteps = 60;
 constexpr double kDamping = 1e-6;  // [m^2/rad^2]
 
@@ -28,7 +28,7 @@ Eigen::Matrix3Xd jacobian(const Hand& hand, const Eigen::VectorXd& q, const Hand
   return hand.jacobian(q, place.link, place.p).bottomRows<3>();
 }
 
-/// Distance of two places after a search from q, which ends when it is near enough [m].
+/// Smallest distance of two places in a search from q, which ends below `near` [m].
 double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, const HandPlace& b,
                       double near) {
   const HandLayout& layout = hand.layout();
@@ -38,13 +38,15 @@ double bring_together(const Hand& hand, Eigen::VectorXd q, const HandPlace& a, c
     const Eigen::Vector3d gap = at(b, links) - at(a, links);
     best = std::min(best, gap.norm());
     if (best < near) break;
+    // Relative Jacobian of the two places.
     Eigen::Matrix3Xd J = jacobian(hand, q, a) - jacobian(hand, q, b);
-    // Joints at a limit that would go on beyond it stay.
+    // Joints at a limit that would move beyond it stay.
     for (Eigen::Index j = 0; j < q.size(); ++j) {
       const double push = J.col(j).dot(gap);
       if ((q[j] <= layout.lower[j] && push < 0) || (q[j] >= layout.upper[j] && push > 0))
         J.col(j).setZero();
     }
+    // Damped least-squares step, at most 0.3 rad in any joint.
     const Eigen::Matrix3d normal = J * J.transpose() + kDamping * Eigen::Matrix3d::Identity();
     Eigen::VectorXd dq = J.transpose() * normal.ldlt().solve(gap);
     const double largest = dq.cwiseAbs().maxCoeff();
@@ -74,6 +76,7 @@ Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>
   out.scale = "Kapandji, highest of ten places";
   for (const HandPlace& place : hand.places) {
     if (progress.stop()) break;
+    // The highest place that the thumb meets is the score.
     if (!meet(*hand.hand, hand.thumb, place, starts, kSkinMeets)) continue;
     out.reached.push_back(place.name);
     out.score = std::max(out.score, static_cast<double>(place.score));
@@ -81,7 +84,7 @@ Opposition kapandji(const ComparedHand& hand, const std::vector<Eigen::VectorXd>
   return out;
 }
 
-/// Other tips that the tip of a digit meets.
+/// Names of other digits whose tips the tip of a digit meets.
 std::vector<std::string> met_by(const Hand& hand, const HandTip& thumb,
                                 const std::vector<Eigen::VectorXd>& starts) {
   std::vector<std::string> met;
@@ -98,12 +101,14 @@ Opposition analogous(const Hand& hand, const std::vector<Eigen::VectorXd>& start
   Opposition out;
   out.scale = "not defined: fewer than two digits";
   out.score = std::numeric_limits<double>::quiet_NaN();
+  // Opposition needs two digits.
   if (tips.size() < 2) return out;
   out.score = 0;
   out.scale = fmt::format("share of other tips met by '{}', times 10",
                           thumb.empty() ? tips.front().digit : thumb);
   for (const HandTip& tip : tips) {
     if (progress.stop()) break;
+    // The thumb counts, or in a hand without thumb the best digit.
     if (!thumb.empty() && tip.digit != thumb) continue;
     std::vector<std::string> met = met_by(hand, tip, starts);
     if (met.size() <= out.reached.size()) continue;

@@ -14,7 +14,7 @@ namespace {
 
 enum class Stream { kStart, kPosture };
 
-/// A generator of one approach: std::seed_seq gives every machine the same.
+/// Random generator of one approach; std::seed_seq gives the same on every machine.
 std::mt19937 generator(unsigned seed, const std::string& object, int number, Stream stream) {
   std::vector<unsigned> words{seed, static_cast<unsigned>(number), static_cast<unsigned>(stream)};
   for (const char letter : object) words.push_back(static_cast<unsigned char>(letter));
@@ -26,6 +26,7 @@ std::mt19937 generator(unsigned seed, const std::string& object, int number, Str
 
 Pregrasp sample_pregrasp(const CollisionHand& hand, const SceneBody& object, unsigned seed,
                          int number) {
+  // Two streams, so that a posture with more draws changes no pose.
   std::mt19937 posture = generator(seed, object.name, number, Stream::kPosture);
   std::mt19937 start = generator(seed, object.name, number, Stream::kStart);
   Pregrasp pregrasp;
@@ -45,7 +46,7 @@ Grasp attempt_grasp(const CollisionHand& hand, const Pregrasp& pregrasp, const S
 
 namespace {
 
-constexpr double kAcross = 0.2;    // sine of the least angle between push and approach [1]
+constexpr double kAcross = 0.2;    // smallest sine of the angle between push and approach [1]
 constexpr int kMaxGapSteps = 200;  // of conservative advancement across the clearance
 
 std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>& contacts) {
@@ -56,7 +57,7 @@ std::set<std::string> digits_of(const Hand& hand, const std::vector<HandContact>
   return digits;
 }
 
-/// Surfaces of other digits that the coordinate moves.
+/// Surfaces of other digits that the coordinate moves, too.
 std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::string& digit) {
   std::vector<int> others;
   const std::vector<LinkSurface>& surfaces = hand.hand->surfaces();
@@ -66,23 +67,26 @@ std::vector<int> mirrored(const CollisionHand& hand, int coordinate, const std::
   return others;
 }
 
-/// What pushes the object, where to, and who waits on its other side.
+/// Push of one digit on the object, and the surfaces that wait on its other side.
 struct Push {
-  Eigen::Vector3d along_W{0, 0, 0};  // unit; zero: nobody pushes alone (3)
+  Eigen::Vector3d along_W{0, 0, 0};  // unit; zero: no digit pushes alone (3)
   std::vector<int> others;           // surfaces
 };
 
 Push find_push(const CollisionHand& hand, const Grasp& grasp) {
   const std::set<std::string> digits = digits_of(*hand.hand, grasp.contacts);
+  // Only a single digit pushes the object aside.
   if (digits.size() != 1) return {};
   const Eigen::VectorXd rates = ClosingDrives(hand.hand->layout()).rates();
   for (const HandContact& contact : grasp.contacts) {
     const LinkSurface& surface = hand.hand->surfaces()[contact.surface];
     if (surface.digit.empty() || surface.link < 0) continue;
+    // A moving coordinate of this digit that other digits share.
     for (int j = 0; j < static_cast<int>(rates.size()); ++j) {
       if (rates[j] == 0 || !hand.moved_by(contact.surface, j)) continue;
       Push push{{0, 0, 0}, mirrored(hand, j, surface.digit)};
       if (push.others.empty()) continue;
+      // The object slides as the digit moves, across the approach.
       const Eigen::Vector3d middle = hand.touch[contact.surface].nodes[0].ball.c;
       const Eigen::Vector3d v =
           rates[j] *
@@ -97,13 +101,14 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
   return {};
 }
 
-/// How far the object goes before another digit touches it; infinite: it never does [m].
+/// Distance that the object slides until another digit touches it; infinite: never [m].
 double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& push,
                   const Scene& scene, double accuracy) {
   PosedCollisionHand posed{hand, grasp.approached.X_WH, hand.hand->pose(grasp.closed.q)};
   const double most = 4 * scene.object.reach;
   double way = 0;
   for (int step = 0; step < kMaxGapSteps && way < most; ++step) {
+    // Half of the smallest clearance is always safe to slide.
     double clearance = most;
     for (const int surface : push.others) {
       Clearance between{surface, -1, &scene.object};
@@ -121,6 +126,7 @@ double way_across(const CollisionHand& hand, const Grasp& grasp, const Push& pus
 
 Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const Eigen::VectorXd& q,
                     const Scene& scene, const GraspOptions& options) {
+  // A grasp with several digits, or without a push, stays as it is.
   const Grasp first = grasp(hand, X_WH, q, scene, options);
   if (first.outcome != GraspOutcome::kGrasped) return first;
   const Push push = find_push(hand, first);
@@ -128,16 +134,18 @@ Grasp centred_grasp(const CollisionHand& hand, const Pose<double>& X_WH, const E
   const double way = way_across(hand, first, push, scene, options.close.accuracy);
   if (way >= 4 * scene.object.reach) return first;
 
+  // Close again from where the hand stopped, shifted against the push.
   GraspOptions there = options;
   there.way = 0;
   const std::set<std::string> pushing = digits_of(*hand.hand, first.contacts);
-  // Jaws that go equally fast meet at half the way; others anywhere between.
+  // Jaws that move equally fast meet at half the distance; others are found by bisection.
   double least = 0, most = way;
   while (most - least > options.close.accuracy / 2) {
     Pose<double> X_shifted = first.approached.X_WH;
     X_shifted.p -= (least + most) / 2 * push.along_W;
     Grasp second = grasp(hand, X_shifted, first.closed.q, scene, there);
     const std::set<std::string> digits = digits_of(*hand.hand, second.contacts);
+    // The same digit alone: shift more; another digit alone: shift less.
     if (digits.size() < 2) {
       (digits == pushing ? least : most) = (least + most) / 2;
       continue;

@@ -14,23 +14,25 @@ namespace thenar {
 namespace {
 
 constexpr int kDirections = 64;
-constexpr double kStill = 1e-12;    // motion of a tip that is none [m/rad]
-constexpr double kClimbs = 1e-9;    // part by which a step to a larger force must be larger [1]
-constexpr int kMaxForceSteps = 20;  // to larger forces
+constexpr double kStill = 1e-12;    // motion of a tip that counts as none [m/rad]
+constexpr double kClimbs = 1e-9;    // relative gain that a step of the ascent must have [1]
+constexpr int kMaxForceSteps = 20;  // of the ascent
 
-/// Evenly spread on the sphere: a Fibonacci spiral.
+/// Direction i of a Fibonacci spiral, evenly spread on the sphere. (3)
 Eigen::Vector3d direction(int i) {
   const double z = 1 - (2.0 * i + 1) / kDirections, r = std::sqrt(1 - z * z);
   const double turn = kPi * (3 - std::sqrt(5.0)) * i;
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
 
-/// The joints that bear a tip force by effort, and not by structure.
+/// The joints that balance a tip force by effort, and not by structure.
 std::vector<int> pressing_joints(const Eigen::MatrixXd& J, const Reactions& reactions) {
   std::vector<int> joints;
+  // The outermost non-backdrivable joint that moves the tip.
   int carrier = -1;
   for (const int j : reactions.non_backdrivable)
     if (!J.col(j).isZero(kStill)) carrier = std::max(carrier, j);
+  // Locked joints, and inner non-backdrivable ones, support the force as structure.
   for (int j = 0; j < J.cols(); ++j) {
     const bool non_backdrivable =
         std::find(reactions.non_backdrivable.begin(), reactions.non_backdrivable.end(), j) !=
@@ -53,8 +55,8 @@ Eigen::Matrix3Xd tip_jacobian(const Hand& hand, const Eigen::VectorXd& q, const 
   return hand.jacobian(q, tip.link, tip.p).bottomRows<3>();
 }
 
-/// Torques of a force on the tip with as much on every other tip that a closing coordinate moves
-/// with it, each along its own way: tau = L f.  (coordinates, 3)
+/// Torques of a force on the tip, with the same force on every other tip that a closing coordinate
+/// moves with it, each along its own direction: tau = L f.  (coordinates, 3)
 Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
                           const Eigen::Matrix3Xd& J, const Eigen::VectorXd& rates) {
   Eigen::MatrixX3d L = J.transpose();
@@ -64,10 +66,12 @@ Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
   for (int t = 0; t < static_cast<int>(tips.size()); ++t) {
     if (t == tip || tips[t].link < 0) continue;
     const Eigen::Matrix3Xd other = tip_jacobian(hand, q, tips[t]);
+    // Does a closing coordinate move both tips?
     bool shared = false;
     for (Eigen::Index j = 0; j < rates.size(); ++j)
       shared =
           shared || (rates[j] != 0 && !J.col(j).isZero(kStill) && !other.col(j).isZero(kStill));
+    // The other tip meets as much force along its own direction.
     const Eigen::Vector3d its = other * rates;
     if (shared && !its.isZero(kStill))
       L += other.transpose() * its.normalized() * way.normalized().transpose();
@@ -75,17 +79,19 @@ Eigen::MatrixX3d load_map(const Hand& hand, const Eigen::VectorXd& q, int tip,
   return L;
 }
 
-/// Rows and columns of the joints that press; the programme over (s, u, r).
-/// @param L  load_map() of these joints (joints, 3)
+/// Cone program of the balance of pressing joints, over (s, u, r).
+/// @param L  load_map() of these joints (joints, 3) [m]
 ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Actuation& a,
                     const std::vector<int>& joints) {
   const Eigen::Index n = J.cols(), m = a.B.cols(), count = a.reactions.least.size();
+  // Balance: L J s = B u + R r + tau_0.
   ConeProgram program;
   program.A = Eigen::MatrixXd::Zero(n, n + m + count);
   program.A.leftCols(n) = L * J;
   program.A.middleCols(n, m) = -a.B(joints, Eigen::all);
   program.A.rightCols(count) = -reactions_on(a.reactions, joints);
   program.b = a.tau_0(joints);
+  // Finite limits of efforts and reactions become rows.
   Eigen::VectorXd lower(m + count), upper(m + count);
   lower << a.lower, a.reactions.least;
   upper << a.upper, a.reactions.most;
@@ -110,10 +116,10 @@ ConeProgram balance(const Eigen::MatrixXd& J, const Eigen::MatrixXd& L, const Ac
   return program;
 }
 
-/// How far forces of a tip go one way.
+/// Largest tip force in one direction.
 struct Farthest {
-  double reach;       // max d'f [N]; infinite: stops bear it; NaN: no answer
-  Eigen::Vector3d f;  // made there [N]; zero without a finite answer
+  double reach;       // max d'f [N]; infinite: joint limits support it; NaN: no answer
+  Eigen::Vector3d f;  // the force that attains it [N]; zero without a finite answer
 };
 Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Vector3d& d) {
   program.c = Eigen::VectorXd::Zero(program.A.cols());
@@ -127,8 +133,8 @@ Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Ve
   return {-result.objective, J * result.x.head(J.cols())};
 }
 
-/// Goes from a direction to that of the force which is made there, while that is larger: max |f| is
-/// of a convex function, so each step climbs, and ends in a corner.
+/// Ascent of |f|: the direction of the force found is the next one to look in. |f| is convex, so
+/// each step increases it, and the ascent ends in a corner of the set. [N]
 double climb(const ConeProgram& program, const Eigen::MatrixXd& J, Eigen::Vector3d d) {
   double best = 0;
   for (int step = 0; step < kMaxForceSteps; ++step) {
@@ -149,22 +155,26 @@ TipForces tip_forces(const Hand& hand, const Eigen::VectorXd& q, int tip) {
   const HandTip& place = layout.tip_points[static_cast<std::size_t>(tip)];
   if (place.link < 0) return {kNaN, kNaN};
   const Eigen::Matrix3Xd all = tip_jacobian(hand, q, place);
+  // Joints that press, and whether their efforts are known.
   const Actuation actuation = actuation_with_joint_limits(hand, q);
   const std::vector<int> joints = pressing_joints(all, actuation.reactions);
   if (joints.empty()) return {0, 0};
   if (is_unknown(actuation, joints)) return {kNaN, kNaN};
+  // The program of the balance, for all directions.
   const Eigen::MatrixXd J = all(Eigen::all, joints);
   const Eigen::VectorXd rates = ClosingDrives(layout).rates();
   const Eigen::MatrixXd L = load_map(hand, q, tip, all, rates)(joints, Eigen::all);
   const ConeProgram program = balance(J, L, actuation, joints);
   const Eigen::Vector3d closing = all * rates;
   TipForces forces;
+  // Force in the direction of closing.
   if (!closing.isZero(kStill)) {
     const Eigen::Vector3d way = closing.normalized();
     forces.closing = farthest(program, J, way).reach;
     if (std::isnan(forces.closing)) return {kNaN, kNaN};
     forces.largest = std::max(forces.closing, climb(program, J, way));
   }
+  // Ascent from directions all over the sphere.
   for (int i = 0; i < kDirections; ++i) {
     const double reach = climb(program, J, direction(i));
     if (std::isnan(reach)) return {forces.closing, kNaN};

@@ -16,14 +16,15 @@
 namespace thenar {
 namespace {
 
-constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, of the voxel asked for [1]
-constexpr double kShared = 2;                      // of voxels that two tips share [1]
-constexpr int kAsk = 1000;                         // draws between two looks at a stop
+constexpr double kCells[] = {0.25, 0.5, 1, 2,
+                             4};  // sizes tried, in units of the voxel asked for [1]
+constexpr double kShared = 2;     // size of voxels for the overlap of two tips [1]
+constexpr int kAsk = 1000;        // draws between two checks for a stop
 
 using Voxel = std::array<int, 3>;
 using Voxels = std::vector<Voxel>;  // ascending
 
-/// Voxels of the points' first `dimension` rows.
+/// Voxels that contain points, in their first `dimension` rows.
 Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
   Voxels voxels;
   voxels.reserve(static_cast<std::size_t>(points.cols()));
@@ -33,14 +34,17 @@ Voxels voxels_of(const Eigen::Matrix3Xd& points, int dimension, double voxel) {
       at[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(p[i] / voxel));
     voxels.push_back(at);
   }
+  // Each voxel once, in ascending order.
   std::sort(voxels.begin(), voxels.end());
   voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
   return voxels;
 }
 
+/// Number of voxels at the rim: those with a neighbour that is not in the set.
 int rim_of(const Voxels& voxels, int dimension) {
   int rim = 0;
   for (const Voxel& voxel : voxels) {
+    // Neighbours along each axis.
     bool inside = true;
     for (std::size_t i = 0; i < static_cast<std::size_t>(dimension); ++i)
       for (const int step : {-1, 1}) {
@@ -53,7 +57,7 @@ int rim_of(const Voxels& voxels, int dimension) {
   return rim;
 }
 
-/// The points along their principal axes, the longest extent first, about their mean.
+/// The points about their mean along their principal axes, the longest extent first.
 Eigen::Matrix3Xd principal(const Eigen::Matrix3Xd& points) {
   const Eigen::Matrix3Xd centred = points.colwise() - points.rowwise().mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
@@ -65,10 +69,12 @@ DigitAbility measure_space(const std::string& digit, const Eigen::Matrix3Xd& poi
   const Eigen::Matrix3Xd along = principal(points);
   DigitAbility ability;
   ability.digit = digit;
+  // Flat workspaces are measured in fewer dimensions.
   for (int i = 0; i < 3; ++i)
     if (along.row(i).maxCoeff() - along.row(i).minCoeff() > 2 * voxel) ++ability.dimension;
   if (ability.dimension == 0) return ability;
-  // Large voxels have a thick rim, small ones holes between draws: the least share is between.
+  // Large voxels have a thick rim, small ones holes between draws: take the smallest relative
+  // error.
   double least = std::numeric_limits<double>::infinity();
   for (const double share : kCells) {
     const Voxels voxels = voxels_of(along, ability.dimension, share * voxel);
@@ -90,6 +96,7 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   require(draws > 0 && voxel > 0, "a workspace wants draws and a cell, got {} and {} m", draws,
           voxel);
   const HandLayout& layout = hand.layout();
+  // Tip positions at random postures.
   std::vector<Eigen::Matrix3Xd> points(layout.tip_points.size(), Eigen::Matrix3Xd(3, draws));
   for (int n = 0; n < draws; ++n) {
     if (n % kAsk == 0 && progress.stop()) return {};
@@ -99,15 +106,18 @@ Workspaces workspaces(const Hand& hand, int draws, double voxel, std::mt19937& r
   }
   Workspaces out;
   std::set<Voxel> thumb, others;
+  // The opposing digit is the thumb, or the first digit.
   const std::string opposing = thumb_of(hand).empty() && !layout.tip_points.empty()
                                    ? layout.tip_points[0].digit
                                    : thumb_of(hand);
   for (std::size_t t = 0; t < points.size() && !progress.stop(); ++t) {
     const std::string& digit = layout.tip_points[t].digit;
+    // Workspace of each tip; voxels of the opposing digit and of all others.
     out.digits.push_back(measure_space(digit, points[t], voxel));
     const Voxels voxels = voxels_of(points[t], 3, kShared * voxel);
     (digit == opposing ? thumb : others).insert(voxels.begin(), voxels.end());
   }
+  // Their common voxels are the overlap.
   for (const Voxel& each : thumb)
     if (others.count(each) > 0) out.overlap += std::pow(kShared * voxel, 3);
   return out;

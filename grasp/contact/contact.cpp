@@ -24,7 +24,8 @@ namespace {
 
 constexpr double kSamePlace = 1e-9;  // places, in parts of the grasp's extent, and normals [1]
 
-/// Along which points are sorted: few of them are level, unless they are one.
+/// Contacts are sorted along this direction; its components are irrational, so that points rarely
+/// tie.
 const Eigen::Vector3d kAcross(0.6180339887, 0.7548776662, 0.5698402910);
 
 double extent(const std::vector<Contact>& contacts) {
@@ -38,11 +39,13 @@ std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
   const double near = kSamePlace * extent(contacts);
   std::vector<std::size_t> first(contacts.size()), order;
   std::iota(first.begin(), first.end(), std::size_t{0});
+  // Contacts without a patch number, sorted along one direction.
   for (std::size_t i = 0; i < contacts.size(); ++i)
     if (contacts[i].patch < 0) order.push_back(i);
   const auto level = [&](std::size_t i) { return kAcross.dot(contacts[i].p); };
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t i, std::size_t j) { return level(i) < level(j); });
+  // Sweep: only predecessors within the tolerance along that direction can be at the same place.
   for (std::size_t a = 0; a < order.size(); ++a)
     for (std::size_t b = a; b-- > 0;) {
       const std::size_t i = order[a], j = order[b];
@@ -50,6 +53,7 @@ std::vector<std::size_t> first_at_place(const std::vector<Contact>& contacts) {
       if ((contacts[i].p - contacts[j].p).norm() > near ||
           (contacts[i].n - contacts[j].n).norm() > kSamePlace)
         continue;
+      // The earlier contact knows its own first one, so chains end at once.
       first[i] = first[j];
       break;
     }
@@ -64,6 +68,7 @@ std::vector<int> contact_regions(const std::vector<Contact>& contacts) {
   std::map<std::size_t, int> of_place;
   std::vector<int> numbers;
   int next = 0;
+  // A patch or a place gets the next number when its first point comes.
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const int patch = contacts[i].patch;
     const int number = patch >= 0 ? of_patch.try_emplace(patch, next).first->second

@@ -19,14 +19,14 @@ using Eigen::Vector3d;
 constexpr double kCosTurn = 0.86602540378443865;  // of 30 degrees, within a region [1]
 constexpr double kCoarse = 4;  // resolution of the first search, in that of the rim [1]
 
-/// Pieces that hang together.
+/// A connected group of pieces of A that are near B.
 struct Region {
   Ball ball;  // around their points [m]
   PatchPoint nearest;
   Vector3d normal;  // into B, at the nearest point (3)
 };
 
-/// A piece and which way it presses.
+/// A piece of A and the direction in which it presses.
 struct Pressing {
   PatchPiece piece;
   Vector3d normal;  // into B, at its nearest point (3)
@@ -41,10 +41,12 @@ bool neighbours(const Pressing& x, const Pressing& y, double link) {
 std::vector<std::size_t> groups_of(const std::vector<Pressing>& pieces, double link) {
   std::vector<std::size_t> group(pieces.size());
   std::iota(group.begin(), group.end(), std::size_t{0});
+  // Union-find with path halving.
   const auto root = [&](std::size_t i) {
     while (group[i] != i) i = group[i] = group[group[i]];
     return i;
   };
+  // Join every pair of neighbours.
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (root(i) != root(j) && neighbours(pieces[i], pieces[j], link)) group[root(i)] = root(j);
@@ -56,6 +58,7 @@ Region region_of(const std::vector<Pressing>& pieces, const std::vector<std::siz
                  std::size_t wanted) {
   Eigen::AlignedBox3d box;
   Region region{{}, pieces[wanted].piece.points.front(), pieces[wanted].normal};
+  // The box around all balls of the group, and its nearest point.
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     if (group[i] != wanted) continue;
     const auto& [ball, points] = pieces[i].piece;
@@ -83,8 +86,8 @@ double between(const Eigen::RowVectorXd& x, const Eigen::RowVectorXd& y) {
   return std::max(y.minCoeff() - x.maxCoeff(), x.minCoeff() - y.maxCoeff());
 }
 
-/// Distance of the convex hulls of points in a plane, 0 or less if they meet: the widest gap along
-/// lines between points and across them, as a corner and a corner or a side are nearest.
+/// Distance of the convex hulls of points in a plane, 0 or less if they meet: the largest
+/// separation along the lines between points and across these lines (separating axes).
 double distance_of_hulls(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
   Eigen::Matrix2Xd all(2, x.cols() + y.cols());
   all << x, y;
@@ -97,7 +100,7 @@ double distance_of_hulls(const Eigen::Matrix2Xd& x, const Eigen::Matrix2Xd& y) {
         widest =
             std::max(widest, between(axis.transpose() * x, axis.transpose() * y) / axis.norm());
     }
-  return std::isfinite(widest) ? widest : 0;  // all points are one
+  return std::isfinite(widest) ? widest : 0;  // all points coincide
 }
 
 /// Patches in B's frame.
@@ -109,6 +112,7 @@ class PatchFinder {
 
   ContactPatches run() {
     if (is_far()) return std::move(result_);
+    // Coarse search: all pieces of A within the tolerance of B.
     PatchQuery coarse;
     coarse.level = options_.tolerance;
     coarse.resolution = kCoarse * options_.resolution;
@@ -118,6 +122,7 @@ class PatchFinder {
       const Vector3d n = into(piece.points.front());
       pieces.push_back({std::move(piece), n});
     }
+    // Pieces that are neighbours and press alike form one region, and each region one patch.
     const std::vector<std::size_t> group = groups_of(pieces, options_.resolution);
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (group[i] == i) add_patch(region_of(pieces, group, i));
@@ -127,7 +132,7 @@ class PatchFinder {
   }
 
  private:
-  /// Nothing touches: cheaper to tell than to look for pieces.
+  /// Whether the bodies are surely too far apart to touch: cheaper than to search for pieces.
   bool is_far() {
     SignedDistanceOptions roughly;
     roughly.tolerance = options_.tolerance;
@@ -147,21 +152,25 @@ class PatchFinder {
   void add_patch(Region region) {
     if (is_slope(region)) return;
     find_nearest(region);
+    // Contact points of the region in its tangent plane.
     const std::vector<PatchPoint> points = touching(region);
     const Tangents t = tangents(region.normal);
     Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i)
       flat.col(static_cast<Eigen::Index>(i)) << t.e1.dot(points[i].on_b), t.e2.dot(points[i].on_b);
+    // Corners of their convex hull, merged where they are near each other.
     const ReducedPoints reduced = reduce_points(flat, options_.merge, options_.max_points);
     ContactPatch patch{{}, region.nearest.distance, reduced.loss, region.normal};
     for (const int i : reduced.kept)
       patch.contacts.push_back(contact_at(points[static_cast<std::size_t>(i)]));
+    // Several corners come from a rim that is found to the resolution only.
     if (reduced.kept.size() > 1) patch.loss += options_.resolution;
     result_.patches.push_back(std::move(patch));
   }
 
   /// Points of a region in the band above its nearest, which comes first.
   std::vector<PatchPoint> touching(const Region& region) {
+    // Fine search in the region: the points within the band above its nearest point.
     PatchQuery fine;
     fine.level = region.nearest.distance + std::max(options_.band, 2 * b_.accuracy());
     fine.aim = region.nearest.distance + options_.band / 2;
@@ -170,6 +179,7 @@ class PatchFinder {
     fine.max_evaluations = options_.max_evaluations;
     fine.halvings = kRimHalvings;
     std::vector<PatchPoint> points{region.nearest};
+    // Points that press the other way, like those round an edge, belong to another region.
     for (const PatchPiece& piece : search(fine))
       for (const PatchPoint& point : piece.points)
         if (-point.normal.dot(region.normal) >= kCosTurn ||
@@ -178,7 +188,8 @@ class PatchFinder {
     return points;
   }
 
-  /// The nearest point of A around, to a fraction of the band; if that is beyond the cutoff, any.
+  /// Nearest point of A within a ball, to a fraction of the band; any point if it exceeds the
+  /// cutoff.
   PatchPoint nearest_within(const Ball& ball, double cutoff) {
     SignedDistanceOptions exactly;
     exactly.tolerance = options_.band / 5;
@@ -190,7 +201,7 @@ class PatchFinder {
     return {s.on_a + radius * s.normal, s.distance, s.on_b, s.normal, radius};
   }
 
-  /// Whether nearer points of another region are so near that this one only leads down to them.
+  /// Whether the region is only the slope towards a nearer point of another region.
   bool is_slope(const Region& region) {
     const double nearer = region.nearest.distance - options_.band;
     const PatchPoint around =
@@ -199,6 +210,7 @@ class PatchFinder {
   }
 
   void find_nearest(Region& region) {
+    // A finer search may find a nearer point of the same region.
     const PatchPoint point = nearest_within(region.ball, region.nearest.distance);
     if (point.distance >= region.nearest.distance) return;
     const Vector3d n = into(point);
@@ -243,16 +255,19 @@ std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
   const ContactPatch& nearer = x.gap <= y.gap ? x : y;
   const Eigen::Matrix2Xd on_x = flat(x.contacts, nearer.normal),
                          on_y = flat(y.contacts, nearer.normal);
+  // Heights of the contacts along the common normal.
   const auto along_normal = [&](const ContactPatch& patch) {
     Eigen::RowVectorXd heights(static_cast<Eigen::Index>(patch.contacts.size()));
     for (std::size_t i = 0; i < patch.contacts.size(); ++i)
       heights[static_cast<Eigen::Index>(i)] = nearer.normal.dot(patch.contacts[i].contact.p);
     return heights;
   };
+  // Patches that are apart along the normal or in the plane stay two.
   if (between(along_normal(x), along_normal(y)) > options.resolution ||
       distance_of_hulls(on_x, on_y) > options.resolution)
     return {};
 
+  // Reduce the points of both to the corners of one hull.
   std::vector<HandContact> all = nearer.contacts;
   const ContactPatch& other = &nearer == &x ? y : x;
   all.insert(all.end(), other.contacts.begin(), other.contacts.end());
@@ -296,15 +311,19 @@ Around around(const PatchPoint& point, const Shape& b) {
   const std::vector<Vector3d> ways{t.e1, -t.e1, t.e2, -t.e2};
   Around result{{}, point.normal, false};
   std::vector<Vector3d>& normals = result.normals;
+  // Normals of B at four points around the contact.
   for (const Vector3d& way : ways) {
     normals.push_back(b.nearest(point.on_b + kAround * way).normal);
     result.middle += normals.back();
   }
+  // Sharp: two normals diverge in the direction of their points, as at an edge; in a groove they
+  // converge.
   for (std::size_t i = 0; i < ways.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (normals[i].dot(normals[j]) < kCosSharp &&
           (normals[i] - normals[j]).dot(ways[i] - ways[j]) > 0)
         result.sharp = true;
+  // Normals that cancel out have no mean: take the nearest point's.
   const double length = result.middle.norm();
   result.middle = length > 0.1 ? (result.middle / length).eval() : point.normal;
   return result;
@@ -314,6 +333,7 @@ Around around(const PatchPoint& point, const Shape& b) {
 std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
   std::vector<Vector3d> normals;
   std::vector<int> nodes{0};
+  // Descend into the balls that come near the point.
   while (!nodes.empty()) {
     const CollisionNode& node = a.nodes[static_cast<std::size_t>(nodes.back())];
     nodes.pop_back();
@@ -323,13 +343,14 @@ std::vector<Vector3d> normals_of(const CollisionTree& a, const Vector3d& p) {
       nodes.push_back(node.right);
       continue;
     }
+    // Leaf: keep the triangle if it is near enough.
     const SweptTriangle& t = a.triangles[static_cast<std::size_t>(node.triangle)];
     if ((nearest_in_triangle(t.corners, p) - p).norm() <= kAround) normals.push_back(t.n);
   }
   return normals;
 }
 
-/// Their mean, or zero if they differ too much, or one is that of a segment or a point.
+/// Mean of the normals; zero if two of them differ too much, or if a segment or point has none.
 Vector3d common(const std::vector<Vector3d>& normals) {
   Vector3d sum = Vector3d::Zero();
   for (const Vector3d& x : normals) {
@@ -340,8 +361,9 @@ Vector3d common(const std::vector<Vector3d>& normals) {
   return sum.stableNormalized();
 }
 
-/// The way from the face of A that lies on one of B most nearly; else into the face of B that looks
-/// most nearly as one of A does, as the sides of flush blocks do; else the middle way into B.
+/// Contact direction between two sharp places. First choice: normal of the face of A that lies most
+/// nearly on a face of B. Second: the inward normal of the face of B that looks most nearly as a
+/// face of A does, as the sides of flush blocks do. Last: the mean normal into B.
 Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
                  const std::vector<Vector3d>& normals_A) {
   Vector3d on = -near.middle, beside = -near.middle;
@@ -349,6 +371,7 @@ Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
   for (const Vector3d& n : near.normals)
     for (const Vector3d& of_a : normals_A) {
       const Vector3d n_A = R_BA * of_a;
+      // Opposite faces lie on each other; parallel ones are flush.
       const double same = n.dot(n_A);
       if (-same > most_on) on = n_A, most_on = -same;
       if (same > most_beside) beside = -n, most_beside = same;
@@ -360,10 +383,13 @@ Vector3d of_face(const Around& near, const Eigen::Matrix3d& R_BA,
 
 Vector3d contact_normal(const PatchPoint& point, const CollisionTree& a, const Pose<double>& X_BA,
                         const Shape& b) {
+  // A rounded core sees B from outside: its direction is the normal of both.
   if (point.radius > 0 && point.distance + point.radius > 0) return -point.normal;
   const Around near = around(point, b);
+  // A smooth B has one normal.
   if (!near.sharp) return -point.normal;
   const std::vector<Vector3d> normals_A = normals_of(a, X_BA.inverse() * point.core);
+  // On a sharp B the normal of a smooth A counts, in the sense that points into B.
   const Vector3d n = X_BA.R * common(normals_A);
   if (n.isZero()) return of_face(near, X_BA.R, normals_A);
   return n.dot(near.middle) > 0 ? (-n).eval() : n;

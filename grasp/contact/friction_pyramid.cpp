@@ -32,10 +32,12 @@ Eigen::MatrixXd vertices_in(Eigen::Index axes, int edges) {
 
 int bands(int edges) { return (edges + 1) / 2; }
 
-/// The same, ellipsoids by m meridians and m / 2 bands of latitude.
+/// Vertices in terms of the axes (axes, vertices), ellipsoids cut by m meridians and m / 2 bands of
+/// latitude.
 Eigen::MatrixXd vertices_even(Eigen::Index axes, int edges) {
   if (axes < 3) return vertices_in(axes, edges);
   Eigen::MatrixXd z = Eigen::MatrixXd::Zero(3, edges * (bands(edges) - 1) + 2);
+  // The two poles come last; each ring of latitude is a polygon.
   z.bottomRightCorner<1, 2>() << 1, -1;
   for (int i = 1; i < bands(edges); ++i) {
     const double latitude = M_PI * i / bands(edges) - M_PI / 2;
@@ -46,6 +48,7 @@ Eigen::MatrixXd vertices_even(Eigen::Index axes, int edges) {
   return z;
 }
 
+/// The same, enlarged until the polytope contains the disc or ellipsoid: divided by its inradius.
 Eigen::MatrixXd vertices_about(Eigen::Index axes, int edges) {
   Eigen::MatrixXd z = vertices_even(axes, edges);
   if (axes >= 2) z /= std::cos(M_PI / edges);
@@ -56,10 +59,11 @@ Eigen::MatrixXd vertices_about(Eigen::Index axes, int edges) {
 template <typename Vertices>
 WrenchSet cut(const WrenchSet& set, int edges, Vertices vertices) {
   require(edges >= 3, "a pyramid has at least 3 edges, got {}", edges);
-  int contact = 0;  // a number nobody has yet
+  int contact = 0;  // first number that no contact has yet
   for (const WrenchCap& cap : set.caps) contact = std::max(contact, cap.contact + 1);
   WrenchSet out;
   for (const WrenchCap& cap : set.caps) {
+    // Vertices of one cap share the limit of its contact.
     const int number = cap.contact < 0 ? contact++ : cap.contact;
     const Eigen::MatrixXd z = vertices(cap.A.cols(), edges);
     for (Eigen::Index k = 0; k < z.cols(); ++k)

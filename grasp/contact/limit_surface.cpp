@@ -23,6 +23,7 @@ double pressure_at(PatchPressure pressure, double cosine) {
   return cosine * cosine;
 }
 
+/// Load over its limit [1]; infinite if there is a load and no limit.
 double share(double load, double most) {
   if (load == 0) return 0;
   return most > 0 ? load / most : std::numeric_limits<double>::infinity();
@@ -45,12 +46,14 @@ PatchFriction slip_friction(double a, double b, PatchPressure pressure, double f
   PatchFriction sum;
   double normal = 0;
   for (int i = 0; i < kRings; ++i) {
+    // Weight of a ring: its pressure times its area.
     const double phi = kPi / 2 * (i + 0.5) / kRings, s = std::sin(phi);
     const double weight = pressure_at(pressure, std::cos(phi)) * s * std::cos(phi);
     normal += weight * kRays;
     for (int k = 0; k < kRays; ++k) {
       const double theta = 2 * kPi * (k + 0.5) / kRays;
       const Eigen::Vector2d x(a * s * std::cos(theta), b * s * std::sin(theta));
+      // Unit velocity of the point in a rotation about the centre; friction follows it.
       const Eigen::Vector2d r = x - centre;
       const double distance = r.norm();
       if (distance == 0) continue;
@@ -59,6 +62,7 @@ PatchFriction slip_friction(double a, double b, PatchPressure pressure, double f
       sum.torque += weight * (x.x() * v.y() - x.y() * v.x());
     }
   }
+  // Per normal force.
   sum.f *= friction / normal;
   sum.torque *= friction / normal;
   return sum;

@@ -12,7 +12,7 @@ namespace thenar {
 namespace {
 
 constexpr double kFlatCurvature = 10;  // less curved than a ball of 0.1 m [1/m]
-constexpr double kShear = 1.0 / 3;     // shear by Young's modulus of what keeps its volume [1]
+constexpr double kShear = 1.0 / 3;     // shear by Young's modulus of an incompressible layer [1]
 const double kSamePad = std::cos(30 * kDegree);  // of directions in a region, as contact_patches()
 
 bool is_soft(const Material& material) {
@@ -37,6 +37,7 @@ double spread(const ContactPatch& patch) {
 PrincipalCurvatures curvatures_at(const PadBody& body, const Eigen::Vector3d& p_O, double step) {
   const Eigen::Vector3d p = body.X_OB.inverse() * p_O;
   const NearestSurface near = body.solid.shape->nearest(p);
+  // Curvatures at the surface point below p.
   PrincipalCurvatures found = curvatures(*body.solid.shape, p - near.distance * near.normal, step);
   found.d1 = body.X_OB.R * found.d1;
   return found;
@@ -50,13 +51,14 @@ RelativeCurvatures gap_at(const Eigen::Vector3d& p, const PadBody& a, const PadB
   return relative_curvatures(on_a, on_b, angle);
 }
 
-/// The patch of a layer that is not pressed beyond what it has.
+/// Patch of a layer that is pressed at most to its thickness and to half the smaller radius.
 SoftPatch pressed_patch(const Material& layer, const RelativeCurvatures& gap, double friction,
                         double force) {
   const double R1 = 1 / std::max(kFlatCurvature, gap.k1), R2 = 1 / std::max(kFlatCurvature, gap.k2);
   const auto pressed = [&](double load) {
     return winkler_patch(load, layer.young, layer.layer_thickness, R1, R2, friction);
   };
+  // Beyond the limit of the indentation, take the force that just reaches it.
   const SoftPatch patch = pressed(force);
   const double most = std::min(layer.layer_thickness, std::min(R1, R2) / 2);
   if (patch.depth <= most) return patch;
@@ -87,9 +89,11 @@ double torsion_of(const ContactPatch& patch, const PadBody& a, const PadBody& b,
   if (options.contact == ContactModel::kHardPoint || layer == nullptr || patch.contacts.empty())
     return 0;
 
+  // Line and face contacts: their extent is given by their points, not by an elastic patch.
   const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
   if (patch.contacts.size() > 1 && gap.k2 < kFlatCurvature) return 0;
   const double friction = patch.contacts[0].contact.friction;
+  // Each point gets what the friction of separate points does not resist already.
   const double torsion = pressed_patch(*layer, gap, friction, options.force).torsion;
   return std::max(0.0, torsion - friction * spread(patch));
 }
@@ -102,16 +106,20 @@ std::optional<PadStiffness> pad_stiffness(const ContactPatch& patch, const PadBo
   if (layer == nullptr) return {};
   const RelativeCurvatures gap = gap_at(middle(patch), a, b, options.step);
   const double friction = patch.contacts[0].contact.friction;
+  // Winkler foundation under the ellipse, shared by the points of the patch.
   const SoftPatch pressed = pressed_patch(*layer, gap, friction, options.force);
   const auto points = static_cast<double>(patch.contacts.size());
   const double normal =
       layer->young / layer->layer_thickness * kPi * pressed.a * pressed.b / points;
+  // The twist of one point comes from the shear springs over the ellipse.
   const double shear = kShear * normal, arms = (pressed.a * pressed.a + pressed.b * pressed.b) / 4;
   return PadStiffness{normal, shear, patch.contacts.size() == 1 ? shear * arms : 0};
 }
 
 std::vector<ContactPatch> patches_of(const std::vector<HandContact>& contacts) {
   std::vector<ContactPatch> regions;
+  // A contact continues the last patch if it has the same number, or the same surface and
+  // direction.
   for (const HandContact& each : contacts) {
     const auto belongs = [&](const ContactPatch& region) {
       const HandContact& first = region.contacts[0];

@@ -27,9 +27,11 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
   const auto wrench = [&](const Eigen::Vector3d& force) {
     return (ScaledWrench() << force, arm.cross(force) / torque_scale).finished();
   };
+  // Frictionless unit wrench of the normal.
   const Eigen::Vector3d n = contact.n.normalized();
   const Tangents t = tangents(n);
   WrenchCap cap{wrench(n), {}, -1};
+  // Semi-axes of friction and of torsion, as far as there are any.
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
   cap.A.resize(6, slides + twists);
   if (slides > 0)
@@ -46,11 +48,13 @@ WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d
   require(torque_scale > 0 && torque_scale < std::numeric_limits<double>::infinity(),
           "torque scale is {} m", torque_scale);
   require(centre.allFinite(), "the centre is not finite");
+  // One cap a contact point.
   WrenchSet set;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     require_sound(contacts[i], i);
     set.caps.push_back(wrench_cap(contacts[i], contacts[i].p - centre, torque_scale));
   }
+  // Points of one region share a number, and with it a limit of force.
   const std::vector<int> region = contact_regions(contacts);
   for (std::size_t i = 0; i < contacts.size(); ++i) set.caps[i].contact = region[i];
   return set;
@@ -60,6 +64,7 @@ double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
   double largest = -std::numeric_limits<double>::infinity(), sum = 0;
   std::map<int, double> shared;  // best of the caps of numbered contacts, where positive
   for (const WrenchCap& cap : set.caps) {
+    // Support of one cap: an ellipsoid.
     const double reach = u.dot(cap.c) + (cap.A.transpose() * u).norm();
     largest = std::max(largest, reach);
     if (cap.contact < 0)
@@ -67,6 +72,7 @@ double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit) {
     else
       shared[cap.contact] = std::max(shared[cap.contact], reach);
   }
+  // Numbered contacts count once, by their best cap.
   for (const auto& [contact, reach] : shared) sum += reach;
   return limit == ForceNorm::kL1 ? largest : sum;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The wrenches that contacts can make, with their true friction cones.
+/// Wrench sets of contacts: the wrenches that they make within their true (round) friction cones.
 
 #include <vector>
 
@@ -12,30 +12,31 @@ namespace thenar {
 
 using ScaledWrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [N] (6)
 
-/// What one contact can make at unit normal force: an ellipsoid { c + A z : |z| <= 1 }, a disc for
+/// Wrenches of one contact at unit normal force: an ellipsoid { c + A z : |z| <= 1 }, a disc for
 /// a hard point with friction, a point without, three-dimensional for a soft finger.
 /// Its support function is  h(u) = u' c + |A' u|.
 struct WrenchCap {
   ScaledWrench c;                                       // frictionless unit wrench (6)
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3> A;  // semi-axes (6, 0..3)
-  int contact = -1;  // caps of one number >= 0 share the limit of a patch; -1: a patch of its own
+  int contact = -1;  // caps with one number >= 0 share the limit of a patch; -1: their own patch
 };
 
 /// All contacts of a grasp.
 struct WrenchSet {
-  std::vector<WrenchCap> caps;  // one a point of contact, or several of one number
+  std::vector<WrenchCap> caps;  // one for each contact point, or several with one number
 };
 
-/// How contact forces are limited together.
+/// Norm that limits the contact forces together.
 enum class ForceNorm {
   kL1,   // the sum of normal forces is at most 1: the convex hull of the caps
   kLinf  // the normal force of each patch, summed over its points, is at most 1: the Minkowski sum
          // over patches of conv({0} + caps)
 };
 
-/// Caps of contacts about a centre, torques divided by `torque_scale`; contacts of one region
-/// (contact_regions()) share a number. How finely a patch is cut into points changes no set: the
-/// cap of a point between others of one normal and friction is a mixture of theirs.
+/// Wrench caps of contacts about a centre, torques divided by `torque_scale`; contacts of one
+/// region (contact_regions()) share a number. The number of points into which a patch is cut
+/// changes no set: the cap of a point between others with the same normal and friction is a mixture
+/// of theirs.
 ///   c = (n, (p - centre) x n / scale),  semi-axes mu (t, (p - centre) x t / scale) for tangents
 ///   t = t1, t2, and (0, torsion n / scale).
 /// @throws InputError unless normals are unit, coefficients not negative, scale positive, all
@@ -43,8 +44,8 @@ enum class ForceNorm {
 [[nodiscard]] WrenchSet wrench_set(const std::vector<Contact>& contacts,
                                    const Eigen::Vector3d& centre, double torque_scale);
 
-/// Support of the whole set in a direction:  max over L1 caps; for Linf the sum over contacts of
-/// the best of their caps, where positive.
+/// Support function of the whole set:  kL1: the maximum over all caps;  kLinf: the sum over
+/// contacts of their best cap, where positive.
 [[nodiscard]] double support(const WrenchSet& set, const ScaledWrench& u, ForceNorm limit);
 
 namespace internal {

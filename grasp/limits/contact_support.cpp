@@ -18,24 +18,26 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Whether a number is no more than rounding beside the torques of unit forces.
+/// Torques below this share of the largest torque of unit forces are rounding [1].
 constexpr double kNoTorque = 1e-12;
 
-/// Shares of a row that are no more than rounding [1].
+/// Entries of a row below this share of its norm are rounding [1].
 constexpr double kForceRounding = 1e-8;
 
-/// A coordinate presses where its normal lever is no less than this share of its longest, and than
-/// half of the best such share among all coordinates [1].
+/// A coordinate presses a contact if its normal lever is at least the first share of its longest
+/// lever, and at least the second share of the best such ratio among all coordinates [1].
 constexpr double kAlong = 1e-3, kAsWell = 0.5;
 
-/// Which coordinates do work on forces that cancel out on the object. Others, like an arm's, move
-/// all contacts as one body would.
+/// Whether each coordinate does work on internal forces, which cancel out on the object. Others,
+/// like those of an arm, move all contacts as one body would.
 std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   std::vector<bool> squeezing(static_cast<std::size_t>(T.rows()), false);
   if (T.size() == 0) return squeezing;
+  // Orthonormal basis of the forces that make a wrench on the object.
   Eigen::ColPivHouseholderQR<MatrixXd> qr(free_forces(set).wrench.transpose());
   qr.setThreshold(kForceRounding);
   const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(T.cols(), qr.rank());
+  // What is left of the torques is due to internal forces.
   const MatrixXd internal = T - (T * Q) * Q.transpose();
   for (Index j = 0; j < T.rows(); ++j)
     squeezing[static_cast<std::size_t>(j)] =
@@ -43,7 +45,7 @@ std::vector<bool> squeezing(const WrenchSet& set, const MatrixXd& T) {
   return squeezing;
 }
 
-/// One contact, as its joints feel it: torques (coordinates, size).
+/// One contact as the joints feel it: torques (coordinates, size).
 class OneContact {
  public:
   OneContact(const MatrixXd& torques, const Reactions& reactions,
@@ -56,18 +58,22 @@ class OneContact {
   [[nodiscard]] ContactSupport contact_support() const {
     ContactSupport found{SupportKind::kStructure, -1, 0, torques_.cols(),
                          VectorXd::Zero(torques_.rows())};
+    // The outermost non-backdrivable coordinate that presses along the normal; failing it, one that
+    // feels the contact.
     for (const int j : reactions_.non_backdrivable)
       if (along(j) >= least_along_)
         found.pressing_coordinate = std::max(found.pressing_coordinate, j);
     if (found.pressing_coordinate < 0)
       for (const int j : reactions_.non_backdrivable)
         if (feels(j)) found.pressing_coordinate = std::max(found.pressing_coordinate, j);
+    // Levers of all coordinates that press.
     bool pressed = false;
     for (Index j = 0; j < torques_.rows(); ++j) {
       if (!presses(j, found.pressing_coordinate)) continue;
       found.levers(j) = std::copysign(longest_lever(j), torques_(j, 0));
       pressed = true;
     }
+    // Drives come first, then a joint limit, then structure.
     if (pressed)
       found.by =
           found.pressing_coordinate >= 0 ? SupportKind::kNonBackdrivable : SupportKind::kEffort;
@@ -82,7 +88,7 @@ class OneContact {
   [[nodiscard]] double longest_lever(Index j) const {
     return std::max(std::abs(torques_(j, 0)), torques_.row(j).tail(torques_.cols() - 1).norm());
   }
-  /// How much of what a coordinate does here is along the normal [1]; 0 if it squeezes nothing.
+  /// Share of a coordinate's longest lever that is along the normal [1]; 0 if it squeezes nothing.
   [[nodiscard]] double along(Index j) const {
     if (!squeezing_[static_cast<std::size_t>(j)] || !feels(j)) return 0;
     return std::abs(torques_(j, 0)) / longest_lever(j);
@@ -91,7 +97,8 @@ class OneContact {
     return along(j) > kAlong && bears_torque(reactions_, j, torques_(j, 0));
   }
 
-  /// Whether the effort at a coordinate presses the contact. @param worm  that does, or -1
+  /// Whether effort at a coordinate presses the contact. @param worm  the non-backdrivable one, or
+  /// -1
   [[nodiscard]] bool presses(Index j, int worm) const {
     if (along(j) < least_along_ || is_locked(reactions_, j)) return false;
     const auto& non_backdrivable = reactions_.non_backdrivable;
@@ -100,7 +107,7 @@ class OneContact {
     return !is_stopped(j);
   }
 
-  /// Of the coordinates on stops that the normal force pushes them to, that with the longest lever.
+  /// Coordinate with the longest lever of those that the normal force pushes against their limits.
   [[nodiscard]] int longest_stop() const {
     int longest = -1;
     for (Index j = 0; j < torques_.rows(); ++j)
@@ -116,17 +123,18 @@ class OneContact {
   double zero_, least_along_ = kAlong;
 };
 
-/// Splits the forces of one contact between what is pressed and what is passive_contacts.
+/// Splits the forces of one contact into active and passive ones.
 void split(JointLoads& joint_loads, const std::vector<int>& non_backdrivable,
            const ContactSupport& contact_support) {
-  VectorXd passive_contacts = joint_loads.x.col(contact_support.first);
+  VectorXd passive_torques = joint_loads.x.col(contact_support.first);
+  // Non-backdrivable coordinates bear passive forces, and all but the pressing one active ones too.
   for (const int j : non_backdrivable) {
-    passive_contacts(j) = 0;
+    passive_torques(j) = 0;
     if (j != contact_support.pressing_coordinate)
       joint_loads.x.row(j).segment(contact_support.first, contact_support.size).setZero();
   }
   joint_loads.p.conservativeResize(joint_loads.x.rows(), joint_loads.p.cols() + 1);
-  joint_loads.p.rightCols(1) = passive_contacts;
+  joint_loads.p.rightCols(1) = passive_torques;
 }
 
 }  // namespace
@@ -136,6 +144,7 @@ JointLoads find_contact_support(const WrenchSet& set, const MatrixXd& T,
   const double zero = T.size() > 0 ? kNoTorque * T.cwiseAbs().maxCoeff() : 0;
   const std::vector<bool> does_work = squeezing(set, T);
   JointLoads joint_loads{T, MatrixXd(T.rows(), 0), {}, {}, {}};
+  // Tell how each contact is supported; what no effort presses gets a passive force.
   Index first = 0;
   for (const WrenchCap& cap : set.caps) {
     const Index size = 1 + cap.A.cols();
@@ -150,6 +159,7 @@ JointLoads find_contact_support(const WrenchSet& set, const MatrixXd& T,
     joint_loads.contacts.push_back(contact_support);
     first += size;
   }
+  // Only coordinates that feel a contact take part in the balance.
   for (int j = 0; j < T.rows(); ++j) {
     const double x = joint_loads.x.cols() > 0 ? joint_loads.x.row(j).cwiseAbs().maxCoeff() : 0;
     const double p = joint_loads.p.cols() > 0 ? joint_loads.p.row(j).cwiseAbs().maxCoeff() : 0;
@@ -164,7 +174,7 @@ using Eigen::Index;
 using Eigen::RowVectorXd;
 using Eigen::VectorXd;
 
-/// Rows over y = (x, p, v, r, s); s is left out where nothing off the stops presses.
+/// Rows over y = (x, p, v, r, s); s is absent where no coordinate off its joint limits presses.
 class Limits {
  public:
   Limits(ForceSet forces, const JointLoads& joint_loads, const Actuation& actuation)
@@ -172,31 +182,38 @@ class Limits {
         joint_loads_(joint_loads),
         actuation_(actuation),
         s_(forces_.wrench.cols()) {
+    // Clutches are reactions with finite limits.
     clutches_ = reactions_on(actuation.reactions, joint_loads.rows);
     for (Index i = 0; i < clutches_.cols(); ++i)
       if (!std::isfinite(actuation.reactions.least(i)) ||
           !std::isfinite(actuation.reactions.most(i)))
         clutches_.col(i).setZero();
 
+    // One variable s for each contact on a joint limit, if anything can push back against it.
     const bool pushed = count(SupportKind::kEffort) + count(SupportKind::kNonBackdrivable) > 0;
     widen(forces_, pushed ? count(SupportKind::kJointLimit) : 0);
+    // Sums that the rows below need: active normal forces, and those of joint limits.
     pressed_ = sum_of(SupportKind::kEffort) + sum_of(SupportKind::kNonBackdrivable);
     by_stops_ = none();
     for (Index i = 0; s_ + i < forces_.wrench.cols(); ++i) by_stops_(s_ + i) = 1;
   }
 
   ForceSet limited() {
+    // Active forces stay within the efforts.
     for (const int j : joint_loads_.rows)
       for (const double way : {1.0, -1.0}) keep_within_efforts(j, way);
+    // Passive forces push back at most as much as active ones press.
     push_back();
     if (count(SupportKind::kJointLimit) == 0) return forces_;
     ForceSet idle = forces_;
+    // Joints at their limits are pressed on by the efforts, unless their springs outweigh these.
     for (const auto& [j, way] : pressers()) largest(j, way) < 0 ? leave(j) : press(j, way);
+    // Keep these rows if the hand stays in balance with them.
     if (is_slack() ||
         minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum).status !=
             ConeStatus::kInfeasible)
       return forces_;
-    // No effort keeps the hand in balance and off its stops: they are not pressed.
+    // No effort keeps the hand in balance and off its joint limits: they are not pressed.
     add_rows(idle, sum_of(SupportKind::kJointLimit) - by_stops_, VectorXd::Zero(1));
     return idle;
   }
@@ -224,7 +241,7 @@ class Limits {
     return sum;
   }
 
-  /// Coordinates on stops whose efforts press, and the way off the stop.
+  /// Coordinates at joint limits whose efforts press, and the sign of moving off the limit.
   [[nodiscard]] std::map<int, double> pressers() const {
     std::map<int, double> ways;
     for (const ContactSupport& contact : joint_loads_.contacts)
@@ -234,18 +251,19 @@ class Limits {
     return ways;
   }
 
-  /// Whether no effort at all is among the efforts, and keeps the hand in balance.
+  /// Whether zero effort is allowed and keeps the hand in balance.
   [[nodiscard]] bool is_slack() const {
     return actuation_.tau_0.isZero(0) && (actuation_.lower.array() <= 0).all() &&
            (actuation_.upper.array() >= 0).all();
   }
 
-  /// Largest torque of efforts and clutches at a coordinate, in one way.
+  /// Largest torque of efforts and clutches at a coordinate, in the direction of the sign.
   [[nodiscard]] double largest(int j, double way) const {
     double sum = way * actuation_.tau_0(j);
     const auto add = [&](double torque, double least, double most) {
       if (torque != 0) sum += std::max(torque * least, torque * most);
     };
+    // Torques of actuators, then of clutches.
     for (Index k = 0; k < actuation_.B.cols(); ++k)
       add(way * actuation_.B(j, k), actuation_.lower(k), actuation_.upper(k));
     for (Index i = 0; i < clutches_.cols(); ++i)
@@ -254,18 +272,19 @@ class Limits {
     return sum;
   }
 
-  /// sum l_i x_i0 <= largest torque, of contacts that push a coordinate back the same way.
+  /// sum l_i x_i0 <= largest torque, over the contacts that push a coordinate back the same way.
   void keep_within_efforts(int j, double way) {
     RowVectorXd row = none();
     for (const ContactSupport& contact : joint_loads_.contacts)
       if (contact.by == SupportKind::kEffort || contact.by == SupportKind::kNonBackdrivable)
         row(contact.first) = std::max(0.0, way * contact.levers(j));
+    // Scaled by the longest lever; an unlimited torque needs no row.
     const double longest = row.maxCoeff(), limit = std::max(0.0, largest(j, way));
     if (longest > 0 && std::isfinite(limit))
       add_rows(forces_, row / longest, VectorXd::Constant(1, limit / longest));
   }
 
-  /// 0 <= s_i <= x_i0, and the sums of what pushes back.
+  /// 0 <= s_i <= x_i0, and the sum of passive forces is at most the sum of active ones.
   void push_back() {
     Index s = s_;
     for (const ContactSupport& contact : joint_loads_.contacts) {
@@ -273,7 +292,9 @@ class Limits {
       add_rows(forces_, -unit(s), VectorXd::Zero(1));
       add_rows(forces_, unit(s++) - unit(contact.first), VectorXd::Zero(1));
     }
+    // sum s <= sum of active normal forces.
     if (s > s_) add_rows(forces_, by_stops_ - pressed_, VectorXd::Zero(1));
+    // sum x of structure + sum s <= active sum + sum a, with a = x - s of joint limits.
     if (count(SupportKind::kStructure) > 0)
       add_rows(forces_,
                sum_of(SupportKind::kStructure) + 2 * by_stops_ - sum_of(SupportKind::kJointLimit) -
@@ -281,7 +302,7 @@ class Limits {
                VectorXd::Zero(1));
   }
 
-  /// The a_i = x_i0 - s_i of contacts on the stop of a coordinate, by their levers.
+  /// The a_i = x_i0 - s_i of contacts at the joint limit of a coordinate, times their levers.
   [[nodiscard]] RowVectorXd pressed_at(int j) const {
     RowVectorXd row = none();
     Index s = s_;
@@ -295,18 +316,21 @@ class Limits {
     return row;
   }
 
-  /// sum |T_j n_i| a_i <= B_j u + R_j r + tau_0j, r of clutches, in the way off the stop.
+  /// sum |T_j n_i| a_i <= B_j u + R_j r + tau_0j, r of clutches, with the sign of moving off the
+  /// limit.
   void press(int j, double way) {
     RowVectorXd row = pressed_at(j);
+    // Columns of efforts v and reactions r.
     const Index v = joint_loads_.x.cols() + joint_loads_.p.cols(), r = v + actuation_.B.cols();
     row.segment(v, actuation_.B.cols()) =
         -way * actuation_.B.row(j).cwiseProduct(forces_.effort_unit.transpose());
     row.segment(r, clutches_.cols()) = -way * clutches_.row(row_of(j));
+    // Scaled to a largest coefficient of 1.
     const double size = row.cwiseAbs().maxCoeff();
     add_rows(forces_, row / size, VectorXd::Constant(1, way * actuation_.tau_0(j) / size));
   }
 
-  /// Springs hold it on its stop whatever the efforts do: a = 0.
+  /// Springs keep the joint at its limit whatever the efforts are: a = 0.
   void leave(int j) {
     const RowVectorXd row = pressed_at(j);
     add_rows(forces_, row / row.cwiseAbs().maxCoeff(), VectorXd::Zero(1));
@@ -315,11 +339,10 @@ class Limits {
   ForceSet forces_;
   const JointLoads& joint_loads_;
   const Actuation& actuation_;
-  Eigen::MatrixXd
-      clutches_;  // rows of limited reactions, zeros for others (rows joint_loads, reactions)
-  Index s_;       // first of s
-  RowVectorXd pressed_;   // sums the normal forces that joints off their stops press
-  RowVectorXd by_stops_;  // sums s
+  Eigen::MatrixXd clutches_;  // rows of limited reactions, zeros for others (rows, reactions)
+  Index s_;                   // first of s
+  RowVectorXd pressed_;       // sums the normal forces that joints off their limits press
+  RowVectorXd by_stops_;      // sums s
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Who makes and who bears the forces of contacts.
+/// Splits contact forces into active ones, which actuators press, and passive ones, which joints,
+/// stops and structure support.
 
 #include <vector>
 
@@ -12,43 +13,45 @@
 
 namespace thenar::internal {
 
-/// What makes the normal force of a contact.
+/// Source of the normal force of a contact.
 enum class SupportKind {
-  kEffort,           // efforts at joints off their stops
-  kNonBackdrivable,  // the drive of a held coordinate
-  kJointLimit,       // stops bear it, and efforts press it
-  kStructure         // nothing presses it: it pushes back
+  kEffort,           // efforts at joints off their limits
+  kNonBackdrivable,  // the drive of a non-backdrivable coordinate
+  kJointLimit,       // a joint limit supports the contact, and efforts press against it
+  kStructure         // rigid structure: nothing presses, it pushes back
 };
 
-/// Who carries one contact.
+/// How one contact is supported.
 struct ContactSupport {
   SupportKind by = SupportKind::kStructure;
-  int pressing_coordinate =
-      -1;                  // coordinate whose effort presses what worms or stops bear; -1: none
-  Eigen::Index first = 0;  // its normal force in x
-  Eigen::Index size = 1;   // of its forces in x
-  Eigen::VectorXd
-      levers;  // what limits kEffort and kNonBackdrivable, as hand_forces(); signed (coordinates)
+  int pressing_coordinate = -1;  // presses a non-backdrivable or joint-limit contact; or -1
+  Eigen::Index first = 0;        // its normal force in x
+  Eigen::Index size = 1;         // of its forces in x
+  Eigen::VectorXd levers;        // limit kEffort and kNonBackdrivable, as hand_forces(); signed
+                                 // (coordinates)
 };
 
-/// What joints feel of contacts, and who carries these.
+/// Joint torques of unit contact forces, and how each contact is supported.
 struct JointLoads {
-  Eigen::MatrixXd x;                     // (coordinates, length of x)
-  Eigen::MatrixXd p;                     // (coordinates, length of p)
+  Eigen::MatrixXd x;                     // torques of active forces (coordinates, length of x)
+  Eigen::MatrixXd p;                     // torques of passive forces (coordinates, length of p)
   std::vector<int> passive_contacts;     // as ForceSet
-  std::vector<int> rows;                 // coordinates that feel anything
+  std::vector<int> rows;                 // coordinates that feel a contact
   std::vector<ContactSupport> contacts;  // in the order of the set
 };
 
-/// Tells who carries each contact, as hand_forces() says, and splits what joints feel between what
-/// efforts press and what worms, stops and structure bear.
-/// @param T  torque_map()  (coordinates, length of x)
+/// Finds how each contact is supported, by the rules of hand_forces(), and splits the joint torques
+/// between active forces and those that non-backdrivable drives, joint limits and structure
+/// support.
+/// @param T  torque_map()  (coordinates, length of x) [m]
 [[nodiscard]] JointLoads find_contact_support(const WrenchSet& set, const Eigen::MatrixXd& T,
                                               const Reactions& reactions);
 
-// No squeeze without effort: what limits the forces of contacts that stops and structure bear.
+/// Limits the preload that joint limits and structure can give: it never exceeds what actuators
+/// press.
+///
 
-/// Adds variables s and the limits of hand_forces() on what stops and structure push back.
+/// Adds variables s and the limits of hand_forces() on what joint limits and structure push back.
 /// @param forces  of (x, p, v, r), torques in balance
 [[nodiscard]] ForceSet limit_preload(ForceSet forces, const JointLoads& joint_loads,
                                      const Actuation& actuation);

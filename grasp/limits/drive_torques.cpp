@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// How far behind the drive a joint still counts as coupled, of the drive [rad] or [m].
+/// A joint that lags behind the drive by less still counts as coupled, in units of the drive.
 constexpr double kCoupled = 1e-6;
 
-/// One drive: its column of B, and what it adds to the reactions.
+/// One drive: its column of B, and the reactions that it adds.
 class OneDrive {
  public:
   OneDrive(const Drive& drive, const VectorXd& q, Reactions& reactions)
@@ -30,6 +30,7 @@ class OneDrive {
     return VectorXd::Unit(q_.size(), coordinate);
   }
 
+  /// Drives that stay put lock their coordinates; others only keep them from being driven back.
   void hold() {
     for (const DrivenCoordinate& move : drive_.moves)
       if (drive_.speed == 0)
@@ -38,6 +39,7 @@ class OneDrive {
         reactions_.non_backdrivable.push_back(move.coordinate);
   }
 
+  /// tau = u r / (r'r)
   [[nodiscard]] VectorXd shared() const {
     VectorXd column = VectorXd::Zero(q_.size());
     for (const DrivenCoordinate& move : drive_.moves) column(move.coordinate) = move.ratio;
@@ -49,11 +51,13 @@ class OneDrive {
     const auto gone = [&](const DrivenCoordinate& move) {
       return closing * q_(move.coordinate) / move.ratio;
     };
+    // Joints at the drive's farthest position are still coupled; the last of them is the outermost.
     double farthest = -kInfinity;
     for (const DrivenCoordinate& move : drive_.moves) farthest = std::max(farthest, gone(move));
     const DrivenCoordinate* outermost = nullptr;
     for (const DrivenCoordinate& move : drive_.moves)
       if (gone(move) >= farthest - kCoupled) outermost = &move;
+    // The clutches of all others take their torques; the outermost gets the rest.
     for (const DrivenCoordinate& move : drive_.moves)
       if (&move != outermost) bear(move, *outermost, gone(move) >= farthest - kCoupled, closing);
     return unit(outermost->coordinate) / outermost->ratio;
@@ -63,6 +67,7 @@ class OneDrive {
   void bear(const DrivenCoordinate& move, const DrivenCoordinate& outermost, bool coupled,
             double closing) {
     VectorXd torque = unit(move.coordinate);
+    // A coupled joint takes its torque from the outermost's share.
     if (coupled) torque(outermost.coordinate) -= move.ratio / outermost.ratio;
     const double back = coupled && drive_.backdrivable ? drive_.breakaway : 0;
     const bool rises = closing * move.ratio > 0;  // with the drive's way of closing

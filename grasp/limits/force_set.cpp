@@ -57,7 +57,8 @@ double unit_of(double lower, double upper) {
   return unit > 0 ? unit : 1;
 }
 
-/// Adds the variables p: normal forces of contacts that are there already.
+/// Adds the variables p: passive normal forces of contacts that exist already.
+// One column a passive force: the frictionless unit wrench of its contact, never negative.
 void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& passive_contacts) {
   const Index first = forces.wrench.cols(), count = static_cast<Index>(passive_contacts.size());
   widen(forces, count);
@@ -75,12 +76,14 @@ void bear(ForceSet& forces, const WrenchSet& set, const std::vector<int>& passiv
 void balance_torques(ForceSet& forces, const internal::JointLoads& joint_loads,
                      const Actuation& a) {
   const auto rows = static_cast<Index>(joint_loads.rows.size());
+  // Columns in the order of y = (x, p, v, r).
   forces.A.resize(rows, forces.wrench.cols());
   forces.A << joint_loads.x(joint_loads.rows, Eigen::all),
       joint_loads.p(joint_loads.rows, Eigen::all),
       -a.B(joint_loads.rows, Eigen::all) * forces.effort_unit.asDiagonal(),
       -reactions_on(a.reactions, joint_loads.rows);
   forces.b = a.tau_0(joint_loads.rows);
+  // Scale each row to a largest coefficient of 1.
   for (Index i = 0; i < forces.A.rows(); ++i) {
     const double largest = forces.A.row(i).cwiseAbs().maxCoeff();
     forces.A.row(i) /= largest;
@@ -95,8 +98,8 @@ void limit(ForceSet& forces, Index i, double lower, double upper, double unit) {
   if (std::isfinite(lower)) add_rows(forces, -one, VectorXd::Constant(1, -lower / unit));
 }
 
-/// Forces, and torques about the contact, that the variables of a contact stand for: columns
-/// (torque, force) as the rows of a spatial Jacobian.
+/// Loads that the variables of a contact stand for, about the contact: columns (torque, force) as
+/// the rows of a spatial Jacobian (6, size).
 MatrixXd local_loads(const Contact& contact) {
   const Tangents t = tangents(contact.n);
   const int slides = contact.friction > 0 ? 2 : 0, twists = contact.torsion > 0 ? 1 : 0;
@@ -113,12 +116,14 @@ ForceSet free_forces(const WrenchSet& set) {
   const Index n = variables_of(set);
   ForceSet forces;
   forces.contacts = static_cast<int>(set.caps.size());
+  // Without hand: no balance, and each contact's variables in its cone.
   forces.wrench.resize(6, n);
   forces.normals.setZero(n);
   forces.A.resize(0, n);
   forces.b.resize(0);
   forces.G = -MatrixXd::Identity(n, n);
   forces.h.setZero(n);
+  // Columns of each cap: frictionless unit wrench, then its semi-axes.
   Index column = 0;
   for (const WrenchCap& cap : set.caps) {
     forces.wrench.col(column) = cap.c;
@@ -134,10 +139,12 @@ ForceSet free_forces(const WrenchSet& set) {
 ForceSet unit_forces(const WrenchSet& set, ForceNorm limit) {
   ForceSet forces = free_forces(set);
   const Index n = forces.normals.size();
+  // L1: one limit on the sum of all normal forces.
   if (limit == ForceNorm::kL1) {
     add_rows(forces, forces.normals, VectorXd::Ones(1));
     return forces;
   }
+  // Linf: one limit a patch, on the sum over its points.
   std::map<int, Eigen::RowVectorXd> shared;  // sums of caps that share a contact's limit
   Index column = 0;
   for (const WrenchCap& cap : set.caps) {
@@ -156,14 +163,17 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
   check(set, T, actuation);
   const Reactions& reactions = actuation.reactions;
   const internal::JointLoads joint_loads = internal::find_contact_support(set, T, reactions);
+  // Variables x of the cones, then p of passive forces.
   ForceSet forces = free_forces(set);
   bear(forces, set, joint_loads.passive_contacts);
+  // Variables v of efforts and r of reactions, tied to the contacts by the balance of torques.
   const Index efforts = forces.wrench.cols(), actuators = actuation.B.cols();
   widen(forces, actuators + reactions.R.cols());
   forces.effort_unit.resize(actuators);
   for (Index i = 0; i < actuators; ++i)
     forces.effort_unit(i) = unit_of(actuation.lower(i), actuation.upper(i));
   balance_torques(forces, joint_loads, actuation);
+  // Limits of actuators and reactions.
   for (Index i = 0; i < actuators; ++i)
     limit(forces, efforts + i, actuation.lower(i), actuation.upper(i), forces.effort_unit(i));
   for (Index i = 0; i < reactions.R.cols(); ++i)
@@ -174,6 +184,7 @@ ForceSet hand_forces(const WrenchSet& set, const MatrixXd& T, const Actuation& a
 ForceSet active_only(ForceSet forces) {
   const Index pressed = forces.wrench.cols();
   Index first = 0;  // of p, behind x
+  // Passive forces p follow the contacts' own variables; each is set to zero.
   for (int contact = 0; contact < forces.contacts; ++contact)
     first += forces.cones[static_cast<std::size_t>(contact)];
   for (std::size_t i = 0; i < forces.passive_contacts.size(); ++i)
@@ -190,12 +201,14 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
     const auto surface = static_cast<std::size_t>(contacts[i].surface);
     require(surface < hand.surfaces().size(), "contact {} is at surface {} of {}", i,
             contacts[i].surface, hand.surfaces().size());
+    // The contact seen from the hand.
     Contact contact_H = contacts[i].contact;
     contact_H.p = X_HO * contact_H.p;
     contact_H.n = X_HO.R * contact_H.n;
     const int link = hand.surfaces()[surface].link;
     const MatrixXd loads = local_loads(contact_H);
     MatrixXd torques = MatrixXd::Zero(q.size(), loads.cols());
+    // Transposed Jacobian of the contact point; a palm that cannot move has none.
     if (link >= 0) {
       const Eigen::Vector3d reference =
           poses[static_cast<std::size_t>(link)].inverse() * contact_H.p;
@@ -210,16 +223,19 @@ MatrixXd torque_map(const Hand& hand, const VectorXd& q, const std::vector<HandC
 ContactForces contact_forces(const ForceSet& set, const VectorXd& y) {
   ContactForces result{{}, VectorXd(set.contacts), VectorXd(set.effort_unit.size())};
   Index column = 0;
+  // Active force of each contact.
   for (int i = 0; i < set.contacts; ++i) {
     const int size = set.cones[static_cast<std::size_t>(i)];
     result.wrenches.emplace_back(set.wrench.middleCols(column, size) * y.segment(column, size));
     result.normal(i) = y(column);
     column += size;
   }
+  // Passive forces add to the contacts that bear them.
   for (const int contact : set.passive_contacts) {
     result.wrenches[static_cast<std::size_t>(contact)] += set.wrench.col(column) * y(column);
     result.normal(contact) += y(column++);
   }
+  // Efforts in SI units.
   result.efforts = set.effort_unit.cwiseProduct(y.segment(column, set.effort_unit.size()));
   return result;
 }
@@ -240,6 +256,7 @@ void add_rows(ForceSet& forces, const Eigen::MatrixXd& rows, const Eigen::Vector
 }
 
 void widen(ForceSet& forces, Index by) {
+  // New columns are zero everywhere: no limit and no balance knows them.
   const Index n = forces.wrench.cols();
   forces.wrench.conservativeResize(6, n + by);
   forces.wrench.rightCols(by).setZero();

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Row of the limit of every contact, one a patch.
+/// Row of the force limit of every contact; points of one patch share a row.
 struct PatchRows {
   std::vector<Index> of_contact;
   Index count = 0;
@@ -30,6 +30,7 @@ PatchRows patch_rows(const ForceSet& forces) {
 
 /// Adds t with  sum of f_n <= t  for every patch, and aims at the least t.
 void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
+  // A new column for t, with the objective t alone.
   const PatchRows patches = patch_rows(forces);
   const Index n = program.c.size(), rows = program.G.rows();
   program.c = VectorXd::Unit(n + 1, n);
@@ -38,10 +39,12 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
   program.G.conservativeResize(rows + patches.count, n + 1);
   program.G.col(n).setZero();
   program.G.bottomRows(patches.count).setZero();
+  // Rows of patches:  sum of f_n - t <= 0.
   program.G.col(n).tail(patches.count).setConstant(-1);
   program.h.conservativeResize(rows + patches.count);
   program.h.tail(patches.count).setZero();
   program.cones.insert(program.cones.end(), static_cast<std::size_t>(patches.count), 1);
+  // Active and passive normal forces of each contact count in the row of its patch.
   Index column = 0;
   for (std::size_t i = 0; i < patches.of_contact.size(); ++i) {
     program.G(rows + patches.of_contact[i], column) = 1;
@@ -56,6 +59,7 @@ void bound_by_largest(ConeProgram& program, const ForceSet& forces) {
 GraspForce minimum_grasp_force(const ForceSet& forces, const ScaledWrench& load,
                                GraspForceObjective objective) {
   require(load.allFinite(), "the load must be finite");
+  // Variables and cones of the force set, and six rows for the equilibrium of the object.
   ConeProgram program{forces.normals.transpose(), {}, {}, forces.G, forces.h, forces.cones};
   program.A.resize(forces.A.rows() + 6, forces.wrench.cols());
   program.A << forces.A, forces.wrench;

@@ -15,7 +15,7 @@ bool is_non_backdrivable(const Reactions& reactions, int coordinate) {
                    coordinate) != reactions.non_backdrivable.end();
 }
 
-/// Whether a reaction is the coordinate's alone.
+/// Whether the reaction acts on this coordinate alone.
 bool is_own(const Reactions& reactions, Index i, Index coordinate) {
   const double own = std::abs(reactions.R(coordinate, i));
   return own > 0 && own == reactions.R.col(i).cwiseAbs().sum();
@@ -37,6 +37,7 @@ Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q
   const HandLayout& layout = hand.layout();
   Actuation actuation = hand.actuation(q);
   for (Index j = 0; j < q.size(); ++j) {
+    // A joint limit pushes towards the inside of the range, without limit.
     const Eigen::VectorXd torque = Eigen::VectorXd::Unit(q.size(), j);
     if (q[j] <= layout.lower[j] + kAtLimit) add_reaction(actuation.reactions, torque, 0, kInfinity);
     if (q[j] >= layout.upper[j] - kAtLimit)
@@ -50,8 +51,10 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
   if (count == 0) return Eigen::MatrixXd(coordinates.size(), 0);
   Eigen::MatrixXd rows = reactions.R(coordinates, Eigen::all);
   for (Index i = 0; i < count; ++i) {
+    // The coordinate nearest to the base that the reaction acts on.
     int innermost = 0;
     while (innermost + 1 < reactions.R.rows() && reactions.R(innermost, i) == 0) ++innermost;
+    // A non-backdrivable drive already supports what a joint limit of its coordinate would.
     const bool stops = reactions.least(i) == 0 && reactions.most(i) == kInfinity;
     const bool worm =
         stops && is_non_backdrivable(reactions, innermost) && is_own(reactions, i, innermost);
@@ -63,6 +66,7 @@ Eigen::MatrixXd reactions_on(const Reactions& reactions, const std::vector<int>&
 
 bool bears_torque(const Reactions& reactions, Index coordinate, double way) {
   for (Index i = 0; i < reactions.least.size(); ++i) {
+    // The end of the reaction's range in the direction asked for.
     const bool up = (reactions.R(coordinate, i) > 0) == (way > 0);
     const double limit = up ? reactions.most(i) : -reactions.least(i);
     if (limit == kInfinity && is_own(reactions, i, coordinate)) return true;

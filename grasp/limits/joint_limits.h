@@ -1,35 +1,36 @@
 #pragma once
 
-/// Torques that come without effort: of joints at the ends of their ranges, and of locks.
+/// Reaction torques of joint limits and locks, which need no actuator.
 
 #include "hand/hand.h"
 
 namespace thenar {
 
-/// How near to its limit a coordinate rests on a stop [rad] or [m].
+/// A coordinate nearer to its limit than this rests on it [rad] or [m].
 inline constexpr double kAtLimit = 1e-4;
 
-/// What a hand can do at a posture, with the stops of every coordinate at a limit: a reaction from
-/// zero upwards, towards the inside of its range. Of human joints it stands for the ligaments and
-/// bones that end their motion.
+/// Actuation of a hand at a posture, with the joint limits on which coordinates rest: each is a
+/// reaction from zero upwards, towards the inside of the range. For human joints it stands for the
+/// ligaments and bones that end their motion.
 /// @param q  (coordinates) [rad], of sliding joints [m]
 [[nodiscard]] Actuation actuation_with_joint_limits(const Hand& hand, const Eigen::VectorXd& q);
 
-/// Appends a reaction. @param torque  of it at 1 (coordinates)
+/// Appends a reaction.
+/// @param torque      joint torques of the unit reaction (coordinates)
+/// @param least, most  limits of the reaction; infinite: none [N m]
 void add_reaction(Reactions& reactions, const Eigen::VectorXd& torque, double least, double most);
 
-/// The rows of R of some coordinates. A reaction that shares torque between coordinates (a clutch)
-/// does so only if the innermost of them is among these: else its columns are zero. So are those of
-/// stops of held coordinates: worms bear what they would.
+/// Rows of R of some coordinates. A reaction that shares torque between coordinates (a clutch)
+/// counts only if the innermost of them is among these; otherwise its column is zero. Columns of
+/// joint limits of non-backdrivable coordinates are zero, too: the drive supports the same torque.
 /// @param coordinates  ascending
 [[nodiscard]] Eigen::MatrixXd reactions_on(const Reactions& reactions,
                                            const std::vector<int>& coordinates);
 
-/// Whether a reaction of this coordinate alone balances whatever torque comes, of the sign of
-/// `way`.
+/// Whether reactions of this coordinate alone balance any torque of the sign of `way`.
 [[nodiscard]] bool bears_torque(const Reactions& reactions, Eigen::Index coordinate, double way);
 
-/// Whether the same holds both ways: a lock, or stops that leave no range.
+/// Whether reactions balance any torque of both signs: a lock, or limits that leave no range.
 [[nodiscard]] bool is_locked(const Reactions& reactions, Eigen::Index coordinate);
 
 }  // namespace thenar

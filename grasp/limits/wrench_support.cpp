@@ -12,16 +12,16 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kMaxLeverage = 1e4;     // of a load over the largest limit of forces [1]
-constexpr double kWholeLoad = 1 - 1e-4;  // of a load, as good as all of it [1]
+constexpr double kMaxLeverage = 1e4;     // largest ratio of a load to the limits of forces [1]
+constexpr double kWholeLoad = 1 - 1e-4;  // share of a load that counts as all of it [1]
 
-/// The programme of a force set, still without an aim.
+/// The cone program of a force set, without an objective.
 ConeProgram program_of(const ForceSet& forces) {
   return {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
 }
 
-/// Appends a variable that no constraint sees.
+/// Appends a variable with zero coefficients.
 void add_variable(ConeProgram& program) {
   const Index n = program.c.size();
   program.c.conservativeResize(n + 1);
@@ -40,17 +40,18 @@ void add_equalities(ConeProgram& program, const MatrixXd& rows, const VectorXd& 
   program.b.tail(rows.rows()) = values;
 }
 
-/// The largest limit of a programme; 0: it has none.
+/// The largest limit of a program; 0: it has none.
 double largest_limit(const ConeProgram& program) {
   return std::max(program.b.lpNorm<Eigen::Infinity>(), program.h.lpNorm<Eigen::Infinity>());
 }
 
-/// Whether the last variable reaches a value far beyond all limits, which count as parts of it.
+/// Whether the last variable reaches a value far above all limits. The program is scaled by it.
 bool reaches(ConeProgram program, double value) {
   const Index rows = program.G.rows(), last = program.c.size() - 1;
   program.b /= value;
   program.h /= value;
   program.G.conservativeResize(rows + 1, program.G.cols());
+  // One more limit: the scaled variable is at most 1.
   program.G.row(rows) = Eigen::RowVectorXd::Unit(program.G.cols(), last);
   program.h.conservativeResize(rows + 1);
   program.h(rows) = 1;
@@ -59,8 +60,8 @@ bool reaches(ConeProgram program, double value) {
   return most.status == ConeStatus::kSolved && -most.objective > kWholeLoad;
 }
 
-/// A value with so much leverage is borne by structure but for the rounding of normals, and the
-/// programme is so badly scaled that it may not end.
+/// A value of so much leverage is supported by structure except for the rounding of normals; the
+/// program is then scaled so badly that its solver may stall. Marks the solution as unbounded.
 void judge_leverage(const ConeProgram& program, double way, ConeResult& solution) {
   const double most = kMaxLeverage * largest_limit(program) / way;
   if (most == 0) return;
@@ -70,10 +71,11 @@ void judge_leverage(const ConeProgram& program, double way, ConeResult& solution
   if (beyond) solution.status = ConeStatus::kUnbounded;
 }
 
-/// The value is minus the objective.
+/// Reads the support from a solution; the value is minus the objective.
 WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
   const VectorXd y = solution.x.head(forces.wrench.cols());
-  WrenchSupport reach{solution.status,  kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
+  WrenchSupport reach{solution.status, kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
+                      // The dual objective bounds the value from above.
                       solution.residual};
   if (solution.status == ConeStatus::kSolved) {
     reach.value = -solution.objective;
@@ -81,6 +83,7 @@ WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
   }
   if (solution.status == ConeStatus::kUnbounded) reach.value = reach.bound = kInfinity;
   if (solution.status != ConeStatus::kSolved) reach.wrench.setZero();
+  // Without a solution the forces stand for no wrench.
   return reach;
 }
 
@@ -105,13 +108,16 @@ WrenchSupport support_along(const ForceSet& forces, const MatrixXd& rows, const 
           "rows are {} x {}, wanted {} x 6, and the way has {}", rows.rows(), rows.cols(),
           start.size(), way.size());
   require(rows.allFinite() && start.allFinite(), "rows and start must be finite");
+  // One more variable k, to be as large as possible.
   ConeProgram program = program_of(forces);
   add_variable(program);
   program.c(program.c.size() - 1) = -1;
+  // rows W y - k way = start.
   MatrixXd equalities(rows.rows(), program.c.size());
   equalities << rows * forces.wrench, -way;
   add_equalities(program, equalities, start);
   ConeResult solution = solve(program);
+  // Loads far above all limits are unbounded up to rounding.
   judge_leverage(program, way.norm(), solution);
   return support_of(forces, solution);
 }

@@ -48,8 +48,9 @@ Epsilon nothing() {
   return out;
 }
 
-/// Distance of the origin from a set that does not hold it in its interior.
+/// Distance of the origin from a set that does not contain it in its interior.
 Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& options) {
+  // Wolfe's method bounds the distance from both sides.
   const SupportFunction support(set, ForceNorm::kL1);
   const auto nearest = internal::min_norm(support, std::min(options.gap, kOutsideGap));
   Epsilon out{};
@@ -59,6 +60,7 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
   out.missing_direction = nearest.away;
   out.lower = -nearest.x.norm() - support.rounding();
   out.upper = nearest.reach + support.rounding();
+  // A flat set has no wrench across its span: epsilon is 0 unless the origin is clearly outside.
   if (span.rank < 6 && !(out.upper < -kUndecided * support.size())) {
     out.missing_direction = span.basis.col(5);
     out.upper = 0;
@@ -69,7 +71,7 @@ Epsilon outside(const WrenchSet& set, const Span& span, const EpsilonOptions& op
   return out;
 }
 
-/// What is known of epsilon while the hull grows.
+/// Lower and upper bound of epsilon while the hull grows.
 class EpsilonSearch {
  public:
   EpsilonSearch(const SupportFunction& support, const EpsilonOptions& options)
@@ -77,6 +79,7 @@ class EpsilonSearch {
 
   /// Grows the hull until its nearest facet is certified. @returns false if the set has no inside
   bool run() {
+    // Start from a simplex of support points; a flat set has none.
     const auto simplex = internal::first_simplex(support_, internal::kFlat);
     supports_ += simplex.supports;
     if (!simplex.found) return false;
@@ -85,6 +88,7 @@ class EpsilonSearch {
     int next_polish = kPolishAt;
     int next_proof = kPolishAt;
     while (upper_ > 0 && hull.facets() <= options_.max_facets) {
+      // The nearest facet bounds epsilon from below; facets beyond the bar cannot matter.
       hull.set_bar(bar());
       const int facet = hull.pop_nearest();
       if (facet < 0) {  // all are beyond the bar
@@ -94,8 +98,10 @@ class EpsilonSearch {
       const Hull::Plane plane = hull.plane(facet);
       lower_ = std::max(lower_, plane.d - hull.error());
       if (settled()) break;
+      // The support in its direction bounds epsilon from above and is the hull's next vertex.
       const SupportPoint reach = look(plane.n);
       if (settled() || !hull.insert(reach.p, facet)) break;
+      // Now and then descend to a local minimum of the support, and try to prove it.
       if (hull.facets() < next_polish) continue;
       descend_support();
       if (hull.facets() >= next_proof) {
@@ -104,6 +110,7 @@ class EpsilonSearch {
       }
       next_polish *= 2;
     }
+    // Final descent, then proofs for the gap asked for and for the sharpest one.
     facets_ = hull.facets();
     descend_support();
     for (const double gap : {needed_gap(), kProvable * support_.size()})
@@ -136,10 +143,11 @@ class EpsilonSearch {
       (void)look(internal::descend_support(support_, worst_));
   }
 
-  /// Two caps may be nearest along whole families of directions, whose facets grow with 1 / gap:
-  /// the lower bound is then had without facets.
+  /// Proves the lower bound without facets: two caps may be nearest along whole families of
+  /// directions, for which the number of facets would grow with 1 / gap.
   bool prove(double gap, int max_parts) {
     for (int tries = 0; tries < kMaxTries; ++tries) {
+      // Value to prove: just below the upper bound.
       const double r = upper_ - support_.rounding() - 0.9 * gap;
       if (upper_ <= kUndecided * support_.size() || r <= lower_) return false;
       const internal::SupportProof proof = internal::prove_support(support_, r, max_parts);
@@ -148,6 +156,7 @@ class EpsilonSearch {
         return settled();
       }
       if (!proof.below) return false;
+      // A direction below r refutes it and lowers the upper bound.
       (void)look(*proof.below);
     }
     return false;
@@ -165,7 +174,7 @@ class EpsilonSearch {
 
   [[nodiscard]] bool linf() const { return support_.limit() == ForceNorm::kLinf; }
 
-  /// The gap that also settles the sign.
+  /// The gap at which the sign is settled, too.
   [[nodiscard]] double needed_gap() const {
     return std::min(options_.gap, std::max(0.99 * upper_, kUndecided * support_.size()));
   }
@@ -179,8 +188,8 @@ class EpsilonSearch {
   int supports_ = 0, facets_ = 0;
 };
 
-/// kLinf without proof of force closure: the value of kL1, unless that one has the proof; then the
-/// larger set has it, too.
+/// kLinf without proof of force closure: the value of kL1. If kL1 has the proof, the larger kLinf
+/// set is closed, too.
 Epsilon of_l1(const WrenchSet& set, EpsilonOptions options, Epsilon linf) {
   options.limit = ForceNorm::kL1;
   const Epsilon l1 = epsilon(set, options);
@@ -197,12 +206,14 @@ Epsilon epsilon(const WrenchSet& set, const EpsilonOptions& options) {
   require_options(set, options);
   if (set.caps.empty()) return nothing();
   const Span span = span_of(set);
+  // Flat sets, and sets whose origin is not inside, are measured from outside.
   if (span.rank < 6) return outside(set, span, options);
 
   const SupportFunction support(set, options.limit);
   EpsilonSearch search(support, options);
   if (!search.run() || search.upper() <= support.rounding()) return outside(set, span, options);
   Epsilon out = search.result();
+  // Force closure is certified, or the sign decides.
   if (out.force_closure) return out;
   if (options.limit == ForceNorm::kLinf) return of_l1(set, options, out);
   // Facets bound nothing from below where the origin is not inside: a needle beside it may have
@@ -226,7 +237,7 @@ namespace {
 constexpr int kMaxSupports = 2000;
 constexpr double kZero = 1e-14;  // of |x|, in parts of the size [1]
 
-/// Weights of the point of least norm in the affine hull of the columns: y = w0 + D a, w0 the last.
+/// Weights of the least-norm point in the affine hull of the columns: y = w0 + D a, w0 the last.
 Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& points) {
   const Eigen::Index edges = points.cols() - 1;
   Eigen::VectorXd weights = Eigen::VectorXd::Ones(points.cols());
@@ -238,7 +249,7 @@ Eigen::VectorXd affine_weights(const Eigen::Matrix<double, 6, Eigen::Dynamic>& p
   return weights;
 }
 
-/// Few points and how their nearest one is mixed from them.
+/// A few points, and the convex weights of the point of their hull nearest to the origin.
 struct Corral {
   Eigen::Matrix<double, 6, Eigen::Dynamic> points;
   Eigen::VectorXd weights;  // >= 0, sum 1
@@ -258,14 +269,16 @@ struct Corral {
     weights.conservativeResize(last);
   }
 
-  /// Wolfe's minor cycle: to the nearest point of the hull, dropping what it does not need.
+  /// Wolfe's minor cycle: finds the nearest point of the hull and drops points with weight 0.
   void settle() {
     for (;;) {
+      // The nearest point of the affine hull is the answer if it lies in the convex hull.
       const Eigen::VectorXd wanted = affine_weights(points);
       if (wanted.minCoeff() >= 0) {
         weights = wanted;
         return;
       }
+      // Otherwise go towards it until the first weight is 0, and drop that point.
       double step = 1;
       Eigen::Index leaving = 0;
       for (Eigen::Index i = 0; i < wanted.size(); ++i) {
@@ -285,6 +298,7 @@ struct Corral {
 }  // namespace
 
 MinNorm min_norm(const SupportFunction& support, double gap) {
+  // Any support point will do as a start.
   const ScaledWrench start = ScaledWrench::Constant(1 / std::sqrt(6.0));
   MinNorm out{support(start).p, start, std::numeric_limits<double>::infinity(), 1};
   Corral corral;
@@ -294,7 +308,9 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
   while (out.supports < kMaxSupports) {
     const double length = x.norm();
     if (length < out.x.norm()) out.x = x;
+    // x = 0 to rounding: the origin is in the set.
     if (length <= kZero * support.size()) break;
+    // Support point against x: its plane bounds the distance from below.
     const ScaledWrench u = -x / length;
     const SupportPoint reach = support(u);
     ++out.supports;
@@ -302,8 +318,10 @@ MinNorm min_norm(const SupportFunction& support, double gap) {
       out.reach = reach.h;
       out.away = u;
     }
+    // Both bounds agree, or rounding stops progress.
     if (out.x.norm() + out.reach <= std::max(gap, support.rounding())) break;
     if (length + reach.h <= support.rounding()) break;  // no progress left
+    // Major cycle: take the point in, then find the nearest point again.
     corral.add(reach.p);
     corral.settle();
     x = corral.points * corral.weights;

@@ -27,7 +27,7 @@ Eigen::Matrix<double, 6, 4> unit_wrenches(const Contact& contact, const Eigen::V
   return G;
 }
 
-/// Springs that resist, with the wrench of each and its place among all components.
+/// Springs that resist, with the wrench and the component index of each.
 struct Springs {
   Eigen::Matrix<double, 6, Eigen::Dynamic> G;
   VectorXd k;
@@ -38,6 +38,7 @@ Springs springs_of(const std::vector<Contact>& contacts, const Eigen::Vector3d& 
                    double torque_scale, const std::vector<PadStiffness>& pads) {
   Springs springs{Eigen::Matrix<double, 6, Eigen::Dynamic>(6, 0), VectorXd(0), {}};
   for (std::size_t i = 0; i < contacts.size(); ++i) {
+    // Springs along n, t1, t2 and about n; components without stiffness are left out.
     const auto G = unit_wrenches(contacts[i], centre, torque_scale);
     const Eigen::Vector4d k(pads[i].normal, pads[i].tangential, pads[i].tangential,
                             pads[i].twisting);
@@ -55,7 +56,7 @@ Springs springs_of(const std::vector<Contact>& contacts, const Eigen::Vector3d& 
   return springs;
 }
 
-/// J K_q^-1 J' of the components with springs.
+/// J K_q^-1 J' for the components that have springs (springs, springs).
 MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, Index components) {
   require(joints.J.rows() == components && joints.J.cols() == joints.k.size(),
           "J is {} x {}, wanted {} x {}", joints.J.rows(), joints.J.cols(), components,
@@ -68,6 +69,7 @@ MatrixXd joint_compliance(const JointStiffness& joints, const Springs& springs, 
   return J * joints.k.cwiseInverse().asDiagonal() * J.transpose();
 }
 
+/// K = G C^-1 G' of springs in series with the joints.
 Eigen::Matrix<double, 6, 6> in_series(const Springs& springs, const MatrixXd& compliance) {
   if (springs.k.size() == 0) return Eigen::Matrix<double, 6, 6>::Zero();
   const Eigen::LDLT<MatrixXd> ldlt(compliance);
@@ -83,11 +85,13 @@ GraspStiffness grasp_stiffness(const std::vector<Contact>& contacts, const Eigen
                                double torque_scale, const std::vector<PadStiffness>& pads,
                                const std::optional<JointStiffness>& joints) {
   require(pads.size() == contacts.size(), "{} contacts but {} pads", contacts.size(), pads.size());
-  (void)wrench_set(contacts, centre, torque_scale);  // refuses contacts that are none
+  (void)wrench_set(contacts, centre, torque_scale);  // refuses invalid contacts
+  // Compliance of pads, plus that of the joints behind them.
   const Springs springs = springs_of(contacts, centre, torque_scale, pads);
   MatrixXd compliance = springs.k.cwiseInverse().asDiagonal();
   if (joints)
     compliance += joint_compliance(*joints, springs, 4 * static_cast<Index>(contacts.size()));
+  // The smallest eigenvalue is the softest direction.
   const Eigen::Matrix<double, 6, 6> K = in_series(springs, compliance);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(K);
   return {K, eigen.eigenvalues()(0), eigen.eigenvectors().col(0)};

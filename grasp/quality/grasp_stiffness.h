@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a held object yields to loads.
+/// Grasp stiffness: how a held object yields to loads.
 
 #include <optional>
 #include <vector>
@@ -12,27 +12,29 @@
 
 namespace thenar {
 
-/// Joints that yield behind the pads.
+/// Joint stiffness behind the pads.
 struct JointStiffness {
-  Eigen::MatrixXd J;  // velocity along n, t1, t2 [m], and about n [rad], of each contact
+  Eigen::MatrixXd J;  // velocity of each contact along n, t1, t2 [m] and about n [rad]
                       // (4 contacts, joints)
   Eigen::VectorXd k;  // of each joint [N m/rad]; infinite: locked (joints)
 };
 
-/// ScaledWrench on the object per displacement, both with torques and turns in units of force and
-/// length: turns are multiplied by the torque scale.
+/// Wrench on the object per displacement. Torques are divided and rotations multiplied by the
+/// torque scale, so that all are forces and lengths.
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
-  double least;                   // eigenvalue: the softest direction [N/m]
-  ScaledWrench softest;           // unit: motion, turn times scale (6)
+  double least;                   // smallest eigenvalue: stiffness of the softest direction [N/m]
+  ScaledWrench softest;           // unit displacement, rotation times scale (6)
 };
 
-/// K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in series.
+/// Computes K = G (C_pads + J K_q^-1 J')^-1 G',  C_pads the inverse pad stiffness: springs in
+/// series.
 ///
-/// Components a pad does not resist are left out. Forces that already act are not counted: their
-/// part of the stiffness, linear in the squeezing force and in the curvatures, may soften a grasp.
-/// @param pads    one a contact
-/// @param joints  nothing: fingers that do not yield
+/// Components that a pad does not resist are left out, and so is the part of the stiffness that
+/// comes from existing forces, linear in the grasp force and in curvatures, which may soften a
+/// grasp.
+/// @param pads    one for each contact
+/// @param joints  nothing: rigid fingers
 /// @throws InputError if shapes disagree, a stiffness is negative or NaN, a joint stiffness is
 ///         zero, or a rigid pad has no joints behind it that yield.
 /// Source: [Cutkosky1989].

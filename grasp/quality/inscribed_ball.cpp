@@ -11,9 +11,9 @@
 namespace thenar {
 namespace {
 
-constexpr double kNothingNew =
-    1e-9;  // a point beyond a facet by less of its size brings nothing new [1]
+constexpr double kNothingNew = 1e-9;  // a point beyond a facet by less of its size is not new [1]
 
+/// The forces with a limit on the sum of normal forces.
 ForceSet with_strength(ForceSet forces, double max_total_force) {
   const Eigen::Index rows = forces.G.rows();
   forces.G.conservativeResize(rows + 1, forces.G.cols());
@@ -24,14 +24,14 @@ ForceSet with_strength(ForceSet forces, double max_total_force) {
   return forces;
 }
 
-/// Points on the boundary of the set, and what they prove.
+/// Polytope of boundary points of the set; its facets and supports bound the inscribed ball.
 class BallSearch {
  public:
   BallSearch(const ForceSet& forces, const BallOptions& options)
       : forces_(with_strength(forces, options.max_total_force)), options_(options) {}
 
   InscribedBall run() {
-    // Most sets hold the zero wrench, whose neighbourhood is what counts.
+    // Most sets contain the zero wrench, about which the ball lies.
     const GraspForce none =
         minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum);
     if (none.status == ConeStatus::kSolved) {
@@ -39,8 +39,10 @@ class BallSearch {
       result_.residual = none.residual;
     }
     ++result_.programs;
+    // Support in both directions of all six axes.
     for (int i = 0; i < 6 && ok(); ++i)
       for (const double sign : {1.0, -1.0}) (void)look(sign * ScaledWrench::Unit(i));
+    // Refine the nearest facet until the bounds meet or the number of programs is spent.
     while (ok() && result_.programs < options_.max_programs && !refine()) {
     }
     const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
@@ -55,7 +57,7 @@ class BallSearch {
     return options_.gap * std::max(result_.upper, kNothingNew * size_);
   }
 
-  /// Asks how far the set reaches. @returns whether the point is new: beyond all others
+  /// Support of the set in a direction. @returns whether its point is new: beyond all others
   bool look(const ScaledWrench& u) {
     const WrenchSupport reach = wrench_support(forces_, u);
     ++result_.programs;
@@ -63,6 +65,7 @@ class BallSearch {
       result_.status = reach.status;
       return false;
     }
+    // The bound of the multipliers holds from above.
     result_.residual = max_or_nan(result_.residual, reach.residual);
     if (reach.bound < result_.upper) {
       result_.upper = reach.bound;
@@ -75,13 +78,15 @@ class BallSearch {
     return is_new;
   }
 
-  /// Asks in the direction of the nearest facet, or across a flat hull. @returns whether it is done
+  /// Adds the support beyond the nearest facet, or across a flat hull. @returns whether it is done
   bool refine() {
+    // Nearest facet of the polytope: a bound from below.
     EpsilonOptions sharp;
     sharp.gap = std::max(0.1 * gap(), 1e-12);
     const Epsilon inner = epsilon(points_, sharp);
     result_.lower = std::min(inner.lower, result_.upper);
     if (result_.upper <= 0 || result_.upper - result_.lower <= gap()) return true;
+    // A flat polytope needs points on both sides.
     const ScaledWrench& u = -inner.worst_wrench;
     exhausted_ = !look(u);
     if (inner.rank < 6) exhausted_ = !look(-u) && exhausted_;
@@ -104,6 +109,7 @@ class BallSearch {
 }  // namespace
 
 bool is_unlimited(ForceSet forces, int axes) {
+  // Recession cone: all limits at zero.
   forces.b.setZero();
   forces.h.setZero();
   for (int i = 0; i < axes; ++i)

@@ -1,29 +1,29 @@
 #pragma once
 
-/// How well a hand moves what it holds.
+/// How well a hand moves the object that it holds.
 
 #include <Eigen/Core>
 
 namespace thenar {
 
-/// Singular values of a map in one look.
+/// Measures of the singular values of a map.
 struct Manipulability {
   double volume;    // product of all singular values, sqrt(det M M')
   double least;     // smallest singular value: the worst direction
-  double isotropy;  // smallest by largest, 1: alike in all directions, 0: singular [1]
-  int rank;         // singular values above 1e-12 of the largest
+  double isotropy;  // smallest by largest; 1: alike in all directions, 0: singular [1]
+  int rank;         // number of singular values above 1e-12 of the largest
 };
 
-/// Of a Jacobian or a grasp map M (rows <= columns where it is to reach everything):
+/// Manipulability measures of a Jacobian or a grasp map M (rows <= columns for full rank):
 ///   w = sqrt(det(M M')) = sigma_1 sigma_2 ... sigma_r,  1 / cond(M) = sigma_r / sigma_1.
-/// A map of a rank below its rows, or none, reaches no volume: w and the least value are 0. Rows
-/// ought to have one unit: scale torques and rotations first.
+/// Below full row rank w and the least value are 0. All rows should have one unit: scale torques
+/// and rotations first.
 /// @throws InputError if an entry is not finite
 /// Source: [Yoshikawa1985] for the volume, [Salisbury1982] for the isotropy.
 [[nodiscard]] Manipulability manipulability(const Eigen::MatrixXd& M);
 
-/// Object velocity per joint velocity,  H = (G')^+ J:  what contacts that neither slip nor part
-/// impose, G' nu = J q_dot, solved for nu in least squares.
+/// Object velocity per joint velocity,  H = (G')^+ J:  the least-squares solution nu of
+/// G' nu = J q_dot, the condition that contacts neither slip nor part.
 ///
 /// @param G  wrenches of unit contact force components  (6, k), rank 6 for a unique answer
 /// @param J  velocities of the hand along these components (k, n)
@@ -32,28 +32,26 @@ struct Manipulability {
 [[nodiscard]] Eigen::MatrixXd hand_object_jacobian(
     const Eigen::Matrix<double, 6, Eigen::Dynamic>& G, const Eigen::MatrixXd& J);
 
-// Which motions of a held object drives can make without slip.
-
-/// Speeds of drives that contacts allow, and what they do to the object.
+/// Drive speeds that contacts without slip allow, and the object's motion.
 struct NoSlipMobility {
   Eigen::MatrixXd drives;  // orthonormal columns: a basis of allowed drive speeds (drives, k)
-  Eigen::MatrixXd object;  // the object's velocity at each of them, exactly 0 where it is less than
-                           // rounding, 1e-12 |J| / (least singular value of G) (6, k)
+  Eigen::MatrixXd object;  // velocity of the object at each of them; exactly 0 below rounding,
+                           // 1e-12 |J| / (least singular value of G) (6, k)
 };
 
-/// Contacts that neither slip nor part ask for  G' nu = J s  with the object's velocity nu. Only
-/// drive speeds s for which some nu meets it are kept, the null space of what is left of J beside
-/// the range of G':
+/// Mobility of an object in a grasp without slip. Contacts that neither slip nor part require
+/// G' nu = J s  with the object's velocity nu. Allowed are the drive speeds s for which such a nu
+/// exists, the null space of the part of J across the range of G':
 ///   (I - G' (G')^+) J s = 0,   nu = (G')^+ J s.
-/// Least squares without that step would give motions that contacts forbid: jaws of one motor would
-/// seem to move what they hold.
+/// Least squares alone would give motions that contacts forbid: jaws of one motor would seem to
+/// move what they hold.
 ///
 /// @param G  wrenches of unit contact force components, torques over their scale  (6, k)
 /// @param J  velocities of the hand along them per drive speed  (k, drives)
 /// @param tolerance  singular values up to this share of the largest one of J are zero [1]
 /// @throws InputError if shapes disagree, an entry is not finite, or G has a rank below 6: the
 /// object could move by itself.
-/// Source: [Li1988] for the relation, [Murray1994] section 5.5 for which motions it leaves.
+/// Source: [Li1988] for the relation, [Murray1994] section 5.5 for the allowed motions.
 [[nodiscard]] NoSlipMobility no_slip_mobility(const Eigen::Matrix<double, 6, Eigen::Dynamic>& G,
                                               const Eigen::MatrixXd& J, double tolerance = 1e-6);
 

@@ -15,18 +15,19 @@ namespace thenar::internal {
 namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
-using Form = std::array<double, 64>;  // by the set of axes: an exterior product of some vectors
+using Form = std::array<double, 64>;  // exterior product of vectors, indexed by the set of axes
 
 constexpr int kAllAxes = 63;    // the set of all six axes
-constexpr double kTie = 1e-14;  // a determinant below this part of its columns' lengths is 0
-constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until they are in general position
-constexpr double kTurnedArea = 100;  // facets below so many turns of their vectors' lengths do not
-                                     // matter [1]
-constexpr double kOpen = 1e-7;       // of a closed surface's sum of normals over its area
+constexpr double kTie = 1e-14;  // a determinant below this share of its columns' lengths is 0 [1]
+constexpr double kTurns[] = {0, 1e-9,
+                             1e-7};  // of contacts, tried until they are in general position
+constexpr double kTurnedArea = 100;  // facets below this times the turn times their vectors'
+                                     // lengths are neglected [1]
+constexpr double kOpen = 1e-7;  // sum of normals over area at which a surface is still closed [1]
 
 int members(int axes) { return __builtin_popcount(static_cast<unsigned>(axes)); }
 
-/// Sign of (axes) ^ axis in ascending order.
+/// Sign of (axes) ^ axis when sorted in ascending order.
 double sign(int axes, int axis) { return members(axes >> (axis + 1)) % 2 == 0 ? 1 : -1; }
 
 /// out[axes | axis] += sign in[axes] v[axis].
@@ -46,7 +47,7 @@ std::vector<Term> terms(int degree) {
   return list;
 }
 
-/// f ^ v, of `degree` vectors and one.
+/// Exterior product f ^ v, f of `degree` vectors.
 Form wedge(const Form& f, int degree, const ScaledWrench& v) {
   static const std::array<std::vector<Term>, 5> all{terms(0), terms(1), terms(2), terms(3),
                                                     terms(4)};
@@ -56,7 +57,7 @@ Form wedge(const Form& f, int degree, const ScaledWrench& v) {
   return out;
 }
 
-/// Normal to five vectors: det(.., x) = u'x.
+/// Normal u of five vectors: det(.., x) = u'x.
 ScaledWrench normal(const Form& five) {
   ScaledWrench u;
   for (int axis = 0; axis < 6; ++axis) {
@@ -66,10 +67,11 @@ ScaledWrench normal(const Form& five) {
   return u;
 }
 
-/// Normal to four vectors and e: S e.
+/// Matrix S of four vectors: S e is the normal of these and e.
 Matrix6 normals(const Form& four) {
   static const std::vector<Term> all = terms(4);
   Matrix6 S = Matrix6::Zero();
+  // Each product of five axes gives the component along the sixth.
   for (const Term& term : all) {
     const int others = static_cast<int>(term.out);
     const int axis = members((kAllAxes ^ others) - 1);
@@ -78,17 +80,19 @@ Matrix6 normals(const Form& four) {
   return S;
 }
 
+/// Volume of a Minkowski sum by its facets, found by trying all choices of faces.
 class Sum {
  public:
-  /// @param no_area  uncertain facets below this part of their vectors' lengths do not matter [1]
+  /// @param no_area  uncertain facets below this share of their vectors' lengths are neglected [1]
   Sum(const std::vector<ContactBody>& bodies, double no_area, const Progress& progress)
       : bodies_(bodies), no_area_(no_area), progress_(progress) {}
 
-  /// @return none where facets do not close, ties make them uncertain, or it was stopped
+  /// @return nothing if facets do not close, ties leave them uncertain, or it was stopped
   std::optional<double> volume() {
     Form one{};
     one[0] = 1;
     choose(0, 5, one, 1, 1);
+    // The normals of a closed surface sum up to zero.
     if (tie_ || stopped_ || !(surplus_.norm() <= kOpen * surface_)) return {};
     return volume_ / 6;
   }
@@ -99,11 +103,13 @@ class Sum {
   /// @param size     product of their sizes
   /// @param lengths  product of their vectors' lengths
   void choose(std::size_t first, int left, const Form& f, double size, double lengths) {
+    // With one dimension left the normal is linear in the last edge.
     const Matrix6 S = left == 1 ? normals(f) : Matrix6();
     stopped_ = stopped_ || progress_.stop();
     for (std::size_t c = first; c < bodies_.size() && !tie_ && !stopped_; ++c)
       for (const ContactFace& face : bodies_[c].faces) {
         if (face.dimension > left) continue;
+        // A face either completes five dimensions or is followed by faces of later contacts.
         chosen_.push_back({c, &face});
         double longer = lengths;
         for (int i = 0; i < face.dimension; ++i)
@@ -123,10 +129,11 @@ class Sum {
       }
   }
 
-  /// Takes the facet with this normal into account, if it is one.
+  /// Adds the facet with this normal if it is one.
   void finish(const ScaledWrench& u, double size, double lengths) {
     double way = 0;  // 1: u is an outer normal; -1: -u is
     bool uncertain = false;
+    // Outer normals have all neighbouring faces of each chosen face behind them.
     for (auto chosen = chosen_.rbegin(); chosen != chosen_.rend(); ++chosen)
       for (int i = 0; i < chosen->face->inwards; ++i) {
         const ScaledWrench& inward = chosen->face->inward[static_cast<std::size_t>(i)];
@@ -138,17 +145,19 @@ class Sum {
         if (t * way < 0) return;
         way = t > 0 ? 1 : -1;
       }
+    // Degenerate normals: a tie counts, and an edge-on facet has both sides.
     if (uncertain) return tie(u, lengths);
     if (way >= 0) add(u, size, lengths);
     if (way <= 0) add(-u, size, lengths);
   }
 
-  /// Nobody knows whether this is a facet, which matters if it is large.
+  /// It is uncertain whether this is a facet, which matters if it is large.
   void tie(const ScaledWrench& u, double lengths) { tie_ = tie_ || u.norm() > no_area_ * lengths; }
 
   void add(const ScaledWrench& u, double size, double lengths) {
     double h = 0;
     std::size_t next = 0;
+    // Support of each contact; a second vertex as far out as the best is a tie.
     for (std::size_t c = 0; c < bodies_.size(); ++c) {
       const bool is_chosen = next < chosen_.size() && chosen_[next].contact == c;
       if (is_chosen) ++next;
@@ -161,6 +170,7 @@ class Sum {
       if (!is_chosen && best - second < kTie * lengths * longest_[c]) tie(u, lengths);
       h += best;
     }
+    // Divergence theorem: volume and closure of the surface.
     volume_ += size * h;
     surplus_ += size * u;
     surface_ += size * u.norm();
@@ -191,8 +201,9 @@ class Sum {
   }
 };
 
-/// How many choices of faces there are, of five dimensions together.
+/// Number of choices of faces with five dimensions in all.
 double choices(const std::vector<ContactBody>& bodies) {
+  // Count by dimension, contact by contact.
   std::array<double, 6> ways{1};
   for (const ContactBody& body : bodies) {
     std::array<double, 6> more = ways;
@@ -204,6 +215,7 @@ double choices(const std::vector<ContactBody>& bodies) {
   return ways[5];
 }
 
+/// Each contact turned at random by about `by`, so that their faces are in general position.
 std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
   std::mt19937 rng(1);
   for (ContactBody& body : bodies) {
@@ -219,7 +231,7 @@ std::vector<ContactBody> turned(std::vector<ContactBody> bodies, double by) {
   return bodies;
 }
 
-/// Points of each contact.
+/// Points of each contact; caps with one number share a contact.
 std::vector<std::vector<ScaledWrench>> grouped(const WrenchSet& set) {
   std::map<int, std::vector<ScaledWrench>> shared;
   std::vector<std::vector<ScaledWrench>> groups;
@@ -237,6 +249,7 @@ std::vector<std::vector<ScaledWrench>> grouped(const WrenchSet& set) {
 
 std::optional<double> minkowski_volume(const WrenchSet& set, double most,
                                        const Progress& progress) {
+  // Faces of each contact, if it spans three dimensions at most.
   std::vector<ContactBody> bodies;
   for (const std::vector<ScaledWrench>& points : grouped(set)) {
     std::optional<ContactBody> body = contact_body(points);
@@ -244,6 +257,7 @@ std::optional<double> minkowski_volume(const WrenchSet& set, double most,
     bodies.push_back(std::move(*body));
   }
   if (choices(bodies) > most) return {};
+  // Turn contacts a little more until no ties are left.
   for (const double by : kTurns)
     if (const auto found = Sum(turned(bodies, by), kTurnedArea * by, progress).volume())
       return found;
@@ -252,12 +266,13 @@ std::optional<double> minkowski_volume(const WrenchSet& set, double most,
 
 namespace {
 
-constexpr int kMaxBodyPoints = 200;  // some seconds: every three of them are tried
+constexpr int kMaxBodyPoints = 200;  // some seconds: all triples are tried
 
 using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
 
-/// Numbers of the corners of points in a plane (2, n), counter-clockwise.
+/// Indices of the corners of points in a plane (2, n), counter-clockwise.
 std::vector<int> corners_of(const Eigen::Matrix2Xd& x, double tolerance) {
+  // Andrew's monotone chain: lower hull, then upper hull.
   std::vector<int> order(static_cast<std::size_t>(x.cols()));
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) {
@@ -290,7 +305,7 @@ double area(const Eigen::Matrix2Xd& x, const std::vector<int>& corners) {
   return twice / 2;
 }
 
-/// The corner furthest from the line through corners i and i + 1.
+/// The corner farthest from the line through corners i and i + 1.
 int opposite(const Eigen::Matrix2Xd& x, const std::vector<int>& corners, std::size_t i) {
   const Eigen::Vector2d a = x.col(corners[i]), e = x.col(corners[(i + 1) % corners.size()]) - a;
   return *std::max_element(corners.begin(), corners.end(), [&](int p, int q) {
@@ -317,6 +332,7 @@ ContactFace whole(const Basis& Q, double size) {
   return face;
 }
 
+/// Edges of a plane polygon, each with its inward direction, and the polygon itself.
 void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, double tolerance) {
   const std::vector<int> corners = corners_of(x, tolerance);
   const auto point = [&](int i) { return body.points[static_cast<std::size_t>(i)]; };
@@ -335,16 +351,19 @@ class FaceSolid {
       : body_(body), Q_(Q), x_(x), tolerance_(tolerance) {}
 
   void add_faces() {
+    // Faces: planes through three points.
     const int n = static_cast<int>(x_.cols());
     for (int i = 0; i < n; ++i)
       for (int j = i + 1; j < n; ++j)
         for (int k = j + 1; k < n; ++k) add_plane(i, j, k);
+    // Edges, with a third corner of both neighbouring faces.
     for (const auto& [ends, thirds] : edges_) {
       ContactFace face = edge(point(ends.first), point(ends.second));
       for (std::size_t i = 0; i < std::min<std::size_t>(thirds.size(), 2); ++i)
         add_inward(face, point(thirds[i]) - point(ends.first));
       body_.faces.push_back(face);
     }
+    // The solid itself.
     body_.faces.push_back(whole(Q_, volume_));
   }
 
@@ -353,17 +372,21 @@ class FaceSolid {
     return body_.points[static_cast<std::size_t>(i)];
   }
 
+  /// The plane through three points is a face if all points lie on one side.
   void add_plane(int i, int j, int k) {
+    // Nearly collinear points span no plane.
     Eigen::Vector3d n = (x_.col(j) - x_.col(i)).cross(x_.col(k) - x_.col(i));
     const double longest = std::max((x_.col(j) - x_.col(i)).norm(), (x_.col(k) - x_.col(i)).norm());
     if (n.norm() <= tolerance_ * longest) return;
     n.normalize();
+    // Turn the normal outwards.
     Eigen::RowVectorXd s = n.transpose() * (x_.colwise() - x_.col(i));
     if (s.maxCoeff() > tolerance_) {
       n = -n;
       s = -s;
     }
     if (s.maxCoeff() > tolerance_) return;
+    // All points on the plane belong to one face, which is added once.
     std::vector<int> on;
     for (int l = 0; l < s.size(); ++l)
       if (s(l) >= -tolerance_) on.push_back(l);
@@ -371,18 +394,22 @@ class FaceSolid {
   }
 
   void add_face(const Eigen::Vector3d& n, const std::vector<int>& on, const Eigen::RowVectorXd& s) {
+    // Corners of the face in its plane.
     const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
     Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(on.size()));
     for (std::size_t i = 0; i < on.size(); ++i)
       flat.col(static_cast<Eigen::Index>(i)) << a.dot(x_.col(on[i])), b.dot(x_.col(on[i]));
     const std::vector<int> corners = corners_of(flat, tolerance_);
+    // Its inward direction leads to the deepest point.
     ContactFace face = face_of(2, area(flat, corners));
     face.span = {ScaledWrench(Q_ * a), ScaledWrench(Q_ * b), ScaledWrench::Zero()};
     int lowest = 0;
     (void)s.minCoeff(&lowest);
     add_inward(face, point(lowest) - point(on.front()));
     body_.faces.push_back(face);
+    // Pyramid over the face with its apex at the mean of all points.
     volume_ += face.size * depth_of_middle(n, on.front()) / 3;
+    // Each edge remembers the corner opposite in this face.
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const auto number = [&](int corner) { return on[static_cast<std::size_t>(corner)]; };
       const std::pair<int, int> ends =
@@ -391,7 +418,7 @@ class FaceSolid {
     }
   }
 
-  /// Of the mean of the points under a face.
+  /// Depth of the mean of all points below a face [1].
   [[nodiscard]] double depth_of_middle(const Eigen::Vector3d& n, int on) const {
     return n.dot(x_.col(on) - x_.rowwise().mean());
   }
@@ -419,17 +446,20 @@ std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points)
   double size = 0;
   for (const ScaledWrench& point : points) size = std::max(size, point.norm());
   const double tolerance = kFlat * size;
+  // The origin is a corner, too.
   ContactBody body{distinct(points, tolerance), {}};
   if (body.points.size() > kMaxBodyPoints) return {};
   Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, static_cast<Eigen::Index>(body.points.size()));
   for (std::size_t i = 0; i < body.points.size(); ++i)
     P.col(static_cast<Eigen::Index>(i)) = body.points[i];
+  // Dimension of the body, and its coordinates in an orthonormal basis.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
   const auto rank = (svd.singularValues().array() > tolerance).count();
   if (rank > 3) return {};
   if (rank == 0) return body;
   const Basis Q = svd.matrixU().leftCols(rank);
   const Eigen::MatrixXd x = Q.transpose() * P;
+  // Segment, polygon or polyhedron.
   if (rank == 1) body.faces.push_back(whole(Q, x.maxCoeff() - x.minCoeff()));
   if (rank == 2) add_flat(body, Q, x, tolerance);
   if (rank == 3) FaceSolid(body, Q, x, tolerance).add_faces();

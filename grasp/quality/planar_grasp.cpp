@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
-constexpr double kParallel = 1e-12;  // edges with a smaller sine of their angle span no plane [1]
+constexpr double kParallel =
+    1e-12;  // edges with a smaller sine of their angle count as parallel [1]
 
 Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
 
@@ -24,7 +25,7 @@ ScaledWrench in_space(const Vector3d& w) {
   return (ScaledWrench() << w.x(), w.y(), 0, 0, 0, w.z()).finished();
 }
 
-/// Points of each contact.
+/// Points of each contact; caps with one number share a contact.
 std::vector<Points> grouped_points(const WrenchSet& set) {
   std::vector<Points> groups;
   std::map<int, std::size_t> shared;
@@ -37,7 +38,7 @@ std::vector<Points> grouped_points(const WrenchSet& set) {
   return groups;
 }
 
-/// The least h over normals to pairs of vectors, and where.
+/// Smallest support over the normals of pairs of vectors, and its direction.
 class LeastSupport {
  public:
   LeastSupport(const std::vector<Points>& groups, ForceNorm limit)
@@ -57,6 +58,7 @@ class LeastSupport {
 
  private:
   [[nodiscard]] double support(const Vector3d& u) const {
+    // L1: the best point; Linf: the sum of the best points of all contacts, where positive.
     double sum = 0, largest = -std::numeric_limits<double>::infinity();
     for (const Points& points : groups_) {
       double best = -std::numeric_limits<double>::infinity();
@@ -71,8 +73,10 @@ class LeastSupport {
   ForceNorm limit_;
 };
 
+/// Looks along the normals of all possible facets.
 void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, ForceNorm limit) {
   Points all;
+  // L1: facets through three points of the set.
   if (limit == ForceNorm::kL1) {
     for (const Points& points : groups) all.insert(all.end(), points.begin(), points.end());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -81,7 +85,8 @@ void look_at_facets(LeastSupport& search, const std::vector<Points>& groups, For
           search.look_across(all[j] - all[i], all[k] - all[i]);
     return;
   }
-  for (Points points : groups) {  // `all`: edges
+  // Linf: facets spanned by two edges of the contacts' hulls with 0.
+  for (Points points : groups) {
     points.emplace_back(0, 0, 0);
     for (std::size_t i = 0; i < points.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) all.emplace_back(points[i] - points[j]);
@@ -108,6 +113,7 @@ WrenchSet planar_wrench_set(const std::vector<Contact>& contacts, const Vector3d
             "contact {} is not one of the plane: z of its place and normal and its torsion are 0",
             i);
   const WrenchSet cones = wrench_set(contacts, centre, torque_scale);
+  // Both ends of each friction cone, as wrenches of the plane.
   WrenchSet ends;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
@@ -126,6 +132,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
   Epsilon found = epsilon(set);  // of a flat set: 0, or minus the distance
   if (found.upper < 0 || set.caps.empty()) return found;
 
+  // Rank of the planar wrenches.
   Eigen::Matrix3Xd all(3, static_cast<Eigen::Index>(set.caps.size()));
   for (Eigen::Index i = 0; i < all.cols(); ++i)
     all.col(i) = in_plane(set.caps[static_cast<std::size_t>(i)].c);
@@ -133,6 +140,7 @@ Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit) {
   const Eigen::VectorXd& sigma = svd.singularValues();
   found.rank = static_cast<int>((sigma.array() > internal::kFlat * sigma(0)).count());
   Vector3d missing = svd.matrixU().col(2);
+  // Full rank: the least support over all facet normals, if it is positive.
   if (found.rank == 3) {
     const std::vector<Points> groups = grouped_points(set);
     LeastSupport search(groups, limit);

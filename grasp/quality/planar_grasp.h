@@ -1,6 +1,6 @@
 #pragma once
 
-/// Grasps in a plane: forces along x and y, torques about z.
+/// Quality of planar grasps: forces along x and y, torques about z.
 
 #include <vector>
 
@@ -9,26 +9,26 @@
 namespace thenar {
 
 /// Wrenches of contacts in the plane z = 0: the ends n +- mu t of each friction cone, as points
-/// (f_x, f_y, 0, 0, 0, torque / scale); contacts of one region share a number.
-/// @throws InputError as wrench_set(), and if a place or normal is off the plane or a contact has
-/// torsion
+/// (f_x, f_y, 0, 0, 0, torque / scale) [1]; contacts of one region share a number.
+/// @throws InputError as wrench_set(), and if a position or normal is off the plane or a contact
+/// has torsion
 [[nodiscard]] WrenchSet planar_wrench_set(const std::vector<Contact>& contacts,
                                           const Eigen::Vector3d& centre, double torque_scale);
 
-/// Signed epsilon in the three-dimensional space of planar wrenches; rank of 3, and directions with
-/// zeros off the plane. Exact: both bounds are the value with its rounding, 1e-12 of the largest
-/// wrench.
+/// Signed epsilon in the three-dimensional space of planar wrenches, with rank up to 3 and
+/// directions that are zero off the plane. Exact: the bounds differ by rounding only, 1e-12 of the
+/// largest wrench.
 ///
-/// h(u) of a direction is never below epsilon, and equals it at the normal of the nearest facet, so
-/// epsilon is the least h over any list of directions that has all facets' normals:
+/// No direction has a support below epsilon, and the normal of the nearest facet attains it. Hence
+/// epsilon is the least support over any list of directions that contains all facet normals:
 ///   L1:   normals to every three points of the set;
 ///   Linf: normals to every two edges of the contacts' hulls with 0, as a facet of a sum is spanned
 ///         by edges of its summands [Schneider2014].
-/// Where that is not positive, or the set is flat: minus the distance, or 0, as epsilon().
+/// If the least is not positive, or the set is flat: minus the distance, or 0, as epsilon().
 /// @param set  points without axes, as planar_wrench_set() makes them; at most kMaxPlanarPoints
 /// @throws InputError if a wrench is off the plane, not finite or has axes, or there are too many
 [[nodiscard]] Epsilon planar_epsilon(const WrenchSet& set, ForceNorm limit);
 
-inline constexpr int kMaxPlanarPoints = 300;  // some seconds
+inline constexpr int kMaxPlanarPoints = 300;  // takes some seconds
 
 }  // namespace thenar

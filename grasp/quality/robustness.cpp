@@ -16,16 +16,16 @@ namespace {
 constexpr double kNormal95 = 1.959963984540054;  // quantile 0.975 of the normal distribution
 constexpr double kPi = 3.14159265358979323846;
 
-/// In (0, 1), never either end.
+/// Uniform in the open interval (0, 1).
 double uniform(std::mt19937& rng) { return (static_cast<double>(rng()) + 0.5) / 4294967296.0; }
 
-/// Box and Muller's; two numbers a call, one is used: the same on every machine.
+/// Standard normal by Box and Muller; one of its two numbers is used, so that all machines agree.
 double normal(std::mt19937& rng) {
   const double radius = std::sqrt(-2 * std::log(uniform(rng)));
   return radius * std::cos(2 * kPi * uniform(rng));
 }
 
-/// What befalls all points of a region alike.
+/// Disturbance that all points of a region share.
 struct Disturbance {
   double grip;          // factor of friction and torsion [1]
   Eigen::Vector3d way;  // [m] (3)
@@ -35,11 +35,14 @@ struct Disturbance {
 /// @param n  mean normal of the region, unit (3)
 Disturbance draw_disturbance(const Eigen::Vector3d& n, const ContactUncertainty& uncertainty,
                              std::mt19937& rng) {
+  // Log-normal friction.
   const Tangents t = tangents(n);
   Disturbance drawn;
   drawn.grip = std::exp(uncertainty.friction * normal(rng));
+  // Displacement in the tangent plane.
   const double right = normal(rng), up = normal(rng);
   drawn.way = uncertainty.place * (right * t.e1 + up * t.e2);
+  // Small rotation of the normal about the tangents.
   const double about_e1 = normal(rng), about_e2 = normal(rng);
   const Eigen::Vector3d turn = uncertainty.tilt * (about_e1 * t.e1 + about_e2 * t.e2);
   const double angle = turn.norm();
@@ -63,6 +66,7 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
   require(uncertainty.friction >= 0 && uncertainty.place >= 0 && uncertainty.tilt >= 0,
           "standard deviations must be >= 0, got {}, {}, {}", uncertainty.friction,
           uncertainty.place, uncertainty.tilt);
+  // Mean normal of each region.
   const std::vector<int> region = contact_regions(contacts);
   std::vector<Eigen::Vector3d> normals;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -70,6 +74,7 @@ std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
     if (number == normals.size()) normals.emplace_back(0, 0, 0);
     normals[number] += contacts[i].n;
   }
+  // One disturbance a region, applied to all its points.
   std::vector<Disturbance> drawn;
   for (const Eigen::Vector3d& sum : normals)
     drawn.push_back(draw_disturbance(sum.normalized(), uncertainty, rng));
@@ -88,6 +93,7 @@ ConfidenceInterval wilson_interval(int hits, int trials) {
 }
 
 double Robustness::quantile(double p) const {
+  // Linear interpolation between order statistics; misses are infinitely bad.
   require(p >= 0 && p <= 1, "a quantile is in [0, 1], got {}", p);
   const double at = p * static_cast<double>(epsilon.size() - 1);
   const auto below = static_cast<Eigen::Index>(at);
@@ -105,12 +111,14 @@ Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& 
   Robustness result{0, 0, 0, Eigen::VectorXd(options.draws)};
   int closed = 0;
   for (int i = 0; i < options.draws; ++i) {
+    // One possible grasp; without contacts it is a miss.
     const std::vector<Contact> contacts = draw(rng);
     if (contacts.empty()) {
       ++result.misses;
       result.epsilon(i) = -std::numeric_limits<double>::infinity();
       continue;
     }
+    // Epsilon on cones or pyramids.
     const WrenchSet set = wrench_set(contacts, options.centre, options.torque_scale);
     const Epsilon found = epsilon(options.edges > 0 ? pyramids(set, options.edges) : set, each);
     closed += found.force_closure ? 1 : 0;

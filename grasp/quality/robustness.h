@@ -1,6 +1,6 @@
 #pragma once
 
-/// How sure a grasp is, if friction and places are not.
+/// Probability of force closure under uncertain friction, positions and normals (Monte Carlo).
 
 #include <functional>
 #include <random>
@@ -10,29 +10,31 @@
 
 namespace thenar {
 
-/// What is not known of contacts, each region of contact and each quantity by itself.
+/// Uncertainty of contacts; independent for each region of contact and each quantity.
 struct ContactUncertainty {
   double friction = 0;  // standard deviation of log friction, also of log torsion [1]
   double place = 0;     // standard deviation along each tangent [m]
   double tilt = 0;      // standard deviation of the normal about each tangent [rad]
 };
 
-/// Contacts as they might be: friction log-normal, so never negative; places moved along the
-/// tangent plane; normals turned. Points of one region (contact_regions()) are one rigid face: they
-/// are moved and turned alike, and have the same factor of friction.
+/// Draws disturbed contacts: log-normal friction, positions moved in the tangent plane, normals
+/// rotated. Points of one region (contact_regions()) are one rigid face: they move and turn alike
+/// and share one factor of friction.
 [[nodiscard]] std::vector<Contact> disturbed(const std::vector<Contact>& contacts,
                                              const ContactUncertainty& uncertainty,
                                              std::mt19937& rng);
 
+/// Settings of robustness().
 struct RobustnessOptions {
   int draws = 1000;
-  double gap = 1e-2;                // of each epsilon, in unit forces [1]
-  Eigen::Vector3d centre{0, 0, 0};  // torques are about it [m] (3)
-  double torque_scale = 1;          // they are divided by it [m]
+  double gap = 1e-2;                // of each epsilon, for unit contact forces [1]
+  Eigen::Vector3d centre{0, 0, 0};  // reference point of torques [m] (3)
+  double torque_scale = 1;          // length that divides torques [m]
   ForceNorm limit = ForceNorm::kL1;
   int edges = 0;  // of friction pyramids, as pyramids(); 0: cones
 };
 
+/// Distribution of epsilon over the draws.
 struct Robustness {
   double closure;           // share of draws with force closure [1]
   double closure_lower;     // Wilson's 95 % interval of its probability [1]
@@ -40,25 +42,26 @@ struct Robustness {
   Eigen::VectorXd epsilon;  // certified lower bounds, ascending; -infinity of misses (draws)
   int misses = 0;           // draws without any contact
 
-  /// Quantile of epsilon by linear interpolation; -infinity where a miss has part in it.
+  /// Quantile of epsilon by linear interpolation; -infinity if a miss takes part in it.
   /// @param p  in [0, 1]
   [[nodiscard]] double quantile(double p) const;
 };
 
-/// Seeded Monte Carlo over what a grasp might be.
+/// Monte Carlo over possible grasps, with the seed of `rng`.
 ///
-/// @param draw  contacts of one possible grasp; finds them anew where the pose of the object is
-///              what is not known, or calls disturbed() on those there are. It may find none: a
-///              miss, worse than any grasp.
+/// @param draw  contacts of one possible grasp: finds them anew if the pose of the object is
+///              uncertain, or calls disturbed() on given contacts. It may find none: a miss, worse
+///              than any grasp.
 /// @throws InputError if draws or gap is not positive, or edges is neither 0 nor 3 and more.
 /// Source: [Weisz2012] for the measure, [Wilson1927] for the interval.
 [[nodiscard]] Robustness robustness(const std::function<std::vector<Contact>(std::mt19937&)>& draw,
                                     std::mt19937& rng, const RobustnessOptions& options = {});
 
-/// Wilson's interval of a probability seen `hits` times in `trials`, 95 %.
+/// Interval of a probability.
 struct ConfidenceInterval {
-  double lower, upper;
+  double lower, upper;  // [1]
 };
+/// Wilson's 95 % interval of a probability, from `hits` in `trials`. Source: [Wilson1927].
 [[nodiscard]] ConfidenceInterval wilson_interval(int hits, int trials);
 
 }  // namespace thenar

@@ -13,7 +13,7 @@
 namespace thenar::internal {
 
 SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_(limit) {
-  // Caps of one contact side by side, in the order of their first.
+  // Sort caps by contact, in the order of the first cap of each.
   std::vector<bool> taken(set.caps.size(), false);
   int contacts = 0;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
@@ -30,6 +30,7 @@ SupportFunction::SupportFunction(const WrenchSet& set, ForceNorm limit) : limit_
     if (taken[i]) continue;
     caps_.back().last_of_contact = true;
     ++contacts;
+    // Size of the set: the largest cap of a contact, or their sum.
     size_ = limit == ForceNorm::kL1 ? std::max(size_, largest) : size_ + largest;
   }
   rounding_ = 32 * std::numeric_limits<double>::epsilon() * size_;
@@ -58,6 +59,7 @@ SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
   SupportPoint out{0, ScaledWrench::Zero()};
   const Cap* best = nullptr;
   double best_reach = kLowest;
+  // Best cap of each contact; Linf sums those with positive support.
   for (const Cap& cap : caps_) {
     const double h = reach(cap, u);
     if (h > best_reach) {
@@ -80,12 +82,13 @@ SupportPoint SupportFunction::operator()(const ScaledWrench& u) const {
 
 namespace {
 
-/// The unit vector least along the first `count` orthonormal columns, made orthogonal to them.
+/// Unit vector that is orthogonal to the first `count` columns, near the axis least along these.
 ScaledWrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
   const auto used = basis.leftCols(count);
   Eigen::Index axis = 0;
   used.rowwise().squaredNorm().minCoeff(&axis);
   ScaledWrench u = ScaledWrench::Unit(axis);
+  // Twice is enough: Gram-Schmidt to rounding.
   for (int again = 0; again < 2; ++again) u = (u - used * (used.transpose() * u)).normalized();
   return u;
 }
@@ -93,6 +96,7 @@ ScaledWrench across(const Eigen::Matrix<double, 6, 6>& basis, int count) {
 }  // namespace
 
 Span span_of(const WrenchSet& set) {
+  // All centres and semi-axes as columns; rank by singular values.
   Eigen::Matrix<double, 6, Eigen::Dynamic> all(6, 0);
   for (const WrenchCap& cap : set.caps) {
     all.conservativeResize(6, all.cols() + 1 + cap.A.cols());
@@ -108,6 +112,7 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
   out.points[0] = support(ScaledWrench::Unit(0)).p;
   Eigen::Matrix<double, 6, 6> basis = Eigen::Matrix<double, 6, 6>::Zero();
   for (int k = 0; k < 6; ++k) {
+    // Extent across the affine hull of the points so far.
     const ScaledWrench u = across(basis, k);
     const ScaledWrench plus = support(u).p, minus = support(-u).p;
     out.supports += 2;
@@ -115,6 +120,7 @@ FirstSimplex first_simplex(const SupportFunction& support, double flat) {
     if (std::max(rise, fall) <= flat * support.size()) return out;
     const auto next = static_cast<std::size_t>(k + 1);
     out.points[next] = rise > fall ? plus : minus;
+    // Extend its orthonormal basis by the new edge.
     ScaledWrench edge = out.points[next] - out.points[0];
     const auto used = basis.leftCols(k);
     for (int again = 0; again < 2; ++again) edge -= used * (used.transpose() * edge);
@@ -130,13 +136,14 @@ constexpr int kMaxPolishSteps = 30;
 constexpr int kMaxColumns = 20;
 constexpr double kDone = 1e-9;    // length of a last step: the next would be its square [rad]
 constexpr double kLongest = 0.2;  // of a step [rad]
-constexpr double kNear = 0.3;     // caps this close to the best, in parts of it, take part [1]
-constexpr double kKink = 0.05;    // |A'u| below this part of |A| is held at 0 [1]
-constexpr double kSharp = 1e-6;   // the same at first, as facets that hold a whole cap have 0 [1]
-constexpr double kDependent = 1e-9;   // constraints this close to each other's span [1]
-constexpr double kFlatCurve = 1e-12;  // curvatures below this part of the size are none [1]
+constexpr double kNear = 0.3;     // caps this close to the best, relative to it, take part [1]
+constexpr double kKink = 0.05;    // |A'u| below this share of |A| is held at 0 [1]
+constexpr double kSharp =
+    1e-6;  // the same in the first attempt, for facets that hold a whole cap [1]
+constexpr double kDependent = 1e-9;   // constraints closer to each other's span are dependent [1]
+constexpr double kFlatCurve = 1e-12;  // curvatures below this share of the size are zero [1]
 
-// Directions u with the value t beneath them.
+// Unknowns of the polish: direction u and value t.
 using PolishPoint = Eigen::Matrix<double, 7, 1>;
 using Columns = Eigen::Matrix<double, 7, Eigen::Dynamic, 0, 7, kMaxColumns>;
 using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxColumns, 1>;
@@ -145,7 +152,7 @@ using ReducedVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 7, 1>;
 
 enum class Role { kOut, kTight, kCounted };
 
-/// What a cap does at u; of the caps of one contact with a limit of its own, the best.
+/// Support of a cap at u; for contacts with a limit of their own, of their best cap.
 struct Piece {
   const SupportFunction::Cap* cap = nullptr;
   double h = 0;
@@ -155,10 +162,12 @@ struct Piece {
   Role role = Role::kOut;
 };
 
-/// Minimises M/2 x^2 + g'x as if all curvatures were positive.
+/// Minimiser of x'M x / 2 + g'x with the absolute values of all curvatures.
 ReducedVector descend(const Reduced& M, const ReducedVector& g, double size) {
   const Eigen::LLT<Reduced> positive(M);
+  // Positive definite: a Newton step.
   if (positive.info() == Eigen::Success && positive.rcond() > kFlatCurve) return positive.solve(-g);
+  // Otherwise turn negative curvatures round and skip flat ones.
   const Eigen::SelfAdjointEigenSolver<Reduced> eigen(M);
   ReducedVector x = -(eigen.eigenvectors().transpose() * g);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
@@ -168,6 +177,7 @@ ReducedVector descend(const Reduced& M, const ReducedVector& g, double size) {
   return eigen.eigenvectors() * x;
 }
 
+/// Newton's method on the sphere for a local minimum of the support, with an active set of caps.
 class Polish {
  public:
   Polish(const SupportFunction& support, const ScaledWrench& u, bool kinks)
@@ -182,19 +192,23 @@ class Polish {
   bool run() {
     bool grown = false;  // caps taken in at this place may not be released at once
     for (int i = 0; i < kMaxPolishSteps && build(); ++i) {
+      // Multipliers of the active constraints by least squares.
       Eigen::ColPivHouseholderQR<Columns> qr(columns_);
       qr.setThreshold(kDependent);
       const Values multipliers = qr.solve(-slope_);
+      // A constraint with a multiplier out of bounds leaves the active set.
       if (!grown && release(multipliers)) continue;
       const ScaledWrench before = u_;
       const double length = move(qr, multipliers);
       if (!std::isfinite(length)) return false;
       look();
+      // Keep the best direction met.
       const bool better = value_ < best_h_;
       if (better) {
         best_h_ = value_;
         best_ = u_;
       }
+      // Caps that went beyond their bounds enter; a step that only found these is undone.
       grown = overtaken();
       if (!grown && length < kDone) return true;
       if (!grown || better) continue;
@@ -213,6 +227,7 @@ class Polish {
   [[nodiscard]] const ScaledWrench& best() const { return best_; }
 
  private:
+  /// Support of every piece at u, and the value of the whole set.
   void look() {
     std::size_t k = 0;
     bool first = true;
@@ -222,6 +237,7 @@ class Polish {
       const Eigen::Vector3d z = cap.A.transpose() * u_;
       const double length = z.norm(), h = cap.c.dot(u_) + length;
       Piece& piece = pieces_[k];
+      // Of the caps of one contact only the best counts.
       if (first || h > piece.h) {
         piece.cap = &cap;
         piece.h = h;
@@ -241,6 +257,7 @@ class Polish {
     return piece.cap->axes > 0 && piece.length < part * piece.cap->A.norm();
   }
 
+  /// First active set: caps near the value (L1), or near 0 (Linf).
   void choose_roles() {
     const double near = kNear * std::abs(value_);
     for (Piece& piece : pieces_) {
@@ -254,17 +271,20 @@ class Polish {
     }
   }
 
+  /// Gradient of h: c + A A'u / |A'u|, without the second part at a kink.
   [[nodiscard]] static ScaledWrench slope(const Piece& piece) {
     if (piece.kink || piece.length == 0) return piece.cap->c;
     return piece.cap->c + piece.cap->A * (piece.z / piece.length);
   }
 
-  /// Constraints, each a column, and the slope of the objective. @returns false if there is no room
+  /// Constraints, each a column, and the gradient of the objective. @returns false if there is no
+  /// room
   bool build() {
     columns_.resize(7, kMaxColumns);
     values_.resize(kMaxColumns);
     slope_ = PolishPoint::Zero();
     slope_(6) = l1_ ? 1 : 0;
+    // Unit length of u; under Linf t is not used.
     columns_.col(0) << u_, 0;
     columns_.col(1) = l1_ ? PolishPoint(PolishPoint::Zero()) : PolishPoint(PolishPoint::Unit(6));
     values_.head<2>().setZero();
@@ -272,12 +292,14 @@ class Polish {
     for (const Piece& piece : pieces_) {
       if (piece.role == Role::kOut) continue;
       if (count_ + 4 > kMaxColumns) return false;
+      // Tight pieces are constraints, counted ones part of the objective.
       if (piece.role == Role::kTight) {
         columns_.col(count_) << slope(piece), l1_ ? -1.0 : 0.0;
         values_(count_++) = piece.h - (l1_ ? value_ : 0) - (piece.kink ? piece.length : 0);
       } else {
         slope_.head<6>() += slope(piece);
       }
+      // A kink holds A'u at zero.
       for (int k = 0; piece.kink && k < piece.cap->axes; ++k) {
         columns_.col(count_) << piece.cap->A.col(k), 0;
         values_(count_++) = piece.z(k);
@@ -288,7 +310,7 @@ class Polish {
     return true;
   }
 
-  /// Calls f(piece, place of its multiplier or -1) for all that take part.
+  /// Calls f(piece, index of its multiplier or -1) for all pieces that take part.
   template <typename F>
   void each(F f) {
     Eigen::Index k = 2;
@@ -299,7 +321,7 @@ class Polish {
     }
   }
 
-  /// Gives the constraint whose multiplier is furthest out of bounds a new role.
+  /// Changes the role of the constraint whose multiplier is farthest out of bounds.
   bool release(const Values& multipliers) {
     double worst = 1e-9;
     Piece* gone = nullptr;
@@ -329,8 +351,9 @@ class Polish {
     return H;
   }
 
-  /// One step. @returns its length [rad]
+  /// One Newton step. @returns its length [rad]
   double move(const Eigen::ColPivHouseholderQR<Columns>& qr, const Values& multipliers) {
+    // Part along the constraints: meets them to first order.
     const Eigen::Index rank = qr.rank();
     const Eigen::Matrix<double, 7, 7> Q = qr.householderQ();
     const Values wanted = -(qr.colsPermutation().transpose() * values_);
@@ -340,6 +363,7 @@ class Polish {
                                     .transpose()
                                     .solve(wanted.head(rank));
     PolishPoint d = Q.leftCols(rank) * along;
+    // Part in their null space: minimum of the quadratic model.
     if (rank < 7) {
       const auto Z = Q.rightCols(7 - rank);
       const Eigen::Matrix<double, 6, 6> H = hessian(multipliers);
@@ -348,14 +372,16 @@ class Polish {
       const Reduced M = Z.topRows<6>().transpose() * H * Z.topRows<6>();
       d += Z * descend(M, Z.transpose() * pull, support_.size());
     }
+    // Limited step on the sphere.
     const double length = d.head<6>().norm();
     u_ = (u_ + std::min(1.0, kLongest / length) * d.head<6>()).normalized();
     return std::min(length, kLongest);
   }
 
-  /// Takes in what went beyond its bounds.
+  /// Takes in pieces that went beyond their bounds. @returns whether there are any
   bool overtaken() {
     const double beyond = support_.rounding();
+    // L1: the level is the highest tight piece; Linf: zero.
     double level = 0;
     if (l1_) {
       level = -1e300;
@@ -387,6 +413,7 @@ class Polish {
 }  // namespace
 
 ScaledWrench descend_support(const SupportFunction& support, const ScaledWrench& u) {
+  // First without kinks; if some are near, again with A'u held at 0 there.
   Polish smooth(support, u, false);
   if (smooth.run() || !smooth.has_kinks()) return smooth.best();
   Polish sharp(support, smooth.best(), true);

@@ -18,11 +18,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kEnough = 1e-12;  // least eigenvalue asked of F, the set's size being 1 [1]
+constexpr double kEnough = 1e-12;  // least eigenvalue wanted of F, the set's size being 1 [1]
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
-constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the most being 1 [1]
-constexpr Index kTime = 6;            // place of t in x = (u, t, levels)
-constexpr double kSameCap = 1e-14;  // caps that differ by less are one, the set's size being 1 [1]
+constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
+constexpr Index kTime = 6;            // index of t in x = (u, t, levels)
+constexpr double kSameCap =
+    1e-14;  // caps that differ by less are equal, the set's size being 1 [1]
 
 /// Points x with  l'x >= |Z x|; without rows of Z  l'x >= 0.
 struct Cone {
@@ -30,18 +31,18 @@ struct Cone {
   MatrixXd Z;  // (k, d)
 };
 
-/// Rows that a product with another cone may weigh: of a half line the line itself.
+/// Rows that a product with another cone may weigh; for a half space the row l itself.
 MatrixXd rows_of(const Cone& cone) {
   return cone.Z.rows() > 0 ? cone.Z : MatrixXd(cone.l.transpose());
 }
 
 MatrixXd symmetric(const MatrixXd& X) { return (X + X.transpose()) / 2; }
 
-/// Caps of which none is written down twice: of L1 and of one patch the second one adds nothing; of
-/// Linf patches of the same single cap reach as one of their sum.
+/// Caps without duplicates. L1, and points of one patch: a second equal cap adds nothing. Linf
+/// patches that consist of the same single cap act as one cap, their sum.
 std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) {
   const bool linf = support.limit() == ForceNorm::kLinf;
-  std::vector<SupportFunction::Cap> kept, first;  // the first of equal ones, as it was
+  std::vector<SupportFunction::Cap> kept, first;  // `first`: the first of equal ones, unsummed
   std::vector<int> patch_size(support.caps().size(), 0);
   for (const SupportFunction::Cap& cap : support.caps())
     ++patch_size[static_cast<std::size_t>(cap.contact)];
@@ -49,6 +50,7 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
     return patch_size[static_cast<std::size_t>(cap.contact)] == 1;
   };
   for (const SupportFunction::Cap& cap : support.caps()) {
+    // Caps are interchangeable if they are equal and their limits may be joined.
     const auto same =
         std::find_if(first.begin(), first.end(), [&](const SupportFunction::Cap& other) {
           const bool joined = !linf || other.contact == cap.contact || (alone(other) && alone(cap));
@@ -58,6 +60,7 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
     if (same == first.end()) {
       kept.push_back(cap);
       first.push_back(cap);
+      // Two patches of one cap: their limits add up.
     } else if (linf && same->contact != cap.contact) {
       SupportFunction::Cap& sum = kept[static_cast<std::size_t>(same - first.begin())];
       sum.c += cap.c;
@@ -67,8 +70,8 @@ std::vector<SupportFunction::Cap> distinct_caps(const SupportFunction& support) 
   return kept;
 }
 
-/// What every cap may reach where the set does not reach r: of L1  r t; of Linf levels >= 0, one a
-/// contact, that sum up to  r t.
+/// Upper levels of the caps where the set does not reach r. L1: r t for each cap. Linf: levels >=
+/// 0, one for each contact, whose sum is r t.
 std::vector<VectorXd> levels_of(const std::vector<SupportFunction::Cap>& caps, double r,
                                 ForceNorm limit) {
   const VectorXd all = r * VectorXd::Unit(kTime + 1, kTime);
@@ -79,52 +82,57 @@ std::vector<VectorXd> levels_of(const std::vector<SupportFunction::Cap>& caps, d
   return {level, r * VectorXd::Unit(kTime + 2, kTime) - level};
 }
 
-/// Where the set does not reach r; all sizes divided by that of the set.
+/// Cones of the directions in which the set does not reach r; all sizes divided by that of the set.
 std::vector<Cone> cones_of(const std::vector<SupportFunction::Cap>& caps,
                            const SupportFunction& support, double r) {
-  // What distinct_caps() took for the same may reach less by its rounding.
+  // Caps that distinct_caps() merged may reach less by its rounding.
   const double margin = kSameCap * static_cast<double>(support.caps().size());
   const std::vector<VectorXd> levels =
       levels_of(caps, r / support.size() + margin, support.limit());
   const Index d = levels[0].size();
   std::vector<Cone> cones;
+  // |A'u| < level - c'u for each cap.
   for (std::size_t i = 0; i < caps.size(); ++i) {
     Cone cone{levels[i], MatrixXd::Zero(caps[i].axes, d)};
     cone.l.head<6>() -= caps[i].c / support.size();
     cone.Z.leftCols<6>() = caps[i].A.leftCols(caps[i].axes).transpose() / support.size();
     cones.push_back(std::move(cone));
   }
+  // Levels of Linf are not negative.
   if (d > kTime + 1)
     for (const VectorXd& level : levels) cones.push_back({level, MatrixXd(0, d)});
   return cones;
 }
 
-/// The forms that F is made of, with what their weights must obey.
+/// The quadratic forms that F consists of, and the constraints of their weights.
 class Problem {
  public:
   explicit Problem(const std::vector<Cone>& cones) : d_(cones[0].l.size()) {
+    // Squares of cones, then products of pairs.
     for (const Cone& cone : cones)
       if (cone.Z.rows() > 0) add_weight(cone.Z.transpose() * cone.Z - cone.l * cone.l.transpose());
     for (std::size_t i = 0; i < cones.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) add_product(cones[i], cones[j]);
-    // Half spaces also with (u, t) itself, |u| <= t.
+    // Half spaces also with the ball |u| <= t.
     const Cone ball{VectorXd::Unit(d_, kTime), MatrixXd::Identity(6, d_)};
     for (const Cone& cone : cones)
       if (cone.Z.rows() == 0) add_product(cone, ball);
+    // |u|^2 - t^2 is zero: its weight has any sign.
     VectorXd sphere = VectorXd::Zero(d_);
     sphere.head<6>().setOnes();
     sphere(kTime) = -1;
     forms_.emplace_back(sphere.asDiagonal());
   }
 
-  /// Weights for which F is positive definite, or as far as it goes.
+  /// Weights for which F is positive definite, or its least eigenvalue as large as possible.
   MaximisedComponent find() const {
     const int least = static_cast<int>(forms_.size());  // the unknown below all eigenvalues of F
+    // Matrix inequality F(y) >= least I.
     MatrixInequality F{MatrixXd::Zero(d_, d_), {}};
     for (int k = 0; k < least; ++k) F.terms.emplace_back(k, forms_[static_cast<std::size_t>(k)]);
     F.terms.emplace_back(least, -MatrixXd::Identity(d_, d_));
-    // F by a factor proves the same: the sum of weights is kept of order 1, so that F that is not
-    // positive definite does not shrink to 0 in place of ending below it.
+    // A multiple of F proves the same: the sum of weights is kept of order 1, so that an F that is
+    // not positive definite does not shrink to 0.
     MatrixInequality sum{MatrixXd::Ones(1, 1), {}}, some{-kSomeWeight * MatrixXd::Ones(1, 1), {}};
     std::vector<MatrixInequality> all{F};
     const auto add_to_sum = [&](int k) {
@@ -132,6 +140,7 @@ class Problem {
       some.terms.emplace_back(k, MatrixXd::Ones(1, 1));
     };
     VectorXd y = VectorXd::Zero(least + 1);
+    // Each weight is positive, and each product has |K| <= kappa.
     for (const int k : weights_) {
       all.push_back({MatrixXd::Zero(1, 1), {{k, MatrixXd::Ones(1, 1)}}});
       add_to_sum(k);
@@ -142,21 +151,24 @@ class Problem {
       add_to_sum(each.kappa);
       y(each.kappa) = 0.5 / static_cast<double>(weights_.size() + products_.size());
     }
+    // Start inside: equal weights, and least below the eigenvalues.
     all.push_back(sum);
     all.push_back(some);
     y(least) = smallest_eigenvalue(form(y)) - 0.5;
     return maximise_component(all, std::move(y), least, kEnough);
   }
 
-  /// Least eigenvalue of F, and of what its weights must obey; by eigenvalues, where the search had
-  /// Cholesky factors. Less its rounding.
+  /// Least eigenvalue of F and of the constraints of its weights, less their rounding. Recomputed
+  /// by eigenvalues, where the search had Cholesky factors.
   [[nodiscard]] double check(const VectorXd& y) const {
     if (!y.allFinite()) return std::numeric_limits<double>::quiet_NaN();
+    // Constraints of the weights.
     double least = std::numeric_limits<double>::infinity();
     for (const int k : weights_) least = min_or_nan(least, y(k));
     for (const Product& each : products_)
       least = min_or_nan(
           least, y(each.kappa) - Eigen::JacobiSVD<MatrixXd>(K_of(each, y)).singularValues()(0));
+    // F itself, less the rounding of its sum.
     double size = 0;
     for (std::size_t k = 0; k < forms_.size(); ++k)
       size += std::abs(y(static_cast<Index>(k))) * forms_[k].norm();
@@ -170,7 +182,7 @@ class Problem {
   }
 
  private:
-  /// kappa l_i l_j - z_i' K z_j: its unknowns from `kappa` on, K row by row.
+  /// kappa l_i l_j - z_i' K z_j: its unknowns start at `kappa`, then K row by row.
   struct Product {
     int kappa;
     Index rows, columns;
@@ -217,20 +229,20 @@ class Problem {
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(X, Eigen::EigenvaluesOnly).eigenvalues()(0);
   }
 
-  Index d_;                      // of x
-  std::vector<MatrixXd> forms_;  // one an unknown
+  Index d_;                      // size of x
+  std::vector<MatrixXd> forms_;  // one for each unknown
   std::vector<int> weights_;     // unknowns that are >= 0
   std::vector<Product> products_;
 };
 
-/// Second moment of the points x that F, with its barrier, leaves in doubt; that of t is 1.
+/// Second moment of the points x that F, with its barrier, leaves unproven; that of t is 1.
 MatrixXd doubts_of(const MatrixXd& F, double least) {
   const MatrixXd one = MatrixXd::Identity(F.rows(), F.cols());
   const MatrixXd moment = (F - least * one).ldlt().solve(one);
   return moment / moment(kTime, kTime);
 }
 
-/// Across the points in doubt where they lie farthest apart, through their mean.
+/// Half space across the unproven points, where they lie farthest apart, through their mean.
 Cone cut_of(const MatrixXd& doubts) {
   const Index d = doubts.rows();
   const VectorXd mean = doubts.col(kTime);
@@ -241,7 +253,7 @@ Cone cut_of(const MatrixXd& doubts) {
   return cut;
 }
 
-/// The direction in doubt in which the set reaches least: the mean, and the main ones both ways.
+/// The unproven direction of least support, descended from the mean and from the main directions.
 ScaledWrench least_of(const SupportFunction& support, const MatrixXd& doubts) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> main(
       doubts.topLeftCorner<6, 6>());
@@ -265,13 +277,16 @@ ScaledWrench least_of(const SupportFunction& support, const MatrixXd& doubts) {
 
 SupportProof prove_support(const SupportFunction& support, double r, int max_parts) {
   SupportProof proof{false, 0, std::numeric_limits<double>::infinity(), {}};
+  // Only a few different caps can be proven.
   const std::vector<SupportFunction::Cap> caps = distinct_caps(support);
   if (caps.empty() || caps.size() > kMaxProofCaps || !(r > 0)) return proof;
   std::vector<std::vector<Cone>> parts{cones_of(caps, support, r)};
+  // Parts of the sphere, each until a proof or a counterexample is found.
   while (!parts.empty()) {
     if (++proof.parts > max_parts) return proof;
     const std::vector<Cone> part = std::move(parts.back());
     parts.pop_back();
+    // Positive definite F: this part is proven.
     const Problem problem(part);
     const MaximisedComponent raised = problem.find();
     const double least = raised.reached ? problem.check(raised.y) : 0;
@@ -279,12 +294,14 @@ SupportProof prove_support(const SupportFunction& support, double r, int max_par
       proof.residual = std::min(proof.residual, least);
       continue;
     }
+    // A direction below r refutes the claim.
     const MatrixXd doubts = doubts_of(problem.form(raised.y), raised.y(raised.y.size() - 1));
     if (!doubts.allFinite()) return proof;
     if (const ScaledWrench u = least_of(support, doubts); support(u).h + support.rounding() < r) {
       proof.below = u;
       return proof;
     }
+    // Cut the part in two.
     const Cone cut = cut_of(doubts);
     for (const double side : {1.0, -1.0}) {
       parts.push_back(part);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// A proof that a wrench set of two caps reaches far enough in every direction.
+/// Proof that the support of a wrench set of two caps is at least r in every direction.
 
 #include <optional>
 
@@ -8,14 +8,15 @@
 
 namespace thenar::internal {
 
+/// Result of prove_support().
 struct SupportProof {
   bool found;       // h(u) >= r for all |u| = 1, proven
-  int parts;        // of the sphere that were looked at
-  double residual;  // least eigenvalue of all forms F below, the set's size being 1: > 0 if found
-  std::optional<ScaledWrench> below;  // h(u) < r for this unit u: there is no proof
+  int parts;        // parts of the sphere that were examined
+  double residual;  // least eigenvalue of all forms F, the set's size being 1: > 0 if found [1]
+  std::optional<ScaledWrench> below;  // h(u) < r for this unit u: the claim is false (6)
 };
 
-/// Whether  h(u) >= r  for every unit u, by sums of products of cones.
+/// Proves that  h(u) >= r  for every unit u, by sums of products of cones.
 ///
 /// Where h(u) < r, with t = |u| = 1, every cap has  l_i = r t - c_i'u > |z_i|,  z_i = A_i'u. Hence
 /// all of  l_i^2 - |z_i|^2,  kappa l_i l_j - z_i' K z_j  with |K| <= kappa, and |u|^2 - t^2 times
@@ -23,20 +24,20 @@ struct SupportProof {
 ///   F(u, t) = sum mu_i (|z_i|^2 - l_i^2) + sum (z_i' K_ij z_j - kappa_ij l_i l_j)
 ///             + nu (|u|^2 - t^2),
 /// is a positive definite form, there is no such u. Under kLinf the caps of two contacts have
-/// levels s >= 0 and r t - s >= 0 in place of r t, and s is one more unknown of F. Weights are
-/// sought by maximise_component(), and F, kappa and K are then computed anew and checked with their
-/// rounding. Where none are found, descend_support() goes down from the directions that F leaves in
-/// doubt; if it does not end below r, the sphere is cut in two, across the direction in which the
-/// unproven u lie farthest apart, and the products of  +-(w'u - b t) >= 0  with all others help in
-/// each half.
+/// levels s >= 0 and r t - s >= 0 in place of r t, and s is one more unknown of F.
+/// maximise_component() finds weights; F, kappa and K are then recomputed and checked with their
+/// rounding. If it finds none, descend_support() descends from the directions that F leaves
+/// unproven. If it does not end below r, the sphere is cut in two across the direction in which the
+/// unproven u lie farthest apart; products of  +-(w'u - b t) >= 0  with all others help in each
+/// half.
 ///
 /// A family of nearest directions, as any symmetric pinch has, costs no more than a single one.
-/// @param r  less than the least h(u) by what counts, as it is not found at the least itself
+/// @param r  below the least h(u) by a margin, as there is no proof at the least itself [1]
 /// @param max_parts  of the sphere
-/// @return not found where there are more than kMaxProofCaps different caps
+/// @return not found if there are more than kMaxProofCaps different caps
 /// Source: [BurerAnstreicher2013] for products of second-order cones.
 [[nodiscard]] SupportProof prove_support(const SupportFunction& support, double r, int max_parts);
 
-inline constexpr int kMaxProofCaps = 2;
+inline constexpr int kMaxProofCaps = 2;  // different caps that a proof can treat
 
 }  // namespace thenar::internal

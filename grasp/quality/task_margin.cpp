@@ -13,16 +13,18 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-constexpr double kIndependent = 1e-9;  // least part of the longest axis across the others [1]
+constexpr double kIndependent = 1e-9;  // least share of the longest axis across the others [1]
 
-/// Appends variables p with |p| <= half width, which make the last rows of the wrench.
+/// Appends variables p with |p| <= half width, which form the last rows of the wrench.
 void add_box(ForceSet& forces, Index size, double half_width) {
+  // New wrench columns: unit vectors of the last rows.
   const Index n = forces.wrench.cols(), rows = forces.G.rows();
   forces.wrench.conservativeResize(6, n + size);
   forces.wrench.rightCols(size).setZero();
   forces.wrench.bottomRightCorner(size, size).setIdentity();
   forces.A.conservativeResize(forces.A.rows(), n + size);
   forces.A.rightCols(size).setZero();
+  // Limits  p <= half width  and  -p <= half width.
   forces.G.conservativeResize(rows + 2 * size, n + size);
   forces.G.rightCols(size).setZero();
   forces.G.bottomRows(2 * size).setZero();
@@ -31,19 +33,22 @@ void add_box(ForceSet& forces, Index size, double half_width) {
   forces.h.conservativeResize(rows + 2 * size);
   forces.h.tail(2 * size).setConstant(half_width);
   forces.cones.insert(forces.cones.end(), static_cast<std::size_t>(2 * size), 1);
+  // They are no normal forces.
   forces.normals.conservativeResize(n + size);
   forces.normals.tail(size).setZero();
-  forces.effort_unit.resize(0);  // efforts no longer stand last, and nobody asks for them
+  forces.effort_unit.resize(0);  // efforts no longer stand last, and are not asked for
 }
 
 /// Forces whose wrench is Q y, with y as the first rows of the new wrench and zeros below.
 ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>& Q) {
+  // Rows across Q must vanish.
   const Index rank = Q.rank(), across = 6 - rank, old = forces.A.rows();
   const MatrixXd basis = Q.householderQ() * MatrixXd::Identity(6, 6);
   forces.A.conservativeResize(old + across, forces.wrench.cols());
   forces.A.bottomRows(across) = basis.rightCols(across).transpose() * forces.wrench;
   forces.b.conservativeResize(old + across);
   forces.b.tail(across).setZero();
+  // Coordinates along Q replace the wrench.
   const MatrixXd y = Q.solve(MatrixXd(forces.wrench));
   forces.wrench.setZero();
   forces.wrench.topRows(rank) = y;
@@ -55,6 +60,7 @@ ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
   TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
   for (const ScaledWrench& load : loads) {
+    // The smallest margin counts; a load without limit sets none.
     if (load.isZero(0)) continue;
     const WrenchSupport reach = load_margin(forces, load);
     if (reach.status == ConeStatus::kUnbounded) continue;
@@ -72,6 +78,7 @@ TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
                          const ScaledWrench& upper) {
   require(lower.allFinite() && upper.allFinite() && (lower.array() <= upper.array()).all(),
           "the box of loads needs finite bounds, lower <= upper");
+  // All different corners of the box.
   std::vector<ScaledWrench> corners;
   for (int corner = 0; corner < 64; ++corner) {
     ScaledWrench load = lower;
@@ -89,6 +96,7 @@ TaskMargin margin_of_box(const ForceSet& forces, const ScaledWrench& lower,
 TaskMargin margin_of_ellipsoid(const ForceSet& forces,
                                const Eigen::Matrix<double, 6, Eigen::Dynamic>& Q,
                                const BallOptions& options) {
+  // Independent axes, in coordinates in which the ellipsoid is a ball.
   require(Q.cols() > 0 && Q.allFinite(), "an ellipsoid needs finite axes, got {}", Q.cols());
   Eigen::ColPivHouseholderQR<MatrixXd> qr;
   qr.setThreshold(kIndependent);
@@ -98,6 +106,7 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
   ForceSet sliced = slice_along(forces, qr);
   if (is_unlimited(sliced, static_cast<int>(Q.cols())))
     return {ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  // Missing dimensions get a box, wider than the slice, which does not change its ball.
   if (Q.cols() < 6) {
     const WrenchSupport any = wrench_support(sliced, ScaledWrench::Unit(0));
     const double width = any.status == ConeStatus::kSolved ? any.value : options.max_total_force;

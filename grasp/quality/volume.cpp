@@ -16,34 +16,34 @@
 namespace thenar {
 namespace {
 
-constexpr double kBeyond =
-    1e-12;  // a point this far beyond a facet, in parts of the size, is on it
-
-constexpr int kMinEdges = 6;      // with fewer than asked for an estimate to mean much
+constexpr double kBeyond = 1e-12;  // a point beyond a facet by less of the size lies on it [1]
+constexpr int kMinEdges = 6;      // below, an estimate with fewer edges than asked for is too rough
 constexpr double kWeight = 0.56;  // of the upper bound's logarithm in the estimate [1]
 
-constexpr int kFacetsBeforeSum = 100000;  // of a hull, while there may be a way without it
+constexpr int kFacetsBeforeSum = 100000;  // of a hull, before a way without hull is tried
 constexpr double kSharpVolume = 1e-9;     // error of a volume that needs no other way [1]
-constexpr double kFolded = 1e-4;  // of a larger hull of a sum: faces that are parallel but for
+constexpr double kFolded = 1e-4;  // error of a larger hull of a sum: faces that are parallel up to
                                   // rounding fold it; 1.3e-5 was met [1]
 constexpr double kExactVolume = 1e-12;  // error of a volume that counts as exact [1]
-constexpr double kMaxChoices = 2e7;     // of faces of a sum: some seconds
+constexpr double kMaxChoices = 2e7;     // of faces of a sum: takes some seconds
 constexpr double kSumError = 1e-6;  // of the volume of a sum that is not in general position [1]
 
+/// Volume of a polytope [unit forces^6].
 struct PolytopeVolume {
   double volume;
   bool complete;
   int facets;
-  double error = 0;  // of the volume, as a part of it [1]
+  double error = 0;  // relative error of the volume [1]
 };
 
-/// The same set stretched until it is as wide along all axes: its volume is this one's, divided by
+/// A set stretched to equal width along all axes; the volume of the original is that of `set` times
 /// `shrunk`.
 struct Rounded {
   WrenchSet set;
   double shrunk;
 };
 Rounded rounded(const WrenchSet& set, ForceNorm limit) {
+  // Centre of the set; sums of Linf need none.
   ScaledWrench middle = ScaledWrench::Zero();
   if (limit == ForceNorm::kL1)
     for (const WrenchCap& cap : set.caps) middle += cap.c / static_cast<double>(set.caps.size());
@@ -56,6 +56,7 @@ Rounded rounded(const WrenchSet& set, ForceNorm limit) {
     append(cap.c - middle);
     append(cap.A);
   }
+  // Principal widths of all points.
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(all, Eigen::ComputeThinU);
   const ScaledWrench widths = svd.singularValues();
   const Eigen::Matrix<double, 6, 6> stretch =
@@ -68,13 +69,14 @@ Rounded rounded(const WrenchSet& set, ForceNorm limit) {
   return out;
 }
 
-/// Were each facet further out by `off`, the set would be within a copy of the hull about its
-/// middle, 1 + off / inner times as large, inner the least distance of a facet.
+/// Relative error of a volume whose facets lie up to `off` too far inside: the set lies within a
+/// copy of the hull about its middle, 1 + off / inner times as large, inner the least distance of a
+/// facet.
 double error_of(const internal::Hull& hull, double off) {
   return std::pow(1 + off / hull.inner_radius(), 6) - 1;
 }
 
-/// Of a set without curved caps. @param max_facets  of the hull
+/// Volume of a set without curved caps by its hull. @param max_facets  of the hull
 PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, int max_facets) {
   const ForceNorm limit = options.limit;
   const Rounded round = rounded(set, limit);
@@ -84,6 +86,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   internal::Hull hull(simplex.points);
   double off = 0;
   int facet = 0;
+  // Refine facets until no support point lies beyond any.
   while ((facet = hull.pop_nearest()) >= 0 && hull.facets() <= max_facets &&
          !options.progress.stop()) {
     const internal::Hull::Plane plane = hull.plane(facet);
@@ -94,7 +97,7 @@ PolytopeVolume hull_volume(const WrenchSet& set, const VolumeOptions& options, i
   return {hull.volume() * round.shrunk, facet < 0, hull.facets(), error_of(hull, off)};
 }
 
-/// Of a Minkowski sum without its hull, where that can be.
+/// Volume of a Minkowski sum without its hull, where that is possible.
 std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, const VolumeOptions& options) {
   if (options.limit != ForceNorm::kLinf) return {};
   const Rounded round = rounded(set, options.limit);
@@ -104,23 +107,25 @@ std::optional<PolytopeVolume> volume_of_sum(const WrenchSet& set, const VolumeOp
   return PolytopeVolume{*sum * round.shrunk, true, 0, kSumError};
 }
 
-/// With polytopes of so many edges in and about the caps.
+/// Bounds by polytopes of `edges` edges inside and outside of the caps.
 Volume enclosed_volume(const WrenchSet& set, const VolumeOptions& options) {
   const auto find = [&](const WrenchSet& polytopes) {
     const std::optional<PolytopeVolume> sum = volume_of_sum(polytopes, options);
     return sum ? *sum : hull_volume(polytopes, options, options.max_facets);
   };
+  // Inner and outer polytopes, each widened by its error.
   PolytopeVolume in = find(polytopes_in(set, options.edges));
   PolytopeVolume about =
       in.complete ? find(polytopes_about(set, options.edges)) : PolytopeVolume{0, false, in.facets};
   in.volume *= 1 - in.error;
   about.volume *= 1 + about.error;
   if (!about.complete) return {in.volume, kInfinity, kNaN, false, about.facets, options.edges};
+  // Weighted geometric mean as the estimate.
   const double guess = std::pow(in.volume, 1 - kWeight) * std::pow(about.volume, kWeight);
   return {in.volume, about.volume, guess, true, about.facets, options.edges};
 }
 
-/// The estimate of the coarser, within the bounds of both.
+/// The estimate of the coarser volume, within the bounds of both.
 Volume tighter(const Volume& fine, Volume coarse) {
   coarse.lower = std::max(coarse.lower, fine.lower);
   if (coarse.edges < kMinEdges) coarse.complete = false;
@@ -128,8 +133,8 @@ Volume tighter(const Volume& fine, Volume coarse) {
   return coarse;
 }
 
-/// The hull, if it is small and sharp; else the sum without it, if that can be; else the hull with
-/// patience.
+/// Volume of polytopes: by the hull if it is small and sharp, otherwise by the sum without hull if
+/// possible, otherwise by a larger hull.
 Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
   const WrenchSet points = pyramids(set, options.edges);
   PolytopeVolume v = hull_volume(points, options, std::min(options.max_facets, kFacetsBeforeSum));
@@ -139,6 +144,7 @@ Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
     else if (!v.complete)
       v = hull_volume(points, options, 8 * std::min(options.max_facets, 100000000));
   }
+  // Large hulls of sums may be folded, which costs accuracy.
   const bool folded = options.limit == ForceNorm::kLinf && v.facets > kFacetsBeforeSum;
   if (folded) v.error = std::max(v.error, kFolded);
   if (v.error < kExactVolume) v.error = 0;
@@ -152,6 +158,7 @@ Volume volume_of_points(const WrenchSet& set, const VolumeOptions& options) {
 Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   require(options.edges >= 3, "a pyramid has at least 3 edges, got {}", options.edges);
   require(options.max_facets > 0, "the hull may have {} facets, wanted > 0", options.max_facets);
+  // Points and segments need no pyramids.
   bool curved = false;
   for (std::size_t i = 0; i < set.caps.size(); ++i) {
     const WrenchCap& cap = set.caps[i];
@@ -160,6 +167,7 @@ Volume volume(const WrenchSet& set, const VolumeOptions& options) {
   }
   if (set.caps.empty() || internal::span_of(set).rank < 6) return {0, 0, 0, true, 0, 0};
   if (!curved) return volume_of_points(set, options);
+  // Halve the number of edges until the hulls fit.
   VolumeOptions now = options;
   Volume out = enclosed_volume(set, now);
   while (!std::isfinite(out.upper) && now.edges > 3 && !options.progress.stop()) {

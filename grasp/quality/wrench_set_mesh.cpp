@@ -11,12 +11,13 @@ namespace {
 
 using GridPoint = std::tuple<int, int, int>;  // on the octahedron |x| + |y| + |z| = pieces
 
-/// Directions, and triangles between them that stand counterclockwise from outside.
+/// Directions, and triangles between them, counter-clockwise from outside.
 struct Sphere {
   std::vector<GridPoint> places;
   std::vector<Eigen::Vector3i> triangles;
 };
 
+/// Subdivided octahedron.
 class Octahedron {
  public:
   explicit Octahedron(int pieces) : pieces_(pieces) {
@@ -26,7 +27,7 @@ class Octahedron {
   [[nodiscard]] const Sphere& sphere() const { return sphere_; }
 
  private:
-  /// Barycentric grid of one face; mirrored faces turn their triangles round.
+  /// Barycentric grid of one face; mirrored faces reverse their triangles.
   void add_face(int x, int y, int z) {
     const auto at = [&](int i, int j) { return vertex({x * i, y * j, z * (pieces_ - i - j)}); };
     const auto add = [&](int a, int b, int c) {
@@ -53,8 +54,9 @@ class Octahedron {
   std::map<GridPoint, int> numbers_;
 };
 
-/// Rows that pick coordinates; for a slice those of the others follow.
+/// Rows that select the coordinates; for a slice the other coordinates follow.
 Eigen::MatrixXd picture_rows(const std::array<int, 3>& coordinates, PictureKind kind) {
+  // Selected coordinates first.
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(kind == PictureKind::kSlice ? 6 : 3, 6);
   std::array<bool, 6> seen{};
   for (int i = 0; i < 3; ++i) {
@@ -65,6 +67,7 @@ Eigen::MatrixXd picture_rows(const std::array<int, 3>& coordinates, PictureKind 
     seen[static_cast<std::size_t>(coordinate)] = true;
     rows(i, coordinate) = 1;
   }
+  // A slice holds the other coordinates at zero.
   for (int coordinate = 0, row = 3; kind == PictureKind::kSlice && coordinate < 6; ++coordinate)
     if (!seen[static_cast<std::size_t>(coordinate)]) rows(row++, coordinate) = 1;
   return rows;
@@ -80,6 +83,7 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
   const Sphere& sphere = octahedron.sphere();
   WrenchSetMesh picture;
   picture.mesh.vertices.resize(3, static_cast<Eigen::Index>(sphere.places.size()));
+  // Boundary point of the set along each direction.
   for (std::size_t i = 0; i < sphere.places.size(); ++i) {
     const auto [x, y, z] = sphere.places[i];
     Eigen::VectorXd way = Eigen::VectorXd::Zero(rows.rows());

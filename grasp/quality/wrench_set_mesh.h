@@ -1,6 +1,6 @@
 #pragma once
 
-/// Three-dimensional pictures of wrench sets.
+/// Meshes of wrench sets, projected to or cut by three coordinates.
 
 #include <array>
 
@@ -9,22 +9,24 @@
 
 namespace thenar {
 
+/// How six dimensions become three.
 enum class PictureKind {
-  kProjection,  // the three coordinates of all wrenches
-  kSlice        // those of wrenches whose other three coordinates are zero: forces without torque
+  kProjection,  // three coordinates of all wrenches
+  kSlice        // three coordinates of wrenches whose others are zero: forces without torque
 };
 
+/// Boundary mesh of a projection or slice.
 struct [[nodiscard]] WrenchSetMesh {
-  TriangleMesh mesh;  // vertices on the boundary of the set, in newtons, axes as asked
+  TriangleMesh mesh;  // vertices on the boundary of the set, in the axes asked for [N]
   int failed = 0;     // directions without an answer, drawn at the origin: the set is unbounded
-                      // there, or does not hold the origin
+                      // there, or does not contain the origin
 };
 
-/// Boundary of a projection or slice, seen from the origin: along each of the directions of a
-/// subdivided octahedron as far as support_along() goes. Triangles between points on the
-/// boundary of a convex set lie within it. Flat sets give flat meshes.
+/// Boundary of a projection or slice, seen from the origin: support_along() in each direction of a
+/// subdivided octahedron. Triangles between boundary points of a convex set lie within it. Flat
+/// sets give flat meshes.
 /// @param coordinates  three different ones of the wrench: 0..2 forces, 3..5 torques
-/// @param pieces       of each edge of the octahedron; 4 pieces^2 + 2 directions
+/// @param pieces       of each edge of the octahedron; there are 4 pieces^2 + 2 directions
 /// @throws InputError if coordinates repeat or are not 0..5, or pieces < 1
 WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& coordinates,
                               PictureKind kind, int pieces = 8);

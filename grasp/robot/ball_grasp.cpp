@@ -14,23 +14,23 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr int kPoints = 150;         // of a link
-constexpr double kTouch = 5e-4;      // gap that counts as touching [m]
-constexpr double kStill = 1e-7;      // way that is none [m]
-constexpr double kSelfTouch = 3e-3;  // the same of links of the hand: a spacing of their points [m]
+constexpr int kPoints = 150;         // for each link
+constexpr double kTouch = 5e-4;      // distance that counts as touching [m]
+constexpr double kStill = 1e-7;      // approach that counts as none [m]
+constexpr double kSelfTouch = 3e-3;  // for links of the hand: the spacing of their points [m]
 
 RobotSpec without_shapes(RobotSpec robot) {
   for (RobotLink& link : robot.links) link.shapes.clear();
   return robot;
 }
 
-/// Low-discrepancy numbers in [0, 1): multiples of an irrational one.
+/// Low-discrepancy number in [0, 1): fractional part of a multiple of an irrational number.
 double spread(int i, double irrational) {
   const double x = (i + 0.5) * irrational;
   return x - std::floor(x);
 }
 
-/// Corners of a mesh: all of a few, else the outermost along each axis, so that its box is kept.
+/// Corners of a mesh: all if there are few, otherwise the outermost along each axis (its box).
 Matrix3Xd outermost(const Matrix3Xd& corners) {
   constexpr Eigen::Index kFew = 12;
   if (corners.cols() <= kFew) return corners;
@@ -45,18 +45,20 @@ Matrix3Xd outermost(const Matrix3Xd& corners) {
   return points;
 }
 
-/// Points spread over triangles by their area, and outermost() corners. (3, points)
+/// Points spread over triangles by area, and the outermost() corners. (3, points)
 Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
   std::vector<double> area(static_cast<std::size_t>(mesh.triangles.cols()) + 1, 0);
   const auto corner = [&](Eigen::Index t, int k) -> Vector3d {
     return mesh.vertices.col(mesh.triangles(k, t));
   };
+  // Cumulative area of the triangles.
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); ++t) {
     const Vector3d a = corner(t, 0);
     area[static_cast<std::size_t>(t) + 1] =
         area[static_cast<std::size_t>(t)] + (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
   }
   if (!(area.back() > 0)) return mesh.vertices;
+  // Equal steps of area choose the triangle; low-discrepancy numbers the point in it.
   Matrix3Xd points(3, count);
   for (int i = 0; i < count; ++i) {
     const auto above = std::upper_bound(area.begin(), area.end(), (i + 0.5) / count * area.back());
@@ -65,6 +67,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
     const double side = root * spread(i, 0.5698402909980532);
     points.col(i) = (1 - root) * corner(t, 0) + (root - side) * corner(t, 1) + side * corner(t, 2);
   }
+  // Corners keep the extent of the mesh.
   const Matrix3Xd corners = outermost(mesh.vertices);
   Matrix3Xd all(3, count + corners.cols());
   all << points, corners;
@@ -73,6 +76,7 @@ Matrix3Xd points_on(const TriangleMesh& mesh, int count) {
 
 /// Points of all shapes of a link, in its frame.
 Matrix3Xd points_of(const RobotLink& link) {
+  // Points of each shape, meshes as they are and primitives by their surface.
   std::vector<Matrix3Xd> parts;
   Eigen::Index count = 0;
   const int each = std::max(30, kPoints / static_cast<int>(link.shapes.size()));
@@ -87,6 +91,7 @@ Matrix3Xd points_of(const RobotLink& link) {
     count += points.cols();
     parts.push_back(std::move(points));
   }
+  // All in one matrix.
   Matrix3Xd all(3, count);
   Eigen::Index at = 0;
   for (const Matrix3Xd& part : parts) {
@@ -100,28 +105,28 @@ Vector3d at(const std::vector<Pose<double>>& links, int link, const Vector3d& p)
   return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)] * p);
 }
 
-/// The point in the frame that points of a surface are stated in.
+/// The point in the frame in which points of a surface are stated.
 Vector3d from(const std::vector<Pose<double>>& links, int link, const Vector3d& p) {
   return link < 0 ? p : Vector3d(links[static_cast<std::size_t>(link)].inverse() * p);
 }
 
-/// The nearest point of a surface to another, if any is within reach: its index and distance.
+/// Index and distance of the point of a surface nearest to p, if it is within `reach`.
 std::pair<Eigen::Index, double> nearest(const SampledSurface& surface, const Vector3d& p,
                                         double reach) {
   Eigen::Index index = -1;
+  // The bounding ball is too far away.
   if ((p - surface.centre).norm() > reach + surface.radius) return {index, kInfinity};
   const double distance =
       std::sqrt((surface.p.colwise() - p).colwise().squaredNorm().minCoeff(&index));
   return {index, distance};
 }
 
-/// A layout that closes otherwise.
+/// The layout with other drives.
 HandLayout with_drives(HandLayout layout, const std::vector<Drive>& drives) {
   layout.drives = drives;
   return layout;
 }
 
-/// Until the last coordinate is at its limit [s].
 }  // namespace
 
 BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
@@ -135,10 +140,12 @@ BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
     surface.link = hand_.mover_of(i);
     surface.name = link.name;
     surface.digit = link.digit;
+    // Points at the reference posture, with their bounding ball.
     surface.p = (frames[i].R * points_of(link)).colwise() + frames[i].p;
     if (surface.p.cols() == 0) continue;
     surface.centre = (surface.p.rowwise().minCoeff() + surface.p.rowwise().maxCoeff()) / 2;
     surface.radius = (surface.p.colwise() - surface.centre).colwise().norm().maxCoeff();
+    // Coordinates that move the surface.
     if (surface.link >= 0) {
       const Eigen::MatrixXd J = hand_.jacobian(middle, surface.link, surface.centre);
       for (Eigen::Index c = 0; c < J.cols(); ++c)
@@ -152,13 +159,16 @@ double BallGrasp::meets(const std::vector<Pose<double>>& links, const Vector3d& 
                         const Vector3d& direction, double radius) const {
   double way = -kInfinity;
   for (const SampledSurface& surface : surfaces_) {
+    // The ray in the frame of the surface's points.
     const Vector3d o = from(links, surface.link, origin),
                    d = surface.link < 0
                            ? direction
                            : Vector3d(links[static_cast<std::size_t>(surface.link)].R.transpose() *
                                       direction);
+    // Surfaces whose bounding ball is off the ray cannot meet.
     const Vector3d off = surface.centre - o;
     if ((off - off.dot(d) * d).norm() > radius + surface.radius) continue;
+    // Along the ray the ball touches a point at the larger root.
     for (Eigen::Index i = 0; i < surface.p.cols(); ++i) {
       const Vector3d v = surface.p.col(i) - o;
       const double along = v.dot(d), room = radius * radius - (v.squaredNorm() - along * along);
@@ -169,7 +179,7 @@ double BallGrasp::meets(const std::vector<Pose<double>>& links, const Vector3d& 
 }
 
 bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) const {
-  // Links of one digit, or neighbours of the palm, are made to be near each other.
+  // Links of one digit, or neighbours of the palm, are always near each other.
   if (a.digit == b.digit) return true;
   const auto& parents = hand_.layout().parents;
   const auto next_to = [&](int inner, int outer) {
@@ -178,6 +188,7 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
   return next_to(a.link, b.link) || next_to(b.link, a.link);
 }
 
+/// Whether points of two links come within a spacing of their points.
 bool BallGrasp::meet(const SampledSurface& a, const SampledSurface& b,
                      const std::vector<Pose<double>>& links) const {
   const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);
@@ -192,6 +203,7 @@ bool BallGrasp::meet(const SampledSurface& a, const SampledSurface& b,
 std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eigen::VectorXd q,
                                           const ProbeBall& ball, int steps,
                                           const std::vector<std::string>& self) const {
+  // Drives close at their speeds; a contact stops the coordinates of its links.
   const HandLayout layout = with_drives(hand_.layout(), drives);
   ClosingDrives closing(layout);
   const double time = time_to_limits(layout, q, closing.rates());
@@ -207,6 +219,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
           std::find(other->moved_by.begin(), other->moved_by.end(), c) == other->moved_by.end())
         closing.stop(c, StoppedBy::kContact);
   };
+  // Equal steps of closing time; limits stop coordinates.
   for (int step = 0; step <= steps && (step == 0 || closing.moving()); ++step) {
     if (step > 0) {
       const Eigen::VectorXd rates = closing.rates();
@@ -216,6 +229,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
           closing.stop(static_cast<int>(j), StoppedBy::kLimit);
       links = hand_.pose(q);
     }
+    // A link that touches the ball and still approaches is stopped.
     for (std::size_t s = 0; s < surfaces_.size(); ++s) {
       const SampledSurface& surface = surfaces_[s];
       const Vector3d c = from(links, surface.link, ball.centre);
@@ -223,6 +237,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
       if (gap <= kTouch && gap < gaps[s] - kStill) halt(surface, nullptr);
       gaps[s] = gap;
     }
+    // Links of digits that stand are stopped by others, unless they were near at the start.
     if (self.empty()) continue;
     for (std::size_t a = 0; a < surfaces_.size(); ++a)
       for (std::size_t b = 0; stands(surfaces_[a]) && b < surfaces_.size(); ++b) {
@@ -235,6 +250,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
         halt(surfaces_[b], &surfaces_[a]);
       }
   }
+  // Contacts at the end, with a wider tolerance.
   std::vector<BallContact> contacts;
   for (std::size_t s = 0; s < surfaces_.size(); ++s) {
     const SampledSurface& surface = surfaces_[s];

@@ -10,25 +10,26 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlong = 0.7;    // cosine to the last joint's axis from which a joint curls [1]
-constexpr double kSameWay = 0.7;  // cosine between ways of tips that are fingers of one kind [1]
-constexpr double kSameDistance = 1e-9;  // change of distances between tips that is none [1]
-constexpr double kNothing = 1e-9;       // spin or way that is none [1], [m]
-constexpr double kUndecided = 0.1;      // difference of ranges that says nothing [1]
-constexpr double kHardlyNear = 1e-3;    // difference of nearness that says nothing [1]
-constexpr double kAgainst = 0.4;        // weight of ranges that speak against a way of closing [1]
-constexpr double kDoubtful = 0.35;  // difference of ranges up to which the other way is tried [1]
-constexpr std::size_t kRow = 3;  // fingers that make a palm, which things come at along its normal
-constexpr double kOpposition = 0.6;    // range from which a turning motor may oppose [rad]
-constexpr double kFarther = 1.4;       // how much farther than the others' [1]
-constexpr double kClearlyNear = 0.05;  // difference of nearness that leaves no doubt [1]
-constexpr double kBack = 0.6;          // farthest that fingers bend backwards to open [rad]
-constexpr double kAsFar = 0.85;        // of the way of a tip, from which another goes as far [1]
-// Cosines to an axis of the hand's frame that is taken for it [1]: the palm's normal, and the way
-// from the palm to half-closed ends, which says less.
+constexpr double kAlong =
+    0.7;  // smallest cosine to the last joint's axis of a joint that curls [1]
+constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
+constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
+constexpr double kNothing = 1e-9;       // rotation or motion that counts as none [1], [m]
+constexpr double kUndecided = 0.1;      // difference of ranges that is no evidence [1]
+constexpr double kHardlyNear = 1e-3;    // difference of nearness that is no evidence [1]
+constexpr double kAgainst = 0.4;        // weight of ranges as evidence against a way of closing [1]
+constexpr double kDoubtful = 0.35;      // difference of ranges up to which both ways are tried [1]
+constexpr std::size_t kRow = 3;         // fingers that make a palm, approached along its normal
+constexpr double kOpposition = 0.6;     // range from which a turning motor may oppose [rad]
+constexpr double kFarther = 1.4;        // smallest ratio to the ranges of the others [1]
+constexpr double kClearlyNear = 0.05;   // difference of nearness that leaves no doubt [1]
+constexpr double kBack = 0.6;           // farthest that fingers bend backwards to open [rad]
+constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
+// Smallest cosine at which a direction is taken for an axis of the hand's frame [1]: for the palm's
+// normal, and for the direction from the palm to half-closed ends, which says less.
 constexpr double kSnapNormal = 0.9925, kSnapAhead = 0.96;
 
-/// Places that so many turning motors are tried at, each.
+/// Number of positions at which each of so many turning motors is tried.
 int places(std::size_t motors) { return motors <= 1 ? 9 : motors == 2 ? 5 : 3; }
 
 int depth_of(const HandLayout& layout, int link) {
@@ -52,6 +53,7 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
   find_digits();
   sort_drives();
   orient();
+  // Stated speeds tell how the hand closes; otherwise both senses are tried.
   if (closing) {
     SenseOption stated;
     for (const Drive& drive : drives_) stated.speed.push_back(drive.speed);
@@ -66,6 +68,7 @@ void DigitMotion::find_digits() {
   const std::vector<Pose<double>> links = grip_.hand().pose(rest_);
   const std::vector<SampledSurface>& surfaces = grip_.surfaces();
   std::vector<int> depth;
+  // Innermost and outermost surface of each digit, by depth in the tree.
   for (const SampledSurface& surface : surfaces) depth.push_back(depth_of(layout, surface.link));
   for (std::size_t s = 0; s < surfaces.size(); ++s) {
     if (surfaces[s].digit.empty()) continue;
@@ -85,7 +88,7 @@ void DigitMotion::find_digits() {
                             : links[static_cast<std::size_t>(surface.link)] * surface.centre;
   };
   for (Digit& digit : digits_) {
-    // The root is where the digit's first link hinges; of a slide, where the link is.
+    // The root is the hinge of the digit's first link; for a slide, the link itself.
     digit.tip = centre(digit.last);
     digit.root = centre(digit.first);
     const int link = surfaces[digit.first].link;
@@ -112,11 +115,12 @@ Vector3d DigitMotion::way(std::size_t drive, const Digit& digit) const {
   return twist(drive, digit).tail<3>();
 }
 
-/// Whether a drive moves every tip and none against another: a wrist.
+/// Whether a drive moves every tip, and none relative to another: a wrist.
 bool DigitMotion::moves_alike(std::size_t drive) const {
   for (const Digit& digit : digits_)
     if (way(drive, digit).norm() < kNothing && spin(drive, digit).norm() < kNothing) return false;
   if (digits_.size() < 2) return false;
+  // Distances between tips are the same with the drive moved either way.
   std::vector<double> senses(drives_.size(), 0);
   senses[drive] = 1;
   const double up = apart(moved(senses, 0.1));
@@ -128,7 +132,7 @@ bool DigitMotion::moves_alike(std::size_t drive) const {
 void DigitMotion::sort_drives() {
   for (std::size_t d = 0; d < drives_.size(); ++d) {
     if (moves_alike(d)) continue;
-    // A drive of several digits is of the kind that it is for the one whose tip it moves most.
+    // A drive of several digits has the kind that it has for the digit whose tip it moves most.
     double farthest = -1;
     bool curls = true;
     std::vector<Digit*> moved;
@@ -138,11 +142,12 @@ void DigitMotion::sort_drives() {
       moved.push_back(&digit);
       if (v.norm() <= farthest) continue;
       farthest = v.norm();
-      Vector3d last = Vector3d::Zero();  // the axis nearest the tip
+      Vector3d last = Vector3d::Zero();  // axis of the last joint
       const SampledSurface& tip = grip_.surfaces()[digit.last];
       for (int link = tip.link; link >= 0 && last.isZero(0);
            link = grip_.hand().layout().parents[static_cast<std::size_t>(link)])
         last = grip_.hand().axis(rest_, link);
+      // Parallel to the last axis: it curls; across: it turns.
       curls = w.norm() < kNothing || last.isZero(0) ||
               std::abs(w.dot(last)) >= kAlong * w.norm() * last.norm();
     }
@@ -150,7 +155,7 @@ void DigitMotion::sort_drives() {
   }
 }
 
-/// Which signs of drives curl a digit one way round, and which drives thereby hang together.
+/// Finds the signs of drives that curl each digit, and which drives belong together.
 void DigitMotion::orient() {
   orientation_.assign(drives_.size(), 0);
   group_.assign(drives_.size(), -1);
@@ -158,12 +163,14 @@ void DigitMotion::orient() {
   for (const Digit& digit : digits_) {
     if (digit.curls.empty()) continue;
     const auto outer = static_cast<std::size_t>(digit.curls.back());
+    // Sign relative to the outermost joint, by rotation or by motion of the tip.
     const auto sign = [&](std::size_t d) {
       const Vector3d w = spin(d, digit), w_outer = spin(outer, digit);
       const bool turn = w.norm() > kNothing && w_outer.norm() > kNothing;
       const double along = turn ? w.dot(w_outer) : way(d, digit).dot(way(outer, digit));
       return along < 0 ? -1.0 : 1.0;
     };
+    // A drive that already has a sign sets that of the whole digit.
     double flip = 1;
     int group = -1;
     for (const int c : digit.curls)
@@ -172,6 +179,7 @@ void DigitMotion::orient() {
         flip = orientation_[d] * sign(d);
       }
     if (group < 0) group = groups++;
+    // The others get their signs relative to it.
     for (const int c : digit.curls) {
       const auto d = static_cast<std::size_t>(c);
       if (group_[d] >= 0) continue;
@@ -187,7 +195,7 @@ double DigitMotion::range(std::size_t drive) const {
   return (layout.upper[first.coordinate] - layout.lower[first.coordinate]) / std::abs(first.ratio);
 }
 
-/// A posture some share of the way from rest to the limits; senses of 0 stay. (coordinates)
+/// Posture at a share of the range from rest in the given senses; senses of 0 stay. (coordinates)
 VectorXd DigitMotion::moved(const std::vector<double>& senses, double share) const {
   const HandLayout& layout = grip_.hand().layout();
   VectorXd q = rest_;
@@ -216,9 +224,10 @@ double DigitMotion::apart(const VectorXd& q) const {
   return sum;
 }
 
-/// By ranges, by nearness, and each group of either the other way round where its range allows.
+/// Ways to close: by ranges, by nearness, and each doubtful group in the other sense.
 void DigitMotion::find_options() {
   const HandLayout& layout = grip_.hand().layout();
+  // Evidence of each group: its ranges in both senses, and how near the tips come.
   const int groups = group_.empty() ? 0 : *std::max_element(group_.begin(), group_.end()) + 1;
   std::vector<double> by_range, by_nearness, more, nearer;
   for (int g = 0; g < groups; ++g) {
@@ -236,8 +245,10 @@ void DigitMotion::find_options() {
       opening[d] = -orientation_[d];
     }
     const double near = apart(moved(closing, 0.5)), far = apart(moved(opening, 0.5));
+    // Signed evidence in -1 .. 1.
     const double ranges = up + down > 0 ? (up - down) / (up + down) : 0,
                  nearness = near + far > 0 ? (far - near) / (far + near) : 0;
+    // Decide by ranges and by nearness; evidence that says nothing yields to the other.
     const bool range_speaks = std::abs(ranges) > kUndecided,
                nearness_speaks = std::abs(nearness) > kHardlyNear;
     more.push_back(ranges);
@@ -247,6 +258,7 @@ void DigitMotion::find_options() {
     by_nearness.push_back(nearness_speaks || !range_speaks ? (nearness < 0 ? -1 : 1)
                                                            : (ranges < 0 ? -1 : 1));
   }
+  // Candidates: both decisions, doubtful groups reversed, and everything reversed.
   std::vector<std::vector<double>> ways{by_range, by_nearness};
   for (int g = 0; g < groups; ++g) {
     const auto at = static_cast<std::size_t>(g);
@@ -258,9 +270,11 @@ void DigitMotion::find_options() {
     ways.push_back(by_range);
     for (double& sense : ways.back()) sense *= -1;
   }
+  // Stated speeds keep their magnitudes.
   const bool paced = std::any_of(drives_.begin(), drives_.end(),
                                  [](const Drive& drive) { return drive.speed != 0; });
   std::vector<std::vector<double>> had;
+  // Each candidate once, with the ranges that speak against it.
   for (const std::vector<double>& senses : ways) {
     if (std::find(had.begin(), had.end(), senses) != had.end()) continue;
     had.push_back(senses);
@@ -282,7 +296,7 @@ double DigitMotion::mean_digit_length() const {
   for (const Digit& digit : digits_) sum += (digit.tip - digit.root).norm();
   if (sum > kNothing * static_cast<double>(digits_.size()))
     return sum / static_cast<double>(digits_.size());
-  // Jaws of one link: as far as they part.
+  // Jaws of one link: the distance by which they part.
   std::vector<double> up(drives_.size(), 1), down(drives_.size(), -1);
   return std::max(apart(moved(up, 1)), apart(moved(down, 1)));
 }
@@ -293,7 +307,7 @@ std::vector<Drive> DigitMotion::drives(std::size_t option) const {
   return drives;
 }
 
-/// Which way a tip goes as its digit begins to curl; zero: nowhere. (3)
+/// Direction in which a tip moves as its digit begins to curl; zero: it does not. (3)
 Vector3d DigitMotion::curl_way(const Digit& digit, std::size_t option) const {
   Vector3d sum = Vector3d::Zero();
   for (const int d : digit.curls) {
@@ -303,7 +317,7 @@ Vector3d DigitMotion::curl_way(const Digit& digit, std::size_t option) const {
   return sum.norm() > kNothing ? Vector3d(sum.normalized()) : Vector3d::Zero();
 }
 
-/// The largest range of a motor that turns a digit alone [rad].
+/// The largest range of a motor that turns this digit alone [rad].
 double DigitMotion::turn_range(const Digit& digit) const {
   double largest = 0;
   for (const int d : digit.turns)
@@ -312,7 +326,7 @@ double DigitMotion::turn_range(const Digit& digit) const {
   return largest;
 }
 
-/// Whether a drive turns any digit, and does not slide it.
+/// Whether a drive rotates any digit, rather than only sliding it.
 bool DigitMotion::turns(std::size_t drive) const {
   return std::any_of(digits_.begin(), digits_.end(),
                      [&](const Digit& digit) { return spin(drive, digit).norm() > kNothing; });
@@ -330,7 +344,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   DigitRoles roles;
   const std::size_t count = digits_.size();
   roles.opposed.assign(count, false);
-  // A digit that turns much farther than the median of all is opposed, wherever it stands now.
+  // A digit that turns much farther than the median is opposed, wherever it stands now.
   std::vector<double> turns;
   for (const Digit& digit : digits_) turns.push_back(turn_range(digit));
   std::vector<double> sorted = turns;
@@ -339,7 +353,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   for (std::size_t i = 0; i < count; ++i)
     turned[i] =
         count > 2 && turns[i] > kOpposition && turns[i] > kFarther * sorted[(count - 1) / 2];
-  // The largest group of digits whose tips go the same way.
+  // Fingers: the largest group of digits whose tips move the same way.
   std::vector<Vector3d> ways;
   for (const Digit& digit : digits_) ways.push_back(curl_way(digit, option));
   std::vector<std::size_t> fingers;
@@ -350,7 +364,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
     if (alike.size() > fingers.size()) fingers = alike;
   }
   if (fingers.size() < 2) {
-    // A thumb and one finger: the one that turns farther is opposed.
+    // A thumb and one finger: the digit that turns farther is opposed.
     for (std::size_t i = 0; i < count && count == 2; ++i)
       roles.opposed[i] = turns[i] > kOpposition && turns[i] > kFarther * turns[1 - i];
     if (count != 2 || roles.opposed[0] == roles.opposed[1]) return roles;
@@ -359,6 +373,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
     roles.opposed.assign(count, true);
     for (const std::size_t i : fingers) roles.opposed[i] = false;
   }
+  // Normal, direction and mean root of the fingers.
   Vector3d normal = Vector3d::Zero(), along = Vector3d::Zero();
   for (const std::size_t i : fingers) {
     normal += ways[i];
@@ -368,6 +383,7 @@ DigitRoles DigitMotion::roles(std::size_t option) const {
   }
   roles.normal = snapped(normal.normalized(), kSnapNormal);
   along -= along.dot(roles.normal) * roles.normal;
+  // A palm needs fingers and an opposed digit.
   roles.palm = fingers.size() < count && along.norm() > kNothing;
   if (roles.palm) roles.along = along.normalized();
   roles.row = fingers.size() >= kRow;
@@ -379,6 +395,7 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
   const HandLayout& layout = grip_.hand().layout();
   VectorXd open = rest_;
   if (only_one && layout.open.size() > 0) open = layout.open;
+  // Drives that close start at the limit from which they come.
   for (std::size_t d = 0; d < drives_.size(); ++d)
     for (const DrivenCoordinate& driven : drives_[d].moves) {
       const double rate = options_[option].speed[d] * driven.ratio;
@@ -387,15 +404,17 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
       const double from = (rate > 0 ? layout.lower : layout.upper)[c],
                    to = (rate > 0 ? layout.upper : layout.lower)[c];
       open[c] = from;
-      // Fingers that bend backwards as well are not opened so far that they lie behind the palm.
+      // Fingers that also bend backwards do not open so far that they lie behind the palm.
       if (!only_one && turns(d) &&
           std::min(std::abs(from - rest_[c]), std::abs(to - rest_[c])) > kBack)
         open[c] = rest_[c] + (rate > 0 ? -kBack : kBack);
     }
   std::vector<VectorXd> openings{open};
   if (only_one) return openings;
+  // Digits that curl at each other may start with outer joints open.
   if (!roles.palm)
     for (const VectorXd& inner : {open, rest_}) openings.push_back(outer_open(option, inner));
+  // Up to three motors with the largest ranges turn opposed digits.
   std::vector<std::size_t> motors;
   for (std::size_t i = 0; i < digits_.size(); ++i)
     for (const int d : digits_[i].turns)
@@ -406,6 +425,7 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
                    [&](std::size_t a, std::size_t b) { return range(a) > range(b); });
   if (motors.size() > 3) motors.resize(3);
   const int count = places(motors.size());
+  // Each at several positions, in all combinations.
   for (const std::size_t motor : motors) {
     std::vector<VectorXd> next = openings;  // where it is at rest
     for (const VectorXd& before : openings)
@@ -423,8 +443,8 @@ std::vector<VectorXd> DigitMotion::openings(std::size_t option, const DigitRoles
   return openings;
 }
 
-/// Where digits curl at each other, their ends meet before their middles hold anything, unless
-/// outer joints are opened as far as they go.
+/// The posture with outer joints as far open as they go. Otherwise the ends of digits that curl at
+/// each other meet before their middles hold anything.
 VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
   const HandLayout& layout = grip_.hand().layout();
   for (const Digit& digit : digits_)
@@ -441,6 +461,7 @@ VectorXd DigitMotion::outer_open(std::size_t option, VectorXd open) const {
 
 PalmApproach DigitMotion::ahead(std::size_t option) const {
   const HandLayout& layout = grip_.hand().layout();
+  // Half-closed posture.
   VectorXd q = rest_;
   for (std::size_t d = 0; d < drives_.size(); ++d)
     for (const DrivenCoordinate& driven : drives_[d].moves)
@@ -448,6 +469,7 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
         q[driven.coordinate] =
             (layout.lower[driven.coordinate] + layout.upper[driven.coordinate]) / 2;
   const std::vector<Pose<double>> links = grip_.hand().pose(q);
+  // Bounding box of surfaces in this posture.
   const auto box_of = [&](const std::vector<std::size_t>& surfaces) {
     Eigen::AlignedBox3d box;
     for (const std::size_t s : surfaces) {
@@ -460,10 +482,11 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
     }
     return box;
   };
+  // Mean position of the ends.
   Vector3d ends = Vector3d::Zero();
   for (const Digit& digit : digits_)
     ends += box_of({digit.last}).center() / static_cast<double>(digits_.size());
-  // The palm: links of no digit on the outermost link that has one.
+  // The palm: links without digit on the outermost link that has such.
   std::vector<std::size_t> palm;
   for (std::size_t s = 0; s < grip_.surfaces().size(); ++s) {
     const SampledSurface& surface = grip_.surfaces()[s];
@@ -476,6 +499,7 @@ PalmApproach DigitMotion::ahead(std::size_t option) const {
   PalmApproach approach;
   const Eigen::AlignedBox3d box = box_of(palm);
   if (!box.isEmpty()) approach.point = box.center();
+  // From the centre of the palm towards the ends, starting at its box.
   const Vector3d ahead = ends - approach.point;
   if (ahead.norm() > 1e-6) approach.direction = snapped(ahead.normalized(), kSnapAhead);
   if (!box.isEmpty())

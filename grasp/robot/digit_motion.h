@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which motors curl the digits of a hand and which turn them, and which digits oppose the others.
+/// Motion of the digits of a hand: which drives curl and which turn them, and which digits oppose.
 
 #include <string>
 #include <vector>
@@ -11,56 +11,56 @@
 
 namespace thenar {
 
-/// One way for motors to close.
+/// One way in which drives may close.
 struct SenseOption {
-  std::vector<double> speed;  // of every drive; 0: it stands still
-  double against = 0;         // how much of the ranges of motors speaks against it [1]
+  std::vector<double> speed;  // of every drive [rad/s] or [m/s]; 0: it stands still
+  double against = 0;         // evidence against it from the ranges of motors [1]
 };
 
-/// What digits do in a way of closing.
+/// Roles of the digits in a way of closing.
 struct DigitRoles {
-  std::vector<bool> opposed;        // of each digit: it faces the fingers
-  bool row = false;                 // fingers are three or more: things come along the normal
+  std::vector<bool> opposed;        // whether each digit faces the fingers
+  bool row = false;                 // three or more fingers: objects come along the normal
   bool palm = false;                // fingers curl the same way, out of a palm:
-  Eigen::Vector3d normal{0, 0, 1};  //   which way their tips go at first, unit (3)
+  Eigen::Vector3d normal{0, 0, 1};  //   direction in which their tips start, unit (3)
   Eigen::Vector3d along{1, 0, 0};   //   from their roots to their tips, across the normal (3)
-  Eigen::Vector3d root{0, 0, 0};    //   mean of where they begin [m] (3)
-  double length = 0;                //   mean of theirs [m]
+  Eigen::Vector3d root{0, 0, 0};    //   mean of their roots [m] (3)
+  double length = 0;                //   their mean length [m]
 };
 
-/// Constant once built; the grip must outlive it.
+/// How the drives of a hand move its digits. Constant once built; the grasp must outlive it.
 class DigitMotion {
  public:
-  /// @param closing  the speeds of the hand's drives say how it closes
+  /// @param closing  whether the speeds of the hand's drives state how it closes
   DigitMotion(const BallGrasp& grip, bool closing);
 
   [[nodiscard]] const std::vector<std::string>& digits() const { return names_; }
-  /// Every coordinate at zero or the limit next to it. (coordinates)
+  /// Every coordinate at zero or the nearest limit [rad] or [m] (coordinates)
   [[nodiscard]] const Eigen::VectorXd& rest() const { return rest_; }
   /// Mean distance from the root of a digit to its tip [m].
   [[nodiscard]] double mean_digit_length() const;
   [[nodiscard]] const std::vector<SenseOption>& options() const { return options_; }
   [[nodiscard]] std::vector<Drive> drives(std::size_t option) const;
   [[nodiscard]] DigitRoles roles(std::size_t option) const;
-  /// Postures in which closing may begin: what closes is open, opposed digits are turned every way.
+  /// Postures in which closing may begin: closing drives open, opposed digits turned in all ways.
   [[nodiscard]] std::vector<Eigen::VectorXd> openings(std::size_t option, const DigitRoles& roles,
                                                       bool only_one) const;
-  /// From where the palm's box ends, on the line from its middle to the half-closed ends of digits.
+  /// Approach from the end of the palm's box, on the line from its centre to the half-closed ends.
   [[nodiscard]] PalmApproach ahead(std::size_t option) const;
 
  private:
   struct Digit {
     std::string name;
-    std::size_t first = 0, last = 0;  // surfaces nearest the palm, and farthest from it
+    std::size_t first = 0, last = 0;  // surfaces: innermost and outermost
     Eigen::Vector3d root, tip;        // at rest [m] (3)
-    std::vector<int> curls, turns;    // drives
+    std::vector<int> curls, turns;    // drives that curl and that turn it
   };
 
   void find_digits();
   void sort_drives();
   void find_options();
   void orient();
-  // Of the tip of a digit per unit of a drive, at rest: rotation [rad], then translation [m] (6).
+  // Twist of a digit's tip per unit of a drive, at rest: rotation [rad], then translation [m] (6).
   [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d spin(std::size_t drive, const Digit& digit) const;
   [[nodiscard]] Eigen::Vector3d way(std::size_t drive, const Digit& digit) const;
@@ -79,9 +79,8 @@ class DigitMotion {
   Eigen::VectorXd rest_;
   std::vector<Digit> digits_;
   std::vector<std::string> names_;
-  std::vector<double>
-      orientation_;         // of each drive: the sign that curls as the others of its group
-  std::vector<int> group_;  // of each drive: those that curl together; -1: it does not curl
+  std::vector<double> orientation_;  // of each drive: the sign with which its group curls together
+  std::vector<int> group_;           // of each drive; -1: it does not curl
   std::vector<SenseOption> options_;
 };
 

@@ -19,36 +19,39 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kBall = 0.035;    // radius of the ball that hands of human size are tried on [m]
-constexpr double kOfReach = 0.35;  // its radius by the length of a finger [1]
-constexpr double kHumanSize[] = {0.5, 2};  // of that, by kBall [1]
+constexpr double kBall = 0.035;    // radius of the ball for hands of human size [m]
+constexpr double kOfReach = 0.35;  // its radius by the length of a finger, for other hands [1]
+constexpr double kHumanSize[] = {0.5, 2};  // range of human size, by kBall [1]
 constexpr int kCoarse = 24, kFine = 60;    // steps of closing
 constexpr std::size_t kTried = 12;         // candidates that are tried on three balls
 
-/// One way of closing.
+/// A way of closing, and its score.
 struct Candidate {
-  std::size_t option = 0;  // of senses
+  std::size_t option = 0;  // of DigitMotion::options()
   VectorXd open;           // (coordinates)
   Vector3d origin{0, 0, 0}, direction{0, 0, 1};
-  double against = 0;  // what speaks against it
+  double against = 0;  // evidence against it [1]
   double score = -kInfinity;
 };
 
-/// A direction of approach, and the points across it through which a ball may come.
+/// A direction of approach, and points through which a ball may come.
 struct Ways {
   Vector3d direction;
   std::vector<Vector3d> origins;
 };
 
+/// Search for the way of closing in which digits best face each other across a ball.
 class ClosingSearch {
  public:
   ClosingSearch(const RobotSpec& robot, const StatedClosing& known)
       : robot_(robot), known_(known), grip_(robot), motion_(grip_, known.closing) {
+    // A ball for the size of the hand.
     const double size = kOfReach * motion_.mean_digit_length();
     ball_ = size > kHumanSize[0] * kBall && size < kHumanSize[1] * kBall ? kBall : size;
   }
 
   InferredClosing run() {
+    // All candidates coarsely, then the best ones on three balls.
     for (std::size_t option = 0; option < motion_.options().size(); ++option) try_option(option);
     std::stable_sort(tried_.begin(), tried_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
@@ -64,6 +67,7 @@ class ClosingSearch {
   void try_option(std::size_t option) {
     const DigitRoles roles = motion_.roles(option);
     const std::vector<VectorXd> opens = motion_.openings(option, roles, known_.closing);
+    // Every approach with every opening.
     for (const Ways& ways : ways_of(option, roles))
       for (const VectorXd& open : opens) {
         const std::vector<Pose<double>> links = grip_.hand().pose(open);
@@ -78,15 +82,17 @@ class ClosingSearch {
 
   std::vector<Ways> ways_of(std::size_t option, const DigitRoles& roles) const {
     const RobotApproach& stated = robot_.approach;
+    // A stated approach is the only one.
     if (known_.approach) return {{stated.direction, {stated.point}}};
     std::vector<Ways> ways;
     const PalmApproach ahead = motion_.ahead(option);
+    // Towards the ends where digits stand round a palm; along the normal of a row of fingers.
     if (!roles.palm || !roles.row) ways.push_back({ahead.direction, {ahead.point}});
     if (roles.palm) ways.push_back({roles.normal, over_palm(roles)});
     return ways;
   }
 
-  /// Points about the fingers' roots, along them and across.
+  /// Points around the fingers' roots, along and across the fingers.
   static std::vector<Vector3d> over_palm(const DigitRoles& roles) {
     std::vector<Vector3d> origins;
     const Vector3d across = roles.normal.cross(roles.along);
@@ -96,7 +102,7 @@ class ClosingSearch {
     return origins;
   }
 
-  /// Where a ball that comes along the way of approach comes to rest, if it meets the hand.
+  /// Places the ball where it comes to rest on its approach. @returns whether it meets the hand
   [[nodiscard]] bool place(const Candidate& candidate, const std::vector<Pose<double>>& links,
                            ProbeBall& ball) const {
     const double way = grip_.meets(links, candidate.origin, candidate.direction, ball.radius);
@@ -115,24 +121,26 @@ class ClosingSearch {
            candidate.against;
   }
 
-  /// How digits face each other across the ball, and the palm where they stand round it.
+  /// Score of how digits face each other, and the palm if they stand round it.
   [[nodiscard]] double facing(const std::vector<BallContact>& contacts,
                               const DigitRoles& roles) const {
     const std::vector<std::string>& digits = motion_.digits();
     const auto count = static_cast<Eigen::Index>(digits.size());
-    const Eigen::Index others = roles.palm ? count : count + 1;  // the last one: no digit
+    const Eigen::Index others = roles.palm ? count : count + 1;  // last: contacts of no digit
     Eigen::MatrixXd faces = Eigen::MatrixXd::Zero(count, others);
     const auto digit_of = [&](const BallContact& contact) {
       return std::find(digits.begin(), digits.end(),
                        grip_.surfaces()[static_cast<std::size_t>(contact.surface)].digit) -
              digits.begin();
     };
+    // Best opposition of normals for each pair of digits.
     for (const BallContact& a : contacts)
       for (const BallContact& b : contacts) {
         const auto i = digit_of(a), j = digit_of(b);
         if (i < count && j < others && i != j)
           faces(i, j) = std::max(faces(i, j), -a.normal.dot(b.normal));
       }
+    // Mean over digits, plus the best pair of a finger and an opposed digit.
     double sum =
         faces.size() == 0 ? 0 : faces.rowwise().maxCoeff().sum() / static_cast<double>(count);
     double best = 0;
@@ -153,7 +161,7 @@ class ClosingSearch {
     return sum;
   }
 
-  /// Digits that others may stop: those that are opposed, or all where they curl at each other.
+  /// Digits that others may stop: opposed ones, or all if they curl at each other.
   [[nodiscard]] std::vector<std::string> standing(const DigitRoles& roles) const {
     return roles.palm ? opposed(roles) : motion_.digits();
   }
@@ -170,6 +178,7 @@ class ClosingSearch {
     const DigitRoles roles = motion_.roles(best.option);
     if (const std::vector<std::string> thumbs = opposed(roles); roles.row && thumbs.size() == 1)
       guess.thumb = thumbs.front();
+    // Close once more to see which digits touch.
     const std::vector<Drive> drives = motion_.drives(best.option);
     const std::vector<Pose<double>> links = grip_.hand().pose(best.open);
     ProbeBall ball{{}, ball_};
@@ -183,6 +192,7 @@ class ClosingSearch {
     }
     for (const std::string& digit : motion_.digits())
       if (touching.count(digit) == 0) guess.idle.push_back(digit);
+    // The approach that was found.
     if (!known_.approach) {
       guess.robot.approach.direction = best.direction;
       const PalmApproach ahead = motion_.ahead(best.option);
@@ -199,10 +209,12 @@ class ClosingSearch {
       for (RobotDof& dof : guess.robot.dofs) {
         if (dof.name != drives[d].name) continue;
         dof.speed = drives[d].speed;
+        // Motors that close, with their sense.
         if (dof.speed != 0) {
           guess.closing.push_back(
               fmt::format("{} {}", dof.name, dof.speed > 0 ? "upwards" : "downwards"));
         }
+        // Motors that start elsewhere than without a stated posture.
         const DrivenCoordinate& first = drives[d].moves.front();
         const double at = open[first.coordinate] / first.ratio;
         if (std::abs(open[first.coordinate] - unsaid_open(first, dof.speed)) < 1e-9) continue;
@@ -211,7 +223,7 @@ class ClosingSearch {
       }
   }
 
-  /// Where a coordinate begins without RobotDof::open.
+  /// Start of a coordinate without RobotDof::open.
   [[nodiscard]] double unsaid_open(const DrivenCoordinate& driven, double speed) const {
     const HandLayout& layout = grip_.hand().layout();
     const double rate = speed * driven.ratio;

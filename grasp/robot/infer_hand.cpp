@@ -22,7 +22,7 @@ bool any_speed(const RobotSpec& robot) {
                      [](const RobotDof& dof) { return dof.speed != 0; });
 }
 
-/// Calls the digit that is opposed to the others the thumb, unless links say what it is.
+/// Names the digit that is opposed to the others "thumb", unless links are named already.
 void name_thumb(InferredClosing& guess) {
   const auto called = [&](const std::string& name) {
     return std::any_of(guess.robot.links.begin(), guess.robot.links.end(),
@@ -47,7 +47,7 @@ void tell_digits(RobotSpec& robot) {
       fmt::format("no digits are stated: {} guessed: {}", digits.size(), fmt::join(names, ", ")));
 }
 
-/// Says what infer_closing() found, in the robot's warnings.
+/// The robot with the closing of infer_closing(), and warnings that say what was inferred.
 RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool digits_guessed) {
   InferredClosing guess = infer_closing(robot, known);
   if (digits_guessed) {
@@ -55,6 +55,7 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
     tell_digits(guess.robot);
   }
   std::vector<std::string>& warnings = guess.robot.warnings;
+  // One warning for each inference.
   if (!known.closing)
     warnings.push_back(fmt::format(
         "no closing is stated: it is guessed as {}",
@@ -73,6 +74,7 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
     warnings.push_back(fmt::format("closed on a ball of {:.0f} mm, {} touch{} nothing",
                                    2e3 * guess.ball, fmt::join(guess.idle, ", "),
                                    guess.idle.size() == 1 ? "es" : ""));
+  // From now on the robot states both.
   guess.robot.closing_stated = guess.robot.approach_stated = true;
   return std::move(guess.robot);
 }
@@ -119,6 +121,7 @@ void require_closed_loops(const RobotSpec& robot) {
 RobotSpec graspable(RobotSpec robot) {
   require_closed_loops(robot);
   robot = with_materials(std::move(robot));
+  // Digits are inferred only if the robot states nothing of a hand.
   name_nominal(robot);
   const bool guess_them = !states_digits(robot) && !robot.approach_stated;
   if (guess_them) {
@@ -126,6 +129,7 @@ RobotSpec graspable(RobotSpec robot) {
     robot.closing_stated = false;
   }
   if (!states_digits(robot)) return robot;
+  // Speeds that are all zero say nothing.
   if (!any_speed(robot)) robot.closing_stated = robot.dofs.empty();
   if (robot.closing_stated && robot.approach_stated) return robot;
   return with_closing(robot, {robot.closing_stated, robot.approach_stated}, guess_them);
@@ -133,16 +137,17 @@ RobotSpec graspable(RobotSpec robot) {
 
 namespace {
 
-/// Links that nothing moves against each other; the first holds the base.
+/// Rigid bodies: links that nothing moves against each other; the first holds the base.
 struct Bodies {
-  std::map<std::string, std::size_t> of;  // by the name of a link
+  std::map<std::string, std::size_t> of;  // body of each link, by name
   std::vector<std::size_t> parent;        // of each body; of the first itself
-  std::vector<int> branches;              // that go on from each body
-  std::vector<bool> shaped;               // whether it, or what it carries, has a shape
+  std::vector<int> branches;              // number of shaped bodies that each body carries
+  std::vector<bool> shaped;               // whether a body, or one that it carries, has a shape
 };
 
 Bodies find_bodies(const RobotSpec& robot) {
   Bodies bodies{{{robot.links.front().name, 0}}, {0}, {0}, {false}};
+  // A fixed joint joins its links to one body.
   for (const RobotJoint& joint : robot.joints) {
     const std::size_t parent = bodies.of[joint.parent];
     const bool moves = joint.kind != RobotJointKind::kFixed;
@@ -153,6 +158,7 @@ Bodies find_bodies(const RobotSpec& robot) {
   bodies.shaped.resize(bodies.parent.size(), false);
   for (const RobotLink& link : robot.links)
     if (!link.shapes.empty()) bodies.shaped[bodies.of[link.name]] = true;
+  // From the leaves inwards: shapes and branches.
   for (std::size_t b = bodies.parent.size(); b-- > 1;) {
     if (!bodies.shaped[b]) continue;
     bodies.shaped[bodies.parent[b]] = true;
@@ -161,15 +167,17 @@ Bodies find_bodies(const RobotSpec& robot) {
   return bodies;
 }
 
-/// Bodies of each digit; branches that a loop holds together are one.
+/// Bodies of each digit; branches that a loop joins are one digit.
 std::vector<std::set<std::size_t>> find_branches(const RobotSpec& robot, const Bodies& bodies) {
   std::vector<std::set<std::size_t>> branches;
+  // From each leaf inwards, up to the next branching.
   for (std::size_t leaf = 1; leaf < bodies.parent.size(); ++leaf) {
     if (!bodies.shaped[leaf] || bodies.branches[leaf] > 0) continue;
     branches.emplace_back();
     for (std::size_t b = leaf; b != 0 && bodies.branches[b] <= 1; b = bodies.parent[b])
       branches.back().insert(b);
   }
+  // Branches joined by a loop.
   for (const auto& [a, b] : robot.joined) {
     const auto with = [&](const std::string& link) {
       return std::find_if(branches.begin(), branches.end(),
@@ -191,7 +199,7 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-/// What fingers are called: words, and after them beginnings of names, after a side as in "rh_".
+/// Names of fingers: words within a name, and beginnings of names, also after a side as in "rh_".
 const std::vector<std::pair<std::string, std::vector<std::string>>> kFingers{
     {"thumb", {"thumb", "^th"}},
     {"index", {"index", "^ff"}},
@@ -209,16 +217,17 @@ bool names_finger(const std::string& link, const std::vector<std::string>& words
   });
 }
 
-/// What a digit of these links is called; a name is used once.
+/// Name of a digit with these links; each name is used once.
 std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::string>& taken) {
   for (const auto& [finger, words] : kFingers) {
     const auto named =
         std::count_if(links.begin(), links.end(), [&words = words](const RobotLink* link) {
           return names_finger(lower_case(link->name), words);
         });
-    // Not the middle link of any finger: most links of a digit have its name.
+    // Most links of a digit carry its name, unlike the middle link of any finger.
     if (2 * named >= static_cast<long>(links.size()) && taken.insert(finger).second) return finger;
   }
+  // Without a known name: the next number.
   for (std::size_t i = 1;; ++i)
     if (const std::string name = fmt::format("finger {}", i); taken.insert(name).second)
       return name;
@@ -228,6 +237,7 @@ std::string name_digit(const std::vector<RobotLink*>& links, std::set<std::strin
 
 int infer_digits(RobotSpec& robot) {
   const Bodies bodies = find_bodies(robot);
+  // All shaped links of a branch get its name.
   std::set<std::string> taken;
   for (const std::set<std::size_t>& branch : find_branches(robot, bodies)) {
     std::vector<RobotLink*> links;

@@ -1,37 +1,38 @@
 #pragma once
 
-/// What formats without hands in mind leave unsaid of a robot that is to grasp.
+/// Completes a robot that is to grasp: materials, digits, closing and approach.
 
 #include "data/io/robot/robot.h"
 #include "data/io/world/materials.h"
 
 namespace thenar {
 
-/// kDefaultMaterial for links with shapes and without a material; a warning names them.
+/// Gives links with shapes and without material kDefaultMaterial; a warning names them.
 [[nodiscard]] RobotSpec with_materials(RobotSpec robot);
 
-/// Refuses a robot with loops that are not solved (RobotSpec::open_loops): what hangs on them would
-/// come apart.
+/// Refuses a robot with unsolved loops (RobotSpec::open_loops): its parts would come apart.
 /// @throws InputError naming them
 void require_closed_loops(const RobotSpec& robot);
 
-/// A robot that can grasp: with_materials(), and, of one with joints whose shapes make a hand:
+/// Makes a robot able to grasp: with_materials(), and for a robot with joints whose shapes make a
+/// hand:
 ///
-/// digits: by infer_digits(), where no link has one and no approach is stated. All that follows is
-///   guessed then too. One that is opposed to three or more is called "thumb".
-/// closing, where it is not stated, or every speed is 0; and approach, where it is not stated: by
+/// digits: by infer_digits(), if no link has one and no approach is stated. Closing and approach
+/// are
+///   inferred, too, in this case. A digit that is opposed to three or more is called "thumb".
+/// closing, if it is not stated or every speed is 0; and approach, if it is not stated: by
 ///   infer_closing().
 ///
-/// Each guess is in the warnings, which digits touch nothing with it, and which efforts are
-/// nominal. [rad], [m].
+/// The warnings list each inference, the digits that touch nothing with it, and the efforts that
+/// are nominal. Lengths in [m], angles in [rad].
 /// @throws InputError as require_closed_loops(), RobotHand.
 [[nodiscard]] RobotSpec graspable(RobotSpec robot);
 
-/// Names the digit of links with shapes: a digit is a branch of moving joints that ends in a leaf,
-/// as far back as no other branches off; branches that a loop holds together are one; links that
-/// nothing moves against each other are one, and branches without any shape do not count. It is
-/// called after the finger that a link of it is named after, else "finger N". @return how many
-/// digits there are
+/// Infers the digits of links with shapes. A digit is a branch of moving joints that ends in a
+/// leaf, as far back as no other branches off. Branches that a loop joins are one digit; links that
+/// nothing moves against each other are one body; branches without any shape do not count. A digit
+/// is named after the finger that most of its links are named after, otherwise "finger N".
+/// @returns the number of digits
 int infer_digits(RobotSpec& robot);
 
 }  // namespace thenar

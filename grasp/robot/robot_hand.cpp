@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Crossing of limits that is rounding: printed figures have nine decimals [rad] or [m].
+/// Limits may cross by this much: printed figures have nine decimals [rad] or [m].
 constexpr double kLimitRounding = 1e-8;
 
 int index_of_dof(const RobotSpec& robot, const std::string& name) {
@@ -27,7 +27,7 @@ int index_of_dof(const RobotSpec& robot, const std::string& name) {
   return -1;
 }
 
-/// An interval that others narrow.
+/// An interval that limits narrow.
 struct AngleInterval {
   double lower = -kInfinity, upper = kInfinity;
 
@@ -55,12 +55,14 @@ std::shared_ptr<const Solid> surface_of(const std::string& link,
 }  // namespace
 
 RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs.size())) {
+  // The order matters: surfaces and drives refer to movers and coordinates.
   check_robot(robot);
   add_movers(robot);
   add_coordinates(robot);
   add_drives(robot);
   add_surfaces(robot);
   set_open(robot);
+  // Tips belong to the links that carry them.
   for (const RobotTip& tip : find_tips(robot, reference_)) {
     layout_.tips.push_back(tip.digit);
     layout_.tip_points.push_back({tip.digit, mover_of_[static_cast<std::size_t>(tip.link)], tip.p});
@@ -69,6 +71,7 @@ RobotHand::RobotHand(const RobotSpec& robot) : dofs_(static_cast<int>(robot.dofs
 }
 
 void RobotHand::add_movers(const RobotSpec& robot) {
+  // Links by name.
   std::map<std::string, std::size_t> index;
   for (const RobotLink& link : robot.links) {
     index[link.name] = links_.size();
@@ -78,10 +81,12 @@ void RobotHand::add_movers(const RobotSpec& robot) {
   reference_.resize(links_.size());
   for (const RobotJoint& joint : robot.joints) {
     const std::size_t parent = index[joint.parent], child = index[joint.child];
+    // Pose in the reference posture: joints at their offsets.
     const Pose<double> X = reference_[parent] * joint.X_PJ;
     const bool moves = joint.kind != RobotJointKind::kFixed;
     reference_[child] = X * (moves ? joint_motion(joint, joint.offset) * joint.X_JC : joint.X_JC);
     mover_of_[child] = mover_of_[parent];
+    // Links behind fixed joints belong to the mover that carries them.
     if (!moves) continue;
     mover_of_[child] = static_cast<int>(movers_.size());
     layout_.parents.push_back(mover_of_[parent]);
@@ -99,6 +104,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
   for (const RobotJoint& joint : robot.joints) {
     if (joint.kind == RobotJointKind::kFixed) continue;
     Mover& mover = movers_[next++];
+    // Rigid degrees of freedom share one coordinate; other joints have their own.
     const RobotDof* dof =
         mover.dof < 0 ? nullptr : &robot.dofs[static_cast<std::size_t>(mover.dof)];
     const bool rigid = dof != nullptr && dof->kind == RobotDofKind::kRigid;
@@ -111,8 +117,9 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
       layout_.coordinates.push_back(rigid ? dof->name : joint.name);
       if (rigid) shared[static_cast<std::size_t>(mover.dof)] = mover.coordinate;
     }
+    // Limits of the joint and of its motor, in units of the coordinate.
     AngleInterval& limit = limits[static_cast<std::size_t>(mover.coordinate)];
-    if (joint.curve.empty())  // else check_robot() has held it against its motor's range
+    if (joint.curve.empty())  // otherwise check_robot() has compared it with its motor's range
       limit.narrow((joint.lower - joint.offset) / mover.ratio,
                    (joint.upper - joint.offset) / mover.ratio);
     if (dof != nullptr) {
@@ -120,6 +127,7 @@ void RobotHand::add_coordinates(const RobotSpec& robot) {
       limit.narrow(gear * dof->lower, gear * dof->upper);
     }
   }
+  // Some value must satisfy all limits.
   layout_.lower.resize(static_cast<Eigen::Index>(limits.size()));
   layout_.upper.resize(static_cast<Eigen::Index>(limits.size()));
   for (std::size_t i = 0; i < limits.size(); ++i) {
@@ -138,10 +146,12 @@ void RobotHand::add_drives(const RobotSpec& robot) {
     const RobotDof& dof = robot.dofs[static_cast<std::size_t>(d)];
     const bool rigid = dof.kind == RobotDofKind::kRigid;
     Drive drive{dof.name, coupled(dof.kind), {}, dof.speed, dof.breakaway, dof.backdrivable};
+    // A rigid drive moves its one coordinate, others each joint by its ratio.
     for (const Mover& mover : movers_)
       if (mover.dof == d && (!rigid || drive.moves.empty()))
         drive.moves.push_back({mover.coordinate, rigid ? 1 : mover.dof_ratio});
     if (drive.moves.empty()) continue;  // a motor without a joint
+    // Unknown and nominal efforts count as unlimited.
     layout_.actuators.push_back(dof.name);
     const bool known = dof.max_effort > 0 && !dof.nominal_effort;
     max_effort.push_back(known ? dof.max_effort : kInfinity);
@@ -151,7 +161,7 @@ void RobotHand::add_drives(const RobotSpec& robot) {
                                                   static_cast<Eigen::Index>(max_effort.size()));
 }
 
-/// The posture in which closing begins, where any motor says its own.
+/// Sets the posture in which closing begins, if any motor states its own.
 void RobotHand::set_open(const RobotSpec& robot) {
   if (std::none_of(robot.dofs.begin(), robot.dofs.end(),
                    [](const RobotDof& dof) { return dof.open.has_value(); }))
@@ -166,6 +176,7 @@ void RobotHand::set_open(const RobotSpec& robot) {
 }
 
 void RobotHand::add_surfaces(const RobotSpec& robot) {
+  // Building solids is slow and independent: in parallel.
   std::vector<std::size_t> with_shapes;
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     if (!robot.links[i].shapes.empty()) with_shapes.push_back(i);
@@ -173,6 +184,7 @@ void RobotHand::add_surfaces(const RobotSpec& robot) {
   parallel_for(with_shapes.size(), [&](std::size_t s) {
     const std::size_t i = with_shapes[s];
     const RobotLink& link = robot.links[i];
+    // Shapes in the hand's frame at the reference posture.
     std::vector<ShapeSpec> shapes = link.shapes;
     for (ShapeSpec& shape : shapes) shape.X_BS = reference_[i] * shape.X_BS;
     surfaces_[s] = {mover_of_[i], link.name, link.digit, link.material,
@@ -181,6 +193,7 @@ void RobotHand::add_surfaces(const RobotSpec& robot) {
 }
 
 double RobotHand::Mover::motion(double q) const {
+  // Horner's scheme for ratio q + curve.
   double bent = 0;
   for (auto c = curve.rbegin(); c != curve.rend(); ++c) bent = (bent + *c) * q;
   return (ratio + bent) * q;
@@ -196,6 +209,7 @@ double RobotHand::Mover::slope(double q) const {
 std::vector<Pose<double>> RobotHand::pose(const Eigen::VectorXd& q) const {
   require_posture(q);
   std::vector<Pose<double>> X(movers_.size());
+  // Displacement of each mover, composed with that of its parent.
   for (std::size_t i = 0; i < movers_.size(); ++i) {
     const Mover& mover = movers_[i];
     const double value = mover.motion(q[mover.coordinate]);
@@ -217,6 +231,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
   Eigen::Matrix<double, 6, Eigen::Dynamic> J(6, q.size());
   J.setZero();
   const Vector3d at = link < 0 ? p : Vector3d(X[static_cast<std::size_t>(link)] * p);
+  // Columns of all movers between the link and the base.
   for (int i = link; i >= 0; i = movers_[static_cast<std::size_t>(i)].parent) {
     const Mover& mover = movers_[static_cast<std::size_t>(i)];
     const Pose<double>& now = X[static_cast<std::size_t>(i)];
@@ -233,12 +248,14 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RobotHand::jacobian(const Eigen::Vector
 
 Actuation RobotHand::actuation(const Eigen::VectorXd& q) const {
   require_posture(q);
+  // Springs of the joints.
   Eigen::VectorXd tau_0 = Eigen::VectorXd::Zero(q.size());
   for (const Mover& mover : movers_) {
     const double at = q[mover.coordinate];
     tau_0[mover.coordinate] +=
         mover.slope(at) * mover.stiffness * (mover.stretch - mover.motion(at));
   }
+  // Motors through gears and clutches.
   DriveTorques drives = drive_torques(layout_, q);
   return {drives.B, tau_0, -max_effort_, max_effort_, std::move(drives.reactions)};
 }

@@ -13,14 +13,14 @@ namespace thenar {
 /// A robot as a Hand.
 ///
 /// Coordinates: one for each rigid degree of freedom, whose joints follow it (`ratio`, `offset`);
-/// one for each joint of breakaway and compliant ones, which may part from each other, and for each
-/// joint that nothing drives: its value less its offset. In the reference posture, q = 0, every
-/// degree of freedom is zero and every joint at its offset; it may lie outside the limits. Links of
-/// the Hand are what moving joints move, in the order of the robot's joints; links behind fixed
-/// joints belong to the one that carries them. The hand's frame is the base link's.
+/// one for each joint of breakaway and compliant degrees of freedom, which may part from each
+/// other; and one for each undriven joint: its value less its offset. In the reference posture, q =
+/// 0, every degree of freedom is zero and every joint at its offset; it may lie outside the limits.
+/// Links of the Hand are what moving joints move, in the order of the robot's joints; links behind
+/// fixed joints belong to the link that carries them. The hand's frame is the base link's.
 ///
-/// Motors: u is the effort on a degree of freedom; how it comes to independent joints, and what
-/// clutches and worms bear, is in drive_torques().
+/// Motors: u is the effort on a degree of freedom [N m] or [N]; drive_torques() says how it acts on
+/// independent joints, and what clutches and worm gears support.
 class RobotHand final : public Hand {
  public:
   /// @throws InputError as check_robot() and build_solid(), or if no value of a degree of freedom
@@ -31,19 +31,19 @@ class RobotHand final : public Hand {
   [[nodiscard]] std::vector<Pose<double>> pose(const Eigen::VectorXd& q) const override;
   [[nodiscard]] Eigen::Matrix<double, 6, Eigen::Dynamic> jacobian(
       const Eigen::VectorXd& q, int link, const Eigen::Vector3d& p) const override;
-  /// Limits are infinite where the effort of a motor is unknown, or nominal.
+  /// Limits are infinite where the effort of a motor is unknown or nominal.
   [[nodiscard]] Actuation actuation(const Eigen::VectorXd& q) const override;
   [[nodiscard]] const std::vector<LinkSurface>& surfaces() const override { return surfaces_; }
 
   /// The posture in which every degree of freedom has its value. @param dofs  [rad] or [m] (dofs)
   [[nodiscard]] Eigen::VectorXd posture(const Eigen::VectorXd& dofs) const;
 
-  /// Where the frame of every link of the robot is, in the base link: for mounts and pictures.
+  /// Pose of every link's frame in the base link: for mounts and drawings.
   [[nodiscard]] std::vector<Pose<double>> link_frames(const Eigen::VectorXd& q) const;
 
   [[nodiscard]] const std::vector<std::string>& links() const { return links_; }
 
-  /// Axis of the joint that carries a link of the Hand, unit; zero of a slide. (3)
+  /// Axis of the joint that carries a link of the Hand, unit; zero for a slide. (3)
   [[nodiscard]] Eigen::Vector3d axis(const Eigen::VectorXd& q, int link) const;
 
   /// A point of that axis, at the reference posture [m] (3)
@@ -64,14 +64,14 @@ class RobotHand final : public Hand {
     int coordinate;  // entry of q that drives it
     int dof;         // of the robot; -1: none
     bool is_prismatic;
-    bool shared;                // its coordinate is that of a rigid degree of freedom
-    double ratio;               // motion per unit of its coordinate, but for the curve
+    bool shared;                // its coordinate belongs to a rigid degree of freedom
+    double ratio;               // motion per unit of its coordinate, without the curve
     double dof_ratio;           // motion per unit of its degree of freedom
     Eigen::Vector3d direction;  // unit (3)
     Eigen::Vector3d point;      // of the axis [m] (3)
     double stiffness;           // of its spring [N m/rad] or [N/m]
     double stretch;             // rest - offset: motion at which the spring rests [rad] or [m]
-    std::vector<double> curve;  // RobotJoint::curve, of a rigid degree of freedom
+    std::vector<double> curve;  // RobotJoint::curve of a rigid degree of freedom
 
     [[nodiscard]] double motion(double q) const;
     [[nodiscard]] double slope(double q) const;  // d motion / d q
@@ -85,9 +85,9 @@ class RobotHand final : public Hand {
   void require_posture(const Eigen::VectorXd& q) const;
 
   std::vector<Mover> movers_;
-  std::vector<std::string> links_;       // of the robot
-  std::vector<int> mover_of_;            // of each link of the robot; -1: the base
-  std::vector<Pose<double>> reference_;  // of each link of the robot, reference posture
+  std::vector<std::string> links_;       // names, of the robot
+  std::vector<int> mover_of_;            // for each link of the robot; -1: the base
+  std::vector<Pose<double>> reference_;  // of each link of the robot, in the reference posture
   Eigen::VectorXd max_effort_;           // (actuators)
   int dofs_ = 0;                         // of the robot
   HandLayout layout_;

@@ -10,9 +10,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Origin of the moving joint that carries a link, in the base link.
+/// Origin of the moving joint that carries a link, in the base link [m] (3)
 Vector3d joint_origin(const RobotSpec& robot, const std::vector<Pose<double>>& reference,
                       std::string link) {
+  // Joints come parents first: walk back until a moving one carries the link.
   for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
     if (joint->child != link) continue;
     link = joint->parent;
@@ -24,7 +25,7 @@ Vector3d joint_origin(const RobotSpec& robot, const std::vector<Pose<double>>& r
   return {0, 0, 0};
 }
 
-/// The middle of the box's face that is farthest along the way from a joint to its centre.
+/// Centre of the face of the box that is farthest in the direction from a joint to the centre.
 Vector3d far_end(const Eigen::AlignedBox3d& box, const Vector3d& joint) {
   Vector3d end = box.center();
   const Vector3d way = end - joint;
@@ -34,7 +35,7 @@ Vector3d far_end(const Eigen::AlignedBox3d& box, const Vector3d& joint) {
   return end;
 }
 
-/// How many joints stand between each link and the base.
+/// Number of joints between each link and the base.
 std::map<std::string, int> depths(const RobotSpec& robot) {
   std::map<std::string, int> depth;
   for (const RobotJoint& joint : robot.joints) depth[joint.child] = depth[joint.parent] + 1;
@@ -50,6 +51,7 @@ std::vector<RobotTip> find_tips(const RobotSpec& robot,
   for (std::size_t i = 0; i < robot.links.size(); ++i) {
     const RobotLink& link = robot.links[i];
     if (link.digit.empty()) continue;
+    // Outermost link of each digit.
     RobotTip* tip = nullptr;
     for (RobotTip& other : tips)
       if (other.digit == link.digit) tip = &other;
@@ -58,6 +60,7 @@ std::vector<RobotTip> find_tips(const RobotSpec& robot,
       tip->link = static_cast<int>(i);
   }
   for (RobotTip& tip : tips) {
+    // Far end of its shapes, or the origin of a link without shapes.
     const auto i = static_cast<std::size_t>(tip.link);
     const RobotLink& link = robot.links[i];
     const Vector3d end =

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where the digits of a robot end.
+/// Tips of a robot's digits.
 
 #include <string>
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace thenar {
 
-/// The tip of a digit.
+/// Tip of a digit.
 struct RobotTip {
   std::string digit;
   int link = 0;                // of the robot
   Eigen::Vector3d p{0, 0, 0};  // in the base link, reference posture [m] (3)
 };
 
-/// The end of each digit's outermost link, in the order in which digits appear: its origin if it
-/// has no shapes; else the middle of the far face of its shapes' box, in its frame, on the side
-/// where the box's centre lies, seen from the moving joint that carries it.
+/// Finds the end of each digit's outermost link, in the order in which digits appear. It is the
+/// link's origin if it has no shapes; otherwise the centre of the far face of its shapes' box, in
+/// its frame, on the side of the box's centre as seen from the moving joint that carries the link.
 /// @param reference  pose of every link in the base link, at the reference posture
 [[nodiscard]] std::vector<RobotTip> find_tips(const RobotSpec& robot,
                                               const std::vector<Pose<double>>& reference);
