@@ -15,6 +15,7 @@ SimpleJoint read_joint(TomlTable& table) {
   joint.name = table.text("name");
   joint.axis = table.choice("axis", {"flexion", "abduction"}) == "flexion" ? SimpleAxis::kFlexion
                                                                            : SimpleAxis::kAbduction;
+  // Range of motion, with its bounds in order.
   const std::vector<double> range = table.numbers(Dimension::kAngle, "range", 2);
   if (range[0] > range[1])
     table.fail(fmt::format("wanted the range of joint '{}' as [lower, upper], got lower above "
@@ -44,6 +45,7 @@ DigitProportion read_digit(TomlTable& table) {
   digit.joint_radial = table.number(Dimension::kNumber, "joint_radial_ratio");
   digit.splay = table.number_or(Dimension::kAngle, "splay", 0);
   digit.roll = table.number_or(Dimension::kAngle, "roll", 0);
+  // Bones from the knuckle outwards; a digit has at least one.
   for (TomlTable& segment : table.tables("segment"))
     digit.segments.push_back(read_segment(segment));
   if (digit.segments.empty())
@@ -75,7 +77,7 @@ using Eigen::Vector3d;
 
 const char* const kPalm = "Palm";
 
-/// A digit's own directions on a flat right hand.
+/// Directions of a digit that lies flat on a right hand, splayed and rolled.
 Digit make_digit(const DigitProportion& from) {
   const Vector3d z = Vector3d::UnitZ();
   const Vector3d across(std::cos(from.splay), std::sin(from.splay), 0);
@@ -107,8 +109,8 @@ Segment make_segment(const std::string& name, const Vector3d& proximal, const Ve
   return segment;
 }
 
-/// Appends the joints in front of a bone, then the bone. Joints but the last move a point-like
-/// link that is named after them.
+/// Appends the joints at the start of a bone, then the bone. All joints but the last move a link
+/// without length that is named after them.
 void add_segment(const SegmentProportion& from, const Digit& digit, const Vector3d& start,
                  const Vector3d& end, std::string parent, Subject& subject) {
   for (const SimpleJoint& simple : from.joints) {
@@ -124,6 +126,7 @@ void add_segment(const SegmentProportion& from, const Digit& digit, const Vector
 
 void add_digit(const DigitProportion& from, const HandSize& size, Subject& subject) {
   Digit digit = make_digit(from);
+  // From the knuckle outwards, bone after bone.
   Vector3d at(from.joint_radial * size.breadth, -from.joint_distal * size.length, 0);
   std::string parent = kPalm;
   for (const SegmentProportion& segment : from.segments) {
@@ -132,6 +135,7 @@ void add_digit(const DigitProportion& from, const HandSize& size, Subject& subje
     parent = segment.name;
     at = end;
   }
+  // The tip is the end of the last bone.
   digit.tip_segment = parent;
   digit.tip = at;
   subject.digits.push_back(digit);
@@ -144,17 +148,20 @@ Subject scale_hand(const HandProportions& proportions, const HandSize& size) {
           size.length);
   require(size.breadth > 0 && std::isfinite(size.breadth), "hand breadth must be > 0 m, got {}",
           size.breadth);
+  // Header of the subject.
   Subject subject;
   subject.name = proportions.name;
   subject.description = proportions.description;
   subject.side = "right";
   subject.base = kPalm;
   subject.lengths = {{"hand_length", size.length}, {"hand_breadth", size.breadth}};
+  // The palm reaches to the most distal knuckle.
   double knuckles = 0;
   for (const DigitProportion& digit : proportions.digits)
     if (digit.joint_distal > knuckles) knuckles = digit.joint_distal;
   subject.segments.push_back(
       make_segment(kPalm, Vector3d::Zero(), Vector3d(0, -knuckles * size.length, 0)));
+  // Digits hang on the palm.
   for (const DigitProportion& digit : proportions.digits) add_digit(digit, size, subject);
   return subject;
 }

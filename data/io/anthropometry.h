@@ -1,6 +1,6 @@
 #pragma once
 
-/// Proportions of the hand, as fractions of its length and breadth.
+/// Hand proportions: bones and joints as fractions of the length and breadth of a hand.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// Which way a joint of a simple, orthogonal hand turns.
+/// Axis about which a joint of a simple, orthogonal hand turns.
 enum class SimpleAxis { kFlexion, kAbduction };
 
 /// A joint in front of a segment.
@@ -37,7 +37,7 @@ struct DigitProportion {
   std::vector<SegmentProportion> segments;
 };
 
-/// A whole hand.
+/// Proportions of a whole hand.
 struct HandProportions {
   std::string name;
   std::string description;
@@ -51,16 +51,14 @@ struct HandProportions {
 /// The same from text already in memory; `path` only names it in messages.
 [[nodiscard]] HandProportions parse_proportions(const std::string& text, const std::string& path);
 
-// A subject of any size, from proportions.
-
-/// What a tape measure says of a hand.
+/// Size of a hand by tape measure.
 struct HandSize {
   double length;   // wrist crease to the tip of the middle finger [m]
   double breadth;  // across the heads of metacarpals II to V      [m]
 };
 
-/// A right hand of that size with simple axes: every joint turns about a line square to its
-/// bone, and abduction crosses flexion at a right angle.
+/// Builds a right hand of that size with simple axes: flexion axes are perpendicular to the bone,
+/// and abduction axes perpendicular to these.
 ///
 /// The reference posture is a flat hand, x radial, y proximal, z dorsal, origin at the wrist
 /// under the middle finger. Bones are straight; there are no masses and no muscles.

@@ -27,8 +27,10 @@ std::string with_checksum(std::string bytes) {
 
 Checksum take_checksum(std::string& bytes, const std::string& path) {
   if (bytes.size() < kTail) return Checksum::kAbsent;
+  // The tail of the file: mark, digest, end of line.
   const std::string tail = bytes.substr(bytes.size() - kTail);
   if (!ends_with_checksum(tail)) return Checksum::kAbsent;
+  // The digest covers all bytes before it.
   bytes.resize(bytes.size() - kTail);
   if (sha256(bytes) != tail.substr(kMarkSize, kDigest))
     throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");

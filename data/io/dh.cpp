@@ -9,8 +9,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sine of the angle below which axes count as parallel: nearer to parallel, the feet of the
-/// common normal are so far away that rounding costs more than the angle left out.
+/// Sine of the angle below which axes count as parallel: nearer to parallel, the feet of the common
+/// normal are so far away that rounding costs more than the neglected angle.
 constexpr double kSameDirection = 1e-8;
 
 /// The common normal of two lines.
@@ -24,19 +24,20 @@ Vector3d project(const Vector3d& p, const AxisLine& line) {
   return line.point + line.direction * line.direction.dot(p - line.point);
 }
 
-/// Any perpendicular serves parallel lines: the one at `origin` makes d = 0.
+/// Normal of parallel lines: of all perpendiculars the one at `origin`, which makes d = 0.
 Normal normal_of_parallels(const AxisLine& line, const Vector3d& origin, const Vector3d& x) {
   const Vector3d to = project(origin, line);
   const double distance = (to - origin).norm();
   return {distance > 1e-12 ? Vector3d((to - origin) / distance) : x, origin, to};
 }
 
-/// @param origin  on the first line, @param x  normal to use if the lines coincide.
+/// @param origin  on the first line;  @param x  normal to use if the lines coincide, unit (3)
 Normal common_normal(const AxisLine& first, const AxisLine& second, const Vector3d& origin,
                      const Vector3d& x) {
   const Vector3d n = first.direction.cross(second.direction);
   const double s = n.norm();
   if (s < kSameDirection) return normal_of_parallels(second, origin, x);
+  // Feet of the common normal, by Cramer's rule.
   const Vector3d between = second.point - first.point;
   const double along_first = between.cross(second.direction).dot(n) / (s * s);
   const double along_second = between.cross(first.direction).dot(n) / (s * s);
@@ -55,7 +56,7 @@ Pose<double> frame(const Vector3d& x, const Vector3d& z, const Vector3d& origin)
   return X;
 }
 
-/// The row from `before` (its z is the axis) over `normal` to an axis of direction `z_next`.
+/// DH row from `before` (its z is the axis) over `normal` to an axis of direction `z_next`.
 DhRow row_between(const Pose<double>& before, const Normal& normal, const Vector3d& z_next) {
   const Vector3d x = before.R.col(0), z = before.R.col(2);
   return {signed_angle(x, normal.x, z), z.dot(normal.from - before.p),
@@ -90,10 +91,12 @@ DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip)
   lines.push_back({tip.p, axes.back().direction});
 
   DhChain chain;
+  // The base stands at the first common normal.
   const Normal first = common_normal(lines[0], lines[1], project(lines[1].point, lines[0]),
                                      tangents(lines[0].direction).e1);
   chain.base = frame(first.x, lines[0].direction, first.from);
   Pose<double> X = chain.base;
+  // One row a joint; the last one ends at the tip point.
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const bool last = i + 1 == axes.size();
     const Vector3d origin = last ? project(tip.p, lines[i]) : Vector3d(X.p);
@@ -101,6 +104,7 @@ DhChain dh_from_axes(const std::vector<AxisLine>& axes, const Pose<double>& tip)
     chain.rows.push_back(row_between(X, normal, lines[i + 1].direction));
     X = frame(normal.x, lines[i + 1].direction, normal.to);
   }
+  // What is left is a rotation.
   chain.tool = X.inverse() * tip;
   return chain;
 }

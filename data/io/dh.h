@@ -1,6 +1,6 @@
 #pragma once
 
-/// Denavit-Hartenberg parameters and joint axes, one into the other.
+/// Conversion between Denavit-Hartenberg parameters and joint axes.
 ///
 /// Standard (distal) convention: joint i turns about z of frame i-1, and
 ///   X_(i-1,i) = Rz(theta + q) Tz(d) Tx(a) Rx(alpha).
@@ -28,25 +28,25 @@ struct AxisLine {
 
 /// The axes of a chain at joint angles zero, and the frame at its end.
 struct DhAxes {
-  std::vector<AxisLine> axes;        // one a row
+  std::vector<AxisLine> axes;        // one for each row
   std::vector<Pose<double>> frames;  // after each row
 };
 
 /// A whole chain:  X_end = base * row_1 * .. * row_n * tool.
 struct DhChain {
   Pose<double> base;        // its z is the first axis
-  std::vector<DhRow> rows;  // one an axis
+  std::vector<DhRow> rows;  // one for each axis
   Pose<double> tool;        // from the last row's frame to the end frame
 };
 
-/// The motion across one row.
+/// Displacement across one row, at joint angle zero.
 [[nodiscard]] Pose<double> dh_motion(const DhRow& row);
 
-/// Axes (in the frame that `base` is given in) of a table of rows.
+/// Joint axes of a table of rows, in the frame in which `base` is given.
 [[nodiscard]] DhAxes axes_from_dh(const Pose<double>& base, const std::vector<DhRow>& rows);
 
-/// A table for given axes, by their common normals; exact for skew, parallel, intersecting
-/// and coincident neighbours. Four numbers a row leave freedom, taken so: the base carries
+/// Table for given axes, by their common normals; exact for skew, parallel, intersecting and
+/// coincident neighbours. Four numbers a row leave freedom, which is used so: the base carries
 /// theta and d of row 1, the last row reaches the tip point, `tool` is a pure rotation.
 /// @param tip  end frame at joint angles zero
 /// @throws InputError for no axes.

@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How a load becomes a tendon tension.
+/// Conversion of a hung weight to a tendon tension.
 struct Pulley {
   double gravity = 9.80665;  // standard gravity [m/s^2]
   double efficiency = 1;     // tension after the pulley / weight before it [1]
 };
 
-/// A word for a direction of the digit as signed (proximal, dorsal, radial).
+/// Direction of the digit in words, as signed (proximal, dorsal, radial).
 Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word) {
   static const std::map<std::string, Eigen::RowVector3i> words{
       {"proximal", {1, 0, 0}}, {"distal", {-1, 0, 0}}, {"dorsal", {0, 1, 0}},
@@ -36,6 +36,7 @@ Eigen::RowVector3i signed_axis(TomlTable& table, const std::string& word) {
 void read_force_axes(TomlTable& table, Experiment& experiment) {
   experiment.force_segment = table.text("segment");
   const std::vector<std::string> words = table.texts("components");
+  // Three independent components.
   if (words.size() != 3)
     table.fail(fmt::format("wanted 3 'components', got {}", words.size()), "components");
   for (int i = 0; i < 3; ++i)
@@ -67,6 +68,7 @@ void read_noise(TomlTable& table, Experiment& experiment) {
 
 PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
   PostureRecord posture{table.text("name"), table.named(Dimension::kAngle, "angles")};
+  // Names of postures are unique.
   for (const PostureRecord& other : experiment.postures)
     if (other.name == posture.name)
       table.fail(fmt::format("posture '{}' is given twice", posture.name), "name");
@@ -74,13 +76,14 @@ PostureRecord read_posture(TomlTable& table, const Experiment& experiment) {
   return posture;
 }
 
-/// Tensions as stated, or as hung weights after the pulley.
+/// Tensions [N], as stated or from hung weights behind the pulley.
 std::map<std::string, double> read_tensions(TomlTable& table, const Pulley& pulley) {
   const bool weights = table.has(Dimension::kMass, "load");
   if (!weights && !table.has(Dimension::kForce, "tension"))
     table.fail("a trial needs 'load_g' or 'tension_N'");
   std::map<std::string, double> result =
       weights ? table.named(Dimension::kMass, "load") : table.named(Dimension::kForce, "tension");
+  // Tendons only pull.
   for (auto& [muscle, pull] : result) {
     if (pull < 0)
       table.fail(fmt::format("tendon '{}' cannot push, got {:.6g} {}", muscle, pull,
@@ -107,8 +110,10 @@ Vector3d read_sd(TomlTable& table) {
 
 Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& pulley) {
   Trial trial;
+  // What was done: posture and loads.
   trial.posture = read_known_posture(table, experiment);
   trial.tension = read_tensions(table, pulley);
+  // What was measured; its uncertainty is stated here or for the whole file.
   trial.force = table.vector(Dimension::kForce, "force");
   if (table.has(Dimension::kMoment, "moment"))
     trial.moment = table.vector(Dimension::kMoment, "moment");
@@ -120,7 +125,7 @@ Trial read_trial(TomlTable& table, const Experiment& experiment, const Pulley& p
   return trial;
 }
 
-/// One sd for all muscles of the row, but for those that have their own.
+/// One standard deviation for all muscles of the row, except for muscles with their own.
 std::map<std::string, double> read_activation_sd(TomlTable& table, const ActivationRow& row) {
   std::map<std::string, double> sd =
       table.named(Dimension::kNumber, "activation_sd_of", Range::kNotNegative);
@@ -129,6 +134,7 @@ std::map<std::string, double> read_activation_sd(TomlTable& table, const Activat
       table.fail(
           fmt::format("'activation_sd_of' names muscle '{}', 'activation' does not", own.first),
           "activation_sd_of");
+  // The common value is needed unless every muscle has its own.
   if (sd.size() == row.activation.size() && !table.has("activation_sd")) return sd;
   const double all = table.number(Dimension::kNumber, "activation_sd", Range::kNotNegative);
   for (const auto& muscle : row.activation) sd.emplace(muscle.first, all);
@@ -137,10 +143,12 @@ std::map<std::string, double> read_activation_sd(TomlTable& table, const Activat
 
 ActivationRow read_activation(TomlTable& table, const Experiment& experiment) {
   ActivationRow row;
+  // Task: posture and activations.
   row.posture = read_known_posture(table, experiment);
   row.activation = table.named(Dimension::kNumber, "activation", Range::kFraction);
   if (row.activation.empty()) table.fail("wanted 'activation' of at least one muscle: {FPL = 0.3}");
   row.sd = read_activation_sd(table, row);
+  // Measured force, with its uncertainty.
   row.force = table.vector(Dimension::kForce, "force");
   if (table.has(Dimension::kForce, "sd"))
     row.force_sd = read_sd(table);
@@ -187,14 +195,14 @@ Experiment parse_experiment(const std::string& text, const std::string& path) {
   Experiment experiment;
   read_header(top, experiment);
 
-  // How the finger was held, in which axes its force was read, and how well.
+  // Protocol: how the tip was held, in which axes its force was read, and how accurately.
   TomlTable protocol = need_table(top, "protocol", "how the fingertip was held");
   const Pulley pulley = read_protocol(protocol, experiment);
   TomlTable force = need_table(top, "force", "the segment and the axes of the forces");
   read_force_axes(force, experiment);
   if (std::optional<TomlTable> noise = top.table("noise")) read_noise(*noise, experiment);
 
-  // What was done, and what came of it.
+  // Postures and trials, or activations in place of trials.
   for (TomlTable& table : top.tables("posture"))
     experiment.postures.push_back(read_posture(table, experiment));
   for (TomlTable& row : top.tables("activation"))

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Measured fingertip forces under known tendon loads: what a fit is fitted to.
+/// Experiments: measured fingertip forces under known tendon loads, to which fits are made.
 
 #include <map>
 #include <optional>
@@ -11,19 +11,19 @@
 
 namespace thenar {
 
-/// How the fingertip was held.
+/// Constraint of the fingertip.
 enum class TipConstraint {
   kPinned,  // a point contact: three forces, no moment
   kRigid    // clamped to the load cell: force and moment
 };
 
-/// One set of joint angles.
+/// Joint angles of one posture.
 struct PostureRecord {
   std::string name;
   std::map<std::string, double> angles;  // joint name -> angle; joints not named are 0 [rad]
 };
 
-/// One loading and what the load cell read.
+/// One loading, and the reading of the load cell.
 struct Trial {
   std::string posture;
   std::map<std::string, double> tension;  // muscle -> tendon tension, after pulley losses [N]
@@ -32,11 +32,11 @@ struct Trial {
   std::optional<Eigen::Vector3d> sd;      // of the force, if stated for this row [N] (3)
 };
 
-/// One task, as electromyography and the load cell saw it.
+/// One task, measured by electromyography and the load cell.
 struct ActivationRow {
   std::string posture;
-  std::map<std::string, double> activation;  // muscle -> 0..1; muscles not named are silent [1]
-  std::map<std::string, double> sd;          // of each of these [1]
+  std::map<std::string, double> activation;  // muscle -> 0..1; unnamed muscles are silent [1]
+  std::map<std::string, double> sd;          // of each activation [1]
   Eigen::Vector3d force{0, 0, 0};            // of the tip on the world, experiment axes [N] (3)
   std::optional<Eigen::Vector3d> force_sd;   // if stated for this row [N] (3)
 };
@@ -67,8 +67,9 @@ struct Experiment {
 /// The same from text already in memory; `path` only names it in messages.
 [[nodiscard]] Experiment parse_experiment(const std::string& text, const std::string& path);
 
-/// Standard deviation of the force components of a trial [N] (3): its own, or the stated noise.
+/// Standard deviation of the force components of a trial: its own, or the stated noise [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const Trial& trial);
+/// The same for an activation row [N] (3)
 [[nodiscard]] Eigen::Vector3d force_sd(const Experiment& experiment, const ActivationRow& row);
 
 }  // namespace thenar

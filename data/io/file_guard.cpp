@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMega = 1000 * 1000;
 
-// Sizes and counts keep what a parser takes below 1 GB, depths keep its recursion below 1 MB of
-// stack. The right column says what real files need.
+// Sizes and counts keep the memory of a parser below 1 GB, depths keep its recursion below 1 MB of
+// stack. The right column states what real files need.
 constexpr std::array<FileLimit, 8> kLimits{{
     // kind, name, bytes, depth, values             largest real file known; memory at the limit
     {GuardedKind::kToml, "TOML", 8 * kMega, 32, 500'000},          // 50 kB, 5 deep; 500 B a value
@@ -27,7 +27,7 @@ constexpr std::array<FileLimit, 8> kLimits{{
     {GuardedKind::kCollada, "Collada", 128 * kMega, 128, 2 * kMega},  // 50 MB, 15 deep
 }};
 
-/// Counts nesting and values along a text, and refuses at the first place beyond a limit.
+/// Counts nesting and values along a text, and refuses the first place beyond a limit.
 class Counter {
  public:
   Counter(std::string_view text, const std::string& path, const FileLimit& limit, int first_line)
@@ -62,12 +62,12 @@ class Counter {
   std::size_t values_ = 0;
 };
 
-/// The place of the next such text at or behind `at`, or the end of all.
+/// Position of the next such text at or behind `at`, or the end of the text.
 std::size_t find(std::string_view text, std::string_view wanted, std::size_t at) {
   return std::min(text.find(wanted, at), text.size());
 }
 
-/// The last place of a quoted text that starts at `at`: its closing quote.
+/// Position of the closing quote of a quoted text that starts at `at`.
 std::size_t end_of_quoted(std::string_view text, std::size_t at, std::string_view quote,
                           bool escapes, bool lines) {
   for (std::size_t i = at + quote.size(); i < text.size(); ++i) {
@@ -84,14 +84,16 @@ std::size_t end_of_quoted(std::string_view text, std::size_t at, std::string_vie
 bool opens(char c) { return c == '[' || c == '{'; }
 bool closes(char c) { return c == ']' || c == '}'; }
 
-/// JSON, VRML and Inventor: brackets outside of texts and comments.
+/// Counts brackets outside of texts and comments: JSON, VRML and Inventor.
 void count_brackets(std::string_view text, Counter& counter, bool comments) {
   bool word = false;  // within a number or a name
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
+    // A value begins where a word does.
     const bool ends = closes(c) || std::string_view(" ,:\n\t\r").find(c) != std::string_view::npos;
     if (!ends && !word) counter.value(i);
     word = !ends && !opens(c) && c != '"';
+    // Skip texts and comments, then count the nesting.
     if (c == '"') i = end_of_quoted(text, i, "\"", true, true);
     if (comments && c == '#') i = find(text, "\n", i), word = false;
     if (opens(c)) counter.deeper(i);
@@ -99,7 +101,7 @@ void count_brackets(std::string_view text, Counter& counter, bool comments) {
   }
 }
 
-/// TOML: brackets, and the dots of keys and headers, each of which is a table within a table.
+/// Counts nesting of TOML: brackets, and the dots of keys and headers, each of which nests a table.
 class TomlNesting {
  public:
   TomlNesting(std::string_view text, Counter& counter) : text_(text), counter_(counter) {}
@@ -124,6 +126,7 @@ class TomlNesting {
 
  private:
   void skip_quoted(char c) {
+    // Three quotes begin a text of several lines.
     const std::string_view three = c == '"' ? R"(""")" : "'''";
     const bool lines = text_.compare(at_, 3, three) == 0;
     at_ = end_of_quoted(text_, at_, lines ? three : three.substr(0, 1), c == '"', lines);
@@ -139,12 +142,13 @@ class TomlNesting {
   }
 
   void open() {
-    // A header replaces the one before it, and holds for the lines behind it.
+    // A header replaces the previous one, and holds for the lines below it.
     if (open_.empty() && begins_line()) {
       counter_.higher(header_);
       header_ = 0;
       in_header_ = true;
     }
+    // The bracket nests one level deeper than its key.
     counter_.deeper(at_);
     counter_.value(at_);
     open_.push_back(dots_);  // of the key whose value opens here
@@ -154,6 +158,7 @@ class TomlNesting {
   void close() {
     if (open_.empty()) return;
     counter_.higher();
+    // Dots of a header last until the next header, others end with their value.
     if (in_header_)
       header_ += dots_;
     else
@@ -185,7 +190,7 @@ class TomlNesting {
   bool in_header_ = false;
 };
 
-/// The last place of a tag that starts at `at`. A quoted value may hold the end of a tag.
+/// Position of the end of a tag that starts at `at`. Quoted values may contain such an end.
 std::size_t end_of_tag(std::string_view text, std::size_t at, Counter& counter) {
   for (++at; at < text.size() && text[at] != '>'; ++at) {
     if (text[at] != '"' && text[at] != '\'') continue;
@@ -195,8 +200,8 @@ std::size_t end_of_tag(std::string_view text, std::size_t at, Counter& counter) 
   return at;
 }
 
-/// XML: tags outside of comments and character data. Declarations end at their first `>`, since
-/// not all parsers heed quotes in them: rather too much is counted than too little.
+/// Counts tags outside of comments and character data. Declarations end at their first `>`, because
+/// not all parsers heed quotes in them: this counts too much rather than too little.
 void count_tags(std::string_view text, Counter& counter) {
   for (std::size_t i = find(text, "<", 0); i < text.size(); i = find(text, "<", i)) {
     const std::size_t begin = i;
@@ -204,6 +209,7 @@ void count_tags(std::string_view text, Counter& counter) {
       return text.compare(begin, with.size(), with) == 0;
     };
     counter.value(begin);
+    // Comments, data and declarations are skipped; start and end tags nest.
     if (starts("<!--")) {
       i = find(text, "-->", i + 4);
     } else if (starts("<![CDATA[")) {
@@ -232,6 +238,7 @@ std::string read_guarded(const std::string& path, GuardedKind kind) {
 
 void guard_text(std::string_view text, const std::string& path, GuardedKind kind, int first_line) {
   const FileLimit& limit = limit_of(kind);
+  // First the size, then one pass by the grammar of the kind.
   if (text.size() > limit.bytes)
     throw DataError(
         path, first_line,
@@ -246,6 +253,7 @@ void guard_text(std::string_view text, const std::string& path, GuardedKind kind
 bool is_in_folder_of(const std::string& path, const std::string& file) {
   namespace fs = std::filesystem;
   std::error_code none;
+  // Compare the real paths, with links resolved.
   const fs::path folder = fs::canonical(fs::absolute(path).parent_path(), none);
   if (none) return false;
   const fs::path real = fs::weakly_canonical(fs::absolute(file), none);

@@ -1,8 +1,8 @@
 #pragma once
 
-/// The door that every file passes before a parser sees it: regular, of bounded size, nesting and
-/// number of values. Parsers recurse with the nesting and take many bytes for one of the file, so
-/// a small crafted file could end the program or take all memory.
+/// Limits that every file must keep before a parser sees it: regular, of bounded size, nesting and
+/// number of values. Parsers recurse with the nesting and take many bytes of memory for one of the
+/// file, so that a small crafted file could end the program or take all memory.
 
 #include <cstddef>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace thenar {
 
-/// What a file is read as; this decides its limits and how nesting is counted.
+/// Kind of file, which decides its limits and how its nesting is counted.
 enum class GuardedKind {
   kToml,       // brackets, braces, dotted keys and headers
   kJson,       // brackets and braces; the JSON of glTF too
@@ -26,27 +26,28 @@ enum class GuardedKind {
 struct FileLimit {
   GuardedKind kind;
   const char* name;    // in messages: "TOML"
-  std::size_t bytes;   // of the file
+  std::size_t bytes;   // size of the file [bytes]
   int depth;           // of nesting; 0: not counted
-  std::size_t values;  // that the text may hold, by its separators; 0: not counted
+  std::size_t values;  // number of values, by its separators; 0: not counted
 };
 
+/// The limits of a kind.
 [[nodiscard]] const FileLimit& limit_of(GuardedKind kind);
 
-/// Reads a regular file and holds it against the limits of its kind.
+/// Reads a regular file that keeps the limits of its kind.
 /// @throws DataError `path:line: what was wanted, what came`.
 [[nodiscard]] std::string read_guarded(const std::string& path, GuardedKind kind);
 
-/// Holds a text that is in memory already against the limits of its kind. One pass, no recursion,
-/// no memory beyond one number for each open bracket. The text need not be well-formed.
+/// Checks a text in memory against the limits of its kind, in one pass, without recursion, with one
+/// number of memory for each open bracket. The text need not be well-formed.
 /// @param path        only names it in messages
 /// @param first_line  number of the text's first line, for messages
-/// @throws DataError at the line on which a limit is passed.
+/// @throws DataError at the line on which a limit is exceeded.
 void guard_text(std::string_view text, const std::string& path, GuardedKind kind,
                 int first_line = 1);
 
-/// Whether `file`, which need not exist, is in the folder of `path` or below it, wherever links
-/// lead.
+/// Whether `file`, which need not exist, is in the folder of `path` or below it, with links
+/// resolved.
 [[nodiscard]] bool is_in_folder_of(const std::string& path, const std::string& file);
 
 }  // namespace thenar

@@ -16,14 +16,14 @@ bool has_any(const TomlNode& table, const std::vector<std::string>& keys) {
                      [&](const std::string& key) { return table.find(key) != nullptr; });
 }
 
-/// Digits of proportions are given as parts of a hand's length.
+/// Proportions have digits as fractions of a hand's length.
 bool has_proportions(const TomlNode& top) {
   const TomlNode* digits = top.find("digit");
   return digits != nullptr && !digits->items.empty() &&
          has_any(digits->items.front(), {"joint_distal_ratio", "segment"});
 }
 
-/// Objects and nets have such keys too, but not as lists of tables.
+/// Whether a key is a list of tables. Objects and nets have such keys, too, but not as lists.
 bool has_list(const TomlNode& top, const std::string& key) {
   const TomlNode* list = top.find(key);
   return list != nullptr && list->kind == TomlKind::kArray;
@@ -58,6 +58,7 @@ std::string name_of(FileKind kind) {
 }
 
 FileKind find_file_kind(const std::string& path) {
+  // HDF5 by its first bytes, TOML by keys that only one kind has.
   if (has_hdf5_start(path)) return FileKind::kResult;
   const TomlNode top = parse_toml(read_guarded(path, GuardedKind::kToml), path);
   if (has_any(top, {"parameter", "axis_distance", "robust_scale"})) return FileKind::kFitSettings;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a data file is, by what it holds.
+/// Kinds of data files, recognised by their content.
 
 #include <string>
 
@@ -23,7 +23,7 @@ enum class FileKind {
 /// "materials" or "robot".
 [[nodiscard]] std::string name_of(FileKind kind);
 
-/// Tells an HDF5 result by its first bytes, a TOML file by the keys of its top level.
+/// Finds the kind of a file: an HDF5 result by its first bytes, a TOML file by its top-level keys.
 /// @throws DataError if the file cannot be read, is not TOML, or has no key that tells.
 [[nodiscard]] FileKind find_file_kind(const std::string& path);
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array kDimensions{Dimension::kLength, Dimension::kAngle, Dimension::kNumber};
 
-/// Reads `<base>_mm`, `<base>_deg` or plain `<base>`; all numbers of a row share one dimension.
+/// Reads `<base>_mm`, `<base>_deg` or plain `<base>`; all numbers of a row have the same dimension.
 std::optional<double> read_number(TomlTable& table, const std::string& base, Range range,
                                   ParameterRule& rule, bool& seen) {
   for (const Dimension dimension : kDimensions) {
@@ -30,10 +30,12 @@ void read_tie(TomlTable& table, ParameterRule& rule) {
 }
 
 ParameterRule read_rule(TomlTable& table) {
+  // Which parameters the row is about.
   ParameterRule rule;
   rule.line = table.line();
   rule.match = table.text("match");
   rule.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
+  // Free, fixed or tied.
   if (table.has("state")) {
     const std::string state = table.choice("state", {"free", "fixed", "tied"});
     rule.state = state == "free"    ? ParameterState::kFree
@@ -41,6 +43,7 @@ ParameterRule read_rule(TomlTable& table) {
                                     : ParameterState::kTied;
     if (state == "tied") read_tie(table, rule);
   }
+  // Prior and bounds, all of one dimension.
   bool seen = false;
   rule.mean = read_number(table, "mean", Range::kAny, rule, seen);
   rule.sd = read_number(table, "sd", Range::kNotNegative, rule, seen);
@@ -82,8 +85,10 @@ FitSettings parse_fit_settings(const std::string& text, const std::string& path)
   FitSettings settings;
   settings.path = path;
   (void)top.text_or("name", "");
+  // Name and description are for people only.
   (void)top.text_or("description", "");
   settings.robust_scale = top.number_or(Dimension::kNumber, "robust_scale", 0, Range::kNotNegative);
+  // Rules stay in the order of the file: later ones win.
   for (TomlTable& row : top.tables("parameter")) settings.rules.push_back(read_rule(row));
   for (TomlTable& row : top.tables("axis_distance"))
     settings.axis_distances.push_back(read_axis_distance(row));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which parameters a fit may move, how far, and what is believed of them beforehand.
+/// Fit settings: which parameters a fit may move, how far, and their priors.
 
 #include <optional>
 #include <string>
@@ -10,23 +10,24 @@
 
 namespace thenar {
 
+/// Whether a fit moves a parameter.
 enum class ParameterState { kFree, kFixed, kTied };
 
-/// What applies to every parameter whose name matches; later rows win.
-/// Numbers are SI; the reader converts from the unit in the key.
+/// Rule for every parameter whose name matches; later rules win. Numbers are SI; the reader
+/// converts them from the unit of the key.
 struct ParameterRule {
   std::string match;                         // glob on parameter names: "path/*/dorsal"
   bool optional = false;                     // no error if nothing matches
-  std::optional<ParameterState> state;       // absent: as an earlier row said
+  std::optional<ParameterState> state;       // absent: as an earlier rule says
   std::optional<double> mean;                // prior mean, replaces the subject's value [SI]
   std::optional<double> sd;                  // prior sd of the population mean [SI]
   std::optional<double> between_sd;          // sd between specimens [SI]
   std::optional<double> range;               // bounds: mean -+ range [SI]
   std::optional<double> lower, upper;        // absolute bounds [SI]
-  std::string tie_to;                        // kTied: moves as `tie_ratio` times this parameter
+  std::string tie_to;                        // kTied: it is `tie_ratio` times this parameter
   double tie_ratio = 1;                      // [1]
   Dimension dimension = Dimension::kNumber;  // of the numbers above, if there are any
-  int line = 0;                              // where the row stands, for messages
+  int line = 0;                              // of the file, for messages
 };
 
 /// An anatomical bound on the distance between two joint axes (common normal).
@@ -35,10 +36,10 @@ struct AxisDistance {
   double lower = 0, upper = 0;  // [m]
 };
 
-/// What a posterior believes beside the rules; a least-squares fit does not use it.
+/// Additional priors of a posterior; a least-squares fit does not use them.
 struct PosteriorPriors {
-  double noise_sd = 0.5;  // of the logarithm of a factor on the stated noise; 0: as stated [1]
-  double specimen_scale_sd = 0.5;  // of the logarithm of factors on between_sd; 0: as stated [1]
+  double noise_sd = 0.5;  // of the logarithm of a factor on the stated noise; 0: no factor [1]
+  double specimen_scale_sd = 0.5;  // of the logarithm of factors on between_sd; 0: no factor [1]
   bool sphere_priors = true;       // von Mises-Fisher on axis directions instead of normal tilts
 };
 

@@ -24,29 +24,30 @@
 namespace thenar {
 namespace {
 
-constexpr int kDeepest = 8;                    // groups within groups; ours need 4
+constexpr int kDeepest = 8;                    // nesting of groups; ours need 4
 constexpr int kMostDimensions = 8;             // of an array; ours need 3
-constexpr int kMostAttributes = 1000;          // of one object; each is sought among all
+constexpr int kMostAttributes = 1000;          // of one object; each is searched among all
 constexpr std::size_t kMostObjects = 100'000;  // groups, datasets and their attributes
 
 static_assert(std::is_same_v<hid_t, std::int64_t> && std::is_same_v<herr_t, int>);
 
 using Names = std::vector<std::string>;
 
-/// Called for every link of a group; soft and external ones lead elsewhere and are left alone.
+/// Lists every hard link of a group; soft and external links lead elsewhere and are ignored.
 herr_t list_link(hid_t /*group*/, const char* name, const H5L_info_t* info, void* data) {
   auto& names = *static_cast<Names*>(data);
   if (info->type == H5L_TYPE_HARD) names.emplace_back(name);
   return names.size() > kMostObjects ? -1 : 0;
 }
 
-/// The walk, with what is left of the file's bytes.
+/// Walk over all objects, with the number of the file's bytes that are left for them.
 class Hdf5Walk {
  public:
   Hdf5Walk(hid_t file, std::size_t bytes) : file_(file), size_(bytes), left_(bytes) {}
 
   Names datasets() {
     Names found;
+    // Depth-first over the groups, on a stack of our own.
     std::vector<std::pair<std::string, int>> groups{{"/", 0}};  // with their depth
     while (!groups.empty()) {
       const auto [group, depth] = groups.back();
@@ -56,6 +57,7 @@ class Hdf5Walk {
         const std::string key = group == "/" ? name : group + "/" + name;
         const Hdf5Object object(H5Oopen(file_, key.c_str(), H5P_DEFAULT), H5Oclose, "open " + key);
         const H5I_type_t type = H5Iget_type(object);
+        // Groups are visited later; datasets are checked here.
         if (type == H5I_GROUP) groups.emplace_back(key, depth + 1);
         if (type == H5I_DATASET) {
           check_dataset(object, key);
@@ -86,6 +88,7 @@ class Hdf5Walk {
     const Hdf5Object made(H5Dget_create_plist(dataset), H5Pclose, "read the layout of " + key);
     const std::size_t entry = std::max<std::size_t>(1, H5Tget_size(type));
     take(space, entry, key);
+    // Values must lie in this file.
     const H5D_layout_t layout = H5Pget_layout(made);
     require(layout == H5D_CONTIGUOUS || layout == H5D_COMPACT || layout == H5D_CHUNKED,
             "'{}' does not lie in the file", key);
@@ -93,7 +96,7 @@ class Hdf5Walk {
     if (layout == H5D_CHUNKED) check_chunk(made, entry, key);
   }
 
-  /// A piece of an array is unpacked as a whole, whatever is asked of it.
+  /// A chunk is unpacked as a whole, whatever part of it is read.
   void check_chunk(hid_t made, std::size_t entry, const std::string& key) const {
     hsize_t lengths[H5S_MAX_RANK];
     const int rank = H5Pget_chunk(made, H5S_MAX_RANK, lengths);
@@ -107,6 +110,7 @@ class Hdf5Walk {
     require(count >= 0 && count <= kMostAttributes, "'{}' has {} attributes, wanted at most {}",
             key, count, kMostAttributes);
     take_objects(static_cast<std::size_t>(count));
+    // Attributes may promise as much as arrays.
     for (int i = 0; i < count; ++i) {
       const std::string what = fmt::format("attribute {} of '{}'", i + 1, key);
       const Hdf5Object attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_NATIVE,
@@ -124,7 +128,7 @@ class Hdf5Walk {
             kMostObjects);
   }
 
-  /// Holds entries against what is left of the file.
+  /// Subtracts the bytes that an array or attribute promises from what is left of the file.
   void take(hid_t space, std::size_t entry, const std::string& what) {
     hsize_t lengths[H5S_MAX_RANK];
     const int rank = H5Sget_simple_extent_ndims(space);
@@ -136,7 +140,7 @@ class Hdf5Walk {
     left_ -= product(lengths, rank, entry, left_, "'" + what + "'");
   }
 
-  /// entry * lengths[0] * ..., which must not exceed `most`; safe where the product overflows.
+  /// entry * lengths[0] * ..., at most `most`; safe if the product would overflow.
   std::size_t product(const hsize_t* lengths, int rank, std::size_t entry, std::size_t most,
                       const std::string& what) const {
     if (std::find(lengths, lengths + rank, 0) != lengths + rank) return 0;
@@ -163,8 +167,8 @@ Hdf5Object::Hdf5Object(std::int64_t id, Close close, const std::string& what)
 }
 
 std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path) try {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // the library prints its errors unless told not to
-  // Not copied, not freed by the library, and not changed, since it is opened to be read.
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // otherwise the library prints its errors
+  // The library neither copies nor frees the bytes, nor changes them, as it opens them to read.
   constexpr unsigned kOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
   const Hdf5Object file(H5LTopen_file_image(bytes.data(), bytes.size(), kOurs), H5Fclose,
                         "open the file");
@@ -175,7 +179,7 @@ std::vector<std::string> guard_hdf5(std::string& bytes, const std::string& path)
 
 namespace {
 
-constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // beyond what this process has [bytes]
+constexpr rlim_t kMemory = 1000 * 1000 * 1000;  // in addition to this process's own [bytes]
 
 /// Address space of this process [bytes].
 rlim_t memory_in_use() {
@@ -191,12 +195,13 @@ void lower_limit(int resource, rlim_t value) {
   (void)setrlimit(static_cast<__rlimit_resource>(resource), &limit);
 }
 
-constexpr std::size_t kMaxMessage = 4000;  // message; a pipe takes it at once [bytes]
+constexpr std::size_t kMaxMessage = 4000;  // that a pipe takes at once [bytes]
 constexpr int kRefused = 1, kTooMuch = 2;
 
-/// What the copy does: nothing of it is seen outside but how it ends and a message.
+/// Work of the copy. Nothing of it is seen outside except its exit status and a message.
 [[noreturn]] void run_limited(rlim_t memory, int seconds, const std::function<void()>& work,
                               int message) {
+  // The copy dies with its parent, by default handlers, without a core file, in limited time.
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGXCPU, SIGINT, SIGTERM})
     (void)std::signal(signal, SIG_DFL);
@@ -207,6 +212,7 @@ constexpr int kRefused = 1, kTooMuch = 2;
 #else
   (void)memory;
 #endif
+  // The exit status tells what went wrong.
   int end = 0;
   try {
     work();
@@ -219,7 +225,7 @@ constexpr int kRefused = 1, kTooMuch = 2;
   _exit(end);
 }
 
-/// What a copy that has ended wrote.
+/// The message of a copy that has ended.
 std::string message_in(int pipe) {
   std::string words(kMaxMessage, ' ');
   const ssize_t size = read(pipe, words.data(), words.size());
@@ -227,7 +233,7 @@ std::string message_in(int pipe) {
   return words;
 }
 
-/// Why a copy did not come back with 0, in words. @param message  that it left
+/// Reason why a copy did not return 0, in words. @param message  of the copy
 std::string reason(int status, const std::string& message, const std::string& path) {
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
     return "it is damaged: reading it does not end";
@@ -236,6 +242,7 @@ std::string reason(int status, const std::string& message, const std::string& pa
   if (WEXITSTATUS(status) == kTooMuch)
     return fmt::format("reading it takes more than {} MB of memory", kMemory / 1'000'000);
   if (WEXITSTATUS(status) != kRefused || message.empty()) return "it is damaged: reading it fails";
+  // The path is added again by the error.
   const std::string place = path + ":1: ";
   return message.compare(0, place.size(), place) == 0 ? message.substr(place.size()) : message;
 }
@@ -243,23 +250,27 @@ std::string reason(int status, const std::string& message, const std::string& pa
 }  // namespace
 
 void try_in_fork(const std::string& path, int seconds, const std::function<void()>& work) {
+  // A pipe that neither blocks nor survives an exec.
   const rlim_t memory = memory_in_use();
   std::array<int, 2> ends{-1, -1};
   require(pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0, "no pipe to read '{}' through: {}", path,
           std::strerror(errno));
+  // Copy the process; the copy never returns from its work.
   const pid_t copy = fork();
   if (copy == 0) run_limited(memory, seconds, work, ends[1]);
   const int no_copy = copy < 0 ? errno : 0;
+  // Wait for the copy, and read its message.
   int status = 0, no_news = 0;
   while (copy > 0 && no_news == 0 && waitpid(copy, &status, 0) < 0)
     if (errno != EINTR) no_news = errno;
   const std::string message = message_in(ends[0]);
   for (const int end : ends) (void)close(end);
+  // Report what failed here, then what failed there.
   require(no_copy == 0, "no process to read '{}' in: {}", path, std::strerror(no_copy));
   require(no_news == 0, "no news of the process that reads '{}': {}", path, std::strerror(no_news));
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-  if (signal == SIGINT || signal == SIGTERM) (void)raise(signal);  // it was meant for us, too
+  if (signal == SIGINT || signal == SIGTERM) (void)raise(signal);  // was meant for us, too
   throw DataError(path, 1, reason(status, message, path));
 }
 

@@ -24,8 +24,8 @@ void check(int status, const std::string& what) {
   require(status == NC_NOERR, "netCDF could not {}: {}", what, nc_strerror(status));
 }
 
-/// Plain text where that is possible, as most programs expect it. A long one would not fit the
-/// header of an HDF5 object, and an empty one would have no value.
+/// Writes an attribute as plain text where possible, as most programs expect. A long text would not
+/// fit the header of an HDF5 object, and an empty one would have no value.
 void put_text(int group, int variable, const std::string& name, const std::string& text) {
   constexpr std::size_t kMaxText = 4096;  // [bytes]
   const bool ascii = std::all_of(text.begin(), text.end(), [](char c) { return c > 0; });
@@ -46,21 +46,23 @@ int put_variable(int group, const std::string& name, nc_type type, const std::ve
   return variable;
 }
 
-/// A dimension, and the variable of the same name that labels it.
+/// Adds a dimension, and the variable of the same name that labels it.
 int put_dimension(int group, const std::string& name, std::size_t length,
                   const std::vector<std::string>* labels) {
   int dimension = 0;
-  // A length of 0 makes a dimension that could grow, with nothing in it yet.
+  // A length of 0 makes a dimension that can grow, still empty.
   check(nc_def_dim(group, name.c_str(), length, &dimension), "add dimension " + name);
   const int variable = put_variable(group, name, labels ? NC_STRING : NC_INT64, {dimension});
   if (length == 0) return dimension;
   const std::size_t start = 0;
+  // Without labels the entries are counted.
   if (!labels) {
     std::vector<long long> index(length);
     std::iota(index.begin(), index.end(), 0LL);
     check(nc_put_vara_longlong(group, variable, &start, &length, index.data()), "count " + name);
     return dimension;
   }
+  // Labels as a variable of texts.
   std::vector<const char*> chars;
   for (const std::string& label : *labels) chars.push_back(label.c_str());
   check(nc_put_vara_string(group, variable, &start, &length, chars.data()), "label " + name);
@@ -72,6 +74,7 @@ void put_values(int group, int variable, const InferenceArray& array, const std:
   if (array.values.empty()) return;
   const std::vector<std::size_t> starts(lengths.size(), 0);
   int status = 0;
+  // Stored as the type that the array declares.
   if (array.boolean) {
     const std::vector<signed char> flags(array.values.begin(), array.values.end());
     status = nc_put_vara_schar(group, variable, starts.data(), lengths.data(), flags.data());
@@ -85,11 +88,12 @@ void put_values(int group, int variable, const InferenceArray& array, const std:
   check(status, "write " + name);
 }
 
-/// Everything that netCDF or a reader would trip over.
+/// Refuses arrays that netCDF or a reader would fail on.
 void check_array(const std::string& name, const InferenceArray& array,
                  const InferenceGroup& group) {
   require(group.lengths.count(name) == 0, "array '{}' is named like a dimension", name);
   require(!(array.integer && array.boolean), "array '{}' is of integers and of bools", name);
+  // The shape must follow from the dimensions.
   std::size_t size = 1;
   for (const std::string& dimension : array.dimensions) {
     const auto found = group.lengths.find(dimension);
@@ -99,6 +103,7 @@ void check_array(const std::string& name, const InferenceArray& array,
   }
   require(array.values.size() == size, "array '{}' has {} values, its dimensions {}", name,
           array.values.size(), size);
+  // Values must fit their type.
   for (const double value : array.values) {
     require(!array.boolean || value == 0 || value == 1, "array '{}' of bools has a value {}", name,
             value);
@@ -111,17 +116,19 @@ void check_array(const std::string& name, const InferenceArray& array,
 void put_array(int group, const std::string& name, const InferenceArray& array,
                const InferenceGroup& described, const std::map<std::string, int>& dimensions) {
   check_array(name, array, described);
+  // Identifiers and lengths of the dimensions.
   std::vector<int> over;
   std::vector<std::size_t> lengths;
   for (const std::string& dimension : array.dimensions) {
     over.push_back(dimensions.at(dimension));
     lengths.push_back(described.lengths.at(dimension));
   }
+  // Type, unit and description of the variable, then its values.
   const nc_type type = array.boolean ? NC_BYTE : array.integer ? NC_INT64 : NC_DOUBLE;
   const int variable = put_variable(group, name, type, over);
   put_text(group, variable, "units", array.unit);
   if (!array.description.empty()) put_text(group, variable, "long_name", array.description);
-  if (array.boolean) put_text(group, variable, "dtype", "bool");  // as xarray says it
+  if (array.boolean) put_text(group, variable, "dtype", "bool");  // as xarray marks it
   put_values(group, variable, array, name, lengths);
 }
 
@@ -130,6 +137,7 @@ void put_group(int file, const std::string& name, const InferenceGroup& describe
   int group = 0;
   check(nc_def_grp(file, name.c_str(), &group), "add group " + name);
   for (const auto& [key, text] : attributes) put_text(group, NC_GLOBAL, key, text);
+  // Dimensions first, with their labels.
   std::map<std::string, int> dimensions;
   for (const auto& [dimension, length] : described.lengths) {
     const auto found = described.coordinates.find(dimension);
@@ -140,6 +148,7 @@ void put_group(int file, const std::string& name, const InferenceGroup& describe
   }
   for (const auto& [dimension, labels] : described.coordinates)
     require(dimensions.count(dimension) == 1, "dimension '{}' has names, but no length", dimension);
+  // Then arrays over these.
   for (const auto& [key, array] : described.arrays)
     put_array(group, key, array, described, dimensions);
 }
@@ -153,7 +162,7 @@ std::string now() {
   return {text, size};
 }
 
-/// What ArviZ notes in every group.
+/// Attributes that ArviZ writes into every group.
 std::map<std::string, std::string> group_attributes(const InferenceFile& file) {
   std::map<std::string, std::string> attributes{
       {"created_at", now()},
@@ -169,11 +178,12 @@ std::map<std::string, std::string> group_attributes(const InferenceFile& file) {
 
 }  // namespace
 
-// The file is made in memory: HDF5 cannot recover from a full disk.
+// Writes into memory first, because HDF5 cannot recover from a full disk.
 void write_inference(const InferenceFile& file, const std::string& path) {
   require(file.attributes.count(kProgram) == 0, "attribute '{}' is ours", kProgram);
   require_writable(path);
   int id = 0;
+  // A file in memory, closed or aborted whatever happens.
   check(nc_create_mem("inference", NC_NETCDF4, 0, &id), "make a file in memory");
   NC_memio image{};
   try {
@@ -185,6 +195,7 @@ void write_inference(const InferenceFile& file, const std::string& path) {
     (void)nc_abort(id);
     throw;
   }
+  // Take its bytes, and add the checksum.
   check(nc_close_memio(id, &image), "complete a file");
   std::string bytes(static_cast<const char*>(image.memory), image.size);
   std::free(image.memory);  // NOLINT: netCDF gave it away
@@ -197,7 +208,7 @@ void check_read(int status, const std::string& what) {
   require(status == NC_NOERR, "netCDF could not {}: {}", what, nc_strerror(status));
 }
 
-/// An open file in memory.
+/// An open file in memory, with the number of its bytes that are left for texts.
 class Reading {
  public:
   explicit Reading(std::string& bytes) : bytes_(bytes), left_(bytes.size()) {
@@ -210,14 +221,14 @@ class Reading {
   [[nodiscard]] int file() const { return file_; }
   [[nodiscard]] std::size_t size() const { return bytes_.size(); }  // [bytes]
 
-  /// Holds what is about to be taken against the file: nothing in it stands there twice.
+  /// Counts bytes that are about to be taken: together they cannot exceed the file.
   void take(std::size_t bytes, const std::string& what) {
     require(bytes <= left_, "{} promises more bytes than are left of the file's {}", what,
             bytes_.size());
     left_ -= bytes;
   }
 
-  /// One text, whose memory netCDF gives away. @param get  netCDF's call that puts it there
+  /// Reads one text and frees netCDF's copy. @param get  netCDF's call that provides it
   template <typename Get>
   std::string text(const std::string& what, const Get& get) {
     char* chars = nullptr;
@@ -240,6 +251,7 @@ std::string get_text(Reading& reading, int group, int variable, const std::strin
   std::size_t length = 0;
   if (nc_inq_att(group, variable, name.c_str(), &type, &length) != NC_NOERR) return {};
   const std::string what = fmt::format("attribute '{}'", name);
+  // Short texts are characters, long ones a string.
   if (type == NC_CHAR) {
     reading.take(length, what);
     std::string text(length, '\0');
@@ -257,7 +269,7 @@ std::string name_of_dimension(int group, int dimension) {
   return name;
 }
 
-/// The shape and the type of a variable.
+/// Shape and type of a variable.
 struct VariableShape {
   std::string name;
   nc_type type = NC_DOUBLE;
@@ -277,7 +289,7 @@ VariableShape get_shape(int group, int variable) {
   return shape;
 }
 
-/// Names along a dimension: a variable that is named like it need not lie along it.
+/// Labels along a dimension: a variable with its name must lie along it.
 std::vector<std::string> get_labels(Reading& reading, int group, int variable,
                                     const VariableShape& shape, std::size_t length) {
   require(shape.dimensions.size() == 1 && shape.dimensions[0] == shape.name,
@@ -291,7 +303,7 @@ std::vector<std::string> get_labels(Reading& reading, int group, int variable,
   return labels;
 }
 
-/// Number of values, which the file must have in bytes at least.
+/// Number of values; the file must have at least as many bytes.
 std::size_t size_of(const VariableShape& shape, const InferenceGroup& group, std::size_t most) {
   std::size_t size = 1;
   for (const std::string& dimension : shape.dimensions) {
@@ -308,6 +320,7 @@ std::size_t size_of(const VariableShape& shape, const InferenceGroup& group, std
 
 void get_variable(Reading& reading, int group, int variable, InferenceGroup& out) {
   const VariableShape shape = get_shape(group, variable);
+  // A variable named like a dimension labels it.
   if (const auto found = out.lengths.find(shape.name); found != out.lengths.end()) {
     if (shape.type == NC_STRING)
       out.coordinates[shape.name] = get_labels(reading, group, variable, shape, found->second);
@@ -315,6 +328,7 @@ void get_variable(Reading& reading, int group, int variable, InferenceGroup& out
   }
   require(shape.type == NC_DOUBLE || shape.type == NC_INT64 || shape.type == NC_BYTE,
           "wanted '{}' as numbers of 64 bits or as bytes, got something else", shape.name);
+  // Any other variable is an array.
   InferenceArray array;
   array.dimensions = shape.dimensions;
   array.unit = get_text(reading, group, variable, "units");
@@ -330,6 +344,7 @@ void get_variable(Reading& reading, int group, int variable, InferenceGroup& out
 InferenceGroup get_group(Reading& reading, int group) {
   InferenceGroup out;
   int count = 0;
+  // Dimensions with their lengths.
   check_read(nc_inq_dimids(group, &count, nullptr, 0), "list dimensions");
   std::vector<int> dimensions(static_cast<std::size_t>(count));
   check_read(nc_inq_dimids(group, &count, dimensions.data(), 0), "list dimensions");
@@ -338,6 +353,7 @@ InferenceGroup get_group(Reading& reading, int group) {
     check_read(nc_inq_dimlen(group, dimension, &length), "read a dimension");
     out.lengths[name_of_dimension(group, dimension)] = length;
   }
+  // Variables over these.
   check_read(nc_inq_nvars(group, &count), "list variables");
   for (int variable = 0; variable < count; ++variable) get_variable(reading, group, variable, out);
   return out;
@@ -359,9 +375,11 @@ std::map<std::string, std::string> get_attributes(Reading& reading) {
 InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& path) {
   InferenceFile out;
   out.attributes = get_attributes(reading);
+  // Only our own files are read.
   require_ours(out.attributes[kProgram], checksum, path,
                "an inference file of thenar, got another netCDF file");
   out.attributes.erase(kProgram);
+  // Groups of the file.
   int count = 0;
   check_read(nc_inq_grps(reading.file(), &count, nullptr), "list groups");
   std::vector<int> groups(static_cast<std::size_t>(count));
@@ -374,7 +392,7 @@ InferenceFile read_open(Reading& reading, Checksum checksum, const std::string& 
   return out;
 }
 
-/// @param bytes  of a file; the libraries want to be able to change them, and do not
+/// @param bytes  of a file; the libraries ask for mutable bytes, and do not change them
 InferenceFile read_inference_image(std::string& bytes, Checksum checksum, const std::string& path) {
   (void)guard_hdf5(bytes, path);  // netCDF-4 is HDF5
   try {
@@ -391,6 +409,7 @@ InferenceFile read_inference(const std::string& path) {
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted an inference file (netCDF-4), got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kInference);
+  // Verify the checksum, try in a copy of the process, then read.
   const Checksum checksum = take_checksum(bytes, path);
   try_in_fork(path, seconds_to_read(bytes.size()),
               [&] { (void)read_inference_image(bytes, checksum, path); });

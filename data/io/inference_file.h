@@ -1,6 +1,6 @@
 #pragma once
 
-/// ArviZ InferenceData on netCDF-4: groups of labelled arrays. The one fence of netCDF.
+/// ArviZ InferenceData on netCDF-4: groups of labelled arrays. The only fence of netCDF.
 
 #include <map>
 #include <string>
@@ -18,28 +18,30 @@ struct InferenceArray {
   bool boolean = false;                 // stored as ArviZ stores bool
 };
 
-/// Names along a dimension; dimensions without them are counted 0, 1, 2, ...
+/// Arrays of one group, and names along its dimensions; those without names are counted 0, 1, 2,
+/// ...
 struct InferenceGroup {
   std::map<std::string, std::size_t> lengths;                   // of every dimension
-  std::map<std::string, std::vector<std::string>> coordinates;  // of dimension -> names
+  std::map<std::string, std::vector<std::string>> coordinates;  // dimension -> names
   std::map<std::string, InferenceArray> arrays;
 };
 
-/// What stands in a file: posterior, sample_stats, log_likelihood, posterior_predictive, prior,
+/// Content of a file: groups posterior, sample_stats, log_likelihood, posterior_predictive, prior,
 /// observed_data, ...
 struct InferenceFile {
   std::map<std::string, InferenceGroup> groups;
-  std::map<std::string, std::string> attributes;  // of the whole: provenance, inputs
+  std::map<std::string, std::string> attributes;  // of the whole file: provenance, inputs
 };
 
-/// Writes beside `path` and renames; ends with a checksum. `az.from_netcdf(path)` opens it.
-/// Every group also gets the attributes that ArviZ notes: created_at (that of the file, or now),
+/// Writes a file beside `path`, with a checksum, and renames it. `az.from_netcdf(path)` opens it.
+/// Every group also gets the attributes of ArviZ: created_at (that of the file, or now),
 /// creation_library, inference_library and its version.
-/// @throws InputError if shapes disagree, an array of integers or bools holds something else, an
+/// @throws InputError if shapes disagree, an array of integers or bools holds other values, an
 /// attribute is named "program" (which marks the file as ours), or the file cannot be written.
 void write_inference(const InferenceFile& file, const std::string& path);
 
-/// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
+/// Reads a file. @throws DataError if it is missing, not ours, damaged, or promises more than it
+/// has.
 [[nodiscard]] InferenceFile read_inference(const std::string& path);
 
 }  // namespace thenar

@@ -21,7 +21,7 @@ BoneRole read_bone(TomlTable& table, const std::string& key) {
   return static_cast<BoneRole>(std::find(kBones.begin(), kBones.end(), name) - kBones.begin());
 }
 
-/// Part of a bone's length, at most one length beyond either end: further off lie other bones.
+/// Fraction of a bone's length, at most one length beyond either end: farther off lie other bones.
 double read_along(TomlTable& table) {
   const double along = table.number(Dimension::kNumber, "along");
   if (along < -1 || along > 2)
@@ -41,6 +41,7 @@ NetPlace read_place(TomlTable& table) {
 StrandPoint read_strand_point(TomlTable& table) {
   StrandPoint at;
   at.strands = table.texts("strand");
+  // Points are counted in whole numbers.
   const double point = table.number(Dimension::kNumber, "point");
   if (point != std::floor(point) || std::abs(point) > 1e6)
     table.fail(fmt::format("wanted 'point' to be a whole number, got {}", point), "point");
@@ -55,6 +56,7 @@ TomlTable needed_table(TomlTable& top, const std::string& key) {
 }
 
 void read_reference(TomlTable& top, NetDescription& net) {
+  // Bone lengths and heights of the reference finger.
   TomlTable bones = needed_table(top, "bone_lengths");
   for (std::size_t b = 0; b < kBones.size(); ++b)
     net.bone_length[static_cast<BoneRole>(b)] =
@@ -65,6 +67,7 @@ void read_reference(TomlTable& top, NetDescription& net) {
     net.height[static_cast<FingerJoint>(j)] =
         heights.number(Dimension::kLength, kJoints[j], Range::kPositive);
   heights.done();
+  // Strands whose moment arms give the heights in a subject.
   std::optional<TomlTable> strands = top.table("height_strands");
   if (!strands) return;
   for (std::size_t j = 0; j < kJoints.size(); ++j)
@@ -75,11 +78,13 @@ void read_reference(TomlTable& top, NetDescription& net) {
 
 NetSurface read_surface(TomlTable& table, const NetDescription& net) {
   NetSurface surface;
+  // Name and shape.
   surface.name = new_name(table, names_of(net.surfaces));
   const std::string shape = table.choice("shape", {"sphere", "cylinder", "capsule"});
   surface.shape = shape == "sphere"     ? SurfaceShape::kSphere
                   : shape == "cylinder" ? SurfaceShape::kCylinder
                                         : SurfaceShape::kCapsule;
+  // Place on its bone, and sizes.
   surface.center.bone = read_bone(table, "bone");
   surface.center.along = read_along(table);
   surface.center.angle = table.number_or(Dimension::kAngle, "angle", 0);
@@ -98,6 +103,7 @@ NetNodePlan read_node(TomlTable& table, const NetDescription& net) {
   node.name = new_name(table, names_of(net.nodes));
   node.floating = table.choice("kind", {"floating", "bone"}) == "floating";
   node.place = read_place(table);
+  // A node may follow a point of the subject, and rest on surfaces.
   if (table.has("strand")) node.strand = read_strand_point(table);
   if (table.has("surfaces")) node.surfaces = table.texts("surfaces");
   for (const std::string& surface : node.surfaces)
@@ -108,6 +114,7 @@ NetNodePlan read_node(TomlTable& table, const NetDescription& net) {
   return node;
 }
 
+/// Surface over which a band bends; "" if it is straight.
 std::string read_over(TomlTable& table, const NetDescription& net) {
   if (!table.has("over")) return "";
   std::string over = reference(table, "over", "surface", names_of(net.surfaces));
@@ -118,7 +125,7 @@ std::string read_over(TomlTable& table, const NetDescription& net) {
   return over;
 }
 
-/// EA as stated, or as modulus times area.
+/// Stiffness EA [N], as stated or as modulus times area.
 double read_stiffness(TomlTable& table) {
   if (table.has(Dimension::kForce, "EA"))
     return table.number(Dimension::kForce, "EA", Range::kPositive);
@@ -130,15 +137,18 @@ NetBandPlan read_band(TomlTable& table, const NetDescription& net) {
   NetBandPlan band;
   const std::vector<std::string> nodes = names_of(net.nodes);
   band.name = new_name(table, names_of(net.bands));
+  // Its two ends.
   band.from = reference(table, "from", "node", nodes);
   band.to = reference(table, "to", "node", nodes);
   if (band.from == band.to)
     table.fail(fmt::format("band '{}' begins and ends at node '{}'", band.name, band.to), "to");
+  // Slack length: stated, fitted like another band, or fitted to the straight finger.
   band.slack = table.number_or(Dimension::kLength, "slack", 0, Range::kPositive);
   if (table.has("strains_like")) {
     band.strains_like = reference(table, "strains_like", "earlier band", names_of(net.bands));
     if (band.slack > 0) table.fail("give 'slack_mm' or 'strains_like', not both", "strains_like");
   }
+  // Elasticity, and the surface it bends over.
   band.EA = read_stiffness(table);
   band.toe = table.number_or(Dimension::kNumber, "toe_strain", 0, Range::kNotNegative);
   band.over = read_over(table, net);
@@ -149,9 +159,11 @@ NetBandPlan read_band(TomlTable& table, const NetDescription& net) {
 
 NetPullPlan read_pull(TomlTable& table, const NetDescription& net) {
   NetPullPlan pull;
+  // Where the muscle pulls, and how strongly.
   pull.node = reference(table, "node", "node", names_of(net.nodes));
   pull.share = table.number_or(Dimension::kNumber, "share", 1, Range::kFraction);
   pull.relayed = table.has("relayed") && table.choice("relayed", {"yes", "no"}) == "yes";
+  // Where its run leaves the net.
   if (table.has("strand")) pull.exit = read_strand_point(table);
   if (table.has("bone")) pull.exit_place = read_place(table);
   pull.over = read_over(table, net);
@@ -163,6 +175,7 @@ NetPullPlan read_pull(TomlTable& table, const NetDescription& net) {
 
 NetMusclePlan read_muscle(TomlTable& table, const NetDescription& net) {
   NetMusclePlan muscle;
+  // The role is unique; several names may have it.
   muscle.role = table.text("role");
   for (const NetMusclePlan& other : net.muscles)
     if (other.role == muscle.role)
@@ -171,6 +184,7 @@ NetMusclePlan read_muscle(TomlTable& table, const NetDescription& net) {
   muscle.exit = read_bone(table, "exit");
   muscle.optional = table.has("optional") && table.choice("optional", {"yes", "no"}) == "yes";
   muscle.hood_share = table.has("hood_share") && table.choice("hood_share", {"yes", "no"}) == "yes";
+  // Shares of the tension that enter the net, at most all of it.
   double shares = 0;
   for (TomlTable& pull : table.tables("pulls")) {
     muscle.pulls.push_back(read_pull(pull, net));
@@ -187,6 +201,7 @@ void read_slips(TomlTable& top, NetDescription& net) {
   std::optional<TomlTable> table = top.table("slips");
   if (!table) return;
   const std::vector<std::string> bands = names_of(net.bands);
+  // Names of bands under each key.
   const auto read = [&](const std::string& key) {
     std::vector<std::string> names;
     if (table->has(key)) names = table->texts(key);
@@ -201,6 +216,7 @@ void read_slips(TomlTable& top, NetDescription& net) {
 
 NetDescription parse_net(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
+  // Header and reference finger.
   TomlTable top = file.top();
   NetDescription net;
   net.name = top.text("name");
@@ -208,6 +224,7 @@ NetDescription parse_net(const std::string& text, const std::string& path) {
   net.source = top.source();
   net.friction = top.number_or(Dimension::kNumber, "friction", 0, Range::kFraction);
   read_reference(top, net);
+  // Parts in an order in which references point backwards.
   for (TomlTable& table : top.tables("surface")) net.surfaces.push_back(read_surface(table, net));
   for (TomlTable& table : top.tables("node")) net.nodes.push_back(read_node(table, net));
   for (TomlTable& table : top.tables("band")) net.bands.push_back(read_band(table, net));

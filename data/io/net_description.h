@@ -1,10 +1,10 @@
 #pragma once
 
-/// The extensor mechanism of a finger described once, as plain data, for the finger of any subject.
+/// Description of an extensor mechanism as plain data, for the finger of any subject.
 ///
 /// Places are stated on the four bones of one reference finger, by role, so that the same net can
-/// be laid on any finger: along the bones in parts of their lengths, across them in parts of the
-/// heights at which the extensor runs over the joints. Bones' lines run between joint centres.
+/// be laid on any finger: along bones as fractions of their lengths, across them as fractions of
+/// the heights of the extensor over the joints. Lines of bones run between joint centres.
 
 #include <map>
 #include <optional>
@@ -15,10 +15,10 @@
 
 namespace thenar {
 
-/// The bones of a finger, from the palm outwards.
+/// Bones of a finger, from the palm outwards.
 enum class BoneRole { kMetacarpal, kProximal, kMiddle, kDistal };
 
-/// The joints between them.
+/// Joints between the bones.
 enum class FingerJoint { kMcp, kPip, kDip };
 
 /// A place on a bone.
@@ -29,10 +29,10 @@ struct NetPlace {
   double height = 0;  // from the bone's line, in the reference finger [m]
 };
 
-/// A point of a path of the subject.
+/// A point of a strand of the subject.
 struct StrandPoint {
-  std::vector<std::string> strands;  // names that it may have; empty: no such point
-  int point = 0;                     // from the insertion; negative: from the origin, -1 the last
+  std::vector<std::string> strands;  // possible names of the strand; empty: no such point
+  int point = 0;                     // counted from the insertion; negative: from the origin
 };
 
 /// A surface on which nodes may rest and over which bands may bend.
@@ -45,12 +45,12 @@ struct NetSurface {
   double half_length = 0;  // of the axis, reference finger [m]
 };
 
-/// A knot of the net.
+/// A node of the net.
 struct NetNodePlan {
   std::string name;
   bool floating = true;
-  NetPlace place;                     // where it is, or where a floating node starts
-  StrandPoint strand;                 // instead of `place`, in subjects that have it
+  NetPlace place;                     // its place, or the start of a floating node
+  StrandPoint strand;                 // replaces `place` in subjects that have it
   std::vector<std::string> surfaces;  // on which a floating node may rest
 };
 
@@ -58,54 +58,54 @@ struct NetNodePlan {
 struct NetBandPlan {
   std::string name;
   std::string from, to;      // nodes
-  double slack = 0;          // in the reference finger [m]; 0: fitted to the straight finger
+  double slack = 0;          // length in the reference finger [m]; 0: fitted to the straight finger
   std::string strains_like;  // band whose strain it is fitted to have in the straight finger
   double EA = 0;             // tension per strain [N]
   double toe = 0;            // strain up to which fibres are recruited [1]
-  std::string over;          // surface that it bends over; empty: straight
-  double side = 0;           // from that surface's centre towards the band, about the bone, as
+  std::string over;          // surface over which it bends; empty: straight
+  double side = 0;           // direction from that surface's centre to the band, about the bone, as
                              // NetPlace::angle [rad]
 };
 
-/// One place where a muscle pulls on the net.
+/// One node at which a muscle pulls on the net.
 struct NetPullPlan {
   std::string node;
   double share = 1;      // of the muscle's tension [1]
-  bool relayed = false;  // what other pulls have given to the net already, handed on over a bone:
+  bool relayed = false;  // hands on, over a bone, what other pulls have given to the net already:
                          // it does not count as a share
-  StrandPoint exit;      // where it leaves the net, in subjects that have it; else there:
-  std::optional<NetPlace> exit_place;  // absent: where the muscle's own path is left
-  std::string over;                    // surface that it bends over; empty: straight
+  StrandPoint exit;      // where its run leaves the net, in subjects that have it; otherwise:
+  std::optional<NetPlace> exit_place;  // absent: at the exit of the muscle's own path
+  std::string over;                    // surface over which it bends; empty: straight
   double EA = 0;                       // of the run inside the net, for muscles given by length [N]
 };
 
-/// What pulls the net. Shares that do not add up to one leave the rest to the bone, along the whole
-/// path of the muscle.
+/// A muscle that pulls on the net. If its shares do not add up to one, the rest pulls on the bone,
+/// along the whole path of the muscle.
 struct NetMusclePlan {
   std::string role;                       // "EDC"
-  std::vector<std::string> names;         // of the subject's muscles that have this role
-  BoneRole exit = BoneRole::kMetacarpal;  // its own path is left at its last point up to this bone
-  bool optional = false;                  // a finger without it still has the net
-  bool hood_share = false;  // the subject's own fraction into the hood, if it has a rule, goes
-                            // before the shares here
+  std::vector<std::string> names;         // muscles of the subject that may have this role
+  BoneRole exit = BoneRole::kMetacarpal;  // its own path ends at its last point up to this bone
+  bool optional = false;                  // a finger without this muscle still has the net
+  bool hood_share = false;  // the subject's own fraction into the hood, if it has a rule, replaces
+                            // the shares given here
   std::vector<NetPullPlan> pulls;
 };
 
-/// Bands whose tensions make up the slips of the hood.
+/// Bands whose tensions add up to those of the slips of the hood.
 struct NetSlips {
   std::vector<std::string> central, radial, ulnar, terminal;
 };
 
+/// An extensor mechanism, on the reference finger.
 struct NetDescription {
   std::string name;
   std::string description;
   std::string source;                      // citation keys, "A, B"
   std::map<BoneRole, double> bone_length;  // of the reference finger [m]
   std::map<FingerJoint, double> height;    // of its extensor over the joints' axes [m]
-  std::map<FingerJoint, std::vector<std::string>>
-      height_strands;   // whose arm in the straight
-                        // finger is that height in a subject; the strand of the
-                        // first muscle if the subject has none of them
+  /// Strands whose moment arm in the straight finger is that height in a subject; if the subject
+  /// has none of them, the strand of the first muscle.
+  std::map<FingerJoint, std::vector<std::string>> height_strands;
   double friction = 0;  // of nodes on bone, at most 1 [1]
   std::vector<NetSurface> surfaces;
   std::vector<NetNodePlan> nodes;

@@ -37,13 +37,13 @@ void write_attribute(hid_t object, const char* name, const std::string& text) {
   require(H5Awrite(attribute, type, &chars) >= 0, "HDF5 could not write attribute {}", name);
 }
 
-/// Takes one variable-length text out of an attribute or array, and gives its memory back. Many
-/// may point to the same bytes of the file: together they may not be longer than it.
+/// Reads variable-length texts of attributes and arrays, and frees HDF5's copies. Many texts may
+/// point to the same bytes of a file, but together they may not be longer than the file.
 class TextReader {
  public:
   explicit TextReader(std::size_t most) : left_(most) {}
 
-  /// @param read  puts a pointer to a new text into its argument; false: it could not
+  /// @param read  stores a pointer to a new text in its argument; false: it failed
   template <typename Read>
   std::string one(const std::string& what, const Read& read) {
     char* chars = nullptr;
@@ -59,7 +59,7 @@ class TextReader {
   std::size_t left_;  // [bytes]
 };
 
-/// A text of variable length is a pointer in memory, one for each entry.
+/// Whether a type is a text of variable length, which is one pointer for each entry.
 bool is_text(hid_t type) {
   return H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) > 0;
 }
@@ -70,23 +70,25 @@ std::string read_attribute(hid_t object, const char* name, TextReader& texts) {
   const Hdf5Object attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose, "open " + what);
   const Hdf5Object space(H5Aget_space(attribute), H5Sclose, "read the shape of " + what);
   const Hdf5Object stored(H5Aget_type(attribute), H5Tclose, "read the type of " + what);
+  // One text; anything else could take more memory than the file has.
   require(is_text(stored) && H5Sget_simple_extent_npoints(space) == 1,
           "wanted {} as one text of variable length, got something else", what);
   const Hdf5Object type = string_type();
   return texts.one(what, [&](void* to) { return H5Aread(attribute, type, to) >= 0; });
 }
 
-/// Group part of a key, "" for the root.
+/// Group of a key with a trailing slash; "" for the root.
 std::string group_of(const std::string& key) {
   const auto slash = key.rfind('/');
   return slash == std::string::npos ? "" : key.substr(0, slash + 1);
 }
 
-/// A dimension scale for one labelled length in one group, written once.
+/// Attaches a dimension scale for one labelled length in one group, written once.
 void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std::string& label,
                   unsigned axis, hsize_t length) {
   const std::string name = group + label;
   if (H5LTpath_valid(file, name.c_str(), 1) <= 0) {
+    // The first array with this label writes the scale 0, 1, ..
     std::vector<double> index(length);
     std::iota(index.begin(), index.end(), 0.0);
     const Hdf5Object space(H5Screate_simple(1, &length, nullptr), H5Sclose, "make a space");
@@ -103,6 +105,7 @@ void attach_scale(hid_t file, hid_t dataset, const std::string& group, const std
 }
 
 void write_array(hid_t file, const std::string& key, const ResultArray& array) {
+  // Shape; groups on the way are made.
   const std::vector<hsize_t> shape(array.shape.begin(), array.shape.end());
   const Hdf5Object space(
       shape.empty() ? H5Screate(H5S_SCALAR)
@@ -112,6 +115,7 @@ void write_array(hid_t file, const std::string& key, const ResultArray& array) {
   const Hdf5Object dataset(
       H5Dcreate2(file, key.c_str(), H5T_NATIVE_DOUBLE, space, links, H5P_DEFAULT, H5P_DEFAULT),
       H5Dclose, "add " + key);
+  // Values, unit and labels.
   require(
       H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, array.values.data()) >= 0,
       "HDF5 could not write {}", key);
@@ -121,6 +125,7 @@ void write_array(hid_t file, const std::string& key, const ResultArray& array) {
 }
 
 void write_texts(hid_t file, const std::string& key, const std::vector<std::string>& texts) {
+  // HDF5 wants pointers to the texts.
   std::vector<const char*> chars(texts.size());
   std::transform(texts.begin(), texts.end(), chars.begin(),
                  [](const std::string& text) { return text.c_str(); });
@@ -135,7 +140,7 @@ void write_texts(hid_t file, const std::string& key, const std::vector<std::stri
           "HDF5 could not write {}", key);
 }
 
-/// A list of texts, one after the other, so that none is read beyond what the file can hold.
+/// Reads a list of texts one by one, so that their total length is limited by the file.
 std::vector<std::string> read_texts(hid_t dataset, hid_t space, const std::string& key,
                                     TextReader& reader) {
   const auto count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space));
@@ -153,14 +158,16 @@ std::vector<std::string> read_texts(hid_t dataset, hid_t space, const std::strin
   return texts;
 }
 
-/// @throws InputError for anything but numbers or a list of texts.
+/// Reads numbers or a list of texts. @throws InputError for anything else.
 void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultFile& out) {
+  // Dimension scales are labels, not results.
   const Hdf5Object dataset(H5Dopen2(file, key.c_str(), H5P_DEFAULT), H5Dclose, "open " + key);
   if (H5DSis_scale(dataset) > 0) return;
   const Hdf5Object space(H5Dget_space(dataset), H5Sclose, "read the shape of " + key);
   const Hdf5Object type(H5Dget_type(dataset), H5Tclose, "read the type of " + key);
   const int rank = H5Sget_simple_extent_ndims(space);
   require(rank >= 0 && rank <= 3, "'{}' has {} dimensions, wanted at most 3", key, rank);
+  // Texts, or numbers of 64 bits.
   if (is_text(type)) {
     require(rank <= 1, "the texts '{}' have {} dimensions, wanted a list", key, rank);
     out.texts[key] = read_texts(dataset, space, key, texts);
@@ -169,7 +176,7 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
   require(H5Tget_class(type) == H5T_FLOAT && H5Tget_size(type) == sizeof(double),
           "wanted '{}' as numbers of 64 bits or as texts, got something else", key);
   require(H5Sget_simple_extent_type(space) != H5S_NULL, "'{}' holds nothing", key);
-  // The guard held the shape against the file's size; what was never written has no size there.
+  // The guard compared the shape with the file's size; what was never written has no size there.
   std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
   H5Sget_simple_extent_dims(space, shape.data(), nullptr);
   const auto size = static_cast<std::size_t>(H5Sget_simple_extent_npoints(space));
@@ -184,7 +191,7 @@ void read_dataset(hid_t file, const std::string& key, TextReader& texts, ResultF
   out.arrays[key] = std::move(array);
 }
 
-/// A file that lives in memory only. HDF5 cannot recover from a full disk: it crashes at exit.
+/// A file in memory. HDF5 cannot recover from a full disk: it crashes at exit.
 Hdf5Object memory_file(const std::string& path) {
   constexpr std::size_t kIncrement = 1 << 16;  // memory is taken in such pieces [bytes]
   const Hdf5Object options(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file options");
@@ -193,7 +200,7 @@ Hdf5Object memory_file(const std::string& path) {
           "make '" + path + "'"};
 }
 
-/// The bytes that the file would have on disk.
+/// The bytes of the file as they would stand on disk.
 std::string image(hid_t file) {
   require(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "HDF5 could not complete a file");
   const auto size = H5Fget_file_image(file, nullptr, 0);
@@ -204,15 +211,16 @@ std::string image(hid_t file) {
   return bytes;
 }
 
-/// The library neither copies the bytes of a file in memory, nor frees them.
+/// The library neither copies nor frees the bytes of a file in memory.
 constexpr unsigned kImageIsOurs = H5LT_FILE_IMAGE_DONT_COPY | H5LT_FILE_IMAGE_DONT_RELEASE;
 
-/// The library prints its own stack of errors unless told not to.
+/// Stops the library from printing its own stack of errors.
 void be_quiet() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
 
-/// @param bytes  of a file; HDF5 wants to be able to change them, and does not
+/// @param bytes  of a file; HDF5 asks for mutable bytes, and does not change them
 ResultFile read_image(std::string& bytes, Checksum checksum, const std::string& path) {
   const std::vector<std::string> keys = guard_hdf5(bytes, path);
+  // Only our own files are read.
   try {
     const Hdf5Object h5(H5LTopen_file_image(bytes.data(), bytes.size(), kImageIsOurs), H5Fclose,
                         "open it");
@@ -235,6 +243,7 @@ void ResultFile::add(const std::string& key, const Eigen::Ref<const Eigen::Matri
           "array '{}' has {} labels for a {} x {} matrix", key, labels.size(), matrix.rows(),
           matrix.cols());
   ResultArray array{{}, {static_cast<std::size_t>(matrix.rows())}, unit, labels};
+  // Row by row, as files have it.
   if (labels.size() == 2) array.shape.push_back(static_cast<std::size_t>(matrix.cols()));
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     for (Eigen::Index j = 0; j < matrix.cols(); ++j) array.values.push_back(matrix(i, j));
@@ -281,6 +290,7 @@ const std::string& ResultFile::text(const std::string& key) const {
 }
 
 void write_result(const ResultFile& file, const std::string& path) {
+  // Into memory first, then to disk in one go.
   be_quiet();
   require_writable(path);
   const Hdf5Object h5 = memory_file(path);
@@ -295,6 +305,7 @@ ResultFile read_result(const std::string& path) {
   if (!has_hdf5_start(path))
     throw DataError(path, 1, "wanted a result file (HDF5) of thenar, got none or another format");
   std::string bytes = read_guarded(path, GuardedKind::kResult);
+  // Verify the checksum, try in a copy of the process, then read.
   const Checksum checksum = take_checksum(bytes, path);
   try_in_fork(path, seconds_to_read(bytes.size()),
               [&] { (void)read_image(bytes, checksum, path); });

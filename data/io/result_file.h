@@ -1,7 +1,7 @@
 #pragma once
 
-/// Results as HDF5: named arrays with units and labelled dimensions, texts, groups by "a/b".
-/// The one fence of the HDF5 library.
+/// Result files (HDF5): named arrays with units and labelled dimensions, texts, groups by "a/b".
+/// The only fence of the HDF5 library.
 
 #include <map>
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace thenar {
 
-/// An array as it stands in a file, row-major.
+/// An array of a file, row-major.
 struct ResultArray {
   std::vector<double> values;       // row-major (product of shape)
   std::vector<std::size_t> shape;   // at most 3 dimensions
@@ -19,30 +19,32 @@ struct ResultArray {
   std::vector<std::string> labels;  // name of each dimension: {"trial", "component"}
 };
 
-/// Everything of one result file, in memory. Keys are paths: "fit/z".
+/// Content of one result file. Keys are paths: "fit/z".
 struct ResultFile {
   std::map<std::string, ResultArray> arrays;
-  std::map<std::string, std::vector<std::string>> texts;  // lists of strings; one entry: a scalar
+  std::map<std::string, std::vector<std::string>> texts;  // lists of texts; one entry: a scalar
 
+  /// Adds an array, a number, a text or a list of texts. @param labels  name of each dimension
   void add(const std::string& key, const Eigen::Ref<const Eigen::MatrixXd>& matrix,
            const std::string& unit, const std::vector<std::string>& labels);
   void add(const std::string& key, double value, const std::string& unit);
   void add(const std::string& key, const std::string& text);
   void add(const std::string& key, std::vector<std::string> texts);
 
-  /// @throws InputError naming the key, if it is absent or of another shape.
+  /// Values by key. @throws InputError naming the key if it is absent or has another shape.
   [[nodiscard]] Eigen::MatrixXd matrix(const std::string& key) const;
   [[nodiscard]] double number(const std::string& key) const;
   [[nodiscard]] const std::string& text(const std::string& key) const;
   [[nodiscard]] const std::vector<std::string>& list(const std::string& key) const;
 };
 
-/// Writes to `path + ".tmp"` and renames when complete, so that nothing half-written is left.
-/// Dimensions become HDF5 dimension scales, as xarray wants them; a checksum stands at the end.
+/// Writes to `path + ".tmp"` and renames it when it is complete, so that no half-written file is
+/// left. Dimensions become HDF5 dimension scales, as xarray expects; the file ends with a checksum.
 /// @throws InputError if the file cannot be written.
 void write_result(const ResultFile& file, const std::string& path);
 
-/// @throws DataError if it is not there, not ours, damaged, or promises more than it has.
+/// Reads a file. @throws DataError if it is missing, not ours, damaged, or promises more than it
+/// has.
 [[nodiscard]] ResultFile read_result(const std::string& path);
 
 }  // namespace thenar

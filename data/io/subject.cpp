@@ -9,7 +9,7 @@ namespace {
 
 using internal::SubjectDraft;
 
-/// Specimens that the numbers were fitted to, each experiment once.
+/// Reads the experiments to which the numbers were fitted, each once.
 void read_calibration(TomlTable& top, Subject& subject) {
   for (TomlTable& row : top.tables("calibrated_on")) {
     CalibratedOn seen{row.text("experiment"), row.text("specimen")};
@@ -36,7 +36,7 @@ void read_header(TomlTable& top, SubjectDraft& draft) {
   read_calibration(top, subject);
 }
 
-/// Every segment but the base hangs on a joint.
+/// Refuses segments that neither are the base nor hang on a joint.
 void check_segments_move(const TomlTable& top, const Subject& subject) {
   for (const Segment& segment : subject.segments) {
     bool moved = segment.name == subject.base;
@@ -59,6 +59,7 @@ Subject parse_subject(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
   SubjectDraft draft;
+  // In this order each part refers to earlier ones only.
   read_header(top, draft);
   internal::read_segments(top, draft);
   internal::read_joints(top, draft);
@@ -70,6 +71,7 @@ Subject parse_subject(const std::string& text, const std::string& path) {
   internal::read_digits(top, draft);
   internal::read_tip_maps(top, draft);
   top.done();
+  // Checks of the whole.
   check_segments_move(top, draft.subject);
   return draft.subject;
 }

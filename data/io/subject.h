@@ -1,10 +1,10 @@
 #pragma once
 
-/// A hand (or one digit of it) described once, as plain data.
+/// Subjects: a hand, or one digit, as plain data.
 ///
-/// Everything is stated in one reference posture, in one right-handed frame of the
-/// subject, in SI: a joint is an axis (point and direction) fixed in its parent
-/// segment, and at the reference posture every joint angle is zero.
+/// Everything is stated in one reference posture, in one right-handed frame of the subject, in SI.
+/// A joint is an axis (point and direction) fixed in its parent segment; at the reference posture
+/// every joint angle is zero.
 
 #include <map>
 #include <optional>
@@ -35,7 +35,7 @@ struct Coupling {
   double offset = 0;   // [rad]
 };
 
-/// One hinge: a general (skewed) axis. A universal joint is two of these in a row.
+/// A hinge about a general (skewed) axis. A universal joint is two hinges in a row.
 struct JointAxis {
   std::string name;                    // ISB style: "MCP3_FE", "PIP3", "CMC1_AA"
   std::string parent;                  // segment that carries the axis
@@ -55,7 +55,7 @@ struct JointAxis {
 /// Shapes of wrapping surfaces.
 enum class SurfaceShape { kCylinder, kSphere, kEllipsoid, kCapsule, kTorus };
 
-/// A surface of a bone, or of a pulley, over which tendons slide. In its own frame:
+/// A surface of a bone or a pulley, over which tendons slide. In its own frame:
 ///   cylinder   radius size[0] about z, endless; size[1] half length, for drawing only
 ///   sphere     radius size[0]
 ///   ellipsoid  semi-axes size[0..2] along x, y, z
@@ -63,20 +63,20 @@ enum class SurfaceShape { kCylinder, kSphere, kEllipsoid, kCapsule, kTorus };
 ///   torus      tube of radius size[0] about the ring of radius size[1] in the plane z = 0
 struct Surface {
   std::string name;
-  std::string segment;  // that carries it
+  std::string segment;  // segment that carries it
   SurfaceShape shape = SurfaceShape::kSphere;
   Eigen::Vector3d size{0, 0, 0};                       // [m] (3)
   Eigen::Vector3d center{0, 0, 0};                     // reference posture [m] (3)
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // columns x, y, z of its frame (3, 3)
 };
 
-/// A point that a tendon runs through, fixed in a segment, or a surface that it bends over.
+/// A point of a tendon's path, fixed in a segment, or a surface over which the path bends.
 struct PathPoint {
   std::string segment;         // segment that carries the point
   Eigen::Vector3d p{0, 0, 0};  // at the reference posture [m] (3)
   double sd = 0;               // of each coordinate [m]; 0 if unknown
-  std::string surface;         // not empty: bends over it where it must, on the side where p is
-  std::string rides_on;        // not empty: grows from this strand and moves with it (lumbricals)
+  std::string surface;         // not empty: bends over it where necessary, on the side where p is
+  std::string rides_on;  // not empty: originates from this strand and moves with it (lumbricals)
 };
 
 /// A run of tendon under one tension.
@@ -86,10 +86,10 @@ struct Strand {
   std::map<std::string, double> arms;  // joint -> constant moment arm, flexion + [m]
 };
 
-/// A muscle, as a bounded pull on one strand.
+/// A muscle: a bounded pull on one strand.
 struct MuscleUnit {
   std::string name;                 // "EDC"
-  std::string strand;               // the strand that it pulls whole: "LE"
+  std::string strand;               // strand on which it pulls with its whole force: "LE"
   std::optional<double> max_force;  // F0 [N]; absent if unknown, 0 for a muscle that cannot pull
   double pcsa = 0;                  // physiological cross-section [m^2]; 0 if unknown
   double fibre_length = 0;          // optimal [m]; 0 if unknown
@@ -97,11 +97,11 @@ struct MuscleUnit {
   double pennation = 0;             // [rad]
 };
 
-/// Which lateral band of the hood a muscle feeds.
+/// Lateral band of the hood that a muscle feeds.
 enum class HoodSide { kRadial, kUlnar, kBoth };
 
-/// What a muscle gives to the extensor hood: of tension t, `into_hood * t` enters it,
-/// `to_central` of that goes to the central slip and the rest to the lateral band(s).
+/// Share of a muscle in the extensor hood: of its tension t, `into_hood * t` enters the hood,
+/// `to_central` of this goes to the central slip and the rest to the lateral band(s).
 struct HoodBranch {
   std::string muscle;
   HoodSide side = HoodSide::kBoth;
@@ -109,8 +109,8 @@ struct HoodBranch {
   double to_central = 0.5;  // [1], in 0..1
 };
 
-/// The fixed-fraction rule of the extensor mechanism of one digit.
-/// The terminal slip carries the sum of both lateral bands.
+/// Fixed-fraction rule of the extensor mechanism of one digit. The terminal slip carries the sum of
+/// both lateral bands.
 struct HoodRule {
   std::string central_slip;  // strand names
   std::string radial_band;
@@ -119,11 +119,11 @@ struct HoodRule {
   std::vector<HoodBranch> branches;
 };
 
-/// A digit: its tip, its own directions, its tendons' hood.
+/// A digit: its tip, its own directions, and its hood.
 struct Digit {
   std::string name;                   // thumb|index|middle|ring|little
-  std::string tip_segment;            // "DP3"
-  Eigen::Vector3d tip{0, 0, 0};       // where fingertip forces act [m] (3)
+  std::string tip_segment;            // segment of the fingertip: "DP3"
+  Eigen::Vector3d tip{0, 0, 0};       // point at which fingertip forces act [m] (3)
   Eigen::Vector3d proximal{0, 1, 0};  // unit, fixed in the tip segment (3)
   Eigen::Vector3d dorsal{0, 0, 1};    // unit, fixed in the tip segment (3)
   Eigen::Vector3d radial{1, 0, 0};    // unit, fixed in the tip segment (3)
@@ -132,31 +132,31 @@ struct Digit {
 
 /// A published map from tendon tensions to tip force and torque, at one posture.
 struct TipMap {
-  std::string name;  // which of the subject's maps
+  std::string name;  // of this map
   std::string digit;
   std::vector<std::string> rows;     // "Fx", "Fy", "Fz" [N], "tx".. [N m]
   std::vector<std::string> muscles;  // columns
-  Eigen::MatrixXd A;                 // tip wrench per unit tension (rows, muscles)
+  Eigen::MatrixXd A;                 // tip wrench per unit tension (rows, muscles) [1], [m]
 };
 
-/// A specimen whose measured forces a subject's numbers were fitted to.
+/// An experiment to whose forces a subject's numbers were fitted.
 struct CalibratedOn {
-  std::string experiment;  // its name: "synek2019_H01"
-  std::string specimen;    // that it was done on: "H01"
+  std::string experiment;  // "synek2019_H01"
+  std::string specimen;    // "H01"
 };
 
-/// Was one of them this experiment, or another one on its specimen? Whoever predicts such forces
-/// has seen the specimen before.
+/// Whether one of `seen` is this experiment, or another one on the same specimen. Predictions of
+/// its forces are then not independent of the data.
 [[nodiscard]] bool has_seen(const std::vector<CalibratedOn>& seen, const std::string& experiment,
                             const std::string& specimen);
 
-/// The whole description; joints stand in order from the wrist to the tips.
+/// A whole subject; joints are in order from the wrist to the tips.
 struct Subject {
   std::string name;
   std::string description;
   std::string side;             // "right" or "left"
   std::string base;             // segment that does not move
-  double reference_length = 0;  // that path points were normalised by [m]; 0 if none
+  double reference_length = 0;  // by which path points were normalised [m]; 0: none
   std::vector<Segment> segments;
   std::vector<JointAxis> joints;
   std::vector<Surface> surfaces;
@@ -165,7 +165,7 @@ struct Subject {
   std::vector<Digit> digits;
   std::vector<TipMap> tip_maps;
   std::map<std::string, double> lengths;    // hand length, breadth... [m]
-  std::vector<CalibratedOn> calibrated_on;  // empty: its numbers come from no measured force
+  std::vector<CalibratedOn> calibrated_on;  // empty: no number was fitted to measured forces
 };
 
 /// Reads a subject from TOML; the format is in docs/data_format.md.

@@ -22,7 +22,7 @@ Matrix3d symmetric(const std::vector<double>& I) {
   return result;
 }
 
-/// `inertia = [xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`.
+/// Reads `inertia = [xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`.
 Matrix3d read_tensor(TomlTable& table) {
   std::vector<double> I = table.numbers(Dimension::kInertia, "inertia");
   if (I.size() == 3) I.resize(6, 0.0);
@@ -32,7 +32,8 @@ Matrix3d read_tensor(TomlTable& table) {
   return symmetric(I);
 }
 
-/// A slender body: one moment about the line from proximal to distal, one across it.
+/// Reads the inertia of a slender body: one moment about the line from proximal to distal, one
+/// across.
 Matrix3d read_slender(TomlTable& table, const Segment& segment) {
   const double axial = table.number(Dimension::kInertia, "inertia_axial", Range::kNotNegative);
   const double across =
@@ -43,7 +44,7 @@ Matrix3d read_slender(TomlTable& table, const Segment& segment) {
   return across * Matrix3d::Identity() + (axial - across) * u * u.transpose();
 }
 
-/// Real masses have principal moments of which no one exceeds the sum of the others.
+/// Refuses principal moments of which one exceeds the sum of the others: no body has these.
 void check_inertia(const TomlTable& table, const Matrix3d& inertia) {
   const Vector3d I = Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvalues();
   if (I(0) < 0 || I(2) > (I(0) + I(1)) * (1 + 1e-9))
@@ -71,11 +72,13 @@ void read_aliases(TomlTable& table, const std::string& name, SubjectDraft& draft
 
 Segment read_segment(TomlTable& table, SubjectDraft& draft) {
   Segment segment;
+  // Names, then ends and skin.
   segment.name = new_name(table, names_of(draft.subject.segments));
   read_aliases(table, segment.name, draft);
   segment.proximal = table.vector_or(Dimension::kLength, "proximal", Vector3d::Zero());
   segment.distal = table.vector_or(Dimension::kLength, "distal", segment.proximal);
   segment.radius = table.number_or(Dimension::kLength, "radius", 0, Range::kNotNegative);
+  // Mass, at the middle of the bone unless stated.
   segment.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
   segment.com = table.vector_or(Dimension::kLength, "com", (segment.proximal + segment.distal) / 2);
   segment.inertia = read_inertia(table, segment);
@@ -91,10 +94,12 @@ void read_segments(TomlTable& top, SubjectDraft& draft) {
   for (TomlTable& table : top.tables("segment"))
     draft.subject.segments.push_back(read_segment(table, draft));
   const std::vector<std::string> names = names_of(draft.subject.segments);
+  // An alias must not hide a segment.
   for (const auto& [alias, name] : draft.aliases)
     if (std::find(names.begin(), names.end(), alias) != names.end())
       top.fail(fmt::format("'{}' is both a segment and an alias of '{}'", alias, name));
   if (names.empty()) return;
+  // The base is one of the segments.
   if (draft.subject.base.empty()) top.fail("the top level needs 'base' (a segment)");
   check_reference(top, "base", "segment", draft.subject.base, names);
 }
@@ -110,7 +115,7 @@ Coupling read_coupling(TomlTable& table, const SubjectDraft& draft) {
   return coupling;
 }
 
-/// How far a joint goes, and what it resists with.
+/// Reads the range of a joint and its passive resistance.
 void read_resistance(TomlTable& table, JointAxis& joint) {
   read_range(table, joint);
   joint.rest = table.number_or(Dimension::kAngle, "rest", 0);
@@ -153,6 +158,7 @@ void read_range(TomlTable& table, JointAxis& joint) {
 
 void add_joint(TomlTable& table, const JointAxis& joint, SubjectDraft& draft) {
   const Subject& subject = draft.subject;
+  // The parent must be the base or moved by an earlier joint, the child moved by no other.
   bool carried = joint.parent == subject.base;
   for (const JointAxis& before : subject.joints) {
     carried = carried || before.child == joint.parent;
@@ -175,7 +181,6 @@ void read_joints(TomlTable& top, SubjectDraft& draft) {
   for (TomlTable& table : top.tables("joint")) add_joint(table, read_joint(table, draft), draft);
 }
 
-// [[dh_chain]]: a digit's joints as published in a Denavit-Hartenberg table.
 namespace {
 
 Pose<double> read_base(TomlTable& table) {
@@ -195,10 +200,11 @@ DhRow read_row(TomlTable& table) {
           table.number_or(Dimension::kAngle, "alpha", 0)};
 }
 
-/// The joint about z of frame X.
+/// Joint about z of frame X.
 JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<double>& X,
                      const SubjectDraft& draft) {
   JointAxis joint;
+  // Names are unique.
   joint.name = table.text("joint");
   for (const JointAxis& other : draft.subject.joints)
     if (other.name == joint.name)
@@ -206,6 +212,7 @@ JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<dou
   joint.parent = parent;
   joint.child = segment_reference(table, "child", draft);
   read_range(table, joint);
+  // A negative sign reverses the axis, and with it the range.
   const double sign = table.sign("sign");
   joint.point = X.p;
   joint.direction = sign * X.R.col(2);
@@ -213,10 +220,12 @@ JointAxis read_joint(TomlTable& table, const std::string& parent, const Pose<dou
   return joint;
 }
 
+/// Reads one [[dh_chain]]: a digit's joints as published in a Denavit-Hartenberg table.
 void read_chain(TomlTable& table, SubjectDraft& draft) {
   const std::string digit = table.text("digit");
   std::string parent = segment_reference(table, "parent", draft);
   Pose<double> X = read_base(table);
+  // Each row adds a joint about z of the frame before it.
   for (TomlTable& row : table.tables("rows")) {
     const JointAxis joint = read_joint(row, parent, X, draft);
     X = X * dh_motion(read_row(row));
@@ -224,6 +233,7 @@ void read_chain(TomlTable& table, SubjectDraft& draft) {
     add_joint(row, joint, draft);
     parent = joint.child;
   }
+  // The chain ends at the tip of the digit.
   draft.chain_ends[digit] = X.p;
   table.done();
 }

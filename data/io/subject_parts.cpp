@@ -42,7 +42,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Directions that are published rounded may be off square by this much.
+/// Largest error of published, rounded directions that should be perpendicular.
 constexpr double kSquare = 0.05;  // [rad]
 
 HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
@@ -58,10 +58,11 @@ HoodBranch read_branch(TomlTable& table, const SubjectDraft& draft) {
   return branch;
 }
 
-/// Proximal is kept, dorsal is made square to it, radial completes them on the given side.
+/// Reads a digit's directions: proximal is kept, dorsal made perpendicular, radial follows by side.
 void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
   digit.proximal = table.direction("proximal");
   const Vector3d dorsal = table.direction("dorsal");
+  // Rounded directions are accepted, skew ones are not.
   if (std::abs(digit.proximal.dot(dorsal)) > kSquare)
     table.fail(fmt::format("'dorsal' of digit '{}' is not perpendicular to 'proximal': their "
                            "cosine is {:.3g}",
@@ -70,6 +71,7 @@ void read_directions(TomlTable& table, const std::string& side, Digit& digit) {
   digit.dorsal = (dorsal - digit.proximal * digit.proximal.dot(dorsal)).normalized();
   digit.radial = digit.proximal.cross(digit.dorsal) * (side == "right" ? 1 : -1);
   if (!table.has("radial")) return;
+  // A stated radial direction must agree.
   const Vector3d radial = table.direction("radial");
   if (radial.cross(digit.radial).norm() > kSquare || radial.dot(digit.radial) < 0)
     table.fail(fmt::format("'radial' of digit '{}' does not complete 'proximal' and 'dorsal' of a "
@@ -125,6 +127,7 @@ void read_rows(TomlTable& table, TipMap& map) {
   const std::vector<NamedNumbers> lists = table.lists("rows");
   const auto columns = static_cast<Eigen::Index>(map.muscles.size());
   map.A.resize(static_cast<Eigen::Index>(lists.size()), columns);
+  // One row of the matrix for each named component.
   for (const NamedNumbers& list : lists) {
     check_reference(table, "rows", "wrench component", list.name, kRows);
     if (list.values.size() != map.muscles.size())

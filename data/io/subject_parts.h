@@ -1,7 +1,7 @@
 #pragma once
 
-/// The parts of a subject file, in the order in which they are read: every reference is
-/// checked where it stands, against what has been read before.
+/// Parts of a subject file, in the order in which they are read. Every reference is checked where
+/// it stands, against the parts read before.
 
 #include <map>
 #include <string>
@@ -14,23 +14,24 @@
 
 namespace thenar::internal {
 
-/// A frame in which a publication gives path points:  p = origin + axes' * c.
+/// Frame in which a publication gives path points:  p = origin + axes' * c.
 struct PointFrame {
-  std::string segment;                                 // segment that carries it
+  std::string segment;                                 // segment that carries the frame
   Eigen::Vector3d origin{0, 0, 0};                     // [m] (3)
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // rows: its axes in the subject (3, 3)
-  double unit = 0;                                     // what ratios are multiples of [m]; 0: none
+  double unit = 0;  // length of which ratios are multiples [m]; 0: none
 };
 
-/// A subject while it is being read.
+/// A subject that is being read.
 struct SubjectDraft {
   Subject subject;
-  double specific_tension = 0;                 // of all muscles that state none [Pa]
+  double specific_tension = 0;                 // of muscles without their own [Pa]
   std::map<std::string, std::string> aliases;  // other name of a segment -> its name
   std::map<std::string, PointFrame> frames;
   std::map<std::string, Eigen::Vector3d> chain_ends;  // digit -> end of its DH chain [m] (3)
 };
 
+/// Readers of the parts: segments, joints, frames, surfaces, strands, muscles, digits and tip maps.
 void read_segments(TomlTable& top, SubjectDraft& draft);
 void read_joints(TomlTable& top, SubjectDraft& draft);
 void read_dh_chains(TomlTable& top, SubjectDraft& draft);
@@ -50,10 +51,10 @@ void read_range(TomlTable& table, JointAxis& joint);
 /// Reads a hood under a digit.
 [[nodiscard]] HoodRule read_hood(TomlTable& table, const SubjectDraft& draft);
 
-/// Reads one element of a path: a point, or a surface that the strand bends over.
+/// Reads one element of a path: a point, or a surface over which the strand bends.
 [[nodiscard]] PathPoint read_path_element(TomlTable& table, const SubjectDraft& draft);
 
-/// Refuses what no strand can do: surfaces at its ends, or an origin that rides on a strand far off.
+/// Refuses impossible paths: surfaces at the ends, or an origin that rides on a strand far away.
 void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft& draft);
 
 /// Names of all parts of a kind.
@@ -65,18 +66,18 @@ template <typename Part>
   return names;
 }
 
-/// The table's `name`, which no earlier part of its kind may have.
+/// Reads the table's `name`, which no earlier part of its kind may have.
 [[nodiscard]] std::string new_name(TomlTable& table, const std::vector<std::string>& taken);
 
-/// Refuses a name that is not among `names`; `what` is "segment", `key` where it stands.
+/// Refuses a name that is not in `names`; `what` is "segment", `key` the place of the name.
 void check_reference(const TomlTable& table, const std::string& key, const std::string& what,
                      const std::string& name, const std::vector<std::string>& names);
 
-/// The value of `key`, which must be among `names`.
+/// Reads the value of `key`, which must be in `names`.
 [[nodiscard]] std::string reference(TomlTable& table, const std::string& key,
                                     const std::string& what, const std::vector<std::string>& names);
 
-/// The value of `key`, a segment or an alias of one.
+/// Reads the value of `key`, a segment or an alias of one.
 [[nodiscard]] std::string segment_reference(TomlTable& table, const std::string& key,
                                             const SubjectDraft& draft);
 

@@ -17,6 +17,7 @@ PointFrame read_frame(TomlTable& table, const SubjectDraft& draft) {
   frame.origin = table.vector(Dimension::kLength, "origin");
   frame.unit =
       table.number_or(Dimension::kLength, "unit", draft.subject.reference_length, Range::kPositive);
+  // Rows of an orthonormal frame.
   if (table.has("axes")) frame.axes = table.rows3("axes");
   const Eigen::Matrix3d gram = frame.axes * frame.axes.transpose();
   if ((gram - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() > 1e-6)
@@ -28,9 +29,11 @@ PointFrame read_frame(TomlTable& table, const SubjectDraft& draft) {
 Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
   Strand strand;
   strand.name = new_name(table, names_of(draft.subject.strands));
+  // Path from insertion to origin.
   for (TomlTable& point : table.tables("path"))
     strand.path.push_back(read_path_element(point, draft));
   check_path(table, strand, draft);
+  // Constant moment arms.
   strand.arms = table.named(Dimension::kLength, "arms");
   for (const auto& [joint, arm] : strand.arms)
     check_reference(table, "arms", "joint", joint, names_of(draft.subject.joints));
@@ -40,7 +43,7 @@ Strand read_strand(TomlTable& table, const SubjectDraft& draft) {
   return strand;
 }
 
-/// The strand a muscle pulls: the one it names, or the one of its own name.
+/// Strand that a muscle pulls: the one it names, or the one of its own name.
 std::string read_pulled(TomlTable& table, const std::string& muscle, const Subject& subject) {
   const std::vector<std::string> strands = names_of(subject.strands);
   if (table.has("strand")) return reference(table, "strand", "strand", strands);
@@ -49,7 +52,7 @@ std::string read_pulled(TomlTable& table, const std::string& muscle, const Subje
   return muscle;
 }
 
-/// F0 as stated, or as PCSA times specific tension; absent if neither is known.
+/// F0 [N] as stated, or as PCSA times specific tension; absent if neither is known.
 std::optional<double> read_max_force(TomlTable& table, double pcsa, double specific_tension) {
   const double tension =
       table.number_or(Dimension::kStress, "specific_tension", specific_tension, Range::kPositive);
@@ -62,6 +65,7 @@ MuscleUnit read_muscle(TomlTable& table, const SubjectDraft& draft) {
   MuscleUnit muscle;
   muscle.name = new_name(table, names_of(draft.subject.muscles));
   muscle.strand = read_pulled(table, muscle.name, draft.subject);
+  // Architecture, as far as it is known.
   muscle.pcsa = table.number_or(Dimension::kArea, "pcsa", 0, Range::kNotNegative);
   muscle.max_force = read_max_force(table, muscle.pcsa, draft.specific_tension);
   muscle.fibre_length = table.number_or(Dimension::kLength, "fibre_length", 0, Range::kNotNegative);
@@ -95,11 +99,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far an origin may lie from the strand that it rides on [m]: what two digitisations of one
-/// landmark differ by.
+/// Largest distance of an origin from the strand on which it rides [m]: two digitisations of one
+/// landmark differ by as much.
 constexpr double kRideReach = 1e-3;
 
-/// Coordinates of a point in a frame, from lengths or from multiples of the frame's unit [m].
+/// Coordinates of a point in a frame [m] (3), from lengths or from multiples of the frame's unit.
 Vector3d read_coordinates(TomlTable& table, const PointFrame& frame) {
   if (!table.has(Dimension::kNumber, "point_ratio"))
     return table.vector(Dimension::kLength, "point");
@@ -111,6 +115,7 @@ Vector3d read_coordinates(TomlTable& table, const PointFrame& frame) {
 
 PathPoint read_point(TomlTable& table, const SubjectDraft& draft) {
   PathPoint point;
+  // In a published frame, or directly in the subject's.
   if (table.has("frame")) {
     std::vector<std::string> names;
     for (const auto& [name, unused] : draft.frames) names.push_back(name);
@@ -122,6 +127,7 @@ PathPoint read_point(TomlTable& table, const SubjectDraft& draft) {
     point.p = table.vector(Dimension::kLength, "point");
   }
   point.sd = table.number_or(Dimension::kLength, "point_sd", 0, Range::kNotNegative);
+  // A point may ride on another strand.
   if (table.has("rides_on"))
     point.rides_on = reference(table, "rides_on", "strand", names_of(draft.subject.strands));
   return point;
@@ -148,10 +154,12 @@ bool bends(const std::vector<PathPoint>& path) {
                      [](const PathPoint& point) { return !point.surface.empty(); });
 }
 
-/// From a point to a path drawn straight through its points, at the reference posture [m].
+/// Distance from a point to the straight lines between a path's points, at the reference posture
+/// [m].
 double distance_to_path(const Vector3d& p, const std::vector<PathPoint>& path) {
   double nearest = std::numeric_limits<double>::infinity();
   const PathPoint* last = nullptr;
+  // Surfaces are passed over.
   for (const PathPoint& point : path) {
     if (!point.surface.empty()) continue;
     if (last) nearest = std::min(nearest, distance_to_run(p, last->p, point.p));
@@ -160,17 +168,20 @@ double distance_to_path(const Vector3d& p, const std::vector<PathPoint>& path) {
   return nearest;
 }
 
-/// A carrier that bends over surfaces is measured when its path is built.
+/// Refuses an origin that cannot ride on its strand. Strands that bend over surfaces are measured
+/// later.
 void check_ride(const TomlTable& table, const Strand& strand, const SubjectDraft& draft) {
   const PathPoint& origin = strand.path.back();
   for (const Strand& carrier : draft.subject.strands) {
     if (carrier.name != origin.rides_on) continue;
+    // The carrier needs a path of its own, at rest.
     if (carrier.path.empty())
       table.fail(
           fmt::format("'{}' rides on strand '{}', which has no path", strand.name, carrier.name));
     if (!carrier.path.back().rides_on.empty())
       table.fail(fmt::format("'{}' rides on strand '{}', which itself rides on '{}'", strand.name,
                              carrier.name, carrier.path.back().rides_on));
+    // The origin must lie on it.
     const double off = distance_to_path(origin.p, carrier.path);
     if (!bends(carrier.path) && off > kRideReach)
       table.fail(
@@ -191,6 +202,7 @@ PathPoint read_path_element(TomlTable& table, const SubjectDraft& draft) {
 
 void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft& draft) {
   if (strand.path.empty()) return;
+  // A path runs from point to point.
   const auto points = std::count_if(strand.path.begin(), strand.path.end(),
                                     [](const PathPoint& p) { return p.surface.empty(); });
   if (points < 2)
@@ -201,6 +213,7 @@ void check_path(const TomlTable& table, const Strand& strand, const SubjectDraft
         fmt::format("the path of strand '{}' must begin and end with a point, not with a "
                     "surface",
                     strand.name));
+  // Only the origin may ride.
   for (std::size_t k = 0; k + 1 < strand.path.size(); ++k)
     if (!strand.path[k].rides_on.empty())
       table.fail(
@@ -228,6 +241,7 @@ Vector3d read_size(TomlTable& table, SurfaceShape shape) {
   const auto positive = [&](const char* key) {
     return table.number(Dimension::kLength, key, Range::kPositive);
   };
+  // Sizes by the shape's own keys.
   if (shape == SurfaceShape::kEllipsoid) {
     const std::vector<double> s =
         table.numbers(Dimension::kLength, "semi_axes", 3, Range::kPositive);
@@ -240,7 +254,7 @@ Vector3d read_size(TomlTable& table, SurfaceShape shape) {
   return {radius, table.number_or(Dimension::kLength, "half_length", 0, Range::kPositive), 0};
 }
 
-/// `axis` alone, with x and y anywhere across it, or `x_axis` and `z_axis` for an ellipsoid.
+/// Reads `axis` alone, with any x and y across it, or `x_axis` and `z_axis` of an ellipsoid.
 Matrix3d read_axes(TomlTable& table, SurfaceShape shape) {
   if (shape == SurfaceShape::kSphere) return Matrix3d::Identity();
   Matrix3d axes;
@@ -250,6 +264,7 @@ Matrix3d read_axes(TomlTable& table, SurfaceShape shape) {
     axes << across.e1, across.e2, z;
     return axes;
   }
+  // Right-handed axes from two perpendicular ones.
   const Vector3d x = table.direction("x_axis"), z = table.direction("z_axis");
   if (std::abs(x.dot(z)) > 1e-6) table.fail("wanted 'x_axis' perpendicular to 'z_axis'", "x_axis");
   const Vector3d y = z.cross(x).normalized();
@@ -261,8 +276,10 @@ Surface read_surface(TomlTable& table, const SubjectDraft& draft) {
   Surface surface;
   surface.name = new_name(table, names_of(draft.subject.surfaces));
   surface.segment = segment_reference(table, "segment", draft);
+  // Shape and sizes, then pose.
   surface.shape = read_shape(table);
   surface.size = read_size(table, surface.shape);
+  // A ring narrower than its tube has no hole.
   if (surface.shape == SurfaceShape::kTorus && surface.size[1] <= surface.size[0])
     table.fail(
         fmt::format("a torus with a hole needs 'ring_radius' above 'radius', got {:g} and "

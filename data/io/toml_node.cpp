@@ -1,4 +1,4 @@
-// The one fence of toml++.
+// The only fence of toml++.
 
 #include "data/io/toml_node.h"
 
@@ -10,7 +10,7 @@
 #include "data/io/file_guard.h"
 
 namespace {
-/// Thrown where toml++ would abort the program: some syntax errors break its assertions.
+/// Thrown where toml++ would abort the program: some syntax errors violate its assertions.
 struct ParserGaveUp {};
 [[noreturn]] void give_up() { throw ParserGaveUp{}; }
 }  // namespace
@@ -36,7 +36,7 @@ TomlNode convert_array(const toml::array& array) {
 }
 
 TomlNode convert_table(const toml::table& table) {
-  // toml++ sorts keys by name; a reader wants them as they were written.
+  // toml++ sorts keys by name; readers need them in the order of the file.
   std::vector<std::pair<toml::source_position, std::pair<std::string, TomlNode>>> found;
   found.reserve(table.size());
   for (const auto& [key, value] : table) {
@@ -44,10 +44,12 @@ TomlNode convert_table(const toml::table& table) {
     if (!value.is_table() && !value.is_array()) member.line = line_of(key.source());
     found.push_back({key.source().begin, {std::string(key.str()), std::move(member)}});
   }
+  // Back to the order of the file.
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return std::make_pair(a.first.line, a.first.column) <
            std::make_pair(b.first.line, b.first.column);
   });
+  // Members in this order, and an index by name for look-ups.
   TomlNode node;
   node.members.reserve(found.size());
   for (auto& entry : found) node.members.push_back(std::move(entry.second));
@@ -95,9 +97,10 @@ bool gives_up_within(std::string_view text) {
   return false;
 }
 
-/// The line at which the parser gives up: the first whose end it cannot reach, found by halving,
-/// since it does not get beyond that place however much follows.
+/// Line at which the parser gives up: the first whose end it cannot reach. Found by bisection, as
+/// it does not get beyond that place however much follows.
 int line_given_up(const std::string& text) {
+  // Ends of all lines.
   std::vector<std::size_t> ends;
   for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 1))
     ends.push_back(at);
@@ -118,6 +121,7 @@ const TomlNode* TomlNode::find(const std::string& key) const {
 }
 
 TomlNode parse_toml(const std::string& text, const std::string& path) {
+  // Limits first; then syntax errors with their line.
   guard_text(text, path, GuardedKind::kToml);
   try {
     return convert(toml::parse(text, path));

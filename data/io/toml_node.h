@@ -1,6 +1,6 @@
 #pragma once
 
-/// A TOML text as a plain tree that remembers its lines.
+/// TOML as a plain tree that remembers line numbers.
 
 #include <string>
 #include <utility>
@@ -8,32 +8,32 @@
 
 namespace thenar {
 
-/// What a TOML value is.
+/// Kind of a TOML value.
 enum class TomlKind { kText, kNumber, kFlag, kDate, kArray, kTable };
 
 /// One value, with everything below it.
 struct TomlNode {
   TomlKind kind = TomlKind::kTable;
-  int line = 1;                                           // where it stands in the file, from 1
+  int line = 1;                                           // in the file, from 1
   std::string text;                                       // of kText
   double number = 0;                                      // of kNumber, integers too
   bool flag = false;                                      // of kFlag
   std::vector<TomlNode> items;                            // of kArray
   std::vector<std::pair<std::string, TomlNode>> members;  // of kTable, in file order
-  std::vector<std::size_t> by_name;                       // places of members, sorted by name
+  std::vector<std::size_t> by_name;                       // indices of members, sorted by name
 
-  /// The member of that name, or null; found by halving.
+  /// The member of that name, or null; found by bisection.
   [[nodiscard]] const TomlNode* find(const std::string& key) const;
 };
 
-/// Parses TOML 1.0, within the limits of data/io/file_guard.h.
+/// Parses TOML 1.0 within the limits of data/io/file_guard.h.
 /// @throws DataError at the line of the first syntax error.
 [[nodiscard]] TomlNode parse_toml(const std::string& text, const std::string& path);
 
-/// How a kind is called in messages: "a number".
+/// Name of a kind in messages: "a number".
 [[nodiscard]] std::string kind_name(TomlKind kind);
 
-/// The whole content of a regular file. @throws DataError if it is none, or cannot be opened.
+/// Whole content of a regular file. @throws DataError if it is not one, or cannot be opened.
 [[nodiscard]] std::string read_text_file(const std::string& path);
 
 }  // namespace thenar

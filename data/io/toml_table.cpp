@@ -104,6 +104,7 @@ TomlTable::TomlTable(const TomlFile& file, const TomlNode& node, std::string tit
     : file_(&file), node_(&node), title_(std::move(title)), sources_(std::move(sources)) {
   if (node.kind != TomlKind::kTable)
     fail_at(node.line, fmt::format("wanted {} as a table, got {}", title_, kind_name(node.kind)));
+  // Citations in force: its own, or those around it.
   const TomlNode* own = node.find("source");
   ignore("source");
   if (own == nullptr) return;
@@ -189,6 +190,7 @@ double TomlTable::sign(const std::string& key) {
 }
 
 Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
+  // Three rows of three numbers.
   const TomlNode& node = need(key, TomlKind::kArray);
   if (node.items.size() != 3)
     fail(fmt::format("wanted '{}' as 3 rows, got {}", key, node.items.size()), key);
@@ -204,11 +206,13 @@ Eigen::Matrix3d TomlTable::rows3(const std::string& key) {
 std::map<std::string, double> TomlTable::named(Dimension dimension, const std::string& base,
                                                Range range) {
   std::map<std::string, double> result;
+  // Absent: no names at all.
   const std::optional<Found> found = find(dimension, base);
   if (!found) return result;
   if (found->node->kind != TomlKind::kTable)
     fail(fmt::format("wanted '{}' as a table, got {}", found->key, kind_name(found->node->kind)),
          found->key);
+  // Each name with its value in SI.
   for (const auto& [name, node] : found->node->members)
     result[name] =
         in_si(node, *found, value(node, fmt::format("{}.{}", found->key, name), range), dimension);
@@ -248,6 +252,7 @@ std::vector<TomlTable> TomlTable::tables(const std::string& key) {
 std::string TomlTable::source() const { return fmt::format("{}", fmt::join(sources_, ", ")); }
 
 void TomlTable::done() const {
+  // A known quantity with a wrong unit deserves its own message.
   for (const Quantity& wanted : asked_) refuse_wrong_unit(wanted);
   for (const auto& [key, node] : node_->members)
     if (!contains(known_, key))
@@ -256,6 +261,7 @@ void TomlTable::done() const {
 }
 
 void TomlTable::fail(const std::string& what, const std::string& key) const {
+  // At the line of the key, with or without its unit.
   for (const auto& [name, node] : node_->members)
     if (name == key || (!key.empty() && name.rfind(key + "_", 0) == 0)) fail_at(node.line, what);
   fail_at(node_->line, what);
@@ -263,6 +269,7 @@ void TomlTable::fail(const std::string& what, const std::string& key) const {
 
 std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::string& base) {
   asked_.push_back({dimension, base});
+  // Any unit of the dimension, but only one of them.
   std::optional<Found> found;
   for (const Unit& unit : units_of(dimension)) {
     const std::string key = key_of(base, unit);
@@ -278,6 +285,7 @@ std::optional<TomlTable::Found> TomlTable::find(Dimension dimension, const std::
 TomlTable::Found TomlTable::need(Dimension dimension, const std::string& base) {
   const std::optional<Found> found = find(dimension, base);
   if (found) return *found;
+  // Explain the likely mistakes before saying that it is missing.
   refuse_wrong_unit({dimension, base});
   for (const std::string& key : keys_of(base, dimension)) refuse_misspelt(key);
   fail(fmt::format("{} needs {} ({})", title_, dimension_name(dimension),
@@ -298,6 +306,7 @@ const TomlNode& TomlTable::need(const std::string& key, TomlKind kind) {
 }
 
 double TomlTable::value(const TomlNode& node, const std::string& key, Range range) const {
+  // A number, finite, in its range, and with a source.
   if (node.kind != TomlKind::kNumber)
     fail_at(node.line, fmt::format("wanted '{}' as a number, got {}", key, kind_name(node.kind)));
   if (!std::isfinite(node.number))
@@ -311,7 +320,7 @@ double TomlTable::value(const TomlNode& node, const std::string& key, Range rang
   return node.number;
 }
 
-/// A number times its unit, which must be of a size that hands, robots and objects have.
+/// A number times its unit; its size must be plausible for hands, robots and objects.
 double TomlTable::in_si(const TomlNode& node, const Found& found, double value,
                         Dimension dimension) const {
   const double si = value * found.to_si, most = largest_of(dimension);
@@ -337,7 +346,7 @@ TomlTable TomlTable::inner(const TomlNode& node, const std::string& title) const
   return {*file_, node, title, sources_};
 }
 
-/// A key nobody asked for that is nearly the wanted one is the wanted one, misspelt.
+/// Refuses a key that is nearly the wanted one and was not asked for: a misspelling.
 void TomlTable::refuse_misspelt(const std::string& wanted) const {
   const int near = wanted.size() < 6 ? 1 : 2;  // letters that may differ
   for (const auto& [key, node] : node_->members)
@@ -345,7 +354,7 @@ void TomlTable::refuse_misspelt(const std::string& wanted) const {
       fail_at(node.line, fmt::format("unknown key '{}', did you mean '{}'?", key, wanted));
 }
 
-/// A key with no unit, or with a unit of another dimension, is the wanted one as well.
+/// Refuses the wanted key with no unit, or with a unit of another dimension.
 void TomlTable::refuse_wrong_unit(const Quantity& wanted) const {
   for (const Unit& unit : all_units()) {
     const std::string key = key_of(wanted.base, unit);
@@ -362,6 +371,7 @@ void TomlTable::fail_at(int line, const std::string& what) const {
 
 TomlFile::TomlFile(const std::string& text, std::string path)
     : path_(std::move(path)), root_(parse_toml(text, path_)), sources_(known_sources()) {
+  // Sources that the file brings itself.
   const TomlNode* own = root_.find("sources");
   if (own == nullptr) return;
   for (const auto& [key, reference] : own->members) {

@@ -1,11 +1,10 @@
 #pragma once
 
-/// Reading one table of a data file: typed, with units, and with errors a user can act on.
+/// Reads one table of a data file: typed, with units, and with errors on which a user can act.
 ///
-/// A quantity's unit stands at the end of its key: whoever asks for the length "point" is
-/// given metres from `point_mm`, `point_cm` or `point_m`. A number needs a citation: a
-/// `source` key in its table or in one around it. Every getter notes what was asked for, so
-/// that done() can refuse the keys that nobody knows.
+/// The unit of a quantity stands at the end of its key: the length "point" is read in metres from
+/// `point_mm`, `point_cm` or `point_m`. A number needs a citation: a `source` key in its table or
+/// in one around it. Every getter notes its key, so that done() can refuse keys that nobody knows.
 
 #include <map>
 #include <optional>
@@ -21,11 +20,10 @@
 
 namespace thenar {
 
-// A TOML data file: its tree, its name for messages, and the sources it may cite.
-
 class TomlTable;
 
-/// A parsed file. Its tables point into it, so it must outlive them.
+/// A parsed file: its tree, its name for messages, and the sources it may cite. It must outlive its
+/// tables.
 class TomlFile {
  public:
   /// Parses `text`; `path` only names it in messages.
@@ -35,7 +33,7 @@ class TomlFile {
   TomlFile(const TomlFile&) = delete;
   TomlFile& operator=(const TomlFile&) = delete;
 
-  /// The file's top level. Its `[sources]` table, if any, is already read.
+  /// The top level of the file. Its `[sources]` table, if any, is read already.
   [[nodiscard]] TomlTable top() const;
 
   [[nodiscard]] const std::string& path() const { return path_; }
@@ -49,23 +47,25 @@ class TomlFile {
   std::vector<std::string> sources_;
 };
 
-/// Which numbers are sensible.
+/// Admissible range of a number.
 enum class Range { kAny, kNotNegative, kPositive, kFraction };
 
-/// A list of numbers under a name.
+/// A named list of numbers.
 struct NamedNumbers {
   std::string name;
   std::vector<double> values;
 };
 
-/// A reader of one table. All getters throw DataError `path:line: what was wanted, what came`.
+/// A reader of one table; the file must outlive it. Getters throw DataError `path:line: what was
+/// wanted, what came`.
 class TomlTable {
  public:
-  /// @param title    how messages call it: "[[joint]]"
+  /// @param title    its name in messages: "[[joint]]"
   /// @param sources  citation keys in force around it
   TomlTable(const TomlFile& file, const TomlNode& node, std::string title,
             std::vector<std::string> sources);
 
+  /// Keys without unit: texts, choices of words, lists of texts.
   [[nodiscard]] bool has(const std::string& key);
   [[nodiscard]] std::string text(const std::string& key);
   [[nodiscard]] std::string text_or(const std::string& key, const std::string& fallback);
@@ -78,7 +78,7 @@ class TomlTable {
                               Range range = Range::kAny);
   [[nodiscard]] double number_or(Dimension dimension, const std::string& base, double fallback,
                                  Range range = Range::kAny);
-  /// @param count  how many are wanted; 0: any number
+  /// @param count  number of entries wanted; 0: any
   [[nodiscard]] std::vector<double> numbers(Dimension dimension, const std::string& base,
                                             int count = 0, Range range = Range::kAny);
   [[nodiscard]] Eigen::Vector3d vector(Dimension dimension, const std::string& base);
@@ -88,26 +88,28 @@ class TomlTable {
   [[nodiscard]] double sign(const std::string& key);                // 1 if absent, or -1
   [[nodiscard]] Eigen::Matrix3d rows3(const std::string& key);      // three rows of three
 
-  /// `arms_mm = {PIP3 = 5.6}`: names to quantities. Empty if absent.
+  /// Names to quantities, `arms_mm = {PIP3 = 5.6}`. Empty if absent.
   [[nodiscard]] std::map<std::string, double> named(Dimension dimension, const std::string& base,
                                                     Range range = Range::kAny);
-  /// Every key of this table as a quantity, by its base: for tables of free names.
+  /// All keys of this table as quantities, by name without unit: for tables of free names.
   [[nodiscard]] std::map<std::string, double> all(Dimension dimension);
-  /// `rows = {Fx = [..], Fy = [..]}` in file order.
+  /// Named lists in file order, `rows = {Fx = [..], Fy = [..]}`.
   [[nodiscard]] std::vector<NamedNumbers> lists(const std::string& key);
 
+  /// Tables within this one.
   [[nodiscard]] std::optional<TomlTable> table(const std::string& key);
   [[nodiscard]] std::vector<TomlTable> tables(const std::string& key);  // none if absent
 
   [[nodiscard]] const std::string& title() const { return title_; }
   [[nodiscard]] int line() const { return node_->line; }
   [[nodiscard]] std::string source() const;  // citation keys in force, "A, B"
+  /// Accepts a key without reading it.
   void ignore(const std::string& key) { known_.insert(key); }
 
   /// @throws DataError for the first key that no getter asked for.
   void done() const;
 
-  /// Throws a DataError at this table, or at one of its keys (its unit may be left out).
+  /// Throws a DataError at this table, or at one of its keys (with or without unit).
   [[noreturn]] void fail(const std::string& what, const std::string& key = "") const;
 
  private:

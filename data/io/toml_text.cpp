@@ -18,6 +18,7 @@ std::string toml_number(double value) {
 std::string toml_quoted(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
+    // Quotes and control characters are escaped.
     if (c == '"' || c == '\\')
       quoted += std::string("\\") + c;
     else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
@@ -53,6 +54,7 @@ std::string toml_rows(const Eigen::Matrix3d& matrix) {
 std::vector<std::string> keys_in(const std::string& keys) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
+  // Keys are separated by a comma and a space.
   for (std::size_t at; (at = keys.find(", ", begin)) != std::string::npos; begin = at + 2)
     parts.push_back(keys.substr(begin, at - begin));
   parts.push_back(keys.substr(begin));
@@ -66,6 +68,7 @@ const std::map<std::string, std::string_view>& citations();  // made by cmake/em
 }
 
 std::vector<std::string> citation_keys(const std::string& bibtex) {
+  // Entries begin with @type{key,
   static const std::regex entry("@[a-zA-Z]+\\{([^,\\s]+),");
   std::vector<std::string> keys;
   for (std::sregex_iterator it(bibtex.begin(), bibtex.end(), entry), end; it != end; ++it)

@@ -1,13 +1,13 @@
 #pragma once
 
-/// The units that a TOML key may end with, and what they are in SI.
+/// Units at the end of TOML keys, and their values in SI.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
 
-/// What a number measures.
+/// Physical dimension of a number.
 enum class Dimension {
   kNumber,  // dimensionless: no unit in the key
   kLength,
@@ -26,24 +26,24 @@ enum class Dimension {
   kLinearDamping
 };
 
-/// One way to write a dimension: `point_mm = 5` is 5 * 0.001 m.
+/// A unit: `point_mm = 5` is 5 * 0.001 m.
 struct Unit {
   std::string suffix;  // of the key, without the underscore; empty for kNumber
   Dimension dimension;
-  double to_si;  // SI units in one of these
+  double to_si;  // value in SI: [1] for kNumber, [m] for kLength, ..
 };
 
-/// Every unit known, the usual one of each dimension first.
+/// All known units, the usual unit of each dimension first.
 [[nodiscard]] const std::vector<Unit>& all_units();
 
 /// The units of one dimension.
 [[nodiscard]] std::vector<Unit> units_of(Dimension dimension);
 
-/// How a dimension is called in messages: "a length".
+/// Name of a dimension in messages: "a length".
 [[nodiscard]] std::string dimension_name(Dimension dimension);
 
-/// The largest size of a quantity that a file may state [SI]: far beyond any hand, robot or object,
-/// near enough that no formula overflows and a wrong unit (120 m for 120 mm) is noticed.
+/// Largest size of a quantity that a file may state [SI]: far beyond any hand, robot or object,
+/// small enough that no formula overflows and a wrong unit (120 m for 120 mm) is noticed.
 [[nodiscard]] double largest_of(Dimension dimension);
 
 /// A value in SI, for messages: "10 m".

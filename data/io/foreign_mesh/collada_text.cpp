@@ -12,6 +12,7 @@
 namespace thenar {
 namespace {
 
+/// Checks of a Collada document that assimp does not make.
 class Check {
  public:
   Check(const std::string& text, const std::string& path) : text_(text), path_(path) {
@@ -20,14 +21,17 @@ class Check {
   }
 
   void run() {
+    // Lengths of arrays, nodes by id, and references to other files.
     each(document_, [&](const pugi::xml_node& node) {
       const std::string id = "#" + std::string(node.attribute("id").value());
       if (std::string(node.name()) == "float_array") lengths_[id] = whole(node, "count", 0);
       if (std::string(node.name()) == "node") nodes_.emplace(id, node);
       require_own(node);
     });
+    // Nodes that stand for others must not multiply.
     if (placed(document_, 0) > kMostNodes)
       fail_at(0, fmt::format("nodes in nodes stand for more than {} of them", kMostNodes));
+    // Accessors and lists of numbers stay within their arrays.
     each(document_, [&](const pugi::xml_node& node) {
       if (std::string(node.name()) == "accessor") check_accessor(node);
       static const std::set<std::string> lists{"p", "h", "v", "vcount", "int_array"};
@@ -58,7 +62,7 @@ class Check {
     return number;
   }
 
-  /// Refuses what stands in another file: its own begins with '#'.
+  /// Refuses a reference to another file; references within the file begin with '#'.
   void require_own(const pugi::xml_node& node) const {
     const std::string url = node.attribute("url").value();
     if (std::string(node.name()).rfind("instance_", 0) == 0 && !url.empty() && url[0] != '#')
@@ -66,7 +70,7 @@ class Check {
               fmt::format("<{}> names another file, which is not read: '{}'", node.name(), url));
   }
 
-  /// How many nodes stand below one, each <instance_node> with all that it stands for.
+  /// Number of nodes below a node, each <instance_node> with all nodes for which it stands.
   // NOLINTNEXTLINE(misc-no-recursion): as deep as nodes may stand for others
   double placed(const pugi::xml_node& top, int depth) {
     constexpr int kDeepest = 100;
@@ -74,6 +78,7 @@ class Check {
     each(top, [&](const pugi::xml_node& node) {
       count += std::string(node.name()) == "node" ? 1 : 0;
       if (std::string(node.name()) != "instance_node") return;
+      // Count the node that it stands for once; a node within itself is refused.
       const auto other = nodes_.find(node.attribute("url").value());
       if (other == nodes_.end()) return;
       const auto [known, is_new] = placed_.emplace(other->first, -1);
@@ -81,6 +86,7 @@ class Check {
         fail_at(node.offset_debug(), fmt::format("node '{}' stands in itself", other->first));
       if (depth > kDeepest)
         fail_at(node.offset_debug(), fmt::format("nodes stand more than {} deep", kDeepest));
+      // Its count is reused wherever it is instantiated again.
       if (is_new) {
         const double inside = placed(other->second, depth + 1);
         placed_[other->first] = inside;
@@ -90,12 +96,14 @@ class Check {
     return count;
   }
 
-  /// From each of the numbers offset, offset + stride .. of an array on, one for each parameter.
+  /// Refuses an accessor that reads beyond its array: numbers offset, offset + stride .., one for
+  /// each parameter.
   void check_accessor(const pugi::xml_node& node) const {
     const auto array = lengths_.find(node.attribute("source").value());
-    if (array == lengths_.end()) return;  // of names, or none: assimp refuses it
+    if (array == lengths_.end()) return;  // of names, or missing: assimp refuses it
     const auto params = std::distance(node.children("param").begin(), node.children("param").end());
     const double count = whole(node, "count", 0), stride = std::max(whole(node, "stride", 1), 1.0);
+    // The last number that it reads.
     const double last = stride * std::max(count - 1, 0.0);
     const double width = count > 0 ? std::max(static_cast<double>(params), 1.0) : 0.0;
     const double reach = whole(node, "offset", 0) + last + width;
@@ -116,7 +124,7 @@ class Check {
   const std::string& path_;
   pugi::xml_document document_;
   static constexpr double kMostNodes = 1e5;
-  std::map<std::string, double> lengths_;        // of the arrays, by "#id"
+  std::map<std::string, double> lengths_;        // of arrays, by "#id"
   std::map<std::string, pugi::xml_node> nodes_;  // by "#id"
   std::map<std::string, double> placed_;         // nodes below each; negative: being counted
 };

@@ -1,4 +1,4 @@
-// The one fence of Coin.
+// The only fence of Coin.
 
 #include "data/io/foreign_mesh/parsers.h"
 
@@ -57,8 +57,8 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
 namespace thenar {
 namespace {
 
-/// The first error of reading that Coin tells, into a std::string. Textures that are not there are
-/// none: a surface has no need of them.
+/// Keeps the first reading error of Coin in a std::string. Missing textures are no error: a surface
+/// does not need them.
 void keep_first(const SoError* error, void* first) {
   const std::string said = error->getDebugString().getString();
   std::string& kept = *static_cast<std::string*>(first);
@@ -69,6 +69,7 @@ void swallow(const SoError* /*error*/, void* /*data*/) {}
 
 /// Coin says "Coin read error: WHAT\n\tOccurred at line N in FILE".
 [[noreturn]] void refuse_file(const std::string& path, const std::string& said) {
+  // The line number is somewhere in the message.
   std::smatch found;
   const bool has_line = std::regex_search(said, found, std::regex("line +([0-9]+)"));
   const int line = has_line ? std::stoi(found[1]) : 1;
@@ -78,7 +79,7 @@ void swallow(const SoError* /*error*/, void* /*data*/) {}
   throw DataError(path, line, what.empty() ? "is neither VRML nor Inventor" : what);
 }
 
-/// Faces of VRML 2.0 say so themselves, others by what stands before them.
+/// Shapes of VRML 2.0 state their vertex order, others inherit it from the scene.
 bool is_clockwise(SoCallbackAction& action) {
   const SoNode* shape = action.getCurPathTail();
   const SoField* counterclockwise = shape->getField("ccw");
@@ -87,9 +88,7 @@ bool is_clockwise(SoCallbackAction& action) {
   return action.getVertexOrdering() == SoShapeHints::CLOCKWISE;
 }
 
-// ---- exact shapes
-
-/// Transforms in double precision, of the numbers as they were written.
+/// Stack of transforms in double precision, from the numbers as they were written.
 class WrittenPlace {
  public:
   [[nodiscard]] const Eigen::Affine3d& top() const { return open_.back(); }
@@ -107,14 +106,14 @@ Eigen::Vector3d written(const SbVec3f& v) {
   return {shortest_decimal(v[0]), shortest_decimal(v[1]), shortest_decimal(v[2])};
 }
 
-/// Coin keeps quaternions alone.
+/// Rotation as a unit quaternion, the only form that Coin keeps.
 Eigen::Quaterniond written(const SbRotation& rotation) {
   float x = 0, y = 0, z = 0, w = 1;
   rotation.getValue(x, y, z, w);
   return Eigen::Quaterniond(w, x, y, z).normalized();
 }
 
-/// T C R SO S SO^-1 C^-1, of SoTransform and SoVRMLTransform.
+/// Map T C R SO S SO^-1 C^-1 of SoTransform and SoVRMLTransform.
 template <typename Transform>
 Eigen::Affine3d map_of(const Transform& node, const SoSFVec3f& scale) {
   const Eigen::Vector3d centre = written(node.center.getValue());
@@ -127,9 +126,10 @@ Eigen::Affine3d map_of(const Transform& node, const SoSFVec3f& scale) {
   return map.translate(-centre);
 }
 
-/// Of a node that stands before others; the identity of any other.
+/// Map of a transformation node; the identity for any other node.
 Eigen::Affine3d map_of_node(const SoNode& node) {
   Eigen::Affine3d map = Eigen::Affine3d::Identity();
+  // One of Coin's kinds of transformations.
   if (const auto* whole = dynamic_cast<const SoTransform*>(&node))
     return map_of(*whole, whole->scaleFactor);
   if (const auto* move = dynamic_cast<const SoTranslation*>(&node))
@@ -141,6 +141,7 @@ Eigen::Affine3d map_of_node(const SoNode& node) {
   if (const auto* turn = dynamic_cast<const SoRotationXYZ*>(&node))
     map.rotate(Eigen::AngleAxisd(shortest_decimal(turn->angle.getValue()),
                                  Eigen::Vector3d::Unit(turn->axis.getValue())));
+  // A general matrix, which Coin applies to row vectors.
   if (const auto* matrix = dynamic_cast<const SoMatrixTransform*>(&node)) {
     const SbMatrix& rows = matrix->matrix.getValue();  // p' = p M
     for (int i = 0; i < 4; ++i)
@@ -149,23 +150,26 @@ Eigen::Affine3d map_of_node(const SoNode& node) {
   return map;
 }
 
-/// Whether Coin's own place is the same, to its precision: nodes that we do not know move things.
+/// Whether Coin's own pose is the same, to its precision: unknown nodes may move things, too.
 bool agrees(const Eigen::Affine3d& ours, const SbMatrix& coin, double size) {
   constexpr double kSingle = 1e-5;  // some hundred roundings of single precision
   Eigen::Matrix4d theirs;
   for (int i = 0; i < 4; ++i)
+    // Coin's matrix acts on row vectors.
     for (int k = 0; k < 4; ++k) theirs(k, i) = coin[i][k];
   const Eigen::Matrix3d A = theirs.topLeftCorner<3, 3>();
   const Eigen::Vector3d p = theirs.topRightCorner<3, 1>();
   const double largest = A.cwiseAbs().maxCoeff();
+  // An affine map, with equal linear part and translation.
   return theirs.row(3) == Eigen::RowVector4d(0, 0, 0, 1) &&
          (ours.linear() - A).cwiseAbs().maxCoeff() <= kSingle * largest &&
          (ours.translation() - p).norm() <= kSingle * (p.norm() + largest * size);
 }
 
-/// A whole sphere, box or cylinder in its own place: cylinders there stand along y.
+/// A whole sphere, box or cylinder at its own pose, where cylinders stand along y.
 std::optional<ShapeSpec> primitive_of(const SoNode& node) {
   const auto number = [](const SoSFFloat& field) { return shortest_decimal(field.getValue()); };
+  // Our cylinders stand along z.
   ShapeSpec solid;
   const auto along_y = [&](const SoSFFloat& radius, const SoSFFloat& height) {
     solid.kind = ShapeKind::kCylinder;
@@ -173,6 +177,7 @@ std::optional<ShapeSpec> primitive_of(const SoNode& node) {
     solid.X_BS.R << 1, 0, 0, 0, 0, 1, 0, -1, 0;
     return solid;
   };
+  // Each solid exists in Inventor and in VRML 2.0.
   if (const auto* ball = dynamic_cast<const SoSphere*>(&node)) {
     solid.size.x() = number(ball->radius);
   } else if (const auto* ball2 = dynamic_cast<const SoVRMLSphere*>(&node)) {
@@ -184,6 +189,7 @@ std::optional<ShapeSpec> primitive_of(const SoNode& node) {
     solid.kind = ShapeKind::kBox;
     solid.size = written(box2->size.getValue());
   } else if (const auto* rod = dynamic_cast<const SoCylinder*>(&node)) {
+    // A cylinder without a part is not a solid.
     if (rod->parts.getValue() != SoCylinder::ALL) return {};
     return along_y(rod->radius, rod->height);
   } else if (const auto* rod2 = dynamic_cast<const SoVRMLCylinder*>(&node)) {
@@ -195,17 +201,15 @@ std::optional<ShapeSpec> primitive_of(const SoNode& node) {
   return solid;
 }
 
-// ---- the walk through the scene
-
-/// Triangles as they come. Few bytes may stand for many, by shapes that Coin divides and by nodes
-/// used in many places; 100,000 are few enough.
+/// Collects triangles during the walk through a scene. Few bytes may stand for many triangles, by
+/// shapes that Coin divides and by nodes used in many places; 100,000 are always allowed.
 struct Collector {
   TriangleSoup soup;
   std::size_t most;
   WrittenPlace place;
-  std::optional<ShapeSpec> shape;  // the one whose triangles come next, if it is exact
-  bool is_taken = false;           // whether a triangle of it has come
-  bool all_exact = true;           // whether all triangles so far stand for soup.exact
+  std::optional<ShapeSpec> shape;  // whose triangles come next, if it is exact
+  bool is_taken = false;           // whether one of its triangles has come
+  bool all_exact = true;           // whether all triangles so far belong to soup.exact
 };
 
 Collector& collector(void* data) { return *static_cast<Collector*>(data); }
@@ -235,13 +239,14 @@ SoCallbackAction::Response begin_shape(void* data, SoCallbackAction* action, con
   found.is_taken = false;
   found.shape = primitive_of(*node);
   if (!found.shape) return SoCallbackAction::CONTINUE;
+  // Exact only if our transforms are Coin's, and leave the solid what it is.
   const double size = found.shape->size.maxCoeff();
   const bool placed = agrees(found.place.top(), action->getModelMatrix(), size);
   found.shape = placed ? place_primitive(*found.shape, found.place.top()) : std::nullopt;
   return SoCallbackAction::CONTINUE;
 }
 
-/// A shape counts with its first triangle: lines, points and texts have none.
+/// Counts a shape with its first triangle: lines, points and texts have none.
 void take_shape(Collector& found) {
   if (found.is_taken) return;
   found.is_taken = true;
@@ -256,6 +261,7 @@ void append_triangle(void* data, SoCallbackAction* action, const SoPrimitiveVert
   const std::size_t most = collector(data).most;
   if (soup.corners.size() >= 3 * most)
     throw InputError(fmt::format("this file stands for more than {} triangles", most));
+  // Corners in the scene, turned over where the order is clockwise or mirrored.
   const SbMatrix& place = action->getModelMatrix();
   std::array<Eigen::Vector3d, 3> corner;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -268,6 +274,7 @@ void append_triangle(void* data, SoCallbackAction* action, const SoPrimitiveVert
 }
 
 SoSeparator* read_graph(const std::string& text, const std::string& path) {
+  // Silence warnings, and keep the first error.
   std::string first_error;
   SoDebugError::setHandlerCallback(swallow, nullptr);
   SoReadError::setHandlerCallback(keep_first, &first_error);
@@ -285,15 +292,18 @@ TriangleSoup read_inventor_mesh(const std::string& path) {
   const std::string text = read_one(path);
   SoDB::init();
   open_nothing();
+  // Walk the scene with our stack of transforms.
   SoSeparator* const graph = read_graph(text, path);
   Collector found{{}, std::min(kMaxTriangles, 100'000 + text.size()), {}, {}};
   SoCallbackAction action;
+  // Groups open and close a place; transformations move it.
   for (const SoType& group : {SoSeparator::getClassTypeId(), SoTransformSeparator::getClassTypeId(),
                               SoVRMLTransform::getClassTypeId()}) {
     action.addPreCallback(group, open_place, &found);
     action.addPostCallback(group, close_place, &found);
   }
   action.addPreCallback(SoTransformation::getClassTypeId(), move_place, &found);
+  // Shapes, and the triangles into which Coin divides them.
   action.addPreCallback(SoShape::getClassTypeId(), begin_shape, &found);
   action.addTriangleCallback(SoShape::getClassTypeId(), append_triangle, &found);
   action.apply(graph);

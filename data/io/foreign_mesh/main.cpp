@@ -1,8 +1,8 @@
 // thenar-mesh-reader FILE [SECONDS]
 //
-// The triangles of a glTF, Collada, VRML or Inventor file on the standard output, as
-// data/io/mesh/reader_answer.h has them. thenar runs it for each such file: parsers of others run
-// here alone, under limits of memory and time, and can open nothing but what they are given.
+// Writes the triangles of a glTF, Collada, VRML or Inventor file to the standard output, in the
+// form of data/io/mesh/reader_answer.h. thenar runs it for each such file: third-party parsers run
+// only here, under limits of memory and time, and can open no file but those they are given.
 
 #include <algorithm>
 #include <cstdio>
@@ -20,7 +20,7 @@
 #include "data/io/mesh/foreign_mesh.h"
 #include "data/io/mesh/reader_answer.h"
 
-// Under the address sanitizer, whose own memory has no use for a limit of address space.
+// The address sanitizer reserves address space, so that memory is limited by residence instead.
 extern "C" const char* __asan_default_options();   // NOLINT(bugprone-reserved-identifier)
 extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-identifier)
   return "detect_leaks=0:hard_rss_limit_mb=1200";
@@ -34,7 +34,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most, rlim_t beyond = 0) {
   (void)setrlimit(what, &both);
 }
 
-/// What this process has mapped already: its libraries [bytes].
+/// Address space that this process has mapped already: its libraries [bytes].
 rlim_t mapped() {
   std::ifstream pages("/proc/self/statm");
   rlim_t count = 0;
@@ -42,14 +42,14 @@ rlim_t mapped() {
   return count * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// @param seconds  of the processor, if fewer than the limit are left
+/// @param seconds  of the processor, if fewer than the limit are left [s]
 void set_limits(int seconds) {
   const MeshReaderLimits limits;
-  // A second more before SIGKILL follows SIGXCPU, which tells what the trouble was.
+  // SIGKILL follows a second after SIGXCPU, which tells the reason.
   const int most = std::clamp(seconds, 1, limits.processor_seconds);
   limit(RLIMIT_CPU, static_cast<rlim_t>(most), 1);
   limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_FSIZE, 0);  // writes no file
+  limit(RLIMIT_FSIZE, 0);  // it writes no file
 #ifndef __SANITIZE_ADDRESS__
   limit(RLIMIT_AS, mapped() + limits.memory);
 #endif
@@ -67,7 +67,7 @@ std::string answer(const std::string& path) {
   }
 }
 
-/// Nothing that a parser prints may get among the answer.
+/// Moves the standard output away, so that nothing printed by a parser mixes with the answer.
 int keep_output() {
   const int output = dup(1);
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
@@ -78,6 +78,7 @@ int keep_output() {
 bool write_all(int file, const std::string& text) {
   std::size_t done = 0;
   while (done < text.size()) {
+    // A pipe may take less than all.
     const ssize_t written = write(file, text.data() + done, text.size() - done);
     if (written <= 0) return false;
     done += static_cast<std::size_t>(written);
@@ -89,15 +90,17 @@ bool write_all(int file, const std::string& text) {
 }  // namespace thenar
 
 int main(int argc, char** argv) {
+  // It must not outlive thenar.
   thenar::end_with_parent();
   if (argc != 2 && argc != 3) {
     (void)std::fputs(
         "thenar-mesh-reader FILE [SECONDS]: run by thenar for meshes of other programs\n", stderr);
     return 2;
   }
+  // The output and the limits, before any parser runs.
   const int output = thenar::keep_output();
   constexpr int kAll = 1000;
   thenar::set_limits(argc == 3 ? std::atoi(argv[2]) : kAll);
-  // No destructors: scenes of others take long, or crash, to take down.
+  // Without destructors: taking down foreign scenes is slow, or crashes.
   _exit(thenar::write_all(output, thenar::answer(argv[1])) ? 0 : 1);
 }

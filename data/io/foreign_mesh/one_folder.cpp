@@ -8,7 +8,7 @@
 namespace thenar {
 namespace {
 
-/// How many more files may be open: none, or as many as the system allows.
+/// Sets the number of files that may be open: none, or the system's maximum.
 void set_open_files(bool any) {
   rlimit files{};
   if (getrlimit(RLIMIT_NOFILE, &files) != 0) return;
@@ -21,6 +21,7 @@ void set_open_files(bool any) {
 void open_nothing() { set_open_files(false); }
 
 std::string read_one(const std::string& path) {
+  // Open this one file, and restore the limit.
   rlimit before{};
   (void)getrlimit(RLIMIT_NOFILE, &before);
   set_open_files(true);

@@ -6,38 +6,37 @@
 
 namespace thenar {
 
-/// The triangles of a glTF, GLB or Collada, in single precision, placed by the file's
-/// own scene graph. To be called once in a program, which opens nothing from then on.
-/// @throws DataError if the file is none of these, or broken.
+/// Reads the triangles of a glTF, GLB or Collada file, in single precision, placed by its scene
+/// graph. Call it once in a process, which opens no file from then on.
+/// @throws DataError if the file is of another kind, or broken.
 [[nodiscard]] TriangleSoup read_assimp_mesh(const std::string& path);
 
-/// The triangles of a VRML 1.0, VRML 2.0 or Inventor file, in single precision, placed by its own
-/// transforms; spheres, cones and cylinders tessellated. Where it holds nothing but whole spheres,
-/// boxes and cylinders that place_primitive() places, they are its exact shapes as well, with sizes
-/// and transforms as they were written (rotations in single precision). To be called once in a
-/// program, which opens nothing from then on.
-/// @throws DataError if the file is none of these, or broken; or if thenar was built without Coin.
+/// Reads the triangles of a VRML 1.0, VRML 2.0 or Inventor file, in single precision, placed by its
+/// transforms; spheres, cones and cylinders are tessellated. If it consists of whole spheres, boxes
+/// and cylinders that place_primitive() can place, these are its exact shapes as well, with sizes
+/// and transforms as written (rotations in single precision). Call it once in a process, which
+/// opens no file from then on.
+/// @throws DataError if the file is of another kind, or broken, or if thenar was built without
+/// Coin.
 [[nodiscard]] TriangleSoup read_inventor_mesh(const std::string& path);
 
-/// Refuses a Collada on which assimp would never come to an end or read beyond its numbers: no well
-/// formed XML, lists of whole numbers (<p>, <vcount>..) that hold anything else, <accessor>s that
-/// reach beyond their <float_array>; nor one that names other files, or whose nodes stand in
-/// themselves or for more than 100,000.
+/// Refuses a Collada text on which assimp would not end or read beyond its numbers: malformed XML,
+/// lists of whole numbers (<p>, <vcount>..) with other content, <accessor>s that reach beyond their
+/// <float_array>; and a text that names other files, or whose nodes contain themselves or stand for
+/// more than 100,000 nodes.
 /// @param path  names the file in messages
 /// @throws DataError at the first line that is wrong.
 void check_collada(const std::string& text, const std::string& path);
 
-// Which files parsers of others may open.
-
-/// From now on this process opens no file, but by read_one(): parsers, and the libraries below
-/// them, find none of the textures, fonts and files that a mesh may name.
+/// From now on this process opens no file except by read_one(): parsers and the libraries below
+/// them find none of the textures, fonts and files that a mesh may name.
 void open_nothing();
 
-/// The bytes of a file of at most as many as a mesh may have, also after open_nothing().
+/// Reads a file within the size limit of meshes [bytes], also after open_nothing().
 /// @throws DataError
 [[nodiscard]] std::string read_one(const std::string& path);
 
-/// Whether `file` is a regular file in the folder of `path` or below it, wherever links lead.
+/// Whether `file` is a regular file in the folder of `path` or below it, with links resolved.
 [[nodiscard]] bool is_file_beside(const std::string& path, const std::string& file);
 
 }  // namespace thenar

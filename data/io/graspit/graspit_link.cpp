@@ -27,7 +27,7 @@ Eigen::Vector3d vector3(const XmlFile& file, const pugi::xml_node& node) {
   return kGraspitLength * Eigen::Vector3d(v[0], v[1], v[2]);
 }
 
-/// The file is per mass and in mm^2.
+/// Inertia per mass [m^2]; the file states it in mm^2.
 std::optional<Eigen::Matrix3d> inertia_per_mass(const XmlFile& file, const pugi::xml_node& node,
                                                 std::vector<std::string>& warnings) {
   const std::vector<double> v = file.numbers(node);
@@ -41,6 +41,7 @@ std::optional<Eigen::Matrix3d> inertia_per_mass(const XmlFile& file, const pugi:
 double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
   static const std::map<std::string, double> units{
       {"mm", kGraspitLength}, {"cm", 1e-2}, {"m", 1}, {"in", 0.0254}};
+  // The first of both spellings that is there.
   for (const char* name : {"Units", "units"})
     if (const pugi::xml_attribute attribute = geometry.attribute(name)) {
       const auto found = units.find(attribute.value());
@@ -55,13 +56,16 @@ double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
 void read_geometry(const XmlFile& file, GraspitLink& body) {
   const pugi::xml_node geometry = file.root().child("geometryFile");
   if (!geometry) return;
+  // The mesh file, beside this one.
   body.geometry_file =
       (std::filesystem::path(file.path()).parent_path() / file.text(geometry)).string();
   body.geometry_scale = unit_of(file, geometry) * geometry.attribute("scale").as_double(1);
+  // Scales multiply.
   for (const char* name : {"geometryScaling", "geometryScale"})
     if (const pugi::xml_node scaling = file.root().child(name))
       body.geometry_scale *= file.numbers(scaling, 1)[0];
   if (!(body.geometry_scale > 0)) file.fail(geometry, "wanted its scale > 0");
+  // Pose of the mesh in the link: a transform, or three lengths.
   const pugi::xml_node offset = file.root().child("geometryOffset");
   if (offset.child("transform")) {
     body.X_LG = graspit_transform(file, offset, body.warnings);
@@ -70,9 +74,10 @@ void read_geometry(const XmlFile& file, GraspitLink& body) {
   }
 }
 
+/// Reads one element of a body; unknown elements become warnings.
 void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitLink& body) {
   const std::string name = node.name();
-  if (name.rfind("geometry", 0) == 0) return;  // by read_geometry()
+  if (name.rfind("geometry", 0) == 0) return;  // see read_geometry()
   if (name == "material") {
     body.material = file.text(node);
   } else if (name == "mass") {
@@ -90,6 +95,7 @@ void read_element(const XmlFile& file, const pugi::xml_node& node, GraspitLink& 
 
 GraspitLink read_graspit_link(const std::string& path) {
   GraspitLink body;
+  // A mesh file is a body of geometry alone.
   if (!is_xml(path)) {
     body.geometry_file = path;
     return body;
@@ -97,6 +103,7 @@ GraspitLink read_graspit_link(const std::string& path) {
   const XmlFile file(path);
   for (const pugi::xml_node& node : file.root().children()) read_element(file, node, body);
   read_geometry(file, body);
+  // Inertia needs a mass.
   if (body.mass < 0) file.fail(file.root().child("mass"), "wanted a <mass> >= 0");
   if (body.inertia && body.mass > 0) {
     *body.inertia *= body.mass;

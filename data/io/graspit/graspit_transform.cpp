@@ -12,7 +12,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kRotationError = 1e-3;  // what rounding in a file explains [1]
+constexpr double kRotationError = 1e-3;  // explained by rounding in a file [1]
 
 Eigen::Vector3d metres(double x, double y, double z) {
   return kGraspitLength * Eigen::Vector3d(x, y, z);
@@ -28,6 +28,7 @@ Mat3<double> quaternion(const XmlFile& file, const pugi::xml_node& node,
 
 Mat3<double> matrix(const XmlFile& file, const pugi::xml_node& node) {
   const std::vector<double> v = file.numbers(node, 9);
+  // Off by more than rounding: no rotation.
   const Mat3<double> R = Eigen::Map<const Mat3<double>>(v.data());
   const double error = (R.transpose() * R - Mat3<double>::Identity()).cwiseAbs().maxCoeff();
   if (error > kRotationError || R.determinant() < 0)
@@ -43,11 +44,12 @@ double number_in(const std::string& word) {
   return *end == '\0' ? number : NAN;
 }
 
-/// "90 x", "x 90", "90 X" or "90 0 0 1".
+/// Rotation "90 x", "x 90", "90 X" or "90 0 0 1".
 Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
   std::istringstream words(file.text(node));
   Vec3<double> axis = Vec3<double>::Zero();
   std::vector<double> numbers;
+  // A letter names an axis; everything else is a number.
   for (std::string word; words >> word;) {
     const std::size_t letter = word.size() == 1 ? std::string("xyzXYZ").find(word) : 6;
     if (letter < 6)
@@ -55,6 +57,7 @@ Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
     else
       numbers.push_back(number_in(word));
   }
+  // Four numbers: an angle and a general axis.
   if (numbers.size() == 4 && axis.isZero()) {
     axis << numbers[1], numbers[2], numbers[3];
     numbers.resize(1);
@@ -69,10 +72,12 @@ Mat3<double> turn(const XmlFile& file, const pugi::xml_node& node) {
 
 Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                std::vector<std::string>& warnings) {
+  // An element that contains the transform.
   if (std::string(node.name()) != "transform" && node.child("transform"))
     return graspit_transform(file, node.child("transform"), warnings);
   Pose<double> X;
   if (std::string(node.name()) != "transform") return X;
+  // Steps multiply from left to right.
   for (const pugi::xml_node& step : node.children()) {
     const std::string name = step.name();
     if (step.type() != pugi::node_element) continue;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where things stand, as GraspIt! XML tells it.
+/// Units and poses in GraspIt! XML.
 
 #include <string>
 #include <vector>
@@ -15,15 +15,16 @@ inline constexpr double kGraspitMass = 1e-3;    // [kg] in its unit of mass
 inline constexpr double kGraspitForce = 1e-6;   // [N] in its unit of force
 inline constexpr double kGraspitMoment = 1e-9;  // [N m] in its unit of torque
 
-/// The pose in a <transform>, or in an element that holds one: the product, left to right, of
-///   <fullTransform>(qw qx qy qz)[x y z]   a rotation, then a way in the outer frame
+/// Reads the pose in a <transform>, or in an element that contains one: the product, left to right,
+/// of
+///   <fullTransform>(qw qx qy qz)[x y z]   a rotation, then a translation in the outer frame
 ///   <translation>x y z
 ///   <rotation>angle axis                  in degrees, about x, y or z, or about "ax ay az"
 ///   <rotationMatrix>nine numbers          column by column
 /// with lengths in mm. The identity if there is none.
-/// @param warnings  gets a line for every element that is not one of these
-/// @throws DataError if numbers are missing, or a rotation is none (beyond 1e-3; what is within is
-/// made orthogonal).
+/// @param warnings  gets a line for every other element
+/// @throws DataError if numbers are missing, or a rotation is off by more than 1e-3; smaller errors
+/// are orthogonalised.
 /// Source: [GraspIt] for the format.
 [[nodiscard]] Pose<double> graspit_transform(const XmlFile& file, const pugi::xml_node& node,
                                              std::vector<std::string>& warnings);

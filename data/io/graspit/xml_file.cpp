@@ -24,7 +24,7 @@ int line_at(const std::string& text, std::ptrdiff_t offset) {
   return 1 + static_cast<int>(std::count(text.begin(), end, '\n'));
 }
 
-/// Text in UTF-8: as it is, or from Latin-1, in which older programs of Windows wrote.
+/// Text in UTF-8: unchanged, or converted from Latin-1, in which older Windows programs wrote.
 std::string in_utf8(std::string text) {
   if (pugi::as_utf8(pugi::as_wide(text)) == text) return text;
   std::wstring wide;
@@ -58,10 +58,12 @@ XmlFile::XmlFile(const std::string& path)
 XmlFile::XmlFile(std::string text, std::string path)
     : text_(std::move(text)), path_(std::move(path)), document_(std::make_unique<Document>()) {
   guard_text(text_, path_, GuardedKind::kXml);
+  // Guard, convert, parse.
   text_ = in_utf8(std::move(text_));
   const pugi::xml_parse_result result = document_->xml.load_buffer(
       text_.data(), text_.size(), pugi::parse_default, pugi::encoding_utf8);
   if (!result) throw DataError(path_, line_at(text_, result.offset), result.description());
+  // Positions of line ends, to find lines by bisection.
   for (std::size_t at = text_.find('\n'); at != std::string::npos; at = text_.find('\n', at + 1))
     document_->line_ends.push_back(static_cast<std::ptrdiff_t>(at));
 }
@@ -99,11 +101,13 @@ std::string XmlFile::text(const pugi::xml_node& node) const {
   return all.substr(first, all.find_last_not_of(white) - first + 1);
 }
 
+/// Brackets, commas and white space all separate numbers.
 std::vector<double> XmlFile::numbers(const pugi::xml_node& node, int count) const {
   std::string all = text(node);
   for (char& c : all)
     if (std::string("()[],;\t\r\n").find(c) != std::string::npos) c = ' ';
   std::vector<double> found;
+  // Read number after number, each finite and complete.
   for (const char* at = all.c_str(); *(at += std::strspn(at, " ")) != '\0';) {
     char* end = nullptr;
     found.push_back(std::strtod(at, &end));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// An XML file that remembers its lines.
+/// XML files that remember line numbers.
 
 #include <memory>
 #include <string>
@@ -12,11 +12,11 @@ class xml_node;
 
 namespace thenar {
 
-/// A parsed file. Its nodes point into it, so it must outlive them.
+/// A parsed file. Its nodes point into it: it must outlive them.
 class XmlFile {
  public:
   /// Reads and parses `path`, in UTF-8 or Latin-1. @throws DataError if it cannot be read, is not
-  /// XML, or is beyond the limits of file_guard.h.
+  /// XML, or exceeds the limits of file_guard.h.
   explicit XmlFile(const std::string& path);
   /// Parses `text`; `path` only names it in messages.
   XmlFile(std::string text, std::string path);
@@ -30,11 +30,11 @@ class XmlFile {
 
   [[nodiscard]] const std::string& path() const { return path_; }
 
-  /// Where an element stands, from 1.
+  /// Line number of an element, from 1.
   [[nodiscard]] int line(const pugi::xml_node& node) const;
 
-  /// Gives every element whose name is one of these but for its case that name.
-  /// @param names  apart by spaces
+  /// Renames elements that differ from one of these names by case only.
+  /// @param names  separated by spaces
   void settle_case(const std::string& names);
 
   /// Throws a DataError at an element.
@@ -43,12 +43,12 @@ class XmlFile {
   /// The text inside an element, without white space around it.
   [[nodiscard]] std::string text(const pugi::xml_node& node) const;
 
-  /// The numbers in an element's text, apart by spaces, commas or brackets.
-  /// @param count  how many are wanted; 0: any number
-  /// @throws DataError if there are others, or one is not a finite number.
+  /// The numbers in an element's text, separated by spaces, commas or brackets.
+  /// @param count  number wanted; 0: any
+  /// @throws DataError if their number differs, or one is not a finite number.
   [[nodiscard]] std::vector<double> numbers(const pugi::xml_node& node, int count = 0) const;
 
-  /// "path:line: <name> is not understood and was left out", to be shown to the user.
+  /// The warning "path:line: <name> is not understood and was left out".
   [[nodiscard]] std::string not_understood(const pugi::xml_node& node) const;
 
  private:
@@ -62,11 +62,9 @@ class XmlFile {
 
 namespace thenar::internal {
 
-// Walks over XML that need no stack, however deep it nests.
-
-/// The node behind `node` in the order of the text, below `top`: its first child, else the next
-/// beside it or beside one above it. Null behind the last.
-/// for (pugi::xml_node node = top; node; node = next_below(top, node)) ..
+/// Next node after `node` in the order of the text, below `top`: its first child, otherwise the
+/// next sibling of it or of an ancestor; null at the end. Needs no stack, however deep the XML
+/// nests: for (pugi::xml_node node = top; node; node = next_below(top, node)) ..
 /// @tparam Node  pugi::xml_node
 template <typename Node>
 [[nodiscard]] Node next_below(const Node& top, Node node) {

@@ -24,7 +24,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Both ends of a pipe, closed with it.
+/// Both ends of a pipe, which it closes.
 class Pipe {
  public:
   Pipe() { require(pipe2(ends_.data(), O_CLOEXEC) == 0, "no pipe: {}", std::strerror(errno)); }
@@ -45,17 +45,18 @@ class Pipe {
   std::array<int, 2> ends_{-1, -1};
 };
 
-/// Starts the program with its output in a pipe. @return its process
+/// Starts the program with its output in a pipe. @returns its process id
 pid_t start(const std::vector<std::string>& command, int output) {
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;
   posix_spawn_file_actions_init(&files);
   posix_spawnattr_init(&attributes);
+  // No input, output in the pipe, no errors, no other open file.
   posix_spawn_file_actions_addopen(&files, 0, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_adddup2(&files, output, 1);
   posix_spawn_file_actions_addopen(&files, 2, "/dev/null", O_WRONLY, 0);
   posix_spawn_file_actions_addclosefrom_np(&files, 3);
-  // Signals as at the start of any program, whatever we have blocked or ignored.
+  // Default signals, whatever this process has blocked or ignored; a process group of its own.
   sigset_t none, all;
   sigemptyset(&none);
   sigfillset(&all);
@@ -65,6 +66,7 @@ pid_t start(const std::vector<std::string>& command, int output) {
   posix_spawnattr_setflags(&attributes,
                            POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
 
+  // Arguments as C strings.
   std::vector<std::string> words = command;
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
@@ -82,17 +84,19 @@ double seconds_of(const timeval& time) {
   return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
-/// Reads until the other end is closed, or a limit is met.
+/// Reads until the other end is closed, or a limit is reached.
 void read_all(int pipe, double seconds, std::size_t most, ProcessEnd& end) {
   const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
   std::array<char, 1 << 16> part;
   while (true) {
+    // Wait for output until the deadline.
     const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
     pollfd waiting{pipe, POLLIN, 0};
     const int ready = left > 0 ? poll(&waiting, 1, static_cast<int>(1000 * left) + 1) : 0;
     if (ready < 0 && errno == EINTR) continue;
     end.too_long = ready == 0;
     if (ready <= 0) return;
+    // Take what has come; nothing means the end.
     const ssize_t got = read(pipe, part.data(), part.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return;
@@ -115,16 +119,19 @@ std::string ProcessEnd::failure() const {
 ProcessEnd run_bounded(const std::vector<std::string>& command, double seconds, std::size_t most) {
   const auto begin = Clock::now();
   Pipe pipe;
+  // This process must not hold the writing end open.
   const pid_t process = start(command, pipe.end(1));
   pipe.close_end(1);
   ProcessEnd end;
   read_all(pipe.end(0), seconds, most, end);
+  // Beyond a limit the program is killed.
   if (end.too_long || end.too_much) (void)kill(process, SIGKILL);
   pipe.close_end(0);
   int status = 0;
   rusage used{};
+  // Collect its status and its use of the processor.
   while (wait4(process, &status, 0, &used) < 0)
-    if (errno != EINTR) return end;  // children are not waited for here: the output must tell
+    if (errno != EINTR) return end;  // children are not waited for here: rely on the output
   end.clock = std::chrono::duration<double>(Clock::now() - begin).count();
   end.processor = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   if (WIFEXITED(status)) end.exit_code = WEXITSTATUS(status);
@@ -135,7 +142,7 @@ ProcessEnd run_bounded(const std::vector<std::string>& command, double seconds, 
 void end_with_parent() {
   const pid_t parent = getppid();
   (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);  // it has ended already
+  if (getppid() != parent) _exit(1);  // the parent has ended already
 }
 
 }  // namespace thenar

@@ -20,15 +20,17 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr const char* kReaderProgram = "thenar-mesh-reader";
-constexpr double kNoTime = 0.05;   // less is not worth a start [s]
-constexpr double kMegabyte = 0.2;  // of the processor, that one more brings along [s]
-constexpr double kQuick = 0.5;     // what takes less of the processor waits for others at most [s]
+constexpr double kNoTime = 0.05;   // less is not worth starting [s]
+constexpr double kMegabyte = 0.2;  // processor time added by each megabyte [s]
+constexpr double kQuick = 0.5;  // a reader that takes less processor time only waits for others [s]
 
-/// Where the program may be, best first.
+/// Places where the program may be, best first.
 std::vector<fs::path> reader_places() {
+  // An explicit choice is the only one.
   const char* const named = std::getenv("THENAR_MESH_READER");
   if (named != nullptr && *named != '\0') return {named};
   std::vector<fs::path> places;
+  // Beside this program, where it was built or installed, on the PATH.
   std::error_code unknown;
   const fs::path self = fs::read_symlink("/proc/self/exe", unknown);
   if (!unknown) places.push_back(self.parent_path() / kReaderProgram);
@@ -41,18 +43,17 @@ std::vector<fs::path> reader_places() {
   return places;
 }
 
-// ---- what a scene of VRML or Inventor may not hold
-
-/// Walks over the words of a scene, without texts and comments.
+/// Reads the words of a VRML or Inventor scene, without texts and comments.
 class SceneWords {
  public:
   SceneWords(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
-  /// The next word, or one of the signs {}[]; empty at the end.
+  /// The next word, or one of the signs {}[]; empty at the end of the text.
   std::string_view next() {
     constexpr std::string_view kSigns = "{}[]", kBetween = " \t\r\n,";
     while (at_ < text_.size()) {
       const char c = text_[at_];
+      // Skip comments, texts and white space.
       if (c == '#') {
         at_ = std::min(text_.find('\n', at_), text_.size());
       } else if (c == '"') {
@@ -61,6 +62,7 @@ class SceneWords {
         line_ += c == '\n' ? 1 : 0;
         ++at_;
       } else {
+        // A sign, or a word up to the next separator.
         const std::size_t begin = at_++;
         if (kSigns.find(c) == std::string_view::npos)
           while (at_ < text_.size() && kSigns.find(text_[at_]) == std::string_view::npos &&
@@ -89,7 +91,7 @@ class SceneWords {
   int line_ = 1;
 };
 
-/// Nodes that stand for another file.
+/// Whether a node stands for another file.
 bool includes_file(std::string_view node) {
   for (const std::string_view other : {"File", "SoFile", "Inline", "WWWInline", "VRMLInline"})
     if (node == other) return true;
@@ -98,6 +100,7 @@ bool includes_file(std::string_view node) {
 
 void refuse_inclusion(std::string_view text, const std::string& path) {
   SceneWords words(text, path);
+  // A node is a name followed by a brace.
   std::string_view before = words.next();
   for (std::string_view word; !before.empty(); before = word) {
     word = words.next();
@@ -109,9 +112,7 @@ void refuse_inclusion(std::string_view text, const std::string& path) {
   }
 }
 
-// ---- what any such file may not hold
-
-/// The JSON inside of a GLB, which stands behind its heading; empty if it is none.
+/// The JSON chunk of a GLB, behind its header; empty if it is malformed.
 std::string_view json_of_glb(std::string_view bytes) {
   constexpr std::size_t kHead = 20;
   if (bytes.size() < kHead || bytes.substr(0, 4) != "glTF") return {};
@@ -120,7 +121,7 @@ std::string_view json_of_glb(std::string_view bytes) {
   return bytes.substr(kHead, size);
 }
 
-/// Holds a file against its limits before the program sees it.
+/// Checks a file against its limits before the program sees it.
 void guard(const std::string& path, MeshFormat format) {
   if (format == MeshFormat::kCollada) {
     (void)read_guarded(path, GuardedKind::kCollada);
@@ -143,7 +144,9 @@ std::string find_mesh_reader() {
 
 TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshTime& left) {
   const MeshReaderLimits limits;
+  // Limits of size and nesting first.
   guard(path, format);
+  // Time that earlier meshes of the file have left.
   if (left.processor <= kNoTime || left.clock <= kNoTime)
     throw DataError(path, 1,
                     "is not read: the meshes before it took all the time that those of one file "
@@ -155,14 +158,16 @@ TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format, MeshT
                                 "which is not there: install it beside the command, or name it "
                                 "with THENAR_MESH_READER",
                                 kReaderProgram));
+  // Large files may take longer.
   left.processor += kMegabyte * static_cast<double>(fs::file_size(path)) / 1e6;
   const double seconds = std::min<double>(limits.processor_seconds, std::ceil(left.processor));
   const ProcessEnd end = run_bounded({program, path, fmt::format("{:.0f}", seconds)},
                                      std::min(limits.clock_seconds, left.clock),
                                      kMaxTriangles * 36 + kMaxExact * 128 + 1000);
+  // Charge the time; waiting for a busy machine is free.
   left.processor -= end.processor;
   if (end.too_long || end.processor > kQuick) left.clock -= end.clock;
-  // An answer says more than how the program ended, which may be by a crash behind it.
+  // An answer says more than the way the program ended, which may be a crash after it.
   const std::string failure = end.failure();
   if (!failure.empty())
     throw DataError(path, 1,

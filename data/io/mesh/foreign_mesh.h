@@ -9,25 +9,25 @@
 
 namespace thenar {
 
-/// What the program that reads one such mesh may take.
+/// Limits of the program that reads one such mesh.
 struct MeshReaderLimits {
   int processor_seconds = 8;                  // [s]
-  double clock_seconds = 12;                  // on a busy machine [s]
-  std::size_t memory = std::size_t{1} << 30;  // beside its libraries [bytes]
+  double clock_seconds = 12;                  // allows for a busy machine [s]
+  std::size_t memory = std::size_t{1} << 30;  // in addition to its libraries [bytes]
 };
 
-/// The triangles of a glTF, GLB, Collada, VRML or Inventor file, with exact shapes, in single
-/// precision, placed by its own scene graph. It is read by the program thenar-mesh-reader, under
-/// MeshReaderLimits: what crashes, hangs or takes too much there is an error here. That program
+/// Reads the triangles of a glTF, GLB, Collada, VRML or Inventor file, with exact shapes, in single
+/// precision, placed by its scene graph. The program thenar-mesh-reader parses it under
+/// MeshReaderLimits, so that a parser that crashes, hangs or takes too much is an error here. It
 /// opens this file only, and for glTF the buffers in the same folder or below.
-/// @param left  of the time of all meshes that belong together; what this one takes is taken off
-/// @throws DataError if the file nests too deeply, names other files to be put in its place, is
-/// broken or too much; if no time is left; or if there is no such program.
+/// @param left  time left for all meshes that belong together; reduced by the time of this one
+/// @throws DataError if the file nests too deeply, includes other files, is broken or too large; if
+/// no time is left; or if the program is missing.
 [[nodiscard]] TriangleSoup read_foreign_mesh(const std::string& path, MeshFormat format,
                                              MeshTime& left);
 
-/// The program: THENAR_MESH_READER, or thenar-mesh-reader beside the program that runs, where it
-/// was built or installed, or on the PATH. Empty if there is none.
+/// Path of the program: THENAR_MESH_READER, or thenar-mesh-reader beside the running program, where
+/// it was built or installed, or on the PATH. Empty if it is missing.
 [[nodiscard]] std::string find_mesh_reader();
 
 }  // namespace thenar

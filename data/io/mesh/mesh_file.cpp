@@ -23,7 +23,7 @@
 namespace thenar {
 namespace {
 
-/// By the ending; null: it is no mesh.
+/// Format by the file name's ending; null: no mesh.
 const MeshFormat* find_format(const std::string& path) {
   static const std::map<std::string, MeshFormat> formats{
       {".obj", MeshFormat::kObj},     {".stl", MeshFormat::kStl},   {".ply", MeshFormat::kPly},
@@ -74,6 +74,7 @@ TriangleSoup read_soup(const std::string& path, MeshTime& left) {
 MeshContent read_in(const std::string& path, double scale, MeshTime& left) {
   require(scale > 0 && std::isfinite(scale), "a mesh is scaled by a number > 0, got {}", scale);
   const TriangleSoup soup = read_soup(path, left);
+  // Weld the loose triangles; exact shapes get the same scale.
   MeshContent content{weld_vertices(soup, scale, path), {}};
   for (const ShapeSpec& shape : soup.exact) content.exact.push_back(scaled_primitive(shape, scale));
   return content;
@@ -92,9 +93,11 @@ MeshContent read_mesh_content(const std::string& path, double scale) {
 
 const MeshContent& MeshReader::content(const std::string& path, double scale) {
   const auto key = std::make_pair(path, scale);
+  // A file that failed once fails again, without being read.
   if (const auto failed = failures_.find(key); failed != failures_.end()) throw failed->second;
   auto found = contents_.find(key);
   try {
+    // Read once, then count its triangles against the limit.
     if (found == contents_.end()) found = contents_.emplace(key, read_in(path, scale, left_)).first;
     if (found->second.mesh.triangles.cols() > kMaxTogether - triangles_)
       throw DataError(path, 1,
@@ -113,7 +116,7 @@ namespace {
 
 using Text = std::back_insert_iterator<std::string>;
 
-/// One line a column, numbers with as many digits as they need.
+/// Appends vertices, one a line, with as many digits as they need.
 void append_vertices(Text out, const TriangleMesh& mesh, const char* prefix) {
   for (const auto& p : mesh.vertices.colwise())
     fmt::format_to(out, "{}{} {} {}\n", prefix, p.x(), p.y(), p.z());
@@ -155,13 +158,14 @@ void append_value(std::string& text, T value) {
   text.append(bytes.data(), bytes.size());
 }
 
-/// 80 bytes of header, a count, then 50 bytes a triangle.
+/// Binary STL: 80 bytes of header, a count, then 50 bytes a triangle.
 std::string stl(const TriangleMesh& mesh) {
   std::string text(80, ' ');
   append_value(text, static_cast<std::uint32_t>(mesh.triangles.cols()));
   for (const auto& t : mesh.triangles.colwise()) {
     const Eigen::Vector3d a = mesh.vertices.col(t(0)), b = mesh.vertices.col(t(1)),
                           c = mesh.vertices.col(t(2));
+    // Normal and corners in single precision, then two unused bytes.
     const Eigen::Vector3d normal = (b - a).cross(c - a).normalized();
     for (const Eigen::Vector3d& v : {normal, a, b, c})
       for (const double coordinate : v) append_value(text, static_cast<float>(coordinate));
@@ -177,6 +181,7 @@ std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh) {
           "wanted a mesh of triangles with finite corners to write to '{}'", path);
   require(mesh.triangles.minCoeff() >= 0 && mesh.triangles.maxCoeff() < mesh.vertices.cols(),
           "a triangle of the mesh for '{}' has a corner that does not exist", path);
+  // Formats that can be written.
   switch (mesh_format(path)) {
     case MeshFormat::kObj:
       return obj(mesh);

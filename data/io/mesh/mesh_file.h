@@ -1,6 +1,6 @@
 #pragma once
 
-/// Surfaces from mesh files.
+/// Reads and writes surface meshes in files.
 
 #include <map>
 #include <string>
@@ -13,52 +13,52 @@
 
 namespace thenar {
 
+/// Format of a mesh file.
 enum class MeshFormat { kObj, kStl, kPly, kOff, kGltf, kCollada, kVrml, kInventor };
 
-/// By the ending of its name, .wrl for VRML and .iv for Inventor.
-/// @throws DataError for any other, listing those there are.
+/// Format by the ending of the file name, .wrl for VRML and .iv for Inventor.
+/// @throws DataError for an unknown ending, listing the known ones.
 [[nodiscard]] MeshFormat mesh_format(const std::string& path);
 
 /// Whether mesh_format() knows the ending.
 [[nodiscard]] bool is_mesh_file(const std::string& path);
 
-/// Reads OBJ, STL, PLY, OFF, glTF/GLB, Collada (in its unit; its up axis is not heeded, as in ROS)
-/// and, where Coin was found, VRML 1.0 and 2.0 and Inventor.
-/// Vertices at the same place are merged; polygons are cut into triangles; the transforms of
-/// the file's own scene graph are applied.
+/// Reads OBJ, STL, PLY, OFF, glTF/GLB, Collada (in its unit; its up axis is ignored, as in ROS)
+/// and, if thenar was built with Coin, VRML 1.0, VRML 2.0 and Inventor. Vertices at the same place
+/// are merged, polygons triangulated, and the transforms of the file's scene graph applied.
 /// @param scale  [m] per unit of the file
-/// @throws DataError if the file cannot be read, its kind is unknown, it holds no triangle, or a
+/// @throws DataError if the file cannot be read, its format is unknown, it has no triangle, or a
 /// coordinate is not finite.
 [[nodiscard]] TriangleMesh read_mesh(const std::string& path, double scale = 1);
 
-/// What a mesh file holds [m].
+/// Content of a mesh file [m].
 struct MeshContent {
-  TriangleMesh mesh;  // as read_mesh() gives it
-  // Where VRML or Inventor holds nothing but spheres, boxes and cylinders that its transforms leave
-  // what they are: these, with sizes and places to rounding. Else empty.
+  TriangleMesh mesh;  // as read_mesh() returns it
+  // If VRML or Inventor consists of spheres, boxes and cylinders that its transforms leave what
+  // they are: these, with sizes and poses to rounding. Otherwise empty.
   std::vector<ShapeSpec> exact;
 };
 
-/// As read_mesh().
+/// Reads mesh and exact shapes, as read_mesh().
 [[nodiscard]] MeshContent read_mesh_content(const std::string& path, double scale = 1);
 
-/// Time that is left to those meshes of one file which other programs' parsers read. Each megabyte
-/// brings 0.2 s of the processor along; the clock runs while one takes more than half a second.
+/// Time left for those meshes of one file that third-party parsers read. Each megabyte adds 0.2 s
+/// of processor time; the clock counts only readers that take more than half a second.
 struct MeshTime {
   double processor = 10;  // [s]
   double clock = 12;      // [s]
 };
 
-/// The meshes that one robot or world names. Each file is read once, also where that fails, and
-/// together they have a limit of time and of triangles.
+/// Reads the meshes that one robot or world names. Each file is read once, even if that fails, and
+/// all files together have a limit of time and of triangles.
 class MeshReader {
  public:
-  /// As read_mesh().
-  /// @throws DataError also if meshes before have taken all time, or with this one there are more
-  /// than kMaxTogether triangles.
+  /// Content of a file, as read_mesh().
+  /// @throws DataError also if earlier meshes took all the time, or if there are more than
+  /// kMaxTogether triangles with this one.
   [[nodiscard]] const MeshContent& content(const std::string& path, double scale = 1);
 
-  /// Its triangles.
+  /// Its triangles alone.
   [[nodiscard]] TriangleMesh read(const std::string& path, double scale = 1) {
     return content(path, scale).mesh;
   }
@@ -67,17 +67,17 @@ class MeshReader {
 
  private:
   MeshTime left_;
-  Eigen::Index triangles_ = 0;                 // of all that were given
+  Eigen::Index triangles_ = 0;                 // in all meshes returned
   using Key = std::pair<std::string, double>;  // file and scale
   std::map<Key, MeshContent> contents_;
   std::map<Key, DataError> failures_;
 };
 
-/// An OBJ, STL (binary), PLY or OFF, by the ending of `path`, which is not touched.
-/// @throws InputError for another ending, and for a mesh without triangles or with broken ones.
+/// Bytes of an OBJ, STL (binary), PLY or OFF file, by the ending of `path`, which is not written.
+/// @throws InputError for another ending, and for a mesh without triangles or with invalid ones.
 [[nodiscard]] std::string mesh_bytes(const std::string& path, const TriangleMesh& mesh);
 
-/// Writes these bytes.
+/// Writes mesh_bytes() to the file.
 void write_mesh(const std::string& path, const TriangleMesh& mesh);
 
 }  // namespace thenar

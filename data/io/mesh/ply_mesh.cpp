@@ -28,7 +28,7 @@ struct Property {
 struct Element {
   std::string name;
   std::size_t count = 0;
-  int line = 0;  // of the header, where it is promised
+  int line = 0;  // line of the header that announces it
   std::vector<Property> properties;
 };
 
@@ -44,14 +44,14 @@ std::size_t bytes_of(Type type) {
   return kBytes.at(static_cast<std::size_t>(type));
 }
 
-// ---- the header
-
+/// Reads the header of a PLY file, line by line.
 class HeaderReader {
  public:
   HeaderReader(const std::string& text, const std::string& path) : text_(text), path_(path) {}
 
   Header read() {
     while (next_line()) {
+      // The first line names the format, the last one ends the header.
       const std::string_view kind = word();
       if (header_.lines == 1) {
         require_end(kind == "ply");
@@ -73,6 +73,7 @@ class HeaderReader {
 
  private:
   bool next_line() {
+    // The next line without white space at its end.
     if (header_.size >= text_.size()) return false;
     const std::size_t end = std::min(text_.find('\n', header_.size), text_.size());
     line_ = std::string_view(text_).substr(header_.size, end - header_.size);
@@ -106,6 +107,7 @@ class HeaderReader {
         {"binary_little_endian", Header::Format::kLittle},
         {"binary_big_endian", Header::Format::kBig}};
     const auto found = formats.find(word());
+    // Format and version, once.
     if (found == formats.end() || has_format_ || word() != "1.0") fail();
     header_.format = found->second;
     has_format_ = true;
@@ -140,6 +142,7 @@ class HeaderReader {
   void read_property() {
     if (header_.elements.empty()) fail();
     Property property;
+    // A scalar type, or a list with a type for its length.
     std::string_view kind = word();
     property.is_list = kind == "list";
     if (property.is_list) {
@@ -159,8 +162,7 @@ class HeaderReader {
   std::string_view line_, rest_;
 };
 
-// ---- the numbers behind it
-
+/// Numbers of a PLY body, from text or from bytes.
 class PlyNumbers {
  public:
   virtual ~PlyNumbers() = default;
@@ -168,7 +170,7 @@ class PlyNumbers {
   [[nodiscard]] virtual double next(Type type) = 0;
   [[nodiscard]] virtual int line() const { return 1; }
   [[nodiscard]] virtual std::size_t bytes_left() const = 0;
-  /// The least that one number takes.
+  /// Least number of bytes that one number takes.
   [[nodiscard]] virtual std::size_t min_bytes(Type type) const = 0;
 };
 
@@ -247,14 +249,14 @@ class ByteNumbers : public PlyNumbers {
   std::size_t at_ = 0;
 };
 
-// ---- vertices and faces
-
+/// Reads the elements of a PLY body: vertices, faces and strips.
 class BodyReader {
  public:
   BodyReader(const Header& header, PlyNumbers& numbers, const std::string& path)
       : header_(header), numbers_(numbers), path_(path) {}
 
   Polygons read() {
+    // Elements in the order of the header.
     for (const Element& element : header_.elements) {
       if (element.properties.empty()) continue;
       require_room(element);
@@ -267,7 +269,7 @@ class BodyReader {
   }
 
  private:
-  /// Holds the promised count against the bytes that are there.
+  /// Compares the promised count with the bytes that are left.
   void require_room(const Element& element) const {
     std::size_t least = 0;
     for (const Property& property : element.properties)
@@ -283,6 +285,7 @@ class BodyReader {
     const bool face = element.name == "face" || element.name == "tristrips";
     Eigen::Vector3d p(0, 0, 0);
     for (const Property& property : element.properties) {
+      // Scalars: only the coordinates of vertices matter.
       if (!property.is_list) {
         const double value = numbers_.next(property.type);
         const std::size_t axis = std::string_view("xyz").find(property.name);
@@ -290,6 +293,7 @@ class BodyReader {
           p[static_cast<Eigen::Index>(axis)] = value;
         continue;
       }
+      // Lists: only corners of faces and strips matter.
       const bool corners =
           face && (property.name == "vertex_indices" || property.name == "vertex_index");
       const std::vector<int> list = read_list(property, corners);
@@ -299,12 +303,13 @@ class BodyReader {
     if (vertex) found_.vertices.push_back(p);
   }
 
-  /// @param wanted  whether its numbers matter
+  /// Reads a list of vertex indices. @param wanted  whether its numbers matter
   std::vector<int> read_list(const Property& property, bool wanted) {
     const double count = numbers_.next(property.count);
     if (!(count >= 0) || count != std::floor(count))
       throw DataError(path_, numbers_.line(),
                       fmt::format("wanted the length of a list, got {}", count));
+    // Numbers that do not matter are read and dropped.
     std::vector<int> list;
     for (double i = 0; i < count; ++i) {
       const double value = numbers_.next(property.type);
@@ -323,7 +328,7 @@ class BodyReader {
     found_.lines.push_back(numbers_.line());
   }
 
-  /// Every three in a row are a triangle, every other one turned; -1 begins anew.
+  /// Adds strips: three indices in a row are a triangle, every other one reversed; -1 begins anew.
   void append_strips(const std::vector<int>& strips) {
     std::size_t first = 0;
     for (std::size_t i = 0; i < strips.size(); ++i) {
@@ -344,6 +349,7 @@ class BodyReader {
 
 Polygons parse_ply(const std::string& text, const std::string& path) {
   const Header header = HeaderReader(text, path).read();
+  // The body begins behind the header, as text or bytes.
   const std::string_view body = std::string_view(text).substr(header.size);
   std::unique_ptr<PlyNumbers> numbers;
   if (header.format == Header::Format::kText)

@@ -14,20 +14,21 @@
 namespace thenar {
 namespace {
 
-// Cutting a polygon takes as many steps as it has corners times those that turn inwards; a file of
-// a million quadrangles needs 4e6, a crafted one could ask for 1e15.
+// Triangulation takes as many steps as the polygon has corners times reflex corners; a file of a
+// million quadrangles needs 4e6 steps, a crafted one could need 1e15.
 constexpr double kMostSteps = 1e8;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// The corners along the polygon's own normal, counterclockwise.
+/// Corners in the plane along the polygon's own normal, counter-clockwise.
 std::vector<Eigen::Vector2d> flattened(const std::vector<Eigen::Vector3d>& corner) {
-  // Newell: twice the area vector, whatever the polygon's form.
+  // Newell's method: twice the area vector, whatever the polygon's shape.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < corner.size(); ++i)
     normal += (corner[i] - corner[0]).cross(corner[(i + 1) % corner.size()] - corner[0]);
+  // Drop the axis nearest to the normal, and keep the sense of rotation.
   Eigen::Index away = 0;
   normal.cwiseAbs().maxCoeff(&away);
   const Eigen::Index x = (away + 1) % 3, y = (away + 2) % 3;
@@ -39,6 +40,7 @@ std::vector<Eigen::Vector2d> flattened(const std::vector<Eigen::Vector3d>& corne
   return flat;
 }
 
+/// Triangulates polygons by ear clipping.
 class Cutter {
  public:
   Cutter(const Polygons& polygons, const std::string& path) : polygons_(polygons), path_(path) {}
@@ -68,11 +70,13 @@ class Cutter {
   }
 
   void cut(const std::vector<int>& face) {
+    // Corners must exist.
     const int count = static_cast<int>(polygons_.vertices.size());
     for (const int corner : face)
       if (corner < 0 || corner >= count)
         fail(fmt::format("a face has corner {}, and there are {} vertices, counted from 0", corner,
                          count));
+    // Triangles need no cutting.
     if (face.size() == 3) return append(face[0], face[1], face[2]);
     std::vector<Eigen::Vector3d> place;
     for (const int corner : face)
@@ -80,20 +84,23 @@ class Cutter {
     cut_ears(face, flattened(place));
   }
 
-  /// Takes off one corner after the other whose triangle holds no corner that turns inwards.
+  /// Clips ears: corners whose triangle contains no reflex corner, one after the other.
   void cut_ears(const std::vector<int>& face, const std::vector<Eigen::Vector2d>& flat) {
     std::vector<std::size_t> left(face.size());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
+    // Twice the signed area at a corner; negative: the corner is reflex.
     const auto turn = [&](std::size_t i) {
       const Eigen::Vector2d& here = flat[left[i]];
       return cross(here - flat[left[(i + left.size() - 1) % left.size()]],
                    flat[left[(i + 1) % left.size()]] - here);
     };
+    // Without reflex corners the polygon is convex.
     std::vector<std::size_t> inward;
     for (std::size_t i = 0; i < left.size(); ++i)
       if (turn(i) < 0) inward.push_back(i);
     if (inward.empty()) return fan(face);
 
+    // An ear is convex, and no reflex corner lies in its triangle.
     const auto is_ear = [&](std::size_t i) {
       if (!(turn(i) > 0)) return false;
       const std::size_t a = left[(i + left.size() - 1) % left.size()], b = left[i],
@@ -109,9 +116,10 @@ class Cutter {
       }
       return true;
     };
+    // Clip from the second corner on, until a triangle is left.
     std::size_t at = 1;
     while (left.size() > 3) {
-      // Where none is left, as in polygons that cross themselves, any corner does.
+      // If there is no ear, as in polygons that cross themselves, clip any corner.
       std::size_t tried = 0;
       for (; tried < left.size() && !is_ear(at % left.size()); ++tried) ++at;
       steps_ += static_cast<double>(tried + left.size());
@@ -145,8 +153,8 @@ TriangleSoup triangulate_polygons(const Polygons& polygons, const std::string& p
 
 namespace {
 
-/// The vertex of a corner "V", "V/T", "V//N" or "V/T/N", from 0; V counts from 1, or from the last
-/// one backwards if it is negative.
+/// Vertex index of a corner "V", "V/T", "V//N" or "V/T/N", from 0; V counts from 1, or backwards
+/// from the last vertex if it is negative.
 int vertex_of(TextLines& lines, std::string_view corner, std::size_t count) {
   const std::string_view first = corner.substr(0, corner.find('/'));
   int number = 0;
@@ -166,6 +174,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
   TextLines lines(text, path);
   Polygons found;
   while (lines.next()) {
+    // Vertices and faces; everything else is skipped.
     const std::string_view kind = lines.word();
     if (kind == "v") {
       const double x = lines.number(), y = lines.number(), z = lines.number();
@@ -183,7 +192,7 @@ Polygons parse_obj(const std::string& text, const std::string& path) {
 
 namespace {
 
-constexpr int kMost = 100'000'000;  // corners or faces: anything above is no count
+constexpr int kMost = 100'000'000;  // largest count of corners or faces that is accepted
 
 void go_on(TextLines& lines) {
   if (!lines.next()) lines.fail("the file ends before all corners and faces are told");
@@ -199,16 +208,17 @@ Polygons parse_off(const std::string& text, const std::string& path) {
   const std::string_view kind = lines.word();
   if (kinds.count(kind) == 0)
     lines.fail(fmt::format("wanted an OFF in text, got {}", in_quotes(kind)));
-  // The counts stand behind the word or on the next line.
+  // The counts follow on the same or the next line.
   TextLines same = lines;
   if (same.word().empty()) go_on(lines);
   const int corners = lines.whole(0, kMost), faces = lines.whole(0, kMost);
-  // "0 0 0" and a line's end take 6 bytes, the shortest face takes 2.
+  // "0 0 0" and a line end take 6 bytes, the shortest face takes 2.
   if (6.0 * corners + 2.0 * faces > static_cast<double>(lines.bytes_left()) + 1)
     lines.fail(fmt::format("{} corners and {} faces are promised, more than {} bytes can hold",
                            corners, faces, lines.bytes_left()));
 
   Polygons found;
+  // Corners, then faces.
   for (int i = 0; i < corners; ++i) {
     go_on(lines);
     const double x = lines.number(), y = lines.number(), z = lines.number();

@@ -14,8 +14,8 @@
 namespace thenar {
 namespace {
 
-// One word, then for triangles a count and nine floats each, and for exact shapes the same with
-// sixteen doubles each (kind, size, position, rotation); for a refusal its text; then the end.
+// A word; then for triangles a count and nine floats each, and for exact shapes a count and sixteen
+// doubles each (kind, size, position, rotation); for a refusal its text; then the end.
 constexpr std::string_view kTriangles = "thenar triangles\n", kRefusal = "thenar refusal\n",
                            kEnd = "end\n";
 constexpr std::size_t kCount = sizeof(std::uint64_t), kTriangle = 9 * sizeof(float),
@@ -26,7 +26,7 @@ bool starts_with(std::string_view text, std::string_view beginning) {
   return text.substr(0, beginning.size()) == beginning;
 }
 
-/// What stands between the first word and the end. @return false if the end is missing
+/// Reduces a text to the part between its word and the end. @returns false if the end is missing
 bool take_body(std::string_view& text, std::string_view word) {
   if (!starts_with(text, word) || text.size() < word.size() + kEnd.size() ||
       text.substr(text.size() - kEnd.size()) != kEnd)
@@ -35,12 +35,14 @@ bool take_body(std::string_view& text, std::string_view word) {
   return true;
 }
 
-/// "path:line: what" keeps its line; other messages stand at line 1.
+/// Throws the message; "path:line: what" keeps its line, other messages are at line 1.
 [[noreturn]] void refuse(std::string message, const std::string& path) {
+  // Messages are not trusted: cut off, and without control characters.
   message.resize(std::min(message.size(), path.size() + kLongest));
   for (char& c : message)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   int line = 1;
+  // A place at the beginning becomes the error's own.
   if (starts_with(message, path + ":")) {
     const char* const begin = message.data() + path.size() + 1;
     const auto [stop, error] = std::from_chars(begin, message.data() + message.size(), line);
@@ -52,8 +54,8 @@ bool take_body(std::string_view& text, std::string_view word) {
   throw DataError(path, line, message);
 }
 
-/// How many things of `bytes` each follow; the count is taken off.
-/// @return false if there are not so many bytes, or more than `most`
+/// Takes the count of things of `bytes` each off the text.
+/// @returns false if fewer bytes follow, or the count exceeds `most`
 bool take_count(std::string_view& text, std::size_t bytes, std::size_t most, std::size_t& count) {
   std::uint64_t said = 0;
   if (text.size() < kCount) return false;
@@ -72,7 +74,7 @@ void append_shape(std::string& answer, const ShapeSpec& shape) {
   append_bytes(answer, shape.X_BS.R.data(), 9);
 }
 
-/// @return nothing if it is no sphere, box or cylinder in a place
+/// A sphere, box or cylinder with its pose; nothing if the bytes describe none.
 std::optional<ShapeSpec> parse_shape(const char* bytes) {
   std::array<double, 16> v;
   std::memcpy(v.data(), bytes, kShape);
@@ -83,7 +85,7 @@ std::optional<ShapeSpec> parse_shape(const char* bytes) {
       shape.size = Eigen::Map<const Eigen::Vector3d>(&v[1]);
       shape.X_BS = {Eigen::Map<const Eigen::Matrix3d>(&v[7]),
                     Eigen::Map<const Eigen::Vector3d>(&v[4])};
-      // What is placed as it is must come out so.
+      // A valid solid does not change under the identity.
       return place_primitive(shape, Eigen::Affine3d::Identity());
     }
   return {};
@@ -92,6 +94,7 @@ std::optional<ShapeSpec> parse_shape(const char* bytes) {
 }  // namespace
 
 std::string answer_of(const TriangleSoup& soup) {
+  // Triangles in single precision.
   const std::uint64_t count = soup.corners.size() / 3;
   std::string answer(kTriangles);
   answer.reserve(kTriangles.size() + kCount + count * kTriangle + kCount +
@@ -101,6 +104,7 @@ std::string answer_of(const TriangleSoup& soup) {
     const Eigen::Vector3f p = corner.cast<float>();
     append_bytes(answer, p.data(), 3);
   }
+  // Exact shapes in double precision.
   const std::uint64_t shapes = soup.exact.size();
   append_bytes(answer, &shapes, 1);
   for (const ShapeSpec& shape : soup.exact) append_shape(answer, shape);
@@ -113,12 +117,14 @@ std::string answer_of(const std::string& message) {
 
 TriangleSoup parse_answer(const std::string& answer, const std::string& path) {
   std::string_view body = answer;
+  // A refusal, or triangles.
   if (take_body(body, kRefusal)) refuse(std::string(body), path);
   body = answer;
   const auto require_whole = [&](bool whole) {
     if (!whole)
       throw DataError(path, 1, "the program that read this file broke off before it had all of it");
   };
+  // Every count and the end must fit the bytes that came.
   std::size_t count = 0, shapes = 0;
   require_whole(take_body(body, kTriangles) && take_count(body, kTriangle, kMaxTriangles, count));
   TriangleSoup soup;
@@ -128,6 +134,7 @@ TriangleSoup parse_answer(const std::string& answer, const std::string& path) {
     std::memcpy(p.data(), body.data() + at, 3 * sizeof(float));
     soup.corners.emplace_back(p.cast<double>());
   }
+  // Exact shapes take exactly the rest.
   body.remove_prefix(count * kTriangle);
   require_whole(take_count(body, kShape, kMaxExact, shapes) && body.size() == shapes * kShape);
   for (std::size_t at = 0; at < body.size(); at += kShape) {

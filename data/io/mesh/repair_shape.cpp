@@ -13,7 +13,7 @@
 namespace thenar {
 namespace {
 
-/// "mesh 'palm.stl' of link 'palm'".
+/// Description of a mesh: "mesh 'palm.stl' of link 'palm'".
 std::string described(const ShapeSpec& shape, const std::string& owner) {
   if (shape.mesh_file.empty()) return "a mesh of " + owner;
   return fmt::format("mesh '{}' of {}", std::filesystem::path(shape.mesh_file).filename().string(),
@@ -25,9 +25,11 @@ std::string described(const ShapeSpec& shape, const std::string& owner) {
 bool repair_shape(ShapeSpec& shape, const std::string& owner, std::vector<std::string>& warnings) {
   if (shape.kind != ShapeKind::kMesh) return true;
   try {
+    // Closed meshes stay as they are.
     RepairedSolid mended = repair_to_solid(shape.mesh);
     if (mended.done.empty()) return true;
     warnings.push_back(fmt::format("MENDED {}: {}", described(shape, owner), mended.done));
+    // The repaired mesh is no longer that of its file.
     shape.mesh = std::move(mended.mesh);
     shape.mesh_file.clear();
     shape.mesh_scale = 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Meshes in shapes, made solid.
+/// Repair of meshes in shapes, so that they bound solids.
 
 #include <string>
 #include <vector>
@@ -9,23 +9,23 @@
 
 namespace thenar {
 
-/// Mends the mesh of a shape (repair_to_solid()) if it bounds no solid; it then no longer stands
-/// for its file. What was done, or that nothing helps, is in `warnings`. Other shapes stay as they
-/// are.
-/// @param owner  whose it is, in words: "link 'palm'"
-/// @return false if the mesh can be no solid, as one that is flat.
+/// Repairs the mesh of a shape (repair_to_solid()) if it bounds no solid; the mesh then no longer
+/// stands for its file. `warnings` gets what was done, or that repair failed. Other shapes stay.
+/// @param owner  in words: "link 'palm'"
+/// @returns false if the mesh cannot become a solid, for example if it is flat.
 [[nodiscard]] bool repair_shape(ShapeSpec& shape, const std::string& owner,
                                 std::vector<std::string>& warnings);
 
-/// repair_shape() of each; those that can be no solid are left out.
+/// repair_shape() for each shape; those that cannot become solids are left out.
 void repair_shapes(std::vector<ShapeSpec>& shapes, const std::string& owner,
                    std::vector<std::string>& warnings);
 
-/// Warns of meshes whose triangles face opposite ways, which are turned wherever a solid is wanted.
+/// Warns of meshes with triangles that face opposite ways; they are turned wherever a solid is
+/// built.
 void note_turned(const std::vector<ShapeSpec>& shapes, const std::string& owner,
                  std::vector<std::string>& warnings);
 
-/// Refuses a mesh that bounds no solid (solid_parts()), naming its file and its holes.
+/// Refuses a mesh that bounds no solid (solid_parts()), with its file and its holes.
 /// @throws InputError
 void require_solid(const ShapeSpec& shape, const std::string& owner);
 

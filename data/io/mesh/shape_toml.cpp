@@ -13,8 +13,8 @@
 namespace thenar {
 namespace {
 
-constexpr double kPrinted = 1e-3;   // how far a printed quaternion may be from length 1
-constexpr double kRotation = 1e-9;  // how far R R' may be from the identity
+constexpr double kPrinted = 1e-3;   // largest error of the length of a printed quaternion [1]
+constexpr double kRotation = 1e-9;  // largest deviation of R R' from the identity [1]
 
 Eigen::Matrix3d read_rows(TomlTable& table) {
   Eigen::Matrix3d R = table.rows3("rotation");
@@ -32,7 +32,7 @@ Eigen::Matrix3d read_quaternion(TomlTable& table) {
   return quaternion.normalized().toRotationMatrix();
 }
 
-/// Roll, pitch, yaw about the fixed x, y, z:  R = Rz Ry Rx.
+/// Rotation by roll, pitch, yaw about the fixed x, y, z:  R = Rz Ry Rx.
 Eigen::Matrix3d read_rpy(TomlTable& table) {
   const Eigen::Vector3d rpy = table.vector(Dimension::kAngle, "rpy");
   return rotation_about<double>(Eigen::Vector3d::UnitZ(), rpy.z()) *
@@ -44,12 +44,13 @@ bool same_bits(const double* a, const double* b, std::size_t count) {
   return std::memcmp(a, b, count * sizeof(double)) == 0;
 }
 
-/// Triangles written out: `vertices` and `triangles` as flat lists.
+/// Reads a mesh written out as flat lists `vertices` and `triangles`.
 TriangleMesh read_triangles(TomlTable& table) {
   const std::vector<double> vertices = table.numbers(Dimension::kLength, "vertices");
   const std::vector<double> corners = table.numbers(Dimension::kNumber, "triangles");
   if (vertices.size() % 3 != 0 || corners.size() % 3 != 0 || corners.empty())
     table.fail("wanted 'vertices' and 'triangles' as triples", "triangles");
+  // Columns of triples; every corner must exist.
   TriangleMesh mesh;
   mesh.vertices = Eigen::Map<const Eigen::Matrix3Xd>(
       vertices.data(), 3, static_cast<Eigen::Index>(vertices.size() / 3));
@@ -66,6 +67,7 @@ TriangleMesh read_triangles(TomlTable& table) {
 
 void read_mesh_keys(TomlTable& table, const std::string& path, ShapeSpec& shape) {
   shape.mesh_scale = table.number_or(Dimension::kNumber, "scale", 1, Range::kPositive);
+  // Written out in the table, or in a file beside it.
   shape.mesh_file = table.text_or("file", "");
   if (shape.mesh_file.empty()) {
     shape.mesh = read_triangles(table);
@@ -77,7 +79,7 @@ void read_mesh_keys(TomlTable& table, const std::string& path, ShapeSpec& shape)
   shape.mesh = read_mesh(file, shape.mesh_scale);
 }
 
-/// How many entries of `size` a kind has.
+/// Number of entries of `size` for a kind.
 int size_count(ShapeKind kind) {
   switch (kind) {
     case ShapeKind::kMesh:
@@ -101,6 +103,7 @@ Eigen::Vector2d read_exponents(TomlTable& table) {
 
 std::vector<std::string> mesh_lines(const ShapeSpec& shape) {
   std::vector<std::string> lines;
+  // A mesh with a file is named, another written out.
   if (shape.mesh_scale != 1 || !shape.mesh_file.empty())
     lines.push_back("scale = " + toml_number(shape.mesh_scale));
   if (!shape.mesh_file.empty()) {
@@ -122,6 +125,7 @@ std::vector<std::string> mesh_lines(const ShapeSpec& shape) {
 Pose<double> read_pose_keys(TomlTable& table) {
   Pose<double> X;
   X.p = table.vector_or(Dimension::kLength, "position", {0, 0, 0});
+  // At most one way to state the rotation.
   const bool rows = table.has("rotation"), quaternion = table.has("quaternion_wxyz");
   const bool rpy = table.has(Dimension::kAngle, "rpy");
   const bool turn = table.has(Dimension::kAngle, "angle");
@@ -141,6 +145,7 @@ ShapeSpec read_shape_table(TomlTable& table, const std::string& path) {
   const std::string kind = table.choice("kind", names);
   shape.kind = static_cast<ShapeKind>(std::find(names.begin(), names.end(), kind) - names.begin());
   shape.X_BS = read_pose_keys(table);
+  // Mesh, sizes and exponents, as far as the kind has them.
   if (shape.kind == ShapeKind::kMesh) read_mesh_keys(table, path, shape);
   if (const int count = size_count(shape.kind); count > 0) {
     const std::vector<double> size =
@@ -153,6 +158,7 @@ ShapeSpec read_shape_table(TomlTable& table, const std::string& path) {
 }
 
 std::vector<std::string> toml_of(const Pose<double>& X) {
+  // Defaults of the reader are left out.
   const Pose<double> none;
   std::vector<std::string> lines;
   if (!same_bits(X.p.data(), none.p.data(), 3)) lines.push_back("position_m = " + toml_list(X.p));

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Poses and shapes in data files; their keys are in docs/data_format.md.
+/// Poses and shapes in data files; docs/data_format.md describes their keys.
 
 #include <string>
 #include <vector>
@@ -11,17 +11,17 @@
 
 namespace thenar {
 
-/// `position` with `rotation` (three rows), `quaternion_wxyz`, `rpy`, or `axis` and `angle`: keys
-/// of the table that stands there. The identity if there is none.
-/// @throws DataError if a rotation is none, or given twice.
+/// Reads a pose from keys of a table: `position` with `rotation` (three rows), `quaternion_wxyz`,
+/// `rpy`, or `axis` and `angle`. The identity if there are none.
+/// @throws DataError if a rotation is invalid, or given twice.
 [[nodiscard]] Pose<double> read_pose_keys(TomlTable& table);
 
-/// A [[shape]]. @param path  of the file it stands in, beside which meshes are found
+/// Reads a [[shape]]. @param path  of the file, beside which its meshes are
 /// @throws DataError if a key, a size or the mesh is wrong.
 [[nodiscard]] ShapeSpec read_shape_table(TomlTable& table, const std::string& path);
 
-/// `key = value` each, without loss; what the readers assume anyway is left out. A mesh with a file
-/// is named, others are written out.
+/// Lines `key = value` of a pose or shape, without loss; defaults of the readers are left out. A
+/// mesh with a file is named, others are written out.
 [[nodiscard]] std::vector<std::string> toml_of(const Pose<double>& X);
 [[nodiscard]] std::vector<std::string> toml_of(const ShapeSpec& shape);
 

@@ -20,7 +20,7 @@ T number_at(const std::string& bytes, std::size_t at) {
   return value;
 }
 
-/// Whether the bytes after the heading are as many as it says, or more.
+/// Whether the number of bytes after the header is what it states, or at least that.
 bool holds_bytes(const std::string& text, bool exactly) {
   if (text.size() < kHead) return false;
   const std::size_t size = kHead + kFacet * std::size_t{number_at<std::uint32_t>(text, 80)};
@@ -39,6 +39,7 @@ TriangleSoup from_bytes(const std::string& text, const std::string& path) {
   require_few(count, path);
   for (std::size_t t = 0; t < count; ++t)
     for (std::size_t k = 0; k < 3; ++k) {
+      // Corners follow a normal, which is ignored.
       const std::size_t at = kHead + kFacet * t + kNormal + 12 * k;
       soup.corners.emplace_back(number_at<float>(text, at), number_at<float>(text, at + 4),
                                 number_at<float>(text, at + 8));
@@ -46,12 +47,12 @@ TriangleSoup from_bytes(const std::string& text, const std::string& path) {
   return soup;
 }
 
-/// The words of a text in lower case, and their lines.
+/// Words of a text in lower case, with their lines.
 class Words {
  public:
   Words(const std::string& text, const std::string& path) : text_(text), path_(path) {}
 
-  /// Empty at the end.
+  /// The next word; empty at the end.
   std::string next() {
     for (; at_ < text_.size() && is_space(text_[at_]); ++at_) line_ += text_[at_] == '\n' ? 1 : 0;
     std::string word;
@@ -60,8 +61,8 @@ class Words {
     return word;
   }
 
-  /// The name of a solid, of any words: the rest of the line, or, where all is on one, what stands
-  /// before the first facet.
+  /// Skips the name of a solid, which is any words: the rest of the line, or, if everything is on
+  /// one line, the part before the first facet.
   void skip_name() {
     const std::size_t end = std::min(text_.find('\n', at_), text_.size());
     for (; at_ < end; ++at_) {
@@ -70,6 +71,7 @@ class Words {
       if (facet > at_ && normal > facet + 5 && normal < end && is_word(facet, "facet") &&
           is_word(normal, "normal"))
         return;
+      // Otherwise go on behind this white space.
       if (facet > at_) at_ = facet - 1;
     }
     at_ = end;
@@ -93,7 +95,7 @@ class Words {
     return at;
   }
 
-  /// Whether `word` stands there, in any case.
+  /// Whether `word` is there, in any case.
   [[nodiscard]] bool is_word(std::size_t at, const std::string& word) const {
     if (at + word.size() > text_.size()) return false;
     return std::equal(word.begin(), word.end(), text_.begin() + static_cast<std::ptrdiff_t>(at),
@@ -114,6 +116,7 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
   words.skip_name();
   TriangleSoup soup;
   bool open = true;
+  // Solids open and close; facets have three corners.
   for (std::string word; !(word = words.next()).empty();) {
     const bool heading = word == "solid" || word == "endsolid";
     if (heading) open = word == "solid";
@@ -130,7 +133,7 @@ TriangleSoup from_text(const std::string& text, const std::string& path) {
   return soup;
 }
 
-/// Headings before bytes may begin with "solid", too.
+/// Whether the file is a text. Headers of binary files may begin with "solid", too.
 bool is_text(const std::string& text) {
   if (text.find('\0') != std::string::npos) return false;
   std::string head = text.substr(0, 200);
@@ -143,6 +146,7 @@ bool is_text(const std::string& text) {
 }  // namespace
 
 TriangleSoup parse_stl(const std::string& text, const std::string& path) {
+  // Binary if the size fits, then text, then binary with more bytes behind.
   if (holds_bytes(text, true)) return from_bytes(text, path);
   if (!is_text(text) && holds_bytes(text, false)) return from_bytes(text, path);
   if (!is_text(text) && text.size() >= kHead)

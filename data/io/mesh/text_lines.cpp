@@ -19,6 +19,7 @@ bool TextLines::next() {
     const std::size_t begin = next_;
     line_ = next_line_;
     std::size_t end = begin;
+    // A line that ends in a backslash continues in the next.
     for (bool goes_on = true; goes_on; ++next_line_) {
       end = std::min(text_.find('\n', end), text_.size());
       const std::size_t last = end - (end > begin && text_[end - 1] == '\r' ? 1 : 0);
@@ -26,6 +27,7 @@ bool TextLines::next() {
       if (goes_on) ++end;
     }
     next_ = std::min(end + 1, text_.size());
+    // Comments are cut off; empty lines are skipped.
     rest_ = text_.substr(begin, end - begin);
     rest_ = rest_.substr(0, rest_.find('#'));
     if (rest_.find_first_not_of(kWhite) != std::string_view::npos) return true;
@@ -75,7 +77,7 @@ bool parse_decimal(std::string_view word, double& value) {
   if (!word.empty() && word[0] == '+') word.remove_prefix(1);
   const char* const end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
-  // Beyond the range of doubles on either side: strtod tells 0 from infinity.
+  // Out of range: strtod tells underflow to 0 from overflow to infinity.
   if (error == std::errc::result_out_of_range && stop == end)
     value = std::strtod(std::string(word).c_str(), nullptr);
   else if (error != std::errc())

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The lines and words of a mesh file in text.
+/// Lines and words of a mesh file in text.
 
 #include <cstddef>
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace thenar {
 
-/// A walk over lines that hold something, and over the words of each. Comments from # to the end
-/// of a line are left out; a line that ends in a backslash goes on in the next. Takes no memory.
+/// Iterates over lines with content, and over the words of each. Comments from # to the end of a
+/// line are left out; a line that ends in a backslash continues in the next. Takes no memory.
 class TextLines {
  public:
   /// @param text  must outlive this
   /// @param path  names the file in messages; must outlive this
   TextLines(std::string_view text, const std::string& path) : text_(text), path_(path) {}
 
-  /// Goes on to the next line. @return false at the end of the text
+  /// Goes to the next line. @returns false at the end of the text
   [[nodiscard]] bool next();
 
   /// The next word of the line; empty at its end.
@@ -28,10 +28,10 @@ class TextLines {
   /// The next word as a whole number in lower..upper. @throws DataError
   [[nodiscard]] int whole(int lower, int upper);
 
-  /// Where the line begins, from 1.
+  /// Line number of the current line, from 1.
   [[nodiscard]] int line() const { return line_; }
 
-  /// The bytes behind the line.
+  /// Number of bytes behind the line.
   [[nodiscard]] std::size_t bytes_left() const { return text_.size() - next_; }
 
   [[noreturn]] void fail(const std::string& what) const;
@@ -39,16 +39,16 @@ class TextLines {
  private:
   std::string_view text_;
   const std::string& path_;
-  std::string_view rest_;  // of the line
-  std::size_t next_ = 0;   // where the next line begins
+  std::string_view rest_;  // of the current line
+  std::size_t next_ = 0;   // start of the next line
   int line_ = 0, next_line_ = 1;
 };
 
-/// A word in a message, cut where it is long.
+/// A word in quotes for a message, cut if it is long.
 [[nodiscard]] std::string in_quotes(std::string_view word);
 
-/// A decimal number, all of it and finite, with or without a sign; "1e-400" is 0.
-/// @return false if it is none
+/// Parses a whole word as a finite decimal number, with or without a sign; "1e-400" is 0.
+/// @returns false if it is no such number
 [[nodiscard]] bool parse_decimal(std::string_view word, double& value);
 
 }  // namespace thenar

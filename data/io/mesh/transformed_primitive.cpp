@@ -10,13 +10,13 @@
 namespace thenar {
 namespace {
 
-constexpr double kSame = 1e-6;       // relative, of numbers with seven digits [1]
-constexpr double kRounding = 1e-12;  // how far R R' may be from the identity [1]
+constexpr double kSame = 1e-6;       // relative difference of equal numbers with seven digits [1]
+constexpr double kRounding = 1e-12;  // largest deviation of R R' from the identity [1]
 
 bool is_same(double a, double b) { return std::abs(a - b) <= kSame * std::max(a, b); }
 
-/// The rotation nearest to columns of length 1 that stand almost at right angles. A mirrored third
-/// axis is turned round: the solids are the same on both sides.
+/// Rotation nearest to almost orthogonal unit columns. A mirrored third axis is reversed, because
+/// the solids are symmetric.
 Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d columns) {
   if (columns.determinant() < 0) columns.col(2) *= -1;
   if ((columns * columns.transpose()).isIdentity(kRounding)) return columns;
@@ -24,7 +24,7 @@ Eigen::Matrix3d nearest_rotation(Eigen::Matrix3d columns) {
   return svd.matrixU() * svd.matrixV().transpose();
 }
 
-/// Sizes under factors along the solid's own axes; nothing if it becomes another solid.
+/// Sizes under factors along the solid's axes; nothing if it becomes another kind of solid.
 std::optional<Eigen::Vector3d> stretched(const ShapeSpec& solid, const Eigen::Vector3d& factor) {
   const bool round = is_same(factor.x(), factor.y());
   const double across = (factor.x() + factor.y()) / 2;
@@ -53,11 +53,12 @@ bool has_sizes(const ShapeSpec& solid) {
 }  // namespace
 
 std::optional<ShapeSpec> place_primitive(const ShapeSpec& solid, const Eigen::Affine3d& map) {
+  // Images of the solid's axes.
   const Eigen::Matrix3d A = map.linear() * solid.X_BS.R;
   const Eigen::Vector3d factor = A.colwise().norm();
   if (!A.allFinite() || !(factor.minCoeff() > 0)) return {};
 
-  // Axes that are no longer at right angles.
+  // The axes must stay perpendicular, and the sizes those of the same solid.
   const Eigen::Matrix3d columns = A * factor.cwiseInverse().asDiagonal();
   if (!(columns.transpose() * columns).isIdentity(kSame)) return {};
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Solids of other formats that a transform leaves what they are.
+/// Spheres, boxes and cylinders that a transform leaves what they are.
 
 #include <optional>
 
@@ -10,21 +10,21 @@
 
 namespace thenar {
 
-/// A sphere, box or cylinder under an affine map p -> A p + b, where its image is one again: A has
-/// columns at right angles in the frame of the solid, all of the same length for a sphere, those
-/// across the axis of the same length for a cylinder; any lengths for a box. A mirror changes none
-/// of them. Angles and ratios of lengths count as equal within 1e-6, as files of single precision
-/// have them; the rotation is then the nearest to A.
+/// Image of a sphere, box or cylinder under an affine map p -> A p + b, if it is such a solid
+/// again: A has perpendicular columns in the frame of the solid, of equal length for a sphere, of
+/// equal length across the axis for a cylinder, of any length for a box. Mirroring changes none of
+/// them. Angles and ratios of lengths count as equal within 1e-6, the precision of single-precision
+/// files; the rotation is then the nearest to A.
 /// @param solid  size and X_BS in the unit of the file
-/// @return nothing if it becomes another solid, or a size is not > 0 and finite
+/// @returns nothing if it becomes another solid, or a size is not > 0 and finite
 [[nodiscard]] std::optional<ShapeSpec> place_primitive(const ShapeSpec& solid,
                                                        const Eigen::Affine3d& map);
 
-/// The solid where one unit is `scale` [m].
+/// The solid in metres. @param scale  [m] per unit of its size
 [[nodiscard]] ShapeSpec scaled_primitive(ShapeSpec solid, double scale);
 
-/// The decimal number that a float was most likely read from: the shortest one that rounds to it,
-/// so that 0.035 stays 0.035.
+/// The decimal number from which a float was most likely read: the shortest that rounds to it, so
+/// that 0.035 stays 0.035.
 [[nodiscard]] double shortest_decimal(float value);
 
 }  // namespace thenar

@@ -17,10 +17,10 @@
 namespace thenar {
 namespace {
 
-constexpr int kFarthest = 1'000'000;  // of a corner; squares and products stay numbers [m]
+constexpr int kFarthest = 1'000'000;  // of a corner; its squares and products stay finite [m]
 using Eigen::Vector3d, Eigen::Vector3i;
 
-constexpr double kNear = 1e-6;  // of the box: corners that are one but for rounding [1]
+constexpr double kNear = 1e-6;  // of the box: corners this close are equal up to rounding [1]
 
 struct HashNumbers {
   template <typename T, std::size_t n>
@@ -36,7 +36,7 @@ struct HashNumbers {
   }
 };
 
-/// Hands out one number for each place.
+/// Numbers places: equal places get one number.
 class Vertices {
  public:
   int index_of(const Vector3d& p) {
@@ -52,19 +52,19 @@ class Vertices {
   std::vector<Vector3d> places_;
 };
 
-/// Places of which those within `near` of an earlier one have its number.
-///
-/// Places that are kept lie further than `near` apart, so that a cell of 4 near holds fewer than
-/// 200 of them (spheres of near / 2 do not overlap), however many come.
+/// Numbers places: a place within `near` of an earlier one gets its number. Places that are kept
+/// lie farther than `near` apart, so that a cell of 4 near has fewer than 200 of them (balls of
+/// radius near / 2 do not overlap), however many come.
 class NearPlaces {
  public:
-  /// @param corner  from which cells are counted, below all places: within 1e6 near of them [m]
+  /// @param corner  origin of the cells, below all places and within 1e6 near of them [m]
   NearPlaces(double near, const Vector3d& corner) : near_(near), cell_(4 * near), corner_(corner) {}
 
-  /// @param number  for p, if it is not near another
+  /// @param number  for p, if it is not near an earlier place
   int index_of(const Vector3d& p, int number) {
     const Eigen::Array3d from_corner = (p - corner_).array();
     const Cell low = cell_at(from_corner - near_), high = cell_at(from_corner + near_);
+    // Look in all cells that the ball around p touches.
     for (int x = low[0]; x <= high[0]; ++x)
       for (int y = low[1]; y <= high[1]; ++y)
         for (int z = low[2]; z <= high[2]; ++z) {
@@ -102,21 +102,22 @@ TriangleMesh mesh_of(const std::vector<Vector3d>& vertices,
 
 using Corners = std::array<Vector3d, 3>;
 
-/// Corners at exactly the same place merged.
+/// Mesh of some triangles, with corners at exactly the same place merged.
 TriangleMesh merged(const std::vector<Corners>& soup, const std::vector<std::size_t>& numbers) {
   Vertices vertices;
   std::vector<Vector3i> triangles;
   for (const std::size_t i : numbers) {
     Vector3i t;
     for (int k = 0; k < 3; ++k) t(k) = vertices.index_of(soup[i][static_cast<std::size_t>(k)]);
+    // Triangles with two equal corners have no area.
     if (t(0) != t(1) && t(1) != t(2) && t(2) != t(0)) triangles.push_back(t);
   }
   return mesh_of(vertices.places(), triangles);
 }
 
 struct Defects {
-  int open = 0;     // edges of one triangle
-  int crowded = 0;  // of more than two
+  int open = 0;     // edges of a single triangle
+  int crowded = 0;  // edges of more than two triangles
 };
 
 Defects defects_of(const TriangleMesh& mesh) {
@@ -128,21 +129,25 @@ Defects defects_of(const TriangleMesh& mesh) {
   return found;
 }
 
-/// Corners on open edges that are one but for rounding made one, if that helps and harms nothing.
+/// The mesh with corners on open edges merged that are equal up to rounding, if that is an
+/// improvement.
 TriangleMesh closed_up(TriangleMesh mesh, double near) {
   const Defects before = defects_of(mesh);
   if (before.open == 0 || !(near > 0)) return mesh;
+  // Only corners on open edges may move.
   std::vector<bool> loose(static_cast<std::size_t>(mesh.vertices.cols()), false);
   for_each_edge(sides_by_edge(mesh), [&](const MeshSide* first, const MeshSide* last) {
     if (last - first == 1) loose[static_cast<std::size_t>(first->low)] = true;
     if (last - first == 1) loose[static_cast<std::size_t>(first->high)] = true;
   });
+  // Each such corner stands for the first one near it.
   NearPlaces places(near, mesh.vertices.rowwise().minCoeff());
   std::vector<int> stands_for(loose.size());
   for (std::size_t i = 0; i < loose.size(); ++i) {
     const auto v = static_cast<int>(i);
     stands_for[i] = loose[i] ? places.index_of(mesh.vertices.col(v), v) : v;
   }
+  // Renumber the triangles; short edges vanish.
   Vertices kept;
   std::vector<Vector3i> triangles;
   for (const auto& old : mesh.triangles.colwise()) {
@@ -152,22 +157,24 @@ TriangleMesh closed_up(TriangleMesh mesh, double near) {
     triangles.push_back(t.unaryExpr([&](int v) { return kept.index_of(mesh.vertices.col(v)); }));
   }
   if (triangles.empty()) return mesh;
+  // Keep the result only if edges were closed and none crowded.
   TriangleMesh welded = mesh_of(kept.places(), triangles);
   const Defects after = defects_of(welded);
   return after.open < before.open && after.crowded <= before.crowded ? welded : mesh;
 }
 
-/// Which triangles are one part. The closed surfaces that a file tells apart by the numbers of its
-/// vertices, then those that triangles close which follow each other, then the rest.
+/// Divides triangles into parts: first the closed surfaces that the vertex numbers of the file
+/// separate, then those that consecutive triangles close, then the rest.
 class PartFinder {
  public:
-  /// @param near  within which corners count as one; 0: exactly the same place [m]
-  /// @param numbers  of the file's vertices, three a triangle; may be empty
-  /// @param corner  of the box around the soup [m]
+  /// @param near  distance within which corners are equal; 0: exactly the same place [m]
+  /// @param numbers  vertex numbers of the file, three a triangle; may be empty
+  /// @param corner  lower corner of the box around the soup [m]
   PartFinder(const std::vector<Corners>& soup, const std::vector<int>& numbers, double near,
              const Vector3d& corner) {
     Vertices vertices;
     NearPlaces places(near, corner);
+    // Number the corners, near ones alike.
     std::vector<int> stands_for;  // of each vertex
     for (const Corners& corners : soup)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -176,6 +183,7 @@ class PartFinder {
           stands_for.push_back(near > 0 ? places.index_of(corners[k], v) : v);
         corners_.push_back(static_cast<std::uint64_t>(stands_for[static_cast<std::size_t>(v)]));
       }
+    // Groups by the file's own vertices are parts if they are closed.
     std::vector<std::size_t> rest;
     for (std::vector<std::size_t>& group : groups_by(numbers, soup.size())) {
       if (is_closed(group))
@@ -183,19 +191,21 @@ class PartFinder {
       else
         rest.insert(rest.end(), group.begin(), group.end());
     }
+    // The rest is divided where consecutive triangles close a surface.
     std::sort(rest.begin(), rest.end());
     split_where_closed(rest);
   }
 
-  /// Numbers of triangles.
+  /// Indices of the triangles of each part.
   [[nodiscard]] const std::vector<std::vector<std::size_t>>& parts() const { return parts_; }
 
  private:
-  using OpenEdges = std::unordered_set<std::uint64_t>;  // of an odd number of triangles
+  using OpenEdges = std::unordered_set<std::uint64_t>;  // edges of an odd number of triangles
 
   void walk(std::size_t triangle, OpenEdges& open) const {
     const std::uint64_t* v = &corners_[3 * triangle];
     if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0]) return;
+    // Every second triangle at an edge closes it.
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint64_t a = v[k], b = v[(k + 1) % 3];
       const std::uint64_t edge = std::min(a, b) << 32U | std::max(a, b);
@@ -210,7 +220,7 @@ class PartFinder {
     return open.empty();
   }
 
-  /// Triangles that hang together by the file's vertices; each by itself if it has none.
+  /// Triangles connected by the file's vertices; each by itself if it has none.
   static std::vector<std::vector<std::size_t>> groups_by(const std::vector<int>& numbers,
                                                          std::size_t count) {
     std::vector<std::vector<std::size_t>> groups;
@@ -218,6 +228,7 @@ class PartFinder {
       for (std::size_t t = 0; t < count; ++t) groups.push_back({t});
       return groups;
     }
+    // Union-find over the vertex numbers.
     std::vector<int> above(static_cast<std::size_t>(
         count == 0 ? 0 : *std::max_element(numbers.begin(), numbers.end()) + 1));
     std::iota(above.begin(), above.end(), 0);
@@ -228,6 +239,7 @@ class PartFinder {
     };
     for (std::size_t i = 0; i < numbers.size(); ++i)
       above[static_cast<std::size_t>(top(numbers[i]))] = top(numbers[i - i % 3]);
+    // One group for each root, in the order of the triangles.
     std::unordered_map<int, std::size_t> group_of;
     for (std::size_t t = 0; t < count; ++t) {
       const auto [at, is_new] = group_of.emplace(top(numbers[3 * t]), groups.size());
@@ -254,7 +266,7 @@ class PartFinder {
   std::vector<std::vector<std::size_t>> parts_;
 };
 
-/// Every part with vertices of its own.
+/// Mesh in which every part has vertices of its own.
 TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& numbers,
                       double part_near, double near, const Vector3d& corner) {
   std::vector<TriangleMesh> parts;
@@ -271,6 +283,7 @@ TriangleMesh in_parts(const std::vector<Corners>& soup, const std::vector<int>& 
 TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::string& path) {
   std::vector<Corners> triangles;
   Eigen::AlignedBox3d box;
+  // Scaled corners, all finite and not too far away.
   for (std::size_t i = 0; i + 2 < soup.corners.size(); i += 3) {
     Corners corners;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -285,8 +298,8 @@ TriangleMesh weld_vertices(const TriangleSoup& soup, double scale, const std::st
     triangles.push_back(corners);
   }
   const double near = triangles.empty() ? 0 : kNear * box.diagonal().norm();
-  // Parts by exact corners, else by near ones; else the whole, for a surface may go on from one
-  // that was closed before.
+  // Three attempts: parts by exact corners, parts by near corners, and everything merged, as a
+  // surface may continue from one that was closed before. The fewest open edges win.
   std::vector<std::size_t> all(triangles.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   TriangleMesh best;

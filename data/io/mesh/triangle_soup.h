@@ -1,6 +1,6 @@
 #pragma once
 
-/// A surface as loose triangles, as mesh files hold it.
+/// Surfaces as loose triangles, as mesh files state them.
 
 #include <string>
 #include <vector>
@@ -12,40 +12,39 @@
 
 namespace thenar {
 
-/// Three corners for each triangle.
+/// Triangles by their corners, three each.
 struct TriangleSoup {
   std::vector<Eigen::Vector3d> corners;  // [unit of the file]
-  // The file's own vertex at each corner; empty where corners share none, as in STL.
+  // The file's own vertex at each corner; empty if corners share none, as in STL.
   std::vector<int> vertices;
-  // Where all triangles stand for spheres, boxes and cylinders, these [unit of the file].
+  // If all triangles belong to spheres, boxes and cylinders, these [unit of the file].
   std::vector<ShapeSpec> exact = {};
 };
 
-/// More exact shapes than these stay triangles.
+/// Files with more exact shapes keep triangles only.
 constexpr std::size_t kMaxExact = 64;
 
-/// A file of more triangles is refused: a hand or an object has no need of them.
+/// Files with more triangles are refused: no hand or object needs them.
 constexpr std::size_t kMaxTriangles = 2'000'000;
 
-/// The soup as a surface: corners at exactly the same place become one vertex, triangles of which
-/// two corners are the same vertex (and so without an area) are left out.
+/// Welds the soup to a surface: corners at exactly the same place become one vertex; triangles with
+/// two equal corners (and so without area) are left out.
 ///
-/// Parts stay apart where they only touch, as those of convex decompositions do: where triangles
-/// that follow each other in the file close a surface, its vertices are its own, unless merging all
-/// leaves fewer edges open. Where edges are open, corners on them that lie within 1e-6 of the box
-/// from each other become one, if that closes edges and puts no third triangle on any: files round
-/// their last digits. Nothing else is moved: what is still open, repair_to_solid() mends, and says
-/// so.
+/// Parts that only touch stay apart, like those of convex decompositions: if consecutive triangles
+/// of the file close a surface, its vertices are its own, unless merging everything leaves fewer
+/// open edges. Corners on open edges that lie within 1e-6 of the box from each other are merged if
+/// that closes edges and puts no third triangle on any, because files round their last digits.
+/// Nothing else is moved; repair_to_solid() repairs the remaining openings, and reports them.
 /// @param scale  [m] per unit of the soup
 /// @param path   names the file in messages
 /// @throws DataError if no triangle is left, or a coordinate is not finite or beyond 1e6 m.
 [[nodiscard]] TriangleMesh weld_vertices(const TriangleSoup& soup, double scale,
                                          const std::string& path);
 
-/// The triangles of an STL, in bytes or as text. Text may stand in any case and on any lines, and
-/// hold several solids; bytes may be followed by others, and their heading begin with "solid".
+/// Reads an STL file, binary or text. Text may be in any case and on any lines, with several
+/// solids; binary data may be followed by other bytes, and their header may begin with "solid".
 /// @param path  names the file in messages
-/// @throws DataError if it is neither, is cut off, or a number is none.
+/// @throws DataError if it is neither, is cut off, or a number is malformed.
 [[nodiscard]] TriangleSoup parse_stl(const std::string& text, const std::string& path);
 
 }  // namespace thenar

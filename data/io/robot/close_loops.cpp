@@ -20,15 +20,16 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kGape = 5e-5;       // farthest that a solved loop may gape [m]
-constexpr double kWell = 1e-7;       // gape that asks for no higher degree [m]
-constexpr double kStill = 1e-7;      // way of a joint that stands still [rad] or [m]
-constexpr double kLeastRange = 0.2;  // of the motor's range that must remain [1]
+constexpr double kGape = 5e-5;       // largest gap of a solved loop [m]
+constexpr double kWell = 1e-7;       // gap at which no higher degree is tried [m]
+constexpr double kStill = 1e-7;      // motion of a joint that stands still [rad] or [m]
+constexpr double kLeastRange = 0.2;  // smallest share of the motor's range that must remain [1]
 constexpr int kNodes = 40, kChecks = 500, kMaxPolynomialDegree = 12;
 
-/// The joints from a link to the base.
+/// Names of the driven joints between a link and the base.
 std::set<std::string> joints_below(const RobotSpec& robot, std::string link) {
   std::set<std::string> names;
+  // Joints come parents first, so one walk backwards is enough.
   for (auto joint = robot.joints.rbegin(); joint != robot.joints.rend(); ++joint) {
     if (joint->child != link) continue;
     if (!joint->dof.empty()) names.insert(joint->name);
@@ -37,7 +38,7 @@ std::set<std::string> joints_below(const RobotSpec& robot, std::string link) {
   return names;
 }
 
-/// What moves one place of a closure and not the other.
+/// Degrees of freedom that move one place of a closure relative to the other.
 std::set<std::string> dofs_between(RobotSpec& robot, const LoopClosure& closure) {
   const std::set<std::string> a = joints_below(robot, closure.a),
                               b = joints_below(robot, closure.b);
@@ -48,11 +49,13 @@ std::set<std::string> dofs_between(RobotSpec& robot, const LoopClosure& closure)
   return dofs;
 }
 
+/// Groups of closures that share degrees of freedom.
 std::vector<LoopGroup> groups_of(RobotSpec& robot, const std::vector<LoopClosure>& closures) {
   std::vector<LoopGroup> groups;
   for (const LoopClosure& closure : closures) {
     LoopGroup joined{{closure}, dofs_between(robot, closure)};
-    if (joined.dofs.empty()) continue;  // nothing moves them against each other
+    if (joined.dofs.empty()) continue;  // nothing moves the two places
+    // Merge all groups that share one with this closure.
     for (auto group = groups.begin(); group != groups.end();) {
       const bool shared = std::any_of(joined.dofs.begin(), joined.dofs.end(),
                                       [&](const auto& dof) { return group->dofs.count(dof) > 0; });
@@ -69,13 +72,13 @@ std::vector<LoopGroup> groups_of(RobotSpec& robot, const std::vector<LoopClosure
   return groups;
 }
 
-/// Closed postures along the motor's range.
+/// Closed postures over the motor's range.
 struct Track {
-  std::vector<double> u;    // rising
-  std::vector<VectorXd> y;  // of each
+  std::vector<double> u;    // values of the motor, ascending [rad] or [m]
+  std::vector<VectorXd> y;  // passive joints at each
 };
 
-/// Steps from a closed posture to either end of the range, as far as the loop closes.
+/// Steps from a closed posture towards both ends of the range, as long as the loop closes.
 Track follow(const Linkage& linkage, const RobotDof& motor, double start, const VectorXd& at) {
   Track track{{start}, {at}};
   const double step = (motor.upper - motor.lower) / kNodes;
@@ -83,9 +86,10 @@ Track follow(const Linkage& linkage, const RobotDof& motor, double start, const 
     double u = start;
     VectorXd y = at;
     while (way > 0 ? u < motor.upper : u > motor.lower) {
+      // The next closed posture, from the last one.
       u = std::clamp(u + way * step, motor.lower, motor.upper);
       const std::optional<VectorXd> next = linkage.close(u, y);
-      // A jump is another branch of the linkage.
+      // A jump leads to another branch of the linkage.
       if (!next || (*next - y).lpNorm<Eigen::Infinity>() > 0.5) break;
       y = *next;
       track.u.insert(way > 0 ? track.u.end() : track.u.begin(), u);
@@ -95,8 +99,9 @@ Track follow(const Linkage& linkage, const RobotDof& motor, double start, const 
   return track;
 }
 
-/// Coefficients c_0, c_1 .. of the polynomial of least squares through values.
+/// Coefficients c_0, c_1 .. of the polynomial that fits values in least squares.
 VectorXd polynomial(const std::vector<double>& u, const VectorXd& values, int degree) {
+  // Scaled to the unit interval, so that powers stay comparable.
   double scale = 0;
   for (const double each : u) scale = std::max(scale, std::abs(each));
   MatrixXd powers(values.size(), degree + 1);
@@ -115,7 +120,7 @@ void couple(RobotSpec& robot, const std::string& passive, const std::string& mot
     if (joint.dof != passive) continue;
     const double ratio = joint.ratio;
     joint.offset += ratio * c[0];
-    if (c.size() == 1) {  // it stands still
+    if (c.size() == 1) {  // constant: the joint stands still
       joint.X_PJ = joint.X_PJ * joint_motion(joint, joint.offset);
       joint.kind = RobotJointKind::kFixed;
       joint.dof.clear();
@@ -123,12 +128,14 @@ void couple(RobotSpec& robot, const std::string& passive, const std::string& mot
       joint.lower = joint.upper = joint.offset = 0;
       continue;
     }
+    // Otherwise it follows along the polynomial.
     joint.dof = motor;
     joint.ratio = ratio * c[1];
     for (Eigen::Index k = 2; k < c.size(); ++k) joint.curve.push_back(ratio * c[k]);
   }
 }
 
+/// Widens the limits of followers by the error of their polynomials.
 void widen_limits(RobotSpec& robot, const RobotDof& motor) {
   for (RobotJoint& joint : robot.joints)
     if (joint.dof == motor.name && !joint.curve.empty())
@@ -140,7 +147,7 @@ void widen_limits(RobotSpec& robot, const RobotDof& motor) {
       }
 }
 
-/// The largest gap anywhere in the range, with joints coupled [m].
+/// The largest gap in the whole range, with joints coupled [m].
 double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& motor) {
   double worst = 0;
   for (int i = 0; i <= kChecks; ++i) {
@@ -152,13 +159,14 @@ double gape(const Linkage& linkage, const RobotSpec& coupled, const RobotDof& mo
   return worst;
 }
 
+/// Solves one group of loops, and couples its joints in the robot.
 class LoopSolver {
  public:
   LoopSolver(RobotSpec& robot, const LoopGroup& group, const std::set<std::string>& driven)
       : robot_(robot), group_(group) {
     for (const std::string& dof : group.dofs)
       if (driven.count(dof) > 0) motors_.push_back(dof);
-    // A file without any motor: what stands nearest to the base drives.
+    // Without any motor the degree of freedom nearest to the base drives.
     for (const RobotDof& dof : robot.dofs)
       if (driven.empty() && motors_.empty() && group.dofs.count(dof.name) > 0)
         motors_.push_back(dof.name);
@@ -166,6 +174,7 @@ class LoopSolver {
 
   void run() {
     const std::string failure = solve();
+    // Tell the user how well the loop closes, or that the robot must not grasp.
     std::vector<std::string> words;
     for (const LoopClosure& closure : group_.closures) words.push_back(closure.words);
     if (failure.empty()) {
@@ -183,16 +192,18 @@ class LoopSolver {
   }
 
  private:
-  /// @return why not, or nothing
+  /// @returns the reason of failure, or an empty text
   std::string solve() {
     if (motors_.empty()) return "no motor drives it";
     if (motors_.size() > 1)
       return fmt::format("it is driven by several motors: {}", fmt::join(motors_, ", "));
     RobotDof motor = *find_dof(robot_, motors_.front());
+    // A linkage of one motor without curves.
     const Linkage linkage(robot_, group_, motor.name);
     for (const RobotJoint& joint : robot_.joints)
       if (group_.dofs.count(joint.dof) > 0 && !joint.curve.empty())
         return fmt::format("'{}' follows along a curve in it", joint.name);
+    // Closed postures, over a large enough part of the range.
     const std::optional<Track> track = find_track(linkage, motor);
     if (!track) return "no posture was found in which it closes and every joint is determined";
     const double whole = motor.upper - motor.lower, left = track->u.back() - track->u.front();
@@ -204,14 +215,16 @@ class LoopSolver {
     return fit(linkage, *track, motor, whole - left);
   }
 
-  /// From where the file's own posture is, or any other that closes.
+  /// Closed postures from the file's own posture, or from any other that closes.
   static std::optional<Track> find_track(const Linkage& linkage, const RobotDof& motor) {
     const auto count = static_cast<Eigen::Index>(linkage.passives().size());
+    // Start with passive joints at zero, or at the nearest limit.
     VectorXd at(count);
     for (Eigen::Index i = 0; i < count; ++i) {
       const PassiveJoint& passive = linkage.passives()[static_cast<std::size_t>(i)];
       at[i] = std::clamp(0.0, passive.lower, passive.upper);
     }
+    // The file's own posture first, then others over the range.
     for (const double share : {-1.0, 0.0, 0.25, 0.5, 0.75, 1.0}) {
       const double u = share < 0 ? std::clamp(0.0, motor.lower, motor.upper)
                                  : motor.lower + share * (motor.upper - motor.lower);
@@ -224,9 +237,11 @@ class LoopSolver {
   std::string fit(const Linkage& linkage, const Track& track, const RobotDof& motor, double lost) {
     RobotSpec best;
     gape_ = 1;
+    // Raise the degree until the loop closes well enough.
     for (int degree = 1; degree <= kMaxPolynomialDegree && gape_ > kWell; ++degree) {
       RobotSpec coupled = robot_;
       followers_.clear();
+      // Fit every passive joint, and measure the gap of the coupled robot.
       for (std::size_t i = 0; i < linkage.passives().size(); ++i) {
         VectorXd values(static_cast<Eigen::Index>(track.u.size()));
         for (std::size_t k = 0; k < track.u.size(); ++k)
@@ -241,6 +256,7 @@ class LoopSolver {
       gape_ = now;
       best = std::move(coupled);
     }
+    // The best degree must close the loop.
     if (!(gape_ <= kGape))
       return fmt::format("no polynomial of degree {} closes it: it gapes by {:.2g} mm",
                          kMaxPolynomialDegree, 1e3 * gape_);
@@ -249,9 +265,11 @@ class LoopSolver {
   }
 
   void adopt(RobotSpec coupled, const Linkage& linkage, const RobotDof& motor, double lost) {
+    // The robot with followers instead of passive degrees of freedom.
     robot_ = std::move(coupled);
     for (const LoopClosure& closure : group_.closures)
       robot_.joined.emplace_back(closure.a, closure.b);
+    // The motor may have lost part of its range.
     if (lost > kStill) {
       robot_.warnings.push_back(
           fmt::format("'{}' moves from {:.6g} to {:.6g} only: beyond, its linkage does not close",
@@ -260,6 +278,7 @@ class LoopSolver {
       dof.lower = motor.lower;
       dof.upper = motor.upper;
     }
+    // Passive degrees of freedom are no longer needed.
     const auto passive = [&](const RobotDof& dof) {
       return std::any_of(linkage.passives().begin(), linkage.passives().end(),
                          [&](const PassiveJoint& each) { return each.name == dof.name; });

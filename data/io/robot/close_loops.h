@@ -1,6 +1,6 @@
 #pragma once
 
-/// Linkages that close loops, as couplings of the joints in a tree.
+/// Closed loops of linkages, turned into couplings of the joints of a tree.
 
 #include <set>
 #include <string>
@@ -10,28 +10,27 @@
 
 namespace thenar::internal {
 
-/// Two places that are one: points of two links, and their directions where the joint is stiff.
+/// A loop closure: two places on links that coincide, in position, or welded in rotation, too.
 struct LoopClosure {
   std::string a, b;       // links
-  Pose<double> X_A, X_B;  // the place in each
-  bool welded = false;    // false: a ball joint, which leaves directions free
-  std::string words;      // "<connect> of 'a' and 'b'"
+  Pose<double> X_A, X_B;  // the place in each link
+  bool welded = false;    // false: a ball joint, which leaves rotations free
+  std::string words;      // for messages: "<connect> of 'a' and 'b'"
 };
 
-/// Turns joints that loops hold into followers of the motor that drives their loop.
+/// Turns joints in closed loops into followers of the motor that drives the loop.
 ///
-/// Over the motor's range passive joints are solved for so that the loop closes,
+/// Over the motor's range passive joints y are solved so that the loop closes,
 ///   min  sum of  k (y - rest)^2 / 2   so that  c(u, y) = 0,  lower <= y <= upper,
-/// with k and rest of their springs, which only count where a loop leaves more than one freedom (an
-/// adaptive gripper, whose spring holds a link at its stop). Their values become polynomials of the
-/// motor's, RobotJoint::curve. These are checked at 500 places: nowhere does the loop gape by more
-/// than 0.05 mm, or else it counts as unsolved. A joint that does not move in the loop stands
-/// still. Where the loop closes in a part of the motor's range only, that part (a fifth or more of
-/// it) remains.
+/// with k and rest of their springs, which only matter if a loop leaves more than one freedom (an
+/// adaptive gripper whose spring holds a link at its stop). The solution becomes a polynomial of
+/// the motor's value, RobotJoint::curve, checked at 500 places: if the loop gapes by more than 0.05
+/// mm anywhere, it counts as unsolved. A joint that does not move in the loop is fixed. If the loop
+/// closes in a part of the motor's range only, this part (at least a fifth) remains.
 ///
-/// What is solved is in the robot's warnings, with how far it gapes; what is not (several motors or
-/// none, a freedom that no spring decides, no closed posture) is in RobotSpec::open_loops.
-/// @param driven  degrees of freedom with a motor; empty: the first one of each loop is
+/// Solved loops are in the robot's warnings with their gap; unsolved ones (several motors or none,
+/// a freedom that no spring determines, no closed posture) are in RobotSpec::open_loops.
+/// @param driven  degrees of freedom with a motor; empty: the first of each loop has one
 void close_loops(RobotSpec& robot, const std::vector<LoopClosure>& closures,
                  const std::set<std::string>& driven);
 

@@ -25,19 +25,20 @@ namespace fs = std::filesystem;
 using internal::JointRange;
 using internal::UnreadElements;
 
-constexpr std::size_t kLongestDrive = 200;  // letters of a drive
+constexpr std::size_t kLongestDrive = 200;  // largest number of letters of a drive
 
-/// How many joints of its chain a link takes.
+/// Number of joints of its chain that a link uses.
 const std::map<std::string, int> kJointsOfLink{
     {"Fixed", 0}, {"Revolute", 1}, {"Prismatic", 1}, {"Universal", 2}, {"Ball", 3}};
 
-/// Files differ in the case of their elements: <DOF>, <coulombFriction>.
+/// Names of elements; files differ in their case: <DOF>, <coulombFriction>.
 const std::string kElements =
     "robot palm dof chain joint link theta d a alpha minValue maxValue transform translation "
     "rotation rotationMatrix fullTransform maxEffort defaultVelocity breakAwayTorque "
     "viscousFriction CoulombFriction springStiffness restValue approachDirection "
     "referenceLocation direction";
 
+/// Translates a GraspIt! robot, element by element.
 class GraspitTranslation {
  public:
   GraspitTranslation(const XmlFile& file, RobotSpec& robot)
@@ -45,17 +46,20 @@ class GraspitTranslation {
 
   void run() {
     const pugi::xml_node top = file_.root();
+    // The robot's name; some files state a class instead.
     robot_.name = top.attribute("type").value();
     if (robot_.name.empty() || robot_.name == "Hand" ||
         robot_.name == "Robot")  // classes, no names
       robot_.name = fs::path(file_.path()).stem();
     note_others(top, {"palm", "dof", "chain", "approachDirection"});
+    // The palm is the base; chains hang on it.
     const pugi::xml_node palm = top.child("palm");
     if (!palm) file_.fail(top, "wanted a <palm>");
     add_link(palm, "palm", "");
     for (const pugi::xml_node node : top.children("dof")) add_dof(node);
     for (const pugi::xml_node node : top.children("chain")) add_chain(node);
     settle_dofs();
+    // Approach, and elements that were not read.
     const pugi::xml_node approach = top.child("approachDirection");
     robot_.approach_stated = approach && approach.child("direction");
     if (approach) set_approach(approach);
@@ -76,10 +80,9 @@ class GraspitTranslation {
     return node ? file_.numbers(node, 1)[0] : otherwise;
   }
 
-  // ---- links
-
   [[nodiscard]] std::string find_body(const std::string& name) const {
     const fs::path folder = fs::path(file_.path()).parent_path();
+    // GraspIt! keeps bodies in a folder of their own.
     for (const fs::path& path : {folder / "iv" / name, folder / name})
       if (is_file(path)) return path.string();
     return "";
@@ -97,6 +100,7 @@ class GraspitTranslation {
     RobotLink link;
     link.name = unique(name);
     link.digit = digit;
+    // A missing body is a link without shape and mass.
     const std::string written = file_.text(node), path = find_body(written);
     if (path.empty()) {
       robot_.warnings.push_back(fmt::format(
@@ -109,6 +113,7 @@ class GraspitTranslation {
   }
 
   void fill(RobotLink& link, const GraspitLink& body) {
+    // Material and mass, then the shape.
     link.material = body.material;
     link.mass = body.mass;
     link.com = body.com;
@@ -124,12 +129,11 @@ class GraspitTranslation {
       link.shapes.push_back(std::move(shape));
   }
 
-  // ---- degrees of freedom
-
   void add_dof(const pugi::xml_node& node) {
     note_others(node, {"defaultVelocity", "maxEffort", "breakAwayTorque"});
     RobotDof dof;
     dof.name = fmt::format("d{}", robot_.dofs.size());
+    // The kind of coupling.
     const std::string type = node.attribute("type").as_string("r");
     if (type == "b") {
       dof.kind = RobotDofKind::kBreakaway;
@@ -139,8 +143,9 @@ class GraspitTranslation {
     } else if (type != "r") {
       file_.fail(node, fmt::format("wanted <dof type=\"r\", \"b\" or \"c\">, got '{}'", type));
     }
+    // Speed and effort; limits follow from the joints.
     dof.speed = number(node, "defaultVelocity", 0);
-    dof.max_effort = number(node, "maxEffort", 0);  // its unit is known with its joints
+    dof.max_effort = number(node, "maxEffort", 0);  // its unit depends on its joints
     dof.lower = -std::numeric_limits<double>::infinity();
     dof.upper = std::numeric_limits<double>::infinity();
     robot_.dofs.push_back(dof);
@@ -148,11 +153,13 @@ class GraspitTranslation {
 
   void settle_dofs() {
     for (RobotDof& dof : robot_.dofs) {
+      // Negative efforts are unknown.
       if (dof.max_effort < 0) {
         robot_.warnings.push_back(fmt::format("maxEffort of '{}' is {:.6g}: taken for unknown",
                                               dof.name, dof.max_effort));
         dof.max_effort = 0;
       }
+      // The range is the intersection of the joints' ranges.
       bool turns = true, drives = false;
       for (const RobotJoint& joint : robot_.joints) {
         if (joint.dof != dof.name) continue;
@@ -162,6 +169,7 @@ class GraspitTranslation {
         dof.lower = std::max(dof.lower, range.lower);
         dof.upper = std::min(dof.upper, range.upper);
       }
+      // Units by the first joint.
       dof.max_effort *= turns ? kGraspitMoment : kGraspitForce;
       dof.nominal_effort = dof.max_effort > 0;  // the format's efforts are round placeholders
       if (!drives) {
@@ -175,25 +183,27 @@ class GraspitTranslation {
     }
   }
 
-  // ---- chains
-
   void add_chain(const pugi::xml_node& chain) {
     note_others(chain, {"transform", "joint", "link"});
+    // With several chains each is a finger.
     const int number_of_chain = ++chains_;
     const bool fingers = static_cast<bool>(file_.root().child("chain").next_sibling("chain"));
     const std::string label = fmt::format("chain{}", number_of_chain);
     const std::string digit = fingers ? fmt::format("finger {}", number_of_chain) : "";
+    // The chain starts on the palm.
     carrier_ = robot_.links.front().name;
     X_carrier_ = graspit_transform(file_, chain.child("transform"), robot_.warnings);
 
     pugi::xml_node joint = chain.child("joint");
     int index = 0;
+    // Each link takes its joints from the list of the chain.
     for (const pugi::xml_node link : chain.children("link")) {
       const int wanted = joints_of(link);
       const std::string stem = fs::path(file_.text(link)).stem();
       const std::string name = add_link(link, fmt::format("{} {}", label, stem), digit);
       if (wanted == 0) add_fixed(fmt::format("{} mount", name), name);
       for (int i = 1; i <= wanted; ++i) {
+        // Joints of several axes get links without mass between them.
         if (!joint) file_.fail(link, "its chain has no joint left for this link");
         const std::string child = i == wanted ? name : add_between(name, i, digit);
         add_joint(joint, fmt::format("{} joint{}", label, ++index), child);
@@ -238,6 +248,7 @@ class GraspitTranslation {
 
   [[nodiscard]] GraspitDrive drive(const pugi::xml_node& joint, const char* name) {
     const pugi::xml_node node = joint.child(name);
+    // The driven parameter, or a constant.
     if (!node) file_.fail(joint, fmt::format("<joint> wants <{}>", name));
     try {
       const GraspitDrive drive = parse_graspit_drive(file_.text(node));
@@ -254,7 +265,7 @@ class GraspitTranslation {
     }
   }
 
-  /// Rz(theta) Tz(d) Tx(a) Rx(alpha), one of theta and d driven.
+  /// Joint with frame Rz(theta) Tz(d) Tx(a) Rx(alpha), of which theta or d is driven.
   void add_joint(const pugi::xml_node& node, const std::string& name, const std::string& child) {
     note_others(node, {"theta", "d", "a", "alpha", "minValue", "maxValue", "viscousFriction",
                        "CoulombFriction", "springStiffness", "restValue"});
@@ -262,17 +273,20 @@ class GraspitTranslation {
     if (type != "Revolute" && type != "Prismatic")
       file_.fail(node,
                  fmt::format("wanted <joint type=\"Revolute\" or \"Prismatic\">, got '{}'", type));
+    // Exactly one of theta and d may be driven.
     const bool turns = type == "Revolute";
     const GraspitDrive theta = drive(node, "theta"), d = drive(node, "d");
     const GraspitDrive& driven = turns ? theta : d;
     if ((turns ? d : theta).dof >= 0)
       file_.fail(node,
                  fmt::format("only {} of a {} joint can be driven", turns ? "theta" : "d", type));
+    // The four factors of Denavit and Hartenberg.
     const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), z = Eigen::Vector3d::UnitZ();
     const Pose<double> turn{rotation_about<double>(z, theta.offset * kDegree), {0, 0, 0}};
     const Pose<double> along{Eigen::Matrix3d::Identity(), d.offset * kGraspitLength * z};
     const Pose<double> across{rotation_about<double>(x, number(node, "alpha", 0) * kDegree),
                               number(node, "a", 0) * kGraspitLength * x};
+    // The motion lies between the factors before it and behind it.
     RobotJoint joint;
     joint.X_PJ = turns ? turn : turn * along;
     joint.X_JC = turns ? along * across : across;
@@ -285,6 +299,7 @@ class GraspitTranslation {
 
   void set_drive(RobotJoint& joint, const pugi::xml_node& node, const GraspitDrive& driven,
                  bool turns) {
+    // Units by the kind of joint.
     const double unit = turns ? kDegree : kGraspitLength;
     const double effort = turns ? kGraspitMoment : kGraspitForce / kGraspitLength;
     joint.dof = robot_.dofs[static_cast<std::size_t>(driven.dof)].name;
@@ -292,6 +307,7 @@ class GraspitTranslation {
     if (joint.ratio == 0) file_.fail(node, "a joint cannot follow with ratio 0");
     for (const char* limit : {"minValue", "maxValue"})
       if (!node.child(limit)) file_.fail(node, fmt::format("<joint> wants <{}>", limit));
+    // Limits hold for ratio * d, in either order.
     const double a = unit * number(node, "minValue", 0), b = unit * number(node, "maxValue", 0);
     joint.lower = std::min(a, b);
     joint.upper = std::max(a, b);
@@ -320,14 +336,15 @@ class GraspitTranslation {
   RobotSpec& robot_;
   std::set<std::string> names_;
   int chains_ = 0;
-  std::string carrier_;     // link that the next joint hangs on
-  Pose<double> X_carrier_;  // of the chain in the palm, until its first joint has it
+  std::string carrier_;     // link that carries the next joint
+  Pose<double> X_carrier_;  // pose of the chain in the palm, until its first joint
   MeshReader meshes_;
 };
 
 }  // namespace
 
 GraspitDrive parse_graspit_drive(const std::string& text) {
+  // Patterns: a plain number, or ratio * dK * ratio + offset.
   static const std::string number = R"(([0-9]+\.?[0-9]*(?:[eE][+-]?[0-9]+)?|\.[0-9]+))";
   static const std::regex driven(R"(\s*(?:([+-]?)\s*)" + number +
                                  R"(\s*\*\s*)?d([0-9]+)\s*(?:\*\s*([+-]?)\s*)" + number +
@@ -335,22 +352,25 @@ GraspitDrive parse_graspit_drive(const std::string& text) {
   static const std::regex plain(R"(\s*([+-]?)\s*)" + number + R"(\s*)");
   std::smatch part;
   GraspitDrive drive;
-  // Such expressions are matched by recursion, a step a letter.
+  // Such expressions are matched by recursion, one step a letter.
   require(text.size() <= kLongestDrive, "wanted a number or 'dK*ratio+offset', got {} letters",
           text.size());
   const auto value = [&](std::size_t sign, std::size_t digits, double otherwise) {
     if (!part[digits].matched) return otherwise;
     return (part[sign] == "-" ? -1 : 1) * std::strtod(part[digits].str().c_str(), nullptr);
   };
+  // A constant.
   if (std::regex_match(text, part, plain)) {
     drive.offset = value(1, 2, 0);
     return drive;
   }
   require(std::regex_match(text, part, driven) && part[3].length() < 6,
           "wanted a number or 'dK*ratio+offset', got '{}'", text);
+  // A driven parameter: factors before and after dK multiply.
   drive.dof = std::stoi(part[3].str());
   drive.ratio = value(1, 2, 1) * value(4, 5, 1);
   drive.offset = value(7, 8, 0);
+  // GraspIt! itself ignores an offset without '+'.
   require(!part[8].matched || part[6] == "+" || part[7] != "",
           "wanted '+' or '-' before the offset, got '{}'", text);
   drive.ignored = part[8].matched && part[6] != "+";

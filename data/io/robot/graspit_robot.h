@@ -1,6 +1,6 @@
 #pragma once
 
-/// Robots from GraspIt! XML.
+/// Robots in GraspIt! XML.
 
 #include <string>
 
@@ -10,20 +10,20 @@ namespace thenar {
 
 /// Reads a GraspIt! robot: palm, degrees of freedom "d0", "d1".. (rigid, breakaway, compliant),
 /// chains of Denavit-Hartenberg joints, links of one to three joints (with links without mass
-/// between them), the approach. A joint's angle is  ratio * d + offset  and its limits hold for
+/// between them), and the approach. A joint's angle is  ratio * d + offset  and its limits hold for
 /// ratio * d, so that the offset is part of the frames here; the range of a degree of freedom is
-/// the tightest of its joints'. Bodies are looked for in iv/ beside the file, then beside it. What
-/// is not read is in `warnings`.
+/// the intersection of its joints' ranges. Bodies are searched in iv/ beside the file, then beside
+/// it. `warnings` lists what is not read.
 /// @throws DataError `path:line: ..`
 /// Source: [GraspIt] for the format.
 [[nodiscard]] RobotSpec read_graspit_robot(const std::string& path);
 
-/// "d2*0.333+40": which degree of freedom turns a joint, and how.
+/// Drive of a joint parameter, "d2*0.333+40": the degree of freedom, ratio and offset.
 struct GraspitDrive {
-  int dof = -1;          // none: a plain number, in `offset`
+  int dof = -1;          // -1: a constant, in `offset`
   double ratio = 1;      // [1]
   double offset = 0;     // in the file's unit [deg] or [mm]
-  bool ignored = false;  // the offset stands behind '-' alone, and GraspIt! itself takes 0
+  bool ignored = false;  // the offset follows '-' alone, for which GraspIt! itself takes 0
 };
 
 /// Parses "d0", "d1*0.5", "d1+40", "d1*0.5-2", "0.5*d1", or a number.

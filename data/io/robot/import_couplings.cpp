@@ -19,18 +19,20 @@ const FollowerCoupling* coupling_of(const std::vector<FollowerCoupling>& couplin
   return nullptr;
 }
 
-/// What a polynomial of a polynomial may come to: one of degree 4, as files may state, of another.
+/// Largest degree of a composed polynomial: one of degree 4, as files may state, of another.
 constexpr std::size_t kMaxComposedDegree = 16;
 
-/// p(next(v)) in place of p(v).
-/// @throws DataError if the degree of that is too high: it multiplies along a chain of joints.
+/// Replaces p(v) by p(next(v)).
+/// @throws DataError if the degree is too high: degrees multiply along a chain of joints.
 void through(FollowerCoupling& step, const FollowerCoupling& next, const std::string& path) {
+  // Coefficients from the constant up.
   const auto coefficients = [](const FollowerCoupling& coupling) {
     std::vector<double> c{coupling.offset, coupling.ratio};
     c.insert(c.end(), coupling.curve.begin(), coupling.curve.end());
     return c;
   };
   const std::vector<double> p = coefficients(step), inner = coefficients(next);
+  // Refuse degrees without use.
   const std::size_t degree = (p.size() - 1) * (inner.size() - 1);
   if (degree > kMaxComposedDegree)
     throw DataError(
@@ -38,7 +40,7 @@ void through(FollowerCoupling& step, const FollowerCoupling& next, const std::st
         fmt::format("joint '{}' follows '{}' through '{}' along a polynomial of degree "
                     "{}, more than {}: let it follow '{}' along one of its own",
                     step.joint, next.master, next.joint, degree, kMaxComposedDegree, next.master));
-  std::vector<double> sum{0};  // by Horner's rule
+  std::vector<double> sum{0};  // Horner's scheme on polynomials
   for (auto c = p.rbegin(); c != p.rend(); ++c) {
     std::vector<double> product(sum.size() + inner.size() - 1, 0);
     for (std::size_t i = 0; i < sum.size(); ++i)
@@ -46,6 +48,7 @@ void through(FollowerCoupling& step, const FollowerCoupling& next, const std::st
     product[0] += *c;
     sum = std::move(product);
   }
+  // Without trailing zeros, but with a linear term.
   while (sum.size() > 2 && sum.back() == 0) sum.pop_back();
   sum.resize(std::max<std::size_t>(sum.size(), 2), 0);
   step.offset = sum[0];
@@ -53,9 +56,10 @@ void through(FollowerCoupling& step, const FollowerCoupling& next, const std::st
   step.curve.assign(sum.begin() + 2, sum.end());
 }
 
-/// The coupling to the joint that follows none.
+/// Coupling to the joint that follows no other.
 FollowerCoupling to_root(const std::vector<FollowerCoupling>& couplings, FollowerCoupling step,
                          const std::string& path) {
+  // Follow the masters; coming back is an error.
   std::set<std::string> met{step.joint};
   while (const FollowerCoupling* next = coupling_of(couplings, step.master)) {
     if (!met.insert(step.master).second)
@@ -70,6 +74,7 @@ FollowerCoupling to_root(const std::vector<FollowerCoupling>& couplings, Followe
 
 void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& coupling,
             const std::string& path) {
+  // The master must exist.
   const RobotJoint* root = find_joint(robot, coupling.master);
   if (root == nullptr)
     throw DataError(path, coupling.line,
@@ -78,6 +83,7 @@ void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& couplin
   joint.ratio = coupling.ratio;
   joint.offset = coupling.offset;
   joint.curve = coupling.curve;
+  // A follower of a fixed joint stands still.
   if (root->kind == RobotJointKind::kFixed || (coupling.ratio == 0 && coupling.curve.empty())) {
     joint.dof.clear();  // it stands still
     joint.curve.clear();
@@ -88,12 +94,13 @@ void follow(RobotSpec& robot, RobotJoint& joint, const FollowerCoupling& couplin
   }
 }
 
-/// Values of a degree of freedom in its range that keep a joint which follows it along a curve
-/// within its limits: of the runs of such values the longest. It crosses itself if there is none.
+/// Longest interval of a degree of freedom in its range that keeps a joint, which follows it along
+/// a curve, within its limits. Lower exceeds upper if there is none.
 JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
   constexpr int kPlaces = 1000;
   const double slack = 1e-3 * (joint.upper - joint.lower);
   const auto at = [&](int i) { return dof.lower + (dof.upper - dof.lower) * i / kPlaces; };
+  // Longest run of admissible places.
   JointRange best{1, 0};
   for (int i = 0; i <= kPlaces; ++i) {
     int end = i;
@@ -107,7 +114,7 @@ JointRange range_along(const RobotJoint& joint, const RobotDof& dof) {
   return best;
 }
 
-/// Limits that hold all of a curve.
+/// Widens the limits of a joint until they contain its whole curve.
 void widen(RobotJoint& joint, const RobotDof& dof) {
   for (int i = 0; i <= 1000; ++i) {
     const double value = joint_value(joint, dof.lower + (dof.upper - dof.lower) * i / 1000);
@@ -116,14 +123,15 @@ void widen(RobotJoint& joint, const RobotDof& dof) {
   }
 }
 
-/// Tightens the range of a degree of freedom to what a follower can go along with.
+/// Tightens the range of a degree of freedom so that a follower keeps its limits.
 void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
   const JointRange through = joint.curve.empty() ? range_through(joint) : range_along(joint, dof);
   const double lower = std::max(dof.lower, through.lower),
                upper = std::min(dof.upper, through.upper);
-  // Decimals of a file: 0.333 * 2.4 is no tighter limit than 0.8.
+  // Rounding in files: 0.333 * 2.4 is no tighter limit than 0.8.
   const double slack = 1e-3 * (dof.upper - dof.lower);
   if (lower <= dof.lower + slack && upper >= dof.upper - slack) return;
+  // A smaller range remains.
   if (lower < upper) {
     robot.warnings.push_back(fmt::format(
         "'{}' moves from {:.6g} to {:.6g} instead of {:.6g} to {:.6g}: further would take '{}', "
@@ -133,6 +141,7 @@ void tighten(RobotSpec& robot, RobotDof& dof, RobotJoint& joint) {
     dof.upper = upper;
     return;
   }
+  // Nothing would remain: widen the follower's limits instead.
   const double a = joint_value(joint, dof.lower), b = joint_value(joint, dof.upper);
   robot.warnings.push_back(fmt::format(
       "limits of '{}' ({:.6g} to {:.6g}) leave '{}', which it follows, no way to move; they are "
@@ -164,6 +173,7 @@ RobotDof* find_dof(RobotSpec& robot, const std::string& name) {
 
 void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
                    const std::string& path) {
+  // Followers share the degree of freedom of their root; other joints get their own.
   for (RobotJoint& joint : robot.joints) {
     if (joint.kind == RobotJointKind::kFixed) continue;
     if (const FollowerCoupling* own = coupling_of(couplings, joint.name)) {
@@ -178,6 +188,7 @@ void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& coupli
     dof.speed = 1;
     robot.dofs.push_back(dof);
   }
+  // Ranges that followers can follow, and limits that contain their curves.
   for (RobotJoint& joint : robot.joints)
     if (RobotDof* dof = find_dof(robot, joint.dof); dof != nullptr && dof->name != joint.name)
       tighten(robot, *dof, joint);
@@ -186,6 +197,7 @@ void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& coupli
 }
 
 void order_tree(RobotSpec& robot, const std::string& path) {
+  // Exactly one link is carried by no joint: the base.
   std::set<std::string> carried;
   for (const RobotJoint& joint : robot.joints) carried.insert(joint.child);
   std::vector<std::string> roots;
@@ -200,6 +212,7 @@ void order_tree(RobotSpec& robot, const std::string& path) {
   std::stable_partition(robot.links.begin(), robot.links.end(),
                         [&](const RobotLink& link) { return link.name == roots[0]; });
 
+  // Repeatedly take the first joint whose parent is placed.
   std::set<std::string> placed{roots[0]};
   auto next = robot.joints.begin();
   while (next != robot.joints.end()) {

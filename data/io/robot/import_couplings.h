@@ -1,6 +1,6 @@
 #pragma once
 
-/// From joints that follow joints to degrees of freedom.
+/// Couplings of joints that follow joints, as shared degrees of freedom.
 
 #include <string>
 #include <vector>
@@ -15,34 +15,34 @@ struct FollowerCoupling {
   std::string master;
   double ratio = 1;           // [1], [m/rad] or [rad/m]
   double offset = 0;          // [rad] or [m]
-  int line = 1;               // of the file that says so
+  int line = 1;               // of the file, for messages
   std::vector<double> curve;  // empty: linear
 };
 
 /// Gives every moving joint that follows none a degree of freedom of its own name (rigid, speed 1),
-/// and lets those that follow it, also through others, share it. Where a follower would leave its
-/// limits the range becomes the tightest one, and a warning says so; where nothing would be left
-/// the follower's limits are widened instead.
-/// @throws DataError with `path` for couplings to unknown joints, round in a ring, or through
-/// others along a polynomial of a degree above 16.
+/// which all joints that follow it, also through others, share. If a follower would leave its
+/// limits, the range becomes the tightest one, with a warning; if nothing would be left, the
+/// follower's limits are widened instead.
+/// @throws DataError with `path` for couplings to unknown joints, in a circle, or through others
+/// along a polynomial of a degree above 16.
 void couple_joints(RobotSpec& robot, const std::vector<FollowerCoupling>& couplings,
                    const std::string& path);
 
-/// A range of values.
+/// An interval of joint values.
 struct JointRange {
   double lower, upper;  // [rad] or [m]
 };
 
-/// Values of the degree of freedom that keep one joint, which follows it linearly, within its
+/// Interval of the degree of freedom that keeps a joint, which follows it linearly, within its
 /// limits.
 [[nodiscard]] JointRange range_through(const RobotJoint& joint);
 
-/// The joint of that name, or none.
+/// The joint or degree of freedom of that name, or null.
 [[nodiscard]] RobotJoint* find_joint(RobotSpec& robot, const std::string& name);
 [[nodiscard]] RobotDof* find_dof(RobotSpec& robot, const std::string& name);
 
-/// Puts joints in an order in which parents come before children, and the base link first; those of
-/// one parent keep their order.
+/// Sorts joints so that parents come before children, and puts the base link first; children of one
+/// parent keep their order.
 /// @throws DataError with `path` if there is not exactly one link that no joint carries, or a ring.
 void order_tree(RobotSpec& robot, const std::string& path);
 

@@ -16,7 +16,7 @@ bool starts_with(const std::string& text, const std::string& beginning) {
   return text.compare(0, beginning.size(), beginning) == 0;
 }
 
-/// "/a/b" of "file:///a/b"; "pkg/a/b" of "package://pkg/a/b"; any other as it is.
+/// Name without its scheme: "/a/b" for "file:///a/b"; "pkg/a/b" for "package://pkg/a/b".
 std::string without_scheme(const std::string& name) {
   for (const std::string scheme : {"file://", "package://", "model://"})
     if (starts_with(name, scheme)) return name.substr(scheme.size());
@@ -30,16 +30,18 @@ std::string existing(const fs::path& path) {
 }  // namespace
 
 std::string find_mesh(const std::string& name, const std::string& robot_file) {
+  // Windows paths, too.
   std::string plain = without_scheme(name);
   for (char& letter : plain)
     if (letter == '\\') letter = '/';
   const bool in_package = starts_with(name, "package://") || starts_with(name, "model://");
   if (fs::path(plain).is_absolute() && !in_package) return existing(plain);
 
-  // In a package the first folder may be the one we stand in, under whatever name.
+  // The first folder of a package name may be the current one under another name.
   std::vector<fs::path> tails{plain};
   if (in_package && plain.find('/') != std::string::npos)
     tails.emplace_back(plain.substr(plain.find('/') + 1));
+  // Search every folder from the robot's file upwards.
   const fs::path start = fs::absolute(fs::path(robot_file)).parent_path();
   for (const fs::path& tail : tails)
     for (fs::path folder = start;; folder = folder.parent_path()) {
@@ -55,7 +57,7 @@ ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, Me
   const double scale = A(0, 0);
   ShapeSpec shape;
   shape.kind = ShapeKind::kMesh;
-  // A file that is one sphere, box or cylinder is that; a link's shape is one.
+  // A file of exactly one sphere, box or cylinder becomes this shape.
   if (scale > 0 && A == Eigen::Matrix3d(scale * Eigen::Matrix3d::Identity()) &&
       placement.b.isZero(0)) {
     const MeshContent& content = reader.content(file, scale);
@@ -65,6 +67,7 @@ ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, Me
     shape.mesh_scale = scale;
     return shape;
   }
+  // Any other map is applied to the vertices; mirroring turns triangles over.
   shape.mesh = reader.read(file);
   shape.mesh.vertices = (A * shape.mesh.vertices).colwise() + placement.b;
   if (A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
@@ -74,6 +77,7 @@ ShapeSpec mesh_shape(const std::string& file, const MeshPlacement& placement, Me
 bool try_mesh(ShapeSpec& shape, const std::string& name, const MeshPlacement& placement,
               const NamedMeshes& from, const std::string& link,
               std::vector<std::string>& warnings) {
+  // A missing or unreadable mesh is a warning, not an error.
   const std::string file = find_mesh(name, from.robot_file);
   if (file.empty()) {
     warnings.push_back(fmt::format("MISSING MESH '{}': link '{}' goes without it", name, link));

@@ -24,6 +24,7 @@ bool is_xml(const std::string& text) {
   return first != std::string::npos && text[first] == '<';
 }
 
+/// Kind of a robot file by its root element and the children of <robot>.
 RobotFileKind kind_of_xml(const XmlFile& file) {
   const pugi::xml_node root = file.root();
   const std::string name = root.name();
@@ -55,7 +56,7 @@ RobotSpec read_kind(const std::string& path, RobotFileKind kind) {
   return read_robot(path);
 }
 
-/// The nearest inertia with no moment below 0 and the largest no more than the sum of the others.
+/// The nearest inertia with principal moments >= 0, the largest at most the sum of the others.
 Eigen::Matrix3d bodily(const Eigen::Matrix3d& inertia) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(
       Eigen::Matrix3d((inertia + inertia.transpose()) / 2));
@@ -75,9 +76,9 @@ void mend_inertias(RobotSpec& robot) {
     }
 }
 
-constexpr double kLargest = 10;  // shape or way: a longer one is in another unit [m]
+constexpr double kLargest = 10;  // shape or offset: larger ones are in another unit [m]
 
-/// A mesh's longest side, another shape's largest size, such as a radius [m].
+/// Longest side of a mesh, otherwise the largest size of a shape, such as a radius [m].
 double across(const ShapeSpec& shape) {
   if (shape.kind != ShapeKind::kMesh) return shape.size.maxCoeff();
   return (shape.mesh.vertices.rowwise().maxCoeff() - shape.mesh.vertices.rowwise().minCoeff())
@@ -85,6 +86,7 @@ double across(const ShapeSpec& shape) {
 }
 
 void doubt_units(RobotSpec& robot) {
+  // Shapes of implausible size, and joints far from their parents.
   for (const RobotLink& link : robot.links)
     for (const ShapeSpec& shape : link.shapes) {
       const double size = across(shape);
@@ -135,6 +137,7 @@ RobotFileKind find_robot_kind(const std::string& path) {
 }
 
 RobotSpec import_robot(const std::string& path) {
+  // Read by kind, then make the robot usable.
   RobotSpec robot = read_kind(path, find_robot_kind(path));
   if (robot.name.empty()) robot.name = std::filesystem::path(path).stem();
   mend_inertias(robot);
@@ -142,6 +145,7 @@ RobotSpec import_robot(const std::string& path) {
     repair_shapes(link.shapes, fmt::format("link '{}'", link.name), robot.warnings);
   doubt_units(robot);
   robot.warnings = internal::by_severity(robot.warnings);
+  // What remains wrong is an error of the file.
   try {
     check_robot(robot);
   } catch (const InputError& error) {
@@ -170,6 +174,7 @@ int weight(const std::string& warning) {
 }  // namespace
 
 std::vector<std::string> by_severity(const std::vector<std::string>& warnings) {
+  // Each warning once, with its number of occurrences.
   std::vector<std::string> once;
   std::map<std::string, int> times;
   for (const std::string& warning : warnings)

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Robots from files of any kind.
+/// Reads robots from files of any kind.
 
 #include <string>
 #include <vector>
@@ -9,20 +9,21 @@
 
 namespace thenar {
 
+/// Kind of a robot file.
 enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 
 /// "thenar TOML", "URDF", "MJCF", "GraspIt! XML".
 [[nodiscard]] std::string name_of(RobotFileKind kind);
 
-/// What a file of robots is, by what it holds: <mujoco>; <robot> with <link> or <joint> children
+/// Finds the kind of a robot file by its content: <mujoco>; <robot> with <link> or <joint> children
 /// for URDF, with <palm>, <chain> or <dof> for GraspIt!; otherwise TOML.
 /// @throws DataError if it is XML of none of these kinds.
 [[nodiscard]] RobotFileKind find_robot_kind(const std::string& path);
 
-/// Reads a robot of any kind. What was not understood is in its `warnings`. Inertias that no body
-/// has (a principal moment above the sum of the others, or below 0) are cut to the nearest that one
-/// has, meshes that bound no solid are mended (repair_to_solid()) or, where they are flat, left
-/// out: each with a warning.
+/// Reads a robot of any kind. `warnings` lists what was not understood, and each repair: inertias
+/// that no body has (a principal moment above the sum of the others, or below 0) are replaced by
+/// the nearest possible one; meshes that bound no solid are repaired (repair_to_solid()) or, if
+/// they are flat, left out.
 /// @throws DataError  `path:line: ..`
 [[nodiscard]] RobotSpec import_robot(const std::string& path);
 
@@ -30,10 +31,8 @@ enum class RobotFileKind { kToml, kUrdf, kMjcf, kGraspit };
 
 namespace thenar::internal {
 
-// Warnings of imports, put in order.
-
-/// The same one once, with " (N times)"; first what is missing or unreadable (in capitals: MISSING,
-/// UNREADABLE, INCOMPLETE, LEFT OUT), then what was changed, last elements that are not read, as
+/// Sorts warnings, each once with " (N times)": first missing or unreadable parts (in capitals:
+/// MISSING, UNREADABLE, INCOMPLETE, LEFT OUT), then changes, last elements that are not read, like
 /// gains and colours.
 [[nodiscard]] std::vector<std::string> by_severity(const std::vector<std::string>& warnings);
 

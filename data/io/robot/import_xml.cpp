@@ -11,9 +11,9 @@
 namespace thenar::internal {
 namespace {
 
-constexpr std::size_t kLinesNamed = 8;  // of a warning; more are counted
+constexpr std::size_t kLinesNamed = 8;  // largest number of lines named in a warning
 
-/// "line 12"; "2 times: lines 12, 30".
+/// Lists lines: "line 12"; "2 times: lines 12, 30".
 std::string listed_lines(std::vector<int> lines) {
   const std::size_t times = lines.size();
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
@@ -34,6 +34,7 @@ std::vector<double> parse_numbers(const XmlFile& file, const pugi::xml_node& nod
   std::istringstream in(spaced);
   in.imbue(std::locale::classic());
   std::vector<double> numbers;
+  // Words that are numbers as a whole.
   for (std::string word; in >> word;) {
     std::istringstream letters(word);
     letters.imbue(std::locale::classic());
@@ -77,6 +78,7 @@ std::string required_text(const XmlFile& file, const pugi::xml_node& node, const
 
 void UnreadElements::note(const pugi::xml_node& node, const std::string& what) {
   const int line = file_.line(node);
+  // The same message once, with all its lines.
   const auto [at, is_new] = by_what_.emplace(what, entries_.size());
   if (is_new) entries_.push_back({what, {}});
   entries_[at->second].lines.push_back(line);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Numbers in the attributes of XML, and what of a file was not read. Only sources include this.
+/// Numbers in XML attributes, and notes about elements that are not read. For sources only.
 
 #include <map>
 #include <string>
@@ -16,29 +16,29 @@ class xml_node;
 
 namespace thenar::internal {
 
-/// Numbers set apart by spaces or commas, all finite.
-/// @param what  names them in the message
+/// Reads finite numbers, separated by spaces or commas.
+/// @param what  their name in the message
 /// @throws DataError with the line of `node`.
 [[nodiscard]] std::vector<double> parse_numbers(const XmlFile& file, const pugi::xml_node& node,
                                                 const std::string& text, const std::string& what);
 
-/// One number, nothing else. @throws DataError
+/// Reads exactly one number. @throws DataError
 [[nodiscard]] double parse_number(const XmlFile& file, const pugi::xml_node& node,
                                   const std::string& text, const std::string& what);
 
-/// Exactly three. @throws DataError
+/// Reads exactly three numbers. @throws DataError
 [[nodiscard]] Eigen::Vector3d parse_vector3(const XmlFile& file, const pugi::xml_node& node,
                                             const std::string& text, const std::string& what);
 
-/// An attribute as a number, `otherwise` where it is absent. @throws DataError
+/// Reads an attribute as a number, `otherwise` if it is absent. @throws DataError
 [[nodiscard]] double number_or(const XmlFile& file, const pugi::xml_node& node,
                                const char* attribute, double otherwise);
 
-/// An attribute that must be there and not empty. @throws DataError
+/// Reads an attribute that must be present and not empty. @throws DataError
 [[nodiscard]] std::string required_text(const XmlFile& file, const pugi::xml_node& node,
                                         const char* attribute);
 
-/// What was met and not understood, each once, with the lines it stands on:
+/// Collects elements that are not read, each message once with its lines; `file` must outlive it:
 /// "<transmission> is not read (2 times: lines 12, 30)".
 class UnreadElements {
  public:
@@ -53,7 +53,7 @@ class UnreadElements {
   };
   const XmlFile& file_;
   std::vector<Entry> entries_;
-  std::map<std::string, std::size_t> by_what_;  // where each stands among the entries
+  std::map<std::string, std::size_t> by_what_;  // index among the entries
 };
 
 }  // namespace thenar::internal

@@ -7,6 +7,7 @@
 namespace thenar {
 
 double joint_value(const RobotJoint& joint, double u) {
+  // Horner's scheme.
   double bent = 0;
   for (auto c = joint.curve.rbegin(); c != joint.curve.rend(); ++c) bent = (bent + *c) * u;
   return joint.offset + (joint.ratio + bent) * u;
@@ -37,6 +38,7 @@ Pose<double> joint_motion(const RobotJoint& joint, double value) {
 }
 
 std::vector<Pose<double>> link_poses(const RobotSpec& robot, const DofValues& dofs) {
+  // Poses from the base outwards.
   std::map<std::string, Pose<double>> placed;
   if (!robot.links.empty()) placed[robot.links.front().name] = {};
   for (const RobotJoint& joint : robot.joints) {
@@ -46,6 +48,7 @@ std::vector<Pose<double>> link_poses(const RobotSpec& robot, const DofValues& do
     placed[joint.child] =
         parent->second * joint.X_PJ * joint_motion(joint, joint_value(joint, dofs)) * joint.X_JC;
   }
+  // In the order of the links.
   std::vector<Pose<double>> poses;
   for (const RobotLink& link : robot.links) {
     const auto found = placed.find(link.name);

@@ -14,17 +14,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kClosed = 1e-11;     // of the search [m]
-constexpr double kLength = 0.05;      // by which directions of welds are weighed [m]
+constexpr double kClosed = 1e-11;     // residual of a closed loop [m]
+constexpr double kLength = 0.05;      // length that weighs rotations of welds [m]
 constexpr double kStep = 0.1;         // longest step of the search [rad] or [m]
-constexpr double kDifference = 1e-6;  // of derivatives [rad] or [m]
-constexpr double kRank = 1e-7;  // singular values below this share of the largest are none [1]
+constexpr double kDifference = 1e-6;  // step of central differences [rad] or [m]
+constexpr double kRank = 1e-7;  // singular values below this share of the largest are zero [1]
 
 }  // namespace
 
 Linkage::Linkage(const RobotSpec& robot, const LoopGroup& group, std::string motor)
     : robot_(robot), group_(group), motor_(std::move(motor)) {
+  // Links by name.
   for (std::size_t i = 0; i < robot.links.size(); ++i) index_[robot.links[i].name] = i;
+  // Passive degrees of freedom with their own spring.
   for (const RobotDof& dof : robot.dofs) {
     if (group.dofs.count(dof.name) == 0 || dof.name == motor_) continue;
     PassiveJoint passive{dof.name, dof.lower, dof.upper, 0, 0};
@@ -47,6 +49,7 @@ VectorXd Linkage::loop_residual(double u, const VectorXd& y) const {
 VectorXd Linkage::loop_residual(const std::vector<Pose<double>>& links) const {
   std::vector<double> all;
   for (const LoopClosure& closure : group_.closures) {
+    // Difference in position, and for welds in rotation.
     const Pose<double> A = links[index_.at(closure.a)] * closure.X_A,
                        B = links[index_.at(closure.b)] * closure.X_B;
     for (int k = 0; k < 3; ++k) all.push_back(A.p[k] - B.p[k]);
@@ -58,22 +61,25 @@ VectorXd Linkage::loop_residual(const std::vector<Pose<double>>& links) const {
 }
 
 std::optional<VectorXd> Linkage::close(double u, VectorXd y) const {
-  // Where the motor moves every joint, the loop closes by itself or not at all.
+  // If the motor moves every joint, the loop closes by itself or not at all.
   if (passives_.empty())
     return max_or_nan(loop_residual(u, y).cwiseAbs()) < kClosed ? std::optional<VectorXd>(y)
                                                                 : std::nullopt;
   std::vector<ActiveLimit> stops(passives_.size(), ActiveLimit::kNone);
   for (int iteration = 0; iteration < 400; ++iteration) {
+    // SQP step on the joints that are not at a limit.
     const VectorXd c = loop_residual(u, y);
     const MatrixXd J = slopes(u, y);
     bool decided = true;
     VectorXd d = free_step(c, J, y, stops, decided);
+    // Closed and optimal, unless a spring pulls a joint off its limit.
     if (max_or_nan(c.cwiseAbs()) < kClosed && max_or_nan(d.cwiseAbs()) < 1e-10) {
       if (release(J, y, stops)) continue;
       return decided ? std::optional<VectorXd>(y) : std::nullopt;
     }
-    // On a stop that leaves no way to close, the search is at its end.
+    // No step and no joint to release: the limits prevent closing.
     if (d.isZero(0) && !release(J, y, stops)) return {};
+    // Limited step, up to the first limit.
     const double longest = d.cwiseAbs().maxCoeff();
     if (longest > kStep) d *= kStep / longest;
     go(y, d, stops);
@@ -92,8 +98,9 @@ MatrixXd Linkage::slopes(double u, const VectorXd& y) const {
   return J;
 }
 
-/// Goes as far as the first limit, and rests on it.
+/// Moves up to the first limit, and makes it active.
 void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<ActiveLimit>& stops) const {
+  // Share of the step at which the first joint meets its limit.
   double share = 1;
   std::size_t first = stops.size();
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -105,6 +112,7 @@ void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<ActiveLimit>& stops
     share = until;
     first = i;
   }
+  // The joint rests exactly on the limit.
   y += share * d;
   if (first == stops.size()) return;
   const auto at = static_cast<Eigen::Index>(first);
@@ -112,9 +120,9 @@ void Linkage::go(VectorXd& y, const VectorXd& d, std::vector<ActiveLimit>& stops
   y[at] = d[at] < 0 ? passives_[first].lower : passives_[first].upper;
 }
 
-/// Frees the joint that springs pull off its limit most, if any.
+/// Releases the joint that springs pull off its limit most. @returns whether there is one
 bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLimit>& stops) const {
-  // Forces of the loop, least of those that balance the springs of free joints.
+  // Loop forces in least squares that balance the springs of free joints.
   VectorXd pull(y.size());
   MatrixXd balance = J.transpose();
   for (Eigen::Index i = 0; i < y.size(); ++i) {
@@ -127,7 +135,9 @@ bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLi
   VectorXd free = pull;
   for (Eigen::Index i = 0; i < y.size(); ++i)
     if (stops[static_cast<std::size_t>(i)] != ActiveLimit::kNone) free[i] = 0;
+  // What is left on each joint after these [N m] or [N].
   const VectorXd left = pull - J.transpose() * svd.solve(free);  // on each joint [N m] or [N]
+  // Release the joint that is pulled off its limit most.
   std::size_t worst = stops.size();
   double most = 1e-9 * pull.cwiseAbs().maxCoeff();
   for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -142,9 +152,10 @@ bool Linkage::release(const MatrixXd& J, const VectorXd& y, std::vector<ActiveLi
   return true;
 }
 
-/// Least spring energy with J d = -c, joints on limits staying there.
+/// Step of least spring energy with J d = -c; joints at limits stay.
 VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd& y,
                             const std::vector<ActiveLimit>& stops, bool& decided) const {
+  // Columns of the free joints.
   std::vector<Eigen::Index> free;
   VectorXd d = VectorXd::Zero(y.size());
   for (std::size_t i = 0; i < stops.size(); ++i)
@@ -153,11 +164,13 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
   MatrixXd A(J.rows(), static_cast<Eigen::Index>(free.size()));
   for (std::size_t f = 0; f < free.size(); ++f)
     A.col(static_cast<Eigen::Index>(f)) = J.col(free[f]);
+  // Least-norm step that closes the loop to first order.
   Eigen::JacobiSVD<MatrixXd> svd(A, Eigen::ComputeThinU | Eigen::ComputeFullV);
   svd.setThreshold(kRank);
   const VectorXd least = svd.solve(VectorXd(-c));
   const MatrixXd Z = svd.matrixV().rightCols(A.cols() - svd.rank());
   VectorXd x = least;
+  // Remaining freedoms minimise the energy of the springs.
   if (Z.cols() > 0) {
     VectorXd k(A.cols()), pull(A.cols());
     for (std::size_t f = 0; f < free.size(); ++f) {
@@ -168,6 +181,7 @@ VectorXd Linkage::free_step(const VectorXd& c, const MatrixXd& J, const VectorXd
     }
     const MatrixXd H = Z.transpose() * k.asDiagonal() * Z;
     const Eigen::FullPivLU<MatrixXd> lu(H);
+    // Without a spring the freedom is undetermined.
     decided = H.cwiseAbs().maxCoeff() > 0 && lu.rank() == Z.cols();
     if (decided) x += Z * lu.solve(Z.transpose() * pull);
   }

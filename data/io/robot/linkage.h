@@ -1,6 +1,6 @@
 #pragma once
 
-/// Bars and joints that a motor moves, held together by loops.
+/// Linkages: bars and joints that a motor moves, held together by loops.
 
 #include <map>
 #include <optional>
@@ -14,19 +14,19 @@
 
 namespace thenar::internal {
 
-/// Loops that share motors or passive joints.
+/// Closed loops that share motors or passive joints.
 struct LoopGroup {
   std::vector<LoopClosure> closures;
   std::set<std::string> dofs;
 };
 
-/// A passive degree of freedom.
+/// A passive degree of freedom with a spring.
 struct PassiveJoint {
   std::string name;
-  double lower, upper, stiffness, rest;  // stiffness 0: no spring
+  double lower, upper, stiffness, rest;  // [rad] or [m]; [N m/rad] or [N/m], 0: no spring
 };
 
-/// What a passive joint rests on.
+/// Limit on which a passive joint rests.
 enum class ActiveLimit { kNone, kLower, kUpper };
 
 /// Closes the loops of one group at values of its motor. The robot and the group must outlive it.
@@ -36,13 +36,14 @@ class Linkage {
 
   [[nodiscard]] const std::vector<PassiveJoint>& passives() const { return passives_; }
 
-  /// How far places that are one lie apart; of welds their turn by 50 mm, too [m].
+  /// Residual of the closures: distances of places that coincide, and for welds rotations times 50
+  /// mm [m]. @param u  value of the motor;  @param y  values of passive joints
   [[nodiscard]] Eigen::VectorXd loop_residual(double u, const Eigen::VectorXd& y) const;
   [[nodiscard]] Eigen::VectorXd loop_residual(const std::vector<Pose<double>>& links) const;
 
-  /// Goes from a posture to the closed one of least spring energy near it, by sequential quadratic
-  /// programming: joints that meet a limit rest on it until springs pull them off.
-  /// @return none if the search does not get there, or springs leave a freedom
+  /// Finds the closed posture of least spring energy near y by sequential quadratic programming;
+  /// joints that meet a limit rest on it until springs pull them off.
+  /// @returns nothing if the search fails, or springs leave a freedom
   [[nodiscard]] std::optional<Eigen::VectorXd> close(double u, Eigen::VectorXd y) const;
 
  private:

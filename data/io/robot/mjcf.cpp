@@ -21,21 +21,23 @@ using internal::MjcfGeom;
 using internal::MjcfSource;
 using internal::UnreadElements;
 
-/// An element of a body, with the frame (<frame>) and class it stands in.
+/// An element of a body, with the frame (<frame>) and the class around it.
 struct Part {
   pugi::xml_node node;
   Pose<double> X_BF;
   std::string childclass;
 };
 
-constexpr double kUnknownTravel = 1;  // of a slide without limits, either way [m]
+constexpr double kUnknownTravel = 1;  // of a slide without limits, in both directions [m]
 
+/// Translates the tree of bodies: links, joints, shapes and masses.
 class BodyTree {
  public:
   BodyTree(const MjcfSource& source, RobotSpec& robot)
       : source_(source), meshes_(internal::find_meshes(source)), robot_(robot) {}
 
   void run() {
+    // The world is the first link, and carries the bodies.
     std::vector<Part> parts;
     for (const pugi::xml_node world : source_.file.root().children("worldbody"))
       collect(world, {}, "", parts);
@@ -45,8 +47,10 @@ class BodyTree {
     world.name = "world";
     fill(world, parts);
     robot_.links.push_back(world);
+    // Bodies depth first.
     for (const Part& part : parts)
       if (is(part, "body")) add_body(part, "world");
+    // A world that adds nothing is dropped.
     drop_idle_world();
     if (!shown_.empty())
       robot_.warnings.push_back(
@@ -61,17 +65,19 @@ class BodyTree {
     return std::string(part.node.name()) == name;
   }
 
-  /// The elements of a body, those inside of <frame> carried out of it.
+  /// Collects the elements of a body, those inside a <frame> with its pose.
   void collect(const pugi::xml_node& body, const Pose<double>& X_BF, const std::string& childclass,
                std::vector<Part>& parts) {
     for (const pugi::xml_node node : body.children()) {
       const std::string name = node.name();
+      // Frames are transparent.
       if (name == "frame") {
         collect(node, X_BF * MjcfElement(source_, node, childclass).pose(),
                 node.attribute("childclass").as_string(childclass.c_str()), parts);
       } else if (name == "body" || name == "joint" || name == "freejoint" || name == "geom" ||
                  name == "inertial") {
         parts.push_back({node, X_BF, childclass});
+        // Elements that make bodies which are not read.
       } else if (internal::makes_bodies(node)) {
         source_.unread.note(node,
                             fmt::format("INCOMPLETE: <{}> is not read, its bodies are missing; "
@@ -96,11 +102,13 @@ class BodyTree {
       source_.file.fail(part.node, fmt::format("wanted at most {} bodies, got more", kMaxLinks));
     const std::string childclass =
         part.node.attribute("childclass").as_string(part.childclass.c_str());
+    // The link, with shapes and mass from its elements.
     RobotLink link;
     link.name = unique(part.node.attribute("name").value(), parent + " body");
     std::vector<Part> parts;
     collect(part.node, {}, childclass, parts);
     fill(link, parts);
+    // Its pose in the parent, then its joints and children.
     const Pose<double> X_PB = part.X_BF * MjcfElement(source_, part.node, part.childclass).pose();
     if (part.node.attribute("mocap").as_bool())
       source_.unread.note(part.node, fmt::format("mocap body '{}' is taken as fixed", link.name));
@@ -111,12 +119,11 @@ class BodyTree {
       if (is(child, "body")) add_body(child, name);
   }
 
-  // ---- shapes and mass
-
   void fill(RobotLink& link, const std::vector<Part>& parts) {
     std::vector<MassProperties> masses;
     std::vector<ShapeSpec> shown;
     const MjcfSource& source = source_;
+    // Geoms give shape and mass; those that do not collide serve if no others do.
     for (const Part& part : parts) {
       if (!is(part, "geom")) continue;
       MjcfGeom geom = internal::read_geom(source, meshes_, part.node, part.childclass, part.X_BF,
@@ -135,6 +142,7 @@ class BodyTree {
                 const std::vector<MassProperties>& masses) {
     const auto inertial = std::find_if(parts.begin(), parts.end(),
                                        [](const Part& part) { return is(part, "inertial"); });
+    // The compiler's settings decide where the mass comes from.
     const std::string& from_geom = source_.compiler.inertia_from_geom;
     MassProperties mass;
     if (from_geom == "true" || (from_geom == "auto" && inertial == parts.end())) {
@@ -142,6 +150,7 @@ class BodyTree {
     } else if (inertial != parts.end()) {
       mass = read_inertial(*inertial);
     }
+    // A lower bound of the mass.
     if (mass.mass < source_.compiler.bound_mass) mass.mass = source_.compiler.bound_mass;
     link.mass = mass.mass;
     link.com = mass.centre;
@@ -152,6 +161,7 @@ class BodyTree {
     const MjcfElement inertial(source_, part.node, part.childclass);
     if (!inertial.has("mass")) inertial.fail("<inertial> wants mass=\"..\"");
     Eigen::Matrix3d I = Eigen::Matrix3d::Zero();
+    // A full tensor, or its diagonal.
     const std::vector<double> full = inertial.numbers("fullinertia");
     if (!full.empty()) {
       if (full.size() != 6) inertial.fail("fullinertia wants 6 numbers");
@@ -161,14 +171,14 @@ class BodyTree {
     } else {
       I = inertial.vector3("diaginertia", Eigen::Vector3d::Zero()).asDiagonal();
     }
+    // In the frame of the body.
     const Pose<double> X = part.X_BF * inertial.pose();
     return {inertial.number("mass", 0), X.p, X.R * I * X.R.transpose()};
   }
 
-  // ---- joints
-
   void connect(const std::string& name, const std::string& parent, const Pose<double>& X_PB,
                const std::vector<Part>& parts) {
+    // Only hinges and slides are read as joints.
     std::vector<Part> joints;
     for (const Part& part : parts) {
       if (is(part, "freejoint")) name_free(part, name, "free");
@@ -181,6 +191,7 @@ class BodyTree {
         name_free(part, name, type);
       }
     }
+    // A body without joints is fixed to its parent.
     if (joints.empty()) {
       RobotJoint fixed;
       fixed.name = unique_joint("", name + " mount");
@@ -190,6 +201,7 @@ class BodyTree {
       fixed.X_PJ = X_PB;
       add(fixed, 0);
     }
+    // Several joints need links without mass between them.
     std::string carrier = parent;
     for (std::size_t i = 0; i < joints.size(); ++i) {
       const bool last = i + 1 == joints.size();
@@ -220,22 +232,25 @@ class BodyTree {
   void add_joint(const Part& part, const std::string& parent, const std::string& child,
                  const Pose<double>& X_PB, const std::string& body) {
     const MjcfElement element(source_, part.node, part.childclass);
+    // Names and kind.
     RobotJoint joint;
     joint.name = unique_joint(element.text("name"), body + " joint");
     joint.parent = parent;
     joint.child = child;
     const bool hinge = element.text("type", "hinge") == "hinge";
     joint.kind = hinge ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
+    // Axis and anchor in the frame of the body.
     const Eigen::Vector3d axis = element.vector3("axis", Eigen::Vector3d::UnitZ());
     if (axis.isZero(0)) element.fail(fmt::format("axis of joint '{}' has no length", joint.name));
     joint.axis = part.X_BF.R * axis.normalized();
     const Eigen::Vector3d at = part.X_BF * element.vector3("pos", Eigen::Vector3d::Zero());
     const double unit = hinge ? source_.compiler.angle : 1;
     const double ref = unit * element.number("ref", 0);
-    // In the file's own posture the joint stands at `ref`.
+    // In the file's own posture the joint has the value `ref`.
     joint.X_PJ = X_PB * Pose<double>{Eigen::Matrix3d::Identity(), at} * joint_motion(joint, -ref);
     joint.X_JC = {Eigen::Matrix3d::Identity(), -at};
     set_limits(joint, element, unit);
+    // Passive torques.
     joint.damping = element.number("damping", 0);
     joint.friction = element.number("frictionloss", 0);
     joint.stiffness = element.number("stiffness", 0);
@@ -246,6 +261,7 @@ class BodyTree {
   void set_limits(RobotJoint& joint, const MjcfElement& element, double unit) {
     const std::vector<double> range = element.numbers("range");
     const std::string limited = element.text("limited", "auto");
+    // Limits as stated, by MuJoCo's rules.
     const bool has_limits =
         limited == "true" || (limited == "auto" && source_.compiler.auto_limits && !range.empty());
     if (has_limits) {
@@ -255,6 +271,7 @@ class BodyTree {
       joint.upper = unit * std::max(range[0], range[1]);
       return;
     }
+    // Without limits: one turn, or a metre.
     joint.upper = joint.kind == RobotJointKind::kRevolute ? kPi : kUnknownTravel;
     joint.lower = -joint.upper;
     robot_.warnings.push_back(fmt::format("joint '{}' has no limits; it gets {:.6g} to {:.6g} {}",
@@ -267,7 +284,7 @@ class BodyTree {
     ref_.push_back(ref);
   }
 
-  /// A world without shapes that carries one body, which stands still at its origin, is no link.
+  /// Drops a world link without shapes that carries a single body fixed at its origin.
   void drop_idle_world() {
     const auto on_world = [](const RobotJoint& joint) { return joint.parent == "world"; };
     const bool alone = std::count_if(robot_.joints.begin(), robot_.joints.end(), on_world) == 1;
@@ -283,9 +300,9 @@ class BodyTree {
   const MjcfSource& source_;
   internal::MjcfMeshes meshes_;
   RobotSpec& robot_;
-  std::vector<double> ref_;  // of each joint [rad] or [m]
+  std::vector<double> ref_;  // value of each joint in the file's posture [rad] or [m]
   std::set<std::string> names_, joint_names_;
-  std::vector<std::string> shown_;  // links whose geoms do not collide
+  std::vector<std::string> shown_;  // links with geoms that do not collide, only
 };
 
 void note_sections(const XmlFile& file, UnreadElements& unread) {
@@ -313,14 +330,17 @@ RobotSpec read_mjcf(const std::string& path) {
   const std::string root = file.root().name();
   if (root != "mujoco" && root != "mujocoinclude")
     file.fail(file.root(), fmt::format("wanted <mujoco>, got <{}>", root));
+  // Included files and copies first, then the rest of the file.
   internal::expand_includes(file);
   internal::expand_replicates(file);
   UnreadElements unread(file);
   note_sections(file, unread);
   MeshReader meshes;
+  // Settings that hold for the whole file.
   MjcfSource source{file, unread, internal::read_compiler(file, unread), {}, false, meshes};
   source.incomplete = internal::lacks_joints(file.root());
   source.defaults.read(file, file.root());
+  // Bodies, then drives of their joints.
   RobotSpec robot;
   robot.name = file.root().attribute("model").value();
   robot.closing_stated = robot.approach_stated = false;
@@ -328,6 +348,7 @@ RobotSpec read_mjcf(const std::string& path) {
   tree.run();
   set_total_mass(robot, source.compiler.total_mass);
   internal::drive_mjcf(source, tree.ref(), robot);
+  // Elements that were not read.
   const std::vector<std::string> warnings = unread.warnings();
   robot.warnings.insert(robot.warnings.end(), warnings.begin(), warnings.end());
   return robot;

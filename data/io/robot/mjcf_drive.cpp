@@ -16,12 +16,13 @@
 namespace thenar::internal {
 namespace {
 
+/// One joint of a fixed tendon.
 struct Term {
   std::string joint;
-  double coefficient;  // [m/rad], [1]..
+  double coefficient;  // length per joint value [m/rad] or [1]
 };
 
-/// A fixed tendon: its length is a sum of joint values.
+/// A fixed tendon: its length is a weighted sum of joint values.
 struct FixedTendon {
   std::string name;
   std::vector<Term> terms;
@@ -29,14 +30,16 @@ struct FixedTendon {
   std::optional<JointRange> limits;  // of its length
 };
 
+/// An actuator on a joint or a fixed tendon.
 struct Actuator {
   std::string name;
-  std::string joint, tendon;  // one of them
+  std::string joint, tendon;  // one of these
   double effort = 0;          // [N m] or [N]; 0 if unknown
 };
 
-constexpr double kTight = 0.1;  // of the travel of a tendon that its limits leave to a coupling [1]
+constexpr double kTight = 0.1;  // largest share of a tendon's travel that its limits leave [1]
 
+/// Gives joints their couplings, degrees of freedom and efforts.
 class MjcfDrive {
  public:
   MjcfDrive(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot)
@@ -45,9 +48,11 @@ class MjcfDrive {
   }
 
   void run() {
+    // Read all that couples or drives.
     read_tendons();
     read_equalities();
     read_actuators();
+    // Couple joints, then drive through tendons, then directly.
     keep_limited_tendons();
     hold_joints();
     couple_joints(robot_, couplings_, source_.file.path());
@@ -55,13 +60,14 @@ class MjcfDrive {
       if (!actuator.tendon.empty()) drive_through_tendon(actuator);
     for (const Actuator& actuator : actuators_)
       if (!actuator.joint.empty()) drive_joint(actuator);
+    // Names for the user, and loops last, as they need the motors.
     name_shared();
     close_loops(robot_, loops_, moved_);
     name_undriven();
   }
 
  private:
-  /// @return false if there is no such hinge or slide, where that may be; else it fails
+  /// @returns false if there is no such hinge or slide in an incomplete model; otherwise fails
   bool has_joint(const pugi::xml_node& node, const std::string& name) {
     if (find_joint(robot_, name) != nullptr) return true;
     const std::string what = fmt::format(
@@ -75,18 +81,21 @@ class MjcfDrive {
     for (const pugi::xml_node section : source_.file.root().children("tendon"))
       for (const pugi::xml_node node : section.children()) {
         if (node.type() != pugi::node_element) continue;
+        // Spatial tendons are not read.
         if (std::string(node.name()) != "fixed") {
           source_.unread.note(node, fmt::format("<{}> tendon '{}' is not read", node.name(),
                                                 node.attribute("name").value()));
           continue;
         }
         FixedTendon tendon{node.attribute("name").value(), {}, source_.file.line(node), {}};
+        // Limits by MuJoCo's rules.
         const MjcfElement element(source_, node, "");
         const std::vector<double> range = element.numbers("range");
         const std::string limited = element.text("limited", "auto");
         if (range.size() == 2 &&
             (limited == "true" || (limited == "auto" && source_.compiler.auto_limits)))
           tendon.limits = JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
+        // Joints with their coefficients.
         for (const pugi::xml_node term : node.children("joint")) {
           const std::string name = required_text(source_.file, term, "joint");
           if (!has_joint(term, name)) continue;
@@ -109,8 +118,10 @@ class MjcfDrive {
         const MjcfElement equality(source_, node, "");
         const std::string kind = node.name();
         const std::string name = node.attribute("name").value();
+        // Inactive equalities are only noted.
         if (equality.text("active", "true") == "false") {
           source_.unread.note(node, fmt::format("<{}> '{}' is not active", kind, name));
+          // Couplings of joints and tendons, and closed loops.
         } else if (kind == "joint") {
           couple(node, equality);
         } else if (kind == "tendon") {
@@ -134,11 +145,12 @@ class MjcfDrive {
     return "world";
   }
 
-  /// q1 - ref1 = a0 + a1 (q2 - ref2) + ..
+  /// Coupling  q1 - ref1 = a0 + a1 (q2 - ref2) + ..
   void couple(const pugi::xml_node& node, const MjcfElement& equality) {
     std::vector<double> a = equality.numbers("polycoef");
     if (a.empty()) a = {0, 1};
     a.resize(5, 0);
+    // One joint is held, two are coupled.
     const std::string first = required_text(source_.file, node, "joint1");
     const std::string second = node.attribute("joint2").value();
     if (!has_joint(node, first) || (!second.empty() && !has_joint(node, second))) return;
@@ -146,7 +158,7 @@ class MjcfDrive {
       held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line(), {}});
       return;
     }
-    // The same polynomial of q2 itself, by Horner's rule.
+    // The same polynomial in q2 itself, by Horner's scheme.
     std::vector<double> c{a[4]};
     for (int k = 3; k >= 0; --k) {
       std::vector<double> next(c.size() + 1, 0);
@@ -163,7 +175,7 @@ class MjcfDrive {
         node);
   }
 
-  /// c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
+  /// Coupling  c1 (q1 - ref1) + c2 (q2 - ref2) = a0.
   void couple_through_tendon(const pugi::xml_node& node, const MjcfElement& equality) {
     const FixedTendon* tendon = find_tendon(required_text(source_.file, node, "tendon1"));
     if (tendon == nullptr || tendon->terms.size() != 2 || node.attribute("tendon2")) {
@@ -172,6 +184,7 @@ class MjcfDrive {
                           "kept");
       return;
     }
+    // Solved for the second joint.
     const std::vector<double> a = equality.numbers("polycoef");
     const Term& leader = tendon->terms[0];
     const Term& follower = tendon->terms[1];
@@ -187,12 +200,13 @@ class MjcfDrive {
                  node);
   }
 
-  /// Tendons without an actuator whose length may hardly change couple their two joints,
-  ///   c1 q1 + c2 q2 = middle of the limits;  others are named.
+  /// Couples the two joints of tendons without actuator whose length can hardly change,
+  ///   c1 q1 + c2 q2 = middle of the limits;  for others a warning says that limits are not kept.
   void keep_limited_tendons() {
     for (const FixedTendon& tendon : tendons_) {
       if (!tendon.limits) continue;
       const double slack = tendon.limits->upper - tendon.limits->lower;
+      // Travel that the joints alone would allow.
       double travel = 0;
       for (const Term& term : tendon.terms) {
         const RobotJoint& joint = *find_joint(robot_, term.joint);
@@ -210,11 +224,12 @@ class MjcfDrive {
   }
 
   void couple_limited(const FixedTendon& tendon, double slack) {
-    // The joint that an actuator drives leads.
+    // The joint with an actuator leads.
     const bool first_leads =
         has_actuator(tendon.terms[0].joint) || !has_actuator(tendon.terms[1].joint);
     const Term &leader = tendon.terms[first_leads ? 0 : 1],
                &follower = tendon.terms[first_leads ? 1 : 0];
+    // A joint follows only one other.
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
                     [&](const FollowerCoupling& other) { return other.joint == follower.joint; });
@@ -226,6 +241,7 @@ class MjcfDrive {
                 : fmt::format("its coefficient of joint '{}' is zero", follower.joint)));
       return;
     }
+    // The tendon stays in the middle of its limits.
     const double middle = (tendon.limits->lower + tendon.limits->upper) / 2;
     couplings_.push_back({follower.joint,
                           leader.joint,
@@ -249,6 +265,7 @@ class MjcfDrive {
                        [&](const Actuator& actuator) { return actuator.tendon == tendon.name; });
   }
 
+  /// Adds a coupling, unless its joint follows another already.
   void add_coupling(const FollowerCoupling& coupling, const pugi::xml_node& node) {
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
@@ -262,7 +279,7 @@ class MjcfDrive {
     }
   }
 
-  /// Joints that an equality holds at a value become fixed there.
+  /// Fixes joints that an equality holds at a value.
   void hold_joints() {
     for (const FollowerCoupling& held : held_) {
       RobotJoint& fixed = *find_joint(robot_, held.joint);
@@ -277,6 +294,7 @@ class MjcfDrive {
       for (const pugi::xml_node node : section.children()) {
         if (node.type() != pugi::node_element) continue;
         const MjcfElement element(source_, node, "");
+        // Target of the actuator, which must exist.
         Actuator actuator;
         actuator.name = element.text("name");
         actuator.joint = element.text("joint", element.text("jointinparent"));
@@ -292,8 +310,8 @@ class MjcfDrive {
       }
   }
 
-  /// The largest force: of its range, or gear times gain times the largest control of a motor, or
-  /// of a general actuator that is one.
+  /// Largest force: of the force range; or gear times gain times the largest control, for motors
+  /// and general actuators that act like motors.
   static double effort_of(const MjcfElement& actuator, const std::string& kind) {
     const auto largest = [&](const char* range) {
       const std::vector<double> ends = actuator.numbers(range);
@@ -301,8 +319,10 @@ class MjcfDrive {
     };
     const std::vector<double> gear = actuator.numbers("gear");
     const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
+    // A force range is explicit.
     if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
       return largest("forcerange") * ratio;
+    // Otherwise the control range decides, if the gain is constant.
     if (actuator.text("ctrllimited") == "false") return 0;
     if (kind == "motor") return largest("ctrlrange") * ratio;
     const std::string gain = actuator.text("gaintype", "fixed"),
@@ -321,12 +341,13 @@ class MjcfDrive {
                       actuator.name, actuator.joint));
       return;
     }
+    // Efforts on one degree of freedom add up.
     dof->max_effort += actuator.effort * std::abs(driven.ratio);
     moved_.insert(dof->name);
     by_dof_[dof->name].push_back(actuator.name);
   }
 
-  /// A degree of freedom is one motor here, whatever drives it.
+  /// Warns of degrees of freedom with several actuators, which count as one motor.
   void name_shared() {
     for (const auto& [dof, actuators] : by_dof_)
       if (actuators.size() > 1)
@@ -336,7 +357,7 @@ class MjcfDrive {
             dof, fmt::join(actuators, "', '")));
   }
 
-  /// The length of the tendon by each degree of freedom it spans.
+  /// Derivative of the tendon's length by each degree of freedom.
   std::map<std::string, double> gradient(const FixedTendon& tendon) {
     std::map<std::string, double> by_dof;
     for (const Term& term : tendon.terms) {
@@ -352,6 +373,7 @@ class MjcfDrive {
     double squares = 0;
     for (const auto& [name, coefficient] : by_dof) squares += coefficient * coefficient;
     if (!(squares > 0)) return;
+    // One degree of freedom: the actuator is its motor.
     if (by_dof.size() == 1) {
       RobotDof& dof = *find_dof(robot_, by_dof.begin()->first);
       dof.max_effort += actuator.effort * std::sqrt(squares);
@@ -359,6 +381,7 @@ class MjcfDrive {
       by_dof_[dof.name].push_back(actuator.name);
       return;
     }
+    // Several: they must be linear and not yet driven.
     for (const RobotJoint& joint : robot_.joints)
       if (!joint.curve.empty() && by_dof.count(joint.dof) > 0) {
         robot_.warnings.push_back(fmt::format(
@@ -378,9 +401,10 @@ class MjcfDrive {
     join(tendon.name, by_dof, squares, actuator);
   }
 
-  /// One compliant degree of freedom in place of several.
+  /// Replaces several degrees of freedom by one compliant one.
   void join(const std::string& tendon, const std::map<std::string, double>& by_dof, double squares,
             const Actuator& actuator) {
+    // A motor with the tendon's name.
     RobotDof shared;
     shared.name = tendon;
     while (find_dof(robot_, shared.name) != nullptr) shared.name += " tendon";
@@ -389,6 +413,7 @@ class MjcfDrive {
     shared.max_effort = actuator.effort;
     shared.lower = -std::numeric_limits<double>::infinity();
     shared.upper = std::numeric_limits<double>::infinity();
+    // Joints follow it as equal springs would let them.
     for (RobotJoint& moved : robot_.joints) {
       const auto part = by_dof.find(moved.dof);
       if (part == by_dof.end() || moved.dof.empty() || part->second == 0) continue;
@@ -402,6 +427,7 @@ class MjcfDrive {
       throw DataError(
           source_.file.path(), 1,
           fmt::format("limits of the joints of tendon '{}' leave no way to move", tendon));
+    // It takes the place of the first one that it replaces.
     const auto place =
         std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
                      [&](const RobotDof& dof) { return by_dof.count(dof.name) > 0; });
@@ -416,6 +442,7 @@ class MjcfDrive {
     by_dof_[shared.name].push_back(actuator.name);
   }
 
+  /// Warns of degrees of freedom without actuator, if there are any actuators.
   void name_undriven() {
     std::vector<std::string> idle;
     for (const RobotDof& dof : robot_.dofs)
@@ -428,14 +455,14 @@ class MjcfDrive {
 
   const MjcfSource& source_;
   RobotSpec& robot_;
-  const std::vector<double>& refs_;  // of each joint [rad] or [m]
+  const std::vector<double>& refs_;  // values of joints in the file's posture [rad] or [m]
   std::map<std::string, double> ref_;
   std::vector<LoopClosure> loops_;
   std::vector<FixedTendon> tendons_;
   std::vector<FollowerCoupling> couplings_, held_;
   std::vector<Actuator> actuators_;
   std::set<std::string> moved_;                             // degrees of freedom with an actuator
-  std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each
+  std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each degree of freedom
 };
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace thenar::internal {
 namespace {
 
-/// Sizes as MuJoCo has them (half lengths) to ours.
+/// Converts MuJoCo's sizes (half lengths) to ours.
 void set_primitive(ShapeSpec& shape, const MjcfElement& geom, const std::string& type,
                    const std::vector<double>& size) {
   const auto want = [&](std::size_t count) {
@@ -20,6 +20,7 @@ void set_primitive(ShapeSpec& shape, const MjcfElement& geom, const std::string&
       geom.fail(fmt::format("a {} wants {} size{}, got {}", type, count, count == 1 ? "" : "s",
                             size.size()));
   };
+  // Each type has its number of sizes.
   want(type == "box" || type == "ellipsoid" ? 3 : type == "sphere" ? 1 : 2);
   if (type == "sphere") {
     shape.kind = ShapeKind::kSphere;
@@ -36,22 +37,24 @@ void set_primitive(ShapeSpec& shape, const MjcfElement& geom, const std::string&
   }
 }
 
-/// Place and half length of a geom between two points.
+/// Pose and half length of a geom between two points.
 void apply_from_to(const MjcfElement& geom, Pose<double>& X, std::vector<double>& size) {
   const std::vector<double> ends = geom.numbers("fromto");
   if (ends.size() != 6) geom.fail(fmt::format("fromto wants 6 numbers, got {}", ends.size()));
   const Eigen::Vector3d from(ends[0], ends[1], ends[2]), to(ends[3], ends[4], ends[5]);
   if ((from - to).isZero(0)) geom.fail("fromto wants two different points");
   if (size.empty()) geom.fail("fromto wants size=\"RADIUS\"");
+  // z along the line, at its middle.
   X = {rotation_to(from - to), (from + to) / 2};
   const double half = (from - to).norm() / 2;
   const std::string type = geom.text("type", "sphere");
+  // Radius first, half length last.
   size.resize(1);
   if (type == "box" || type == "ellipsoid") size.push_back(size[0]);
   size.push_back(half);
 }
 
-/// Corners and triangles written in the file itself.
+/// Sets a mesh from vertices and triangles in the file itself. @returns false if there are none
 bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlacement& placement) {
   const std::vector<double> corners = mesh.numbers("vertex"), faces = mesh.numbers("face");
   if (corners.empty() || faces.empty()) return false;
@@ -60,6 +63,7 @@ bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlace
   const auto is_vertex = [&](double face) {
     return face >= 0 && face < static_cast<double>(corners.size() / 3);
   };
+  // Faces refer to existing vertices.
   if (!std::all_of(faces.begin(), faces.end(), is_vertex))
     mesh.fail("a face names a vertex that is not there");
   shape.kind = ShapeKind::kMesh;
@@ -68,12 +72,13 @@ bool set_written_mesh(ShapeSpec& shape, const MjcfElement& mesh, const MeshPlace
   shape.mesh.triangles = Eigen::Map<const Eigen::Matrix3Xd>(
                              faces.data(), 3, static_cast<Eigen::Index>(faces.size() / 3))
                              .cast<int>();
+  // Placed like a mesh from a file.
   shape.mesh.vertices = (placement.A * shape.mesh.vertices).colwise() + placement.b;
   if (placement.A.determinant() < 0) shape.mesh.triangles.row(1).swap(shape.mesh.triangles.row(2));
   return true;
 }
 
-/// v -> S R' (v - refpos).
+/// Map of a mesh,  v -> S R' (v - refpos).
 MeshPlacement placement_of(const MjcfElement& mesh) {
   const Eigen::Vector3d scale = mesh.vector3("scale", Eigen::Vector3d::Ones());
   const Eigen::Vector3d moved = mesh.vector3("refpos", Eigen::Vector3d::Zero());
@@ -95,6 +100,7 @@ bool set_mesh(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mesh
   if (found == meshes.end()) geom.fail(fmt::format("there is no mesh '{}' in <asset>", name));
   const MjcfElement mesh(source, found->second, "");
   const MeshPlacement placement = placement_of(mesh);
+  // Written in the file itself, or in a file of its own.
   if (!mesh.has("file")) {
     if (set_written_mesh(shape, mesh, placement)) return true;
     warnings.push_back(fmt::format(
@@ -112,12 +118,14 @@ bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mes
                const MjcfElement& geom, const std::string& body,
                std::vector<std::string>& warnings) {
   const std::string type = geom.text("type", "sphere");
+  // Meshes, and primitives fitted to meshes.
   if (type == "mesh" || geom.has("mesh")) {
     if (type != "mesh")
       warnings.push_back(
           fmt::format("a {} fitted to a mesh, of link '{}': the mesh itself is taken", type, body));
     return set_mesh(shape, source, meshes, geom, body, warnings);
   }
+  // Unbounded or sampled shapes are left out.
   if (type == "plane" || type == "hfield" || type == "sdf") {
     warnings.push_back(
         fmt::format("a {} of link '{}' is left out (line {})", type, body, geom.line()));
@@ -132,7 +140,7 @@ bool set_shape(ShapeSpec& shape, const MjcfSource& source, const MjcfMeshes& mes
   return true;
 }
 
-/// A mesh that bounds no solid is weighed as it will be mended.
+/// The shape as it will be repaired, so that a mesh that bounds no solid has a mass.
 ShapeSpec solid(ShapeSpec shape) {
   if (shape.kind != ShapeKind::kMesh || mass_at_unit_density(shape).mass > 0) return shape;
   std::vector<std::string> told_later;
@@ -140,7 +148,7 @@ ShapeSpec solid(ShapeSpec shape) {
   return shape;
 }
 
-/// What contact in MuJoCo heeds and a material here does not tell.
+/// Notes contact settings of MuJoCo that a material does not have.
 void note_contact(const MjcfSource& source, const MjcfElement& geom, const pugi::xml_node& node) {
   if (geom.has("friction"))
     source.unread.note(node,
@@ -156,6 +164,7 @@ MjcfMeshes find_meshes(const MjcfSource& source) {
   MjcfMeshes meshes;
   for (const pugi::xml_node asset : source.file.root().children("asset"))
     for (const pugi::xml_node node : asset.children()) {
+      // Other assets are only noted.
       if (std::string(node.name()) != "mesh") {
         if (node.type() == pugi::node_element)
           source.unread.note(node, fmt::format("<{}> in <asset> is not read", node.name()));
@@ -173,16 +182,19 @@ MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes, const pug
                    std::vector<std::string>& warnings) {
   const MjcfElement geom(source, node, childclass);
   MjcfGeom result;
+  // Contact settings, and whether it collides at all.
   note_contact(source, geom, node);
   result.collides = geom.number("contype", 1) != 0 || geom.number("conaffinity", 1) != 0;
   ShapeSpec shape;
   shape.X_BS = geom.pose();
   if (!set_shape(shape, source, meshes, geom, body, warnings)) return result;
   shape.X_BS = X_BF * shape.X_BS;
+  // Mass of geoms in the groups that count.
   const double group = geom.number("group", 0);
   if (group >= source.compiler.min_group && group <= source.compiler.max_group) {
     result.mass = mass_at_unit_density(solid(shape));
     const double volume = result.mass.mass;
+    // A stated mass, or a density.
     const double density = geom.has("mass")
                                ? (volume > 0 ? geom.number("mass", 0) / volume : 0)
                                : geom.number("density", 1000);  // water, MuJoCo's default [kg/m^3]

@@ -10,7 +10,7 @@
 namespace thenar::internal {
 namespace {
 
-/// Where links are in the file's own posture, in which joints stand at `ref`.
+/// Link poses in the file's own posture, in which joints are at `ref`.
 std::vector<Pose<double>> file_posture(RobotSpec robot, const std::vector<double>& ref) {
   for (std::size_t i = 0; i < robot.joints.size(); ++i) robot.joints[i].offset = ref[i];
   return link_poses(robot, {});
@@ -25,6 +25,7 @@ pugi::xml_node find_site(const pugi::xml_node& under, const std::string& name) {
   return {};
 }
 
+/// Reads one loop closure.
 class Reader {
  public:
   Reader(const MjcfSource& source, const pugi::xml_node& node, const RobotSpec& robot,
@@ -42,7 +43,7 @@ class Reader {
   }
 
  private:
-  /// The link of a body; of the world the base.
+  /// Index of a body's link; the base for the world. Nothing if the body was left out.
   [[nodiscard]] std::optional<std::size_t> link_of(const std::string& body) {
     if (body.empty() || body == "world") return 0;
     for (std::size_t i = 0; i < robot_.links.size(); ++i)
@@ -61,13 +62,16 @@ class Reader {
     if (!a || !b) return false;
     loop.a = robot_.links[*a].name;
     loop.b = robot_.links[*b].name;
+    // Both bodies in the file's own posture.
     const Pose<double> X_AB = X_[*a].inverse() * X_[*b];
+    // A ball joint at the anchor.
     if (!loop.welded) {
       if (!equality.has("anchor")) source_.file.fail(node_, "<connect> wants anchor=\"x y z\"");
       loop.X_A.p = equality.vector3("anchor", Eigen::Vector3d::Zero());
       loop.X_B.p = X_AB.inverse() * loop.X_A.p;
       return true;
     }
+    // A weld in this posture, unless another pose is stated.
     loop.X_A = X_AB;
     const std::vector<double> pose = equality.numbers("relpose");
     if (pose.size() != 7) return true;
@@ -84,6 +88,7 @@ class Reader {
     const std::string name = required_text(source_.file, node_, attribute);
     const pugi::xml_node site = find_site(source_.file.root().child("worldbody"), name);
     if (!site) source_.file.fail(node_, fmt::format("there is no site '{}'", name));
+    // Pose of the site in its body, through all frames around it.
     X = MjcfElement(source_, site, "").pose();
     pugi::xml_node around = site.parent();
     for (; std::string(around.name()) == "frame"; around = around.parent())
@@ -98,7 +103,7 @@ class Reader {
   const MjcfSource& source_;
   const pugi::xml_node& node_;
   const RobotSpec& robot_;
-  std::vector<Pose<double>> X_;  // of links
+  std::vector<Pose<double>> X_;  // of links in the file's posture
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Robots from MJCF, the format of MuJoCo.
+/// Parts of the reader of MJCF, the format of MuJoCo: bodies, drives, loops, geoms.
 
 #include <map>
 #include <optional>
@@ -17,11 +17,11 @@ namespace thenar {
 
 /// Reads an MJCF model: bodies, inertials (or masses from geoms), joints, geoms, defaults, included
 /// files; joint equalities and equalities of fixed tendons as rigid couplings, fixed tendons with
-/// an actuator as compliant ones. Joints that nothing couples are degrees of freedom of their own;
-/// the largest force of an actuator becomes their effort. Several joints of a body get links
-/// without mass between them. The base is the one body on top if it stands at the world's origin
-/// and does not move, else a link "world". Joint values are MuJoCo's qpos: zero is zero. What is
-/// not read (sites, sensors, closed loops, spatial tendons, planes..) is in `warnings`.
+/// an actuator as compliant ones. Uncoupled joints are degrees of freedom of their own; the largest
+/// force of an actuator is their effort. Several joints of one body get links without mass between
+/// them. The base is the only top body if it is fixed at the world's origin, otherwise a link
+/// "world". Joint values are MuJoCo's qpos with the same zero. `warnings` lists what is not read
+/// (sites, sensors, closed loops, spatial tendons, planes..).
 /// @throws DataError `path:line: ..`
 /// Source: [Todorov2012].
 [[nodiscard]] RobotSpec read_mjcf(const std::string& path);
@@ -30,13 +30,11 @@ namespace thenar {
 
 namespace thenar::internal {
 
-// What couples and drives the joints of an MJCF model.
-
-/// Gives the joints of `robot` their degrees of freedom: joint equalities and equalities of fixed
-/// tendons of two joints couple rigidly; a fixed tendon with an actuator gives the joints it spans
-/// one compliant degree of freedom, its length L = sum c_i q_i, each with q_i = c_i / sum(c^2) L,
-/// what equal springs would do. Efforts come from the actuators.
-/// @param ref  of each joint, its value in the file's own posture, in the order of `robot.joints`
+/// Gives the joints of `robot` their degrees of freedom. Joint equalities and equalities of fixed
+/// tendons of two joints couple rigidly. A fixed tendon with an actuator gives its joints one
+/// compliant degree of freedom, its length L = sum c_i q_i, with q_i = c_i / sum(c^2) L for each,
+/// as equal springs would. Efforts come from the actuators.
+/// @param ref  value of each joint in the file's own posture, in the order of `robot.joints`
 /// @throws DataError
 void drive_mjcf(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot);
 
@@ -50,31 +48,31 @@ class xml_node;
 
 namespace thenar::internal {
 
-/// The two places that an equality holds together, in the file's own posture where it names them
-/// once (anchor), else at two sites.
+/// Reads the loop closure of a <connect> or <weld>: two places that coincide, in the file's own
+/// posture if one is stated (anchor), otherwise at two sites.
 /// @param ref  values of the joints in that posture [rad] or [m] (joints)
-/// @return none where a body is left out, which is in `unread` then
-/// @throws DataError if it names a body or site that there is not
+/// @returns nothing if a body is left out, with a note in `unread`
+/// @throws DataError if it names a body or site that does not exist
 [[nodiscard]] std::optional<LoopClosure> read_loop(const MjcfSource& source,
                                                    const pugi::xml_node& node,
                                                    const RobotSpec& robot,
                                                    const std::vector<double>& ref);
 
-// Geoms of MJCF: shapes and what they weigh.
-
+/// A geom: shape and mass.
 struct MjcfGeom {
-  std::optional<ShapeSpec> shape;  // none: a plane, or a mesh that is missing
+  std::optional<ShapeSpec> shape;  // nothing: a plane, or a mesh that is missing
   bool collides = true;
   MassProperties mass;
 };
 
-/// The meshes of <asset>, by name.
+/// Meshes of <asset>, by name.
 using MjcfMeshes = std::map<std::string, pugi::xml_node>;
 [[nodiscard]] MjcfMeshes find_meshes(const MjcfSource& source);
 
-/// Settings of contact that a material does not tell (friction, condim, solref ..) are noted.
-/// @param X_BF       frame that the geom is given in
-/// @param warnings   gets what is missing
+/// Reads a geom; contact settings that a material does not have (friction, condim, solref ..) are
+/// noted.
+/// @param X_BF       frame of the geom in the body
+/// @param warnings   gets missing meshes
 /// @throws DataError
 [[nodiscard]] MjcfGeom read_geom(const MjcfSource& source, const MjcfMeshes& meshes,
                                  const pugi::xml_node& node, const std::string& childclass,

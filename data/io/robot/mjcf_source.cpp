@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kDeepest = 128;  // elements around an <include>, as in a file at most
+constexpr int kDeepest = 128;  // largest number of elements around an <include>
 
-/// All actuators share their defaults.
+/// Kind under which defaults are kept: all actuators share theirs.
 std::string default_kind(const std::string& element) {
   static const std::set<std::string> actuators{"motor",       "position", "velocity",
                                                "intvelocity", "damper",   "cylinder",
@@ -39,9 +39,10 @@ int depth_of(pugi::xml_node node) {
   return depth;
 }
 
-/// Puts the content of one included file in its place. @return where to go on
+/// Replaces an <include> by the content of its file. @returns the node to go on with
 pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
                       std::set<std::string>& open) {
+  // The file must be in the model's folder, and included once.
   const std::string name = required_text(file, include, "file");
   const fs::path wanted = fs::path(file.path()).parent_path() / name;
   const std::string path = wanted.lexically_normal().string();
@@ -53,6 +54,7 @@ pugi::xml_node expand(const XmlFile& file, const pugi::xml_node& include,
   if (!open.insert(path).second) file.fail(include, fmt::format("'{}' is included twice", path));
   if (depth_of(include) > kDeepest)
     file.fail(include, fmt::format("<include> stands more than {} elements deep", kDeepest));
+  // Copy its elements, then remove the <include>.
   const XmlFile included(path);
   pugi::xml_node parent = include.parent(), first;
   for (const pugi::xml_node part : included.root().children()) {
@@ -69,6 +71,7 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
   const auto text = [&](const char* name, const std::string& otherwise) {
     return std::string(node.attribute(name).as_string(otherwise.c_str()));
   };
+  // Angles.
   const std::string angle = text("angle", "");
   if (!angle.empty()) compiler.angle = angle == "radian" ? 1 : kDegree;
   compiler.euler_sequence = text("eulerseq", compiler.euler_sequence);
@@ -76,6 +79,7 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
       compiler.euler_sequence.find_first_not_of("xyzXYZ") != std::string::npos)
     file.fail(node,
               fmt::format("eulerseq wants three of xyzXYZ, got '{}'", compiler.euler_sequence));
+  // Files, limits and masses.
   compiler.mesh_folder = text("meshdir", text("assetdir", compiler.mesh_folder));
   compiler.strip_path = node.attribute("strippath").as_bool(compiler.strip_path);
   compiler.auto_limits = node.attribute("autolimits").as_bool(compiler.auto_limits);
@@ -89,6 +93,7 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
     compiler.min_group = range[0];
     compiler.max_group = range[1];
   }
+  // Settings that would change the meaning of everything.
   if (text("coordinate", "local") != "local")
     file.fail(node, "coordinate=\"global\" is not read; save the model with local coordinates");
   for (const char* name : {"balanceinertia", "boundinertia", "fusestatic"})
@@ -96,6 +101,7 @@ void read_compiler(MjcfCompiler& compiler, const XmlFile& file, UnreadElements& 
 }
 
 Eigen::Matrix3d euler_rotation(const Eigen::Vector3d& angles, const std::string& sequence) {
+  // Lower case rotates with the frame, upper case in the fixed one.
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   for (int i = 0; i < 3; ++i) {
     const std::size_t letter = std::string("xyzXYZ").find(sequence[static_cast<std::size_t>(i)]);
@@ -116,6 +122,7 @@ void MjcfDefaults::read(const XmlFile& file, const pugi::xml_node& root) {
 }
 
 void MjcfDefaults::read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own) {
+  // The class's own values, then nested classes.
   for (const pugi::xml_node element : node.children())
     if (std::string(element.name()) != "default")
       for (const pugi::xml_attribute attribute : element.attributes())
@@ -133,6 +140,7 @@ const std::string* MjcfDefaults::find(const std::string& name_of_class, const st
   const auto start = by_name_.find(name_of_class);
   if (start == by_name_.end()) return nullptr;
   const std::pair<std::string, std::string> wanted{default_kind(element), attribute};
+  // The class and all classes around it, from inside out.
   for (std::size_t at = start->second; at != kNone; at = classes_[at].above) {
     const auto value = classes_[at].values.find(wanted);
     if (value != classes_[at].values.end()) return &value->second;
@@ -157,6 +165,7 @@ bool lacks_joints(const pugi::xml_node& root) {
 }
 
 void expand_includes(const XmlFile& file) {
+  // Included files may include others: go on at their first element.
   std::set<std::string> open{fs::path(file.path()).lexically_normal().string()};
   const pugi::xml_node root = file.root();
   for (pugi::xml_node node = root; node;)
@@ -175,12 +184,14 @@ MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread) {
 MjcfElement::MjcfElement(const MjcfSource& source, const pugi::xml_node& node,
                          std::string childclass)
     : source_(&source), node_(node), kind_(node.name()), class_(std::move(childclass)) {
+  // An element's own class comes before that of the body around it.
   const pugi::xml_attribute own = node.attribute("class");
   if (own) class_ = own.value();
   if (!source.defaults.has_class(class_))
     fail(fmt::format("there is no default class '{}'", class_));
 }
 
+/// The element's own value, otherwise that of its class; null if there is none.
 const char* MjcfElement::find(const char* attribute) const {
   if (const pugi::xml_attribute own = node_.attribute(attribute)) return own.value();
   const std::string* by_class = source_->defaults.find(class_, kind_, attribute);
@@ -222,6 +233,7 @@ Pose<double> MjcfElement::pose() const {
 }
 
 Eigen::Matrix3d MjcfElement::rotation() const {
+  // Numbers of an attribute, in the right count and not all zero.
   const auto of_size = [&](const char* attribute, std::size_t count) {
     const std::vector<double> v = numbers(attribute);
     if (v.size() != count)
@@ -231,6 +243,7 @@ Eigen::Matrix3d MjcfElement::rotation() const {
       fail(fmt::format("<{}> {} has no length", kind_, attribute));
     return v;
   };
+  // Each of MuJoCo's ways to state a rotation.
   if (has("euler"))
     return euler_rotation(source_->compiler.angle * vector3("euler", Eigen::Vector3d::Zero()),
                           source_->compiler.euler_sequence);
@@ -240,6 +253,7 @@ Eigen::Matrix3d MjcfElement::rotation() const {
     if (axis.isZero(0)) fail("axisangle has no axis");
     return rotation_about<double>(axis.normalized(), v[3] * source_->compiler.angle);
   }
+  // Two axes, the second made perpendicular to the first.
   if (has("xyaxes")) {
     const std::vector<double> v = of_size("xyaxes", 6);
     const Eigen::Vector3d x = Eigen::Vector3d(v[0], v[1], v[2]).normalized();
@@ -260,6 +274,7 @@ Eigen::Matrix3d MjcfElement::rotation() const {
 }
 
 Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction) {
+  // Shortest rotation from z; half a turn about x if it points down.
   const Eigen::Vector3d z = direction.normalized(), axis = Eigen::Vector3d::UnitZ().cross(z);
   const double sine = axis.norm();
   if (sine < 1e-12)
@@ -270,12 +285,11 @@ Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction) {
 
 namespace {
 
-constexpr int kMostCopies = 1000;       // of one element
-constexpr long kMostElements = 100000;  // of all copies
+constexpr int kMostCopies = 1000;       // largest number of copies of one element
+constexpr long kMostElements = 100000;  // largest number of elements in all copies
+using Names = std::map<std::string, std::set<std::string>>;  // by kind: joint, tendon
 
-using Names = std::map<std::string, std::set<std::string>>;  // of each kind: joint, tendon
-
-/// What an attribute names, if that can be a copy: "joint1" a joint.
+/// Kind of object that an attribute names, if it can be a copy: "joint1" names a joint.
 std::string kind_named_by(const std::string& attribute) {
   for (const char* kind : {"joint", "tendon"})
     if (attribute == kind || attribute == std::string(kind) + "1" ||
@@ -322,6 +336,7 @@ void point_to_copies(const pugi::xml_node& top, const Names& names, const std::s
     }
 }
 
+/// Expands <replicate> elements.
 class Replicator {
  public:
   explicit Replicator(const XmlFile& file) : file_(file) {}
@@ -331,6 +346,7 @@ class Replicator {
   }
 
  private:
+  /// Expands the innermost elements first.
   void expand(pugi::xml_node node) {
     for (pugi::xml_node child = node.first_child(); child;) {
       const pugi::xml_node next = child.next_sibling();
@@ -355,15 +371,18 @@ class Replicator {
   }
 
   void copy(pugi::xml_node parent, pugi::xml_node node) {
+    // Limits first, then the names that copies will change.
     const int count = count_of(node);
     count_elements(node, elements_in(node) + count, static_cast<std::size_t>(count));
     Names names;
     collect_joints(node, names["joint"]);
     names["joint"].erase("");
+    // Suffixes with leading zeros.
     const std::string digits = std::to_string(count), sep = node.attribute("sep").value();
     std::vector<std::string> suffixes;
     for (int i = 0; i < count; ++i)
       suffixes.push_back(fmt::format("{}{:0{}}", sep, i, digits.size()));
+    // Copy i stands in i nested frames.
     for (int i = 0; i < count; ++i) {
       pugi::xml_node place = parent.insert_child_before("frame", node);
       for (int step = 0; step < i; ++step) place = moved(place, node);
@@ -371,12 +390,13 @@ class Replicator {
         rename(place.append_copy(part), suffixes[static_cast<std::size_t>(i)]);
     }
     parent.remove_child(node);
+    // Tendons, equalities and actuators of copied joints are copied, too.
     for (const char* section : {"tendon", "equality", "actuator"})
       for (const pugi::xml_node elements : file_.root().children(section))
         copy_references(elements, names, suffixes, section);
   }
 
-  /// A frame one step further on.
+  /// Appends a frame that is one step farther.
   static pugi::xml_node moved(pugi::xml_node place, const pugi::xml_node& replicate) {
     pugi::xml_node frame = place.append_child("frame");
     if (const pugi::xml_attribute offset = replicate.attribute("offset"))
@@ -390,7 +410,9 @@ class Replicator {
                        const std::vector<std::string>& suffixes, const std::string& kind) {
     for (pugi::xml_node element = section.first_child(); element;) {
       const pugi::xml_node next = element.next_sibling();
+      // Copies refer to the copies of joints and tendons.
       if (names_one_of(element, names)) {
+        // Copied tendons may be named by later sections.
         if (kind == "tendon") names[kind].insert(element.attribute("name").value());
         count_elements(element, elements_in(element) + 1, suffixes.size());
         for (const std::string& suffix : suffixes) {

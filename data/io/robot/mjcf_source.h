@@ -1,6 +1,6 @@
 #pragma once
 
-/// What holds for a whole MJCF file: settings of its compiler, defaults, included files.
+/// What holds for a whole MJCF file: compiler settings, defaults, included files, replicates.
 
 #include <map>
 #include <string>
@@ -15,26 +15,26 @@
 
 namespace thenar::internal {
 
-/// The attributes of <compiler> that matter here.
+/// Attributes of <compiler> that matter here.
 struct MjcfCompiler {
-  double angle = 0;  // of one unit of angle [rad]
+  double angle = 0;  // size of one unit of angle [rad]
   std::string euler_sequence = "xyz";
   std::string mesh_folder;  // beside the file
   bool strip_path = false;  // of mesh files
-  bool auto_limits = true;  // a range alone limits
+  bool auto_limits = true;  // a range alone means limits
   std::string inertia_from_geom = "auto";
-  double min_group = 0, max_group = 5;  // of geoms that have mass
-  double bound_mass = 0;                // least mass of a moving body [kg]
-  double total_mass = -1;               // [kg]; negative: as it comes
+  double min_group = 0, max_group = 5;  // groups of geoms with mass
+  double bound_mass = 0;                // smallest mass of a moving body [kg]
+  double total_mass = -1;               // [kg]; negative: not set
 };
 
-/// Values of attributes that elements leave out.
+/// Default values of attributes that elements leave out.
 class MjcfDefaults {
  public:
   /// Reads all <default> under `root`.
   void read(const XmlFile& file, const pugi::xml_node& root);
   /// @param name_of_class  empty: the outermost
-  /// @return null if the class says nothing about it.
+  /// @returns null if neither the class nor those around it state the attribute
   [[nodiscard]] const std::string* find(const std::string& name_of_class,
                                         const std::string& element,
                                         const std::string& attribute) const;
@@ -42,39 +42,40 @@ class MjcfDefaults {
 
  private:
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  /// What a class says itself; the class around it says the rest.
+  /// Values that a class states itself; the class around it states the rest.
   struct Class {
     std::map<std::pair<std::string, std::string>, std::string> values;  // by element and attribute
-    std::size_t above = kNone;                                          // among the classes
+    std::size_t above = kNone;  // index of the class around it
   };
   void read_class(const XmlFile& file, const pugi::xml_node& node, std::size_t own);
   std::vector<Class> classes_{1};  // the outermost first
   std::map<std::string, std::size_t> by_name_{{"", 0}};
 };
 
+/// An MJCF file while it is read; file, unread and meshes must outlive it.
 struct MjcfSource {
   const XmlFile& file;
   UnreadElements& unread;
   MjcfCompiler compiler;
   MjcfDefaults defaults;
-  bool incomplete;  // joints that the file names may be none here
+  bool incomplete;  // bodies or joints that the file names may be missing here
   MeshReader& meshes;
 };
 
 /// Whether an element stands for bodies that are not read: <attach>, <composite>, <flexcomp>.
 [[nodiscard]] bool makes_bodies(const pugi::xml_node& node);
 
-/// Whether there are such bodies under an element, or joints that are no hinge or slide.
+/// Whether there are such bodies under an element, or joints other than hinges and slides.
 [[nodiscard]] bool lacks_joints(const pugi::xml_node& root);
 
-/// Puts the content of included files in the place of <include file="..">.
+/// Replaces every <include file=".."> by the content of its file.
 /// @throws DataError if a file is missing, includes itself, or is outside of the model's folder,
-/// wherever links lead.
+/// with links resolved.
 void expand_includes(const XmlFile& file);
 
 [[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread);
 
-/// An element with what its class and the body around it say.
+/// An element with the defaults of its class and of the body around it; the source must outlive it.
 class MjcfElement {
  public:
   /// @throws DataError if its class is unknown.
@@ -83,11 +84,11 @@ class MjcfElement {
   [[nodiscard]] bool has(const char* attribute) const;
   [[nodiscard]] std::string text(const char* attribute, const std::string& otherwise = "") const;
   [[nodiscard]] double number(const char* attribute, double otherwise) const;
-  /// Empty if absent.
+  /// Numbers of an attribute; empty if it is absent.
   [[nodiscard]] std::vector<double> numbers(const char* attribute) const;
   [[nodiscard]] Eigen::Vector3d vector3(const char* attribute,
                                         const Eigen::Vector3d& otherwise) const;
-  /// From pos and one of quat, axisangle, euler, xyaxes, zaxis.
+  /// Pose from pos and one of quat, axisangle, euler, xyaxes, zaxis.
   [[nodiscard]] Pose<double> pose() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[nodiscard]] int line() const;
@@ -102,18 +103,17 @@ class MjcfElement {
   std::string class_;
 };
 
-/// Turns z into `direction` the short way; half a turn about x if it points down.
+/// Rotation that turns z into `direction` by the smallest angle; half a turn about x if it points
+/// down.
 /// @param direction  not zero (3)
 [[nodiscard]] Eigen::Matrix3d rotation_to(const Eigen::Vector3d& direction);
 
-// Copies of what <replicate> of an MJCF file encloses.
-
-/// Puts copies in the place of every <replicate count=".." sep=".." offset=".." euler="..">, copy i
-/// in i nested <frame pos="offset" euler="euler">: each is moved and turned in the frame of the one
-/// before. Names within get the suffix sep + i, padded with zeros to the digits of count, inner
-/// replicates first; tendons, equalities and actuators that name a joint or tendon within are
-/// copied along.
-/// @throws DataError if a count is not in 1..1000, or copies become too many.
+/// Replaces every <replicate count=".." sep=".." offset=".." euler=".."> by copies, copy i in i
+/// nested <frame pos="offset" euler="euler">: each is moved and rotated in the frame of the copy
+/// before. Names inside get the suffix sep + i, padded with zeros to the digits of count, inner
+/// replicates first; tendons, equalities and actuators that name a joint or tendon inside are
+/// copied, too.
+/// @throws DataError if a count is not in 1..1000, or there are too many copies.
 /// Source: the MJCF reference [Todorov2012].
 void expand_replicates(const XmlFile& file);
 

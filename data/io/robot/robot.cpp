@@ -49,7 +49,7 @@ std::set<std::string> digits_in(const RobotSpec& robot) {
   return digits;
 }
 
-/// New names for parts whose names are taken.
+/// Renames parts whose names are taken.
 class Renaming {
  public:
   Renaming(std::set<std::string> taken, std::string prefix)
@@ -64,7 +64,7 @@ class Renaming {
   std::string prefix_;
 };
 
-/// The fixed joint between carrier and tool.
+/// The fixed joint between a carrier and a tool.
 RobotJoint mount(const std::string& name, const std::string& link, const std::string& base,
                  const Pose<double>& X_LT) {
   RobotJoint joint;
@@ -98,10 +98,12 @@ std::string joined(const std::string& a, const std::string& b) {
 
 void add_renamed(RobotSpec& robot, const RobotSpec& tool) {
   const std::string prefix = tool.name + "/";
+  // A name that both have gets the tool's name in front.
   const Renaming link_name(names_in(robot.links), prefix);
   const Renaming joint_name(names_in(robot.joints), prefix);
   const Renaming dof_name(names_in(robot.dofs), prefix);
   const Renaming digit_name(digits_in(robot), prefix);
+  // Links, joints, loops and degrees of freedom under their new names.
   for (RobotLink link : tool.links) {
     link.name = link_name(link.name);
     link.digit = digit_name(link.digit);
@@ -127,14 +129,17 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
                  const Pose<double>& X_LT) {
   check_robot(carrier);
   check_robot(tool);
+  // The link must exist.
   const std::set<std::string> links = names_in(carrier.links);
   require(links.count(link) == 1, "robot '{}' has no link '{}' to mount '{}' on; it has {}",
           carrier.name, link, tool.name, fmt::join(links, ", "));
 
   RobotSpec robot = carrier;
+  // A carrier that states no closing stands still.
   if (!carrier.closing_stated)
     for (RobotDof& dof : robot.dofs) dof.speed = 0;
   robot.closing_stated = tool.closing_stated;
+  // Name and sources of both.
   robot.name = carrier.name + " with " + tool.name;
   robot.source = joined(carrier.source, tool.source);
   robot.licence = joined(carrier.licence, tool.licence);
@@ -142,6 +147,7 @@ RobotSpec attach(const RobotSpec& carrier, const std::string& link, const RobotS
   robot.joints.push_back(mount(tool.name, link, base, X_LT));
   add_renamed(robot, tool);
 
+  // The robot approaches as its tool does.
   const Pose<double> X_BT = pose_at_zero(carrier, link) * X_LT;
   robot.approach = {X_BT * tool.approach.point, (X_BT.R * tool.approach.direction).normalized()};
   robot.approach_stated = tool.approach_stated;
@@ -183,7 +189,7 @@ void require_own_names(const std::vector<Part>& parts, const char* kind) {
   }
 }
 
-/// Walks from the joint's parent to the base, along what stands anywhere in the file.
+/// Whether following parents from a joint leads back to its child, in any order of the joints.
 bool closes_loop(const std::map<std::string, std::string>& parent_of, const RobotJoint& joint) {
   std::string link = joint.parent;
   for (std::size_t step = 0; step <= parent_of.size(); ++step) {
@@ -196,6 +202,7 @@ bool closes_loop(const std::map<std::string, std::string>& parent_of, const Robo
 }
 
 void check_tree(const RobotSpec& robot) {
+  // Every joint has known ends, and every link one parent.
   std::map<std::string, std::string> parent_of;
   for (const RobotLink& link : robot.links) parent_of[link.name] = "";
   for (const RobotJoint& joint : robot.joints) {
@@ -206,6 +213,7 @@ void check_tree(const RobotSpec& robot) {
             parent_of[joint.child], joint.parent);
     parent_of[joint.child] = joint.parent;
   }
+  // Joints in order from the base, without a loop.
   const std::string& base = robot.links.front().name;
   std::set<std::string> reached{base};
   for (const RobotJoint& joint : robot.joints) {
@@ -218,14 +226,15 @@ void check_tree(const RobotSpec& robot) {
             joint.parent);
     reached.insert(joint.child);
   }
+  // No link is left over.
   for (const RobotLink& link : robot.links)
     require(reached.count(link.name) == 1, "link '{}' hangs on no joint", link.name);
 }
 
-constexpr int kAlong = 256;       // places of a motor's range at which a curve is looked at
-constexpr double kBeyond = 1e-6;  // how far a joint may leave its limits there [rad] or [m]
+constexpr int kAlong = 256;       // places of a motor's range at which a curve is checked
+constexpr double kBeyond = 1e-6;  // largest violation of a joint's limits there [rad] or [m]
 
-/// A joint that follows its motor along a curve does so within its limits, all the way.
+/// Checks that a joint that follows its motor along a curve stays within its limits everywhere.
 void check_curve(const RobotJoint& joint, const RobotDof& dof) {
   require(dof.kind == RobotDofKind::kRigid,
           "joint '{}' follows '{}' along a curve: wanted a rigid "
@@ -255,6 +264,7 @@ void check_drives(const RobotSpec& robot) {
 
 bool is_body_inertia(const Eigen::Matrix3d& inertia) {
   if (!inertia.allFinite()) return false;
+  // Symmetric, with principal moments that satisfy the triangle inequality.
   const double tolerance = 1e-6 * inertia.cwiseAbs().maxCoeff();
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > tolerance) return false;
   const Eigen::Vector3d moments =
@@ -302,12 +312,14 @@ void check_joint(const RobotJoint& joint) {
   require_finite(joint.offset, whose, "offset");
   require_finite(joint.rest, whose, "rest");
   require_finite(joint.ratio, whose, "ratio");
+  // What drives the joint must fit its kind.
   require(joint.dof.empty() || joint.ratio != 0 || !joint.curve.empty(),
           "{} cannot follow '{}' with ratio 0", whose, joint.dof);
   require(joint.dof.empty() || joint.kind != RobotJointKind::kFixed,
           "{} is fixed and cannot follow '{}'", whose, joint.dof);
   for (const double coefficient : joint.curve) require_finite(coefficient, whose, "curve");
   require(joint.curve.empty() || !joint.dof.empty(), "{} has a curve and follows nothing", whose);
+  // Passive torques only resist.
   require_not_negative(joint.damping, whose, "damping");
   require_not_negative(joint.friction, whose, "friction");
   require_not_negative(joint.stiffness, whose, "stiffness");
@@ -331,6 +343,7 @@ void check_robot(const RobotSpec& robot) {
   require(!robot.links.empty(), "robot '{}' has no link", robot.name);
   require(robot.links.size() <= kMaxLinks, "robot '{}' has {} links, more than {}", robot.name,
           robot.links.size(), kMaxLinks);
+  // Names, then each part by itself, then their relations.
   require_own_names(robot.links, "link");
   require_own_names(robot.joints, "joint");
   require_own_names(robot.dofs, "degree of freedom");

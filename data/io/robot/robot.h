@@ -1,6 +1,6 @@
 #pragma once
 
-/// A robot described once, as plain data: links, joints, and degrees of freedom apart from joints.
+/// Robots as plain data: links, joints, and degrees of freedom apart from joints.
 
 #include <optional>
 #include <string>
@@ -17,23 +17,23 @@ namespace thenar {
 /// A rigid link, in a frame of its own.
 struct RobotLink {
   std::string name;
-  std::string digit;                                  // finger it belongs to; empty: palm or arm
-  double mass = 0;                                    // [kg]; 0 if unknown
-  Eigen::Vector3d com{0, 0, 0};                       // [m] (3)
+  std::string digit;             // digit to which it belongs; empty: palm or arm
+  double mass = 0;               // [kg]; 0: unknown
+  Eigen::Vector3d com{0, 0, 0};  // [m] (3)
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about com [kg m^2] (3, 3)
-  std::vector<ShapeSpec> shapes;                      // its surface, for contacts
-  std::string material;                               // of data/materials; empty: unknown
+  std::vector<ShapeSpec> shapes;                      // for contacts
+  std::string material;                               // in data/materials; empty: unknown
 };
 
+/// Kinds of joints.
 enum class RobotJointKind { kFixed, kRevolute, kPrismatic };
 
 /// "fixed", "revolute", "prismatic".
 [[nodiscard]] std::string name_of(RobotJointKind kind);
 
-/// Joint value = offset + ratio * u + curve[0] * u^2 + curve[1] * u^3 + .., with u its degree of
-/// freedom.
-/// Pose of the child in the parent = X_PJ * motion(axis, value) * X_JC.
-/// Limits are finite: a joint that turns without end goes from -pi to pi.
+/// A joint. Its value is offset + ratio * u + curve[0] * u^2 + curve[1] * u^3 + .., u its degree of
+/// freedom, and the pose of the child in the parent X_PJ * motion(axis, value) * X_JC. Limits are
+/// finite: a joint that turns without end has -pi to pi.
 struct RobotJoint {
   std::string name;
   RobotJointKind kind = RobotJointKind::kRevolute;
@@ -54,90 +54,88 @@ struct RobotJoint {
   double rest = 0;                // [rad] or [m]
 };
 
-/// How one motor drives several joints.
+/// Coupling of the joints that one motor drives.
 enum class RobotDofKind {
   kRigid,      // gears: if one joint is blocked, all are
-  kBreakaway,  // a clutch: blocked beyond `breakaway` a joint stops, those further out go on
+  kBreakaway,  // a clutch: a joint blocked beyond `breakaway` stops, those farther out go on
   kCompliant   // springs or an adaptive linkage: a blocked joint stops, all others go on
 };
 
-/// A motor.
+/// A degree of freedom: a motor.
 struct RobotDof {
   std::string name;
   RobotDofKind kind = RobotDofKind::kRigid;
   double lower = 0;             // [rad] or [m]
   double upper = 0;             // [rad] or [m]
-  double speed = 0;             // in closing, relative to the others; negative closes downwards [1]
-  double max_effort = 0;        // [N m] or [N]; 0 if unknown
+  double speed = 0;             // in closing, relative to others; negative: closes downwards [1]
+  double max_effort = 0;        // [N m] or [N]; 0: unknown
   double breakaway = 0;         // torque at which the clutch opens [N m]
   double stiffness = 0;         // of a compliant coupling [N m/rad]
-  bool backdrivable = true;     // false: a worm or brake, which holds whatever pushes it back
-  bool nominal_effort = false;  // max_effort is a placeholder of a model, not a published figure
-  std::optional<double> open;   // where it stands before the hand closes [rad] or [m]; none: at the
-                                // limit it comes from, or, if speed is 0, at 0 or the limit next to
+  bool backdrivable = true;     // false: a worm gear or brake, which no load drives back
+  bool nominal_effort = false;  // max_effort is a model's placeholder, not a published number
+  std::optional<double> open;   // value when closing begins [rad] or [m]; nothing: the limit from
+                                // which it closes, or for speed 0 zero or the nearest limit
 };
 
-/// Which way a hand goes at an object.
+/// Approach of a hand towards an object: a point of the palm and its direction.
 struct RobotApproach {
   Eigen::Vector3d point{0, 0, 0};      // in the base link [m] (3)
   Eigen::Vector3d direction{0, 0, 1};  // unit, in the base link (3)
 };
 
-/// A robot of more links is refused: checks of trees and couplings take the square of them.
+/// Largest number of links: checks of trees and couplings take its square.
 constexpr std::size_t kMaxLinks = 1000;
 
-/// Joints stand parents before children; the first link is the base.
+/// A whole robot. Joints come parents before children; the first link is the base.
 struct RobotSpec {
   std::string name;
   std::string description;
   std::string source;   // citation keys
-  std::string licence;  // of the file it came from; empty: ours
+  std::string licence;  // of the original file; empty: ours
   std::vector<RobotLink> links;
   std::vector<RobotJoint> joints;
   std::vector<RobotDof> dofs;
   RobotApproach approach;
-  bool closing_stated = true;   // false: speeds say how fast drives run, not which way closes
-  bool approach_stated = true;  // false: `approach` says nothing
-  std::vector<std::string> open_loops;  // what closes it to more than a tree and is not solved: it
-                                        // must not grasp
-  std::vector<std::pair<std::string, std::string>> joined;  // links that a solved loop holds
-                                                            // together; no file keeps them
-  std::vector<std::string> warnings;  // what an importer met and did not understand
+  bool closing_stated = true;   // false: speeds give the pace of drives, not the sense of closing
+  bool approach_stated = true;  // false: `approach` means nothing
+  std::vector<std::string> open_loops;  // unsolved loops: the robot must not grasp
+  std::vector<std::pair<std::string, std::string>> joined;  // links held together by solved loops;
+                                                            // not written to files
+  std::vector<std::string> warnings;                        // of an importer
 };
 
-/// Whether a joint slides, or turns.
+/// Whether a joint slides rather than turns.
 [[nodiscard]] bool slides(const RobotJoint& joint);
-/// How the joints of a degree of freedom move: sliding if the first of them does.
+/// Whether the joints of a degree of freedom slide: as its first joint does.
 [[nodiscard]] bool slides(const RobotSpec& robot, const RobotDof& dof);
 
-/// Reads a robot from TOML; the format is in docs/data_format.md. Mesh files are found beside it.
+/// Reads a robot from TOML; docs/data_format.md describes the format. Mesh files are beside it.
 /// @throws DataError  `path:line: what was wanted, what came`.
 [[nodiscard]] RobotSpec read_robot(const std::string& path);
 [[nodiscard]] RobotSpec parse_robot(const std::string& text, const std::string& path);
 
-/// The robot as TOML that read_robot() reads without loss: every double survives to the bit. A mesh
-/// that came from a file is named, not written out.
-/// @param stated  what was known of it before digits, materials, closing and approach were guessed:
-/// lines of these that differ end in a comment, "# guessed"; null: nothing was
+/// The robot as TOML that read_robot() reads without loss, every double to the bit. A mesh from a
+/// file is named, not written out.
+/// @param stated  the robot before digits, materials, closing and approach were inferred: lines
+/// that differ end in a comment, "# guessed"; null: nothing was inferred
 /// @throws InputError as check_robot().
 [[nodiscard]] std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated = nullptr);
 
-/// Whether some rigid body has this inertia about its centre of mass: symmetric, no principal
-/// moment negative, none larger than the sum of the others; to 1e-6 of the largest.
+/// Whether a rigid body can have this inertia about its centre of mass: symmetric, no principal
+/// moment negative or larger than the sum of the others, to 1e-6 of the largest.
 /// @param inertia  [kg m^2] (3, 3)
 [[nodiscard]] bool is_body_inertia(const Eigen::Matrix3d& inertia);
 
-/// Refuses a robot that is none, naming what is wrong: no link, a name given twice, a link that is
-/// unknown, that two joints carry, or that hangs on a loop, joints out of order, an unknown degree
-/// of freedom, an axis or direction that is no unit vector, a rotation that is none, limits that
-/// cross, a mass or a limit below zero, an inertia that is not a body's, anything not finite.
+/// Checks a robot, and says what is wrong: no link; a name given twice; a link that is unknown,
+/// carried by two joints, or on a loop; joints out of order; an unknown degree of freedom; an axis
+/// or direction that is no unit vector; an invalid rotation; limits that cross; a negative mass; an
+/// inertia that no body has; a number that is not finite.
 /// @throws InputError
 void check_robot(const RobotSpec& robot);
 
-/// `tool` mounted on a link of `carrier`: one tree, which approaches as the tool does, and closes
-/// as it does where nothing states how the carrier closes, which then stands still; names of the
-/// tool get "NAME/" before them where the carrier has them already. A fixed joint "NAME mount"
-/// holds them together.
+/// Mounts `tool` on a link of `carrier` by a fixed joint "NAME mount". The result approaches and
+/// closes as the tool does; a carrier that states no closing stands still. Names of the tool get
+/// "NAME/" in front if the carrier has them already.
 /// @param X_LT  base link of the tool in that link
 /// @throws InputError if the carrier has no such link, or as check_robot().
 [[nodiscard]] RobotSpec attach(const RobotSpec& carrier, const std::string& link,

@@ -12,7 +12,7 @@
 namespace thenar::internal {
 namespace {
 
-/// What a joint's numbers measure: turning or sliding.
+/// Dimensions of a joint's numbers: turning or sliding.
 struct Measures {
   Dimension value, effort, stiffness, damping;
 };
@@ -26,7 +26,7 @@ const Measures& measures_of(RobotJointKind kind) {
   return kind == RobotJointKind::kPrismatic ? kSlidingMeasures : kTurningMeasures;
 }
 
-/// Runs a check that throws InputError, and says where in the file.
+/// Runs a check that throws InputError, and reports it at the table.
 template <typename Check>
 void check_here(const TomlTable& table, Check check) {
   try {
@@ -50,12 +50,14 @@ RobotJointKind read_kind(TomlTable& table) {
   return kind == "revolute" ? RobotJointKind::kRevolute : RobotJointKind::kPrismatic;
 }
 
-/// What [[joint]] and a row of [[dh_chain]] share.
+/// Reads the keys that [[joint]] and a row of [[dh_chain]] share.
 void read_drive(TomlTable& table, RobotJoint& joint) {
+  // What it moves, and which motor drives it.
   joint.kind = read_kind(table);
   joint.child = table.text("child");
   joint.dof = table.text_or("dof", "");
   joint.ratio = table.number_or(Dimension::kNumber, "ratio", 1);
+  // Numbers in the units of its kind.
   const Measures& in = measures_of(joint.kind);
   read_range(table, in.value, joint.lower, joint.upper);
   joint.offset = table.number_or(in.value, "offset", 0);
@@ -66,7 +68,7 @@ void read_drive(TomlTable& table, RobotJoint& joint) {
   joint.stiffness = table.number_or(in.stiffness, "stiffness", 0);
 }
 
-/// Diagonal [xx, yy, zz]; [xx, yy, zz, xy, xz, yz]; or all nine, row by row.
+/// Reads an inertia: diagonal [xx, yy, zz]; [xx, yy, zz, xy, xz, yz]; or all nine, row by row.
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   if (!table.has(Dimension::kInertia, "inertia")) return Eigen::Matrix3d::Zero();
   const std::vector<double> I = table.numbers(Dimension::kInertia, "inertia");
@@ -114,6 +116,7 @@ Eigen::Vector3d read_unit(TomlTable& table, const std::string& key) {
 RobotLink read_robot_link(TomlTable& table, const std::string& path) {
   RobotLink link;
   link.name = table.text("name");
+  // What it is, and what it weighs.
   link.digit = table.text_or("digit", "");
   link.material = table.text_or("material", "");
   link.mass = table.number_or(Dimension::kMass, "mass", 0, Range::kNotNegative);
@@ -143,6 +146,7 @@ std::vector<RobotJoint> read_robot_dh_chain(TomlTable& table) {
   std::string parent = table.text("parent");
   Pose<double> X = pose_or_none(table, "frame");
   std::vector<RobotJoint> joints;
+  // The frame stands before the first joint only.
   for (TomlTable& row : table.tables("rows")) {
     RobotJoint joint = read_row(row);
     joint.parent = parent;
@@ -158,11 +162,13 @@ std::vector<RobotJoint> read_robot_dh_chain(TomlTable& table) {
 RobotDof read_robot_dof(TomlTable& table) {
   RobotDof dof;
   dof.name = table.text("name");
+  // Kind of coupling.
   const std::string kind =
       table.has("kind") ? table.choice("kind", {"rigid", "breakaway", "compliant"}) : "rigid";
   dof.kind = kind == "rigid"       ? RobotDofKind::kRigid
              : kind == "breakaway" ? RobotDofKind::kBreakaway
                                    : RobotDofKind::kCompliant;
+  // Numbers in the units of its joints.
   const bool slides = table.has(Dimension::kLength, "range");
   const Measures& in = slides ? kSlidingMeasures : kTurningMeasures;
   read_range(table, in.value, dof.lower, dof.upper);

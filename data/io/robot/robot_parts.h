@@ -1,6 +1,6 @@
 #pragma once
 
-/// The parts of a robot file: each is read, checked and written by itself.
+/// Readers and checks of the parts of a robot file.
 
 #include <cstring>
 #include <string>
@@ -11,30 +11,31 @@
 
 namespace thenar::internal {
 
-/// How far a unit vector's length, or R R' - I of a rotation, may be off.
+/// Tolerance of the length of unit vectors, and of R R' - I of rotations [1].
 inline constexpr double kUnitTolerance = 1e-9;
 
-/// Equal to the bit, signs of zero included.
+/// Whether two matrices are equal to the bit, including the sign of zero.
 template <typename Matrix>
 [[nodiscard]] bool same_bits(const Matrix& a, const Matrix& b) {
   return std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
-/// What one part must obey, whatever the rest is. @throws InputError
+/// Checks of one part by itself. @throws InputError
 void check_pose(const Pose<double>& X, const std::string& whose);
 void check_shape(const ShapeSpec& shape, const std::string& whose);
 void check_link(const RobotLink& link);
 void check_joint(const RobotJoint& joint);
 void check_dof(const RobotDof& dof);
 
-/// A direction as written, made a unit vector unless it is one to rounding already.
+/// Reads a direction as written; normalises it unless it is a unit vector up to rounding.
 [[nodiscard]] Eigen::Vector3d read_unit(TomlTable& table, const std::string& key);
 
+/// Readers of one link, joint, or degree of freedom. @throws DataError
 [[nodiscard]] RobotLink read_robot_link(TomlTable& table, const std::string& path);
 [[nodiscard]] RobotJoint read_robot_joint(TomlTable& table);
 [[nodiscard]] RobotDof read_robot_dof(TomlTable& table);
 
-/// The joints of a [[dh_chain]]: rows of Denavit-Hartenberg parameters, standard convention.
+/// Reads the joints of a [[dh_chain]]: rows of Denavit-Hartenberg parameters, standard convention.
 [[nodiscard]] std::vector<RobotJoint> read_robot_dh_chain(TomlTable& table);
 
 }  // namespace thenar::internal

@@ -15,7 +15,7 @@ namespace {
 using Eigen::Vector3d;
 using internal::same_bits;
 
-/// The units of turning and of sliding.
+/// Suffixes of keys for turning and for sliding.
 struct Units {
   const char *value, *effort, *stiffness, *damping;
 };
@@ -31,7 +31,7 @@ void add_text(std::string& text, const std::string& key, const std::string& valu
   if (!value.empty()) add(text, key + " = " + toml_quoted(value) + mark(guessed));
 }
 
-/// Nothing for what the reader assumes anyway.
+/// Adds a number, unless the reader assumes it anyway.
 void add_number(std::string& text, const std::string& key, double value, double assumed = 0) {
   if (value != assumed || std::signbit(value) != std::signbit(assumed))
     add(text, key + " = " + toml_number(value));
@@ -42,7 +42,7 @@ void add_pose(std::string& text, const std::string& key, const Pose<double>& X) 
   if (!lines.empty()) add(text, fmt::format("{} = {{{}}}", key, fmt::join(lines, ", ")));
 }
 
-/// Citation keys; those that data/sources.bib does not have stand for themselves.
+/// Citation keys; keys that are not in data/sources.bib cite themselves.
 std::string source_lines(const std::string& source) {
   if (source.empty())
     return "source = \"unstated\"\n\n[sources]\nunstated = \"where it came from says none\"\n";
@@ -61,6 +61,7 @@ std::string link_lines(const RobotLink& link, const RobotLink& stated) {
   add_text(text, "digit", link.digit, link.digit != stated.digit);
   add_text(text, "material", link.material, link.material != stated.material);
   add_number(text, "mass_kg", link.mass);
+  // Mass, centre and inertia as far as they are not zero.
   if (!same_bits(link.com, Vector3d(0, 0, 0))) add(text, "com_m = " + toml_list(link.com));
   const Eigen::Matrix3d& I = link.inertia;
   if (!same_bits(I, Eigen::Matrix3d(Eigen::Matrix3d::Zero())))
@@ -70,6 +71,7 @@ std::string link_lines(const RobotLink& link, const RobotLink& stated) {
                                                       I(1, 2)}
                                 : std::vector<double>{I(0, 0), I(0, 1), I(0, 2), I(1, 0), I(1, 1),
                                                       I(1, 2), I(2, 0), I(2, 1), I(2, 2)}));
+  // Shapes as tables of their own.
   for (const ShapeSpec& shape : link.shapes) {
     add(text, "\n[[link.shape]]");
     for (const std::string& line : toml_of(shape)) add(text, line);
@@ -78,14 +80,17 @@ std::string link_lines(const RobotLink& link, const RobotLink& stated) {
 }
 
 std::string joint_lines(const RobotJoint& joint) {
+  // Names and kind.
   const Units& in = joint.kind == RobotJointKind::kPrismatic ? kSlidingUnits : kTurningUnits;
   std::string text = "\n[[joint]]\nname = " + toml_quoted(joint.name) + "\n";
   add(text, "kind = " + toml_quoted(name_of(joint.kind)));
   add(text, "parent = " + toml_quoted(joint.parent));
   add(text, "child = " + toml_quoted(joint.child));
+  // What drives it.
   add_text(text, "dof", joint.dof);
   add_number(text, "ratio", joint.ratio, 1);
   if (!same_bits(joint.axis, Vector3d(0, 0, 1))) add(text, "axis = " + toml_list(joint.axis));
+  // Limits, and the numbers that differ from the reader's defaults.
   if (joint.kind != RobotJointKind::kFixed || joint.lower != 0 || joint.upper != 0)
     add(text, fmt::format("range{} = {}", in.value,
                           toml_list(std::vector<double>{joint.lower, joint.upper})));
@@ -95,6 +100,7 @@ std::string joint_lines(const RobotJoint& joint) {
   add_number(text, std::string("damping") + in.damping, joint.damping);
   add_number(text, std::string("friction") + in.effort, joint.friction);
   add_number(text, std::string("stiffness") + in.stiffness, joint.stiffness);
+  // Frames at both ends.
   add_pose(text, "frame", joint.X_PJ);
   add_pose(text, "child_frame", joint.X_JC);
   return text;
@@ -111,6 +117,7 @@ std::string dof_lines(const RobotDof& dof, const RobotDof& stated, const Units& 
   add(text, fmt::format("kind = \"{}\"", kind_name(dof.kind)));
   add(text,
       fmt::format("range{} = {}", in.value, toml_list(std::vector<double>{dof.lower, dof.upper})));
+  // Guessed values are marked as such.
   if (closing_guessed)
     add(text, "speed = " + toml_number(dof.speed) + mark(true));
   else
@@ -133,8 +140,7 @@ std::string approach_lines(const RobotApproach& approach, const RobotSpec& state
                      toml_list(approach.point), toml_list(approach.direction));
 }
 
-// ---- numbers so large that no reader of ours takes them
-
+/// Refuses numbers so large that our own reader would refuse them.
 void require_size(double value, Dimension dimension, const std::string& whose, const char* what) {
   const double most = largest_of(dimension);
   require(std::abs(value) <= most,
@@ -162,6 +168,7 @@ void require_link_size(const RobotLink& link) {
 
 void require_joint_size(const RobotJoint& joint) {
   const std::string whose = fmt::format("joint '{}'", joint.name);
+  // Dimensions by the kind of joint.
   const bool slides = joint.kind == RobotJointKind::kPrismatic;
   const Dimension value = slides ? Dimension::kLength : Dimension::kAngle;
   require_size(joint.lower, value, whose, "lower limit");
@@ -202,10 +209,12 @@ void require_sizes(const RobotSpec& robot) {
 }  // namespace
 
 std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
+  // A file that could not be read again is not written.
   check_robot(robot);
   require_sizes(robot);
   const RobotSpec& before = stated == nullptr ? robot : *stated;
   const bool closing_guessed = robot.closing_stated && !before.closing_stated;
+  // Header.
   std::string text = "name = " + toml_quoted(robot.name) + "\n";
   add_text(text, "description", robot.description);
   add_text(text, "licence", robot.licence);
@@ -213,6 +222,7 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
   if (!robot.open_loops.empty()) add(text, "open_loops = " + toml_list(robot.open_loops));
   if (!robot.closing_stated) add(text, "closing = \"unstated\"");
   text += source_lines(robot.source);
+  // Approach, links, degrees of freedom, joints.
   if (robot.approach_stated) text += approach_lines(robot.approach, before);
   for (std::size_t i = 0; i < robot.links.size(); ++i)
     text += link_lines(robot.links[i], before.links[i]);
@@ -227,7 +237,7 @@ std::string robot_toml(const RobotSpec& robot, const RobotSpec* stated) {
 // Robots from TOML.
 namespace {
 
-/// What a file says whose robot has no source: numbers must cite something.
+/// Citation of a robot without source, because numbers must cite something.
 const std::string kUnstated = "unstated";
 
 void read_approach(TomlTable& top, RobotSpec& robot) {
@@ -245,6 +255,7 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
   RobotSpec robot;
+  // Header.
   robot.name = top.text("name");
   robot.description = top.text_or("description", "");
   robot.source = top.source() == kUnstated ? "" : top.source();
@@ -253,6 +264,7 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
       !top.has("closing") || top.choice("closing", {"stated", "unstated"}) == "stated";
   if (top.has("warnings")) robot.warnings = top.texts("warnings");
   if (top.has("open_loops")) robot.open_loops = top.texts("open_loops");
+  // Approach and parts.
   read_approach(top, robot);
   for (TomlTable& table : top.tables("link"))
     robot.links.push_back(internal::read_robot_link(table, path));
@@ -263,6 +275,7 @@ RobotSpec parse_robot(const std::string& text, const std::string& path) {
     for (RobotJoint& joint : internal::read_robot_dh_chain(table))
       robot.joints.push_back(std::move(joint));
   top.done();
+  // Errors of the whole robot are reported at the file.
   try {
     check_robot(robot);
   } catch (const InputError& error) {

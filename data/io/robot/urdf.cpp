@@ -21,7 +21,7 @@ namespace {
 using internal::FollowerCoupling;
 using internal::UnreadElements;
 
-/// What urdfdom says while it lives, instead of on the standard error.
+/// Collects what urdfdom logs during its life, instead of the standard error.
 class Listener : public console_bridge::OutputHandler {
  public:
   Listener() : lock_(mutex()) { console_bridge::useOutputHandler(this); }
@@ -36,7 +36,7 @@ class Listener : public console_bridge::OutputHandler {
   std::vector<std::string> heard;
 
  private:
-  static std::mutex& mutex() {  // the handler is one for the whole program
+  static std::mutex& mutex() {  // the whole program has one handler
     static std::mutex one;
     return one;
   }
@@ -73,7 +73,7 @@ void set_mass(RobotLink& link, const urdf::Inertial& inertial) {
   link.inertia = X_LI.R * I * X_LI.R.transpose();
 }
 
-/// Turns one urdfdom model into ours.
+/// Translates a model of urdfdom.
 class UrdfTranslation {
  public:
   UrdfTranslation(const urdf::ModelInterface& model, const XmlFile& file, RobotSpec& robot)
@@ -81,10 +81,12 @@ class UrdfTranslation {
 
   void run() {
     const pugi::xml_node top = file_.root();
+    // In the order of the file, which urdfdom does not keep.
     for (const pugi::xml_node node : top.children("link"))
       add_link(*model_.links_.at(node.attribute("name").value()));
     for (const pugi::xml_node node : top.children("joint"))
       add_joint(*model_.joints_.at(node.attribute("name").value()), node);
+    // Order and couplings.
     internal::order_tree(robot_, file_.path());
     internal::couple_joints(robot_, couplings_, file_.path());
     for (RobotDof& dof : robot_.dofs) set_motor(dof);
@@ -98,6 +100,7 @@ class UrdfTranslation {
     RobotLink ours;
     ours.name = link.name;
     if (link.inertial) set_mass(ours, *link.inertial);
+    // Collision shapes, otherwise visual ones.
     for (const auto& collision : link.collision_array)
       add_shape(ours, *collision->geometry, pose_of(collision->origin));
     if (link.collision_array.empty() && !link.visual_array.empty()) {
@@ -127,7 +130,7 @@ class UrdfTranslation {
     link.shapes.push_back(std::move(shape));
   }
 
-  /// @return false if the mesh could not be had, which is in the warnings then.
+  /// Sets a mesh or a capsule. @returns false if the mesh is missing, with a warning
   bool set_mesh(ShapeSpec& shape, const RobotLink& link, const urdf::Mesh& mesh) {
     const std::string beginning = internal::kCapsule;
     if (mesh.filename.compare(0, beginning.size(), beginning) == 0) {
@@ -142,12 +145,14 @@ class UrdfTranslation {
 
   void add_joint(const urdf::Joint& joint, pugi::xml_node node) {
     RobotJoint ours;
+    // Names and frame.
     ours.name = joint.name;
     ours.parent = joint.parent_link_name;
     ours.child = joint.child_link_name;
     ours.X_PJ = pose_of(joint.parent_to_joint_origin_transform);
     set_motion(ours, joint);
     if (ours.kind != RobotJointKind::kFixed) ours.axis = vector_of(joint.axis).normalized();
+    // Passive torques, and joints that follow others.
     if (joint.dynamics) {
       ours.damping = joint.dynamics->damping;
       ours.friction = joint.dynamics->friction;
@@ -163,6 +168,7 @@ class UrdfTranslation {
   }
 
   void set_motion(RobotJoint& ours, const urdf::Joint& joint) {
+    // Joints of several freedoms are not read.
     if (joint.type == urdf::Joint::FLOATING || joint.type == urdf::Joint::PLANAR)
       robot_.warnings.push_back(
           fmt::format("{} joint '{}' is taken as fixed",
@@ -171,6 +177,7 @@ class UrdfTranslation {
     if (joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS)
       ours.kind = RobotJointKind::kRevolute;
     if (joint.type == urdf::Joint::PRISMATIC) ours.kind = RobotJointKind::kPrismatic;
+    // A continuous joint gets one turn; limits in the wrong order are swapped.
     if (joint.type == urdf::Joint::CONTINUOUS) {
       ours.lower = -kPi;
       ours.upper = kPi;
@@ -189,6 +196,7 @@ class UrdfTranslation {
 
   void set_motor(RobotDof& dof) {
     const urdf::Joint& joint = *model_.joints_.at(dof.name);
+    // Unknown efforts are 0.
     if (!joint.limits) return;
     dof.max_effort = joint.limits->effort;
     if (!(dof.max_effort >= 0)) {
@@ -196,6 +204,7 @@ class UrdfTranslation {
                                             dof.name, dof.max_effort));
       dof.max_effort = 0;
     }
+    // A range below zero closes downwards.
     if (joint.limits->velocity > 0) dof.speed = joint.limits->velocity;
     if (dof.upper <= 0 && dof.lower < 0) dof.speed = -dof.speed;
   }

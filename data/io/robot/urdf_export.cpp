@@ -36,6 +36,7 @@ void append_origin(pugi::xml_node& node, const Pose<double>& X) {
   set(origin, "rpy", numbers(roll_pitch_yaw(X.R)));
 }
 
+/// Writes one robot.
 class Export {
  public:
   Export(const RobotSpec& robot, std::string mesh_prefix)
@@ -43,11 +44,13 @@ class Export {
 
   UrdfText run() {
     pugi::xml_document document;
+    // Links and joints.
     pugi::xml_node top = document.append_child("robot");
     set(top, "name", robot_.name);
     name_unsaid();
     for (const RobotLink& link : robot_.links) append_link(top, link);
     for (const RobotJoint& joint : robot_.joints) append_joint(top, joint);
+    // Warnings as comments at the top.
     for (auto warning = out_.warnings.rbegin(); warning != out_.warnings.rend(); ++warning)
       top.prepend_child(pugi::node_comment).set_value(comment(*warning).c_str());
     std::ostringstream text;
@@ -57,13 +60,13 @@ class Export {
   }
 
  private:
-  /// A comment must not hold "--".
+  /// The text of a comment, which must not contain "--".
   static std::string comment(std::string text) {
     for (std::size_t at; (at = text.find("--")) != std::string::npos;) text.replace(at, 2, "- -");
     return " " + text + " ";
   }
 
-  /// A warning of everything that these, if any, have and URDF cannot say.
+  /// Warns of a property that URDF cannot express, if any part has it.
   void leave_out(const std::string& what, const std::vector<std::string>& of) {
     if (!of.empty())
       out_.warnings.push_back(
@@ -116,6 +119,7 @@ class Export {
             fmt::format("URDF has no joints without motors: '{}' gets one", joint.name));
   }
 
+  /// Warns of everything that URDF cannot express.
   void name_unsaid() {
     name_unsaid_of_links();
     name_unsaid_of_motors();
@@ -137,9 +141,7 @@ class Export {
             fmt::format("URDF has no springs: that of joint '{}' is left out", joint.name));
   }
 
-  // ---- links
-
-  /// The link's frame in that of its URDF link.
+  /// Pose of the link's frame in that of its URDF link.
   [[nodiscard]] Pose<double> X_UL(const std::string& link) const {
     for (const RobotJoint& joint : robot_.joints)
       if (joint.child == link) return joint.X_JC;
@@ -156,6 +158,7 @@ class Export {
 
   static void append_mass(pugi::xml_node& node, const RobotLink& link, const Pose<double>& X) {
     pugi::xml_node inertial = node.append_child("inertial");
+    // About the centre of mass, in the axes of the URDF link.
     append_origin(inertial, {Eigen::Matrix3d::Identity(), X * link.com});
     pugi::xml_node mass = inertial.append_child("mass");
     set(mass, "value", link.mass);
@@ -169,7 +172,7 @@ class Export {
     set(inertia, "izz", I(2, 2));
   }
 
-  /// Geometry for contact and for the eye alike. @return the two nodes to fill
+  /// Appends geometry for contact and for display, each filled by `fill`.
   template <typename Fill>
   static void append_geometry(pugi::xml_node& link, const Pose<double>& X, const Fill& fill) {
     for (const char* use : {"visual", "collision"}) {
@@ -208,6 +211,7 @@ class Export {
   void append_shape(pugi::xml_node& link, const ShapeSpec& shape, const Pose<double>& X,
                     const std::string& name) {
     const Eigen::Vector3d& s = shape.size;
+    // Primitives that URDF has.
     if (shape.kind == ShapeKind::kSphere) {
       append_sphere(link, X, s.x());
     } else if (shape.kind == ShapeKind::kBox) {
@@ -217,10 +221,12 @@ class Export {
       });
     } else if (shape.kind == ShapeKind::kCylinder) {
       append_cylinder(link, X, s.x(), s.y());
+      // A capsule becomes a cylinder and two spheres.
     } else if (shape.kind == ShapeKind::kCapsule) {
       append_cylinder(link, X, s.x(), s.y());
       for (const double z : {-s.y() / 2, s.y() / 2})
         append_sphere(link, {X.R, X * Eigen::Vector3d(0, 0, z)}, s.x());
+      // Meshes by name; everything else as a new mesh.
     } else if (shape.kind == ShapeKind::kMesh && !shape.mesh_file.empty()) {
       append_mesh(link, X, shape.mesh_file, shape.mesh_scale);
     } else {
@@ -228,8 +234,9 @@ class Export {
     }
   }
 
-  /// Keeps a surface to be written, and names its file.
+  /// Adds a mesh to be written. @returns the name of its file
   std::string written_mesh(ShapeSpec shape, const std::string& link) {
+    // A name that is a valid file name everywhere.
     std::string file = fmt::format("{}{}_{}.obj", prefix_, link, out_.meshes.size());
     std::replace_if(
         file.begin(), file.end(),
@@ -244,8 +251,6 @@ class Export {
     }
     return file;
   }
-
-  // ---- joints
 
   [[nodiscard]] bool drives(const std::string& dof) const {
     return std::any_of(robot_.joints.begin(), robot_.joints.end(),
@@ -264,6 +269,7 @@ class Export {
 
   void append_joint(pugi::xml_node& top, const RobotJoint& joint) {
     pugi::xml_node node = top.append_child("joint");
+    // Names, kind and frames.
     set(node, "name", joint.name);
     set(node, "type", name_of(joint.kind));
     append_origin(node, X_UL(joint.parent) * joint.X_PJ);
@@ -271,6 +277,7 @@ class Export {
     set(parent, "link", joint.parent);
     set(child, "link", joint.child);
     if (joint.kind == RobotJointKind::kFixed) return;
+    // Axis, limits and passive torques.
     pugi::xml_node axis = node.append_child("axis");
     set(axis, "xyz", numbers(joint.axis));
     append_limit(node, joint);
@@ -282,7 +289,7 @@ class Export {
     if (!joint.dof.empty()) append_mimic(node, joint);
   }
 
-  /// The joint that leads stops where its motor does, and no further than it can go itself.
+  /// Limits: those of its motor for a leading joint, within its own.
   void append_limit(pugi::xml_node& node, const RobotJoint& joint) const {
     double effort = 0, velocity = 0, lower = joint.lower, upper = joint.upper;
     for (const RobotDof& dof : robot_.dofs)
@@ -301,20 +308,23 @@ class Export {
     set(limit, "velocity", velocity);
   }
 
+  /// A linear coupling.
   struct Line {
     double ratio, offset;
-    double off = 0;  // farthest from the curve [rad] or [m]
+    double off = 0;  // largest deviation from the curve [rad] or [m]
   };
 
-  /// A joint's coupling; of one along a curve the line through its middle that leaves it least, in
-  /// the middle of what it is off the line through its ends.
+  /// The linear coupling of a joint; for a curve the line parallel to its chord with the smallest
+  /// largest deviation.
   [[nodiscard]] Line line_of(const RobotJoint& joint) const {
     if (joint.curve.empty()) return {joint.ratio, joint.offset};
     const auto dof = std::find_if(robot_.dofs.begin(), robot_.dofs.end(),
                                   [&](const RobotDof& each) { return each.name == joint.dof; });
+    // Chord of the curve.
     const double span = dof->upper - dof->lower, at_lower = joint_value(joint, dof->lower);
     const double ratio =
         span > 0 ? (joint_value(joint, dof->upper) - at_lower) / span : joint.ratio;
+    // Range of deviations from the chord.
     double least = 0, most = 0;
     for (int i = 0; i <= 100; ++i) {
       const double u = dof->lower + span * i / 100;
@@ -325,7 +335,8 @@ class Export {
     return {ratio, at_lower - ratio * dof->lower + (least + most) / 2, (most - least) / 2};
   }
 
-  /// v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0) b_0.
+  /// Mimics the leader: v = r q + b and v_0 = r_0 q + b_0 give v = (r / r_0) v_0 + b - (r / r_0)
+  /// b_0.
   void append_mimic(pugi::xml_node& node, const RobotJoint& joint) const {
     const RobotJoint& first = leader(joint.dof);
     if (&first == &joint) return;
@@ -347,7 +358,7 @@ class Export {
 Eigen::Vector3d roll_pitch_yaw(const Eigen::Matrix3d& R) {
   const double pitch = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
   const double yaw = std::atan2(R(1, 0), R(0, 0));
-  // What is left when yaw is undone turns about x alone, also where pitch leaves yaw undetermined.
+  // Undoing yaw leaves a rotation about x, also where pitch makes yaw arbitrary.
   const double y1 = std::cos(yaw) * R(1, 1) - std::sin(yaw) * R(0, 1);
   const double y2 = std::cos(yaw) * R(1, 2) - std::sin(yaw) * R(0, 2);
   return {std::atan2(-y2, y1), pitch, yaw};
@@ -362,11 +373,12 @@ std::vector<std::string> write_urdf(const std::string& path, const RobotSpec& ro
   const std::filesystem::path file(path);
   const UrdfText urdf = robot_urdf(robot, file.stem().string() + "_");
   std::vector<std::pair<std::string, std::string>> files;
+  // Meshes beside the file, in the format of their ending.
   for (const auto& [name, mesh] : urdf.meshes) {
     const std::string mesh_path = (file.parent_path() / name).string();
     files.emplace_back(mesh_path, mesh_bytes(mesh_path, mesh));
   }
-  files.emplace_back(path, urdf.text);  // last, since it names the others
+  files.emplace_back(path, urdf.text);  // last, as it names the others
   write_files(files);
   return urdf.warnings;
 }

@@ -15,6 +15,7 @@
 namespace thenar::internal {
 namespace {
 
+/// An attribute that must be a list of numbers.
 struct NumberList {
   const char* element;
   const char* attribute;
@@ -31,7 +32,7 @@ constexpr NumberList kNumbers[] = {
     {"limit", "effort", 1},      {"limit", "velocity", 1},   {"dynamics", "damping", 1},
     {"dynamics", "friction", 1}, {"mimic", "multiplier", 1}, {"mimic", "offset", 1}};
 
-/// What is read of an element; all else is noted and taken out.
+/// Children of an element that are read; all others are noted and removed.
 const std::map<std::string, std::set<std::string>> kRead{
     {"robot", {"link", "joint"}},
     {"link", {"inertial", "visual", "collision"}},
@@ -42,6 +43,7 @@ const std::map<std::string, std::set<std::string>> kRead{
     {"geometry", {"box", "cylinder", "sphere", "mesh", "capsule"}}};
 
 void refuse_xacro_at(const XmlFile& file, const pugi::xml_node& node) {
+  // Macros and expressions are xacro.
   if (std::string(node.name()).rfind("xacro:", 0) == 0)
     file.fail(node, fmt::format("<{}> is a xacro macro; expand it first: xacro IN > OUT.urdf",
                                 node.name()));
@@ -62,6 +64,7 @@ void refuse_xacro(const XmlFile& file, const pugi::xml_node& top) {
 void take_out_unread(UnreadElements& unread, pugi::xml_node node) {
   const auto read = kRead.find(node.name());
   if (read == kRead.end()) return;
+  // Children that are read may have others that are not.
   for (pugi::xml_node child = node.first_child(); child;) {
     const pugi::xml_node next = child.next_sibling();
     if (child.type() != pugi::node_element) {
@@ -79,6 +82,7 @@ void take_out_unread(UnreadElements& unread, pugi::xml_node node) {
 void check_numbers_at(const XmlFile& file, const pugi::xml_node& node) {
   for (const NumberList& numbers : kNumbers) {
     const pugi::xml_attribute attribute = node.attribute(numbers.attribute);
+    // The right number of numbers.
     if (std::string(node.name()) != numbers.element || !attribute) continue;
     const std::string what = fmt::format("<{}> {}", node.name(), numbers.attribute);
     const std::size_t got = parse_numbers(file, node, attribute.value(), what).size();
@@ -96,7 +100,7 @@ void set_default(pugi::xml_node node, const char* attribute, const char* value) 
   if (!node.attribute(attribute)) node.append_attribute(attribute) = value;
 }
 
-/// One factor stands for three; commas are spaces.
+/// Normalises the scale of a mesh: one factor means three, commas are spaces.
 void settle_mesh(const XmlFile& file, pugi::xml_node mesh) {
   (void)required_text(file, mesh, "filename");
   pugi::xml_attribute scale = mesh.attribute("scale");
@@ -108,17 +112,19 @@ void settle_mesh(const XmlFile& file, pugi::xml_node mesh) {
   scale = fmt::format("{:.17g} {:.17g} {:.17g}", x, y, z).c_str();
 }
 
-/// Takes out shapes without geometry, gives capsules a name that urdfdom lets pass.
+/// Removes shapes without geometry, and gives capsules a name that urdfdom accepts.
 void settle_shapes(const XmlFile& file, UnreadElements& unread, pugi::xml_node link) {
   for (pugi::xml_node part = link.first_child(); part;) {
     const pugi::xml_node next = part.next_sibling(), geometry = part.child("geometry");
     const bool is_shape = std::string(part.name()) != "inertial";
+    // A shape without geometry.
     if (is_shape && !geometry.first_child()) {
       unread.note(part, fmt::format("<{}> of link '{}' has no shape that is read", part.name(),
                                     link.attribute("name").value()));
       link.remove_child(part);
     }
     if (const pugi::xml_node mesh = geometry.child("mesh")) settle_mesh(file, mesh);
+    // A capsule in the guise of a mesh.
     if (pugi::xml_node capsule = geometry.child("capsule")) {
       const std::string size =
           fmt::format("{}{} {}", kCapsule, required_text(file, capsule, "radius"),
@@ -135,6 +141,7 @@ void settle_link(const XmlFile& file, UnreadElements& unread, pugi::xml_node lin
   settle_shapes(file, unread, link);
   pugi::xml_node inertial = link.child("inertial");
   if (!inertial) return;
+  // Mass is needed; a missing inertia is that of a point.
   if (!inertial.child("mass")) file.fail(inertial, "<inertial> wants <mass value=\"..\">");
   pugi::xml_node inertia = inertial.child("inertia");
   if (!inertia) {
@@ -149,6 +156,7 @@ void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   const std::string type = joint.attribute("type").value();
   const std::string name = joint.attribute("name").value();
   pugi::xml_node limit = joint.child("limit");
+  // Missing limits: a continuous joint, or one that stays.
   if (!limit && type == "revolute") {
     unread.note(joint,
                 fmt::format("revolute joint '{}' has no <limit>: taken as continuous", name));
@@ -157,7 +165,7 @@ void settle_limits(UnreadElements& unread, pugi::xml_node joint) {
   if (!limit && type == "prismatic") {
     unread.note(joint, fmt::format("prismatic joint '{}' has no <limit>: it stays at zero", name));
     if (joint.child("mimic"))
-      limit = joint.append_child("limit");  // which its coupling widens
+      limit = joint.append_child("limit");  // widened by its coupling
     else
       joint.attribute("type") = "fixed";
   }
@@ -170,6 +178,7 @@ void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node jo
                   const std::set<std::string>& links) {
   const std::string name = required_text(file, joint, "name");
   const std::string type = required_text(file, joint, "type");
+  // Known type, and ends that exist.
   static const std::set<std::string> types{"revolute", "continuous", "prismatic",
                                            "fixed",    "floating",   "planar"};
   if (types.count(type) == 0)
@@ -182,6 +191,7 @@ void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node jo
       file.fail(node,
                 fmt::format("joint '{}' has {} '{}', and there is no such link", name, end, link));
   }
+  // An axis needs a direction.
   if (const pugi::xml_node axis = joint.child("axis");
       axis && type != "fixed" && type != "floating")
     if (parse_vector3(file, axis, axis.attribute("xyz").value(), "<axis> xyz").isZero(0))
@@ -189,7 +199,7 @@ void settle_joint(const XmlFile& file, UnreadElements& unread, pugi::xml_node jo
   settle_limits(unread, joint);
 }
 
-/// Names of one kind, each once.
+/// Names of one kind of element, each of which may occur once.
 std::set<std::string> unique_names(const XmlFile& file, pugi::xml_node robot, const char* kind) {
   std::set<std::string> names;
   for (const pugi::xml_node node : robot.children(kind))
@@ -213,19 +223,22 @@ void require_one_parent(const XmlFile& file, pugi::xml_node robot) {
 std::string prepare_urdf(const XmlFile& file, UnreadElements& unread) {
   pugi::xml_node robot = file.root();
   if (std::string(robot.name()) != "robot") file.fail(robot, "wanted <robot name=\"..\">");
+  // Refuse xacro, and remove what is not read.
   refuse_xacro(file, robot);
   take_out_unread(unread, robot);
   check_numbers(file, robot);
+  // Names are unique, and links few enough.
   const std::set<std::string> links = unique_names(file, robot, "link");
   if (links.empty()) file.fail(robot, "<robot> has no <link>");
   if (links.size() > kMaxLinks)
     file.fail(robot, fmt::format("wanted at most {} links, got {}", kMaxLinks, links.size()));
   (void)unique_names(file, robot, "joint");
+  // Each element in the form that urdfdom accepts.
   for (const pugi::xml_node link : robot.children("link")) settle_link(file, unread, link);
   for (const pugi::xml_node joint : robot.children("joint"))
     settle_joint(file, unread, joint, links);
   require_one_parent(file, robot);
-  if (*robot.attribute("name").value() == 0) {  // urdfdom wants one
+  if (*robot.attribute("name").value() == 0) {  // urdfdom needs a name
     robot.remove_attribute("name");
     robot.append_attribute("name") = std::filesystem::path(file.path()).stem().c_str();
   }

@@ -11,9 +11,8 @@
 namespace thenar::internal {
 namespace {
 
-constexpr double kLargestMesh = 10;  // of an object whose scale is not stated [m]
-constexpr double kRounding =
-    1e-6;  // how far moments of inertia may be off, in parts of the largest
+constexpr double kLargestMesh = 10;  // largest object without a stated scale [m]
+constexpr double kRounding = 1e-6;   // relative error allowed for moments of inertia [1]
 
 Eigen::Matrix3d read_inertia(TomlTable& table) {
   std::vector<double> v = table.numbers(Dimension::kInertia, "inertia");  // xx yy zz xy xz yz
@@ -24,6 +23,7 @@ Eigen::Matrix3d read_inertia(TomlTable& table) {
   v.resize(6);
   Eigen::Matrix3d I;
   I << v[0], v[3], v[4], v[3], v[1], v[5], v[4], v[5], v[2];
+  // No body has a principal moment above the sum of the others.
   const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(I).eigenvalues();
   if (moments(0) < -kRounding * moments(2) ||
       moments(2) > (1 + kRounding) * (moments(0) + moments(1)))
@@ -36,6 +36,7 @@ Eigen::Matrix3d read_inertia(TomlTable& table) {
 void read_mass_keys(TomlTable& table, BodySpec& body) {
   body.density = table.number_or(Dimension::kDensity, "density", 0, Range::kPositive);
   if (!table.has(Dimension::kMass, "mass")) return;
+  // Full inertia, or a mass spread evenly.
   const double mass = table.number(Dimension::kMass, "mass", Range::kPositive);
   if (table.has(Dimension::kInertia, "inertia"))
     body.mass = BodyMass{mass, table.vector(Dimension::kLength, "com"), read_inertia(table)};
@@ -47,6 +48,7 @@ void read_mass_keys(TomlTable& table, BodySpec& body) {
 std::string mass_lines(const BodySpec& body) {
   if (!body.mass && body.uniform_mass > 0)
     return "mass_kg = " + toml_number(body.uniform_mass) + "\n";
+  // A stated tensor, or what the shapes give.
   if (!body.mass)
     return body.density > 0 ? "density_kg_m3 = " + toml_number(body.density) + "\n" : "";
   const Eigen::Matrix3d& I = body.mass->inertia;
@@ -57,7 +59,7 @@ std::string mass_lines(const BodySpec& body) {
       toml_list(std::vector<double>{I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}));
 }
 
-/// Meshes whose scale nobody states have one of metres.
+/// Reads a shape; a mesh without a stated scale must have a plausible size in metres.
 ShapeSpec read_sized_shape(TomlTable& table, const std::string& path) {
   const bool scaled = table.has("scale");
   ShapeSpec shape = read_shape_table(table, path);
@@ -97,6 +99,7 @@ std::string source_line(const std::string& source) {
 }
 
 std::string sources_table(const std::vector<std::string>& sources, const OwnSources& own) {
+  // Add keys that neither the file nor the bibliography explains.
   OwnSources all = own;
   const std::vector<std::string>& known = known_sources();
   for (const std::string& source : sources)

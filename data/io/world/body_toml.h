@@ -1,6 +1,6 @@
 #pragma once
 
-/// The keys of a body, in a file of its own or inside a world.
+/// Keys of a body, in a file of its own or in a world.
 
 #include <string>
 
@@ -9,19 +9,19 @@
 
 namespace thenar::internal {
 
-/// Everything but its pose. @param path  of the file it stands in
+/// Reads all keys but those of the pose. @param path  of the file
 [[nodiscard]] BodySpec read_body_keys(TomlTable& table, const std::string& path);
 
-/// The same as TOML. @param prefix  of its tables of shapes: "" or "body."
+/// The body as TOML. @param prefix  of its tables of shapes: "" or "body."
 [[nodiscard]] std::string body_lines(const BodySpec& body, const std::string& prefix);
 
-/// `key = "value"`, or nothing for an empty value.
+/// Line `key = "value"`, or nothing for an empty value.
 [[nodiscard]] std::string text_line(const std::string& key, const std::string& value);
 
-/// `source = [..]`, or nothing if it is empty.
+/// Line `source = [..]`, or nothing for an empty source.
 [[nodiscard]] std::string source_line(const std::string& source);
 
-/// [sources] of what `own` tells, and of all keys that neither it nor data/sources.bib has.
+/// Table [sources] with all of `own`, and with keys that neither it nor data/sources.bib has.
 [[nodiscard]] std::string sources_table(const std::vector<std::string>& sources,
                                         const OwnSources& own);
 

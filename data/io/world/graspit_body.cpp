@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The exact shapes of a geometry file, or one mesh.
+/// The exact shapes of a geometry file, otherwise one mesh.
 std::vector<ShapeSpec> read_shapes(const std::string& path, double scale, MeshReader& meshes) {
   const MeshContent& content = meshes.content(path, scale);
   if (!content.exact.empty()) return content.exact;
@@ -27,7 +27,7 @@ std::vector<ShapeSpec> read_shapes(const std::string& path, double scale, MeshRe
   return {shape};
 }
 
-/// Metres in one unit of a geometry file.
+/// Length of one unit of a geometry file [m].
 double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
   static const std::map<std::string, double> units{
       {"", kGraspitLength}, {"mm", 1e-3}, {"cm", 1e-2}, {"m", 1}, {"in", 0.0254}};
@@ -39,7 +39,7 @@ double unit_of(const XmlFile& file, const pugi::xml_node& geometry) {
   return found->second;
 }
 
-/// One number, or three that are the same.
+/// Reads a scale: one number, or three equal ones.
 double scaling(const XmlFile& file, const pugi::xml_node& node) {
   const std::vector<double> v = file.numbers(node);
   const bool even = v.size() == 1 || (v.size() == 3 && v[0] == v[1] && v[1] == v[2]);
@@ -50,6 +50,7 @@ double scaling(const XmlFile& file, const pugi::xml_node& node) {
 }
 
 double scale_of(const XmlFile& file, const pugi::xml_node& geometry) {
+  // Unit, attribute and elements multiply.
   double scale = unit_of(file, geometry);
   if (const pugi::xml_attribute attribute = geometry.attribute("scale")) {
     if (!(attribute.as_double() > 0))
@@ -69,10 +70,12 @@ std::vector<ShapeSpec> read_geometry(const XmlFile& file, MeshReader& meshes,
               fmt::format("wanted <robot> (URDF, GraspIt!), <mujoco>, <world> or a GraspIt! body "
                           "with a <geometryFile>, got <{}>",
                           file.root_name()));
+  // The file beside the body.
   const std::string path =
       (fs::path(file.path()).parent_path() / file.text(geometry)).lexically_normal().string();
   if (!is_file(path)) file.fail(geometry, fmt::format("there is no geometry file '{}'", path));
   std::vector<ShapeSpec> shapes = read_shapes(path, scale_of(file, geometry), meshes);
+  // Its pose in the body.
   if (const pugi::xml_node offset = file.root().child("geometryOffset")) {
     const Pose<double> X_BG = graspit_transform(file, offset, warnings);
     for (ShapeSpec& shape : shapes) shape.X_BS = X_BG * shape.X_BS;
@@ -86,10 +89,12 @@ void read_mass(const XmlFile& file, BodySpec& body) {
   if (!mass) return;
   const double kilograms = kGraspitMass * file.numbers(mass, 1)[0];
   if (kilograms <= 0) file.fail(mass, "wanted a mass > 0");
+  // Without centre and inertia the mass is spread evenly.
   if (!cog || !inertia) {
     body.uniform_mass = kilograms;
     return;
   }
+  // Inertia per mass, made symmetric.
   const std::vector<double> c = file.numbers(cog, 3), v = file.numbers(inertia, 9);
   const Eigen::Matrix3d over_mass =
       kGraspitLength * kGraspitLength * Eigen::Map<const Eigen::Matrix3d>(v.data());
@@ -118,11 +123,13 @@ GraspitBody read_graspit_body(const std::string& path) {
 GraspitBody read_graspit_body(const std::string& path, MeshReader& meshes) {
   GraspitBody read;
   read.body.name = fs::path(path).stem().string();
+  // A mesh file is a body by itself.
   if (fs::path(path).extension() != ".xml") {
     read.body.shapes = read_shapes(path, kGraspitLength, meshes);
     return read;
   }
   const XmlFile file(path);
+  // Elements that are read; others become warnings.
   static const std::set<std::string> known{"material",       "mass",          "cog",
                                            "inertia_matrix", "geometryFile",  "geometryScaling",
                                            "geometryScale",  "geometryOffset"};

@@ -11,7 +11,7 @@
 namespace thenar {
 namespace {
 
-constexpr double kFileRounding = 1e-4;  // what six digits in a file explain [rad] or [m]
+constexpr double kFileRounding = 1e-4;  // rounding of six digits in a file [rad] or [m]
 
 std::vector<const RobotJoint*> joints_of(const RobotSpec& robot, const RobotDof& dof) {
   std::vector<const RobotJoint*> joints;
@@ -24,23 +24,25 @@ double unit_of(const RobotJoint& joint) {
   return joint.kind == RobotJointKind::kPrismatic ? kGraspitLength : 1;
 }
 
-/// Takes the numbers one after the other.
+/// Reads the numbers of a posture one after the other.
 class PostureReader {
  public:
   PostureReader(const RobotSpec& robot, const std::vector<double>& numbers)
       : robot_(robot), numbers_(numbers) {}
 
-  /// @return none if there are too many numbers, too few, or a flag that is none.
+  /// @returns nothing if there are too many numbers, too few, or an invalid flag.
   std::optional<GraspitPosture> read(bool with_flags) {
     for (const RobotDof& dof : robot_.dofs) {
       const std::vector<const RobotJoint*> joints = joints_of(robot_, dof);
       if (at_ == numbers_.size()) return {};
       const double q = numbers_[at_++];
+      // A breakaway motor has a flag for each joint.
       std::vector<double> values(joints.size(), q);
       bool broken = false;
       if (with_flags && dof.kind == RobotDofKind::kBreakaway)
         for (double& value : values)
           if (!read_flag(value, broken)) return {};
+      // Joints that broke away have values of their own.
       if (broken)
         for (std::size_t j = 0; j < joints.size(); ++j) set_joint(*joints[j], values[j]);
       else
@@ -51,7 +53,7 @@ class PostureReader {
   }
 
  private:
-  /// One joint's flag, with what follows it: a joint that has broken away stays behind its motor.
+  /// Reads one joint's flag and what follows it: a joint that broke away stays behind its motor.
   bool read_flag(double& value, bool& broken) {
     if (at_ == numbers_.size()) return false;
     const double flag = numbers_[at_++];
@@ -68,6 +70,7 @@ class PostureReader {
   }
 
   void set(const std::string& name, double value, double lower, double upper) {
+    // Values a rounding beyond the limits are put on them without a warning.
     const double kept = std::clamp(value, lower, upper);
     if (std::abs(kept - value) > kFileRounding)
       posture_.warnings.push_back(
@@ -87,6 +90,7 @@ class PostureReader {
 
 GraspitPosture graspit_posture(const RobotSpec& robot, const std::vector<double>& numbers) {
   if (numbers.empty()) return {};
+  // With flags first, then without.
   for (const bool with_flags : {true, false})
     if (std::optional<GraspitPosture> posture = PostureReader(robot, numbers).read(with_flags))
       return std::move(*posture);

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The last link of a robot's chain n, from 0. @return empty if it has no such chain
+/// Last link of chain n of a robot, from 0. @returns empty if it has no such chain
 std::string end_of_chain(const RobotSpec& robot, int n) {
   const std::string beginning = fmt::format("chain{} ", n + 1);
   std::string last;
@@ -27,7 +27,7 @@ std::string end_of_chain(const RobotSpec& robot, int n) {
   return last;
 }
 
-/// A world while it is read.
+/// A world that is being read.
 class WorldReader {
  public:
   explicit WorldReader(const std::string& path) : file_(path) {
@@ -43,6 +43,7 @@ class WorldReader {
   }
 
   GraspitWorld read() {
+    // Bodies, robots, connections and camera, in the file's order.
     for (const pugi::xml_node& node : file_.root().children()) {
       const std::string name = node.name();
       if (node.type() != pugi::node_element) continue;
@@ -70,7 +71,7 @@ class WorldReader {
     read_.warnings.push_back(fmt::format("{}:{}: {}", file_.path(), file_.line(node), what));
   }
 
-  /// Names the elements in `node` that are none of `known`.
+  /// Warns of elements in `node` that are not in `known`.
   void check(const pugi::xml_node& node, const std::vector<std::string>& known) {
     for (const pugi::xml_node& child : node.children())
       if (child.type() == pugi::node_element &&
@@ -78,13 +79,14 @@ class WorldReader {
         not_understood(child);
   }
 
-  /// The <filename> of an element, absolute; looked for beside the world and in the folders
-  /// above. @return none if there is no such file, which is in the warnings then
+  /// The <filename> of an element, absolute; searched beside the world and in the folders above.
+  /// @returns nothing if there is no such file, with a warning
   std::optional<std::string> named_file(const pugi::xml_node& node, const char* what) {
     const pugi::xml_node name = node.child("filename");
     if (!name) file_.fail(node, fmt::format("<{}> needs a <filename>", node.name()));
     std::string written = file_.text(name);
     std::replace(written.begin(), written.end(), '\\', '/');
+    // The folder of the world, then every folder above it.
     fs::path folder = fs::absolute(file_.path()).parent_path();
     for (;; folder = folder.parent_path()) {
       if (is_file(folder / written)) return (folder / written).lexically_normal().string();
@@ -95,7 +97,7 @@ class WorldReader {
     return {};
   }
 
-  /// "mug", then "mug_2"..
+  /// A name that is not taken: "mug", then "mug_2"..
   template <typename Taken>
   static std::string new_name(const std::string& name, const Taken& taken) {
     std::string candidate = name;
@@ -113,6 +115,7 @@ class WorldReader {
     const std::optional<std::string> path = named_file(node, "BODY");
     if (!path) return;
     GraspitBody found = read_graspit_body(*path, meshes_);
+    // Names of bodies are unique.
     auto& bodies = read_.world.bodies;
     found.body.name = new_name(found.body.name, [&](const std::string& name) {
       return std::any_of(bodies.begin(), bodies.end(),
@@ -124,7 +127,7 @@ class WorldReader {
         {std::move(found.body), "", graspit_transform(file_, node, warnings), dynamic});
   }
 
-  /// The robot of a file. @return none if it cannot be read, which is in the warnings then
+  /// The robot of a file. @returns nothing if it cannot be read, with a warning
   std::optional<RobotSpec> read_robot_file(const pugi::xml_node& node, const std::string& path) {
     try {
       RobotSpec robot = import_robot(path);
@@ -138,11 +141,12 @@ class WorldReader {
 
   void add_robot(const pugi::xml_node& node) {
     check(node, {"filename", "transform", "dofValues"});
-    robots_.emplace_back();  // connections count those that are left out, too
+    robots_.emplace_back();  // connections also count robots that are left out
     const std::optional<std::string> path = named_file(node, "ROBOT");
     if (!path) return;
     std::optional<RobotSpec> robot = read_robot_file(node, *path);
     if (!robot) return;
+    // A hand with a unique name at its pose.
     PlacedHand hand;
     hand.file = *path;
     auto& hands = read_.world.hands;
@@ -151,12 +155,14 @@ class WorldReader {
                          [&](const PlacedHand& other) { return other.name == name; });
     });
     hand.X_WH = graspit_transform(file_, node, read_.warnings);
+    // Posture by the robot's degrees of freedom.
     if (const pugi::xml_node values = node.child("dofValues")) {
       GraspitPosture posture = graspit_posture(*robot, file_.numbers(values));
       hand.posture = std::move(posture.values);
       for (const std::string& warning : posture.warnings)
         warn(values, fmt::format("robot '{}': {}", hand.name, warning));
     }
+    // Remember it for connections.
     robots_.back() = {std::move(*robot), hands.size()};
     hands.push_back(std::move(hand));
   }
@@ -173,10 +179,12 @@ class WorldReader {
   void add_connection(const pugi::xml_node& node) {
     check(node, {"parentRobot", "parentChain", "childRobot", "transform"});
     const int count = static_cast<int>(robots_.size());
+    // Which robot carries which, and on which chain.
     const int parent = whole_number(node, "parentRobot", count);
     const int child = whole_number(node, "childRobot", count);
     const int chain = whole_number(node, "parentChain", kChains);
     if (parent == child) file_.fail(node, "a robot cannot carry itself");
+    // A connection needs both robots.
     const std::optional<Placed>& carrier = robots_[static_cast<std::size_t>(parent)];
     const std::optional<Placed>& carried = robots_[static_cast<std::size_t>(child)];
     if (!carrier || !carried)
@@ -187,17 +195,19 @@ class WorldReader {
     if (link.empty())
       file_.fail(node.child("parentChain"), fmt::format("robot {} has no chain {}", parent, chain));
     auto& hands = read_.world.hands;
+    // Robots must not carry each other in a circle.
     for (std::size_t up = carrier->hand; !hands[up].carrier.empty();
          up = index_of(hands[up].carrier))
       if (index_of(hands[up].carrier) == carried->hand)
         file_.fail(node, fmt::format("robot {} carries robot {} already", child, parent));
+    // The carried hand stands on the carrier's last link.
     PlacedHand& hand = hands[carried->hand];
     hand.carrier = hands[carrier->hand].name;
     hand.carrier_link = link;
     hand.X_WH = graspit_transform(file_, node, read_.warnings);
   }
 
-  /// @param name  of a hand that is there
+  /// @param name  of an existing hand
   [[nodiscard]] std::size_t index_of(const std::string& name) const {
     const auto& hands = read_.world.hands;
     const auto found = std::find_if(hands.begin(), hands.end(),
@@ -209,6 +219,7 @@ class WorldReader {
     check(node, {"position", "orientation", "focalDistance"});
     const pugi::xml_node position = node.child("position"), turn = node.child("orientation");
     if (!position || !turn) file_.fail(node, "<camera> needs a <position> and an <orientation>");
+    // Position, and orientation as x y z w.
     const std::vector<double> p = file_.numbers(position, 3);
     const std::vector<double> q = file_.numbers(turn, 4);  // x y z w
     const Eigen::Quaterniond R(q[3], q[0], q[1], q[2]);
@@ -217,14 +228,14 @@ class WorldReader {
     if (!(R.norm() > 0) || !(distance > 0))
       return warn(node, "the camera looks nowhere and was left out");
     Camera& camera = read_.world.camera;
+    // It looks along -z to the focal distance.
     camera.eye = kGraspitLength * Eigen::Vector3d(p[0], p[1], p[2]);
     camera.target = camera.eye + R.normalized() * Eigen::Vector3d(0, 0, -kGraspitLength * distance);
   }
 
-  static constexpr double kFocus = 1000;  // where the file gives none [mm]
+  static constexpr double kFocus = 1000;  // default focal distance [mm]
   static constexpr int kChains = 1000;    // more than any robot has
-
-  /// A robot, and which of the world's hands it is.
+  /// A robot, and the index of its hand in the world.
   struct Placed {
     RobotSpec robot;
     std::size_t hand;
@@ -233,7 +244,7 @@ class WorldReader {
   XmlFile file_;
   MeshReader meshes_;
   GraspitWorld read_;
-  std::vector<std::optional<Placed>> robots_;  // in the file's order; none: left out
+  std::vector<std::optional<Placed>> robots_;  // in the file's order; nothing: left out
 };
 
 }  // namespace

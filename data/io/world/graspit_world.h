@@ -9,20 +9,20 @@
 
 namespace thenar {
 
-/// What an importer read, and what it did not understand.
+/// A world that was imported, with elements that were not understood.
 struct GraspitWorld {
   WorldSpec world;
   std::vector<std::string> warnings;  // "path:line: ..."
 };
 
-/// Reads a world in GraspIt! XML. Files that it names are looked for beside it, then beside every
-/// folder around it, as worlds and models lie in different folders there; those that are missing,
+/// Reads a world in GraspIt! XML. Files that it names are searched beside it, then beside every
+/// folder around it, because GraspIt! keeps worlds and models in different folders. Missing files,
 /// and robots that cannot be read, are left out with a warning.
-///   <graspableBody>, <obstacle>  bodies that move and that do not, written out
-///   <robot>       a hand or arm: its file, absolute; its warnings; <dofValues> as
-///                 graspit_posture() reads them
+///   <graspableBody>, <obstacle>  bodies that move and that do not
+///   <robot>       a hand or arm: its absolute file; its warnings; <dofValues> by graspit_posture()
 ///   <connection>  a robot on the end of another's chain: carrier_link as the robot's importer
-///                 calls it, X_WH on that link
+///   names
+///                 it, X_WH on that link [m]
 ///   <camera>      as SoCamera: looks along -z, towards the focal point
 /// @throws DataError if it is no world, or a body cannot be read.
 /// Source: [GraspItWorld] for the format.

@@ -56,7 +56,7 @@ Material read_material(TomlTable& table) {
   return material;
 }
 
-/// @param known  names of materials that the pair may have
+/// Reads the two materials of a pair. @param known  names that it may have
 std::pair<std::string, std::string> read_pair(TomlTable& table,
                                               const std::vector<std::string>& known) {
   const std::vector<std::string> names = table.texts("between");
@@ -87,6 +87,7 @@ Materials parse_materials(const std::string& text, const std::string& path,
   TomlTable top = file.top();
   top.ignore("name");
   Materials read;
+  // Materials of this file, then those below that it does not replace.
   for (TomlTable& table : top.tables("material")) {
     const Material material = read_material(table);
     if (contains(names_of(read), material.name))
@@ -95,6 +96,7 @@ Materials parse_materials(const std::string& text, const std::string& path,
   }
   for (const Material& material : below.materials)
     if (!contains(names_of(read), material.name)) read.materials.push_back(material);
+  // Pairs of this file come before those below.
   const std::vector<std::string> known = names_of(read);
   for (TomlTable& table : top.tables("friction")) {
     const std::pair<std::string, std::string> pair = read_pair(table, known);

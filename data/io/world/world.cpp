@@ -36,7 +36,7 @@ std::string object_toml(const BodySpec& body) {
 
 namespace {
 
-/// A file named in a world, from where thenar runs.
+/// Path of a file named in a world, relative to the working directory.
 std::string found(TomlTable& table, const std::string& key, const WorldSpec& world) {
   const std::string path =
       (std::filesystem::path(world.folder) / table.text(key)).lexically_normal().string();
@@ -44,7 +44,8 @@ std::string found(TomlTable& table, const std::string& key, const WorldSpec& wor
   return path;
 }
 
-/// Joint angles, ways of sliding joints, or either in SI as the writer has it.
+/// Reads a posture: joint angles, positions of sliding joints, or either in SI as the writer states
+/// it.
 std::map<std::string, double> read_posture(TomlTable& table) {
   std::map<std::string, double> posture = table.named(Dimension::kNumber, "posture_si");
   for (const auto& [dimension, key] :
@@ -70,7 +71,7 @@ PlacedHand read_hand(TomlTable& table, const WorldSpec& world) {
   return hand;
 }
 
-/// A body of a file keeps what the file says, but for its name and material.
+/// Reads a body from a file; the world may change its name and material.
 BodySpec read_filed_body(TomlTable& table, const std::string& file) {
   BodySpec body = read_object(file);
   body.name = table.text_or("name", body.name);
@@ -116,7 +117,7 @@ void read_camera(TomlTable& top, Camera& camera) {
   table->done();
 }
 
-/// Names are told apart, and whoever is carried is carried by another.
+/// Checks that names are unique, and that hands are carried by other hands that exist.
 void check_names(TomlTable& top, const WorldSpec& world) {
   std::vector<std::string> bodies, hands;
   for (const PlacedBody& placed : world.bodies) bodies.push_back(placed.body.name);
@@ -139,6 +140,7 @@ void check_names(TomlTable& top, const WorldSpec& world) {
 WorldSpec parse_world(const std::string& text, const std::string& path) {
   const TomlFile file(text, path);
   TomlTable top = file.top();
+  // Header and materials.
   WorldSpec world;
   world.folder = std::filesystem::path(path).parent_path().string();
   world.name = top.text("name");
@@ -149,6 +151,7 @@ WorldSpec parse_world(const std::string& text, const std::string& path) {
     world.materials_file = top.text("materials");
     world.materials = read_materials(found(top, "materials", world), built_in_materials());
   }
+  // Camera, hands and bodies.
   read_camera(top, world.camera);
   for (TomlTable& table : top.tables("hand")) world.hands.push_back(read_hand(table, world));
   for (TomlTable& table : top.tables("body")) world.bodies.push_back(read_body(table, world, path));
@@ -199,6 +202,7 @@ std::string camera_table(const Camera& camera) {
 }  // namespace
 
 std::string world_toml(const WorldSpec& world) {
+  // Sources of the world and of bodies that are written out.
   std::vector<std::string> sources{world.source};
   for (const PlacedBody& placed : world.bodies)
     if (placed.file.empty() && !placed.body.source.empty()) sources.push_back(placed.body.source);
@@ -213,7 +217,7 @@ std::string world_toml(const WorldSpec& world) {
 
 namespace {
 
-/// What its mass at unit density is multiplied by. @param volume  [m^3]
+/// Density of a body [kg/m^3], by which its mass at unit density is multiplied. @param volume [m^3]
 double density_of(const BodySpec& body, double volume, const Materials& materials) {
   if (body.uniform_mass > 0) return body.uniform_mass / volume;
   const double density = body.density > 0 || body.material.empty()
@@ -230,7 +234,9 @@ double density_of(const BodySpec& body, double volume, const Materials& material
 
 BodyMass body_mass(const BodySpec& body, const Materials& materials) {
   if (body.mass) return *body.mass;
-  constexpr double kKnown = 0.01;  // of the volume: coarser is no mass to grasp with
+  constexpr double kKnown =
+      0.01;  // largest relative error of the volume: beyond, no mass is certain
+  // Mass of the union at unit density.
   const UnionMass found = union_mass(body.shapes);
   const MassProperties& even = found.mass;
   require(even.mass > 0, "the shapes of body '{}' enclose nothing", body.name);
@@ -238,6 +244,7 @@ BodyMass body_mass(const BodySpec& body, const Materials& materials) {
           "the volume of body '{}' is known to {:.0f} % only, so many of its parts overlap: state "
           "mass, com and inertia, or join the parts into one surface",
           body.name, 100 * found.error);
+  // Scaled by the density.
   BodyMass result{even.mass, even.centre, even.inertia};
   const double density = density_of(body, result.mass, materials);
   result.mass *= density;
