@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <pugixml.hpp>
 
 #include "base/error.h"
 #include "base/units.h"

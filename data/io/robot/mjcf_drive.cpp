@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <pugixml.hpp>
 
 #include "base/error.h"
 #include "data/io/robot/import_couplings.h"

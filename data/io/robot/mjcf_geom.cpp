@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
 
 #include "base/error.h"
 #include "data/io/mesh/repair_shape.h"

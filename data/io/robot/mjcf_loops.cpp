@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <pugixml.hpp>
 
 #include "base/error.h"
 #include "data/io/robot/link_poses.h"

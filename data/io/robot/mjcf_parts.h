@@ -26,9 +26,7 @@ namespace thenar {
 /// Source: [Todorov2012].
 [[nodiscard]] RobotSpec read_mjcf(const std::string& path);
 
-}  // namespace thenar
-
-namespace thenar::internal {
+namespace internal {
 
 /// Gives the joints of `robot` their degrees of freedom. Joint equalities and equalities of fixed
 /// tendons of two joints couple rigidly. A fixed tendon with an actuator gives its joints one
@@ -37,16 +35,6 @@ namespace thenar::internal {
 /// @param ref  value of each joint in the file's own posture, in the order of `robot.joints`
 /// @throws DataError
 void drive_mjcf(const MjcfSource& source, const std::vector<double>& ref, RobotSpec& robot);
-
-}  // namespace thenar::internal
-
-namespace pugi {
-
-// What <connect> and <weld> of MJCF hold together.
-class xml_node;
-}  // namespace pugi
-
-namespace thenar::internal {
 
 /// Reads the loop closure of a <connect> or <weld>: two places that coincide, in the file's own
 /// posture if one is stated (anchor), otherwise at two sites.
@@ -67,6 +55,8 @@ struct MjcfGeom {
 
 /// Meshes of <asset>, by name.
 using MjcfMeshes = std::map<std::string, pugi::xml_node>;
+
+/// Finds the meshes of <asset>; other assets are noted.
 [[nodiscard]] MjcfMeshes find_meshes(const MjcfSource& source);
 
 /// Reads a geom; contact settings that a material does not have (friction, condim, solref ..) are
@@ -79,4 +69,5 @@ using MjcfMeshes = std::map<std::string, pugi::xml_node>;
                                  const Pose<double>& X_BF, const std::string& body,
                                  std::vector<std::string>& warnings);
 
-}  // namespace thenar::internal
+}  // namespace internal
+}  // namespace thenar

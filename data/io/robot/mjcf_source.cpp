@@ -183,7 +183,10 @@ MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread) {
 
 MjcfElement::MjcfElement(const MjcfSource& source, const pugi::xml_node& node,
                          std::string childclass)
-    : source_(&source), node_(node), kind_(node.name()), class_(std::move(childclass)) {
+    : source_(&source),
+      node_(node.internal_object()),
+      kind_(node.name()),
+      class_(std::move(childclass)) {
   // An element's own class comes before that of the body around it.
   const pugi::xml_attribute own = node.attribute("class");
   if (own) class_ = own.value();
@@ -191,9 +194,11 @@ MjcfElement::MjcfElement(const MjcfSource& source, const pugi::xml_node& node,
     fail(fmt::format("there is no default class '{}'", class_));
 }
 
+pugi::xml_node MjcfElement::node() const { return pugi::xml_node(node_); }
+
 /// The element's own value, otherwise that of its class; null if there is none.
 const char* MjcfElement::find(const char* attribute) const {
-  if (const pugi::xml_attribute own = node_.attribute(attribute)) return own.value();
+  if (const pugi::xml_attribute own = node().attribute(attribute)) return own.value();
   const std::string* by_class = source_->defaults.find(class_, kind_, attribute);
   return by_class == nullptr ? nullptr : by_class->c_str();
 }
@@ -208,25 +213,25 @@ std::string MjcfElement::text(const char* attribute, const std::string& otherwis
 std::vector<double> MjcfElement::numbers(const char* attribute) const {
   const char* found = find(attribute);
   if (found == nullptr) return {};
-  return parse_numbers(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+  return parse_numbers(source_->file, node(), found, fmt::format("<{}> {}", kind_, attribute));
 }
 
 double MjcfElement::number(const char* attribute, double otherwise) const {
   const char* found = find(attribute);
   if (found == nullptr) return otherwise;
-  return parse_number(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+  return parse_number(source_->file, node(), found, fmt::format("<{}> {}", kind_, attribute));
 }
 
 Eigen::Vector3d MjcfElement::vector3(const char* attribute,
                                      const Eigen::Vector3d& otherwise) const {
   const char* found = find(attribute);
   if (found == nullptr) return otherwise;
-  return parse_vector3(source_->file, node_, found, fmt::format("<{}> {}", kind_, attribute));
+  return parse_vector3(source_->file, node(), found, fmt::format("<{}> {}", kind_, attribute));
 }
 
-void MjcfElement::fail(const std::string& what) const { source_->file.fail(node_, what); }
+void MjcfElement::fail(const std::string& what) const { source_->file.fail(node(), what); }
 
-int MjcfElement::line() const { return source_->file.line(node_); }
+int MjcfElement::line() const { return source_->file.line(node()); }
 
 Pose<double> MjcfElement::pose() const {
   return {rotation(), vector3("pos", Eigen::Vector3d::Zero())};

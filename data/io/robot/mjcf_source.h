@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
-#include <pugixml.hpp>
-
 #include "base/spatial.h"
 #include "data/io/graspit/xml_file.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_xml.h"
+
+namespace pugi {
+class xml_node;
+struct xml_node_struct;
+}  // namespace pugi
 
 namespace thenar::internal {
 
@@ -73,6 +76,7 @@ struct MjcfSource {
 /// with links resolved.
 void expand_includes(const XmlFile& file);
 
+/// Reads all <compiler> elements; later ones override earlier ones.
 [[nodiscard]] MjcfCompiler read_compiler(const XmlFile& file, UnreadElements& unread);
 
 /// An element with the defaults of its class and of the body around it; the source must outlive it.
@@ -95,10 +99,11 @@ class MjcfElement {
 
  private:
   [[nodiscard]] const char* find(const char* attribute) const;
+  [[nodiscard]] pugi::xml_node node() const;
   [[nodiscard]] Eigen::Matrix3d rotation() const;
 
   const MjcfSource* source_;
-  pugi::xml_node node_;
+  pugi::xml_node_struct* node_;  // pugixml's handle of the element
   std::string kind_;
   std::string class_;
 };
