@@ -1,6 +1,6 @@
 #pragma once
 
-/// Comparison of hands on objects.
+/// Comparison of hands on objects, and their abilities without an object.
 
 #include "grasp/compare/comparison.h"
 
@@ -14,6 +14,11 @@ namespace thenar {
 [[nodiscard]] HandOnObject compare_on(const ComparedHand& hand, const BodySpec& object,
                                       double scale, const CompareOptions& options,
                                       const Progress& progress = {});
+
+/// Computes all of HandAbilities but `types`. Samples postures uniformly within limits from a
+/// generator with options.seed. A stopped computation leaves nothing of use.
+[[nodiscard]] HandAbilities hand_abilities(const ComparedHand& hand, const CompareOptions& options,
+                                           const Progress& progress = {});
 
 /// Compares every hand on every object. Stops when asked to, after one approach or load at most,
 /// and drops the unfinished cell.

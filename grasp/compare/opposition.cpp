@@ -1,3 +1,5 @@
+#include "grasp/compare/opposition.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 #include <Eigen/Cholesky>
 
 #include "grasp/closing/approach_sampling.h"
-#include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
 
 namespace thenar {

@@ -1,3 +1,5 @@
+#include "grasp/compare/tip_forces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -6,7 +8,6 @@
 #include "base/numbers.h"
 #include "base/units.h"
 #include "grasp/closing/closing_drives.h"
-#include "grasp/compare/abilities.h"
 #include "grasp/limits/joint_limits.h"
 #include "solvers/cone_program.h"
 

@@ -1,3 +1,5 @@
+#include "grasp/compare/workspace.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,16 +12,14 @@
 #include "base/error.h"
 #include "grasp/closing/approach_sampling.h"
 #include "grasp/closing/fingertip_paths.h"
-#include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
 
 namespace thenar {
 namespace {
 
-constexpr double kCells[] = {0.25, 0.5, 1, 2,
-                             4};  // sizes tried, in units of the voxel asked for [1]
-constexpr double kShared = 2;     // size of voxels for the overlap of two tips [1]
-constexpr int kAsk = 1000;        // draws between two checks for a stop
+constexpr double kCells[] = {0.25, 0.5, 1, 2, 4};  // sizes tried, in voxels asked for [1]
+constexpr double kShared = 2;                      // size of voxels for the overlap of two tips [1]
+constexpr int kAsk = 1000;                         // draws between two checks for a stop
 
 using Voxel = std::array<int, 3>;
 using Voxels = std::vector<Voxel>;  // ascending

@@ -1,15 +1,16 @@
 #include "grasp/quality/minkowski_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <random>
-#include <set>
+#include <vector>
 
 #include <Eigen/Dense>
 
 #include "base/numbers.h"
+#include "grasp/quality/contact_body.h"
 
 namespace thenar::internal {
 namespace {
@@ -19,8 +20,7 @@ using Form = std::array<double, 64>;  // exterior product of vectors, indexed by
 
 constexpr int kAllAxes = 63;    // the set of all six axes
 constexpr double kTie = 1e-14;  // a determinant below this share of its columns' lengths is 0 [1]
-constexpr double kTurns[] = {0, 1e-9,
-                             1e-7};  // of contacts, tried until they are in general position
+constexpr double kTurns[] = {0, 1e-9, 1e-7};  // of contacts, until in general position [1]
 constexpr double kTurnedArea = 100;  // facets below this times the turn times their vectors'
                                      // lengths are neglected [1]
 constexpr double kOpen = 1e-7;  // sum of normals over area at which a surface is still closed [1]
@@ -262,208 +262,6 @@ std::optional<double> minkowski_volume(const WrenchSet& set, double most,
     if (const auto found = Sum(turned(bodies, by), kTurnedArea * by, progress).volume())
       return found;
   return {};
-}
-
-namespace {
-
-constexpr int kMaxBodyPoints = 200;  // some seconds: all triples are tried
-
-using Basis = Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 3>;
-
-/// Indices of the corners of points in a plane (2, n), counter-clockwise.
-std::vector<int> corners_of(const Eigen::Matrix2Xd& x, double tolerance) {
-  // Andrew's monotone chain: lower hull, then upper hull.
-  std::vector<int> order(static_cast<std::size_t>(x.cols()));
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return x(0, a) != x(0, b) ? x(0, a) < x(0, b) : x(1, a) < x(1, b);
-  });
-  const auto left = [&](int a, int b, int c) {
-    const Eigen::Vector2d u = x.col(b) - x.col(a), v = x.col(c) - x.col(b);
-    return u.x() * v.y() - u.y() * v.x() > tolerance * std::max(u.norm(), v.norm());
-  };
-  std::vector<int> corners;
-  for (int turn = 0; turn < 2; ++turn) {
-    const std::size_t start = corners.size();
-    for (const int i : order) {
-      while (corners.size() >= start + 2 && !left(corners[corners.size() - 2], corners.back(), i))
-        corners.pop_back();
-      corners.push_back(i);
-    }
-    corners.pop_back();
-    std::reverse(order.begin(), order.end());
-  }
-  return corners;
-}
-
-double area(const Eigen::Matrix2Xd& x, const std::vector<int>& corners) {
-  double twice = 0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const auto a = x.col(corners[i]), b = x.col(corners[(i + 1) % corners.size()]);
-    twice += a.x() * b.y() - a.y() * b.x();
-  }
-  return twice / 2;
-}
-
-/// The corner farthest from the line through corners i and i + 1.
-int opposite(const Eigen::Matrix2Xd& x, const std::vector<int>& corners, std::size_t i) {
-  const Eigen::Vector2d a = x.col(corners[i]), e = x.col(corners[(i + 1) % corners.size()]) - a;
-  return *std::max_element(corners.begin(), corners.end(), [&](int p, int q) {
-    const Eigen::Vector2d v = x.col(p) - a, w = x.col(q) - a;
-    return e.x() * v.y() - e.y() * v.x() < e.x() * w.y() - e.y() * w.x();
-  });
-}
-
-ContactFace face_of(int dimension, double size) { return {dimension, {}, size, {}, 0}; }
-
-ContactFace edge(const ScaledWrench& from, const ScaledWrench& to) {
-  ContactFace face = face_of(1, 1);
-  face.span[0] = to - from;
-  return face;
-}
-
-void add_inward(ContactFace& face, const ScaledWrench& along) {
-  face.inward[static_cast<std::size_t>(face.inwards++)] = along;
-}
-
-ContactFace whole(const Basis& Q, double size) {
-  ContactFace face = face_of(static_cast<int>(Q.cols()), size);
-  for (int i = 0; i < Q.cols(); ++i) face.span[static_cast<std::size_t>(i)] = Q.col(i);
-  return face;
-}
-
-/// Edges of a plane polygon, each with its inward direction, and the polygon itself.
-void add_flat(ContactBody& body, const Basis& Q, const Eigen::Matrix2Xd& x, double tolerance) {
-  const std::vector<int> corners = corners_of(x, tolerance);
-  const auto point = [&](int i) { return body.points[static_cast<std::size_t>(i)]; };
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    ContactFace face = edge(point(corners[i]), point(corners[(i + 1) % corners.size()]));
-    add_inward(face, point(opposite(x, corners, i)) - point(corners[i]));
-    body.faces.push_back(face);
-  }
-  body.faces.push_back(whole(Q, area(x, corners)));
-}
-
-/// Faces of a solid: planes through three points with all others on one side.
-class FaceSolid {
- public:
-  FaceSolid(ContactBody& body, const Basis& Q, const Eigen::Matrix3Xd& x, double tolerance)
-      : body_(body), Q_(Q), x_(x), tolerance_(tolerance) {}
-
-  void add_faces() {
-    // Faces: planes through three points.
-    const int n = static_cast<int>(x_.cols());
-    for (int i = 0; i < n; ++i)
-      for (int j = i + 1; j < n; ++j)
-        for (int k = j + 1; k < n; ++k) add_plane(i, j, k);
-    // Edges, with a third corner of both neighbouring faces.
-    for (const auto& [ends, thirds] : edges_) {
-      ContactFace face = edge(point(ends.first), point(ends.second));
-      for (std::size_t i = 0; i < std::min<std::size_t>(thirds.size(), 2); ++i)
-        add_inward(face, point(thirds[i]) - point(ends.first));
-      body_.faces.push_back(face);
-    }
-    // The solid itself.
-    body_.faces.push_back(whole(Q_, volume_));
-  }
-
- private:
-  [[nodiscard]] const ScaledWrench& point(int i) const {
-    return body_.points[static_cast<std::size_t>(i)];
-  }
-
-  /// The plane through three points is a face if all points lie on one side.
-  void add_plane(int i, int j, int k) {
-    // Nearly collinear points span no plane.
-    Eigen::Vector3d n = (x_.col(j) - x_.col(i)).cross(x_.col(k) - x_.col(i));
-    const double longest = std::max((x_.col(j) - x_.col(i)).norm(), (x_.col(k) - x_.col(i)).norm());
-    if (n.norm() <= tolerance_ * longest) return;
-    n.normalize();
-    // Turn the normal outwards.
-    Eigen::RowVectorXd s = n.transpose() * (x_.colwise() - x_.col(i));
-    if (s.maxCoeff() > tolerance_) {
-      n = -n;
-      s = -s;
-    }
-    if (s.maxCoeff() > tolerance_) return;
-    // All points on the plane belong to one face, which is added once.
-    std::vector<int> on;
-    for (int l = 0; l < s.size(); ++l)
-      if (s(l) >= -tolerance_) on.push_back(l);
-    if (seen_.insert(on).second) add_face(n, on, s);
-  }
-
-  void add_face(const Eigen::Vector3d& n, const std::vector<int>& on, const Eigen::RowVectorXd& s) {
-    // Corners of the face in its plane.
-    const Eigen::Vector3d a = n.unitOrthogonal(), b = n.cross(a);
-    Eigen::Matrix2Xd flat(2, static_cast<Eigen::Index>(on.size()));
-    for (std::size_t i = 0; i < on.size(); ++i)
-      flat.col(static_cast<Eigen::Index>(i)) << a.dot(x_.col(on[i])), b.dot(x_.col(on[i]));
-    const std::vector<int> corners = corners_of(flat, tolerance_);
-    // Its inward direction leads to the deepest point.
-    ContactFace face = face_of(2, area(flat, corners));
-    face.span = {ScaledWrench(Q_ * a), ScaledWrench(Q_ * b), ScaledWrench::Zero()};
-    int lowest = 0;
-    (void)s.minCoeff(&lowest);
-    add_inward(face, point(lowest) - point(on.front()));
-    body_.faces.push_back(face);
-    // Pyramid over the face with its apex at the mean of all points.
-    volume_ += face.size * depth_of_middle(n, on.front()) / 3;
-    // Each edge remembers the corner opposite in this face.
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const auto number = [&](int corner) { return on[static_cast<std::size_t>(corner)]; };
-      const std::pair<int, int> ends =
-          std::minmax({number(corners[i]), number(corners[(i + 1) % corners.size()])});
-      edges_[ends].push_back(number(opposite(flat, corners, i)));
-    }
-  }
-
-  /// Depth of the mean of all points below a face [1].
-  [[nodiscard]] double depth_of_middle(const Eigen::Vector3d& n, int on) const {
-    return n.dot(x_.col(on) - x_.rowwise().mean());
-  }
-
-  ContactBody& body_;
-  const Basis& Q_;
-  const Eigen::Matrix3Xd& x_;
-  double tolerance_, volume_ = 0;
-  std::set<std::vector<int>> seen_;
-  std::map<std::pair<int, int>, std::vector<int>> edges_;  // by their ends: third corners
-};
-
-std::vector<ScaledWrench> distinct(const std::vector<ScaledWrench>& points, double tolerance) {
-  std::vector<ScaledWrench> kept{ScaledWrench::Zero()};
-  for (const ScaledWrench& point : points)
-    if (std::all_of(kept.begin(), kept.end(),
-                    [&](const ScaledWrench& other) { return (other - point).norm() > tolerance; }))
-      kept.push_back(point);
-  return kept;
-}
-
-}  // namespace
-
-std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points) {
-  double size = 0;
-  for (const ScaledWrench& point : points) size = std::max(size, point.norm());
-  const double tolerance = kFlat * size;
-  // The origin is a corner, too.
-  ContactBody body{distinct(points, tolerance), {}};
-  if (body.points.size() > kMaxBodyPoints) return {};
-  Eigen::Matrix<double, 6, Eigen::Dynamic> P(6, static_cast<Eigen::Index>(body.points.size()));
-  for (std::size_t i = 0; i < body.points.size(); ++i)
-    P.col(static_cast<Eigen::Index>(i)) = body.points[i];
-  // Dimension of the body, and its coordinates in an orthonormal basis.
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(P, Eigen::ComputeThinU);
-  const auto rank = (svd.singularValues().array() > tolerance).count();
-  if (rank > 3) return {};
-  if (rank == 0) return body;
-  const Basis Q = svd.matrixU().leftCols(rank);
-  const Eigen::MatrixXd x = Q.transpose() * P;
-  // Segment, polygon or polyhedron.
-  if (rank == 1) body.faces.push_back(whole(Q, x.maxCoeff() - x.minCoeff()));
-  if (rank == 2) add_flat(body, Q, x, tolerance);
-  if (rank == 3) FaceSolid(body, Q, x, tolerance).add_faces();
-  return body;
 }
 
 }  // namespace thenar::internal

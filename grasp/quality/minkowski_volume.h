@@ -2,9 +2,7 @@
 
 /// Volume of a Minkowski sum of contacts, without its convex hull.
 
-#include <array>
 #include <optional>
-#include <vector>
 
 #include "base/progress.h"
 #include "grasp/contact/wrench_set.h"
@@ -27,23 +25,5 @@ namespace thenar::internal {
 /// Source: [Schneider2014] (4.1, 5.1.2) for volumes by facets and faces of sums.
 [[nodiscard]] std::optional<double> minkowski_volume(const WrenchSet& set, double most,
                                                      const Progress& progress = {});
-
-/// A face of dimension 1 to 3 of the body of one contact; the whole body counts as a face, too.
-struct ContactFace {
-  int dimension;
-  std::array<ScaledWrench, 3> span;    // vectors along it, as many as its dimension
-  double size;                         // its measure over that of the parallelotope of `span` [1]
-  std::array<ScaledWrench, 2> inward;  // vectors from it along the neighbouring faces
-  int inwards;  // their number: u is an outer normal if u'inward < 0 for each
-};
-
-/// Convex hull of points and 0, of dimension 3 at most.
-struct ContactBody {
-  std::vector<ScaledWrench> points;  // its corners, and perhaps other points of it
-  std::vector<ContactFace> faces;    // of dimension 1 and higher
-};
-
-/// Faces of a contact. @return nothing if the points span more than three dimensions or exceed 200
-[[nodiscard]] std::optional<ContactBody> contact_body(const std::vector<ScaledWrench>& points);
 
 }  // namespace thenar::internal

@@ -7,9 +7,10 @@
 #include <gmock/gmock.h>
 
 #include "base/error.h"
-#include "grasp/compare/abilities.h"
 #include "grasp/compare/grasp_type.h"
+#include "grasp/compare/opposition.h"
 #include "grasp/compare/pregrasp.h"
+#include "grasp/compare/workspace.h"
 #include "grasp/robot/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
 #include "tests/grasp/jaws.h"

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grasp/compare/abilities.h"
+#include "grasp/compare/opposition.h"
 #include "tendons/human/human_hand.h"
 
 namespace thenar {

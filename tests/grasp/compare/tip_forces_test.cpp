@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/QR>
 
-#include "grasp/compare/abilities.h"
+#include "grasp/compare/tip_forces.h"
 #include "grasp/robot/robot_hand.h"
 #include "tendons/human/human_hand.h"
 #include "tests/grasp/closing_samples.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "grasp/compare/abilities.h"
+#include "grasp/compare/workspace.h"
 #include "grasp/robot/robot_hand.h"
 #include "tests/grasp/closing_samples.h"
 
