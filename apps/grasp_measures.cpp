@@ -43,13 +43,12 @@ Measured<double> weight_of(const GraspQuestion& question) {
   return none<double>("the object's mass is unknown");
 }
 
-/// Exactly zero against a load that is proven not to be passive_contacts: bounds within
-/// kNegligibleLoad of zero are the programmes' rounding, and so is the direction that comes with
-/// them.
+/// Exactly zero against a load that is proven not to be supported: bounds within kNegligibleLoad of
+/// zero are the programs' rounding, and so is the direction that comes with them.
 Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
-  const ScaledWrench unborne = unsupported_load(asked.forces);
-  if (!unborne.isZero(0)) ball.worst_load = unborne;
-  if (unborne.isZero(0) && !(ball.upper < kNegligibleLoad))
+  const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
+  if (load) ball.worst_load = *load;
+  if (!load && !(ball.upper < kNegligibleLoad))
     return none<InscribedBall>("the search gave up early" +
                                (std::isfinite(ball.upper)
                                     ? fmt::format("; at most {} N", shown(ball.upper))
@@ -140,9 +139,9 @@ void add_margins(const Asked& asked, GraspMeasures& measures) {
   measures.times_weight = measures.weight.value ? margin_of(loads, GraspTask::kHoldWeight)
                                                 : none<double>(measures.weight.reason);
   if (measures.times_weight.value == 0.0) {  // along one axis, maybe not along z
-    const ScaledWrench unborne = unsupported_load(asked.forces);
-    if (!unborne.head<3>().isZero(0))
-      measures.times_weight.reason += ": nothing withstands " + direction_words(unborne);
+    const std::optional<ScaledWrench> load = unsupported_load(asked.forces);
+    if (load && !load->head<3>().isZero(0))
+      measures.times_weight.reason += ": nothing withstands " + direction_words(*load);
   }
   measures.pull = margin_of(loads, GraspTask::kPull);
   measures.turn = margin_of(loads, GraspTask::kTurn);

@@ -31,7 +31,8 @@ std::vector<ScaledWrench> both_ways(int first, int last, double size) {
 ExplainedLoad limited(const HandForceInputs& forces, ConeStatus status, double value,
                       const std::vector<ScaledWrench>& loads, double size) {
   // The order matters: a stalled solver or an unknown effort leaves the value unknown.
-  if (status == ConeStatus::kStalled) return {kNaN, "the programme did not converge"};
+  if (status == ConeStatus::kStalled)
+    return {kNaN, "the solver did not converge (numerical trouble)"};
   const std::string unknown = explain_unknown_effort(forces);
   if (!unknown.empty()) return {kNaN, unknown};
   if (status == ConeStatus::kInfeasible || value * size < kNegligibleLoad)
@@ -55,13 +56,13 @@ std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale
   return {};
 }
 
-ScaledWrench unsupported_load(const ForceSet& forces) {
+std::optional<ScaledWrench> unsupported_load(const ForceSet& forces) {
   for (const ScaledWrench& load : both_ways(0, 5, 1)) {
     const WrenchSupport reach = load_margin(forces, load);
     if (reach.status == ConeStatus::kSolved && reach.value < kNegligibleLoad) return load;
     if (reach.status == ConeStatus::kInfeasible) return load;
   }
-  return ScaledWrench::Zero();
+  return {};
 }
 
 HandForceInputs hand_force_inputs(const HeldObject& held, const SceneBody& object) {
@@ -103,8 +104,8 @@ ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
   BallOptions options;
   options.gap = kGap;
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);
-  const ScaledWrench unborne = unsupported_load(forces);
-  if (!unborne.isZero(0)) return {0, explain_zero_margin(held_by, {unborne})};
+  if (const std::optional<ScaledWrench> load = unsupported_load(forces))
+    return {0, explain_zero_margin(held_by, {*load})};
   // A stalled search still has a certified lower bound.
   const InscribedBall ball = inscribed_ball(forces, options);
   const bool known =
@@ -182,13 +183,13 @@ std::string explain_zero_margin(const HandForceInputs& forces,
   std::vector<int> joints;
   for (Index j = 0; j < forces.T.rows(); ++j)
     if (feels(forces, j)) joints.push_back(static_cast<int>(j));
-  if (!holds_driven(forces, loads, joints)) return "nothing presses on what its joints bear";
+  if (!holds_driven(forces, loads, joints)) return "no actuator presses these contacts";
   // Name a least set of joints whose motors are missing.
   std::vector<std::string> names;
   for (const int joint : minimal_motors(forces, loads, joints))
     names.push_back(
         fmt::format("'{}'", forces.layout.coordinates[static_cast<std::size_t>(joint)]));
-  return fmt::format("no effort balances {}", fmt::join(names, ", "));
+  return fmt::format("needs more motor torque at {}", fmt::join(names, ", "));
 }
 
 }  // namespace thenar

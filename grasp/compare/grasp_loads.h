@@ -3,6 +3,7 @@
 /// Loads that a grasp resists, and reasons for zero or unknown loads.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,11 @@ inline constexpr double kNegligibleLoad = 1e-6;
 
 /// Reason of a load without limit.
 inline constexpr const char* kSupportedByStructure =
-    "borne by structure, whose strength is not known";
+    "supported by rigid structure (strength unknown)";
 
 /// Arguments of hand_forces().
 struct HandForceInputs {
-  const HandLayout& layout;
+  HandLayout layout;
   WrenchSet set;
   Eigen::MatrixXd T;  // torque_map()
   Actuation actuation;
@@ -52,9 +53,9 @@ struct GraspLoads {
 /// A hand in a posture that holds an object. The hand must outlive it.
 struct HeldObject {
   const Hand& hand;
-  const Eigen::VectorXd& q;                  // (coordinates)
-  const std::vector<HandContact>& contacts;  // in the object's frame
-  Pose<double> X_HO;                         // pose of the object in the hand's frame
+  Eigen::VectorXd q;                  // (coordinates)
+  std::vector<HandContact> contacts;  // in the object's frame
+  Pose<double> X_HO;                  // pose of the object in the hand's frame
 };
 
 /// Arguments of hand_forces() for a held object, torques divided by the object's radius.
@@ -75,8 +76,8 @@ struct HeldObject {
                                      const std::vector<GraspTask>& tasks);
 
 /// A unit load along an axis [N], torques over the scale, that is proven not to be supported,
-/// however small; zero if there is none. (6)
-[[nodiscard]] ScaledWrench unsupported_load(const ForceSet& forces);
+/// however small; nothing if there is none. (6)
+[[nodiscard]] std::optional<ScaledWrench> unsupported_load(const ForceSet& forces);
 
 /// Epsilon of a hand: radius of inscribed_ball() of the same forces, torques divided by the
 /// object's radius, within 5 % from below if the search ends, otherwise its certified lower bound

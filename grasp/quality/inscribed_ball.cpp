@@ -121,7 +121,7 @@ bool is_unlimited(ForceSet forces, int axes) {
 
 InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options) {
   require(options.gap > 0 && options.max_total_force > 0 && options.max_programs > 0,
-          "gap, strength and most_programs must be positive, got {}, {}, {}", options.gap,
+          "gap, max_total_force and max_programs must be positive, got {}, {}, {}", options.gap,
           options.max_total_force, options.max_programs);
   if (is_unlimited(forces, 6))
     return {ConeStatus::kUnbounded, kInfinity, kInfinity, ScaledWrench::Zero(), 12, 0};

@@ -58,7 +58,7 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
   // One warning for each inference.
   if (!known.closing)
     warnings.push_back(fmt::format(
-        "no closing is stated: it is guessed as {}",
+        "no closing is stated: it is inferred as {}",
         guess.closing.empty() ? "none" : fmt::format("{}", fmt::join(guess.closing, ", "))));
   if (!guess.set.empty())
     warnings.push_back(
@@ -67,7 +67,7 @@ RobotSpec with_closing(const RobotSpec& robot, const StatedClosing& known, bool 
   const Eigen::Vector3d &p = guess.robot.approach.point, &d = guess.robot.approach.direction;
   if (!known.approach)
     warnings.push_back(
-        fmt::format("no approach is stated: it is guessed as along [{:.3f}, {:.3f}, {:.3f}] from "
+        fmt::format("no approach is stated: it is inferred as along [{:.3f}, {:.3f}, {:.3f}] from "
                     "[{:.4f}, {:.4f}, {:.4f}] m",
                     d.x(), d.y(), d.z(), p.x(), p.y(), p.z()));
   if (!guess.idle.empty())

@@ -72,10 +72,10 @@ TEST(GraspLoads, NameTheJointThatGivesWay) {
   const HeldObject held{hand, q, squeeze.grasp.contacts, squeeze.held().X_HO};
   const GraspLoads loads = grasp_loads(held, squeeze.scene.object, 0.05, kTasks);
   EXPECT_EQ(loads.margin.at("pull"), 0);
-  EXPECT_EQ(loads.reasons.at("pull"), "no effort balances 'right'");
+  EXPECT_EQ(loads.reasons.at("pull"), "needs more motor torque at 'right'");
   const ExplainedLoad epsilon = hand_epsilon(held, squeeze.scene.object);
   EXPECT_EQ(epsilon.value, 0);
-  EXPECT_EQ(epsilon.reason, "no effort balances 'right'");
+  EXPECT_EQ(epsilon.reason, "needs more motor torque at 'right'");
 }
 
 TEST(GraspLoads, NameFrictionWhereThereIsNone) {
@@ -106,10 +106,10 @@ TEST(GraspLoads, SayWhyTheyHaveNoLimit) {
       }
   const GraspLoads loads = squeeze.loads();
   EXPECT_EQ(loads.margin.at("pull"), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(loads.reasons.at("pull"), "borne by structure, whose strength is not known");
+  EXPECT_EQ(loads.reasons.at("pull"), "supported by rigid structure (strength unknown)");
   const ExplainedLoad epsilon = hand_epsilon(squeeze.held(), squeeze.scene.object);
   EXPECT_EQ(epsilon.value, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(epsilon.reason, "borne by structure, whose strength is not known");
+  EXPECT_EQ(epsilon.reason, "supported by rigid structure (strength unknown)");
 }
 
 // Along x a jaw at most lets go of 2 N, across it friction bears no more; turned about an axis the
