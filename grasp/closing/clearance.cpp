@@ -72,7 +72,7 @@ SelfClearances self_clearances(const PosedCollisionHand& posed, double accuracy)
     // Ball bounds first, exact distances only where these are not enough.
     Clearance clearance{pair.a, pair.b};
     clearance.yield = pair.yield;
-    clearance.stick = pair.stick;
+    clearance.sticking_cosine = pair.sticking_cosine;
     clearance.bound = ball_bound(clearance, posed);
     double distance = clearance.bound;
     if (clearance.margin() <= accuracy)

@@ -21,7 +21,7 @@ struct Clearance {
   double bound = 0;                 // lower bound of the clearance [m]
   int nearest = -1;                 // nearest triangle of the surface; -1: unknown
   double yield = 0;                 // overlap at which the two touch: depth of soft layers [m]
-  double stick = 0;                 // SurfacePair::stick
+  double sticking_cosine = 0;       // SurfacePair::sticking_cosine
 
   /// Lower bound of the distance until contact [m].
   [[nodiscard]] double margin() const { return bound + yield; }

@@ -124,7 +124,7 @@ class Closing {
 
   /// Distance until two things that slide along each other are checked again [m].
   double slide(const Clearance& clearance) const {
-    return clearance.stick > 0 ? kSoftWay : options_.accuracy / 4;
+    return clearance.sticking_cosine > 0 ? kSoftWay : options_.accuracy / 4;
   }
 
   /// A finite time, in which a coordinate moves no farther than a metre [s].
@@ -190,14 +190,14 @@ class Closing {
     const Eigen::VectorXd into = (b - a).transpose() * found.normal;  // [m/s] (coordinates)
     if (into.sum() <= 0) return false;
     // Soft links slide unless they stick.
-    const bool sticks[] = {sticks_to(-a, found.normal, into.sum(), clearance.stick),
-                           sticks_to(b, found.normal, into.sum(), clearance.stick)};
+    const bool sticks[] = {sticks_to(-a, found.normal, into.sum(), clearance.sticking_cosine),
+                           sticks_to(b, found.normal, into.sum(), clearance.sticking_cosine)};
     bool stopped = false;
     for (Eigen::Index j = 0; j < q_.size(); ++j) {
       const bool first = touching_.moved_by(clearance.surface, j);
       const bool second = clearance.body == nullptr && touching_.moved_by(clearance.other, j);
       if (first == second || drives_.rates()[j] == 0) continue;
-      if (clearance.stick > 0 && !(sticks[second ? 1 : 0] && into[j] > 0)) continue;
+      if (clearance.sticking_cosine > 0 && !(sticks[second ? 1 : 0] && into[j] > 0)) continue;
       drives_.stop(static_cast<int>(j), StoppedBy::kContact);
       stopped = true;
     }
@@ -207,9 +207,9 @@ class Closing {
   /// Whether a link goes into another within the friction cone, and faster than that gives way.
   /// @param closing  speed at which the two come together [m/s]
   static bool sticks_to(const Eigen::Matrix3Xd& velocities, const Eigen::Vector3d& inwards,
-                        double closing, double stick) {
+                        double closing, double cosine) {
     const Eigen::Vector3d v = velocities.rowwise().sum();
-    return std::min(inwards.dot(v), closing) > stick * v.norm();
+    return std::min(inwards.dot(v), closing) > cosine * v.norm();
   }
 
   const CollisionHand& touching_;

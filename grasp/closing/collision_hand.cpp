@@ -76,7 +76,7 @@ std::optional<SurfacePair> pair_of(const Hand& hand, const MovedBy& moves,
   if (steps > 1) {
     if (curl_alongside(hand, moves, a, b)) return std::nullopt;
     const double mu = materials.between(first.material, second.material).static_coefficient;
-    pair.stick = 1 / std::sqrt(1 + mu * mu);
+    pair.sticking_cosine = 1 / std::sqrt(1 + mu * mu);
   }
   return pair;
 }

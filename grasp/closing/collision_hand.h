@@ -17,9 +17,9 @@ using MovedBy = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// Two surfaces of a hand that may meet.
 struct SurfacePair {
-  int a, b;          // of Hand::surfaces()
-  double yield = 0;  // depth of overlap at which they stop each other [m]
-  double stick = 0;  // sticks if at least this share of the speed is into the other [1]
+  int a, b;                    // of Hand::surfaces()
+  double yield = 0;            // depth of overlap at which they stop each other [m]
+  double sticking_cosine = 0;  // sticks if at least this share of the speed is into the other [1]
 };
 
 /// Surfaces of a hand as collision trees; constant once built. The hand must outlive it.

@@ -73,7 +73,7 @@ void add_patch(std::vector<ContactPatch>& patches, ContactPatch patch, const Col
     if (patches[i].contacts[0].surface == patch.contacts[0].surface ||
         link_of(patches[i]) != link_of(patch))
       continue;
-    const std::optional<ContactPatch> one = joined(patches[i], patch, options);
+    const std::optional<ContactPatch> one = merge_patches(patches[i], patch, options);
     if (!one) continue;
     patches.erase(patches.begin() + static_cast<std::ptrdiff_t>(i));
     return add_patch(patches, *one, hand, options);

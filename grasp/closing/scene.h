@@ -30,12 +30,11 @@ struct BodyBox {
 struct SceneBody {
   std::string name;
   std::string material;
-  Solid solid;        // body frame
-  Pose<double> X_WB;  //
-  Eigen::Vector3d com{0, 0,
-                      0};  // centre of mass, or of volume if mass is unknown, body frame [m] (3)
-  double reach = 0;        // largest distance of the surface from com: torque scale [m]
-  BodyBox box;             // body frame
+  Solid solid;                   // body frame
+  Pose<double> X_WB;             //
+  Eigen::Vector3d com{0, 0, 0};  // centre of mass; of volume if that is unknown, body frame [m] (3)
+  double reach = 0;              // largest distance of the surface from com: torque scale [m]
+  BodyBox box;                   // body frame
 };
 
 /// The object to be grasped, the obstacles around it, and the materials of all.

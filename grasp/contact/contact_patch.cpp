@@ -127,7 +127,7 @@ class PatchFinder {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (group[i] == i) add_patch(region_of(pieces, group, i));
     std::sort(result_.patches.begin(), result_.patches.end(),
-              [](const ContactPatch& x, const ContactPatch& y) { return x.gap < y.gap; });
+              [](const ContactPatch& x, const ContactPatch& y) { return x.distance < y.distance; });
     return std::move(result_);
   }
 
@@ -249,10 +249,10 @@ ContactPatches contact_patches(const CollisionTree& a, const Pose<double>& X_WA,
   return PatchFinder(a, X_WB.inverse() * X_WA, *b.shape, friction, options).run();
 }
 
-std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
-                                   const ContactPatchOptions& options) {
+std::optional<ContactPatch> merge_patches(const ContactPatch& x, const ContactPatch& y,
+                                          const ContactPatchOptions& options) {
   if (x.normal.dot(y.normal) < kCosTurn) return {};
-  const ContactPatch& nearer = x.gap <= y.gap ? x : y;
+  const ContactPatch& nearer = x.distance <= y.distance ? x : y;
   const Eigen::Matrix2Xd on_x = flat(x.contacts, nearer.normal),
                          on_y = flat(y.contacts, nearer.normal);
   // Heights of the contacts along the common normal.
@@ -273,7 +273,7 @@ std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
   all.insert(all.end(), other.contacts.begin(), other.contacts.end());
   const ReducedPoints reduced =
       reduce_points(flat(all, nearer.normal), options.merge, options.max_points);
-  ContactPatch one{{}, nearer.gap, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
+  ContactPatch one{{}, nearer.distance, std::max(x.loss, y.loss) + reduced.loss, nearer.normal};
   for (const int i : reduced.kept) one.contacts.push_back(all[static_cast<std::size_t>(i)]);
   return one;
 }

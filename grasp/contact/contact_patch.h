@@ -60,8 +60,9 @@ ContactPatches contact_patches(const CollisionTree& a, const Pose<double>& X_WA,
 /// Merges two patches of one body if their normals are within 30 degrees and the patches less than
 /// the resolution apart, as parts of a body are that lie flat upon or beside each other. The points
 /// of both are reduced anew. @returns nothing if the patches are apart
-[[nodiscard]] std::optional<ContactPatch> joined(const ContactPatch& x, const ContactPatch& y,
-                                                 const ContactPatchOptions& options = {});
+[[nodiscard]] std::optional<ContactPatch> merge_patches(const ContactPatch& x,
+                                                        const ContactPatch& y,
+                                                        const ContactPatchOptions& options = {});
 
 /// All contacts of all patches; `patch` is the number of their patch.
 [[nodiscard]] std::vector<HandContact> contacts_of(const std::vector<ContactPatch>& patches);

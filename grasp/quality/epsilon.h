@@ -29,10 +29,10 @@ struct [[nodiscard]] Epsilon {
   bool has_missing_direction;      // true without force closure
   ScaledWrench missing_direction;  // unit u: every wrench of the grasp has w'u <= upper, which is
                                    // <= 0, or about 0 if the sign is not settled
-  ScaledWrench worst_wrench;  // unit: disturbance that is resisted least, -argmin h
-  bool converged;             // upper - lower <= gap
-  int supports;               // number of support points computed
-  int facets;                 // of the last hull; 0 if none was needed
+  ScaledWrench worst_wrench;       // unit: disturbance that is resisted least, -argmin h
+  bool converged;                  // upper - lower <= gap
+  int supports;                    // number of support points computed
+  int facets;                      // of the last hull; 0 if none was needed
 };
 
 /// Computes epsilon = min over |u| = 1 of h_W(u), h_W the support function of the wrench set W.

@@ -16,8 +16,7 @@ using Eigen::Vector3d;
 using Points = std::vector<Vector3d>;
 
 constexpr double kPlanarRounding = 1e-12;  // of the value, in parts of the largest wrench [1]
-constexpr double kParallel =
-    1e-12;  // edges with a smaller sine of their angle count as parallel [1]
+constexpr double kParallel = 1e-12;        // largest sine of the angle of parallel edges [1]
 
 Vector3d in_plane(const ScaledWrench& w) { return {w(0), w(1), w(5)}; }
 

@@ -138,8 +138,7 @@ constexpr double kDone = 1e-9;    // length of a last step: the next would be it
 constexpr double kLongest = 0.2;  // of a step [rad]
 constexpr double kNear = 0.3;     // caps this close to the best, relative to it, take part [1]
 constexpr double kKink = 0.05;    // |A'u| below this share of |A| is held at 0 [1]
-constexpr double kSharp =
-    1e-6;  // the same in the first attempt, for facets that hold a whole cap [1]
+constexpr double kSharp = 1e-6;   // the same in the first attempt: facets may hold a whole cap [1]
 constexpr double kDependent = 1e-9;   // constraints closer to each other's span are dependent [1]
 constexpr double kFlatCurve = 1e-12;  // curvatures below this share of the size are zero [1]
 

@@ -22,8 +22,7 @@ constexpr double kEnough = 1e-12;  // least eigenvalue wanted of F, the set's si
 constexpr double kProofRounding = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kSomeWeight = 0.25;  // least sum of the weights in F, the largest being 1 [1]
 constexpr Index kTime = 6;            // index of t in x = (u, t, levels)
-constexpr double kSameCap =
-    1e-14;  // caps that differ by less are equal, the set's size being 1 [1]
+constexpr double kSameCap = 1e-14;    // difference of equal caps, the set's size being 1 [1]
 
 /// Points x with  l'x >= |Z x|; without rows of Z  l'x >= 0.
 struct Cone {

@@ -155,8 +155,8 @@ BallGrasp::BallGrasp(const RobotSpec& robot) : hand_(without_shapes(robot)) {
   }
 }
 
-double BallGrasp::meets(const std::vector<Pose<double>>& links, const Vector3d& origin,
-                        const Vector3d& direction, double radius) const {
+double BallGrasp::sphere_cast(const std::vector<Pose<double>>& links, const Vector3d& origin,
+                              const Vector3d& direction, double radius) const {
   double way = -kInfinity;
   for (const SampledSurface& surface : surfaces_) {
     // The ray in the frame of the surface's points.
@@ -189,8 +189,8 @@ bool BallGrasp::side_by_side(const SampledSurface& a, const SampledSurface& b) c
 }
 
 /// Whether points of two links come within a spacing of their points.
-bool BallGrasp::meet(const SampledSurface& a, const SampledSurface& b,
-                     const std::vector<Pose<double>>& links) const {
+bool BallGrasp::collide(const SampledSurface& a, const SampledSurface& b,
+                        const std::vector<Pose<double>>& links) const {
   const Vector3d ca = at(links, a.link, a.centre), cb = at(links, b.link, b.centre);
   if ((ca - cb).norm() > a.radius + b.radius + kSelfTouch) return false;
   for (Eigen::Index i = 0; i < a.p.cols(); ++i) {
@@ -243,7 +243,7 @@ std::vector<BallContact> BallGrasp::close(const std::vector<Drive>& drives, Eige
       for (std::size_t b = 0; stands(surfaces_[a]) && b < surfaces_.size(); ++b) {
         if (side_by_side(surfaces_[a], surfaces_[b])) continue;
         const std::size_t pair = a * surfaces_.size() + b;
-        if (near_at_start[pair] || !meet(surfaces_[a], surfaces_[b], links)) continue;
+        if (near_at_start[pair] || !collide(surfaces_[a], surfaces_[b], links)) continue;
         near_at_start[pair] = true;
         if (step == 0) continue;
         halt(surfaces_[a], &surfaces_[b]);

@@ -47,8 +47,9 @@ class BallGrasp {
   /// Sphere cast: a ball comes against the direction of a ray and stops where it meets the hand,
   /// with its centre at  origin + way * direction  [m]; -infinity if it meets nothing.
   /// @param links  RobotHand::pose()
-  [[nodiscard]] double meets(const std::vector<Pose<double>>& links, const Eigen::Vector3d& origin,
-                             const Eigen::Vector3d& direction, double radius) const;
+  [[nodiscard]] double sphere_cast(const std::vector<Pose<double>>& links,
+                                   const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+                                   double radius) const;
 
   /// Closes from a posture in equal steps, each drive at its speed. A link that meets the ball
   /// stops the coordinates that move it, and the rest of its drive as Drive::coupled says. If
@@ -61,8 +62,8 @@ class BallGrasp {
                                                const std::vector<std::string>& self = {}) const;
 
  private:
-  [[nodiscard]] bool meet(const SampledSurface& a, const SampledSurface& b,
-                          const std::vector<Pose<double>>& links) const;
+  [[nodiscard]] bool collide(const SampledSurface& a, const SampledSurface& b,
+                             const std::vector<Pose<double>>& links) const;
   [[nodiscard]] bool side_by_side(const SampledSurface& a, const SampledSurface& b) const;
 
   RobotHand hand_;

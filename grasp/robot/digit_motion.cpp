@@ -10,8 +10,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double kAlong =
-    0.7;  // smallest cosine to the last joint's axis of a joint that curls [1]
+constexpr double kAlong = 0.7;    // smallest cosine of a curling joint to the last one's axis [1]
 constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
 constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
 constexpr double kNothing = 1e-9;       // rotation or motion that counts as none [1], [m]

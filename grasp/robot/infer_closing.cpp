@@ -105,7 +105,7 @@ class ClosingSearch {
   /// Places the ball where it comes to rest on its approach. @returns whether it meets the hand
   [[nodiscard]] bool place(const Candidate& candidate, const std::vector<Pose<double>>& links,
                            ProbeBall& ball) const {
-    const double way = grip_.meets(links, candidate.origin, candidate.direction, ball.radius);
+    const double way = grip_.sphere_cast(links, candidate.origin, candidate.direction, ball.radius);
     if (way == -kInfinity) return false;
     ball.centre = candidate.origin + (way + 1e-4) * candidate.direction;
     return true;

@@ -234,8 +234,7 @@ double density_of(const BodySpec& body, double volume, const Materials& material
 
 BodyMass body_mass(const BodySpec& body, const Materials& materials) {
   if (body.mass) return *body.mass;
-  constexpr double kKnown =
-      0.01;  // largest relative error of the volume: beyond, no mass is certain
+  constexpr double kKnown = 0.01;  // largest relative error of a volume that gives a mass
   // Mass of the union at unit density.
   const UnionMass found = union_mass(body.shapes);
   const MassProperties& even = found.mass;

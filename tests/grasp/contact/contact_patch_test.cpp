@@ -49,7 +49,7 @@ TEST(ContactPatch, OfBallOnGroundIsItsLowestPoint) {
   EXPECT_TRUE(matrix_near(contact.p, Eigen::Vector3d(0.3, 0.2, 0), 1e-9));
   EXPECT_TRUE(matrix_near(contact.n, Eigen::Vector3d(0, 0, -1), 1e-9));
   EXPECT_EQ(contact.friction, kFriction);
-  EXPECT_NEAR(patch.gap, 5e-5, 1e-12);
+  EXPECT_NEAR(patch.distance, 5e-5, 1e-12);
 }
 
 // Seen from the flat: a face touches a ball in one point, too.
@@ -61,7 +61,7 @@ TEST(ContactPatch, OfFaceOnBallIsOnePoint) {
     // The lowest point is found to the distance's tolerance, across it to the root of that.
     EXPECT_TRUE(matrix_near(patch.contacts[0].contact.p, Eigen::Vector3d(0, 0, radius),
                             std::sqrt(2 * radius * 1e-6)));
-    EXPECT_NEAR(patch.gap, 0, 1e-6);
+    EXPECT_NEAR(patch.distance, 0, 1e-6);
   }
 }
 
@@ -191,7 +191,7 @@ double area(const ContactPatch& patch) {
 // Upon each other, crossing, and side by side with 0.5 mm between them.
 TEST(ContactPatch, JoinsWhatMeets) {
   for (const double x : {0.0, 0.006, 0.0105}) {
-    const auto one = joined(rectangle(0, 0), rectangle(x, 1e-4));
+    const auto one = merge_patches(rectangle(0, 0), rectangle(x, 1e-4));
     ASSERT_TRUE(one);
     EXPECT_EQ(one->contacts.size(), 4U) << x;
     EXPECT_NEAR(area(*one), 0.01 * (0.01 + x), 1e-12);
@@ -199,11 +199,11 @@ TEST(ContactPatch, JoinsWhatMeets) {
 }
 
 TEST(ContactPatch, LeavesWhatIsApart) {
-  EXPECT_FALSE(joined(rectangle(0, 0), rectangle(0.012, 0)));  // 2 mm beside
-  EXPECT_FALSE(joined(rectangle(0, 0), rectangle(0, 0.003)));  // on a step of 3 mm
+  EXPECT_FALSE(merge_patches(rectangle(0, 0), rectangle(0.012, 0)));  // 2 mm beside
+  EXPECT_FALSE(merge_patches(rectangle(0, 0), rectangle(0, 0.003)));  // on a step of 3 mm
   ContactPatch other_side = rectangle(0, 0);
   other_side.normal = {0, 0, 1};
-  EXPECT_FALSE(joined(rectangle(0, 0), other_side));
+  EXPECT_FALSE(merge_patches(rectangle(0, 0), other_side));
 }
 
 TEST(ContactPatch, ReportsTheDepthOfAnOverlap) {
@@ -211,7 +211,7 @@ TEST(ContactPatch, ReportsTheDepthOfAnOverlap) {
       the_patch(touching({rounded_point({0, 0, 0}, 0.01)}), at(0, 0, 0.008), ground_solid());
   ASSERT_EQ(patch.contacts.size(), 1U);
   EXPECT_NEAR(patch.contacts[0].depth, 0.002, 1e-12);
-  EXPECT_NEAR(patch.gap, -0.002, 1e-12);
+  EXPECT_NEAR(patch.distance, -0.002, 1e-12);
 }
 
 TEST(ContactPatch, OfThingsApartIsNone) {
