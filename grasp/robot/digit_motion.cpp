@@ -14,14 +14,9 @@ constexpr double kAlong = 0.7;    // smallest cosine of a curling joint to the l
 constexpr double kSameWay = 0.7;  // smallest cosine between tip directions of similar fingers [1]
 constexpr double kSameDistance = 1e-9;  // relative change of tip distances that counts as none [1]
 constexpr double kNothing = 1e-9;       // rotation or motion that counts as none [1], [m]
-constexpr double kUndecided = 0.1;      // difference of ranges that is no evidence [1]
-constexpr double kHardlyNear = 1e-3;    // difference of nearness that is no evidence [1]
-constexpr double kAgainst = 0.4;        // weight of ranges as evidence against a way of closing [1]
-constexpr double kDoubtful = 0.35;      // difference of ranges up to which both ways are tried [1]
 constexpr std::size_t kRow = 3;         // fingers that make a palm, approached along its normal
 constexpr double kOpposition = 0.6;     // range from which a turning motor may oppose [rad]
 constexpr double kFarther = 1.4;        // smallest ratio to the ranges of the others [1]
-constexpr double kClearlyNear = 0.05;   // difference of nearness that leaves no doubt [1]
 constexpr double kBack = 0.6;           // farthest that fingers bend backwards to open [rad]
 constexpr double kAsFar = 0.85;  // share of a tip's motion from which another moves as far [1]
 // Smallest cosine at which a direction is taken for an axis of the hand's frame [1]: for the palm's
@@ -58,7 +53,9 @@ DigitMotion::DigitMotion(const BallGrasp& grip, bool closing)
     for (const Drive& drive : drives_) stated.speed.push_back(drive.speed);
     options_ = {stated};
   } else {
-    find_options();
+    options_ = closing_options(layout, rest_, groups_, [this](const std::vector<double>& senses) {
+      return apart(moved(senses, 0.5));
+    });
   }
 }
 
@@ -156,8 +153,8 @@ void DigitMotion::sort_drives() {
 
 /// Finds the signs of drives that curl each digit, and which drives belong together.
 void DigitMotion::orient() {
-  orientation_.assign(drives_.size(), 0);
-  group_.assign(drives_.size(), -1);
+  groups_.orientation.assign(drives_.size(), 0);
+  groups_.group.assign(drives_.size(), -1);
   int groups = 0;
   for (const Digit& digit : digits_) {
     if (digit.curls.empty()) continue;
@@ -173,17 +170,17 @@ void DigitMotion::orient() {
     double flip = 1;
     int group = -1;
     for (const int c : digit.curls)
-      if (const auto d = static_cast<std::size_t>(c); group < 0 && group_[d] >= 0) {
-        group = group_[d];
-        flip = orientation_[d] * sign(d);
+      if (const auto d = static_cast<std::size_t>(c); group < 0 && groups_.group[d] >= 0) {
+        group = groups_.group[d];
+        flip = groups_.orientation[d] * sign(d);
       }
     if (group < 0) group = groups++;
     // The others get their signs relative to it.
     for (const int c : digit.curls) {
       const auto d = static_cast<std::size_t>(c);
-      if (group_[d] >= 0) continue;
-      group_[d] = group;
-      orientation_[d] = flip * sign(d);
+      if (groups_.group[d] >= 0) continue;
+      groups_.group[d] = group;
+      groups_.orientation[d] = flip * sign(d);
     }
   }
 }
@@ -221,73 +218,6 @@ double DigitMotion::apart(const VectorXd& q) const {
   for (std::size_t a = 0; a < tips.size(); ++a)
     for (std::size_t b = 0; b < a; ++b) sum += (tips[a] - tips[b]).norm();
   return sum;
-}
-
-/// Ways to close: by ranges, by nearness, and each doubtful group in the other sense.
-void DigitMotion::find_options() {
-  const HandLayout& layout = grip_.hand().layout();
-  // Evidence of each group: its ranges in both senses, and how near the tips come.
-  const int groups = group_.empty() ? 0 : *std::max_element(group_.begin(), group_.end()) + 1;
-  std::vector<double> by_range, by_nearness, more, nearer;
-  for (int g = 0; g < groups; ++g) {
-    double up = 0, down = 0;
-    std::vector<double> closing(drives_.size(), 0), opening(drives_.size(), 0);
-    for (std::size_t d = 0; d < drives_.size(); ++d) {
-      if (group_[d] != g) continue;
-      const DrivenCoordinate& first = drives_[d].moves.front();
-      const double r = orientation_[d] * first.ratio, at = rest_[first.coordinate];
-      const double above = (layout.upper[first.coordinate] - at) / std::abs(r),
-                   below = (at - layout.lower[first.coordinate]) / std::abs(r);
-      up += r > 0 ? above : below;
-      down += r > 0 ? below : above;
-      closing[d] = orientation_[d];
-      opening[d] = -orientation_[d];
-    }
-    const double near = apart(moved(closing, 0.5)), far = apart(moved(opening, 0.5));
-    // Signed evidence in -1 .. 1.
-    const double ranges = up + down > 0 ? (up - down) / (up + down) : 0,
-                 nearness = near + far > 0 ? (far - near) / (far + near) : 0;
-    // Decide by ranges and by nearness; evidence that says nothing yields to the other.
-    const bool range_speaks = std::abs(ranges) > kUndecided,
-               nearness_speaks = std::abs(nearness) > kHardlyNear;
-    more.push_back(ranges);
-    nearer.push_back(nearness);
-    by_range.push_back(range_speaks || !nearness_speaks ? (ranges < 0 ? -1 : 1)
-                                                        : (nearness < 0 ? -1 : 1));
-    by_nearness.push_back(nearness_speaks || !range_speaks ? (nearness < 0 ? -1 : 1)
-                                                           : (ranges < 0 ? -1 : 1));
-  }
-  // Candidates: both decisions, doubtful groups reversed, and everything reversed.
-  std::vector<std::vector<double>> ways{by_range, by_nearness};
-  for (int g = 0; g < groups; ++g) {
-    const auto at = static_cast<std::size_t>(g);
-    if (std::abs(more[at]) > kDoubtful || std::abs(nearer[at]) > kClearlyNear) continue;
-    ways.push_back(by_range);
-    ways.back()[static_cast<std::size_t>(g)] *= -1;
-  }
-  if (groups > 1) {
-    ways.push_back(by_range);
-    for (double& sense : ways.back()) sense *= -1;
-  }
-  // Stated speeds keep their magnitudes.
-  const bool paced = std::any_of(drives_.begin(), drives_.end(),
-                                 [](const Drive& drive) { return drive.speed != 0; });
-  std::vector<std::vector<double>> had;
-  // Each candidate once, with the ranges that speak against it.
-  for (const std::vector<double>& senses : ways) {
-    if (std::find(had.begin(), had.end(), senses) != had.end()) continue;
-    had.push_back(senses);
-    SenseOption option;
-    for (std::size_t g = 0; g < senses.size(); ++g)
-      if (senses[g] * more[g] < 0) option.against += kAgainst * std::abs(more[g]);
-    for (std::size_t d = 0; d < drives_.size(); ++d)
-      option.speed.push_back(group_[d] < 0
-                                 ? 0
-                                 : orientation_[d] * senses[static_cast<std::size_t>(group_[d])] *
-                                       (paced ? std::abs(drives_[d].speed) : 1));
-    options_.push_back(std::move(option));
-  }
-  if (options_.empty()) options_.push_back({std::vector<double>(drives_.size(), 0), 0});
 }
 
 double DigitMotion::mean_digit_length() const {

@@ -8,14 +8,9 @@
 #include <Eigen/Core>
 
 #include "grasp/robot/ball_grasp.h"
+#include "grasp/robot/closing_options.h"
 
 namespace thenar {
-
-/// One way in which drives may close.
-struct SenseOption {
-  std::vector<double> speed;  // of every drive [rad/s] or [m/s]; 0: it stands still
-  double against = 0;         // evidence against it from the ranges of motors [1]
-};
 
 /// Roles of the digits in a way of closing.
 struct DigitRoles {
@@ -58,7 +53,6 @@ class DigitMotion {
 
   void find_digits();
   void sort_drives();
-  void find_options();
   void orient();
   // Twist of a digit's tip per unit of a drive, at rest: rotation [rad], then translation [m] (6).
   [[nodiscard]] Eigen::Matrix<double, 6, 1> twist(std::size_t drive, const Digit& digit) const;
@@ -79,8 +73,7 @@ class DigitMotion {
   Eigen::VectorXd rest_;
   std::vector<Digit> digits_;
   std::vector<std::string> names_;
-  std::vector<double> orientation_;  // of each drive: the sign with which its group curls together
-  std::vector<int> group_;           // of each drive; -1: it does not curl
+  DriveGroups groups_;
   std::vector<SenseOption> options_;
 };
 

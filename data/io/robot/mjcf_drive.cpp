@@ -13,30 +13,10 @@
 #include "base/error.h"
 #include "data/io/robot/import_couplings.h"
 #include "data/io/robot/link_poses.h"
+#include "data/io/robot/mjcf_actuators.h"
 
 namespace thenar::internal {
 namespace {
-
-/// One joint of a fixed tendon.
-struct Term {
-  std::string joint;
-  double coefficient;  // length per joint value [m/rad] or [1]
-};
-
-/// A fixed tendon: its length is a weighted sum of joint values.
-struct FixedTendon {
-  std::string name;
-  std::vector<Term> terms;
-  int line = 1;
-  std::optional<JointRange> limits;  // of its length
-};
-
-/// An actuator on a joint or a fixed tendon.
-struct Actuator {
-  std::string name;
-  std::string joint, tendon;  // one of these
-  double effort = 0;          // [N m] or [N]; 0 if unknown
-};
 
 constexpr double kTight = 0.1;  // largest share of a tendon's travel that its limits leave [1]
 
@@ -50,16 +30,16 @@ class MjcfDrive {
 
   void run() {
     // Read all that couples or drives.
-    read_tendons();
+    tendons_ = read_fixed_tendons(source_, robot_);
     read_equalities();
-    read_actuators();
+    actuators_ = read_actuators(source_, robot_, tendons_);
     // Couple joints, then drive through tendons, then directly.
     keep_limited_tendons();
     hold_joints();
     couple_joints(robot_, couplings_, source_.file.path());
-    for (const Actuator& actuator : actuators_)
+    for (const MjcfActuator& actuator : actuators_)
       if (!actuator.tendon.empty()) drive_through_tendon(actuator);
-    for (const Actuator& actuator : actuators_)
+    for (const MjcfActuator& actuator : actuators_)
       if (!actuator.joint.empty()) drive_joint(actuator);
     // Names for the user, and loops last, as they need the motors.
     name_shared();
@@ -68,44 +48,6 @@ class MjcfDrive {
   }
 
  private:
-  /// @returns false if there is no such hinge or slide in an incomplete model; otherwise fails
-  bool has_joint(const pugi::xml_node& node, const std::string& name) {
-    if (find_joint(robot_, name) != nullptr) return true;
-    const std::string what = fmt::format(
-        "<{}> names joint '{}', and there is no such hinge or slide", node.name(), name);
-    if (!source_.incomplete) source_.file.fail(node, what);
-    source_.unread.note(node, what + ": it is left out");
-    return false;
-  }
-
-  void read_tendons() {
-    for (const pugi::xml_node section : source_.file.root().children("tendon"))
-      for (const pugi::xml_node node : section.children()) {
-        if (node.type() != pugi::node_element) continue;
-        // Spatial tendons are not read.
-        if (std::string(node.name()) != "fixed") {
-          source_.unread.note(node, fmt::format("<{}> tendon '{}' is not read", node.name(),
-                                                node.attribute("name").value()));
-          continue;
-        }
-        FixedTendon tendon{node.attribute("name").value(), {}, source_.file.line(node), {}};
-        // Limits by MuJoCo's rules.
-        const MjcfElement element(source_, node, "");
-        const std::vector<double> range = element.numbers("range");
-        const std::string limited = element.text("limited", "auto");
-        if (range.size() == 2 &&
-            (limited == "true" || (limited == "auto" && source_.compiler.auto_limits)))
-          tendon.limits = JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
-        // Joints with their coefficients.
-        for (const pugi::xml_node term : node.children("joint")) {
-          const std::string name = required_text(source_.file, term, "joint");
-          if (!has_joint(term, name)) continue;
-          tendon.terms.push_back({name, number_or(source_.file, term, "coef", 1)});
-        }
-        tendons_.push_back(std::move(tendon));
-      }
-  }
-
   const FixedTendon* find_tendon(const std::string& name) const {
     for (const FixedTendon& tendon : tendons_)
       if (tendon.name == name) return &tendon;
@@ -154,7 +96,9 @@ class MjcfDrive {
     // One joint is held, two are coupled.
     const std::string first = required_text(source_.file, node, "joint1");
     const std::string second = node.attribute("joint2").value();
-    if (!has_joint(node, first) || (!second.empty() && !has_joint(node, second))) return;
+    if (!has_joint(source_, robot_, node, first) ||
+        (!second.empty() && !has_joint(source_, robot_, node, second)))
+      return;
     if (second.empty()) {
       held_.push_back({first, "", 0, a[0] + ref_.at(first), equality.line(), {}});
       return;
@@ -187,8 +131,8 @@ class MjcfDrive {
     }
     // Solved for the second joint.
     const std::vector<double> a = equality.numbers("polycoef");
-    const Term& leader = tendon->terms[0];
-    const Term& follower = tendon->terms[1];
+    const TendonTerm& leader = tendon->terms[0];
+    const TendonTerm& follower = tendon->terms[1];
     if (follower.coefficient == 0) source_.file.fail(node, "a coefficient of the tendon is zero");
     const double ratio = -leader.coefficient / follower.coefficient;
     const double offset = (a.empty() ? 0 : a[0]) / follower.coefficient;
@@ -209,7 +153,7 @@ class MjcfDrive {
       const double slack = tendon.limits->upper - tendon.limits->lower;
       // Travel that the joints alone would allow.
       double travel = 0;
-      for (const Term& term : tendon.terms) {
+      for (const TendonTerm& term : tendon.terms) {
         const RobotJoint& joint = *find_joint(robot_, term.joint);
         travel += std::abs(term.coefficient) * (joint.upper - joint.lower);
       }
@@ -228,8 +172,8 @@ class MjcfDrive {
     // The joint with an actuator leads.
     const bool first_leads =
         has_actuator(tendon.terms[0].joint) || !has_actuator(tendon.terms[1].joint);
-    const Term &leader = tendon.terms[first_leads ? 0 : 1],
-               &follower = tendon.terms[first_leads ? 1 : 0];
+    const TendonTerm &leader = tendon.terms[first_leads ? 0 : 1],
+                     &follower = tendon.terms[first_leads ? 1 : 0];
     // A joint follows only one other.
     const bool again =
         std::any_of(couplings_.begin(), couplings_.end(),
@@ -258,12 +202,13 @@ class MjcfDrive {
 
   [[nodiscard]] bool has_actuator(const std::string& joint) const {
     return std::any_of(actuators_.begin(), actuators_.end(),
-                       [&](const Actuator& actuator) { return actuator.joint == joint; });
+                       [&](const MjcfActuator& actuator) { return actuator.joint == joint; });
   }
 
   [[nodiscard]] bool is_driven(const FixedTendon& tendon) const {
-    return std::any_of(actuators_.begin(), actuators_.end(),
-                       [&](const Actuator& actuator) { return actuator.tendon == tendon.name; });
+    return std::any_of(actuators_.begin(), actuators_.end(), [&](const MjcfActuator& actuator) {
+      return actuator.tendon == tendon.name;
+    });
   }
 
   /// Adds a coupling, unless its joint follows another already.
@@ -290,50 +235,7 @@ class MjcfDrive {
     }
   }
 
-  void read_actuators() {
-    for (const pugi::xml_node section : source_.file.root().children("actuator"))
-      for (const pugi::xml_node node : section.children()) {
-        if (node.type() != pugi::node_element) continue;
-        const MjcfElement element(source_, node, "");
-        // Target of the actuator, which must exist.
-        Actuator actuator;
-        actuator.name = element.text("name");
-        actuator.joint = element.text("joint", element.text("jointinparent"));
-        actuator.tendon = element.text("tendon");
-        actuator.effort = effort_of(element, node.name());
-        if (!actuator.joint.empty() && !has_joint(node, actuator.joint)) continue;
-        if (actuator.joint.empty() && find_tendon(actuator.tendon) == nullptr) {
-          source_.unread.note(node, fmt::format("<{}> '{}' drives no joint and no fixed tendon",
-                                                node.name(), actuator.name));
-          continue;
-        }
-        actuators_.push_back(std::move(actuator));
-      }
-  }
-
-  /// Largest force: of the force range; or gear times gain times the largest control, for motors
-  /// and general actuators that act like motors.
-  static double effort_of(const MjcfElement& actuator, const std::string& kind) {
-    const auto largest = [&](const char* range) {
-      const std::vector<double> ends = actuator.numbers(range);
-      return ends.size() == 2 ? std::max(std::abs(ends[0]), std::abs(ends[1])) : 0;
-    };
-    const std::vector<double> gear = actuator.numbers("gear");
-    const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
-    // A force range is explicit.
-    if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
-      return largest("forcerange") * ratio;
-    // Otherwise the control range decides, if the gain is constant.
-    if (actuator.text("ctrllimited") == "false") return 0;
-    if (kind == "motor") return largest("ctrlrange") * ratio;
-    const std::string gain = actuator.text("gaintype", "fixed"),
-                      bias = actuator.text("biastype", "none");
-    if (kind != "general" || gain != "fixed" || bias != "none") return 0;
-    const std::vector<double> gains = actuator.numbers("gainprm");
-    return largest("ctrlrange") * ratio * std::abs(gains.empty() ? 1 : gains[0]);
-  }
-
-  void drive_joint(const Actuator& actuator) {
+  void drive_joint(const MjcfActuator& actuator) {
     const RobotJoint& driven = *find_joint(robot_, actuator.joint);
     RobotDof* dof = find_dof(robot_, driven.dof);
     if (dof == nullptr) {
@@ -361,14 +263,14 @@ class MjcfDrive {
   /// Derivative of the tendon's length by each degree of freedom.
   std::map<std::string, double> gradient(const FixedTendon& tendon) {
     std::map<std::string, double> by_dof;
-    for (const Term& term : tendon.terms) {
+    for (const TendonTerm& term : tendon.terms) {
       const RobotJoint& spanned = *find_joint(robot_, term.joint);
       if (!spanned.dof.empty()) by_dof[spanned.dof] += term.coefficient * spanned.ratio;
     }
     return by_dof;
   }
 
-  void drive_through_tendon(const Actuator& actuator) {
+  void drive_through_tendon(const MjcfActuator& actuator) {
     const FixedTendon& tendon = *find_tendon(actuator.tendon);
     const std::map<std::string, double> by_dof = gradient(tendon);
     double squares = 0;
@@ -404,7 +306,7 @@ class MjcfDrive {
 
   /// Replaces several degrees of freedom by one compliant one.
   void join(const std::string& tendon, const std::map<std::string, double>& by_dof, double squares,
-            const Actuator& actuator) {
+            const MjcfActuator& actuator) {
     // A motor with the tendon's name.
     RobotDof shared;
     shared.name = tendon;
@@ -461,7 +363,7 @@ class MjcfDrive {
   std::vector<LoopClosure> loops_;
   std::vector<FixedTendon> tendons_;
   std::vector<FollowerCoupling> couplings_, held_;
-  std::vector<Actuator> actuators_;
+  std::vector<MjcfActuator> actuators_;
   std::set<std::string> moved_;                             // degrees of freedom with an actuator
   std::map<std::string, std::vector<std::string>> by_dof_;  // actuators of each degree of freedom
 };

@@ -1,0 +1,105 @@
+#include "data/io/robot/mjcf_actuators.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <pugixml.hpp>
+
+namespace thenar::internal {
+namespace {
+
+/// Largest force: of the force range; or gear times gain times the largest control, for motors
+/// and general actuators that act like motors.
+double effort_of(const MjcfElement& actuator, const std::string& kind) {
+  const auto largest = [&](const char* range) {
+    const std::vector<double> ends = actuator.numbers(range);
+    return ends.size() == 2 ? std::max(std::abs(ends[0]), std::abs(ends[1])) : 0;
+  };
+  const std::vector<double> gear = actuator.numbers("gear");
+  const double ratio = gear.empty() ? 1 : std::abs(gear[0]);
+  // A force range is explicit.
+  if (actuator.text("forcelimited") != "false" && actuator.has("forcerange"))
+    return largest("forcerange") * ratio;
+  // Otherwise the control range decides, if the gain is constant.
+  if (actuator.text("ctrllimited") == "false") return 0;
+  if (kind == "motor") return largest("ctrlrange") * ratio;
+  const std::string gain = actuator.text("gaintype", "fixed"),
+                    bias = actuator.text("biastype", "none");
+  if (kind != "general" || gain != "fixed" || bias != "none") return 0;
+  const std::vector<double> gains = actuator.numbers("gainprm");
+  return largest("ctrlrange") * ratio * std::abs(gains.empty() ? 1 : gains[0]);
+}
+
+bool has_tendon(const std::vector<FixedTendon>& tendons, const std::string& name) {
+  return std::any_of(tendons.begin(), tendons.end(),
+                     [&](const FixedTendon& tendon) { return tendon.name == name; });
+}
+
+}  // namespace
+
+bool has_joint(const MjcfSource& source, const RobotSpec& robot, const pugi::xml_node& node,
+               const std::string& name) {
+  if (find_joint(robot, name) != nullptr) return true;
+  const std::string what =
+      fmt::format("<{}> names joint '{}', and there is no such hinge or slide", node.name(), name);
+  if (!source.incomplete) source.file.fail(node, what);
+  source.unread.note(node, what + ": it is left out");
+  return false;
+}
+
+std::vector<FixedTendon> read_fixed_tendons(const MjcfSource& source, const RobotSpec& robot) {
+  std::vector<FixedTendon> tendons;
+  for (const pugi::xml_node section : source.file.root().children("tendon"))
+    for (const pugi::xml_node node : section.children()) {
+      if (node.type() != pugi::node_element) continue;
+      // Spatial tendons are not read.
+      if (std::string(node.name()) != "fixed") {
+        source.unread.note(node, fmt::format("<{}> tendon '{}' is not read", node.name(),
+                                             node.attribute("name").value()));
+        continue;
+      }
+      FixedTendon tendon{node.attribute("name").value(), {}, source.file.line(node), {}};
+      // Limits by MuJoCo's rules.
+      const MjcfElement element(source, node, "");
+      const std::vector<double> range = element.numbers("range");
+      const std::string limited = element.text("limited", "auto");
+      if (range.size() == 2 &&
+          (limited == "true" || (limited == "auto" && source.compiler.auto_limits)))
+        tendon.limits = JointRange{std::min(range[0], range[1]), std::max(range[0], range[1])};
+      // Joints with their coefficients.
+      for (const pugi::xml_node term : node.children("joint")) {
+        const std::string name = required_text(source.file, term, "joint");
+        if (!has_joint(source, robot, term, name)) continue;
+        tendon.terms.push_back({name, number_or(source.file, term, "coef", 1)});
+      }
+      tendons.push_back(std::move(tendon));
+    }
+  return tendons;
+}
+
+std::vector<MjcfActuator> read_actuators(const MjcfSource& source, const RobotSpec& robot,
+                                         const std::vector<FixedTendon>& tendons) {
+  std::vector<MjcfActuator> actuators;
+  for (const pugi::xml_node section : source.file.root().children("actuator"))
+    for (const pugi::xml_node node : section.children()) {
+      if (node.type() != pugi::node_element) continue;
+      const MjcfElement element(source, node, "");
+      // Target of the actuator, which must exist.
+      MjcfActuator actuator;
+      actuator.name = element.text("name");
+      actuator.joint = element.text("joint", element.text("jointinparent"));
+      actuator.tendon = element.text("tendon");
+      actuator.effort = effort_of(element, node.name());
+      if (!actuator.joint.empty() && !has_joint(source, robot, node, actuator.joint)) continue;
+      if (actuator.joint.empty() && !has_tendon(tendons, actuator.tendon)) {
+        source.unread.note(node, fmt::format("<{}> '{}' drives no joint and no fixed tendon",
+                                             node.name(), actuator.name));
+        continue;
+      }
+      actuators.push_back(std::move(actuator));
+    }
+  return actuators;
+}
+
+}  // namespace thenar::internal

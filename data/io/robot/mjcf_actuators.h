@@ -1,0 +1,53 @@
+#pragma once
+
+/// Fixed tendons and actuators of MJCF.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "data/io/robot/import_couplings.h"
+#include "data/io/robot/mjcf_source.h"
+#include "data/io/robot/robot.h"
+
+namespace thenar::internal {
+
+/// One joint of a fixed tendon.
+struct TendonTerm {
+  std::string joint;
+  double coefficient;  // length per joint value [m/rad] or [1]
+};
+
+/// A fixed tendon: its length is a weighted sum of joint values.
+struct FixedTendon {
+  std::string name;
+  std::vector<TendonTerm> terms;
+  int line = 1;
+  std::optional<JointRange> limits;  // of its length
+};
+
+/// An actuator on a joint or a fixed tendon.
+struct MjcfActuator {
+  std::string name;
+  std::string joint, tendon;  // one of these
+  double effort = 0;          // [N m] or [N]; 0 if unknown
+};
+
+/// Whether an element names a hinge or slide of the robot. In an incomplete model it may name
+/// another, which is noted.
+/// @throws DataError if there is no such joint in a complete model
+[[nodiscard]] bool has_joint(const MjcfSource& source, const RobotSpec& robot,
+                             const pugi::xml_node& node, const std::string& name);
+
+/// Reads the fixed tendons, with limits by MuJoCo's rules; spatial tendons are noted.
+/// @throws DataError
+[[nodiscard]] std::vector<FixedTendon> read_fixed_tendons(const MjcfSource& source,
+                                                          const RobotSpec& robot);
+
+/// Reads the actuators of joints and of these tendons; others are noted.
+/// @throws DataError
+[[nodiscard]] std::vector<MjcfActuator> read_actuators(const MjcfSource& source,
+                                                       const RobotSpec& robot,
+                                                       const std::vector<FixedTendon>& tendons);
+
+}  // namespace thenar::internal
