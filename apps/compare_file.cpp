@@ -146,7 +146,7 @@ OrderedJson best_json(const BestGrasp& best) {
   OrderedJson out{{"approach", best.approach},
                   {"epsilon", best.epsilon},
                   {"type", best.type},
-                  {"hold_N", number_json(best.hold)},
+                  {"hold_N", number_json(best.min_grasp_force)},
                   {"hand_epsilon_N", number_json(best.hand_epsilon)},
                   {"margin", margin_json(best.margin)},
                   {"reasons", best.reasons},
@@ -163,7 +163,7 @@ BestGrasp best_of(const nlohmann::json& json, int approaches) {
   best.approach = whole(json.at("approach"), "approach", 0, approaches - 1);
   best.epsilon = within(json.at("epsilon"), "epsilon", 0, kStrongest);
   best.type = json.at("type");
-  best.hold = load_of(json.at("hold_N"), "hold_N");
+  best.min_grasp_force = load_of(json.at("hold_N"), "hold_N");
   best.hand_epsilon = load_of(json.at("hand_epsilon_N"), "hand_epsilon_N");
   best.margin = margins_of(json.at("margin"));
   best.reasons = json.at("reasons").get<std::map<std::string, std::string>>();

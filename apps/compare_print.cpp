@@ -33,9 +33,9 @@ std::vector<std::string> cell_row(const HandOnObject& cell, const std::vector<Gr
                                shown(100 * cell.interval.upper, 0),
                                known(cell.quantile(0.5), 3),
                                known(cell.quantile(1), 3),
-                               known(cell.best_hand_epsilon().most),
+                               known(cell.best_hand_epsilon().max),
                                known(cell.min_grasp_force())};
-  for (const GraspTask task : loads) row.push_back(known(cell.load(task).most));
+  for (const GraspTask task : loads) row.push_back(known(cell.load(task).max));
   return row;
 }
 

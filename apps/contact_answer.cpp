@@ -219,7 +219,7 @@ OrderedJson task_json(const TaskAnswer& task, bool planar) {
 
 OrderedJson matrix_json(const GraspMatrixMeasures& m) {
   return {{"rank", m.rank},
-          {"least_singular_value", m.least},
+          {"least_singular_value", m.min_singular_value},
           {"isotropy", m.isotropy},
           {"volume", m.volume},
           {"internal_forces", m.internal_forces}};
@@ -227,8 +227,9 @@ OrderedJson matrix_json(const GraspMatrixMeasures& m) {
 
 std::string matrix_words(const GraspMatrixMeasures& m) {
   return fmt::format(
-      "least singular value {:.4g}, isotropy {:.4g}, volume {:.4g}, {} internal force{}", m.least,
-      m.isotropy, m.volume, m.internal_forces, m.internal_forces == 1 ? "" : "s");
+      "least singular value {:.4g}, isotropy {:.4g}, volume {:.4g}, {} internal force{}",
+      m.min_singular_value, m.isotropy, m.volume, m.internal_forces,
+      m.internal_forces == 1 ? "" : "s");
 }
 
 std::string task_words(const TaskAnswer& task, bool planar) {

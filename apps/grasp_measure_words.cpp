@@ -28,7 +28,7 @@ OrderedJson ball_json(const InscribedBall& ball) {
 }
 
 OrderedJson stiffness_json(const GraspStiffness& stiffness) {
-  return {{"least", stiffness.least},
+  return {{"least", stiffness.min_eigenvalue},
           {"softest", to_json(stiffness.softest)},
           {"softest_words", direction_words(stiffness.softest)},
           {"pad_force_N", kPadForce},
@@ -93,7 +93,7 @@ std::vector<MeasureRow> measure_rows(const GraspMeasures& m) {
   add_row(rows, "withstands a pull along z", m.pull, in("N"));
   add_row(rows, "withstands a turn about z", m.turn, in("N m"));
   add_row(rows, "least stiffness of pads", m.stiffness, [](const GraspStiffness& stiffness) {
-    return fmt::format("{:.4g} N/m, {}", stiffness.least, motion_words(stiffness.softest));
+    return fmt::format("{:.4g} N/m, {}", stiffness.min_eigenvalue, motion_words(stiffness.softest));
   });
   add_row(rows, "moves the object", m.manipulability, object_motion_words);
   if (m.edges > 0)

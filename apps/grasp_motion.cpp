@@ -78,7 +78,7 @@ nlohmann::ordered_json object_motion_json(const ObjectMotion& motion) {
   const Manipulability& m = motion.manipulability;
   return {{"unit", motion.unit},   {"drives", motion.drives},
           {"rank", m.rank},        {"singular_values", to_json(motion.speeds)},
-          {"volume", m.volume},    {"least", m.least},
+          {"volume", m.volume},    {"least", m.min_singular_value},
           {"isotropy", m.isotropy}};
 }
 
@@ -90,8 +90,8 @@ std::string object_motion_words(const ObjectMotion& motion) {
   if (m.rank < 6)
     return fmt::format("in {} of 6 directions {} without slip, at most {:.3g} {}", m.rank, drives,
                        motion.speeds[0], motion.unit);
-  return fmt::format("at least {:.3g} {} in each direction, isotropy {:.3g}", m.least, motion.unit,
-                     m.isotropy);
+  return fmt::format("at least {:.3g} {} in each direction, isotropy {:.3g}", m.min_singular_value,
+                     motion.unit, m.isotropy);
 }
 
 }  // namespace thenar

@@ -73,9 +73,9 @@ double hand_reach(const CollisionHand& hand, const Eigen::VectorXd& q) {
   const PalmApproach& approach = hand.hand->layout().approach;
   const std::vector<Pose<double>> links = hand.hand->pose(q);
   double reach = 0;
-  for (std::size_t s = 0; s < hand.touch.size(); ++s) {
+  for (std::size_t s = 0; s < hand.trees.size(); ++s) {
     // The bounding ball of each surface, on its link.
-    const Ball& ball = hand.touch[s].nodes[0].ball;
+    const Ball& ball = hand.trees[s].nodes[0].ball;
     const int link = hand.hand->surfaces()[s].link;
     const Eigen::Vector3d c = link < 0 ? ball.c : links[link] * ball.c;
     reach = std::max(reach, (c - approach.point).norm() + ball.r);

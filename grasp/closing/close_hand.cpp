@@ -31,7 +31,7 @@ class Closing {
         posed_{touching, X_WH, hand_.pose(q)},
         q_(q),
         clearances_(scene_clearances(posed_, scene)),
-        speeds_(touching.touch.size()) {
+        speeds_(touching.trees.size()) {
     // Links that may stop each other.
     if (!options.self) return;
     SelfClearances self = self_clearances(posed_, options.accuracy);
@@ -77,7 +77,7 @@ class Closing {
   void find_speeds() {
     for (std::size_t s = 0; s < speeds_.size(); ++s)
       speeds_[s] = surface_speed(hand_, q_, drives_.rates(), static_cast<int>(s),
-                                 touching_.touch[s].nodes[0].ball);
+                                 touching_.trees[s].nodes[0].ball);
   }
 
   /// Sum of the speeds of coordinates that move one of the two things and not the other.

@@ -94,7 +94,7 @@ CollisionHand collision_hand(const Hand& hand, const Materials& materials) {
   require(!surfaces.empty(), "the hand has no surface that could touch");
   CollisionHand built{&hand, {}, moved_by(hand), {}};
   // A tree of triangles for each surface, and the pairs that may meet.
-  for (const LinkSurface& surface : surfaces) built.touch.push_back(collision_tree(*surface.solid));
+  for (const LinkSurface& surface : surfaces) built.trees.push_back(collision_tree(*surface.solid));
   for (int a = 0; a < static_cast<int>(surfaces.size()); ++a)
     for (int b = 0; b < a; ++b)
       if (const auto pair = pair_of(hand, built.moved_by, materials, a, b))

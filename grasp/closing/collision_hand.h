@@ -25,7 +25,7 @@ struct SurfacePair {
 /// Surfaces of a hand as collision trees; constant once built. The hand must outlive it.
 struct CollisionHand {
   const Hand* hand;
-  std::vector<CollisionTree> touch;  // of each surface, hand frame, reference posture
+  std::vector<CollisionTree> trees;  // of each surface, hand frame, reference posture
   MovedBy moved_by;                  // (surfaces, coordinates)
   std::vector<SurfacePair> self;     // pairs that may meet: all but near ones of one limb
 };

@@ -118,13 +118,13 @@ std::vector<HandContact> find_contacts(const PosedCollisionHand& posed, const Sc
                                        const ContactPatchOptions& options, const PadOptions& pads) {
   std::vector<ContactPatch> patches;
   // Patches of every surface near the object, with the friction of both materials.
-  for (int s = 0; s < static_cast<int>(posed.touching.touch.size()); ++s) {
+  for (int s = 0; s < static_cast<int>(posed.touching.trees.size()); ++s) {
     Clearance clearance{s, -1, &scene.object};
     if (ball_bound(clearance, posed) > options.tolerance) continue;
     const LinkSurface& surface = posed.touching.hand->surfaces()[s];
     const double mu =
         scene.materials.between(surface.material, scene.object.material).static_coefficient;
-    ContactPatches found = contact_patches(posed.touching.touch[s], posed.of_surface(s),
+    ContactPatches found = contact_patches(posed.touching.trees[s], posed.of_surface(s),
                                            scene.object.solid, scene.object.X_WB, mu, options);
     for (ContactPatch& patch : found.patches) {
       for (HandContact& contact : patch.contacts) contact.surface = s;

@@ -128,7 +128,7 @@ BestGrasp describe(const Setting& setting, const Tried& tried, int number,
   // Loads that the grasp resists, and reasons for zero or unknown ones.
   const GraspLoads loads =
       grasp_loads(held_by(setting, grasp), setting.scene.object, setting.mass, options.tasks);
-  best.hold = loads.hold;
+  best.min_grasp_force = loads.min_grasp_force;
   best.margin = loads.margin;
   best.reasons = loads.reasons;
   best.hand_epsilon = tried.epsilon.value;

@@ -41,24 +41,24 @@ LoadFound HandOnObject::load(GraspTask task) const {
   for (const BestGrasp& grasp : best) {
     const auto found = grasp.margin.find(name_of(task));
     if (found == grasp.margin.end()) continue;
-    ++load.of;
+    ++load.asked;
     if (!std::isnan(found->second)) ++load.known;
-    load.most = std::fmax(load.most, found->second);
+    load.max = std::fmax(load.max, found->second);
   }
   return load;
 }
 
 LoadFound HandOnObject::best_hand_epsilon() const {
   LoadFound load;
-  load.of = closures;
+  load.asked = closures;
   load.known = static_cast<int>(hand_epsilon.size());
-  if (load.known > 0) load.most = hand_epsilon[hand_epsilon.size() - 1];
+  if (load.known > 0) load.max = hand_epsilon[hand_epsilon.size() - 1];
   return load;
 }
 
 double HandOnObject::min_grasp_force() const {
   double least = std::numeric_limits<double>::quiet_NaN();
-  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.hold);
+  for (const BestGrasp& grasp : best) least = std::fmin(least, grasp.min_grasp_force);
   return least;
 }
 

@@ -76,7 +76,7 @@ struct BestGrasp {
   std::vector<HandContact> contacts;     // in the object's frame
   double epsilon = 0;                    // certified lower bound [unit forces]
   std::string type;                      // grasp_type()
-  double hold = 0;                       // smallest sum of normal forces that holds the weight,
+  double min_grasp_force = 0;            // smallest sum of normal forces that holds the weight,
                                          // whichever axis points down, by friction alone [N];
                                          // infinite: impossible
   std::map<std::string, double> margin;  // task -> largest load resisted with the actuation of the
@@ -88,9 +88,9 @@ struct BestGrasp {
 
 /// The largest load over several grasps.
 struct LoadFound {
-  double most = std::numeric_limits<double>::quiet_NaN();  // as BestGrasp; NaN: unknown for all
-  int known = 0;                                           // number of grasps for which it is known
-  int of = 0;                                              // number of grasps asked
+  double max = std::numeric_limits<double>::quiet_NaN();  // as BestGrasp; NaN: unknown for all
+  int known = 0;                                          // number of grasps for which it is known
+  int asked = 0;                                          // number of grasps asked
 };
 
 /// One hand on one object.
@@ -114,7 +114,7 @@ struct HandOnObject {
   /// Epsilon of the hand over all closures.
   [[nodiscard]] LoadFound best_hand_epsilon() const;
 
-  /// Least `hold` of `best`; NaN without grasps [N].
+  /// Least `min_grasp_force` of `best`; NaN without grasps [N].
   [[nodiscard]] double min_grasp_force() const;
 
   /// Quantile of epsilon by linear interpolation; NaN without closures. @param p  in [0, 1]

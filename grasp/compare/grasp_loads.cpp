@@ -79,8 +79,9 @@ GraspLoads grasp_loads(const HeldObject& held, const SceneBody& object, double m
   // Grasp force that friction alone needs for the weight, along every axis.
   const ForceSet friction = free_forces(held_by.set);
   for (const ScaledWrench& load : both_ways(0, 2, kGravity * mass))
-    loads.hold = std::max(loads.hold,
-                          minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
+    loads.min_grasp_force =
+        std::max(loads.min_grasp_force,
+                 minimum_grasp_force(friction, load, GraspForceObjective::kSum).objective);
 
   // Margins of the tasks within the actuation of the hand.
   const ForceSet forces = hand_forces(held_by.set, held_by.T, held_by.actuation);

@@ -87,7 +87,7 @@ Push find_push(const CollisionHand& hand, const Grasp& grasp) {
       Push push{{0, 0, 0}, mirrored(hand, j, surface.digit)};
       if (push.others.empty()) continue;
       // The object slides as the digit moves, across the approach.
-      const Eigen::Vector3d middle = hand.touch[contact.surface].nodes[0].ball.c;
+      const Eigen::Vector3d middle = hand.trees[contact.surface].nodes[0].ball.c;
       const Eigen::Vector3d v =
           rates[j] *
           hand.hand->jacobian(grasp.closed.q, surface.link, middle).bottomRows<3>().col(j);

@@ -25,7 +25,7 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> grasp_matrix(const std::vector<Contact>
 
 GraspMatrixMeasures grasp_matrix_measures(const Eigen::MatrixXd& G) {
   const Manipulability of_G = manipulability(G);
-  return {of_G.rank, of_G.least, of_G.isotropy, of_G.volume,
+  return {of_G.rank, of_G.min_singular_value, of_G.isotropy, of_G.volume,
           static_cast<int>(G.cols()) - of_G.rank};
 }
 

@@ -19,9 +19,9 @@ namespace thenar {
 
 /// Measures of a grasp matrix G. Rows that are zero in a planar problem are left out.
 struct GraspMatrixMeasures {
-  int rank;             // singular values above 1e-12 of the largest
-  double least;         // smallest singular value, 0 below full rank: distance from losing rank [1]
-  double isotropy;      // smallest by largest singular value; 1: alike in all directions [1]
+  int rank;                   // singular values above 1e-12 of the largest
+  double min_singular_value;  // 0 below full rank: distance from losing rank [1]
+  double isotropy;            // smallest by largest singular value; 1: alike in all directions [1]
   double volume;        // sqrt(det G G'), product of singular values: volume of the ellipsoid of
                         // wrenches of forces |f| = 1, over that of the unit ball [1]
   int internal_forces;  // dimension of the null space of G: internal forces

@@ -23,7 +23,7 @@ struct JointStiffness {
 /// torque scale, so that all are forces and lengths.
 struct GraspStiffness {
   Eigen::Matrix<double, 6, 6> K;  // [N/m]
-  double least;                   // smallest eigenvalue: stiffness of the softest direction [N/m]
+  double min_eigenvalue;          // stiffness of the softest direction [N/m]
   ScaledWrench softest;           // unit displacement, rotation times scale (6)
 };
 

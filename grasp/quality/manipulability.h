@@ -8,10 +8,10 @@ namespace thenar {
 
 /// Measures of the singular values of a map.
 struct Manipulability {
-  double volume;    // product of all singular values, sqrt(det M M')
-  double least;     // smallest singular value: the worst direction
-  double isotropy;  // smallest by largest; 1: alike in all directions, 0: singular [1]
-  int rank;         // number of singular values above 1e-12 of the largest
+  double volume;              // product of all singular values, sqrt(det M M')
+  double min_singular_value;  // the worst direction
+  double isotropy;            // smallest by largest; 1: alike in all directions, 0: singular [1]
+  int rank;                   // number of singular values above 1e-12 of the largest
 };
 
 /// Manipulability measures of a Jacobian or a grasp map M (rows <= columns for full rank):

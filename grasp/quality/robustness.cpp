@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/spatial.h"
+#include "base/units.h"
 #include "grasp/contact/contact.h"
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
@@ -14,7 +15,6 @@ namespace thenar {
 namespace {
 
 constexpr double kNormal95 = 1.959963984540054;  // quantile 0.975 of the normal distribution
-constexpr double kPi = 3.14159265358979323846;
 
 /// Uniform in the open interval (0, 1).
 double uniform(std::mt19937& rng) { return (static_cast<double>(rng()) + 0.5) / 4294967296.0; }

@@ -40,7 +40,9 @@ bool has_tendon(const std::vector<FixedTendon>& tendons, const std::string& name
 
 bool has_joint(const MjcfSource& source, const RobotSpec& robot, const pugi::xml_node& node,
                const std::string& name) {
-  if (find_joint(robot, name) != nullptr) return true;
+  if (std::any_of(robot.joints.begin(), robot.joints.end(),
+                  [&](const RobotJoint& joint) { return joint.name == name; }))
+    return true;
   const std::string what =
       fmt::format("<{}> names joint '{}', and there is no such hinge or slide", node.name(), name);
   if (!source.incomplete) source.file.fail(node, what);

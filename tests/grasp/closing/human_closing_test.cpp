@@ -60,7 +60,7 @@ double deepest(const CollisionHand& hand, const Eigen::VectorXd& q, const std::s
   for (const SurfacePair& pair : hand.self) {
     if (surfaces[pair.a].digit != digit && surfaces[pair.b].digit != digit) continue;
     const SignedDistance found =
-        signed_distance(hand.touch[pair.a], posed.of_surface(pair.a), *surfaces[pair.b].solid,
+        signed_distance(hand.trees[pair.a], posed.of_surface(pair.a), *surfaces[pair.b].solid,
                         posed.of_surface(pair.b), exact);
     depth = std::max(depth, -found.distance);
   }
@@ -133,7 +133,7 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
       EXPECT_EQ(closed.stopped[j], StoppedBy::kContact) << hand.layout().coordinates[j];
     }
   const PosedCollisionHand posed{touching, {}, hand.pose(closed.q)};
-  for (std::size_t s = 0; s < touching.touch.size(); ++s) {
+  for (std::size_t s = 0; s < touching.trees.size(); ++s) {
     if (hand.surfaces()[s].name.rfind("DP", 0) != 0) continue;
     Clearance clearance{static_cast<int>(s), -1, &scene.object};
     const double distance = measure_clearance(clearance, posed, 2.5e-5, 1e-3).distance;

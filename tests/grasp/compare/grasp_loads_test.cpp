@@ -43,7 +43,7 @@ struct SqueezedBall {
 // weight takes w, the motor holds 2 N.
 TEST(GraspLoads, OfACubeBetweenJawsAreThoseOfFrictionAndMotor) {
   const GraspLoads loads = SqueezedBall(sample::jaws()).loads();
-  EXPECT_NEAR(loads.hold, kWeight, 1e-6);
+  EXPECT_NEAR(loads.min_grasp_force, kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("hold-weight"), 2 / kWeight, 1e-6);
   EXPECT_NEAR(loads.margin.at("pull"), 2, 1e-6);
   EXPECT_TRUE(loads.reasons.empty());
@@ -132,16 +132,16 @@ TEST(HandEpsilon, GrowsWithTheMotor) {
 
 TEST(HandOnObject, TakesTheLargestLoadAndCountsThoseThatAreKnown) {
   HandOnObject cell;
-  EXPECT_EQ(cell.load(GraspTask::kPull).of, 0);
+  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 0);
   cell.best.resize(4);
   cell.best[0].margin["pull"] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_TRUE(std::isnan(cell.load(GraspTask::kPull).most));
-  EXPECT_EQ(cell.load(GraspTask::kPull).of, 1);
+  EXPECT_TRUE(std::isnan(cell.load(GraspTask::kPull).max));
+  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 1);
   cell.best[1].margin["pull"] = 3;
   cell.best[2].margin["pull"] = 2;
-  EXPECT_EQ(cell.load(GraspTask::kPull).most, 3);
+  EXPECT_EQ(cell.load(GraspTask::kPull).max, 3);
   EXPECT_EQ(cell.load(GraspTask::kPull).known, 2);
-  EXPECT_EQ(cell.load(GraspTask::kPull).of, 3);  // nobody asked the fourth
+  EXPECT_EQ(cell.load(GraspTask::kPull).asked, 3);  // nobody asked the fourth
 }
 
 TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
@@ -149,12 +149,12 @@ TEST(HandOnObject, TakesTheLargestEpsilonOfTheHandAndTheLeastSqueeze) {
   EXPECT_TRUE(std::isnan(cell.min_grasp_force()));
   cell.closures = 3;
   cell.hand_epsilon = Eigen::Vector2d(1, 4);
-  EXPECT_EQ(cell.best_hand_epsilon().most, 4);
+  EXPECT_EQ(cell.best_hand_epsilon().max, 4);
   EXPECT_EQ(cell.best_hand_epsilon().known, 2);
-  EXPECT_EQ(cell.best_hand_epsilon().of, 3);
+  EXPECT_EQ(cell.best_hand_epsilon().asked, 3);
   cell.best.resize(2);
-  cell.best[0].hold = 7;
-  cell.best[1].hold = 5;
+  cell.best[0].min_grasp_force = 7;
+  cell.best[1].min_grasp_force = 5;
   EXPECT_EQ(cell.min_grasp_force(), 5);
 }
 

@@ -21,7 +21,7 @@ TEST(GraspMatrix, OfASoftPinch) {
   ASSERT_EQ(G.cols(), 8);
   const GraspMatrixMeasures found = grasp_matrix_measures(G);
   EXPECT_EQ(found.rank, 6);
-  EXPECT_NEAR(found.least, std::sqrt(2) * r / s, 1e-12);
+  EXPECT_NEAR(found.min_singular_value, std::sqrt(2) * r / s, 1e-12);
   EXPECT_NEAR(found.isotropy, r / s, 1e-12);
   EXPECT_NEAR(found.volume, 8 * std::pow(r / s, 2), 1e-12);
   EXPECT_EQ(found.internal_forces, 2);
@@ -32,7 +32,7 @@ TEST(GraspMatrix, OfAHardPinchLacksATwist) {
   const GraspMatrixMeasures found = grasp_matrix_measures(grasp_matrix(
       {{{-1, 0, 0}, {1, 0, 0}, 0.5, 0}, {{1, 0, 0}, {-1, 0, 0}, 0.5, 0}}, {0, 0, 0}, 1));
   EXPECT_EQ(found.rank, 5);
-  EXPECT_EQ(found.least, 0);
+  EXPECT_EQ(found.min_singular_value, 0);
   EXPECT_EQ(found.isotropy, 0);
   EXPECT_EQ(found.volume, 0);
   EXPECT_EQ(found.internal_forces, 1);

@@ -33,7 +33,7 @@ TEST(GraspStiffness, OfAPinchIsDiagonal) {
   const ScaledWrench diagonal = (ScaledWrench() << 4000, 2000, 2000, twist, turn, turn).finished();
   const GraspStiffness found = stiffness(kPads);
   EXPECT_TRUE(matrix_near(found.K, Eigen::MatrixXd(diagonal.asDiagonal()), kExactStiffness));
-  EXPECT_NEAR(found.least, twist, kExactStiffness);
+  EXPECT_NEAR(found.min_eigenvalue, twist, kExactStiffness);
   EXPECT_NEAR(std::abs(found.softest(3)), 1, kExactStiffness);
 }
 
@@ -50,7 +50,7 @@ TEST(GraspStiffness, JointsAreInSeriesWithPads) {
 TEST(GraspStiffness, IsZeroWithoutContactsAndAlongWhatNoPadResists) {
   EXPECT_TRUE(grasp_stiffness({}, {0, 0, 0}, kScale, {}).K.isZero(0));
   const GraspStiffness hard = stiffness({2, {2000, 1000, 0}});
-  EXPECT_NEAR(hard.least, 0, kExactStiffness);
+  EXPECT_NEAR(hard.min_eigenvalue, 0, kExactStiffness);
   EXPECT_NEAR(std::abs(hard.softest(3)), 1, kExactStiffness);
 }
 
@@ -66,7 +66,7 @@ TEST(Manipulability, IsTheProductOfSingularValues) {
   M << 3, 0, 0, 0, 4, 0;
   const Manipulability found = manipulability(M);
   EXPECT_NEAR(found.volume, 12, kExactStiffness);
-  EXPECT_NEAR(found.least, 3, kExactStiffness);
+  EXPECT_NEAR(found.min_eigenvalue, 3, kExactStiffness);
   EXPECT_NEAR(found.isotropy, 0.75, kExactStiffness);
   EXPECT_EQ(found.rank, 2);
 }

@@ -63,7 +63,7 @@ TEST(NoSlipMobility, RoundingIsNoMotion) {
   EXPECT_EQ(found.drives.cols(), 6);
   EXPECT_TRUE(found.object.isZero(0));
   EXPECT_EQ(manipulability(found.object).rank, 0);
-  EXPECT_EQ(manipulability(found.object).least, 0);
+  EXPECT_EQ(manipulability(found.object).min_singular_value, 0);
 }
 
 // A slide and jaws: the slide is kept, the jaws' closing is not, whatever the order.
