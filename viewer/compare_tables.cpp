@@ -59,7 +59,7 @@ Json glance_row(const Comparison& comparison, const std::string& hand) {
     approaches += cell->approaches;
     held += cell->closures > 0 ? 1 : 0;
     best.push_back(cell->quantile(1));
-    limited.push_back(cell->best_hand_epsilon().most);
+    limited.push_back(cell->best_hand_epsilon().max);
   }
   const HandAbilities* abilities = abilities_of(comparison, hand);
   return {hand,
@@ -113,9 +113,9 @@ Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
   Json row = Json::array(
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
-       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().most),
+       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
        finite(cell.min_grasp_force())});
-  for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).most));
+  for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).max));
   return row;
 }
 
@@ -249,7 +249,7 @@ Json cells_section(const Comparison& comparison) {
   const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
   const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
   const auto limited = [](const HandOnObject& cell) {
-    return finite(cell.best_hand_epsilon().most);
+    return finite(cell.best_hand_epsilon().max);
   };
   Json blocks =
       Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),

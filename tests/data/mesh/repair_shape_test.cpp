@@ -48,7 +48,9 @@ TEST(RepairShape, ClosesAMissingFaceAndSaysSo) {
 }
 
 TEST(RepairShape, LeavesOutWhatIsFlat) {
+  // One triangle: the hull of its corners has no volume.
   ShapeSpec flat = tetrahedron(0.1, 3), ball;
+  flat.mesh.vertices.conservativeResize(3, 3);
   ball.size.x() = 0.01;
   std::vector<ShapeSpec> shapes{flat, ball};
   std::vector<std::string> warnings;
