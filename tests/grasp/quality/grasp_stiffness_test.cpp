@@ -66,7 +66,7 @@ TEST(Manipulability, IsTheProductOfSingularValues) {
   M << 3, 0, 0, 0, 4, 0;
   const Manipulability found = manipulability(M);
   EXPECT_NEAR(found.volume, 12, kExactStiffness);
-  EXPECT_NEAR(found.min_eigenvalue, 3, kExactStiffness);
+  EXPECT_NEAR(found.min_singular_value, 3, kExactStiffness);
   EXPECT_NEAR(found.isotropy, 0.75, kExactStiffness);
   EXPECT_EQ(found.rank, 2);
 }
