@@ -207,8 +207,8 @@ def extensor_hood():
         f.dot(*p, 4.5, "#fff", TENDON)
     f.dot(368, y, 4.5, LINE)
     f.dot(500, y, 4.5, LINE)
-    for x, yy, words, tx, ty in [(40, y, "EDC", 40, 138), (90, 72, "radial interosseus, lumbrical", 110, 62),
-                                 (90, 228, "ulnar interosseus", 80, 250)]:
+    for x, yy, words, tx, ty in [(40, y, "EDC", 40, 138), (90, 72, "radial interosseous, lumbrical", 110, 62),
+                                 (90, 228, "ulnar interosseous", 80, 250)]:
         f.text(tx, ty, words, fill=TENDON)
     for (x, yy), (tx, ty), words in [((335, y), (318, 22), "central slip"), ((390, y - 24), (430, 60), "radial slip (lateral band)"),
                                      ((390, y + 24), (430, 262), "ulnar slip"), ((478, y), (560, 100), "terminal slip"),
