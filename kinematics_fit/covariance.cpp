@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "kinematics_fit/fit_residuals.h"
 #include "solvers/arrow_factor.h"
 
 namespace thenar {
@@ -60,12 +61,13 @@ struct DataRows {
   std::vector<ArrowRows> rows;
 };
 
-DataRows data_rows(const FitProblem& problem, const Eigen::VectorXd& z) {
+DataRows rows_of_data(const FitProblem& problem, const Eigen::VectorXd& z) {
   const int specimens = static_cast<int>(problem.specimens().size());
-  const int shared = problem.population_entries(), own = problem.deviations();
+  const int shared = problem.coordinates().population_entries(),
+            own = problem.coordinates().deviations();
   DataRows out{{shared, own, own > 0 ? specimens : 0}, {}};
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
-    const Eigen::MatrixXd J = problem.data_residuals(z, e, WithJacobian::kYes).J;
+    const Eigen::MatrixXd J = data_residuals(problem, z, e, WithJacobian::kYes).J;
     out.rows.push_back(
         {own > 0 ? problem.specimen_of(e) : -1, J.leftCols(shared), J.rightCols(own)});
   }
@@ -121,7 +123,7 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
 
 Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z) {
   // Data and priors together; the factor of J keeps digits that J'J would lose.
-  const DataRows data = data_rows(problem, z);
+  const DataRows data = rows_of_data(problem, z);
   std::vector<ArrowRows> all = prior_rows(data.layout);
   all.insert(all.end(), data.rows.begin(), data.rows.end());
   Covariance out;
@@ -131,13 +133,13 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   // What the data leave open, by singular values of their own rows.
   const ArrowNullSpace null_directions =
       arrow_null_space(data.layout, data.rows, std::sqrt(kNullCurvature));
-  const std::vector<std::string> names = problem.names();
+  const std::vector<std::string> names = problem.coordinates().names();
   name_nulls(data.layout, null_directions, names, out.null_directions);
 
   constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
   for (Eigen::Index i = 0; i < z.size(); ++i) {
-    const bool at_bound =
-        z[i] < problem.lower()[i] + kOnBound || z[i] > problem.upper()[i] - kOnBound;
+    const bool at_bound = z[i] < problem.coordinates().lower()[i] + kOnBound ||
+                          z[i] > problem.coordinates().upper()[i] - kOnBound;
     out.learnt.push_back({names[i], z[i], std::sqrt(out.C(i, i)),
                           null_share(data.layout, null_directions, i), at_bound});
   }

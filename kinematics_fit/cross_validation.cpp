@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/covariance.h"
+#include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
 namespace {

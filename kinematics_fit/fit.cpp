@@ -7,7 +7,9 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/prediction.h"
+#include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
 namespace internal {
@@ -67,14 +69,14 @@ Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
 
 FittedValues fitted_values(const Fit& fit, int specimen) {
   const FitParameters& parameters = fit.problem.parameters();
-  const std::vector<double> values =
-      parameter_values<double>(parameters, fit.problem.displacements(fit.solution.z, specimen));
-  const std::vector<int> on = fit.problem.entries_of_specimen(specimen);
+  const std::vector<double> values = parameter_values<double>(
+      parameters, displacements(fit.problem.coordinates(), fit.solution.z, specimen));
+  const std::vector<int> on = fit.problem.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J =
-      fit.problem.displacement_jacobian(fit.solution.z, specimen)(Eigen::all, on);
+      displacement_jacobian(fit.problem.coordinates(), fit.solution.z, specimen)(Eigen::all, on);
   Eigen::VectorXd variance = (J * fit.covariance.C(on, on)).cwiseProduct(J).rowwise().sum();
   // What one specimen alone cannot say of the population stays as wide as the prior has it.
-  const Eigen::VectorXd unseen = fit.problem.unseen_variance();
+  const Eigen::VectorXd unseen = unseen_variance(fit.problem.coordinates());
   if (specimen < 0)
     for (int c = 0; c < parameters.coordinates(); ++c) {
       const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
@@ -204,7 +206,7 @@ Fit fit_of(const ResultFile& file) {
           problem.size());
   require(z.allFinite(), "fit/z is not finite");
   const std::vector<std::string>& names = file.list("fit/name");
-  const std::vector<std::string> wanted = problem.names();
+  const std::vector<std::string> wanted = problem.coordinates().names();
   for (std::size_t i = 0; i < wanted.size(); ++i)
     require(i < names.size() && names[i] == wanted[i],
             "coordinate {} of the fit is '{}', its inputs give '{}'", i,
@@ -231,7 +233,7 @@ void write_fit(const Fit& fit, const std::string& path) {
   file.add("format", kFormat);
   add_inputs(fit.inputs, file);
   file.add("fit/z", fit.solution.z, "1", {"coordinate"});
-  file.add("fit/name", fit.problem.names());
+  file.add("fit/name", fit.problem.coordinates().names());
   file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
   file.add("fit/cost", fit.solution.cost, "1");
   file.add("fit/status", name_of(fit.solution.status));

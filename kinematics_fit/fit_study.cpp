@@ -1,6 +1,7 @@
 #include "kinematics_fit/fit_study.h"
 
 #include "base/error.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/force_jacobian.h"
 
 namespace thenar {

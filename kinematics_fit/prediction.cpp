@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/specimen_prior.h"
 
 namespace thenar {
 namespace {
@@ -37,6 +38,20 @@ AngleBelief angle_belief(const FitParameters& fitted, int joint) {
 }
 
 }  // namespace
+
+TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd& z, int e,
+                               WithJacobian want) {
+  require(z.size() == problem.size(), "fit has {} coordinates, got {}", problem.size(), z.size());
+  require(z.allFinite(), "coordinates of a fit must be finite");
+  const int specimen = problem.specimen_of(e);
+  const ExperimentPlan& plan = problem.plans()[e];
+  const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
+  if (want == WithJacobian::kNo)
+    return {force_values(problem.digit(), problem.parameters(), plan, u), {}};
+  ForceJacobian forces = force_jacobian(problem.digit(), problem.parameters(), plan, u);
+  return {std::move(forces.force),
+          forces.J * displacement_jacobian(problem.coordinates(), z, specimen)};
+}
 
 FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment, int joints) {
   const FitParameters known = fitted;
@@ -123,7 +138,7 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
 
 Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e) {
   const Experiment& experiment = problem.experiments()[e];
-  const Eigen::Matrix3Xd force = problem.predict(z, e, WithJacobian::kNo).force;
+  const Eigen::Matrix3Xd force = predict_trials(problem, z, e, WithJacobian::kNo).force;
   return compare_forces(experiment, force, Eigen::Matrix3Xd::Zero(3, force.cols()),
                         calibrated_on_specimen(problem.digit(), experiment));
 }
@@ -136,13 +151,15 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   const int known = fitted.parameters().coordinates();
   const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
-  u.head(known) = fitted.displacements(z, specimen);
+  u.head(known) = displacements(fitted.coordinates(), z, specimen);
   const ForceJacobian forces = force_jacobian(fitted.digit(), parameters, plan, u);
-  const std::vector<int> on = fitted.entries_of_specimen(specimen);
+  const std::vector<int> on = fitted.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J_z =
-      forces.J.leftCols(known) * fitted.displacement_jacobian(z, specimen)(Eigen::all, on);
+      forces.J.leftCols(known) *
+      displacement_jacobian(fitted.coordinates(), z, specimen)(Eigen::all, on);
   Eigen::VectorXd variance = (J_z * C(on, on)).cwiseProduct(J_z).rowwise().sum();
-  if (specimen < 0) variance += forces.J.leftCols(known).cwiseAbs2() * fitted.unseen_variance();
+  if (specimen < 0)
+    variance += forces.J.leftCols(known).cwiseAbs2() * unseen_variance(fitted.coordinates());
   for (int c = known; c < parameters.coordinates(); ++c)
     variance +=
         forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);

@@ -6,10 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "kinematics_fit/covariance.h"
-#include "kinematics_fit/fit_problem.h"
+#include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
+
+/// Forces of all trials of an experiment, and their Jacobian by the coordinates of a fit.
+struct TrialPrediction {
+  Eigen::Matrix3Xd force;  // [N] (3, trials)
+  Eigen::MatrixXd J;       // [N] (3 trials, size); empty if not asked for
+};
+
+/// Experiment `e` of the problem at z.
+/// @throws InputError if z has another size or is not finite.
+[[nodiscard]] TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd& z,
+                                             int e, WithJacobian want);
 
 /// One trial, predicted.
 struct PredictedTrial {

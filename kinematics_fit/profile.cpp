@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "kinematics_fit/fit_residuals.h"
 
 namespace thenar {
 namespace {
@@ -95,7 +96,7 @@ Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z
 Profile profile_likelihood(const FitProblem& problem, const Eigen::VectorXd& z, int i,
                            const ProfileOptions& options) {
   Profile profile = profile_likelihood(least_squares(problem), z, i, options);
-  profile.name = problem.names()[static_cast<std::size_t>(i)];
+  profile.name = problem.coordinates().names()[static_cast<std::size_t>(i)];
   return profile;
 }
 

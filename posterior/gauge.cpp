@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "kinematics_fit/specimen_prior.h"
+
 namespace thenar {
 namespace {
 
@@ -26,8 +28,10 @@ int own_coordinate(const FitParameters& parameters, int parameter) {
 /// differ between specimens where their tilts do.
 bool takes_up(const FitProblem& problem, int point, int along, int tilt) {
   if (point < 0) return false;
-  const CoordinateEntries &a = problem.entries(along), &b = problem.entries(point);
-  const bool differ = a.deviation >= 0 || (tilt >= 0 && problem.entries(tilt).deviation >= 0);
+  const CoordinateEntries &a = problem.coordinates().entries(along),
+                          &b = problem.coordinates().entries(point);
+  const bool differ =
+      a.deviation >= 0 || (tilt >= 0 && problem.coordinates().entries(tilt).deviation >= 0);
   return (a.population < 0 || b.population >= 0) && (!differ || b.deviation >= 0);
 }
 
@@ -39,10 +43,10 @@ double tilt(const FitParameters& parameters, int parameter, const Eigen::VectorX
 /// Displacements of the population (-1) or of a specimen, before the share of the former is taken.
 Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::VectorXd& z,
                                     int specimen) {
-  if (specimen >= 0) return problem.displacements(z, specimen);
+  if (specimen >= 0) return displacements(problem.coordinates(), z, specimen);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
   for (int c = 0; c < static_cast<int>(u.size()); ++c) {
-    const CoordinateEntries& of = problem.entries(c);
+    const CoordinateEntries& of = problem.coordinates().entries(c);
     if (of.population >= 0) u[c] = of.population_sd * z[of.population];
   }
   return u;
@@ -83,13 +87,13 @@ Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gaug
     const auto shift = [&](const Eigen::VectorXd& u, int k) {
       return -u[gauge.along] * tilt(parameters, gauge.tilt[k], u);
     };
-    const CoordinateEntries& along = problem.entries(gauge.along);
+    const CoordinateEntries& along = problem.coordinates().entries(gauge.along);
     if (along.population >= 0) z[along.population] = 0;
     for (int s = 0; s < specimens && along.deviation >= 0; ++s)
-      z[along.deviation + s * problem.deviations()] = 0;
+      z[along.deviation + s * problem.coordinates().deviations()] = 0;
     for (int k = 0; k < 2 && gauge.point[k] >= 0; ++k) {
       const int c = gauge.point[k];
-      const CoordinateEntries& point = problem.entries(c);
+      const CoordinateEntries& point = problem.coordinates().entries(c);
       double common = 0;
       if (point.population >= 0) {
         common = population[c] + shift(population, k);
@@ -97,7 +101,7 @@ Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gaug
       }
       for (int s = 0; s < specimens && point.deviation >= 0; ++s) {
         const Eigen::VectorXd u = whole_displacements(problem, before, s);
-        z[point.deviation + s * problem.deviations()] =
+        z[point.deviation + s * problem.coordinates().deviations()] =
             deviation_entry(point, common, u[c] + shift(u, k) - common);
       }
     }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
+#include "kinematics_fit/specimen_prior.h"
 #include "posterior/posterior_parts.h"
 #include "posterior/tilt_density.h"
 
@@ -62,10 +63,10 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
 /// u of each specimen where bounds hold some coordinates; zero where an entry of x moves it.
 std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
-  for (const int i : entries.fixed) z[i] = problem.lower()[i];
+  for (const int i : entries.fixed) z[i] = problem.coordinates().lower()[i];
   std::vector<Eigen::VectorXd> rest;
   for (std::size_t s = 0; s < problem.specimens().size(); ++s) {
-    rest.push_back(problem.displacements(z, static_cast<int>(s)));
+    rest.push_back(displacements(problem.coordinates(), z, static_cast<int>(s)));
     for (const CoordinateEntry& entry : entries.coordinates) rest.back()[entry.coordinate] = 0;
   }
   return rest;
@@ -204,7 +205,7 @@ double entry_image(const CoordinateEntry& entry, double k, double x) {
 /// z of an entry whose bounds count from its population's, where the latter's z is set already.
 double centred_entry(const internal::PosteriorParts& parts, const CoordinateEntry& entry, double k,
                      const VectorXd& z, double x) {
-  const CoordinateEntries& of = parts.problem.entries(entry.coordinate);
+  const CoordinateEntries& of = parts.problem.coordinates().entries(entry.coordinate);
   const double population = of.population_sd * z[of.population];
   if (k == 1) return x;
   return deviation_entry(of, population, specimen_deviation(of, population, x, k).u);
@@ -221,7 +222,7 @@ double entry_from(const CoordinateEntry& entry, double k, double y) {
 }  // namespace
 
 std::vector<std::string> HandPosterior::names() const {
-  const std::vector<std::string> all = parts_->problem.names();
+  const std::vector<std::string> all = parts_->problem.coordinates().names();
   std::vector<std::string> names;
   for (const CoordinateEntry& entry : parts_->entries.coordinates) names.push_back(all[entry.z]);
   if (parts_->entries.noise_scales > 0)
@@ -252,7 +253,7 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
   require(x.size() == size(), "the posterior has {} entries, got {}", size(), x.size());
   const PosteriorEntries& entries = parts_->entries;
   VectorXd z = VectorXd::Zero(parts_->problem.size());
-  for (const int fixed : entries.fixed) z[fixed] = parts_->problem.lower()[fixed];
+  for (const int fixed : entries.fixed) z[fixed] = parts_->problem.coordinates().lower()[fixed];
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
     const double k = entry.specimen_scale < 0
@@ -292,7 +293,8 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
   for (Index p = 0; p < x.cols(); ++p) {
     const VectorXd z = fit_coordinates(x.col(p));
     const auto row = [&](int specimen) {
-      return values_of(problem.parameters(), moving, problem.displacements(z, specimen));
+      return values_of(problem.parameters(), moving,
+                       displacements(problem.coordinates(), z, specimen));
     };
     out.population.col(p) = row(-1);
     for (std::size_t s = 0; s < out.specimens.size(); ++s)

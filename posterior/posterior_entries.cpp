@@ -14,10 +14,10 @@ class EntryLister {
     for (const Gauge& gauge : out_.gauges) left_out_.push_back(gauge.along);
     const int coordinates = problem.parameters().coordinates();
     for (int c = 0; c < coordinates; ++c) {
-      const CoordinateEntries of = problem.entries(c);
+      const CoordinateEntries of = problem.coordinates().entries(c);
       if (of.population >= 0) add(of.population, c, -1, of.population_sd);
       for (int s = 0; s < static_cast<int>(problem.specimens().size()) && of.deviation >= 0; ++s)
-        add(of.deviation + s * problem.deviations(), c, s, of.deviation_sd);
+        add(of.deviation + s * problem.coordinates().deviations(), c, s, of.deviation_sd);
     }
     std::sort(out_.coordinates.begin(), out_.coordinates.end(),
               [](const CoordinateEntry& a, const CoordinateEntry& b) { return a.z < b.z; });
@@ -36,9 +36,11 @@ class EntryLister {
   void add(int z, int c, int specimen, double sd) {
     if (std::count(left_out_.begin(), left_out_.end(), c) > 0) return;
     constexpr double kRoom = 1e-12;  // less is rounding [prior sds]
-    const CoordinateEntries& of = problem_.entries(c);
+    const CoordinateEntries& of = problem_.coordinates().entries(c);
     if (specimen >= 0 && of.upper - of.lower <= kRoom * sd) return;  // its population is fixed, too
-    CoordinateEntry entry{z, c, specimen, sd, problem_.lower()[z], problem_.upper()[z], {}, -1, -1};
+    CoordinateEntry entry{
+        z,  c,  specimen, sd, problem_.coordinates().lower()[z], problem_.coordinates().upper()[z],
+        {}, -1, -1};
     if (entry.upper - entry.lower <= kRoom) {
       out_.fixed.push_back(z);
       return;
@@ -50,7 +52,7 @@ class EntryLister {
 
   /// The population's entry, where a specimen's sum with it is bounded.
   void find_centre(CoordinateEntry& entry) const {
-    const CoordinateEntries& of = problem_.entries(entry.coordinate);
+    const CoordinateEntries& of = problem_.coordinates().entries(entry.coordinate);
     if (entry.specimen < 0 || (std::isinf(of.lower) && std::isinf(of.upper))) return;
     const auto population = std::find_if(
         out_.coordinates.begin(), out_.coordinates.end(), [&](const CoordinateEntry& other) {

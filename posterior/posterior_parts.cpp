@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "base/units.h"
+#include "kinematics_fit/specimen_prior.h"
 #include "posterior/simd_loops.h"
 #include "posterior/tilt_density.h"
 
@@ -56,7 +57,7 @@ void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, 
   const double centre = out.y(entry.centre, p), x = out.x(i, p);
   SpecimenDeviation own{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
   if (std::isfinite(k) && std::isfinite(centre) && std::isfinite(x))
-    own = specimen_deviation(parts.problem.entries(entry.coordinate), centre, x, k);
+    own = specimen_deviation(parts.problem.coordinates().entries(entry.coordinate), centre, x, k);
   out.y(i, p) = own.u;
   out.by_x(i, p) = own.by_x;
   out.by_centre(i, p) = own.by_population;

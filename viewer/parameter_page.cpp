@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/specimen_prior.h"
 #include "viewer/digit_layers.h"
 #include "viewer/fit_pages.h"
 
@@ -76,7 +78,7 @@ Json null_table(const SpecimenStudy& study) {
       fmt::format(
           "{}: {} of {} directions are known from the prior alone ({} forces were measured)",
           study.fit.problem.specimens().front(), rows.size(), study.fit.problem.size(),
-          study.fit.problem.data_rows()),
+          data_rows(study.fit.problem)),
       {{"direction, in prior sds", ""}}, rows);
 }
 
@@ -84,10 +86,11 @@ Json null_table(const SpecimenStudy& study) {
 TendonDigit fitted_digit(const Fit& fit) {
   TendonDigit digit = fit.problem.digit();
   const FitParameters& parameters = fit.problem.parameters();
-  digit.model = specimen_model(digit, parameters,
-                               parameter_values<double>(
-                                   parameters, fit.problem.displacements(fit.solution.z, 0)))
-                    .digit;
+  digit.model =
+      specimen_model(digit, parameters,
+                     parameter_values<double>(
+                         parameters, displacements(fit.problem.coordinates(), fit.solution.z, 0)))
+          .digit;
   return digit;
 }
 

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "kinematics_fit/specimen_prior.h"
 
 namespace thenar::bench {
 
@@ -16,9 +17,10 @@ ThumbDensity::Compiled::Compiled(const FitProblem& problem) {
 ThumbDensity::ThumbDensity(const FitProblem& problem)
     : compiled_(problem),
       unit_(&kernel::simd_backends().back()),
-      lower_(problem.lower()),
-      upper_(problem.upper()),
-      scale_(problem.displacement_jacobian(Eigen::VectorXd::Zero(problem.size()), 0).diagonal()),
+      lower_(problem.coordinates().lower()),
+      upper_(problem.coordinates().upper()),
+      scale_(displacement_jacobian(problem.coordinates(), Eigen::VectorXd::Zero(problem.size()), 0)
+                 .diagonal()),
       measured_(problem.plans().front().force.reshaped()),
       precision_(problem.plans().front().sd.cwiseInverse().reshaped()),
       u_(problem.size()),

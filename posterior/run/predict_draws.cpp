@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
+#include "kinematics_fit/specimen_prior.h"
 #include "posterior/force_density.h"
 
 namespace thenar {
@@ -57,8 +58,8 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
     return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
   };
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
-  u.head(known) = problem.displacements(run.posterior->fit_coordinates(x), specimen);
-  const Eigen::VectorXd sd = problem.unseen_variance().cwiseSqrt();
+  u.head(known) = displacements(problem.coordinates(), run.posterior->fit_coordinates(x), specimen);
+  const Eigen::VectorXd sd = unseen_variance(problem.coordinates()).cwiseSqrt();
   const std::vector<int> moving = run.posterior->moving_parameters();
   for (int c = 0; c < known && specimen < 0; ++c)
     if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/provenance.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "sampling/methods/laplace_covariance.h"
 #include "sampling/methods/parallel_tempering.h"
 #include "sampling/run/communicator.h"

@@ -73,7 +73,7 @@ TEST(PosteriorCovariance, IsTheInverseOfTheCurvature) {
   const FitProblem problem = middle_finger(kAxesAndPaths).problem();
   const VectorXd z = VectorXd::Constant(problem.size(), 0.1);
   const Covariance covariance = posterior_covariance(problem, z);
-  const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J;
+  const Eigen::MatrixXd J = fit_residuals(problem, z, WithJacobian::kYes).J;
   EXPECT_TRUE(matrix_near(covariance.C * (J.transpose() * J),
                           Eigen::MatrixXd::Identity(z.size(), z.size()), 1e-8));
   // Each parameter is learnt by 1 - C_ii; their sum is the trace of data curvature times C.
@@ -96,7 +96,7 @@ TEST(FitProblem, RecoversPredictionsAndIdentifiableParametersWithoutNoise) {
   const Solution found = fit(problem);
   ASSERT_EQ(found.status, SolveStatus::kConverged) << found.message;
 
-  const Eigen::Matrix3Xd force = problem.predict(found.z, 0, WithJacobian::kNo).force;
+  const Eigen::Matrix3Xd force = predict_trials(problem, found.z, 0, WithJacobian::kNo).force;
   EXPECT_LT((force - problem.plans()[0].force).cwiseAbs().maxCoeff(), 1e-8);  // [N]
 
   const VectorXd total =
@@ -152,8 +152,8 @@ TEST(FitProblem, OneSpecimenIsTheTwoLevelProblemSummedUp) {
   apart.upper = VectorXd::Constant(2 * n, 100);
   apart.residuals = [&](const VectorXd& z, WithJacobian) {
     const VectorXd u = sd.cwiseProduct(z.head(n)) + between.cwiseProduct(z.tail(n));
-    const Residuals data = alone.evaluate(u.cwiseQuotient(total), WithJacobian::kYes);
-    const int rows = alone.data_rows();
+    const Residuals data = fit_residuals(alone, u.cwiseQuotient(total), WithJacobian::kYes);
+    const int rows = data_rows(alone);
     Residuals out{VectorXd(rows + 2 * n), Eigen::MatrixXd(rows + 2 * n, 2 * n)};
     out.r << data.r.head(rows), z;
     const Eigen::MatrixXd by_u = data.J.topRows(rows) * total.cwiseInverse().asDiagonal();
@@ -167,19 +167,21 @@ TEST(FitProblem, OneSpecimenIsTheTwoLevelProblemSummedUp) {
   const Solution two_level = solve(apart, VectorXd::Zero(2 * n), options);
   const Solution one = fit(alone);
   EXPECT_NEAR(two_level.cost, one.cost, 1e-9 * one.cost);
-  EXPECT_TRUE(matrix_near(alone.displacements(one.z, -1), sd.cwiseProduct(two_level.z.head(n)),
+  EXPECT_TRUE(matrix_near(displacements(alone.coordinates(), one.z, -1),
+                          sd.cwiseProduct(two_level.z.head(n)),
                           1e-5));  // [rad]
   const VectorXd person =
       sd.cwiseProduct(two_level.z.head(n)) + between.cwiseProduct(two_level.z.tail(n));
-  EXPECT_TRUE(matrix_near(alone.displacements(one.z, 0), person, 1e-5));
+  EXPECT_TRUE(matrix_near(displacements(alone.coordinates(), one.z, 0), person, 1e-5));
 }
 
 // Where data say nothing (C = 1), an unseen person varies by sd^2 + between^2 again.
 TEST(FitProblem, UnseenVarianceAddsUpToThePrior) {
   const FitSetup setup = middle_finger(kAxes);
   const FitProblem problem = setup.problem();
-  const Eigen::MatrixXd J = problem.displacement_jacobian(VectorXd::Zero(problem.size()), -1);
-  const VectorXd variance = (J * J.transpose()).diagonal() + problem.unseen_variance();
+  const Eigen::MatrixXd J =
+      displacement_jacobian(problem.coordinates(), VectorXd::Zero(problem.size()), -1);
+  const VectorXd variance = (J * J.transpose()).diagonal() + unseen_variance(problem.coordinates());
   EXPECT_TRUE(matrix_near(
       variance,
       population_sds(setup.parameters).cwiseAbs2() + between_sds(setup.parameters).cwiseAbs2(),
@@ -191,15 +193,15 @@ TEST(FitProblem, TwoSpecimensHaveAPopulationAndTwoDeviations) {
   setup.experiments.push_back(sample::experiment("H02"));
   const FitProblem problem = setup.problem();
   EXPECT_EQ(problem.size(), 3 * setup.parameters.coordinates());
-  EXPECT_EQ(problem.names()[0], "axis/MCP3_FE/direction/1");
-  EXPECT_EQ(problem.names()[8], "H01: axis/MCP3_FE/direction/1");
-  EXPECT_EQ(problem.names()[16], "H02: axis/MCP3_FE/direction/1");
+  EXPECT_EQ(problem.coordinates().names()[0], "axis/MCP3_FE/direction/1");
+  EXPECT_EQ(problem.coordinates().names()[8], "H01: axis/MCP3_FE/direction/1");
+  EXPECT_EQ(problem.coordinates().names()[16], "H02: axis/MCP3_FE/direction/1");
   VectorXd z = VectorXd::Zero(problem.size());
   z[0] = 1;
   z[16] = 2;
-  EXPECT_NEAR(problem.displacements(z, -1)[0], 3 * kDegree, 1e-12);
-  EXPECT_NEAR(problem.displacements(z, 0)[0], 3 * kDegree, 1e-12);
-  EXPECT_NEAR(problem.displacements(z, 1)[0], (3 + 2 * 4) * kDegree, 1e-12);
+  EXPECT_NEAR(displacements(problem.coordinates(), z, -1)[0], 3 * kDegree, 1e-12);
+  EXPECT_NEAR(displacements(problem.coordinates(), z, 0)[0], 3 * kDegree, 1e-12);
+  EXPECT_NEAR(displacements(problem.coordinates(), z, 1)[0], (3 + 2 * 4) * kDegree, 1e-12);
 }
 
 TEST(FitProblem, BoundsHoldWhereOnlySpecimensDiffer) {
@@ -208,8 +210,8 @@ TEST(FitProblem, BoundsHoldWhereOnlySpecimensDiffer) {
   setup.experiments.push_back(sample::experiment("H02"));
   const FitProblem problem = setup.problem();
   ASSERT_EQ(problem.size(), 2);
-  EXPECT_TRUE(matrix_near(problem.lower(), Eigen::Vector2d(-2, -2), 1e-12));
-  EXPECT_TRUE(matrix_near(problem.upper(), Eigen::Vector2d(2, 2), 1e-12));
+  EXPECT_TRUE(matrix_near(problem.coordinates().lower(), Eigen::Vector2d(-2, -2), 1e-12));
+  EXPECT_TRUE(matrix_near(problem.coordinates().upper(), Eigen::Vector2d(2, 2), 1e-12));
 }
 
 const std::string kFriction = R"(
@@ -229,10 +231,11 @@ TEST(FitProblem, BoundsHoldForSpecimensOfAPopulation) {
   setup.experiments.push_back(sample::experiment("H02"));
   const FitProblem problem = setup.problem();
   ASSERT_EQ(problem.size(), 3);
-  for (const double population : {problem.lower()[0], -1.0, 0.0, 2.0, problem.upper()[0]})
+  for (const double population :
+       {problem.coordinates().lower()[0], -1.0, 0.0, 2.0, problem.coordinates().upper()[0]})
     for (const double own : {-20.0, -3.0, 0.0, 3.0, 20.0}) {
       const double friction =
-          0.1 + problem.displacements(Eigen::Vector3d(population, own, 0), 0)[0];
+          0.1 + displacements(problem.coordinates(), Eigen::Vector3d(population, own, 0), 0)[0];
       EXPECT_GE(friction, -1e-15) << population << " " << own;
       EXPECT_LE(friction, 0.5 + 1e-15) << population << " " << own;
     }
@@ -245,7 +248,7 @@ TEST(FitProblem, DeviationsKeepTheirPriorWithinBounds) {
   setup.experiments.push_back(sample::experiment("H02"));
   const FitProblem problem = setup.problem();
   const auto below = [](double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
-  const double u = problem.displacements(Eigen::Vector3d::Zero(), 0)[0] / 0.08;
+  const double u = displacements(problem.coordinates(), Eigen::Vector3d::Zero(), 0)[0] / 0.08;
   EXPECT_NEAR((below(u) - below(-1.25)) / (below(5) - below(-1.25)), 0.5, 1e-14);
 }
 
@@ -255,12 +258,12 @@ TEST(FitProblem, SlopesOfSpecimensNearBoundsAreThoseOfDifferences) {
   const FitProblem problem = setup.problem();
   std::mt19937 rng(8);
   VectorXd z = sample::normal(problem.size(), rng);
-  const Residuals at = problem.evaluate(z, WithJacobian::kYes);
+  const Residuals at = fit_residuals(problem, z, WithJacobian::kYes);
   constexpr double kStep = 1e-5;
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const VectorXd step = kStep * VectorXd::Unit(z.size(), i);
-    const VectorXd slope = (problem.evaluate(z + step, WithJacobian::kNo).r -
-                            problem.evaluate(z - step, WithJacobian::kNo).r) /
+    const VectorXd slope = (fit_residuals(problem, z + step, WithJacobian::kNo).r -
+                            fit_residuals(problem, z - step, WithJacobian::kNo).r) /
                            (2 * kStep);
     EXPECT_TRUE(matrix_near(at.J.col(i), slope, 1e-7 * std::max(1.0, slope.cwiseAbs().maxCoeff())));
   }
@@ -279,7 +282,7 @@ TEST(PosteriorCovariance, FindsTheSameNullsWhateverTheNoise) {
     const VectorXd z = VectorXd::Zero(problem.size());
     null_directions.push_back(posterior_covariance(problem, z).null_directions.size());
     const Eigen::MatrixXd J =
-        problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
+        fit_residuals(problem, z, WithJacobian::kYes).J.topRows(data_rows(problem));
     const VectorXd sigma = J.bdcSvd().singularValues();
     EXPECT_EQ(null_directions.back(), z.size() - (sigma.array() > 3.2e-5).count());
   }
@@ -306,7 +309,7 @@ TEST(FitProblem, BlocksHaveTheDenseAnswer) {
   const CostSlopes one = cost_slopes(blocks, a.z), other = cost_slopes(dense, a.z);
   EXPECT_NEAR(one.cost, other.cost, 1e-11 * other.cost);
   EXPECT_TRUE(matrix_near(one.gradient, other.gradient, 1e-8));
-  const Eigen::MatrixXd J = problem.evaluate(a.z, WithJacobian::kYes).J;
+  const Eigen::MatrixXd J = fit_residuals(problem, a.z, WithJacobian::kYes).J;
   const Covariance covariance = posterior_covariance(problem, a.z);
   EXPECT_TRUE(matrix_near(covariance.C * (J.transpose() * J),
                           Eigen::MatrixXd::Identity(J.cols(), J.cols()), 1e-7));
@@ -323,7 +326,8 @@ TEST(PosteriorCovariance, NullsOfSpecimensSpanThoseOfTheDenseJacobian) {
   setup.experiments.push_back(sample::experiment("B01"));
   const FitProblem problem = setup.problem();
   const VectorXd z = VectorXd::Zero(problem.size());
-  const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J.topRows(problem.data_rows());
+  const Eigen::MatrixXd J =
+      fit_residuals(problem, z, WithJacobian::kYes).J.topRows(data_rows(problem));
   const Covariance covariance = posterior_covariance(problem, z);
   const auto count = static_cast<Eigen::Index>(covariance.null_directions.size());
   const VectorXd sigma = J.bdcSvd().singularValues();
@@ -479,7 +483,7 @@ TEST(FitProblem, TellsWrongSizeFromNonsense) {
   const FitProblem problem = middle_finger(kAxes).problem();
   const auto refusal = [&](const VectorXd& z) -> std::string {
     try {
-      (void)problem.predict(z, 0, WithJacobian::kNo);
+      (void)predict_trials(problem, z, 0, WithJacobian::kNo);
     } catch (const InputError& e) {
       return e.what();
     }
@@ -492,7 +496,7 @@ TEST(FitProblem, TellsWrongSizeFromNonsense) {
 TEST(PosteriorCovariance, MarksWhatSitsOnItsBound) {
   const FitProblem problem =
       middle_finger("[[parameter]]\nmatch='gain/FD?'\nstate='free'\nrange=0.01\n").problem();
-  const VectorXd z = problem.upper().cwiseProduct(Eigen::Vector2d(1, 0.5));
+  const VectorXd z = problem.coordinates().upper().cwiseProduct(Eigen::Vector2d(1, 0.5));
   const Covariance covariance = posterior_covariance(problem, z);
   EXPECT_TRUE(covariance.learnt[0].at_bound);
   EXPECT_FALSE(covariance.learnt[1].at_bound);
@@ -508,11 +512,11 @@ TEST(RobustLoss, JacobianIsExactForSmallAndLargeResiduals) {
     for (Trial& trial : setup.experiments.front().trials) trial.force.array() += offset;
     const FitProblem problem = setup.problem(2.0);
     const VectorXd z = VectorXd::Zero(problem.size());
-    const Eigen::MatrixXd J = problem.evaluate(z, WithJacobian::kYes).J;
+    const Eigen::MatrixXd J = fit_residuals(problem, z, WithJacobian::kYes).J;
     for (Eigen::Index i = 0; i < z.size(); ++i) {
       const VectorXd step = 1e-6 * VectorXd::Unit(z.size(), i);
-      const VectorXd difference = (problem.evaluate(z + step, WithJacobian::kNo).r -
-                                   problem.evaluate(z - step, WithJacobian::kNo).r) /
+      const VectorXd difference = (fit_residuals(problem, z + step, WithJacobian::kNo).r -
+                                   fit_residuals(problem, z - step, WithJacobian::kNo).r) /
                                   2e-6;
       EXPECT_TRUE(matrix_near(J.col(i), difference, 1e-6)) << "offset " << offset;
     }

@@ -10,6 +10,7 @@
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/fit.h"
 #include "kinematics_fit/force_jacobian.h"
+#include "kinematics_fit/specimen_prior.h"
 
 namespace thenar::sample {
 

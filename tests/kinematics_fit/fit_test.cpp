@@ -44,8 +44,8 @@ TEST_F(FitFile, ReadsBackWhatWasWritten) {
   write_fit(fit, path);
   const Fit back = read_fit(path);
   EXPECT_EQ(back.solution.z, fit.solution.z);  // to the last bit
-  EXPECT_EQ(back.problem.predict(back.solution.z, 0, WithJacobian::kNo).force,
-            fit.problem.predict(fit.solution.z, 0, WithJacobian::kNo).force);
+  EXPECT_EQ(predict_trials(back.problem, back.solution.z, 0, WithJacobian::kNo).force,
+            predict_trials(fit.problem, fit.solution.z, 0, WithJacobian::kNo).force);
   EXPECT_EQ(back.solution.cost, fit.solution.cost);
   EXPECT_EQ(back.solution.status, fit.solution.status);
   EXPECT_EQ(back.solution.message, fit.solution.message);
@@ -53,7 +53,7 @@ TEST_F(FitFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(back.method, LeastSquaresMethod::kIpopt);
   EXPECT_EQ(back.seed, 5U);
   EXPECT_EQ(back.covariance.C, fit.covariance.C);
-  EXPECT_EQ(back.problem.names(), fit.problem.names());
+  EXPECT_EQ(back.problem.coordinates().names(), fit.problem.coordinates().names());
   EXPECT_EQ(back.problem.axis_distances().size(), 1U);
   EXPECT_EQ(back.inputs.subject.text, fit.inputs.subject.text);
   EXPECT_EQ(back.inputs.also_free, fit.inputs.also_free);

@@ -110,11 +110,12 @@ TEST(HandPosterior, GradientIsThatOfDifferences) {
 VectorXd gradient_of_fit(const FitProblem& problem, const HandPosterior& posterior,
                          const VectorXd& x) {
   const VectorXd z = posterior.fit_coordinates(x);
-  const Residuals residuals = problem.evaluate(z, WithJacobian::kYes);
-  const int rows = problem.data_rows();
+  const Residuals residuals = fit_residuals(problem, z, WithJacobian::kYes);
+  const int rows = data_rows(problem);
   VectorXd by_z = -residuals.J.topRows(rows).transpose() * residuals.r.head(rows);
   for (Eigen::Index i = 0; i < z.size(); ++i)
-    by_z[i] *= (normal_probability(problem.upper()[i]) - normal_probability(problem.lower()[i])) *
+    by_z[i] *= (normal_probability(problem.coordinates().upper()[i]) -
+                normal_probability(problem.coordinates().lower()[i])) *
                std::exp(0.5 * (z[i] * z[i] - x[i] * x[i]));
   return by_z;
 }
@@ -148,7 +149,8 @@ TEST(HandPosterior, LikelihoodIsTheCostOfTheFit) {
     const HandPosterior posterior(problem, plain());
     const auto cost = [&](const VectorXd& x) {
       const VectorXd z = posterior.fit_coordinates(x);
-      return 0.5 * problem.evaluate(z, WithJacobian::kNo).r.head(problem.data_rows()).squaredNorm();
+      return 0.5 *
+             fit_residuals(problem, z, WithJacobian::kNo).r.head(data_rows(problem)).squaredNorm();
     };
     const VectorXd a = some_point(posterior, 1), b = some_point(posterior, 2);
     EXPECT_NEAR(at(posterior, a).second - at(posterior, b).second, cost(b) - cost(a),
@@ -176,7 +178,7 @@ TEST(HandPosterior, PointwiseAddsUpToTheLikelihood) {
   const HandPosterior posterior(problem);
   const VectorXd x = some_point(posterior);
   const MatrixXd summands = posterior.pointwise(x);
-  EXPECT_EQ(summands.rows(), problem.data_rows() / 3 + 2);
+  EXPECT_EQ(summands.rows(), data_rows(problem) / 3 + 2);
   const double whole = at(posterior, x).second;
   EXPECT_NEAR(summands.sum(), whole, 1e-12 * std::abs(whole));
 }
@@ -259,7 +261,8 @@ upper = 0.5
   const VectorXd x = some_point(posterior, 4, 1.5);
   EXPECT_TRUE(matrix_near(
       posterior.forces(x, 1).reshaped(3, 24),
-      posterior.problem().predict(posterior.fit_coordinates(x), 1, WithJacobian::kNo).force, 1e-9));
+      predict_trials(posterior.problem(), posterior.fit_coordinates(x), 1, WithJacobian::kNo).force,
+      1e-9));
 }
 
 // A specimen-only parameter stays within its bounds whatever the specimen_scale.

@@ -246,14 +246,14 @@ TEST(Gauge, ShiftsAlongAnAxisAreLeftOutAndNothingIsLost) {
     const VectorXd x = posterior.from_fit(z);
     for (int e = 0; e < (two ? 2 : 1); ++e)
       EXPECT_TRUE(matrix_near(posterior.forces(x, e).reshaped(3, 24),
-                              problem.predict(z, e, WithJacobian::kNo).force, 1e-11));
+                              predict_trials(problem, z, e, WithJacobian::kNo).force, 1e-11));
     // And it is a shift that matters at tilted axes, if not made up for.
     VectorXd bare = z;
-    for (std::size_t i = 0; i < problem.names().size(); ++i)
-      if (problem.names()[i].find("along") != std::string::npos)
+    for (std::size_t i = 0; i < problem.coordinates().names().size(); ++i)
+      if (problem.coordinates().names()[i].find("along") != std::string::npos)
         bare[static_cast<Eigen::Index>(i)] = 0;
-    EXPECT_FALSE(matrix_near(problem.predict(bare, 0, WithJacobian::kNo).force,
-                             problem.predict(z, 0, WithJacobian::kNo).force, 1e-4));
+    EXPECT_FALSE(matrix_near(predict_trials(problem, bare, 0, WithJacobian::kNo).force,
+                             predict_trials(problem, z, 0, WithJacobian::kNo).force, 1e-4));
   }
 }
 
@@ -283,7 +283,8 @@ TEST(HandPosteriorValues, GoThereAndBack) {
   // Values in the order of moving_parameters(), of the population and both specimens.
   const PosteriorValues values = posterior.values(x);
   const std::vector<int> moving = posterior.moving_parameters();
-  const auto fitted = parameter_values<double>(problem.parameters(), problem.displacements(z, 1));
+  const auto fitted =
+      parameter_values<double>(problem.parameters(), displacements(problem.coordinates(), z, 1));
   for (std::size_t i = 0; i < moving.size(); ++i)
     EXPECT_NEAR(values.specimens[1](static_cast<Eigen::Index>(i), 0), fitted[moving[i]], 1e-14);
   EXPECT_EQ(values.noise, (MatrixXd::Ones(2, 1)));

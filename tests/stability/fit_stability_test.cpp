@@ -25,7 +25,7 @@ Solution fit(const FitProblem& problem) {
 void expect_sound(const FitProblem& problem, const Solution& found) {
   EXPECT_EQ(found.status, SolveStatus::kConverged) << found.message;
   EXPECT_TRUE(found.z.allFinite());
-  EXPECT_TRUE(problem.predict(found.z, 0, WithJacobian::kNo).force.allFinite());
+  EXPECT_TRUE(predict_trials(problem, found.z, 0, WithJacobian::kNo).force.allFinite());
   EXPECT_TRUE(posterior_covariance(problem, found.z).C.allFinite());
 }
 
@@ -145,8 +145,8 @@ between_sd = 0
   const Solution found = solve(least_squares(problem), VectorXd::Zero(problem.size()), precise);
   expect_sound(problem, found);
   const VectorXd gradient = [&] {
-    const Residuals at = problem.evaluate(found.z, WithJacobian::kYes);
-    const int rows = problem.data_rows();
+    const Residuals at = fit_residuals(problem, found.z, WithJacobian::kYes);
+    const int rows = data_rows(problem);
     return VectorXd(at.J.topRows(rows).transpose() * at.r.head(rows));
   }();
   EXPECT_LT(gradient.norm() / 1e6, 1e-3);  // of the data alone, by gain
@@ -168,7 +168,7 @@ TEST(FitStability, StartOutsideTheBoundsIsBroughtIn) {
   const FitProblem problem = middle_finger(kAxes).problem();
   const Solution found = solve(least_squares(problem), VectorXd::Constant(problem.size(), 1e3));
   EXPECT_TRUE(found.z.allFinite());
-  EXPECT_TRUE((found.z.array() <= problem.upper().array() + 1e-9).all());
+  EXPECT_TRUE((found.z.array() <= problem.coordinates().upper().array() + 1e-9).all());
 }
 
 TEST(FitStability, OneTrialIsEnoughForAPrior) {
@@ -186,7 +186,7 @@ TEST(FitStability, UnloadedTendonsPredictNoForce) {
   const FitProblem problem = setup.problem();
   const Solution found = fit(problem);
   EXPECT_LT(found.z.norm(), 1e-12);
-  EXPECT_LT(problem.predict(found.z, 0, WithJacobian::kNo).force.norm(), 1e-12);
+  EXPECT_LT(predict_trials(problem, found.z, 0, WithJacobian::kNo).force.norm(), 1e-12);
 }
 
 TEST(FitStability, HugeForcesDoNotBreakTheRobustFit) {

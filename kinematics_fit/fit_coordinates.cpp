@@ -1,0 +1,85 @@
+#include "kinematics_fit/fit_coordinates.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace thenar {
+
+FitCoordinates::FitCoordinates(FitParameters parameters, std::vector<std::string> specimens)
+    : parameters_(std::move(parameters)), specimens_(std::move(specimens)) {
+  list_entries();
+  bound_coordinates();
+}
+
+void FitCoordinates::list_entries() {
+  const bool alone = specimens_.size() == 1;
+  const int n = parameters_.coordinates();
+  entries_.resize(n);
+  population_share_ = Eigen::VectorXd::Ones(n);
+
+  // The population's entries come first; a single specimen adds its own variance to them.
+  for (int c = 0; c < n; ++c) {
+    const Parameter& p = leader(c);
+    CoordinateEntries& of = entries_[c];
+    of.population_sd = alone ? std::hypot(p.sd, p.between_sd) : p.sd;
+    if (alone) population_share_[c] = std::pow(p.sd / of.population_sd, 2);
+    if (of.population_sd > 0) of.population = population_size_++;
+  }
+
+  // Then the deviations of each specimen, bounded so that the sum keeps the parameter's bounds.
+  for (int c = 0; c < n && !alone; ++c) {
+    const Parameter& p = leader(c);
+    CoordinateEntries& of = entries_[c];
+    of.deviation_sd = p.between_sd;
+    if (of.deviation_sd > 0) of.deviation = population_size_ + deviation_size_++;
+    // The prior of a tilt is on the sphere: the limits of its chart are no bounds of anatomy.
+    const bool tilt = p.kind == ParameterKind::kAxisDirection;
+    if (of.deviation_sd <= 0 || of.population < 0 || tilt) continue;
+    of.lower = p.lower - p.mean;
+    of.upper = p.upper - p.mean;
+  }
+}
+
+void FitCoordinates::bound_coordinates() {
+  const int size = population_size_ + deviation_size_ * static_cast<int>(specimens_.size());
+  lower_ = Eigen::VectorXd::Constant(size, -std::numeric_limits<double>::infinity());
+  upper_ = -lower_;
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    const Parameter& p = leader(c);
+    const CoordinateEntries& of = entries_[c];
+    // The population keeps the bounds of the parameter.
+    if (of.population >= 0) {
+      lower_[of.population] = (p.lower - p.mean) / of.population_sd;
+      upper_[of.population] = (p.upper - p.mean) / of.population_sd;
+      continue;
+    }
+    // Where the population does not move, the bounds hold for each specimen's deviation.
+    for (std::size_t s = 0; s < specimens_.size(); ++s) {
+      const auto at = static_cast<int>(of.deviation + s * deviation_size_);
+      lower_[at] = (p.lower - p.mean) / of.deviation_sd;
+      upper_[at] = (p.upper - p.mean) / of.deviation_sd;
+    }
+  }
+}
+
+std::vector<int> FitCoordinates::entries_of_specimen(int specimen) const {
+  std::vector<int> entries(population_size_ + (specimen < 0 ? 0 : deviation_size_));
+  std::iota(entries.begin(), entries.end(), 0);
+  for (std::size_t k = population_size_; k < entries.size(); ++k)
+    entries[k] += specimen * deviation_size_;
+  return entries;
+}
+
+std::vector<std::string> FitCoordinates::names() const {
+  std::vector<std::string> names(size());
+  for (int c = 0; c < parameters_.coordinates(); ++c) {
+    const std::string& name = leader(c).name;
+    const CoordinateEntries& of = entries_[c];
+    if (of.population >= 0) names[of.population] = name;
+    for (std::size_t s = 0; s < specimens_.size() && of.deviation >= 0; ++s)
+      names[of.deviation + s * deviation_size_] = specimens_[s] + ": " + name;
+  }
+  return names;
+}
+
+}  // namespace thenar

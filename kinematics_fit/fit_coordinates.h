@@ -1,0 +1,80 @@
+#pragma once
+
+/// Whitened coordinates of a fit: which entries of z move which parameter of which specimen.
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "kinematics_fit/fit_parameters.h"
+
+namespace thenar {
+
+/// Entries of z that move one coordinate of every specimen:
+///   u = p + deviation_sd d,   p = population_sd z[population],   d from z[deviation + specimen *
+/// deviations] = x. Without bounds of the sum d = x; with them d = Z(x; l, h), the map of
+/// BoundedNormal with l = (lower - p) / deviation_sd and h = (upper - p) / deviation_sd, so that
+/// every specimen keeps the bounds of its parameter. An entry of -1 adds nothing.
+struct CoordinateEntries {
+  int population = -1;       // entry of z
+  double population_sd = 0;  // [SI]
+  int deviation = -1;        // entry of z for specimen 0
+  double deviation_sd = 0;   // [SI]
+  double lower =
+      -std::numeric_limits<double>::infinity();            // of the sum u, where both entries exist
+  double upper = std::numeric_limits<double>::infinity();  // [SI]
+};
+
+/// Layout, bounds and names of z: the population's entries, then each specimen's deviations from
+/// the population. All entries are N(0, 1) beforehand.
+///
+/// The data of a single specimen cannot separate its deviation from the population's value. There z
+/// holds only their sum, whose prior variances add; the most probable share of the population is
+/// sd^2 / (sd^2 + between^2).
+/// Bounds of a parameter hold for the population and for every specimen: as bounds of z where a
+/// single entry moves a coordinate, and by the map of CoordinateEntries where two entries do. Tilts
+/// of axes are bounded for the population only.
+class FitCoordinates {
+ public:
+  /// @param specimens  names of all specimens, each once
+  FitCoordinates(FitParameters parameters, std::vector<std::string> specimens);
+
+  [[nodiscard]] int size() const { return static_cast<int>(lower_.size()); }  // of z
+  [[nodiscard]] const Eigen::VectorXd& lower() const { return lower_; }       // of z [1] (size)
+  [[nodiscard]] const Eigen::VectorXd& upper() const { return upper_; }       // of z [1] (size)
+
+  /// Name of every entry of z: the leading parameter, with "specimen: " before deviations.
+  [[nodiscard]] std::vector<std::string> names() const;
+
+  /// Entries of z behind coordinate c, and how many entries the population and each specimen have.
+  [[nodiscard]] const CoordinateEntries& entries(int c) const { return entries_.at(c); }
+  [[nodiscard]] int population_entries() const { return population_size_; }
+  [[nodiscard]] int deviations() const { return deviation_size_; }
+
+  /// Entries of z that move a specimen (-1: the population); no other entry has any effect on it.
+  [[nodiscard]] std::vector<int> entries_of_specimen(int specimen) const;
+
+  /// Share of coordinate c that belongs to the population; below 1 only for a single specimen [1].
+  [[nodiscard]] double population_share(int c) const { return population_share_[c]; }
+
+  [[nodiscard]] const FitParameters& parameters() const { return parameters_; }
+  [[nodiscard]] const std::vector<std::string>& specimens() const { return specimens_; }
+
+ private:
+  void list_entries();
+  void bound_coordinates();
+  [[nodiscard]] const Parameter& leader(int c) const {
+    return parameters_.all[parameters_.leader[c]];
+  }
+
+  FitParameters parameters_;
+  std::vector<std::string> specimens_;
+  std::vector<CoordinateEntries> entries_;  // (coordinates)
+  Eigen::VectorXd population_share_;        // [1] (coordinates)
+  int population_size_ = 0, deviation_size_ = 0;
+  Eigen::VectorXd lower_, upper_;  // of z [1] (size)
+};
+
+}  // namespace thenar

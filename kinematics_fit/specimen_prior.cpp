@@ -1,0 +1,111 @@
+#include "kinematics_fit/specimen_prior.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/bounded_normal.h"
+
+namespace thenar {
+namespace {
+
+/// Bounds of the deviation of one specimen, in its sds.
+struct DeviationBounds {
+  double lower, upper;  // [1]
+  bool far;             // no mass lies beyond them
+};
+
+DeviationBounds deviation_bounds(const CoordinateEntries& of, double population, double sd) {
+  constexpr double kFar = 9;  // beyond lies 1e-19 of a normal distribution [sds]
+  // Rounding may leave the population a last bit outside.
+  const double lower = std::min(0.0, (of.lower - population) / sd);
+  const double upper = std::max(0.0, (of.upper - population) / sd);
+  return {lower, upper, lower < -kFar && upper > kFar};
+}
+
+}  // namespace
+
+SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double population, double x,
+                                     double factor) {
+  // Far bounds leave the deviation normal; bounds without room between them leave none.
+  const double sd = factor * of.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+  if (bounds.far) return {sd * x, sd, 0, sd * x};
+  if (!(bounds.lower < bounds.upper)) return {0, 0, 0, 0};
+
+  // Map of the truncated normal; both bounds move against the population.
+  const BoundedNormal::Image image = BoundedNormal(bounds.lower, bounds.upper).at(x);
+  SpecimenDeviation out{sd * image.z, sd * image.by_x, -(image.by_lower + image.by_upper),
+                        sd * image.z};
+  // A larger sd brings both bounds nearer, counted in sds.
+  if (std::isfinite(bounds.lower)) out.by_log_factor -= sd * image.by_lower * bounds.lower;
+  if (std::isfinite(bounds.upper)) out.by_log_factor -= sd * image.by_upper * bounds.upper;
+  return out;
+}
+
+double deviation_entry(const CoordinateEntries& of, double population, double u, double factor) {
+  constexpr double kMargin = 1e-12;  // x is infinite on a bound [sds]
+  const double sd = factor * of.deviation_sd;
+  const DeviationBounds bounds = deviation_bounds(of, population, sd);
+  if (bounds.far) return u / sd;
+  if (!(bounds.lower < bounds.upper)) return 0;
+  return BoundedNormal(bounds.lower, bounds.upper).inverse(u / sd, kMargin);
+}
+
+CoordinateMotion coordinate_motion(const FitCoordinates& coordinates, const Eigen::VectorXd& z,
+                                   int specimen) {
+  const int n = coordinates.parameters().coordinates();
+  CoordinateMotion out{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
+                       Eigen::VectorXd::Zero(n)};
+  for (int c = 0; c < n; ++c) {
+    // The population's displacement, which all specimens share.
+    const CoordinateEntries& of = coordinates.entries(c);
+    const double share = specimen < 0 ? coordinates.population_share(c) : 1;
+    if (of.population >= 0) {
+      out.by_population[c] = share * of.population_sd;
+      out.u[c] = out.by_population[c] * z[of.population];
+    }
+    if (of.deviation < 0 || specimen < 0) continue;
+
+    // The specimen's own deviation, within the bounds of the sum.
+    const double x = z[of.deviation + specimen * coordinates.deviations()];
+    const SpecimenDeviation own = specimen_deviation(of, out.u[c], x);
+    out.u[c] += own.u;
+    out.by_population[c] *= 1 + own.by_population;
+    out.by_deviation[c] = own.by_x;
+  }
+  return out;
+}
+
+Eigen::VectorXd displacements(const FitCoordinates& coordinates, const Eigen::VectorXd& z,
+                              int specimen) {
+  return coordinate_motion(coordinates, z, specimen).u;
+}
+
+Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates, const Eigen::VectorXd& z,
+                                      int specimen) {
+  const CoordinateMotion at = coordinate_motion(coordinates, z, specimen);
+  const int n = coordinates.parameters().coordinates();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, coordinates.size());
+  for (int c = 0; c < n; ++c) {
+    const CoordinateEntries& of = coordinates.entries(c);
+    if (of.population >= 0) J(c, of.population) = at.by_population[c];
+    if (of.deviation >= 0 && specimen >= 0)
+      J(c, of.deviation + specimen * coordinates.deviations()) = at.by_deviation[c];
+  }
+  return J;
+}
+
+Eigen::VectorXd unseen_variance(const FitCoordinates& coordinates) {
+  const FitParameters& parameters = coordinates.parameters();
+  Eigen::VectorXd variance(parameters.coordinates());
+  for (int c = 0; c < parameters.coordinates(); ++c) {
+    const Parameter& p = parameters.all[parameters.leader[c]];
+    // Given the sum of two normals, each still varies by share (1 - share) of its variance.
+    const double share = coordinates.population_share(c);
+    const double unsaid = share * (1 - share) * std::pow(coordinates.entries(c).population_sd, 2);
+    variance[c] = unsaid + std::pow(p.between_sd, 2);
+  }
+  return variance;
+}
+
+}  // namespace thenar

@@ -1,0 +1,56 @@
+#pragma once
+
+/// Hierarchical prior of a fit: displacements of the population and of each specimen, as functions
+/// of standard normal z.
+
+#include <Eigen/Core>
+
+#include "kinematics_fit/fit_coordinates.h"
+
+namespace thenar {
+
+/// Deviation of a specimen from the population in one coordinate, and its derivatives.
+struct SpecimenDeviation {
+  double u;              // [SI]
+  double by_x;           // du/dx [SI]
+  double by_population;  // du / d population, not zero where bounds of the sum are near [1]
+  double by_log_factor;  // du / d log factor [SI]
+};
+
+/// @param population  the population's displacement, within the bounds of the sum [SI]
+/// @param x           the specimen's entry of z [1]
+/// @param factor      on deviation_sd [1]
+[[nodiscard]] SpecimenDeviation specimen_deviation(const CoordinateEntries& of, double population,
+                                                   double x, double factor = 1);
+
+/// Inverse of specimen_deviation(): x with specimen_deviation(of, population, x, factor).u = u.
+[[nodiscard]] double deviation_entry(const CoordinateEntries& of, double population, double u,
+                                     double factor = 1);
+
+/// Displacements of the coordinates of a specimen, or of the population, and their derivatives by
+/// the two entries of z that FitCoordinates::entries() names.
+struct CoordinateMotion {
+  Eigen::VectorXd u;              // [SI] (coordinates)
+  Eigen::VectorXd by_population;  // du / dz[population], 0 without such an entry [SI] (coordinates)
+  Eigen::VectorXd by_deviation;   // du / dz[deviation], 0 without such an entry [SI] (coordinates)
+};
+
+/// @param z         (size)
+/// @param specimen  index, or -1: the population
+[[nodiscard]] CoordinateMotion coordinate_motion(const FitCoordinates& coordinates,
+                                                 const Eigen::VectorXd& z, int specimen);
+
+/// Displacements u of the coordinates of a specimen (-1: the population)  [SI] (coordinates).
+[[nodiscard]] Eigen::VectorXd displacements(const FitCoordinates& coordinates,
+                                            const Eigen::VectorXd& z, int specimen);
+
+/// du/dz of a specimen (-1: the population) at z  [SI] (coordinates, size).
+[[nodiscard]] Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates,
+                                                    const Eigen::VectorXd& z, int specimen);
+
+/// Variance of an unseen specimen's u about the population's displacements: the variance between
+/// specimens, and the part of the population's that the data of a single specimen leave open. No
+/// data can lessen it  [SI^2] (coordinates).
+[[nodiscard]] Eigen::VectorXd unseen_variance(const FitCoordinates& coordinates);
+
+}  // namespace thenar
