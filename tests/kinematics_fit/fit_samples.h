@@ -48,6 +48,27 @@ sd_deg = 3
 between_sd_deg = 4
 )";
 
+/// The same, and the dorsal places of the flexors' path points.
+inline const std::string kAxesAndPaths = kAxes + R"(
+[[parameter]]
+match = "path/FD?/*/dorsal"
+state = "free"
+sd_mm = 0.7
+between_sd_mm = 0.9
+)";
+
+/// Settings that free the friction of the deep flexor, bounded to both sides.
+inline const std::string kFriction = R"(
+[[parameter]]
+match = "friction/FDP"
+state = "free"
+mean = 0.1
+sd = 0.05
+between_sd = 0.08
+lower = 0
+upper = 0.5
+)";
+
 /// One digit with some parameters free and the experiments it is fitted to.
 struct FitSetup {
   TendonDigit digit;
@@ -80,6 +101,36 @@ inline FitSetup middle_finger(const std::string& rows, const std::string& specim
 inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
   std::normal_distribution<double> one;
   return Eigen::VectorXd::NullaryExpr(size, [&] { return one(rng); });
+}
+
+/// Prior sds of the population's coordinates [SI] (coordinates).
+inline Eigen::VectorXd population_sds(const FitParameters& parameters) {
+  Eigen::VectorXd sd(parameters.coordinates());
+  for (int c = 0; c < parameters.coordinates(); ++c)
+    sd[c] = parameters.all[parameters.leader[c]].sd;
+  return sd;
+}
+
+/// Prior sds of a specimen about its population [SI] (coordinates).
+inline Eigen::VectorXd between_sds(const FitParameters& parameters) {
+  Eigen::VectorXd sd(parameters.coordinates());
+  for (int c = 0; c < parameters.coordinates(); ++c)
+    sd[c] = parameters.all[parameters.leader[c]].between_sd;
+  return sd;
+}
+
+/// A person's displacements, drawn from the prior about a population [SI] (coordinates).
+inline Eigen::VectorXd draw_person(const FitParameters& parameters,
+                                   const Eigen::VectorXd& population, std::mt19937& rng) {
+  const Eigen::VectorXd sd = between_sds(parameters);
+  return population + sd.cwiseProduct(normal(sd.size(), rng));
+}
+
+/// The fit from the prior means, to the last digits.
+inline Solution fit_precisely(const FitProblem& problem) {
+  SolveOptions options;
+  options.tolerance = 1e-14;
+  return solve(least_squares(problem), Eigen::VectorXd::Zero(problem.size()), options);
 }
 
 /// Writes the forces that the digit makes for displacements u, with noise, into an experiment.
