@@ -15,10 +15,12 @@ constexpr double kNullCurvature = 1e-9;  // of data, per prior curvature: nothin
 
 /// Names a direction by its largest components, at most three.
 std::string describe(const Eigen::VectorXd& direction, const std::vector<std::string>& names) {
+  // Components by falling size.
   std::vector<int> order(names.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(),
             [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+  // The largest alone if it is nearly everything, otherwise those above a tenth.
   std::string text;
   for (std::size_t k = 0; k < std::min<std::size_t>(3, order.size()); ++k) {
     const double share = direction[order[k]];
@@ -42,11 +44,13 @@ struct PivotedRows {
 PivotedRows sparse_basis(Eigen::MatrixXd rows, Eigen::Index columns) {
   PivotedRows out{std::move(rows), {}};
   Eigen::MatrixXd& all = out.rows;
+  // Pivot: the largest entry that is left, brought to row k and scaled to 1.
   for (Eigen::Index k = 0; k < all.rows(); ++k) {
     Eigen::Index row = 0, column = 0;
     all.bottomRows(all.rows() - k).leftCols(columns).cwiseAbs().maxCoeff(&row, &column);
     all.row(k).swap(all.row(k + row));
     all.row(k) /= all(k, column);
+    // Eliminate the pivot's column from all other rows.
     Eigen::VectorXd others = all.col(column);
     others[k] = 0;
     all -= others * all.row(k).eval();
@@ -65,6 +69,7 @@ DataRows rows_of_data(const FitProblem& problem, const Eigen::VectorXd& z) {
   const int specimens = static_cast<int>(problem.specimens().size());
   const int shared = problem.coordinates().population_entries(),
             own = problem.coordinates().deviations();
+  // Slopes of each experiment, by the population's entries and its specimen's own.
   DataRows out{{shared, own, own > 0 ? specimens : 0}, {}};
   for (int e = 0; e < static_cast<int>(problem.experiments().size()); ++e) {
     const Eigen::MatrixXd J = data_residuals(problem, z, e, WithJacobian::kYes).J;
@@ -109,8 +114,11 @@ void name_nulls(const ArrowLayout& layout, const ArrowNullSpace& null_directions
     auto own = together.middleCols(layout.first(b), layout.own);
     own -= own(Eigen::all, alone.back().pivots).eval() * alone.back().rows;
   }
+
+  // Directions that involve shared coordinates come first.
   const PivotedRows shared = sparse_basis(std::move(together), layout.shared);
   for (Eigen::Index k = 0; k < shared.rows.rows(); ++k) add(shared.rows.row(k).transpose());
+  // Then the directions within each block, padded with zeros.
   for (int b = 0; b < layout.blocks; ++b)
     for (Eigen::Index k = 0; k < alone[b].rows.rows(); ++k) {
       Eigen::VectorXd direction = Eigen::VectorXd::Zero(layout.size());
@@ -136,6 +144,7 @@ Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd
   const std::vector<std::string> names = problem.coordinates().names();
   name_nulls(data.layout, null_directions, names, out.null_directions);
 
+  // Estimates, entry by entry.
   constexpr double kOnBound = 1e-6;  // interior-point solvers stop a little short [1]
   for (Eigen::Index i = 0; i < z.size(); ++i) {
     const bool at_bound = z[i] < problem.coordinates().lower()[i] + kOnBound ||

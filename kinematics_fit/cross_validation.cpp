@@ -30,6 +30,7 @@ std::vector<std::string> list_folds(const FitProblem& problem, LeaveOut what) {
     if (std::find(folds.begin(), folds.end(), name) == folds.end()) folds.push_back(name);
   };
   for (const Experiment& experiment : problem.experiments()) {
+    // Folds are named by what they leave out.
     if (what == LeaveOut::kSpecimen) add(experiment.specimen);
     for (const Trial& trial : experiment.trials) {
       if (what == LeaveOut::kPosture) add(trial.posture);
@@ -45,6 +46,7 @@ std::vector<std::string> list_folds(const FitProblem& problem, LeaveOut what) {
 void predict_fold(const FitProblem& rest, const Eigen::VectorXd& z, LeaveOut what,
                   const std::string& fold, const std::vector<Experiment>& experiments,
                   std::vector<Prediction>& out) {
+  // A left-out specimen is not among those of the fit: the population predicts it.
   const Eigen::MatrixXd C = posterior_covariance(rest, z).C;
   for (std::size_t e = 0; e < experiments.size(); ++e) {
     const Experiment& experiment = experiments[e];
@@ -66,6 +68,7 @@ std::string name_of(LeaveOut what) {
 
 CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
                                const SolveOptions& options) {
+  // Folds, and room for the predictions of every experiment.
   CrossValidation out;
   out.what = what;
   out.folds = list_folds(problem, what);
@@ -75,6 +78,7 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     out.experiments.push_back(
         {experiment.name, {}, {}, calibrated_on_specimen(problem.digit(), experiment)});
 
+  // Fold by fold: refit without it, then predict it.
   for (const std::string& fold : out.folds) {
     options.progress(static_cast<double>(out.folds_done) / static_cast<double>(out.folds.size()),
                      name_of(what));
@@ -91,6 +95,8 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     predict_fold(rest, fit.z, what, fold, problem.experiments(), out.experiments);
     ++out.folds_done;
   }
+
+  // Errors over all trials that were left out once.
   for (Prediction& prediction : out.experiments)
     if (!prediction.trials.empty()) prediction.error = force_error(prediction.trials);
   return out;

@@ -21,11 +21,13 @@ using Warnings = std::vector<std::string>;
 
 void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (std::size_t k = 0; k < plan.postures.size(); ++k) {
+    // Nearly straight: small errors of angles change the forces much.
     if (plan.condition[k] > kNearlyStraight)
       warnings.push_back(
           fmt::format("posture '{}' is nearly singular (condition {:.3g}): its forces hang on "
                       "angles that nobody can measure well enough",
                       plan.posture_names[k], plan.condition[k]));
+    // Angles beyond the joint limits.
     for (int j = 0; j < digit.skeleton.coordinates(); ++j) {
       const CoordinateLimits& limits = digit.skeleton.limits[static_cast<std::size_t>(j)];
       const double angle = plan.postures[k][j];
@@ -40,6 +42,7 @@ void warn_of_postures(const TendonDigit& digit, const ExperimentPlan& plan, Warn
 
 void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warnings& warnings) {
   for (Eigen::Index m = 0; m < digit.max_tension.size(); ++m) {
+    // Largest tension of the muscle over all trials.
     double most = 0;
     for (const Eigen::VectorXd& tension : plan.tension) most = std::max(most, tension[m]);
     if (most > kTooStrong * digit.max_tension[m])
@@ -51,6 +54,7 @@ void warn_of_tensions(const TendonDigit& digit, const ExperimentPlan& plan, Warn
 
 void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
                          Warnings& warnings) {
+  // Calibrations that used this specimen.
   std::string names;
   for (const CalibratedOn& on : digit.calibrated_on)
     if (has_seen({on}, experiment.name, experiment.specimen))
@@ -66,15 +70,20 @@ void warn_of_calibration(const TendonDigit& digit, const Experiment& experiment,
 
 std::vector<std::string> experiment_warnings(const TendonDigit& digit, const ExperimentPlan& plan,
                                              const Experiment& experiment) {
+  // Postures, tensions and calibration.
   Warnings warnings;
   warn_of_postures(digit, plan, warnings);
   warn_of_tensions(digit, plan, warnings);
   warn_of_calibration(digit, experiment, warnings);
+
+  // Data that no fit uses.
   const auto moments = std::count_if(experiment.trials.begin(), experiment.trials.end(),
                                      [](const Trial& trial) { return trial.moment.has_value(); });
   if (moments > 0)
     warnings.push_back(
         fmt::format("{} measured moments are not fitted, only the forces are", moments));
+
+  // All name their experiment.
   for (std::string& warning : warnings)
     warning = fmt::format("experiment '{}': {}", experiment.name, warning);
   return warnings;
@@ -85,6 +94,7 @@ namespace {
 constexpr double kSingular = 1e12;  // condition beyond which no digit of a force is right [1]
 
 Eigen::VectorXd tensions(const TendonDigit& digit, const Trial& trial) {
+  // Muscles that a trial does not name are slack.
   const std::vector<std::string>& names = digit.names.muscles;
   Eigen::VectorXd t = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
   for (const auto& [muscle, tension] : trial.tension) {
@@ -106,9 +116,11 @@ int posture_index(const ExperimentPlan& plan, const std::string& name) {
 /// Condition of the loads of every posture, with all parameters at their prior means.
 std::vector<double> conditions(const TendonDigit& digit, const FitParameters& parameters,
                                const ExperimentPlan& plan) {
+  // The digit at the prior means.
   const Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   const SpecimenModel<double> model =
       specimen_model(digit, parameters, parameter_values<double>(parameters, u));
+  // Ratio of the extreme singular values of the loads in each posture.
   std::vector<double> conditions;
   for (const Eigen::VectorXd& q : plan.postures) {
     const Eigen::VectorXd sigma =
@@ -126,6 +138,7 @@ std::vector<double> conditions(const TendonDigit& digit, const FitParameters& pa
 
 ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& parameters,
                                const Experiment& experiment) {
+  // Does the experiment fit the digit?
   const std::string& built = digit.skeleton.tips.front().digit;
   require(experiment.digit == built, "experiment '{}' is of the {}, but the digit built is the {}",
           experiment.name, experiment.digit, built);
@@ -133,10 +146,14 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
   require(link != digit.skeleton.link_of_segment.end(),
           "experiment '{}' states forces in segment '{}', which the digit has not", experiment.name,
           experiment.force_segment);
+
+  // How the tip is held, and in which axes forces are stated.
   ExperimentPlan plan;
   plan.hold = experiment.hold;
   plan.force_link = link->second;
   plan.components = experiment.axes_of_digit.cast<double>();
+
+  // Postures, and the angle errors that belong to them.
   for (const PostureRecord& record : experiment.postures) {
     plan.postures.push_back(posture(digit.skeleton, record.angles));
     plan.posture_names.push_back(record.name);
@@ -144,12 +161,16 @@ ExperimentPlan plan_experiment(const TendonDigit& digit, const FitParameters& pa
     const auto key = std::find(known.begin(), known.end(), record.name);
     plan.posture_key.push_back(key == known.end() ? -1 : static_cast<int>(key - known.begin()));
   }
+
+  // No force follows from the tendons' torques in a singular posture.
   plan.condition = conditions(digit, parameters, plan);
   for (std::size_t k = 0; k < plan.postures.size(); ++k)
     require(plan.condition[k] < kSingular,
             "posture '{}' of experiment '{}' is singular: the held tip carries loads that no joint "
             "feels; leave it out",
             plan.posture_names[k], experiment.name);
+
+  // Trials: posture, tensions, measured force and its sd.
   plan.force.resize(3, static_cast<Eigen::Index>(experiment.trials.size()));
   plan.sd.resize(3, plan.force.cols());
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {

@@ -36,6 +36,7 @@ SourceText built_in_settings(const std::string& digit) {
 }
 
 FitProblem build_problem(const FitInputs& inputs) {
+  // Experiments: of one digit, each once.
   require(!inputs.experiments.empty(), "a fit needs at least one experiment");
   std::vector<Experiment> experiments;
   for (const SourceText& source : inputs.experiments)
@@ -50,6 +51,7 @@ FitProblem build_problem(const FitInputs& inputs) {
       require(experiments[e].name != experiments[other].name,
               "experiment '{}' is given twice: it would count twice", experiments[e].name);
 
+  // The digit, and which of its parameters are free.
   const Subject subject = parse_subject(inputs.subject.text, inputs.subject.path);
   TendonDigit digit = build_tendon_digit(subject, experiments.front().digit);
   const FitSettings settings = parse_fit_settings(inputs.settings.text, inputs.settings.path);
@@ -68,6 +70,7 @@ Fit run_fit(const FitInputs& inputs, const SolveOptions& options) {
 }
 
 FittedValues fitted_values(const Fit& fit, int specimen) {
+  // Values, and the variance that the covariance of z gives to every coordinate.
   const FitParameters& parameters = fit.problem.parameters();
   const std::vector<double> values = parameter_values<double>(
       parameters, displacements(fit.problem.coordinates(), fit.solution.z, specimen));
@@ -82,6 +85,8 @@ FittedValues fitted_values(const Fit& fit, int specimen) {
       const Parameter& p = parameters.all[static_cast<std::size_t>(parameters.leader[c])];
       variance[c] += unseen[c] - p.between_sd * p.between_sd;
     }
+
+  // Parameters tied to a coordinate share its sd, by their ratio.
   FittedValues out{Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size())),
                    Eigen::VectorXd::Zero(static_cast<Eigen::Index>(values.size()))};
   for (Eigen::Index p = 0; p < out.value.size(); ++p) {
@@ -115,11 +120,13 @@ void add_inputs(const FitInputs& inputs, ResultFile& file) {
 
 /// What the fit has seen: the experiments it was fitted to, and those that its start was.
 void add_seen(const FitProblem& problem, ResultFile& file) {
+  // The experiments of this fit.
   std::vector<std::string> experiments, specimens;
   for (const Experiment& experiment : problem.experiments()) {
     experiments.push_back(experiment.name);
     specimens.push_back(experiment.specimen);
   }
+  // Those of earlier fits that the subject comes from.
   for (const CalibratedOn& on : problem.digit().calibrated_on) {
     if (std::find(experiments.begin(), experiments.end(), on.experiment) != experiments.end())
       continue;
@@ -143,6 +150,7 @@ FitInputs inputs_of(const ResultFile& file) {
 
 /// Values and sds of every parameter, of the population and of each specimen.
 void add_parameters(const Fit& fit, ResultFile& file) {
+  // Names and units, once for all groups.
   std::vector<std::string> names, units;
   for (const Parameter& parameter : fit.problem.parameters().all) {
     names.push_back(parameter.name);
@@ -150,6 +158,8 @@ void add_parameters(const Fit& fit, ResultFile& file) {
   }
   file.add("parameters/name", names);
   file.add("parameters/unit", units);
+
+  // Values and sds: the population, then each specimen.
   const auto add = [&](const std::string& group, int specimen) {
     const FittedValues fitted = fitted_values(fit, specimen);
     file.add(group + "/value", fitted.value, "see parameters/unit", {"parameter"});
@@ -162,6 +172,7 @@ void add_parameters(const Fit& fit, ResultFile& file) {
 
 void add_predictions(const Fit& fit, ResultFile& file) {
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    // Forces as matrices, trials as rows.
     const Prediction prediction = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
     const std::string group = "predictions/" + prediction.experiment;
     const auto trials = static_cast<Eigen::Index>(prediction.trials.size());
@@ -173,6 +184,8 @@ void add_predictions(const Fit& fit, ResultFile& file) {
       measured.row(i) = prediction.trials[i].measured;
       predicted.row(i) = prediction.trials[i].predicted;
     }
+
+    // One group for each experiment.
     file.add(group + "/posture", postures);
     file.add(group + "/loads", loads);
     file.add(group + "/measured", measured, "N", {"trial", "component"});
@@ -199,6 +212,7 @@ SolveStatus status_of(const std::string& name) {
 
 /// @throws InputError for what is missing or does not fit together.
 Fit fit_of(const ResultFile& file) {
+  // The problem is built anew from the inputs; the estimate must belong to it.
   const FitInputs inputs = inputs_of(file);
   FitProblem problem = build_problem(inputs);
   const Eigen::VectorXd z = file.matrix("fit/z");
@@ -211,6 +225,8 @@ Fit fit_of(const ResultFile& file) {
     require(i < names.size() && names[i] == wanted[i],
             "coordinate {} of the fit is '{}', its inputs give '{}'", i,
             i < names.size() ? names[i] : "", wanted[i]);
+
+  // What the solver said, and the covariance computed again at the estimate.
   Solution solution{z,
                     file.number("fit/cost"),
                     status_of(file.text("fit/status")),
@@ -229,9 +245,12 @@ Fit fit_of(const ResultFile& file) {
 }  // namespace
 
 void write_fit(const Fit& fit, const std::string& path) {
+  // Inputs first: the file can be run again.
   ResultFile file;
   file.add("format", kFormat);
   add_inputs(fit.inputs, file);
+
+  // Estimate, and how the solver ended.
   file.add("fit/z", fit.solution.z, "1", {"coordinate"});
   file.add("fit/name", fit.problem.coordinates().names());
   file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
@@ -240,10 +259,14 @@ void write_fit(const Fit& fit, const std::string& path) {
   file.add("fit/message", fit.solution.message);
   file.add("fit/evaluations", fit.solution.evaluations, "1");
   file.add("fit/seconds", fit.solution.seconds, "s");
+
+  // Directions that the data leave open.
   std::vector<std::string> null_directions;
   for (const NullDirection& null : fit.covariance.null_directions)
     null_directions.push_back(null.text);
   file.add("fit/not_identifiable", null_directions);
+
+  // Parameters, predictions and provenance in words and units that people read.
   add_seen(fit.problem, file);
   add_parameters(fit, file);
   add_predictions(fit, file);

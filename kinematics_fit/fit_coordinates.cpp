@@ -71,6 +71,7 @@ std::vector<int> FitCoordinates::entries_of_specimen(int specimen) const {
 }
 
 std::vector<std::string> FitCoordinates::names() const {
+  // The leader's name stands for all parameters tied to it.
   std::vector<std::string> names(size());
   for (int c = 0; c < parameters_.coordinates(); ++c) {
     const std::string& name = leader(c).name;

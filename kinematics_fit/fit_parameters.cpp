@@ -17,6 +17,7 @@ struct Choice {
 
 /// A rule in mm cannot speak of angles.
 void require_dimension(const ParameterRule& rule, const std::string& file, const Parameter& p) {
+  // A row without numbers has no dimension.
   const bool numbers =
       rule.mean || rule.sd || rule.between_sd || rule.range || rule.lower || rule.upper;
   const std::string unit = display_unit(p);
@@ -28,12 +29,14 @@ void require_dimension(const ParameterRule& rule, const std::string& file, const
 }
 
 void apply_belief(const ParameterRule& rule, Parameter& p) {
+  // A new mean takes its bounds along.
   const double range_low = p.mean - p.lower, range_high = p.upper - p.mean;
   if (rule.mean) {
     p.mean = *rule.mean;
     p.lower = p.mean - range_low;
     p.upper = p.mean + range_high;
   }
+  // Sds, and bounds relative to the mean or absolute.
   if (rule.sd) p.sd = *rule.sd;
   if (rule.between_sd) p.between_sd = *rule.between_sd;
   if (rule.range) {
@@ -50,6 +53,7 @@ void apply_rule(const ParameterRule& rule, const std::string& file, std::vector<
                 std::vector<Choice>& choices) {
   bool matched = false;
   for (std::size_t p = 0; p < all.size(); ++p) {
+    // Later rules override earlier ones.
     if (!matches_glob(rule.match, all[p].name)) continue;
     matched = true;
     require_dimension(rule, file, all[p]);
@@ -81,13 +85,16 @@ void require_movable(const FitParameters& fit) {
 
 /// Gives coordinates to free parameters first, then points the tied ones at theirs.
 void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) {
+  // Free parameters lead a coordinate each.
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    // Without any prior variance a parameter cannot move.
     const bool moves = fit.all[p].sd > 0 || fit.all[p].between_sd > 0;
     if (choices[p].state != ParameterState::kFree || !moves) continue;
     fit.coordinate[p] = fit.coordinates();
     fit.leader.push_back(static_cast<int>(p));
   }
   for (std::size_t p = 0; p < fit.all.size(); ++p) {
+    // Tied parameters follow their leader, and narrow its bounds.
     if (choices[p].state != ParameterState::kTied) continue;
     const auto leader = std::find_if(fit.leader.begin(), fit.leader.end(),
                                      [&](int q) { return fit.all[q].name == choices[p].tie_to; });
@@ -105,6 +112,7 @@ void number_coordinates(const std::vector<Choice>& choices, FitParameters& fit) 
 FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std::string>& postures,
                                 const FitSettings& settings,
                                 const std::vector<std::string>& also_free) {
+  // Rules of the file, then the globs of the command line.
   FitParameters fit;
   fit.postures = postures;
   std::vector<Parameter> all = list_parameters(digit, postures);
@@ -116,6 +124,8 @@ FitParameters choose_parameters(const TendonDigit& digit, const std::vector<std:
     rule.state = ParameterState::kFree;
     apply_rule(rule, "--free", all, choices);
   }
+
+  // Coordinates of what is free or tied; all others stay fixed.
   fit.coordinate.assign(all.size(), -1);
   fit.ratio.assign(all.size(), 1);
   fit.all = std::move(all);

@@ -30,6 +30,7 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
       axis_distances_(std::move(axis_distances)) {
   require(this->parameters().coordinates() > 0, "nothing to fit: every parameter is fixed");
   require(!experiments_.empty(), "nothing to fit to: no experiment");
+  // Names of each experiment become indices of the digit and its specimens.
   for (const Experiment& experiment : experiments_) {
     plans_.push_back(plan_experiment(digit_, this->parameters(), experiment));
     const auto known = std::find(specimens().begin(), specimens().end(), experiment.specimen);
@@ -39,6 +40,7 @@ FitProblem::FitProblem(TendonDigit digit, FitParameters parameters,
 }
 
 void FitProblem::find_axes() {
+  // Joint names become hinges.
   const std::vector<std::string>& names = digit_.names.hinges;
   const auto hinge = [&](const std::string& joint) {
     const auto found = std::find(names.begin(), names.end(), joint);
@@ -75,6 +77,7 @@ FitProblem subset(const FitProblem& problem,
                   const std::function<bool(const Experiment&, const Trial&)>& keep) {
   std::vector<Experiment> kept;
   for (Experiment experiment : problem.experiments()) {
+    // Trials that the caller does not keep are removed.
     std::vector<Trial>& trials = experiment.trials;
     trials.erase(std::remove_if(trials.begin(), trials.end(),
                                 [&](const Trial& trial) { return !keep(experiment, trial); }),

@@ -103,6 +103,7 @@ Residuals fit_residuals(const FitProblem& problem, const Eigen::VectorXd& z, Wit
 ConstraintValues axis_constraints(const FitProblem& problem, const Eigen::VectorXd& z) {
   const auto pairs = static_cast<Eigen::Index>(problem.axis_pairs().size());
   const auto specimens = static_cast<Eigen::Index>(problem.specimens().size());
+  // Specimen by specimen, with the chain rule to z.
   ConstraintValues out{Eigen::VectorXd(pairs * specimens),
                        Eigen::MatrixXd(pairs * specimens, problem.size())};
   for (Eigen::Index s = 0; s < specimens && pairs > 0; ++s) {
@@ -147,6 +148,7 @@ void add_parts(const FitProblem& problem, LeastSquares& out) {
   const int shared = problem.coordinates().population_entries();
   const int deviations = problem.coordinates().deviations();
   if (specimens < 2 || deviations == 0 || shared == 0) return;
+  // Arrow layout: shared entries, and a block for each specimen.
   out.layout = {shared, deviations, specimens};
   for (int block = -1; block < specimens; ++block)
     out.parts.push_back(prior_part(out.layout, block));
@@ -160,6 +162,7 @@ void add_parts(const FitProblem& problem, LeastSquares& out) {
 }  // namespace
 
 LeastSquares least_squares(const FitProblem& problem) {
+  // Residuals within the bounds of z, whole and in blocks.
   LeastSquares out;
   add_parts(problem, out);
   out.lower = problem.coordinates().lower();

@@ -19,8 +19,10 @@ Progress part_of(const Progress& whole, double begin, double share) {
 
 std::vector<BaselinePrediction> baselines_of(const StudyInputs& inputs,
                                              const Experiment& experiment) {
+  // Published subjects, used as they are.
   std::vector<BaselinePrediction> baselines;
   for (const NamedSubject& baseline : inputs.baselines)
+    // A prediction without any model.
     baselines.push_back(
         {baseline.name, "as published", predict_as_published(baseline.source, experiment)});
   baselines.push_back(
@@ -32,6 +34,7 @@ std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs&
                                    const Progress& progress) {
   std::vector<SolverRun> runs;
   for (std::size_t k = 0; k < inputs.methods.size(); ++k) {
+    // Every solver starts at the prior means.
     SolveOptions options;
     options.method = inputs.methods[k];
     options.progress = part_of(progress, static_cast<double>(k) / inputs.methods.size(),
@@ -45,6 +48,7 @@ std::vector<SolverRun> run_solvers(const FitProblem& problem, const StudyInputs&
 }
 
 std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
+  // Coordinates from the best known on.
   constexpr std::size_t kProfiles = 4;
   ProfileOptions options;
   options.solver.progress = progress;
@@ -58,12 +62,15 @@ std::vector<Profile> profiles_of(const Fit& fit, const Progress& progress) {
 
 SpecimenStudy study_specimen(const StudyInputs& inputs, const SourceText& experiment,
                              const Progress& progress) {
+  // Fit of this specimen alone, and its predictions in sample.
   FitInputs one = inputs.specimen;
   one.experiments = {experiment};
   Fit fit = run_fit(one);
   const Experiment& measured = fit.problem.experiments().front();
   Prediction in_sample =
       predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, measured, 0);
+
+  // Postures and tendons left out, then profiles, other solvers and baselines.
   SolveOptions options;
   options.progress = part_of(progress, 0, 0.1);
   CrossValidation postures = cross_validate(fit.problem, LeaveOut::kPosture, options);
@@ -88,11 +95,14 @@ std::vector<SpecimenStudy> study_specimens(const StudyInputs& inputs, const Prog
 }
 
 PopulationStudy study_population(const StudyInputs& inputs, const Progress& progress) {
+  // Fit of all specimens together.
   FitInputs together = inputs.specimen;
   together.subject = inputs.population_subject;
   SolveOptions options;
   options.progress = part_of(progress, 0, 0.3);
   Fit fit = run_fit(together, options);
+
+  // Predictions of each by its own parameters, and as if it had not been fitted.
   std::vector<Prediction> own, as_unseen;
   std::vector<UnseenSpecimen> unseen;
   const auto predict = [&](const Experiment& experiment, int specimen) {
@@ -102,11 +112,15 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
     own.push_back(predict(experiment, find_specimen(fit.problem, experiment.specimen)));
     as_unseen.push_back(predict(experiment, -1));
   }
+
+  // Experiments that were not fitted.
   for (const SourceText& source : inputs.unseen) {
     const Experiment experiment = parse_experiment(source.text, source.path);
     unseen.push_back(
         {experiment.specimen, predict(experiment, -1), baselines_of(inputs, experiment)});
   }
+
+  // Refits without each specimen.
   options.progress = part_of(progress, 0.3, 0.7);
   CrossValidation specimens = cross_validate(fit.problem, LeaveOut::kSpecimen, options);
   return {std::move(fit), std::move(own), std::move(as_unseen), std::move(specimens),
@@ -126,6 +140,7 @@ Prediction predict_as_published(const SourceText& subject, const Experiment& exp
 Prediction mean_of_other_postures(const Experiment& experiment) {
   Prediction out{experiment.name, {}, {}};
   for (const Trial& trial : experiment.trials) {
+    // Mean force of the same loads in the other postures.
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     int count = 0;
     for (const Trial& other : experiment.trials)

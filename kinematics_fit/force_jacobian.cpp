@@ -28,12 +28,14 @@ Eigen::Matrix3Xd force_values(const TendonDigit& digit, const FitParameters& par
 
 ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& parameters,
                              const ExperimentPlan& plan, const Eigen::VectorXd& u) {
+  // Eight coordinates at a time; the forces come along each time.
   const int n = parameters.coordinates();
   ForceJacobian out{Eigen::Matrix3Xd(3, plan.force.cols()),
                     Eigen::MatrixXd(3 * plan.force.cols(), n)};
   for (int first = 0; first < n; first += kLanes) {
     const auto forces = predict_forces(
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first))), plan);
+    // Values, and derivatives into their columns.
     for (Eigen::Index i = 0; i < forces.size(); ++i) {
       const Jet& f = forces.data()[i];
       out.force.data()[i] = f.a;
@@ -46,6 +48,7 @@ ForceJacobian force_jacobian(const TendonDigit& digit, const FitParameters& para
 
 ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters& parameters,
                                   const std::vector<AxisPair>& pairs, const Eigen::VectorXd& u) {
+  // Eight coordinates at a time, as for forces.
   const int n = parameters.coordinates();
   const auto count = static_cast<Eigen::Index>(pairs.size());
   ConstraintValues out{Eigen::VectorXd(count), Eigen::MatrixXd(count, n)};
@@ -54,6 +57,7 @@ ConstraintValues axis_constraints(const TendonDigit& digit, const FitParameters&
         specimen_model(digit, parameters, parameter_values<Jet>(parameters, seed(u, first)))
             .digit.tree;
     for (Eigen::Index k = 0; k < count; ++k) {
+      // Squared distance over the squared upper limit.
       const AxisPair& pair = pairs[k];
       const Jet c =
           squared_axis_distance(tree[pair.first], tree[pair.second]) / (pair.upper * pair.upper);

@@ -41,13 +41,16 @@ std::vector<std::string> loaded(const Trial& trial) {
 /// Muscles of the hood: those of the subject's rule, and those that pull a net.
 std::vector<std::string> find_hood_muscles(const Subject& subject, const Experiment& experiment,
                                            const std::vector<NetDescription>& nets) {
+  // Muscles of the subject's hood rule.
   std::set<std::string> known;
   for (const Digit& digit : subject.digits)
     if (digit.name == experiment.digit && digit.hood)
       for (const HoodBranch& branch : digit.hood->branches) known.insert(branch.muscle);
+  // Muscles that pull a net.
   for (const NetDescription& net : nets)
     for (const NetMusclePlan& role : net.muscles)
       known.insert(role.names.begin(), role.names.end());
+  // Of both, those that some trial loads.
   std::set<std::string> pulling;
   for (const Trial& trial : experiment.trials)
     for (const std::string& muscle : loaded(trial))
@@ -57,6 +60,7 @@ std::vector<std::string> find_hood_muscles(const Subject& subject, const Experim
 
 HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
                       const Experiment& experiment, const std::vector<std::string>& of_hood) {
+  // All trials on this rung.
   const TrialForces forces = trial_forces(tendons, experiment);
   HoodRung rung{
       name,
@@ -69,6 +73,8 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
       0,
       forces.seconds,
       {}};
+
+  // Errors of trials that load hood muscles only, and of each muscle alone.
   const auto in_hood = [&](const Trial& trial) {
     const std::vector<std::string> muscles = loaded(trial);
     return std::all_of(muscles.begin(), muscles.end(), [&](const std::string& muscle) {
@@ -80,6 +86,8 @@ HoodRung predict_rung(const DigitTendons& tendons, const std::string& name,
     if (const auto alone = loaded(trial); alone.size() == 1)
       rung.muscle[alone.front()] =
           error_of(rung.prediction, experiment, [&](const Trial& t) { return loaded(t) == alone; });
+
+  // Trials that are not to be trusted.
   for (std::size_t i = 0; i < forces.warning.size(); ++i)
     if (!forces.warning[i].empty())
       rung.warning.push_back(fmt::format("{}, {}: {}", rung.prediction.trials[i].posture,
@@ -99,6 +107,7 @@ double distance(const Prediction& from, const Prediction& to) {
 }  // namespace
 
 TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experiment) {
+  // The experiment on the digit as published: nothing is free.
   const TendonDigit& digit = tendons.digit();
   const FitParameters fixed = choose_parameters(digit, {}, {});
   const ExperimentPlan plan = plan_experiment(digit, fixed, experiment);
@@ -106,6 +115,7 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
   out.force.resize(3, plan.force.cols());
   std::vector<double> seconds;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    // Nets are brought from the straight finger; only the rest at the posture is timed.
     const VectorXd& q = plan.postures[static_cast<std::size_t>(plan.posture_of_trial[i])];
     const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
     const Eigen::Matrix3Xd start = start_from_straight(tendons, q, t);
@@ -122,13 +132,17 @@ TrialForces trial_forces(const DigitTendons& tendons, const Experiment& experime
 
 HoodComparison compare_hoods(const Subject& subject, const Experiment& experiment,
                              const std::vector<NetDescription>& nets) {
+  // Muscles of the hood, and whether the subject has a rule for it.
   HoodComparison out{
       subject.name, experiment.name, find_hood_muscles(subject, experiment, nets), {}};
   bool has_rule = false;
   for (const Digit& digit : subject.digits)
     has_rule = has_rule || (digit.name == experiment.digit && digit.hood);
+  // Whole tendons run straight, and wrapped where the subject has surfaces.
   std::vector<std::pair<Path, std::string>> paths{{Path::kViaPoint, ""}};
   if (!subject.surfaces.empty()) paths.push_back({Path::kWrapped, ", wrapped"});
+
+  // A rung with each kind of path.
   const auto add = [&](const std::string& name, Hood hood, const NetDescription* net = nullptr,
                        NetRuns runs = NetRuns::kBent) {
     for (const auto& [path, suffix] : paths) {
@@ -141,6 +155,8 @@ HoodComparison compare_hoods(const Subject& subject, const Experiment& experimen
       out.rungs.push_back(predict_rung(*tendons, name + suffix, experiment, out.hood_muscles));
     }
   };
+
+  // From the poorest hood to the finest, with the distance of each to the last.
   add("separate tendons", Hood::kSeparate);
   if (has_rule) add("fixed fractions", Hood::kFractions);
   for (const NetDescription& net : nets)

@@ -21,12 +21,15 @@ ExperimentPlan plan_of(const NetTendons& tendons, const Experiment& experiment) 
 TendonTest test_of(const NetTendons& tendons, const ExperimentPlan& plan, int posture,
                    const VectorXd& t) {
   const TendonModel<double>& model = tendons.digit().model;
+  // Posture, tensions of the net's muscles, and a name of both.
   TendonTest test;
   test.q = plan.postures[static_cast<std::size_t>(posture)];
   test.tension = tendons.drive(t);
   test.name = plan.posture_names[static_cast<std::size_t>(posture)];
   for (Eigen::Index m = 0; m < t.size(); ++m)
     if (t(m) > 0) test.name += fmt::format(" {}={:.3g}", tendons.digit().names.muscles[m], t(m));
+
+  // The net at rest; what its bands do not explain of the torque belongs to the tendons outside.
   test.start = start_from_straight(tendons, test.q, t);
   const NetEquilibrium rest = tendons.rest(test.q, t, test.start);
   test.tau_own = tendons.torque(test.q, t, rest) - net_torque(tendons.net().net, model.tree,
@@ -49,11 +52,14 @@ VectorXd largest_loads(const NetTendons& tendons, const ExperimentPlan& plan) {
 }  // namespace
 
 MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan, const VectorXd& q) {
+  // Loads of the hold for a unit torque about each joint.
   const TreeState<double> state = pose_tree(model.tree, q);
   const MatrixXd L = tip_constraint_loads(model, state, plan.hold, 0.0);
   const MatrixX<double> each = MatrixX<double>::Identity(model.coordinates, model.coordinates);
   const MatrixX<double> loads =
       L.rows() < L.cols() ? solve_least_norm(L, each) : solve_least_squares(L, each);
+
+  // Forces, turned from the tip's axes to the stated ones.
   const auto axes = [&](int link) -> Eigen::Matrix3d {
     return link < 0 ? model.tip_axes : Eigen::Matrix3d(state[link].X.R * model.tip_axes);
   };
@@ -71,6 +77,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
   const ExperimentPlan plan = plan_of(tendons, experiment);
   std::vector<TendonRecord> records;
   for (Eigen::Index i = 0; i < plan.force.cols(); ++i) {
+    // Trials that do not load the net are left out.
     const VectorXd& t = plan.tension[static_cast<std::size_t>(i)];
     if (tendons.drive(t).isZero(0)) continue;
     records.push_back(
@@ -83,6 +90,7 @@ std::vector<TendonRecord> net_records(const NetTendons& tendons, const Experimen
 }
 
 std::vector<TendonTest> possible_tests(const NetTendons& tendons, const Experiment& experiment) {
+  // Largest loads: all together, each alone, and in pairs.
   const ExperimentPlan plan = plan_of(tendons, experiment);
   const VectorXd largest = largest_loads(tendons, plan);
   std::vector<VectorXd> loads{largest};
@@ -93,6 +101,8 @@ std::vector<TendonTest> possible_tests(const NetTendons& tendons, const Experime
       loads.back()(a) = largest(a);
       loads.back()(b) = largest(b);
     }
+
+  // Each of them in every posture.
   std::vector<TendonTest> tests;
   for (int p = 0; p < static_cast<int>(plan.postures.size()); ++p)
     for (const VectorXd& t : loads) tests.push_back(test_of(tendons, plan, p, t));

@@ -65,6 +65,7 @@ class Lister {
   void list_axes() {
     constexpr const char* kAlong[] = {"1", "2", "along"};
     for (int i = 0; i < static_cast<int>(digit_.names.hinges.size()); ++i) {
+      // Two tilts, two shifts and one along the axis, and the bone beyond it.
       const std::string& joint = digit_.names.hinges[i];
       for (int c = 0; c < 2; ++c)
         add(fmt::format("axis/{}/direction/{}", joint, c + 1), ParameterKind::kAxisDirection, i, 0,
@@ -77,6 +78,7 @@ class Lister {
 
   void list_strands() {
     for (int s = 0; s < static_cast<int>(digit_.names.strands.size()); ++s) {
+      // Friction of the sheath, then points of the path, or moment arms if it has none.
       const std::string& strand = digit_.names.strands[s];
       add(fmt::format("friction/{}", strand), ParameterKind::kFriction, s, 0, 0,
           digit_.model.friction[s]);
@@ -93,6 +95,7 @@ class Lister {
 
   void list_hood() {
     for (int b = 0; b < static_cast<int>(digit_.model.hood_shares.size()); ++b) {
+      // Fractions of each muscle's tension in the hood.
       const std::string& muscle = digit_.names.muscles[digit_.model.hood_shares[b].muscle];
       add(fmt::format("hood/{}/into", muscle), ParameterKind::kHoodEntry, b, 0, 0);
       add(fmt::format("hood/{}/central", muscle), ParameterKind::kHoodCentral, b, 0, 0);
@@ -102,15 +105,18 @@ class Lister {
 
   void list_mounting() {
     for (int c = 0; c < 3; ++c) {
+      // Where the force acts, and the tilt of the load cell.
       add(fmt::format("tip/{}", kDirections[c]), ParameterKind::kTip, 0, 0, c);
       add(fmt::format("sensor/{}", kDirections[c]), ParameterKind::kSensorTilt, 0, 0, c);
     }
     for (int j = 0; j < digit_.model.coordinates; ++j) {
+      // Errors of joint angles, in all postures and in single ones.
       const std::string& joint = digit_.names.coordinates[j];
       add(fmt::format("angle/{}", joint), ParameterKind::kAngle, j, 0, 0);
       for (int k = 0; k < static_cast<int>(postures_.size()); ++k)
         add(fmt::format("angle/{}/{}", joint, postures_[k]), ParameterKind::kPostureAngle, j, k, 0);
     }
+    // The hold, and the gain of each muscle.
     add("hold/out_of_plane", ParameterKind::kOutOfPlane, 0, 0, 0);
     for (int m = 0; m < static_cast<int>(digit_.names.muscles.size()); ++m)
       add(fmt::format("gain/{}", digit_.names.muscles[m]), ParameterKind::kGain, m, 0, 0, 1);
@@ -195,9 +201,11 @@ bool matches_glob(const std::string& glob, const std::string& name) {
     if (g < glob.size() && (glob[g] == '?' || glob[g] == name[n])) {
       ++g, ++n;
     } else if (g < glob.size() && glob[g] == '*') {
+      // A star matches nothing at first.
       star = g++;
       swallowed = n;
     } else if (star != std::string::npos) {
+      // No match here: the last star takes one character more.
       g = star + 1;
       n = ++swallowed;
     } else {

@@ -33,11 +33,14 @@ template <typename T>
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         std::size_t posture) {
+  // The posture with its errors of angles.
   VectorX<T> angles = plan.postures[posture].cast<T>() + model.angle_error;
   if (plan.posture_key[posture] >= 0) angles += model.posture_error.col(plan.posture_key[posture]);
   const TreeState<T> state = pose_tree(model.digit.tree, angles);
+  // Tip force of a unit of stated tension, in the tip's axes.
   MatrixX<T> map = tip_force_map(model.digit, state, angles, plan.hold, model.out_of_plane) *
                    model.gain.asDiagonal();
+  // Turned to the axes of the link in which forces are stated.
   if (plan.force_link != model.digit.tip_link) {
     const auto axes = [&](int link) -> Mat3<T> {
       return link < 0 ? model.digit.tip_axes : Mat3<T>(state[link].X.R * model.digit.tip_axes);
@@ -51,6 +54,7 @@ template <typename T>
 template <typename T>
 [[nodiscard]] Eigen::Matrix<T, 3, Eigen::Dynamic> predict_forces(const SpecimenModel<T>& model,
                                                                  const ExperimentPlan& plan) {
+  // The map of each posture serves all its trials.
   std::vector<MatrixX<T>> maps;
   for (std::size_t k = 0; k < plan.postures.size(); ++k)
     maps.push_back(cell_force_map(model, plan, k));

@@ -24,6 +24,7 @@ struct AngleBelief {
 };
 
 AngleBelief angle_belief(const FitParameters& fitted, int joint) {
+  // Means and variances of this joint's error, over the postures that have one.
   AngleBelief sum;
   for (std::size_t p = 0; p < fitted.all.size(); ++p) {
     if (fitted.all[p].kind != ParameterKind::kPostureAngle || fitted.all[p].item != joint) continue;
@@ -43,6 +44,7 @@ TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd&
                                WithJacobian want) {
   require(z.size() == problem.size(), "fit has {} coordinates, got {}", problem.size(), z.size());
   require(z.allFinite(), "coordinates of a fit must be finite");
+  // Displacements of the specimen, then forces with or without slopes.
   const int specimen = problem.specimen_of(e);
   const ExperimentPlan& plan = problem.plans()[e];
   const Eigen::VectorXd u = displacements(problem.coordinates(), z, specimen);
@@ -56,11 +58,13 @@ TrialPrediction predict_trials(const FitProblem& problem, const Eigen::VectorXd&
 FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment, int joints) {
   const FitParameters known = fitted;
   if (known.postures.empty()) return fitted;
+  // A posture that the fit does not name gets its own key.
   for (const PostureRecord& posture : experiment.postures) {
     const auto& names = fitted.postures;
     if (std::find(names.begin(), names.end(), posture.name) != names.end()) continue;
     const auto key = static_cast<int>(names.size());
     fitted.postures.push_back(posture.name);
+    // Every joint errs there by the mean prior of known postures.
     for (int joint = 0; joint < joints; ++joint) {
       const AngleBelief belief = angle_belief(known, joint);
       Parameter p;
@@ -99,6 +103,7 @@ Prediction compare_forces(const Experiment& experiment, const Eigen::Matrix3Xd& 
                           const Eigen::Matrix3Xd& sd, bool calibrated_on_specimen) {
   Prediction out{experiment.name, {}, {}, calibrated_on_specimen};
   for (Eigen::Index i = 0; i < predicted.cols(); ++i) {
+    // Predicted and measured, trial by trial.
     const Trial& trial = experiment.trials[i];
     out.trials.push_back(
         {trial.posture, describe_loads(trial), trial.force, predicted.col(i), sd.col(i)});
@@ -112,12 +117,14 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   double residual = 0, flexion = 0, total = 0, total_flexion = 0;
   int covered = 0, counted = 0;
   std::vector<double> angles;
+  // Sums of squares, all components and the two in the plane of flexion.
   for (const PredictedTrial& trial : trials) {
     const Eigen::Vector3d r = trial.predicted - trial.measured;
     residual += r.squaredNorm();
     flexion += r.head<2>().squaredNorm();
     total += trial.measured.squaredNorm();
     total_flexion += trial.measured.head<2>().squaredNorm();
+    // Angles and coverage, where they are defined.
     if (trial.predicted.squaredNorm() > 0 && trial.measured.squaredNorm() > 0)
       angles.push_back(direction_error(trial));
     if (trial.sd.minCoeff() <= 0) continue;
@@ -126,6 +133,8 @@ ForceError force_error(const std::vector<PredictedTrial>& trials) {
   }
   require(total > 0, "all {} measured forces are zero: an error relative to them is not defined",
           trials.size());
+
+  // Ratios of the sums.
   ForceError error;
   error.rms = std::sqrt(residual / static_cast<double>(trials.size()));
   error.relative = std::sqrt(residual / total);
@@ -146,13 +155,18 @@ Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, i
 Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                               const Eigen::MatrixXd& C, const Experiment& experiment,
                               int specimen) {
+  // Parameters and plan, with errors of postures that the fit does not know.
   const FitParameters parameters =
       add_posture_errors(fitted.parameters(), experiment, fitted.digit().model.coordinates);
   const int known = fitted.parameters().coordinates();
   const ExperimentPlan plan = plan_experiment(fitted.digit(), parameters, experiment);
+
+  // Forces of the specimen, or of the population.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   u.head(known) = displacements(fitted.coordinates(), z, specimen);
   const ForceJacobian forces = force_jacobian(fitted.digit(), parameters, plan, u);
+
+  // Variance of the estimate, and of the deviation of an unseen specimen.
   const std::vector<int> on = fitted.coordinates().entries_of_specimen(specimen);
   const Eigen::MatrixXd J_z =
       forces.J.leftCols(known) *
@@ -160,6 +174,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
   Eigen::VectorXd variance = (J_z * C(on, on)).cwiseProduct(J_z).rowwise().sum();
   if (specimen < 0)
     variance += forces.J.leftCols(known).cwiseAbs2() * unseen_variance(fitted.coordinates());
+  // Variance of unknown errors of angles, and the noise.
   for (int c = known; c < parameters.coordinates(); ++c)
     variance +=
         forces.J.col(c).cwiseAbs2() * std::pow(parameters.all[parameters.leader[c]].between_sd, 2);

@@ -24,6 +24,7 @@ struct SpecimenModel {
 /// The model on another scalar, every number constant.
 template <typename T>
 [[nodiscard]] SpecimenModel<T> cast_model(const TendonModel<double>& from, int postures) {
+  // Topology and constants.
   SpecimenModel<T> to;
   to.digit.coordinates = from.coordinates;
   to.digit.tip_link = from.tip_link;
@@ -35,6 +36,7 @@ template <typename T>
   to.digit.knuckle = from.knuckle;
   to.digit.friction = from.friction.cast<T>();
   to.digit.hood = from.hood;
+  // Hinges, paths and hood.
   for (const Hinge<double>& hinge : from.tree)
     to.digit.tree.push_back({hinge.parent, hinge.coordinate, hinge.ratio, hinge.offset,
                              hinge.direction.cast<T>(), hinge.point.cast<T>()});
@@ -46,6 +48,7 @@ template <typename T>
   for (const HoodShare<double>& share : from.hood_shares)
     to.digit.hood_shares.push_back(
         {share.muscle, share.side, T(share.into_hood), T(share.to_central), T(share.slope)});
+  // No errors of angles, and tensions as stated.
   to.angle_error = VectorX<T>::Zero(from.coordinates);
   to.posture_error = MatrixX<T>::Zero(from.coordinates, postures);
   to.gain = VectorX<T>::Ones(static_cast<Eigen::Index>(from.pulls.size()));
@@ -65,6 +68,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
   for (int next = static_cast<int>(from.tree.size()) - 1; next > i; --next)
     if (beyond(next) && (from.tree[next].point - from.tree[i].point).norm() > 1e-6)
       end = from.tree[next].point;
+  // Shift of a point: in proportion to its place along the bone.
   const Eigen::Vector3d bone = end - from.tree[i].point;
   const double length = bone.norm();
   if (length == 0) return;
@@ -72,6 +76,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
     const double along = (p - from.tree[i].point).dot(bone) / (length * length);
     return (bone / length).cast<T>() * (by * T(std::min(1.0, std::max(0.0, along))));
   };
+  // Hinges, path points and the tip beyond the hinge.
   for (std::size_t k = i + 1; k < from.tree.size(); ++k)
     if (beyond(static_cast<int>(k))) to.tree[k].point += shift(from.tree[k].point);
   for (std::size_t s = 0; s < from.paths.size(); ++s)
@@ -90,6 +95,7 @@ void set_parameter(const TendonModel<double>& from, const Parameter& p, const T&
   switch (p.kind) {
     case ParameterKind::kAxisDirection:
     case ParameterKind::kAxisPoint: {
+      // Tilts add tangents to the direction, shifts add tangents or the axis itself to the point.
       const Eigen::Vector3d& d = from.tree[p.item].direction;
       const Tangents e = tangents(d);
       const Eigen::Vector3d along = p.component == 0 ? e.e1 : p.component == 1 ? e.e2 : d;

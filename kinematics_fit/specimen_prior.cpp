@@ -83,6 +83,7 @@ Eigen::VectorXd displacements(const FitCoordinates& coordinates, const Eigen::Ve
 
 Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates, const Eigen::VectorXd& z,
                                       int specimen) {
+  // Two columns at most are not zero in each row.
   const CoordinateMotion at = coordinate_motion(coordinates, z, specimen);
   const int n = coordinates.parameters().coordinates();
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, coordinates.size());

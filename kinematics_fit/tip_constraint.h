@@ -21,15 +21,19 @@ template <typename T>
 [[nodiscard]] MatrixX<T> tip_constraint_loads(const TendonModel<T>& digit,
                                               const TreeState<T>& state, TipConstraint hold,
                                               const T& out_of_plane) {
+  // Three forces, one moment, or all three moments.
   const int columns = hold == TipConstraint::kPinned ? 3 : out_of_plane == T(0) ? 4 : 6;
+  // The tip's place and directions.
   const Mat3<T> axes =
       digit.tip_link < 0 ? digit.tip_axes : Mat3<T>(state[digit.tip_link].X.R * digit.tip_axes);
   const Vec3<T> tip = moved(state, digit.tip_link, digit.tip);
+  // Torques of unit forces.
   MatrixX<T> loads(digit.coordinates, columns);
   loads.template leftCols<3>() =
       position_jacobian(digit.tree, state, digit.tip_link, tip, digit.coordinates).transpose() *
       axes;
   if (columns == 3) return loads;
+  // Torques of unit moments, each in units of a length.
   const MatrixX<T> moments =
       rotation_jacobian(digit.tree, state, digit.tip_link, digit.coordinates).transpose() * axes;
   loads.col(3) = moments.col(2) * T(kHoldLength);
@@ -45,6 +49,7 @@ template <typename T>
 [[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,
                                        const VectorX<T>& q, TipConstraint hold,
                                        const T& out_of_plane) {
+  // Torques of the muscles, balanced by the loads of the hold.
   const MatrixX<T> L = tip_constraint_loads(digit, state, hold, out_of_plane);
   const MatrixX<T> torque = muscle_arms(digit, state, q).transpose();
   const MatrixX<T> loads =
