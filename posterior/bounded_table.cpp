@@ -26,6 +26,7 @@ BoundedTable::BoundedTable(const BoundedNormal& exact) : exact_(exact) {
   };
   std::array<double, 3> a = node(0);
   for (int i = 0; i < kCells; ++i) {
+    // The next node ends this cell.
     const std::array<double, 3> b = node(i + 1);
     // What is left of the far end for the terms of degree 3 to 5.
     const double p = b[0] - a[0] - a[1] - a[2] / 2, q = b[1] - a[1] - a[2], r = b[2] - a[2];

@@ -34,13 +34,17 @@ ArrowFactor block_curvature(const LeastSquares& problem, const Eigen::VectorXd& 
 
 Curvature curvature(const LeastSquares& problem, const Eigen::VectorXd& z) {
   constexpr double kUnknown = 1e-12;  // of the largest curvature: neither data nor priors
+  // Coordinates between equal bounds are fixed.
   Curvature found;
   for (int i = 0; i < static_cast<int>(z.size()); ++i)
     if (problem.lower[i] < problem.upper[i]) found.free.push_back(i);
+  // Several specimens: factor by blocks.
   if (!problem.parts.empty()) {
     found.blocks = block_curvature(problem, z);
     return found;
   }
+
+  // Eigenvalues of J'J; unknown directions get a small one.
   const Eigen::MatrixXd J = problem.residuals(z, WithJacobian::kYes).J(Eigen::all, found.free);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(J.transpose() * J);
   const double largest = found.free.empty() ? 0 : eigen.eigenvalues().maxCoeff();
@@ -59,6 +63,7 @@ Mode mode_at(const Solution& solution, const Curvature& at) {
   mode.z = solution.z;
   mode.cost = solution.cost;
   mode.status = solution.status;
+  // Fixed coordinates have no variance.
   mode.covariance = Eigen::MatrixXd::Zero(mode.z.size(), mode.z.size());
   if (at.blocks)
     mode.covariance(at.free, at.free) = at.blocks->inverse()(at.free, at.free);
@@ -88,9 +93,11 @@ void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& sea
 Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions& search,
                            int number) {
   constexpr int kTrials = 20;
+  // Each search has a stream of its own.
   RandomStream random(search.seed, static_cast<std::uint32_t>(number), 0, kSearchStream);
   Eigen::VectorXd z(problem.lower.size());
   for (Eigen::Index i = 0; i < z.size(); ++i)
+    // Drawn again while outside, at last put on the bound.
     for (int trial = 0; trial < kTrials; ++trial) {
       z[i] = search.spread * random.normal();
       if (z[i] >= problem.lower[i] && z[i] <= problem.upper[i]) break;
@@ -101,9 +108,11 @@ Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions&
 /// One search, or why there was none.
 Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
                      const SolveOptions& options) {
+  // Solve where the residuals are finite at the start.
   const Eigen::VectorXd inside = start.cwiseMax(problem.lower).cwiseMin(problem.upper);
   if (problem.residuals(inside, WithJacobian::kNo).r.allFinite())
     return solve(problem, inside, options);
+  // A failed search, for the record.
   Solution none;
   none.z = inside;
   none.cost = std::numeric_limits<double>::infinity();
@@ -114,6 +123,7 @@ Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
 
 /// A global search, polished.
 Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& search, int number) {
+  // Without derivatives, over all of the bounds.
   SolveOptions global;
   global.method = LeastSquaresMethod::kNloptGlobal;
   global.seed = search.seed + static_cast<unsigned>(number);
@@ -121,6 +131,8 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
   const Solution rough =
       search_from(problem, prior_draw(problem, search, search.starts + number), global);
   if (!std::isfinite(rough.cost) || rough.status == SolveStatus::kStopped) return rough;
+
+  // The local solver sharpens what was found.
   Solution fine = search_from(problem, rough.z, search.polish);
   fine.evaluations += rough.evaluations;
   fine.seconds += rough.seconds;
@@ -128,6 +140,7 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
 }
 
 void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
+  // Given starts first, then draws from the prior, then global searches.
   const int also = static_cast<int>(search.also.cols());
   const int total = also + search.starts + search.global_searches;
   for (int i = 0; i < total; ++i) {
@@ -146,20 +159,25 @@ void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, 
 
 /// Gathers the ends of all searches, the best first.
 void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
+  // Searches by rising cost.
   std::vector<int> order(found.searches.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(),
                    [&](int a, int b) { return found.searches[a].cost < found.searches[b].cost; });
+
+  // Each end joins the first mode that data cannot tell it from, or founds one.
   found.mode_of_search.assign(order.size(), -1);
   std::vector<Curvature> at;
   for (const int i : order) {
     const Solution& end = found.searches[i];
     if (!std::isfinite(end.cost) || end.status == SolveStatus::kFailed) continue;
+    // The first mode near in cost and in Laplace sds.
     std::size_t m = 0;
     while (m < at.size() && (end.cost - found.modes[m].cost >= search.same_cost ||
                              squared_distance(at[m], end.z - found.modes[m].z) >=
                                  search.same_distance * search.same_distance))
       ++m;
+    // A new mode, with the logarithm of its Laplace mass.
     if (m == at.size()) {
       at.push_back(curvature(problem, end.z));
       found.modes.push_back(mode_at(end, at.back()));
@@ -185,6 +203,7 @@ struct Share {
 
 /// Modes that a run could ever visit, and how many starts each gets.
 std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
+  // Half by mass, half evenly.
   constexpr double kMinMass = 1e-6;
   std::vector<Share> shares;
   for (std::size_t m = 0; m < modes.size(); ++m)
@@ -198,6 +217,7 @@ std::vector<Share> shares_of_starts(const std::vector<Mode>& modes) {
 /// Brings z within bounds, as in a mirror, and a little off them.
 double reflected(double z, double lower, double upper) {
   if (lower >= upper) return lower;
+  // Distance to keep from a bound.
   constexpr double kOff = 0.01;
   const double off = std::isfinite(upper - lower) ? kOff * (upper - lower) : kOff;
   if (z < lower) z = 2 * lower - z;
@@ -227,6 +247,7 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
   require(!modes.empty(), "no modes to start from");
   require(count >= 1, "count of starts must be >= 1, got {}", count);
   require(inflation > 0, "inflation must be > 0, got {}", inflation);
+  // Roots of the covariances, inflated.
   const std::vector<Share> shares = shares_of_starts(modes);
   std::vector<Eigen::MatrixXd> roots;
   for (const Share& share : shares) roots.push_back(inflation * root(modes[share.mode].covariance));
@@ -238,6 +259,7 @@ Eigen::MatrixXd dispersed_starts(const LeastSquares& problem, const std::vector<
     double left = std::fmod((k + 0.5) * kGolden, 1.0);
     std::size_t m = 0;
     while (m + 1 < shares.size() && left >= shares[m].share) left -= shares[m++].share;
+    // A normal draw about the mode, brought back within bounds.
     RandomStream random(seed, static_cast<std::uint32_t>(k), 0, kDispersedStream);
     const Eigen::VectorXd z =
         modes[shares[m].mode].z +

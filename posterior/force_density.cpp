@@ -28,6 +28,7 @@ ForceNoise::Tail ForceNoise::tail(double m) const {
 TaskDensity task_density(const ForceNoise& model, const Eigen::Ref<const Eigen::Matrix3Xd>& unit,
                          const std::vector<MuscleTension>& pulls, const Eigen::Vector3d& force,
                          const Eigen::Vector3d& sd, double noise) {
+  // Residual r and covariance S, with the tensions integrated out.
   Eigen::Vector3d r = force;
   Eigen::Matrix3d S = (noise * sd).cwiseAbs2().asDiagonal();
   for (Eigen::Index j = 0; j < unit.cols(); ++j) {
@@ -35,6 +36,8 @@ TaskDensity task_density(const ForceNoise& model, const Eigen::Ref<const Eigen::
     r -= a * pulls[j].tension;
     S += a * pulls[j].variance * a.transpose();
   }
+
+  // Log density by the Cholesky factor of S.
   const Eigen::LLT<Eigen::Matrix3d> llt(S);
   const Eigen::Matrix3d P = llt.solve(Eigen::Matrix3d::Identity());
   const Eigen::Vector3d p = P * r;

@@ -35,6 +35,7 @@ Eigen::MatrixXd ForceKernel::forces(const Eigen::Ref<const Eigen::MatrixXd>& u) 
 ForceKernel::Recorded ForceKernel::record(const Eigen::Ref<const Eigen::MatrixXd>& u) const {
   require(u.rows() == coordinates(), "the digit has {} coordinates, u has {}", coordinates(),
           u.rows());
+  // The tape stays with whoever asks for the adjoint.
   auto tape = std::make_shared<Tape>(
       kernel::run_batch(*program_, kernel::simd_backends(), u, kernel::KeepTape::kYes));
   Eigen::MatrixXd forces = std::move(tape->batch.forces);

@@ -46,6 +46,7 @@ Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::Vect
   if (specimen >= 0) return displacements(problem.coordinates(), z, specimen);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(problem.parameters().coordinates());
   for (int c = 0; c < static_cast<int>(u.size()); ++c) {
+    // Without the population's share, which belongs to the estimate and not to the geometry.
     const CoordinateEntries& of = problem.coordinates().entries(c);
     if (of.population >= 0) u[c] = of.population_sd * z[of.population];
   }
@@ -58,10 +59,13 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
   const FitParameters& parameters = problem.parameters();
   std::vector<Gauge> gauges;
   for (int p = 0; p < static_cast<int>(parameters.all.size()); ++p) {
+    // Candidates: shifts of an axis along itself that move nothing else.
     const Parameter& one = parameters.all[p];
     if (one.kind != ParameterKind::kAxisPoint || one.component != 2) continue;
     Gauge gauge{own_coordinate(parameters, p), {-1, -1}, {-1, -1}};
     if (gauge.along < 0) continue;
+
+    // Is the axis tilted, and can its point take up the shift in both directions?
     bool tilted = false, free = true;
     for (int k = 0; k < 2; ++k) {
       gauge.tilt[k] = find_parameter(parameters, ParameterKind::kAxisDirection, one.item, k);
@@ -71,6 +75,8 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
       gauge.point[k] = own_coordinate(parameters, point);
       free &= takes_up(problem, gauge.point[k], gauge.along, turn);
     }
+
+    // Without any tilt the shift has no effect and needs nobody to take it up.
     if (!tilted) gauge.point[0] = gauge.point[1] = -1;
     if (free || !tilted) gauges.push_back(gauge);
   }
@@ -79,18 +85,24 @@ std::vector<Gauge> find_gauges(const FitProblem& problem) {
 
 Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gauge>& gauges,
                                Eigen::VectorXd z) {
+  // All changes are computed from z as it was.
   const Eigen::VectorXd before = z;
   const FitParameters& parameters = problem.parameters();
   const int specimens = static_cast<int>(problem.specimens().size());
   const Eigen::VectorXd population = whole_displacements(problem, before, -1);
   for (const Gauge& gauge : gauges) {
+    // Change of the point that replaces the shift s of a tilted axis: -s u, -s v.
     const auto shift = [&](const Eigen::VectorXd& u, int k) {
       return -u[gauge.along] * tilt(parameters, gauge.tilt[k], u);
     };
+
+    // The shift becomes zero, of the population and of every specimen.
     const CoordinateEntries& along = problem.coordinates().entries(gauge.along);
     if (along.population >= 0) z[along.population] = 0;
     for (int s = 0; s < specimens && along.deviation >= 0; ++s)
       z[along.deviation + s * problem.coordinates().deviations()] = 0;
+
+    // The point takes it up: the population's part first, specimens relative to it.
     for (int k = 0; k < 2 && gauge.point[k] >= 0; ++k) {
       const int c = gauge.point[k];
       const CoordinateEntries& point = problem.coordinates().entries(c);

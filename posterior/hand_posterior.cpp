@@ -26,10 +26,12 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
     for (std::size_t i = 0; i < parts.entries.coordinates.size(); ++i) {
       const CoordinateEntry& entry = parts.entries.coordinates[i];
       const auto at = static_cast<Index>(i);
+      // Sum over the specimens that the entry moves.
       double by_y = 0;
       for (std::size_t s = 0; s < by_u.size(); ++s)
         if (entry.specimen < 0 || entry.specimen == static_cast<int>(s))
           by_y += by_u[s](entry.coordinate, p);
+      // Chain rule to the entry, to the centre of its bounds and to its scale factor.
       gradient(at, p) += by_y * motion.by_x(at, p);
       if (entry.centre >= 0)
         gradient(entry.centre, p) += by_y * motion.by_centre(at, p) * motion.by_x(entry.centre, p);
@@ -42,12 +44,15 @@ void add_by_entries(const PosteriorParts& parts, const EntryMotion& motion,
 /// Adds one experiment to the likelihood, and to its derivatives if they are wanted.
 void add_experiment(const PosteriorParts& parts, int e, const Displaced& displaced,
                     const EntryMotion& motion, std::vector<MatrixXd>& by_u, Densities& at) {
+  // Forces at all points; a tape is recorded only if slopes are wanted.
   const int s = parts.problem.specimen_of(e);
   const MatrixXd& u = displaced.u[s];
   const ForceKernel& kernel = parts.kernels[e];
   const bool wanted = at.likelihood_gradient.size() > 0;
   const ForceKernel::Recorded recorded =
       wanted ? kernel.record(u) : ForceKernel::Recorded{kernel.forces(u), nullptr};
+
+  // Log likelihood point by point, with its derivatives by forces and by log noise.
   MatrixXd by_force(recorded.forces.rows(), u.cols());
   for (Index p = 0; p < u.cols(); ++p) {
     const DataDensity one = data_density(parts.model, parts.data[e], recorded.forces.col(p).data(),
@@ -57,15 +62,19 @@ void add_experiment(const PosteriorParts& parts, int e, const Displaced& displac
       at.likelihood_gradient(parts.entries.noise_scale_offset() + e, p) +=
           parts.options.noise_sd * one.by_log_noise;
   }
+
+  // Back from forces to the coordinates of the specimen.
   if (wanted) by_u[s] += kernel.adjoint_product(recorded, by_force);
 }
 
 /// u of each specimen where bounds hold some coordinates; zero where an entry of x moves it.
 std::vector<Eigen::VectorXd> resting(const FitProblem& problem, const PosteriorEntries& entries) {
+  // Entries without room sit on their bound.
   Eigen::VectorXd z = Eigen::VectorXd::Zero(problem.size());
   for (const int i : entries.fixed) z[i] = problem.coordinates().lower()[i];
   std::vector<Eigen::VectorXd> rest;
   for (std::size_t s = 0; s < problem.specimens().size(); ++s) {
+    // Coordinates that an entry of x moves are added later.
     rest.push_back(displacements(problem.coordinates(), z, static_cast<int>(s)));
     for (const CoordinateEntry& entry : entries.coordinates) rest.back()[entry.coordinate] = 0;
   }
@@ -91,12 +100,16 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
           options.noise_sd);
   require(!options.learn_specimen_scale || options.specimen_scale_sd > 0,
           "spread_sd must be > 0, got {}", options.specimen_scale_sd);
+
+  // Entries of x.
   const FitProblem& fit = parts.problem;
   parts.entries =
       list_entries(fit, options.learn_noise, options.learn_specimen_scale, options.sphere_priors);
   require(!parts.entries.coordinates.empty(),
           "nothing to sample: every free parameter shifts an axis along itself, or is held by its "
           "bounds");
+
+  // Measurements and force kernel of every experiment.
   parts.model = ForceNoise(fit.robust_scale());
   for (std::size_t e = 0; e < fit.experiments().size(); ++e) {
     parts.data.push_back(
@@ -116,6 +129,7 @@ const PosteriorOptions& HandPosterior::options() const { return parts_->options;
 Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
   const bool wanted = want == WithGradient::kYes;
+  // From entries of x to the coordinates of every specimen.
   const EntryMotion motion = internal::move(*parts_, x);
   const Displaced displaced = internal::displace(*parts_, motion);
   Densities at{Eigen::VectorXd(x.cols()), Eigen::VectorXd::Zero(x.cols()), {}, {}};
@@ -123,13 +137,18 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
     at.prior_gradient.resize(x.rows(), x.cols());
     at.likelihood_gradient = MatrixXd::Zero(x.rows(), x.cols());
   }
+
+  // Prior.
   internal::set_prior(*parts_, motion, at.log_prior, at.prior_gradient);
+
+  // Likelihood, experiment by experiment; slopes by coordinates become slopes by x at the end.
   std::vector<MatrixXd> by_u;
   for (const MatrixXd& u : displaced.u)
     by_u.push_back(MatrixXd::Zero(wanted ? u.rows() : 0, wanted ? u.cols() : 0));
   for (int e = 0; e < static_cast<int>(parts_->data.size()); ++e)
     add_experiment(*parts_, e, displaced, motion, by_u, at);
   if (wanted) add_by_entries(*parts_, motion, by_u, at.likelihood_gradient);
+  // Where coordinates were not finite, neither is the likelihood.
   for (Index p = 0; p < x.cols(); ++p)
     if (displaced.non_finite[p] != 0) at.log_likelihood[p] = std::nan("");
   return at;
@@ -137,6 +156,7 @@ Densities HandPosterior::evaluate(const Points& x, WithGradient want) const {
 
 MatrixXd HandPosterior::forces(const Points& x, int e) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
+  // Forces of the trials alone, without the unit pulls of tasks behind them.
   const Displaced displaced = internal::displace(*parts_, internal::move(*parts_, x));
   MatrixXd forces = parts_->kernels.at(e)
                         .forces(displaced.u[parts_->problem.specimen_of(e)])
@@ -148,6 +168,7 @@ MatrixXd HandPosterior::forces(const Points& x, int e) const {
 
 MatrixXd HandPosterior::pointwise(const Points& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
+  // Coordinates of every specimen, and room for trials first, then tasks.
   const EntryMotion motion = internal::move(*parts_, x);
   const Displaced displaced = internal::displace(*parts_, motion);
   Index trials = 0, tasks = 0;
@@ -158,12 +179,14 @@ MatrixXd HandPosterior::pointwise(const Points& x) const {
   MatrixXd out(trials + tasks, x.cols());
   Index trial = 0, task = trials;
   for (std::size_t e = 0; e < parts_->data.size(); ++e) {
+    // Forces of the experiment at all points.
     const ObservedForces& data = parts_->data[e];
     const MatrixXd forces =
         parts_->kernels[e].forces(displaced.u[parts_->problem.specimen_of(static_cast<int>(e))]);
     Eigen::VectorXd by_force(forces.rows());
     const auto own = static_cast<Index>(data.tasks.size());
     Eigen::VectorXd summands(data.trials + own);
+    // Summands of each point, trials and tasks apart.
     for (Index p = 0; p < x.cols(); ++p) {
       (void)data_density(parts_->model, data, forces.col(p).data(),
                          motion.log_noise(static_cast<Index>(e), p), by_force.data(),
@@ -222,6 +245,7 @@ double entry_from(const CoordinateEntry& entry, double k, double y) {
 }  // namespace
 
 std::vector<std::string> HandPosterior::names() const {
+  // Entries of the fit, then the factors of noise and between specimens.
   const std::vector<std::string> all = parts_->problem.coordinates().names();
   std::vector<std::string> names;
   for (const CoordinateEntry& entry : parts_->entries.coordinates) names.push_back(all[entry.z]);
@@ -240,6 +264,7 @@ std::vector<std::string> HandPosterior::specimen_scale_kinds() const {
 
 std::vector<int> HandPosterior::moving_parameters() const {
   const FitParameters& parameters = parts_->problem.parameters();
+  // Coordinates that some entry moves, and all parameters tied to them.
   std::vector<char> moves(parameters.coordinates(), 0);
   for (const CoordinateEntry& entry : parts_->entries.coordinates) moves[entry.coordinate] = 1;
   std::vector<int> moving;
@@ -251,10 +276,12 @@ std::vector<int> HandPosterior::moving_parameters() const {
 
 VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
   require(x.size() == size(), "the posterior has {} entries, got {}", size(), x.size());
+  // Entries without room sit on their bound.
   const PosteriorEntries& entries = parts_->entries;
   VectorXd z = VectorXd::Zero(parts_->problem.size());
   for (const int fixed : entries.fixed) z[fixed] = parts_->problem.coordinates().lower()[fixed];
   for (std::size_t i = 0; i < entries.coordinates.size(); ++i) {
+    // Each entry, with the factor of its kind.
     const CoordinateEntry& entry = entries.coordinates[i];
     const double k = entry.specimen_scale < 0
                          ? 1
@@ -270,6 +297,7 @@ VectorXd HandPosterior::fit_coordinates(const VectorXd& x) const {
 VectorXd HandPosterior::from_fit(const VectorXd& z) const {
   require(z.size() == parts_->problem.size() && z.allFinite(),
           "the fit has {} coordinates, all finite; got {}", parts_->problem.size(), z.size());
+  // Gauges first: x has no entry for them.
   const PosteriorEntries& entries = parts_->entries;
   const VectorXd at = without_gauges(parts_->problem, entries.gauges, z);
   VectorXd x = VectorXd::Zero(size());
@@ -283,6 +311,7 @@ VectorXd HandPosterior::from_fit(const VectorXd& z) const {
 
 PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x) const {
   require(x.rows() == size(), "the posterior has {} entries, got {}", size(), x.rows());
+  // Parameters that move, of the population and of each specimen.
   const FitProblem& problem = parts_->problem;
   const PosteriorEntries& entries = parts_->entries;
   const std::vector<int> moving = moving_parameters();
@@ -291,6 +320,7 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
   out.population.resize(rows, x.cols());
   out.specimens.assign(problem.specimens().size(), Eigen::MatrixXd(rows, x.cols()));
   for (Index p = 0; p < x.cols(); ++p) {
+    // Each point by way of the fit's z.
     const VectorXd z = fit_coordinates(x.col(p));
     const auto row = [&](int specimen) {
       return values_of(problem.parameters(), moving,
@@ -300,6 +330,8 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
     for (std::size_t s = 0; s < out.specimens.size(); ++s)
       out.specimens[s].col(p) = row(static_cast<int>(s));
   }
+
+  // Factors of noise and between specimens; 1 where they are not learnt.
   const auto experiments = static_cast<Index>(problem.experiments().size());
   out.noise = Eigen::MatrixXd::Ones(experiments, x.cols());
   if (entries.noise_scales > 0)
@@ -314,6 +346,7 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
 }
 
 VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
+  // Standard normal entries.
   RandomStream random(seed, number, 0, kPriorStream);
   const PosteriorEntries& entries = parts_->entries;
   VectorXd x(size());
@@ -326,6 +359,7 @@ VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
   };
   for (const TiltPair& pair : entries.tilts) {
     const CoordinateEntry& first = entries.coordinates[pair.x[0]];
+    // Centre: the population's tilts where the pair has them; concentration by the learnt scale.
     const double k = first.specimen_scale < 0
                          ? 1
                          : std::exp(parts_->options.specimen_scale_sd *
@@ -334,6 +368,7 @@ VectorXd HandPosterior::draw_prior(unsigned seed, unsigned number) const {
     for (int c = 0; c < 2; ++c)
       if (pair.centre[c] >= 0) centre[c] += y(pair.centre[c]);
     const double concentration = 1 / (k * k * first.sd * first.sd);
+    // Draw again while the tilts are beyond their bounds.
     for (bool inside = false; !inside;) {
       const Eigen::Vector2d shift = draw_tilt(centre, concentration, random) - centre;
       inside = true;

@@ -19,11 +19,13 @@ class TaskPlanner {
 
   [[nodiscard]] ObservedTask plan(const ActivationRow& row) {
     ObservedTask task{{}, row.force, force_sd(experiment_, row)};
+    // The posture by name.
     const std::vector<std::string>& postures = out_.plan.posture_names;
     const auto posture = std::find(postures.begin(), postures.end(), row.posture);
     require(posture != postures.end(), "activation row names posture '{}', which is not defined",
             row.posture);
     for (const auto& [name, activation] : row.activation) {
+      // A muscle that is surely silent adds nothing.
       const double sd = row.sd.at(name);
       if (activation == 0 && sd == 0) continue;
       const int muscle = find_muscle(name);
@@ -32,6 +34,7 @@ class TaskPlanner {
               "experiment '{}' states the activation of '{}', whose max_force the subject does not "
               "say",
               experiment_.name, name);
+      // Expected tension, and its variance.
       task.pulls.push_back({column(static_cast<int>(posture - postures.begin()), muscle),
                             most * activation, std::pow(most * sd, 2)});
     }
@@ -49,10 +52,12 @@ class TaskPlanner {
 
   /// The column of a unit pull, made when it is first asked for.
   int column(int posture, int muscle) {
+    // Known already?
     ExperimentPlan& plan = out_.plan;
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(digit_.max_tension.size(), muscle);
     for (int i = out_.trials; i < static_cast<int>(plan.tension.size()); ++i)
       if (plan.posture_of_trial[i] == posture && plan.tension[i] == unit) return i;
+    // A further column of the plan, without a measured force.
     plan.posture_of_trial.push_back(posture);
     plan.tension.push_back(unit);
     const auto columns = static_cast<Eigen::Index>(plan.tension.size());
@@ -71,6 +76,7 @@ class TaskPlanner {
 /// Normal noise: all trials are one sum of squares.
 DataDensity normal_density(const ObservedForces& data, const double* forces, double log_noise,
                            double* by_force) {
+  // Weighted residuals of all trials.
   const double scale = std::exp(-2 * log_noise);
   const int count = 3 * data.trials;
   const double m = scale * internal::weigh_residuals(count, data.plan.force.data(), forces,
@@ -87,11 +93,13 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
                                   data.precision.data(), scale, by_force);
   DataDensity sum{0, 0};
   for (int i = 0; i < data.trials; ++i) {
+    // Squared length of the trial's residual, in sds.
     const double* measured = data.plan.force.data() + 3 * i;
     const double* predicted = forces + 3 * i;
     double* by = by_force + 3 * i;
     double m = 0;
     for (int k = 0; k < 3; ++k) m += (measured[k] - predicted[k]) * by[k];
+    // The tail weighs it, for the density and for both derivatives.
     const ForceNoise::Tail tail = model.tail(m);
     for (int k = 0; k < 3; ++k) by[k] *= tail.weight;
     const double log_density = data.log_scale[i] - 3 * log_noise + tail.log_density;
@@ -106,6 +114,7 @@ DataDensity trials_density(const ForceNoise& model, const ObservedForces& data,
 
 ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
                                const Experiment& experiment, const ForceNoise& model) {
+  // Constants of the trials, then the unit pulls of the tasks.
   ObservedForces out{plan, static_cast<int>(plan.force.cols()), {}, {}, {}, 0};
   out.precision = plan.sd.cwiseAbs2().cwiseInverse();
   out.log_scale = model.log_constant - plan.sd.array().log().colwise().sum().transpose();
@@ -117,10 +126,13 @@ ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& p
 
 DataDensity data_density(const ForceNoise& model, const ObservedForces& data, const double* forces,
                          double log_noise, double* by_force, double* pointwise) {
+  // Trials, in the fast way where nobody asks for single ones.
   const bool plain = std::isinf(model.c2) && pointwise == nullptr;
   DataDensity sum = plain ? normal_density(data, forces, log_noise, by_force)
                           : trials_density(model, data, forces, log_noise, by_force, pointwise);
   if (data.tasks.empty()) return sum;
+
+  // Tasks: forces of their unit pulls.
   const auto columns = static_cast<Eigen::Index>(data.plan.force.cols());
   Eigen::Map<Eigen::Matrix3Xd> by(by_force, 3, columns);
   by.rightCols(columns - data.trials).setZero();
@@ -130,6 +142,7 @@ DataDensity data_density(const ForceNoise& model, const ObservedForces& data, co
     for (std::size_t j = 0; j < task.pulls.size(); ++j)
       unit.col(static_cast<Eigen::Index>(j)) =
           Eigen::Map<const Eigen::Vector3d>(forces + 3 * task.pulls[j].column);
+    // Density of the task, and its slopes by the unit pulls.
     const TaskDensity one =
         task_density(model, unit, task.pulls, task.force, task.sd, std::exp(log_noise));
     for (std::size_t j = 0; j < task.pulls.size(); ++j)

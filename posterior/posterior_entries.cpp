@@ -10,8 +10,11 @@ class EntryLister {
  public:
   EntryLister(const FitProblem& problem, bool learn_specimen_scale)
       : problem_(problem), learn_spread_(learn_specimen_scale) {
+    // Shifts along axes are left out.
     out_.gauges = find_gauges(problem);
     for (const Gauge& gauge : out_.gauges) left_out_.push_back(gauge.along);
+
+    // The population's entry of each coordinate, then one for every specimen.
     const int coordinates = problem.parameters().coordinates();
     for (int c = 0; c < coordinates; ++c) {
       const CoordinateEntries of = problem.coordinates().entries(c);
@@ -19,6 +22,8 @@ class EntryLister {
       for (int s = 0; s < static_cast<int>(problem.specimens().size()) && of.deviation >= 0; ++s)
         add(of.deviation + s * problem.coordinates().deviations(), c, s, of.deviation_sd);
     }
+
+    // In the order of z; only then are centres known by their place.
     std::sort(out_.coordinates.begin(), out_.coordinates.end(),
               [](const CoordinateEntry& a, const CoordinateEntry& b) { return a.z < b.z; });
     for (CoordinateEntry& entry : out_.coordinates) find_centre(entry);
@@ -45,6 +50,7 @@ class EntryLister {
       out_.fixed.push_back(z);
       return;
     }
+    // Bounds are tabulated where no factor moves them.
     if (specimen >= 0 && learn_spread_) entry.specimen_scale = spread_of(c);
     if (entry.specimen_scale < 0 && entry.bounds(1)) entry.table = table_of(entry);
     out_.coordinates.push_back(std::move(entry));
@@ -54,6 +60,7 @@ class EntryLister {
   void find_centre(CoordinateEntry& entry) const {
     const CoordinateEntries& of = problem_.coordinates().entries(entry.coordinate);
     if (entry.specimen < 0 || (std::isinf(of.lower) && std::isinf(of.upper))) return;
+    // The population's entry of the same coordinate.
     const auto population = std::find_if(
         out_.coordinates.begin(), out_.coordinates.end(), [&](const CoordinateEntry& other) {
           return other.specimen < 0 && other.coordinate == entry.coordinate;
@@ -71,6 +78,7 @@ class EntryLister {
   }
 
   int spread_of(int c) {
+    // Factors are shared by all parameters of a kind.
     const FitParameters& parameters = problem_.parameters();
     const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
     auto& known = out_.specimen_scales;
@@ -83,6 +91,7 @@ class EntryLister {
   /// Entry of x that moves this tilt, of the population (-1) or a specimen; -1: none.
   [[nodiscard]] int tilt_entry(int hinge, int component, int specimen, double* mean) const {
     const FitParameters& parameters = problem_.parameters();
+    // The mean comes from any entry of the tilt, also of another specimen.
     for (std::size_t i = 0; i < out_.coordinates.size(); ++i) {
       const CoordinateEntry& entry = out_.coordinates[i];
       const Parameter& p = parameters.all[parameters.leader[entry.coordinate]];
@@ -95,6 +104,7 @@ class EntryLister {
   }
 
   void pair_tilts(int hinge, int specimen) {
+    // Both tilts of the axis must move, with the same sd.
     TiltPair pair{};
     for (int k = 0; k < 2; ++k) {
       pair.x[k] = tilt_entry(hinge, k, specimen, &pair.mean[k]);

@@ -23,6 +23,7 @@ SimdRows lanes_of(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   for (Index b = 0; b < out.blocks(); ++b)
     for (int k = 0; k < kBlock; ++k) {
       const double* column = x.col(std::min<Index>(b * kBlock + k, x.cols() - 1)).data();
+      // Columns become lanes.
       double* to = out.row(b, 0) + k;
       for (Index i = 0; i < x.rows(); ++i) to[i * kBlock] = column[i];
     }
@@ -36,11 +37,13 @@ double sane(double log_factor) {
 
 /// An entry with a specimen_scale factor, at one point.
 void move_spread(const CoordinateEntry& entry, Index i, Index p, double k, EntryMotion& out) {
+  // Without bounds the map is linear.
   const double x = out.x(i, p), scale = k * entry.sd;
   out.y(i, p) = out.by_log_specimen_scale(i, p) = scale * x;
   out.by_x(i, p) = scale;
   const auto bounds = std::isnan(k) ? std::nullopt : entry.bounds(k);
   if (!bounds) return;
+  // Bounds are counted in sds, which the factor changes.
   const BoundedNormal::Image image = bounds->at(x);
   out.y(i, p) = out.by_log_specimen_scale(i, p) = scale * image.z;
   out.by_x(i, p) = scale * image.by_x;
@@ -53,6 +56,7 @@ void move_spread(const CoordinateEntry& entry, Index i, Index p, double k, Entry
 /// An entry whose bounds count from its population's, at one point. @param k  its specimen_scale
 /// factor
 void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, EntryMotion& out) {
+  // NaN where the map is not defined.
   const CoordinateEntry& entry = parts.entries.coordinates[i];
   const double centre = out.y(entry.centre, p), x = out.x(i, p);
   SpecimenDeviation own{std::nan(""), std::nan(""), std::nan(""), std::nan("")};
@@ -67,6 +71,7 @@ void move_about_centre(const PosteriorParts& parts, Index i, Index p, double k, 
 }  // namespace
 
 EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  // Room for all that is wanted.
   const PosteriorEntries& entries = parts.entries;
   const auto n = static_cast<Index>(entries.coordinates.size());
   const auto experiments = static_cast<Index>(parts.data.size());
@@ -78,6 +83,8 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
                   SimdRows(parts.entries.has_centres() ? n : 0, x.cols()),
                   Eigen::MatrixXd::Zero(experiments, x.cols()),
                   Eigen::MatrixXd(kinds, x.cols())};
+
+  // Factors of noise and between specimens.
   for (Index p = 0; p < x.cols(); ++p) {
     for (Index e = 0; e < experiments && entries.noise_scales > 0; ++e)
       out.log_noise(e, p) = sane(parts.options.noise_sd * x(entries.noise_scale_offset() + e, p));
@@ -85,6 +92,8 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
       out.specimen_scale(k, p) = std::exp(
           sane(parts.options.specimen_scale_sd * x(entries.specimen_scale_offset() + k, p)));
   }
+
+  // Entries: about a moving centre, in blocks of eight points, or with a factor.
   for (Index i = 0; i < n; ++i) {
     const CoordinateEntry& entry = entries.coordinates[i];
     if (entry.centre >= 0) {
@@ -107,6 +116,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
 }
 
 Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
+  // Specimen by specimen: where its entries rest, and what they add.
   const Index points = motion.log_noise.cols();
   Displaced out;
   out.non_finite.assign(points, 0);
@@ -120,6 +130,7 @@ Displaced displace(const PosteriorParts& parts, const EntryMotion& motion) {
       for (Index p = 0; p < points; ++p) to[p * u.rows()] += motion.y(static_cast<Index>(i), p);
     }
     for (Index p = 0; p < points; ++p) {
+      // Kernels see no NaN: such points are put to zero and marked.
       double probe = 0;  // NaN if any is not finite
       for (Index c = 0; c < u.rows(); ++c) probe += 0 * u(c, p);
       if (probe == 0) continue;
@@ -142,11 +153,13 @@ class TiltTerm {
   TiltTerm(const PosteriorEntries& entries, const TiltPair& pair, const EntryMotion& motion,
            Eigen::Index point)
       : entries_(entries), pair_(pair), motion_(motion), point_(point) {
+    // Where the pair of tilts is, and the centre of its prior.
     Eigen::Vector2d tilt, centre;
     for (int k = 0; k < 2; ++k) {
       centre[k] = pair.mean[k] + (pair.centre[k] < 0 ? 0 : motion.y(pair.centre[k], point));
       tilt[k] = centre[k] + motion.y(pair.x[k], point);
     }
+    // Density on the sphere, at the learnt scale.
     const CoordinateEntry& first = entries.coordinates[pair.x[0]];
     scale_ = first.sd *
              (first.specimen_scale < 0 ? 1 : motion.specimen_scale(first.specimen_scale, point));
@@ -160,6 +173,7 @@ class TiltTerm {
   }
 
   void add_gradient(double specimen_scale_sd, Eigen::MatrixXd& gradient) const {
+    // By the tilts themselves and by their centre.
     const int specimen_scale = entries_.coordinates[pair_.x[0]].specimen_scale;
     double by_log_spread = 2 - 2 * density_.by_log_concentration;
     for (int k = 0; k < 2; ++k) {
@@ -169,6 +183,7 @@ class TiltTerm {
       if (centre >= 0)
         gradient(centre, point_) +=
             (density_.by_tilt[k] + density_.by_centre[k]) * motion_.by_x(centre, point_);
+      // By the factor of the scale, which moves tilts and concentration.
       if (specimen_scale >= 0)
         by_log_spread += by_own * motion_.by_log_specimen_scale(i, point_) - z_[k] * z_[k];
     }
@@ -207,6 +222,7 @@ class PriorBlock {
   }
 
   void set(Eigen::VectorXd& log_prior, Eigen::MatrixXd& gradient) {
+    // Standard normal entries.
     const PosteriorEntries& entries = parts_.entries;
     for (Index i = 0; i < entries.size(); ++i)
       subtract_half_square(motion_.x.row(block_, i), sum_.data());
@@ -214,18 +230,21 @@ class PriorBlock {
       for (Index k = 0; k < count_; ++k)
         for (Index i = 0; i < entries.size(); ++i)
           gradient(i, first_ + k) = -motion_.x.row(block_, i)[k];
+    // Axis directions on the sphere.
     for (const TiltPair& pair : entries.tilts) {
       if (alone(entries, pair))
         add_alone(pair, gradient);
       else
         add_hierarchical(pair, gradient);
     }
+    // One logarithm for all factors of a point.
     for (Index k = 0; k < count_; ++k)
       log_prior[first_ + k] = sum_[k] - (product_[k] == 1 ? 0 : 1.5 * std::log(product_[k]));
   }
 
  private:
   void add_alone(const TiltPair& pair, Eigen::MatrixXd& gradient) {
+    // Eight points at once: sums, products and slopes.
     const double sd = parts_.entries.coordinates[pair.x[0]].sd, concentration = 1 / (sd * sd);
     Lane by[2];
     tilt_block({{pair.mean[0], pair.mean[1]}, sd, concentration}, motion_.y.row(block_, pair.x[0]),

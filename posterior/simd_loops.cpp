@@ -18,8 +18,10 @@ void map_block(const PiecewisePolynomial& map, const double* x, double scale, do
                double* by_x) {
   const double* coefficients = map.coefficients;
   const double start = map.start, per_unit = map.per_unit, last = map.last;
+  // Cell of each point, and the fraction within it.
   int cell[kBlock];
   double f[kBlock];
+  // Value and slope of the cell's polynomial, by Horner.
   for (int k = 0; k < kBlock; ++k) {
     double at = x[k] > start ? x[k] : start;  // NaN goes to the start
     at = at < last ? at : last;
@@ -55,12 +57,16 @@ void tilt_block(const TiltPriorBlock& prior, const double* y0, const double* y1,
   const double c0 = prior.mean[0], c1 = prior.mean[1], concentration = prior.concentration;
   const double precision = 1 / (prior.sd * prior.sd), w_c = 1 + c0 * c0 + c1 * c1;
   for (int k = 0; k < kBlock; ++k) {
+    // Tilts, and the weights of their solid angles.
     const double a = y0[k], b = y1[k], t0 = c0 + a, t1 = c1 + b;
     const double w = 1 + t0 * t0 + t1 * t1, dot = 1 + t0 * c0 + t1 * c1;
+    // 1 - cos of the angle to the mean, by Lagrange's identity.
     const double root = std::sqrt(w * w_c), cross = t0 * c1 - t1 * c0, square = a * a + b * b;
     const double away = (square + cross * cross) / (root * (root + dot));
+    // Log density over that of normal tilts; w stays for one logarithm at the end.
     sum[k] += 0.5 * precision * square - concentration * away;
     product[k] *= w;
+    // Slopes by both tilts.
     const double pull = concentration / root, along = (pull * dot + 3) / w;
     by_y0[k] = pull * c0 - along * t0 + precision * a;
     by_y1[k] = pull * c1 - along * t1 + precision * b;
@@ -79,6 +85,7 @@ double weigh_residuals(int count, const double* measured, const double* predicte
       weight[i + k] = scaled * scale;
       sums[k] += r * scaled;
     }
+  // Those beyond the last whole block.
   for (int k = 0; i < count; ++i, ++k) {
     const double r = measured[i] - predicted[i], scaled = r * precision[i];
     weight[i] = scaled * scale;

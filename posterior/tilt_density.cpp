@@ -18,6 +18,7 @@ TiltDensity tilt_density(const Eigen::Vector2d& tilt, const Eigen::Vector2d& cen
   const double cross = tilt.x() * centre.y() - tilt.y() * centre.x();
   const double away = ((tilt - centre).squaredNorm() + cross * cross) / (root * (root + dot));
 
+  // Log density with the solid angle of the chart, and its derivatives.
   TiltDensity out;
   out.log_density = std::log(k / (2 * kPi)) - std::log1p(-outside) - k * away - 1.5 * std::log(w);
   out.by_tilt = k / root * (centre - dot / w * tilt) - 3 / w * tilt;

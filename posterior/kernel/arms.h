@@ -16,13 +16,16 @@ inline V angle_at(const AngleStep& angle, const Posed& posed) {
 /// Arms without friction: constant ones, or those of straight runs  u = (b - a) / |b - a|,
 ///   sum weight u . (axis x (node - point)).
 inline void set_paths(const Program& program, const DigitParameters& digit, Posed& posed) {
+  // Constant arms; strands with a path start from zero.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i)
     posed.frictionless_arm[i] = digit.number[program.arms + i];
   for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
+  // Points of the paths, where their links are now.
   for (int k = 0; k < program.nodes.size(); ++k)
     posed.node[k] = carried(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
   for (int k = 0; k < program.runs.size(); ++k) {
+    // Direction of the run, and what it adds to the arm about every hinge between its ends.
     const RunStep& run = program.runs[k];
     const Vec way = posed.node[run.to] - posed.node[run.from];
     posed.length[k] = 1.0 / square_root(dot(way, way));
@@ -39,6 +42,7 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
                           DigitParameters& adjoint_digit) {
   const int n = program.coordinates;
   for (int k = 0; k < program.runs.size(); ++k) {
+    // Each term of the arm: adjoints of the direction, of the axis, and of both points.
     const RunStep& run = program.runs[k];
     const Vec u = posed.run[k];
     Vec u_bar = {V{}, V{}, V{}};
@@ -53,10 +57,12 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
       adjoint.point[climb.hinge] -= r_bar;
       adjoint.node[climb.node] += r_bar;
     }
+    // Only the part across the run survives the normalisation.
     const Vec way_bar = posed.length[k] * (u_bar - dot(u_bar, u) * u);
     adjoint.node[run.to] += way_bar;
     adjoint.node[run.from] -= way_bar;
   }
+  // From points of paths to links, then from constant arms to their numbers.
   for (int k = 0; k < program.nodes.size(); ++k)
     adjoint_carried(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
                     adjoint.node[k], on, adjoint_digit);
@@ -82,14 +88,17 @@ inline bool bends_before(const Program& program, int j) {
 /// arm = frictionless_arm exp(-mu bent),  bent_j = sum of the bends nearer the muscle than
 /// coordinate j.
 inline void set_friction(const Program& program, const DigitParameters& digit, Posed& posed) {
+  // Without a sheath the arms are those without friction.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) posed.arm[i] = posed.frictionless_arm[i];
   if (program.sheaths.size() == 0) return;
+  // Sum of bends between the muscle and each coordinate.
   clear(posed.bent, n);
   for (const BendStep& bend : program.bends) {
     const V size = size_of(bend, posed);
     for (int j = bend.first_coordinate_beyond; j < n; ++j) posed.bent[j] += size;
   }
+  // Remaining tension; beyond no further bend it is that of the coordinate before.
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
@@ -103,11 +112,13 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
 
 inline void adjoint_friction(const Program& program, const DigitParameters& digit,
                              const Posed& posed, Posed& adjoint, DigitParameters& adjoint_digit) {
+  // Without a sheath the arms pass on their adjoints.
   const int n = program.coordinates;
   for (int i = 0; i < program.strands * n; ++i) adjoint.frictionless_arm[i] = adjoint.arm[i];
   if (program.sheaths.size() == 0) return;
   for (const SheathStep& sheath : program.sheaths)
     for (int j = 0; j < n; ++j) {
+      // Adjoints of the arm, of the friction and of the bends.
       const int i = sheath.strand * n + j;
       adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.left[i];
       const V lost = adjoint.arm[i] * posed.arm[i];
@@ -115,6 +126,7 @@ inline void adjoint_friction(const Program& program, const DigitParameters& digi
       adjoint.bent[j] -= lost * digit.number[sheath.friction];
     }
   for (const BendStep& bend : program.bends) {
+    // From the bends to the angles that make them.
     if (bend.angle.coordinate < 0) continue;
     V size_bar = V{};
     for (int j = bend.first_coordinate_beyond; j < n; ++j) size_bar += adjoint.bent[j];

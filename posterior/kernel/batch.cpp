@@ -46,8 +46,10 @@ Division divide(const Program& program, const std::vector<SimdBackend>& choice, 
                 KeepTape keep) {
   Division all;
   for (Eigen::Index first = 0; first < points;) {
+    // As many points as the backend takes at once.
     const SimdBackend& backend = backend_for(choice, points - first);
     const int count = static_cast<int>(std::min<Eigen::Index>(backend.lanes, points - first));
+    // Tapes one behind the other, or all in the same place.
     const long tape = padded(backend.lanes * backend.tape_length(program));
     all.begins.push_back(keep == KeepTape::kYes ? all.length : 0);
     all.length = keep == KeepTape::kYes ? all.length + tape : std::max(all.length, tape);
@@ -70,11 +72,13 @@ void SimdBuffer::Free::operator()(double* p) const { ::operator delete(p, kAlign
 
 Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                 const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep) {
+  // One block of memory: work space, then the tapes.
   Division division = divide(program, choice, u.cols(), keep);
   const long scratch = scratch_doubles(program, choice.front());
   Batch batch{Eigen::MatrixXd(3 * program.trials, u.cols()), std::move(division.groups),
               SimdBuffer(scratch + division.length)};
   for (std::size_t g = 0; g < batch.groups.size(); ++g) {
+    // Group by group, in the same work space.
     Group& group = batch.groups[g];
     group.tape = batch.memory.first() + scratch + division.begins[g];
     group.backend->run(program, columns_of(u, group.first, group.count).data(), group.count,
@@ -88,6 +92,7 @@ Eigen::MatrixXd adjoint_batch(const Program& program, const Batch& batch,
                               const Eigen::Ref<const Eigen::MatrixXd>& weights) {
   Eigen::MatrixXd gradient(program.fit_coordinates, weights.cols());
   if (batch.groups.empty()) return gradient;
+  // The tapes are those of the run; only the work space is new.
   const SimdBuffer scratch(scratch_doubles(program, *batch.groups.front().backend));
   for (const Group& group : batch.groups)
     group.backend->run_adjoint(

@@ -20,6 +20,7 @@ inline Tilt tilt_of(const Vec& w) {
   Tilt t;
   t.h = splat(0.5) * w;
   const Vec& h = t.h;
+  // K + K^2 from the components of h, column by column.
   const V square = dot(h, h);
   t.s = 2.0 / (1.0 + square);
   t.turn = {{h.x * h.x - square, h.x * h.y + h.z, h.x * h.z - h.y},
@@ -53,6 +54,7 @@ inline void set_load_cell(const Program& program, const DigitParameters& digit, 
     *posed.cell = constant_matrix(program.still_cell);
     return;
   }
+  // Tilt of the cell, and turn from the tip's axes to the stated ones.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   *posed.cell = constant_matrix(program.components) * tilt.Q;
   if (program.force_link != program.tip_link)
@@ -63,10 +65,12 @@ inline void adjoint_load_cell(const Program& program, const DigitParameters& dig
                               const Posed& posed, const Mat& cell_bar, Wrenches& on,
                               DigitParameters& adjoint_digit) {
   if (!program.cell_moves) return;
+  // The tilt comes last in the product.
   const Tilt tilt = tilt_of(vector_at(digit.number + program.sensor_tilt));
   const Mat components = constant_matrix(program.components);
   Mat tilted_bar = cell_bar;
   if (program.force_link != program.tip_link) {
+    // Both sets of axes turn with their links.
     const Mat stated = stated_axes(program, posed);
     const Mat between = transposed(stated) * *posed.axes;
     const Mat between_bar = transposed(components * tilt.Q) * cell_bar;
@@ -96,6 +100,7 @@ inline V torque_of(const Program& program, const PostureStep& posture, const Pos
 
 /// map = cell (first three rows of P);  force = map torque
 inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
+  // Force components per torque.
   const int n = program.coordinates;
   const Mat cell = *posed.cell;
   const V* P = posed.inverse;
@@ -104,6 +109,7 @@ inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
     const Vec f = cell * Vec{P[j], P[n + j], P[2 * n + j]};
     map[j] = f.x, map[n + j] = f.y, map[2 * n + j] = f.z;
   }
+  // Forces of each trial of the posture.
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
     Vec f = {V{}, V{}, V{}};
@@ -120,6 +126,7 @@ inline void set_forces(const Program& program, int k, Posed& posed, V* force) {
 /// map_bar and cell_bar = map_bar P'.
 inline Mat adjoint_forces(const Program& program, int k, const Posed& posed, const V* force_bar,
                           Posed& adjoint) {
+  // From forces of the trials to the map and to the torques.
   const int n = program.coordinates;
   const V *P = posed.inverse, *map = posed.map;
   const PostureStep& posture = program.postures[k];
@@ -135,6 +142,7 @@ inline Mat adjoint_forces(const Program& program, int k, const Posed& posed, con
             dot(push, Vec{map[j], map[n + j], map[2 * n + j]});
     }
   }
+  // From the map to the pseudo-inverse, and to the cell where it moves.
   Mat cell_bar = constant_matrix(kIdentity);
   cell_bar.x = cell_bar.y = cell_bar.z = {V{}, V{}, V{}};
   for (int j = 0; j < n; ++j) {

@@ -19,6 +19,7 @@ struct Fed {
   V central, lateral;
 };
 inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int j) {
+  // Arms of the strand that each muscle pulls.
   const int n = program.coordinates;
   const HoodSteps& hood = program.hood;
   return {arm[hood.central_slip * n + j], share.radial * arm[hood.radial_band * n + j] +
@@ -33,10 +34,12 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
     for (int j = 0; j < n; ++j) posed.row[m * n + j] = posed.arm[program.pulls_strand[m] * n + j];
   const V bent = angle_at(program.knuckle, posed) - program.hood_angle;
   for (int b = 0; b < program.shares.size(); ++b) {
+    // Fractions at this posture: logits are shifted by parameters and by flexion of the knuckle.
     const ShareStep& share = program.shares[b];
     posed.into[b] = shifted(share.into, digit.number[share.into_shift]);
     posed.central[b] = shifted(
         share.central, digit.number[share.central_shift] + digit.number[share.slope] * bent);
+    // Arms through the hood, weighed by them.
     for (int j = 0; j < n; ++j) {
       const Fed strands = fed(program, share, posed.arm, j);
       posed.row[share.muscle * n + j] +=
@@ -48,6 +51,7 @@ inline void set_rows(const Program& program, const DigitParameters& digit, Posed
 
 inline void adjoint_rows(const Program& program, const DigitParameters& digit, const Posed& posed,
                          Posed& adjoint, DigitParameters& adjoint_digit) {
+  // Strands that muscles pull.
   const int n = program.coordinates;
   for (int m = 0; m < program.pulls_strand.size(); ++m)
     for (int j = 0; j < n; ++j)
@@ -56,6 +60,7 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
   const HoodSteps& hood = program.hood;
   for (int b = 0; b < program.shares.size(); ++b) {
     const ShareStep& share = program.shares[b];
+    // Adjoints of the hood's strands, and sums by which both fractions are moved.
     const V h = posed.into[b], c = posed.central[b];
     V by_central = V{}, by_lateral = V{};
     for (int j = 0; j < n; ++j) {
@@ -69,6 +74,7 @@ inline void adjoint_rows(const Program& program, const DigitParameters& digit, c
       adjoint.arm[hood.ulnar_band * n + j] += (1 - share.radial) * lateral;
       adjoint.arm[hood.terminal_slip * n + j] += lateral;
     }
+    // From the fractions to their logits, and on to shifts, slope and knuckle.
     const V h_bar = c * by_central + (1.0 - c) * by_lateral;
     const V c_bar = h * (by_central - by_lateral);
     adjoint_digit.number[share.into_shift] += h_bar * h * (1.0 - h);
@@ -87,6 +93,7 @@ inline void set_torques(const Program& program, int k, const DigitParameters& di
   const PostureStep& posture = program.postures[k];
   clear(posed.torque, (posture.last_trial - posture.first_trial) * n);
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
+    // Sum over the muscles that pull in the trial.
     V* torque = posed.torque + (i - posture.first_trial) * n;
     for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
       const TensionStep& pull = program.pulls[t];
@@ -101,6 +108,7 @@ inline void adjoint_torques(const Program& program, int k, const DigitParameters
   const int n = program.coordinates;
   const PostureStep& posture = program.postures[k];
   for (int i = posture.first_trial; i < posture.last_trial; ++i) {
+    // From torques to arms, and to the gains.
     const V* push = adjoint.torque + (i - posture.first_trial) * n;
     for (int t = program.trial_steps[i].first; t < program.trial_steps[i].last; ++t) {
       const TensionStep& pull = program.pulls[t];

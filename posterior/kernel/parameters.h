@@ -9,9 +9,11 @@ namespace {
 
 /// number = start + weights u;  direction = number / |number|
 inline void set_parameters(const Program& program, const V* u, DigitParameters& digit) {
+  // Straight lines in u.
   for (int i = 0; i < program.start.size(); ++i) digit.number[i] = splat(program.start[i]);
   for (const LinearTerm& move : program.moves)
     digit.number[move.number] += move.weight * u[move.coordinate];
+  // Axis directions of unit length; those that never tilt have it already.
   for (int i = 0; i < program.hinges.size(); ++i) {
     const Vec d = vector_at(digit.number + program.hinges[i].direction);
     if (program.hinges[i].tilts) {
@@ -26,12 +28,14 @@ inline void set_parameters(const Program& program, const V* u, DigitParameters& 
 /// Adjoint. A push along the direction itself is lost in the normalisation.
 inline void adjoint_parameters(const Program& program, const DigitParameters& digit,
                                DigitParameters& adjoint, V* u_bar) {
+  // Axis directions before normalisation.
   for (int i = 0; i < program.hinges.size(); ++i) {
     if (!program.hinges[i].tilts) continue;
     const Vec d = digit.direction[i], push = adjoint.direction[i];
     add_vector(adjoint.number + program.hinges[i].direction,
                digit.shrink[i] * (push - dot(push, d) * d));
   }
+  // Transpose of the straight lines.
   for (const LinearTerm& move : program.moves)
     u_bar[move.coordinate] += move.weight * adjoint.number[move.number];
 }

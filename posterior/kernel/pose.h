@@ -19,11 +19,13 @@ inline Mat turned(const Mat& R, const Vec& along, const Vec& d, const V& sine, c
 
 /// Sines and cosines of all hinges in posture `k`.
 inline void set_angles(const Program& program, int k, const DigitParameters& digit, Posed& posed) {
+  // Stated angles plus errors, of all postures and of this one.
   const int n = program.coordinates, own = program.postures[k].own_error;
   for (int j = 0; j < n; ++j) {
     posed.angle[j] = program.q[k * n + j] + digit.number[program.angle_error + j];
     if (own >= 0) posed.angle[j] += digit.number[own + j];
   }
+  // Sines and cosines; those of angles that never move were computed before.
   for (int i = 0; i < program.hinges.size(); ++i) {
     const StillAngle& still = program.still_angles[k * program.hinges.size() + i];
     const HingeStep& hinge = program.hinges[i];
@@ -51,6 +53,7 @@ inline void pose(const Program& program, const DigitParameters& digit, Posed& po
     const HingeStep& hinge = program.hinges[i];
     const Vec d = digit.direction[i], p = vector_at(digit.number + hinge.point);
     Mat R = constant_matrix(kIdentity);
+    // Hinges at the base, then those on a link that is posed already.
     posed.axis[i] = d, posed.point[i] = p;
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
@@ -59,6 +62,7 @@ inline void pose(const Program& program, const DigitParameters& digit, Posed& po
       posed.axis[i] = R * d;
       posed.point[i] = posed.point[parent] + R * carried;
     }
+    // Turn about the axis.
     posed.R[i] = turned(R, posed.axis[i], d, posed.sine[i], posed.cosine[i]);
   }
 }
@@ -75,8 +79,10 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
+    // The hinge's angle feels the moment along its axis.
     adjoint.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
     Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + adjoint.axis[i];
+    // The parent carries force and moment on, like a free body.
     const Vec carried = F + adjoint.point[i];
     Vec shift = carried;
     if (hinge.parent >= 0) {
@@ -87,6 +93,7 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
       on.moment[parent] +=
           M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], carried);
     }
+    // Numbers of the hinge, where anything moves them.
     if (hinge.tilts) adjoint_digit.direction[i] += tilt;
     if (hinge.shifts)
       add_vector(adjoint_digit.number + hinge.point, shift - turned_back(posed.R[i], F));

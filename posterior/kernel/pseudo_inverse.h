@@ -23,6 +23,7 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
     for (int j = 1; j < rows; ++j) sum += Q[a * rows + j] * Q[b * rows + j];
     return sum;
   };
+  // Gram-Schmidt, column by column, twice over.
   for (int i = 0; i < rows * columns; ++i) Q[i] = A[i];
   for (int k = 0; k < columns; ++k) {
     const V whole = product(k, k);
@@ -33,9 +34,11 @@ inline void pseudo_inverse(const V* A, int rows, int columns, V* X, V* work) {
         U[l * columns + k] += u;
         for (int j = 0; j < rows; ++j) Q[k * rows + j] -= u * Q[l * rows + j];
       }
+    // A column without a part of its own is singular.
     const V rest = product(k, k);
     inverse[k] = rest > kSingularSquare * whole ? 1.0 / rest : splat(kNaN);
   }
+  // Backward substitution in the triangular factor.
   for (int k = columns - 1; k >= 0; --k)
     for (int j = 0; j < rows; ++j) {
       V x = inverse[k] * Q[k * rows + j];
@@ -83,14 +86,16 @@ inline void adjoint_square(const V* P, const V* Z, int n, int c, V* L_bar) {
 /// L_bar += (P_bar' - L Z) P P'
 inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z, int n, int c,
                              V* L_bar, V* G) {
-  for (int b = 0; b < 3; ++b)  // first three rows of P P'
+  // First three rows of P P'.
+  for (int b = 0; b < 3; ++b)
     for (int k = 0; k < c; ++k) {
       V sum = P[b * n] * P[k * n];
       for (int j = 1; j < n; ++j) sum += P[b * n + j] * P[k * n + j];
       G[b * c + k] = sum;
     }
+  // Row j of the bracket, times those rows.
   for (int j = 0; j < n; ++j) {
-    V left[3];  // row j of the bracket
+    V left[3];
     for (int b = 0; b < 3; ++b) {
       left[b] = P_bar[b * n + j];
       for (int a = 0; a < c; ++a) left[b] -= L[j * c + a] * Z[a * 3 + b];
@@ -104,18 +109,21 @@ inline void adjoint_residual(const V* L, const V* P, const V* P_bar, const V* Z,
 inline void adjoint_least_norm(const V* L, const V* P, const V* Z, int n, int c, V* L_bar,
                                V* work) {
   V *N = work, *W = N + 3 * c;
-  for (int b = 0; b < 3; ++b)  // first three rows of I - P L
+  // First three rows of I - P L.
+  for (int b = 0; b < 3; ++b)
     for (int k = 0; k < c; ++k) {
       V sum = splat(b == k ? 1 : 0);
       for (int j = 0; j < n; ++j) sum -= P[b * n + j] * L[j * c + k];
       N[b * c + k] = sum;
     }
+  // W = Z (I - P L) - Z', where only three columns of Z are not zero.
   for (int a = 0; a < c; ++a)
     for (int k = 0; k < c; ++k) {
       V sum = a < 3 ? -Z[k * 3 + a] : V{};
       for (int b = 0; b < 3; ++b) sum += Z[a * 3 + b] * N[b * c + k];
       W[a * c + k] = sum;
     }
+  // L_bar = P' W
   for (int j = 0; j < n; ++j)
     for (int k = 0; k < c; ++k) {
       V sum = P[j] * W[k];

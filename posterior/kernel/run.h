@@ -20,6 +20,7 @@ inline int work_length(const Program& program) {
 /// One posture forwards.
 inline void run_posture(const Program& program, int k, const DigitParameters& digit, Posed& posed,
                         V* work, V* force) {
+  // Steps 2 and 3: pose, and torques of the tendons.
   set_angles(program, k, digit, posed);
   pose(program, digit, posed);
   if (program.arms_move) {
@@ -28,6 +29,7 @@ inline void run_posture(const Program& program, int k, const DigitParameters& di
     set_rows(program, digit, posed);
     set_torques(program, k, digit, posed);
   }
+  // Steps 4 to 6: loads of the hold, the load cell, and forces.
   set_loads(program, digit, posed);
   invert_loads(posed.load, program.coordinates, program.loads, posed.inverse, work);
   set_load_cell(program, digit, posed);
@@ -38,11 +40,13 @@ inline void run_posture(const Program& program, int k, const DigitParameters& di
 inline void adjoint_posture(const Program& program, int k, const DigitParameters& digit,
                             const Posed& posed, const V* force_bar, Posed& adjoint, Wrenches& on,
                             DigitParameters& adjoint_digit, V* work) {
+  // Steps 6 to 4 backwards: forces, load cell, loads of the hold.
   const Mat cell_bar = adjoint_forces(program, k, posed, force_bar, adjoint);
   adjoint_load_cell(program, digit, posed, cell_bar, on, adjoint_digit);
   adjoint_pseudo_inverse(posed.load, posed.inverse, adjoint.inverse, program.coordinates,
                          program.loads, adjoint.load, work);
   adjoint_loads(program, digit, posed, adjoint.load, adjoint, on, adjoint_digit);
+  // Step 3, where arms move at all, and step 2.
   if (program.arms_move) {
     adjoint_torques(program, k, digit, posed, adjoint, adjoint_digit);
     adjoint_rows(program, digit, posed, adjoint, adjoint_digit);
@@ -66,6 +70,7 @@ inline long scratch_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);
   Wrenches wrenches(program, bump);
+  // The largest posture: adjoints of one at a time.
   long most = 0;
   for (const PostureStep& posture : program.postures) {
     BumpAllocator own(nullptr);
@@ -87,14 +92,17 @@ inline void scatter(const V* from, int rows, int count, double* const* points) {
 
 inline void run(const Program& program, const double* const* u, int count, double* tape,
                 double* scratch, double* const* forces, KeepTape keep) {
+  // Work space; points lie side by side in the lanes.
   BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
   V* displacement = passing.take<V>(program.fit_coordinates);
   V* force = passing.take<V>(3 * program.trials);
   V* work = passing.take<V>(work_length(program));
   gather(u, program.fit_coordinates, displacement);
+  // Step 1, once for all postures.
   DigitParameters digit(program, kept);
   set_parameters(program, displacement, digit);
   for (int k = 0; k < program.postures.size(); ++k) {
+    // Postures one behind the other on the tape, or all in the same place.
     BumpAllocator own = kept;
     Posed posed(program, program.postures[k], own);
     if (keep == KeepTape::kYes) kept = own;
@@ -105,17 +113,20 @@ inline void run(const Program& program, const double* const* u, int count, doubl
 
 inline void run_adjoint(const Program& program, double* tape, const double* const* weights,
                         int count, double* scratch, double* const* gradient) {
+  // The tape in the order in which it was written.
   BumpAllocator kept(reinterpret_cast<V*>(tape)), passing(reinterpret_cast<V*>(scratch));
   V* u_bar = passing.take<V>(program.fit_coordinates);
   V* force_bar = passing.take<V>(3 * program.trials);
   V* work = passing.take<V>(work_length(program));
   gather(weights, 3 * program.trials, force_bar);
   const DigitParameters digit(program, kept);
+  // Adjoints of the digit's numbers sum over postures: zero at first.
   const long before = passing.used();
   DigitParameters adjoint_digit(program, passing);
   clear(u_bar, program.fit_coordinates);
   clear(u_bar + before, passing.used() - before);
   for (int k = 0; k < program.postures.size(); ++k) {
+    // Adjoints of a posture begin at zero each time.
     BumpAllocator own = passing;
     const Posed posed(program, program.postures[k], kept);
     Posed adjoint(program, program.postures[k], own);
@@ -123,6 +134,7 @@ inline void run_adjoint(const Program& program, double* tape, const double* cons
     clear(u_bar + passing.used(), own.used() - passing.used());
     adjoint_posture(program, k, digit, posed, force_bar, adjoint, on, adjoint_digit, work);
   }
+  // Step 1 backwards.
   adjoint_parameters(program, digit, adjoint_digit, u_bar);
   scatter(u_bar, program.fit_coordinates, count, gradient);
 }

@@ -64,10 +64,12 @@ struct Posed {
 
   Posed(const Program& p, const PostureStep& posture, BumpAllocator& bump) {
     const int n = p.coordinates, hinges = p.hinges.size();
+    // Pose.
     angle = bump.take<V>(n);
     sine = bump.take<V>(hinges), cosine = bump.take<V>(hinges);
     R = bump.take<Mat>(hinges);
     axis = bump.take<Vec>(hinges), point = bump.take<Vec>(hinges);
+    // Arms, where they move.
     if (p.arms_move) {
       node = bump.take<Vec>(p.nodes.size());
       run = bump.take<Vec>(p.runs.size());
@@ -78,6 +80,7 @@ struct Posed {
       into = bump.take<V>(p.shares.size()), central = bump.take<V>(p.shares.size());
       row = bump.take<V>(p.pulls_strand.size() * n);
     }
+    // Torques, loads and forces.
     torque = bump.take<V>(p.arms_move ? (posture.last_trial - posture.first_trial) * n : 0);
     tip = bump.take<Vec>(1);
     axes = bump.take<Mat>(1);

@@ -11,12 +11,14 @@ namespace {
 /// Torque about each joint per load (coordinates, loads): along a row, forces in three directions
 /// a_k of the tip,  ratio (axis x (tip - point)) . a_k,  and moments,  ratio length axis . a_k.
 inline void set_loads(const Program& program, const DigitParameters& digit, Posed& posed) {
+  // The tip and its directions, where they are now.
   const int c = program.loads;
   const V out = digit.number[program.out_of_plane];
   const Vec tip = *posed.tip = carried(program, digit, posed, program.tip_link, program.tip);
   const Mat a = *posed.axes = posed.R[program.tip_link] * constant_matrix(program.tip_axes);
   clear(posed.load, program.coordinates * c);
   for (const int i : program.tip_hinges) {
+    // Three forces, then the moments that a rigid hold adds.
     const double ratio = program.hinges[i].ratio;
     V* load = posed.load + program.hinges[i].coordinate * c;
     const Vec m = cross(posed.axis[i], tip - posed.point[i]);
@@ -40,6 +42,7 @@ inline void adjoint_loads(const Program& program, const DigitParameters& digit, 
   const Mat& a = *posed.axes;
   Vec push = {V{}, V{}, V{}};
   for (const int i : program.tip_hinges) {
+    // Adjoints of the forces: of tip, axis and point, and of the turning tip.
     const double ratio = program.hinges[i].ratio;
     const V* g = load_bar + program.hinges[i].coordinate * c;
     const Vec axis = posed.axis[i], r = *posed.tip - posed.point[i];
@@ -50,6 +53,7 @@ inline void adjoint_loads(const Program& program, const DigitParameters& digit, 
     adjoint.axis[i] += cross(r, w);
     on.moment[link] += cross(w, cross(axis, r));
     if (c == 3) continue;
+    // Adjoints of the moments.
     Vec turn = ratio * program.hold_length * g[3] * a.z;
     if (c == 6) {
       turn += ratio * out * g[4] * a.x + ratio * out * g[5] * a.y;

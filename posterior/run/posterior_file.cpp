@@ -38,11 +38,13 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
   const auto add = [&](const std::string& name, auto value) {
     to["setting_" + name] = fmt::format("{}", value);
   };
+  // Sampler.
   add("sampler", name_of(run.method));
   add("seed", run.sampler.seed);
   add("warm_up", run.sampler.warm_up);
   add("target_acceptance", run.sampler.target_acceptance);
   add("max_depth", run.sampler.max_depth);
+  // Chains and temperatures.
   add("groups", run.groups);
   add("walkers", run.walkers);
   add("temperatures", run.temperatures);
@@ -50,6 +52,7 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
   add("swap_every", run.swap_every);
   add("thin", run.thin);
   add("draws", run.draws);
+  // Modes and priors.
   add("mode_starts", settings.mode_starts);
   add("learn_noise", int{options.learn_noise});
   add("noise_sd", options.noise_sd);
@@ -59,9 +62,11 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
 }
 
 FitInputs inputs_of(const AttributeReader& given) {
+  // Experiments are numbered until one is missing.
   FitInputs inputs{given.source("input_subject"), given.source("input_settings"), {}, {}};
   for (int e = 0; given.has(fmt::format("input_experiment{}_text", e)); ++e)
     inputs.experiments.push_back(given.source(fmt::format("input_experiment{}", e)));
+  // Globs, one to a line.
   std::string rest = given.text("input_also_free");
   for (std::size_t end; (end = rest.find('\n')) != std::string::npos; rest.erase(0, end + 1))
     inputs.also_free.push_back(rest.substr(0, end));
@@ -69,11 +74,13 @@ FitInputs inputs_of(const AttributeReader& given) {
 }
 
 PosteriorSettings settings_of(const AttributeReader& given) {
+  // Priors and modes.
   PosteriorSettings settings;
   settings.posterior = {given.integer("learn_noise") != 0, given.number("noise_sd"),
                         given.integer("learn_spread") != 0, given.number("spread_sd"),
                         given.integer("sphere_priors") != 0};
   settings.mode_starts = given.integer("mode_starts");
+  // Sampler, chains and temperatures.
   RunOptions& run = settings.run;
   run.method = sampling_method(given.text("setting_sampler"));
   run.sampler.seed = static_cast<unsigned>(given.number("seed"));
@@ -106,6 +113,7 @@ std::string now() {
 
 /// What the run, rather than a step, has to say: groups, swaps, time.
 void add_run(const Draws& draws, InferenceGroup& stats) {
+  // Groups of chains, and the ladder of temperatures.
   stats.arrays["group"] = {{draws.group.begin(), draws.group.end()},
                            {"chain"},
                            "1",
@@ -117,6 +125,7 @@ void add_run(const Draws& draws, InferenceGroup& stats) {
                             "1",
                             "power of the likelihood"};
   if (draws.swap_rate.size() == 0) return;
+  // Swaps, where there are several temperatures.
   stats.lengths["neighbours"] = static_cast<std::size_t>(draws.swap_rate.rows());
   stats.lengths["ladder"] = static_cast<std::size_t>(draws.swap_rate.cols());
   stats.arrays["swap_rate"] = {
@@ -129,6 +138,7 @@ void add_run(const Draws& draws, InferenceGroup& stats) {
 }  // namespace
 
 InferenceFile describe_posterior(const PosteriorRun& run) {
+  // What made it, and all that is needed to run it again.
   InferenceFile file;
   const HandPosterior& posterior = *run.posterior;
   file.attributes = {{"thenar_format", internal::kPosteriorFormat},
@@ -143,6 +153,7 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
   internal::add_inputs(run.inputs, file.attributes);
   internal::add_settings(run.settings, file.attributes);
 
+  // Groups, by the names of ArviZ.
   using namespace internal;
   file.groups["posterior"] = parameter_group(posterior, pooled(run.draws), run.draws.chains());
   file.groups["prior"] = parameter_group(posterior, prior_draws(run, kPriorDraws), 1);
@@ -176,12 +187,15 @@ const InferenceArray& array(const InferenceFile& file, const std::string& group,
 
 /// x of every chain (n, draws).
 std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
+  // Do the draws belong to the inputs?
   const std::vector<double>& values = array(file, "unconstrained_posterior", "x").values;
   const InferenceGroup& group = file.groups.at("unconstrained_posterior");
   const auto chains = group.lengths.at("chain"), draws = group.lengths.at("draw");
   require(group.lengths.at("coordinate") == static_cast<std::size_t>(n),
           "the draws have {} coordinates, the inputs in the file give {}",
           group.lengths.at("coordinate"), n);
+
+  // One chain behind the other in the file.
   std::vector<Eigen::MatrixXd> x;
   for (std::size_t c = 0; c < chains; ++c) {
     x.emplace_back(
@@ -194,6 +208,7 @@ std::vector<Eigen::MatrixXd> chains_of(const InferenceFile& file, int n) {
 
 std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::size_t chains,
                                              std::size_t draws) {
+  // Each array into one field of all steps.
   std::vector<std::vector<StepStats>> stats(chains, std::vector<StepStats>(draws));
   const auto fill = [&](const std::string& name, auto StepStats::*field) {
     const std::vector<double>& values = array(file, "sample_stats", name).values;
@@ -216,11 +231,13 @@ std::vector<std::vector<StepStats>> stats_of(const InferenceFile& file, std::siz
 }
 
 Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
+  // Draws and the statistics of their steps.
   Draws draws;
   draws.x = chains_of(file, n);
   draws.stats = stats_of(file, draws.x.size(), static_cast<std::size_t>(draws.draws()));
   for (const double group : array(file, "sample_stats", "group").values)
     draws.group.push_back(static_cast<int>(group));
+  // Temperatures and swaps.
   const std::vector<double>& beta = array(file, "sample_stats", "temper").values;
   draws.beta =
       Eigen::Map<const Eigen::VectorXd>(beta.data(), static_cast<Eigen::Index>(beta.size()));
@@ -229,6 +246,7 @@ Draws draws_of(const InferenceFile& file, const AttributeReader& given, int n) {
     draws.swap_rate = Eigen::Map<const Eigen::MatrixXd>(
         rates->second.values.data(), static_cast<Eigen::Index>(stats.lengths.at("neighbours")),
         static_cast<Eigen::Index>(stats.lengths.at("ladder")));
+  // How the run went.
   draws.warm_up = static_cast<long>(given.number("warm_up"));
   draws.complete = given.text("complete") == "yes";
   draws.seconds = std::stod(given.text("sampling_time"));
@@ -240,6 +258,7 @@ std::vector<Mode> modes_of(const InferenceFile& file, const HandPosterior& poste
   const std::vector<double>& cost = array(file, "modes", "cost").values;
   std::vector<Mode> modes(cost.size());
   for (std::size_t m = 0; m < modes.size(); ++m) {
+    // Back from x to the coordinates of the fit.
     modes[m].z = posterior.fit_coordinates(Eigen::Map<const Eigen::VectorXd>(
         x.data() + m * static_cast<std::size_t>(posterior.size()), posterior.size()));
     modes[m].cost = cost[m];
@@ -255,11 +274,13 @@ PosteriorRun run_of(const InferenceFile& file) {
   const AttributeReader given(file.attributes);
   require(given.has("thenar_format") && given.text("thenar_format") == internal::kPosteriorFormat,
           "not a '{}' file", internal::kPosteriorFormat);
+  // Inputs and settings, and the posterior built from them anew.
   PosteriorRun run;
   run.inputs = internal::inputs_of(given);
   run.settings = internal::settings_of(given);
   run.posterior =
       std::make_shared<const HandPosterior>(build_problem(run.inputs), run.settings.posterior);
+  // What was found; convergence and masses are judged again.
   run.modes = modes_of(file, *run.posterior);
   run.draws = draws_of(file, given, run.posterior->size());
   assess_run(run);

@@ -55,10 +55,12 @@ std::vector<Family> families(const HandPosterior& posterior) {
   std::vector<Family> found;
   const std::vector<int> moving = posterior.moving_parameters();
   for (std::size_t row = 0; row < moving.size(); ++row) {
+    // Kinds become names of variables.
     const Parameter& p =
         posterior.problem().parameters().all[static_cast<std::size_t>(moving[row])];
     std::string name = name_of(p.kind);
     std::replace(name.begin(), name.end(), '/', '_');
+    // The family of this kind, made when it is first met.
     auto family =
         std::find_if(found.begin(), found.end(), [&](const Family& f) { return f.name == name; });
     if (family == found.end())
@@ -91,6 +93,7 @@ void add_factors(InferenceGroup& group, const std::string& name, const std::stri
 void add_readings(const FitProblem& problem, const std::string& name,
                   Eigen::Matrix3Xd ExperimentPlan::*readings, const std::string& description,
                   InferenceGroup& group) {
+  // Dimensions, then all experiments behind each other.
   add_names(group, "trial", observation_names(problem, Observed::kForces));
   add_names(group, "component", component_names());
   std::vector<double> values;
@@ -115,6 +118,7 @@ Eigen::MatrixXd thinned(const Draws& draws, long most) {
 
 InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::MatrixXd& x,
                                int chains) {
+  // Values that people read, in display units.
   InferenceGroup group;
   add_draws(group, chains, x.cols() / chains);
   const PosteriorValues values = posterior.values(x);
@@ -134,6 +138,7 @@ InferenceGroup parameter_group(const HandPosterior& posterior, const Eigen::Matr
                                                family.unit,
                                                "of each specimen"};
   }
+  // Factors of noise and between specimens, where they are learnt.
   if (posterior.options().learn_noise)
     add_factors(group, "noise", "experiment", experiment_names(posterior.problem()), values.noise,
                 "factor on the stated sd of the forces");
@@ -156,6 +161,7 @@ InferenceGroup coordinate_group(const PosteriorRun& run) {
 InferenceGroup statistics_group(const PosteriorRun& run) {
   InferenceGroup group;
   add_draws(group, run.draws.chains(), run.draws.draws());
+  // One array over all chains for each field.
   const auto add = [&](const std::string& name, const std::string& description,
                        const std::function<double(const StepStats&)>& pick) -> InferenceArray& {
     std::vector<double> values;
@@ -163,9 +169,12 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
       for (const StepStats& step : chain) values.push_back(pick(step));
     return group.arrays[name] = {std::move(values), {"chain", "draw"}, "1", description};
   };
+
+  // Densities.
   add("lp", "log posterior", [](const StepStats& s) { return s.log_prior + s.log_likelihood; });
   add("log_prior", "log prior", [](const StepStats& s) { return s.log_prior; });
   add("log_likelihood", "log likelihood", [](const StepStats& s) { return s.log_likelihood; });
+  // The sampler's own figures.
   add("acceptance_rate", "mean probability of acceptance",
       [](const StepStats& s) { return s.acceptance; });
   add("step_size", "of the leapfrog", [](const StepStats& s) { return s.step_size; });
@@ -173,6 +182,7 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
   add("tree_depth", "of the trajectory", [](const StepStats& s) { return s.depth; }).integer = true;
   add("n_steps", "densities asked for", [](const StepStats& s) { return s.evaluations; }).integer =
       true;
+  // Counts and flags.
   add("broken", "densities that were NaN", [](const StepStats& s) {
     return s.non_finite;
   }).integer = true;
@@ -185,6 +195,7 @@ InferenceGroup statistics_group(const PosteriorRun& run) {
 InferenceGroup likelihood_group(const PosteriorRun& run) {
   InferenceGroup group;
   add_draws(group, run.draws.chains(), run.draws.draws());
+  // Trials.
   const Eigen::MatrixXd pointwise = run.posterior->pointwise(pooled(run.draws));
   const std::vector<std::string> trials =
       observation_names(run.posterior->problem(), Observed::kForces);
@@ -195,6 +206,7 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
                            "1",
                            "log likelihood of the three components together"};
   if (pointwise.rows() == count) return group;
+  // Rows of muscle activations come behind the trials.
   const std::vector<std::string> all = observation_names(run.posterior->problem());
   add_names(group, "activation_row", {all.begin() + count, all.end()});
   group.arrays["activation"] = {by_draw(pointwise.bottomRows(pointwise.rows() - count)),
@@ -206,6 +218,7 @@ InferenceGroup likelihood_group(const PosteriorRun& run) {
 
 InferenceGroup predictive_group(const PosteriorRun& run) {
   InferenceGroup group;
+  // Fewer draws of each chain where there are many chains.
   const long most = std::clamp(kAllPredicted / run.draws.chains(), 1L, kPredictedDraws);
   const Eigen::MatrixXd x = thinned(run.draws, most);
   const long draws = x.cols() / run.draws.chains();
@@ -234,6 +247,7 @@ InferenceGroup noise_group(const PosteriorRun& run) {
 
 InferenceGroup mode_group(const PosteriorRun& run) {
   InferenceGroup group;
+  // Modes as columns, with what the search said of each.
   Eigen::MatrixXd x(run.posterior->size(), static_cast<Eigen::Index>(run.modes.size()));
   std::vector<double> cost, hits, mass;
   for (std::size_t m = 0; m < run.modes.size(); ++m) {

@@ -30,6 +30,7 @@ Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count) {
 }
 
 std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int prior_count) {
+  // Values at all draws, and at draws from the prior.
   const HandPosterior& posterior = *run.posterior;
   const FitProblem& problem = posterior.problem();
   const PosteriorValues values = posterior.values(pooled(run.draws));
@@ -41,6 +42,7 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
   const auto add_parameters = [&](const std::string& whose, const Eigen::MatrixXd& drawn,
                                   const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i) {
+      // In display units.
       const auto at = static_cast<std::size_t>(moving[static_cast<std::size_t>(i)]);
       const Parameter& p = problem.parameters().all[at];
       const double scale = display_scale(p);
@@ -50,12 +52,14 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
                        scale * before.row(i).transpose()});
     }
   };
+  // The population only where it differs from the specimen.
   const bool several = problem.specimens().size() > 1;
   if (several) add_parameters("", values.population, prior.population);
   for (std::size_t s = 0; s < problem.specimens().size(); ++s)
     add_parameters(several ? problem.specimens()[s] + ": " : "", values.specimens[s],
                    prior.specimens[s]);
 
+  // Factors of noise and between specimens.
   const auto add_factors = [&](const std::string& kind, const std::vector<std::string>& names,
                                const Eigen::MatrixXd& drawn, const Eigen::MatrixXd& before) {
     for (Eigen::Index i = 0; i < drawn.rows(); ++i)
@@ -71,12 +75,14 @@ std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run, int
 
 std::vector<std::string> experiment_names(const FitProblem& problem) {
   std::vector<std::string> names;
+  // Trials of all experiments first.
   for (const Experiment& experiment : problem.experiments()) names.push_back(experiment.name);
   return names;
 }
 
 std::vector<std::string> observation_names(const FitProblem& problem, Observed which) {
   std::vector<std::string> names;
+  // Then their rows of muscle activations.
   for (const Experiment& experiment : problem.experiments())
     for (const Trial& trial : experiment.trials)
       names.push_back(

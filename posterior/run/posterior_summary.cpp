@@ -38,10 +38,12 @@ std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& ru
 PosteriorSummary summarise_posterior(const PosteriorRun& run) {
   require(run.draws.draws() * run.draws.chains() >= 2, "a summary needs 2 draws, got {}",
           run.draws.draws() * run.draws.chains());
+  // Quantities with their estimates, and the directions that the data decide.
   PosteriorSummary summary;
   summary.quantities = posterior_quantities(run);
   summary.estimates = estimates_of(summary.quantities, run.draws.group);
   summary.directions = directions_of(run);
+  // Fitted experiments against their replicates, and left-out observations.
   for (const Experiment& experiment : run.posterior->problem().experiments())
     if (!experiment.trials.empty()) summary.experiments.push_back(check_of(run, experiment));
   summary.left_out = leave_out_observations(run);

@@ -24,6 +24,7 @@ Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
 /// Factor of the draw on the sd between specimens of each coordinate (coordinates).
 Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& parameters,
                           const PosteriorValues& values, Eigen::Index draw) {
+  // Kinds without a learnt factor keep 1.
   const std::vector<std::string> kinds = posterior.specimen_scale_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
   for (int c = 0; c < parameters.coordinates(); ++c) {
@@ -49,6 +50,7 @@ double new_specimen(const Parameter& leader, double population, double sd, Rando
 Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values,
                           const FitParameters& parameters, const Eigen::VectorXd& x,
                           Eigen::Index draw, int specimen) {
+  // A stream for each draw, whatever the number of draws.
   const FitProblem& problem = run.posterior->problem();
   const int known = problem.parameters().coordinates();
   RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(draw), 0,
@@ -57,13 +59,16 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const auto leader = [&](int c) -> const Parameter& {
     return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
   };
+  // The population or specimen at this draw.
   Eigen::VectorXd u = Eigen::VectorXd::Zero(parameters.coordinates());
   u.head(known) = displacements(problem.coordinates(), run.posterior->fit_coordinates(x), specimen);
+  // A new specimen deviates from it, but only in what the posterior moves.
   const Eigen::VectorXd sd = unseen_variance(problem.coordinates()).cwiseSqrt();
   const std::vector<int> moving = run.posterior->moving_parameters();
   for (int c = 0; c < known && specimen < 0; ++c)
     if (std::binary_search(moving.begin(), moving.end(), parameters.leader[c]))
       u[c] += new_specimen(leader(c), u[c], factor[c] * sd[c], random);
+  // Postures that the fit does not name err by their prior.
   for (int c = known; c < parameters.coordinates(); ++c)
     u[c] = factor[c] * leader(c).between_sd * random.normal();
   return u;
@@ -107,6 +112,7 @@ double spread_of_row(Eigen::VectorXd row) {
 PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment, int specimen,
                              long draws) {
   require(run.draws.draws() > 0, "the posterior has no draws to predict with");
+  // The experiment on the fitted digit, and some of the draws.
   const HandPosterior& posterior = *run.posterior;
   const TendonDigit& digit = posterior.problem().digit();
   const FitParameters parameters =
@@ -115,6 +121,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const Eigen::MatrixXd x = spread_columns(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
 
+  // Expected forces at each of them.
   Eigen::MatrixXd u(parameters.coordinates(), x.cols());
   for (Eigen::Index k = 0; k < x.cols(); ++k)
     u.col(k) = displaced(run, values, parameters, x.col(k), k, specimen);
@@ -124,6 +131,8 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
                      {},
                      {},
                      calibrated_on_specimen(digit, experiment)};
+
+  // Repeated measurements: noise about the expected forces.
   out.replicated = out.expected;
   out.sd.resize(out.expected.rows(), out.expected.cols());
   const ForceNoise noise(posterior.problem().robust_scale());
@@ -137,6 +146,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
 }
 
 Prediction summarise(const PredictedDraws& predicted) {
+  // Means without noise, intervals with it.
   const Eigen::VectorXd mean = predicted.expected.rowwise().mean();
   Eigen::VectorXd sd(mean.size());
   for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));

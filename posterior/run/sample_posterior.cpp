@@ -19,6 +19,7 @@ constexpr int kGlobalSearch = 60;  // coordinates [1]
 constexpr double kInflation = 2;   // of the starts, in Laplace sds [1]
 
 std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settings) {
+  // All texts, then the settings that change the density or the starts.
   std::string text = inputs.subject.text + '\n' + inputs.settings.text;
   for (const SourceText& source : inputs.experiments) text += '\n' + source.text;
   for (const std::string& free : inputs.also_free) text += '\n' + free;
@@ -29,6 +30,7 @@ std::string fingerprint(const FitInputs& inputs, const PosteriorSettings& settin
 }
 
 FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& settings) {
+  // The prior means are a start of their own.
   ModeSearchOptions search;
   search.starts = settings.mode_starts;
   // A global search without derivatives finds nothing among more coordinates than this.
@@ -58,9 +60,11 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
   for (int found = 0, attempt = 0; found < count; ++attempt, inflation *= 0.7) {
     require(attempt < 20, "no start with a density above zero was found about {} modes",
             modes.size());
+    // Points about the modes, nearer at each attempt.
     const Eigen::MatrixXd z =
         dispersed_starts(problem, modes, count, inflation, seed + static_cast<unsigned>(attempt));
     for (int k = found; k < count; ++k) {
+      // Kept while the density is above zero.
       Eigen::VectorXd x = posterior.from_fit(z.col(k));
       x.tail(factors) = posterior.draw_prior(seed, static_cast<unsigned>(k)).tail(factors);
       const Densities at = posterior.evaluate(x, WithGradient::kNo);
@@ -133,6 +137,7 @@ Eigen::MatrixXd pooled(const Draws& draws) {
 
 PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& settings,
                               const Communicator& ranks) {
+  // Every rank builds the posterior; the first alone searches.
   PosteriorRun run;
   run.inputs = inputs;
   run.settings = settings;
@@ -146,12 +151,16 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
     // The others need not search for what they are told.
     if (ranks.rank() == 0) beginning = begin(run, options);
   });
+
+  // All ranks stop alike, or take the starts of the first.
   const bool stopped = ranks.all_gather(Eigen::VectorXd::Constant(1, !beginning))[0] > 0;
   if (stopped) return run;
   if (!beginning) beginning.emplace();
   const Eigen::Index n = run.posterior->size();
   const Eigen::MatrixXd starts = broadcast(ranks, beginning->starts, n);
   options.sampler.covariance = broadcast(ranks, beginning->covariance, n);
+
+  // Sample, and judge the draws.
   options.fingerprint = fingerprint(inputs, settings);
   run.draws = run_chains(*run.posterior, starts, options, ranks);
   collective_call(ranks, [&] { assess_run(run); });
@@ -164,9 +173,11 @@ PosteriorRun sample_posterior(const FitInputs& inputs, const PosteriorSettings& 
 
 void assess_run(PosteriorRun& run) {
   if (run.draws.draws() == 0) return;
+  // Do the chains agree?
   ConvergenceLimits limits = run.settings.limits;
   limits.max_depth = run.settings.run.sampler.max_depth;
   run.convergence = assess(run.draws, run.posterior->names(), limits);
+  // Which mode is each draw in?
   std::vector<KnownMode> known;
   for (const Mode& mode : run.modes) {
     const Eigen::VectorXd centre = run.posterior->from_fit(mode.z);

@@ -37,6 +37,7 @@ Eigen::Matrix3Xd true_forces(const TendonDigit& truth, const Experiment& experim
 }
 
 Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& options) {
+  // The protocol: a pinned tip in the first postures.
   const std::vector<PostureRecord> postures = thumb_postures();
   require(options.postures >= 1 && options.postures <= static_cast<int>(postures.size()),
           "there are 1 to {} postures, asked for {}", postures.size(), options.postures);
@@ -49,6 +50,7 @@ Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& 
   experiment.hold = TipConstraint::kPinned;
   experiment.force_segment = "DP1";
   experiment.postures.assign(postures.begin(), postures.begin() + options.postures);
+  // One muscle after the other in every posture.
   for (const PostureRecord& record : experiment.postures)
     for (const std::string& muscle : truth.names.muscles) {
       Trial trial;
@@ -57,6 +59,7 @@ Experiment simulate_pulls(const TendonDigit& truth, const SimulatedPullOptions& 
       trial.sd = Eigen::Vector3d::Constant(options.floor);
       experiment.trials.push_back(trial);
     }
+  // True forces, their sds, and noise if it is wanted.
   const Eigen::Matrix3Xd force = true_forces(truth, experiment);
   for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
     Trial& trial = experiment.trials[i];
@@ -101,6 +104,7 @@ std::string activation_of(const ActivationRow& row, const std::string& experimen
 }  // namespace
 
 std::string experiment_text(const Experiment& experiment) {
+  // Head of the file.
   require(experiment.axes_of_digit == Eigen::Matrix3i::Identity(),
           "forces of '{}' are not along proximal, dorsal and radial", experiment.name);
   std::string text = fmt::format(
@@ -111,6 +115,7 @@ std::string experiment_text(const Experiment& experiment) {
       experiment.name, experiment.specimen, experiment.species, experiment.description,
       experiment.digit, experiment.source,
       experiment.hold == TipConstraint::kPinned ? "pinned" : "rigid", experiment.force_segment);
+  // Postures, trials and rows of activations.
   for (const PostureRecord& posture : experiment.postures)
     text += fmt::format("\n[[posture]]\nname = \"{}\"\nangles_rad = {}\n", posture.name,
                         table(posture.angles));

@@ -38,12 +38,14 @@ PosteriorSettings posterior_settings(const ThumbStudyInputs& inputs,
 /// Angles between the posterior mean of the pulls' forces and those measured, and how far that mean
 /// is from the true forces.
 void score_pulls(const ThumbData& data, ThumbFit& out) {
+  // Posterior mean of the forces, and its distance from the truth.
   const PredictedDraws predicted = predict_draws(out.run, data.pulls, 0, 500);
   const Prediction mean = summarise(predicted);
   const Eigen::Matrix3Xd truth = true_forces(data.truth, data.pulls);
   double off = 0;
   for (std::size_t i = 0; i < mean.trials.size(); ++i)
     off += (mean.trials[i].predicted - truth.col(static_cast<Eigen::Index>(i))).squaredNorm();
+  // Angles between the mean and the measured forces.
   const DirectionErrors errors = direction_errors(mean);
   out.direction = errors.mean;
   out.direction_sd = errors.sd;
@@ -52,6 +54,7 @@ void score_pulls(const ThumbData& data, ThumbFit& out) {
 
 /// Tasks by digits at some of the draws; the misfits of each task are averaged over draws.
 void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
+  // Parameter values at some of the draws.
   const HandPosterior& posterior = *out.run.posterior;
   const FitParameters& parameters = posterior.problem().parameters();
   const std::vector<int> moving = posterior.moving_parameters();
@@ -61,15 +64,18 @@ void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
   for (long k = 0; k < count; ++k) x.col(k) = all.col(k * all.cols() / count);
   const Eigen::MatrixXd values = posterior.values(x).specimens.front();
 
+  // Misfits of every task, averaged over the draws.
   std::vector<TaskMisfit> sum(data.tasks.activations.size(), {0, 0, 0});
   double explained = 0;
   TendonDigit drawn = posterior.problem().digit();
   for (long k = 0; k < count; ++k) {
+    // The digit at this draw: parameters that do not move keep their mean.
     std::vector<double> all_values;
     for (const Parameter& parameter : parameters.all) all_values.push_back(parameter.mean);
     for (std::size_t i = 0; i < moving.size(); ++i)
       all_values[static_cast<std::size_t>(moving[i])] = values(static_cast<Eigen::Index>(i), k);
     drawn.model = specimen_model(posterior.problem().digit(), parameters, all_values).digit;
+    // Its misfits.
     const std::vector<TaskMisfit> misfits = task_misfits(drawn, data.tasks);
     explained += task_scores(misfits).explained / static_cast<double>(count);
     for (std::size_t i = 0; i < sum.size(); ++i) {
@@ -82,6 +88,7 @@ void score_tasks(const ThumbData& data, int draws, ThumbFit& out) {
 }
 
 std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& fitted) {
+  // Parameters of axes and arms; shifts along an axis tell nothing.
   const std::vector<PosteriorQuantity> quantities = posterior_quantities(fitted.run);
   const std::vector<Parameter>& all = fitted.run.posterior->problem().parameters().all;
   std::vector<LearntNumber> learnt;
@@ -89,6 +96,7 @@ std::vector<LearntNumber> learnt_numbers(const ThumbData& data, const ThumbFit& 
     const auto parameter = std::find_if(
         all.begin(), all.end(), [&](const Parameter& p) { return p.name == quantity.name; });
     if (parameter == all.end() || parameter->name.find("/along") != std::string::npos) continue;
+    // Posterior beside prior, and the truth where the model can hold it.
     const Estimate e = estimate(quantity.name, quantity.draws, fitted.run.draws.group);
     LearntNumber number{e.name, quantity.unit, e.mean, e.sd, prior_sd(quantity), e.q05, e.q95, {}};
     if (fitted.settings.skewed) {
@@ -130,11 +138,14 @@ SourceText widened(SourceText file, double width) {
 
 FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
                            const ThumbData& data) {
+  // Pulls, and tasks if they are fitted too.
   Experiment fitted = data.pulls;
   if (settings.with_tasks) {
     fitted.activations = data.tasks.activations;
     if (fitted.postures.size() < data.tasks.postures.size()) fitted.postures = data.tasks.postures;
   }
+
+  // Settings of the model; arms are freed by name.
   FitInputs out{inputs.start,
                 widened(settings.skewed ? inputs.skewed : inputs.orthogonal, settings.prior_width),
                 {},
@@ -147,10 +158,12 @@ FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs, const ThumbFitSetting
 PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings, int retries) {
   constexpr std::array<double, 3> kAcceptance{0.9, 0.95, 0.99};
   for (int attempt = 0;; ++attempt) {
+    // Shorter steps at each attempt.
     settings.run.sampler.target_acceptance =
         kAcceptance[static_cast<std::size_t>(std::min(attempt, 2))];
     PosteriorRun run = sample_posterior(inputs, settings);
     if (attempt == retries || !run.draws.complete || run.convergence.warnings.empty()) return run;
+    // Chains do not agree: twice as long.
     settings.run.draws *= 2;
     settings.run.sampler.warm_up *= 2;
   }
@@ -158,11 +171,13 @@ PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings sett
 
 ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs, const ThumbFitSettings& settings,
                        const ThumbData& data, const ThumbStudySettings& study) {
+  // Sample; a stopped run is not scored.
   ThumbFit out;
   out.settings = settings;
   const FitInputs fit = thumb_fit_inputs(inputs, settings, data);
   out.run = sample_with_retries(fit, posterior_settings(inputs, settings, study), study.retries);
   if (!out.run.draws.complete) return out;
+  // Scores on pulls, tasks, parameters and left-out trials.
   score_pulls(data, out);
   score_tasks(data, study.scored_draws, out);
   out.learnt = learnt_numbers(data, out);

@@ -40,13 +40,16 @@ ThumbStudyInputs thumb_study_inputs(const std::string& data) {
 }
 
 ThumbStudySettings full_thumb_study() {
+  // Noises, and twice the published skewness.
   ThumbStudySettings settings;
   add_noises(Arms::kFixed, {0.01, 0.05, 0.1, 0.2}, 1, settings.fits);
   add_noises(Arms::kFixed, {0.05, 0.1, 0.2}, 2, settings.fits);
+  // Postures, and tasks beside the pulls.
   for (const bool skewed : kBothModels) {
     add_postures(skewed, Arms::kFixed, settings.fits);
     settings.fits.push_back({skewed, Arms::kFixed, 0.1, 2, 1, true});
   }
+  // Arms learnt too.
   add_noises(Arms::kFree, {0.05, 0.1, 0.2}, 1, settings.fits);
   // Where anatomy hardly helps, there may be several modes.
   for (const int postures : {1, 2, 4})
@@ -56,9 +59,11 @@ ThumbStudySettings full_thumb_study() {
 }
 
 ThumbStudySettings quick_thumb_study() {
+  // Noises and postures, arms fixed.
   ThumbStudySettings settings;
   add_noises(Arms::kFixed, {0.05, 0.1, 0.2}, 1, settings.fits);
   add_postures(true, Arms::kFixed, settings.fits);
+  // Short chains, few searches.
   settings.draws = 500;
   settings.warm_up = 500;
   settings.mode_starts = 8;
@@ -97,11 +102,13 @@ Experiment pulls_of(const TendonDigit& truth, const ThumbFitSettings& settings, 
 
 ThumbReference reference_of(const ThumbStudy& study, const ThumbFitSettings& settings,
                             unsigned seed) {
+  // Pulls and tasks of the true thumb.
   const TendonDigit truth = true_thumb(study, settings.skewness);
   ThumbFitSettings two = settings;
   two.postures = 2;
   const Experiment pulls = pulls_of(truth, two, seed);
   const Experiment tasks = tasks_at(truth, settings.noise, seed);
+  // Forces by the thumb at the start, which was not fitted.
   const Eigen::Matrix3Xd predicted = true_forces(study.start, pulls);
   const auto [direction, sd] = internal::direction_errors(
       compare_forces(pulls, predicted, Eigen::Matrix3Xd::Zero(3, predicted.cols()),
@@ -124,7 +131,9 @@ void add_reference(const ThumbFitSettings& settings, unsigned seed, ThumbStudy& 
 
 TaskScores task_scores(const std::vector<TaskMisfit>& misfits) {
   TaskScores out;
+  // Means, and the share of tasks that are explained.
   const auto n = static_cast<double>(misfits.size());
+  // Sds over tasks.
   for (const TaskMisfit& misfit : misfits) {
     out.direction += misfit.direction / n;
     out.torque += misfit.torque / n;
@@ -141,11 +150,13 @@ TaskScores task_scores(const std::vector<TaskMisfit>& misfits) {
 
 TendonDigit true_thumb(const ThumbStudy& study, double skewness) {
   if (skewness == 1) return study.truth;
+  // Parameters that turn the start into the truth.
   const SourceText& file = study.inputs.skewed;
   const FitParameters parameters =
       choose_parameters(study.start, {}, parse_fit_settings(file.text, file.path));
   std::vector<double> values;
   for (const Parameter& parameter : parameters.all) {
+    // Axes are skewed as much more as is wanted; arms stay.
     const bool axis = parameter.name.rfind("axis/", 0) == 0;
     const std::optional<double> value = true_value(parameter, study.start, study.truth);
     values.push_back(axis && value ? skewness * *value : value.value_or(parameter.mean));
@@ -157,14 +168,17 @@ TendonDigit true_thumb(const ThumbStudy& study, double skewness) {
 
 ThumbStudy study_thumb(const ThumbStudyInputs& inputs, const ThumbStudySettings& settings) {
   ThumbStudy study;
+  // Both thumbs in one frame, and those that no fit improves.
   study.inputs = inputs;
   study.start = thumb_of(inputs.start);
   study.truth = in_frame_of(study.start, thumb_of(inputs.truth));
   for (const ThumbFitSettings& one : settings.fits) add_reference(one, settings.seed, study);
   for (std::size_t i = 0; i < settings.fits.size(); ++i) {
+    // Fit by fit, until somebody stops it.
     settings.progress(static_cast<double>(i) / static_cast<double>(settings.fits.size()),
                       describe_fit(settings.fits[i]));
     if (settings.progress.stop()) return study;
+    // Its data: pulls and tasks of its true thumb.
     const TendonDigit truth = true_thumb(study, settings.fits[i].skewness);
     const internal::ThumbData data{truth, study.start,
                                    pulls_of(truth, settings.fits[i], settings.seed),

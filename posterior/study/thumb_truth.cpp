@@ -13,10 +13,12 @@ namespace thenar {
 TendonDigit in_frame_of(const TendonDigit& start, const TendonDigit& digit) {
   require(start.names.hinges == digit.names.hinges, "the true thumb has {} hinges, this one {}",
           digit.names.hinges.size(), start.names.hinges.size());
+  // Rotation that brings the tip's directions together.
   TendonDigit turned = digit;
   TendonModel<double>& model = turned.model;
   const Eigen::Matrix3d R = start.model.tip_axes * model.tip_axes.transpose();
   const Eigen::Vector3d from = model.tip;
+  // Axes are turned about the tip and shifted with it.
   for (Hinge<double>& hinge : model.tree) {
     hinge.direction = (R * hinge.direction).normalized();
     hinge.point = start.model.tip + R * (hinge.point - from);
@@ -30,11 +32,13 @@ TendonDigit in_frame_of(const TendonDigit& start, const TendonDigit& digit) {
 
 std::optional<double> true_value(const Parameter& parameter, const TendonDigit& start,
                                  const TendonDigit& truth) {
+  // Arms are values; axes have two tilts and two shifts.
   if (parameter.kind == ParameterKind::kArm)
     return truth.model.constant_arms(parameter.item, parameter.component);
   const bool tilts = parameter.kind == ParameterKind::kAxisDirection;
   if (!tilts && (parameter.kind != ParameterKind::kAxisPoint || parameter.component > 1))
     return std::nullopt;
+  // The true axis in the chart of the start's tangents.
   const auto item = static_cast<std::size_t>(parameter.item);
   const Hinge<double>&from = start.model.tree.at(item), &to = truth.model.tree.at(item);
   const Tangents tangent = tangents(from.direction);
