@@ -19,7 +19,6 @@ struct Fed {
   V central, lateral;
 };
 inline Fed fed(const Program& program, const ShareStep& share, const V* arm, int j) {
-  // Arms of the strand that each muscle pulls.
   const int n = program.coordinates;
   const HoodSteps& hood = program.hood;
   return {arm[hood.central_slip * n + j], share.radial * arm[hood.radial_band * n + j] +

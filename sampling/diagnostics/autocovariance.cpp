@@ -33,6 +33,7 @@ Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd>& x, Eigen
   const Eigen::Index n = x.size();
   require(lags >= 0 && lags <= n, "a chain of {} draws has no {} lags", n, lags);
   if (lags == 0) return {};
+  // Many lags by FFT, few by sums.
   const Eigen::VectorXd centred = x.array() - x.mean();
   if (lags > kLagsWithoutFft) return sum_by_fft(centred).head(lags) / double(n);
   return Eigen::VectorXd::NullaryExpr(lags, [&](Eigen::Index t) {

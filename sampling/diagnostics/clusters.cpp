@@ -33,12 +33,14 @@ double bandwidth_of(const Eigen::VectorXd& rising) {
 
 /// Between the quantiles beyond which no cut is allowed, and one bandwidth further.
 Density density_of(const Eigen::VectorXd& rising, double min_share) {
+  // A grid of several cells to a bandwidth.
   const double h = bandwidth_of(rising);
   const double low = quantile(rising, min_share / 2) - h;
   const double high = quantile(rising, 1 - min_share / 2) + h;
   const int cells = std::clamp(int(std::ceil((high - low) / h * kCellsPerBandwidth)), 8, kMaxCells);
   Density of{low, (high - low) / cells, h, {}, Eigen::ArrayXd::Zero(cells)};
 
+  // Draws in each cell, and up to its end.
   Eigen::ArrayXd count = Eigen::ArrayXd::Zero(cells);
   const double each = 1 / double(rising.size());
   double below = 0;
@@ -49,6 +51,7 @@ Density density_of(const Eigen::VectorXd& rising, double min_share) {
   }
   for (int i = 0; i < cells; ++i) of.share[i] = below += count[i];
 
+  // Normal kernel, four bandwidths to each side.
   const int reach = int(std::ceil(4 * h / of.step));
   of.at = Eigen::ArrayXd::Zero(cells);
   for (int shift = -reach; shift <= reach; ++shift) {
@@ -75,6 +78,7 @@ Valley find_valley(const Eigen::Ref<const Eigen::VectorXd>& y, double min_share)
   double left = 0;
   for (Eigen::Index i = 0; i < f.at.size(); ++i) {
     left = std::max(left, f.at[i]);
+    // Enough draws on both sides; the lowest relative to the smaller peak wins.
     if (f.share[i] < min_share || f.share[i] > 1 - min_share) continue;
     const double peak = std::min(left, right[i]), low = f.at[i];
     if (low >= best.depth * peak) continue;
@@ -97,12 +101,14 @@ struct Whitened {
 };
 
 Whitened whiten(const Eigen::MatrixXd& x) {
+  // Coordinates in units of their sds.
   const Eigen::VectorXd mean = x.rowwise().mean();
   const Eigen::MatrixXd centred = x.colwise() - mean;
   const Eigen::VectorXd sd =
       centred.rowwise().norm() / std::sqrt(double(std::max<Eigen::Index>(1, x.cols())));
   const Eigen::VectorXd scale =
       sd.unaryExpr([](double s) { return s > 0 ? 1 / s : 0.0; });  // units out of the way
+  // Eigenvectors of their correlation; directions without variance drop out.
   const Eigen::MatrixXd z = scale.asDiagonal() * centred;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(z * z.transpose() / double(x.cols()));
   const Eigen::Index kept = (eigen.eigenvalues().array() > 1e-12).count();
@@ -115,6 +121,7 @@ Whitened whiten(const Eigen::MatrixXd& x) {
 
 /// Where the means of chains lie apart, widest first (k, at most k).
 Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>& chain) {
+  // Sums of each chain; the whole has mean zero.
   std::map<int, std::pair<Eigen::VectorXd, double>> sums;
   for (Eigen::Index i = 0; i < y.cols(); ++i) {
     auto& [sum, count] =
@@ -122,6 +129,7 @@ Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>&
     sum += y.col(i);
     ++count;
   }
+  // Covariance between the chains, its widest directions first.
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(y.rows(), y.rows());
   for (const auto& [name, of] : sums) between += of.first * of.first.transpose() / of.second;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(between);
@@ -131,6 +139,7 @@ Eigen::MatrixXd between_chains(const Eigen::MatrixXd& y, const std::vector<int>&
 
 Eigen::VectorXd climb_kurtosis(const Eigen::MatrixXd& y, Eigen::VectorXd w) {
   for (int step = 0; step < kClimbSteps; ++step) {
+    // Fixed point of the kurtosis along w.
     const Eigen::VectorXd along = y.transpose() * w;
     const Eigen::VectorXd next = y * along.array().cube().matrix() / double(y.cols()) - 3 * w;
     if (!(next.norm() > 0)) break;
@@ -148,6 +157,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
   const Eigen::Index k = white.y.rows();
   if (k == 0) return Eigen::MatrixXd::Identity(n, n);
 
+  // Starts of the climb: between chains, and along axes.
   const Eigen::MatrixXd apart = between_chains(white.y, chain);
   const Eigen::Index every = (x.cols() + kDraws - 1) / kDraws;
   const Eigen::MatrixXd few = white.y(Eigen::all, Eigen::seq(0, Eigen::last, every));
@@ -155,6 +165,7 @@ Eigen::MatrixXd projection_directions(const Eigen::Ref<const Eigen::MatrixXd>& x
   Eigen::MatrixXd starts(k, apart.cols() + axes);
   starts << apart, Eigen::MatrixXd::Identity(k, axes);
 
+  // Directions between chains, and the ends of the climb.
   Eigen::MatrixXd w(k, apart.cols() + starts.cols());
   w.leftCols(apart.cols()) = apart;
   for (Eigen::Index i = 0; i < starts.cols(); ++i)
@@ -176,6 +187,7 @@ struct Part {
   std::vector<int> chain;  // of each draw (N)
 
   [[nodiscard]] Part where(const Eigen::Array<bool, Eigen::Dynamic, 1>& kept) const {
+    // Draws with their chains.
     std::vector<Eigen::Index> which;
     Part part;
     for (Eigen::Index i = 0; i < x.cols(); ++i)
@@ -197,10 +209,12 @@ struct Plane {
 /// Independent draws worth y once it is known on which side of the cut each is: what the height of
 /// a peak is known from. Moves across the valley may be as rare as they like.
 double ess_beside(const Eigen::VectorXd& y, double cut, const std::vector<int>& chain) {
+  // Each side about its own mean.
   const Eigen::ArrayXd above = (y.array() > cut).cast<double>();
   const double up = (y.array() * above).sum() / std::max(1.0, above.sum());
   const double down = (y.array() * (1 - above)).sum() / std::max(1.0, (1 - above).sum());
   const Eigen::VectorXd beside = y.array() - above * up - (1 - above) * down;
+  // Effective size, chain by chain.
   double ess = 0;
   for (Eigen::Index first = 0; first < y.size();) {
     Eigen::Index end = first;
@@ -217,9 +231,11 @@ Plane find_plane(const Part& part, double min_share, const ClusterOptions& optio
   Plane best;
   double depth = options.depth;
   for (Eigen::Index k = 0; k < directions.cols(); ++k) {
+    // A valley along this direction, deeper than the best so far.
     const Eigen::VectorXd y = part.x.transpose() * directions.col(k);
     const Valley valley = find_valley(y, min_share);
     if (valley.depth >= depth || valley.contrast < options.contrast) continue;
+    // Is it certain with draws that depend on each other?
     const double worth = ess_beside(y, valley.cut, part.chain) / double(y.size());
     if (valley.contrast * std::sqrt(worth) < options.contrast) continue;
     best = {directions.col(k), valley.cut};
@@ -230,6 +246,7 @@ Plane find_plane(const Part& part, double min_share, const ClusterOptions& optio
 
 /// Every draw of every chain, or an even selection.
 Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
+  // Every so many draws of each chain.
   const Eigen::Index draws = x[0].cols();
   const Eigen::Index each = std::max<Eigen::Index>(1, most / Eigen::Index(x.size()));
   const Eigen::Index every = std::max<Eigen::Index>(1, (draws + each - 1) / each);
@@ -246,17 +263,20 @@ Part gather(const std::vector<Eigen::MatrixXd>& x, long most) {
 /// Cuts `part`, gives the draws of cluster `label` beyond the plane a new label, and goes on.
 void cut(const Part& part, double total, int label, const std::vector<Eigen::MatrixXd>& x,
          const ClusterOptions& options, Eigen::MatrixXi& labels) {
+  // Too few draws, or too light, to be cut.
   const double share = options.min_mass * total / double(part.x.cols());
   if (part.x.cols() < kMinDraws || share >= 0.5) return;
   const Plane plane = find_plane(part, share, options);
   if (plane.w.size() == 0) return;
 
+  // All draws beyond the plane, not only those looked at.
   const int beyond = labels.maxCoeff() + 1;
   for (std::size_t chain = 0; chain < x.size(); ++chain) {
     const Eigen::VectorXd y = x[chain].transpose() * plane.w;
     for (Eigen::Index i = 0; i < y.size(); ++i)
       if (labels(i, chain) == label && y[i] > plane.cut) labels(i, chain) = beyond;
   }
+  // Both sides again.
   const Eigen::ArrayXd y = part.x.transpose() * plane.w;
   cut(part.where(y <= plane.cut), total, label, x, options, labels);
   cut(part.where(y > plane.cut), total, beyond, x, options, labels);
@@ -265,6 +285,7 @@ void cut(const Part& part, double total, int label, const std::vector<Eigen::Mat
 }  // namespace
 
 Eigen::MatrixXi by_falling_mass(const Eigen::MatrixXi& labels) {
+  // Labels by falling count, equal ones by number.
   std::map<int, long> count;
   for (const int label : labels.reshaped()) ++count[label];
   std::vector<std::pair<long, int>> order;
@@ -285,6 +306,7 @@ Eigen::MatrixXi find_clusters(const std::vector<Eigen::MatrixXd>& x,
             chain.cols());
     require(chain.allFinite(), "clumps need finite draws");
   }
+  // Planes are sought among some draws and cut through all.
   const Part part = gather(x, options.draws);
   Eigen::MatrixXi labels = Eigen::MatrixXi::Zero(x[0].cols(), Eigen::Index(x.size()));
   cut(part, double(part.x.cols()), 0, x, options, labels);

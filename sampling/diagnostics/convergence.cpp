@@ -83,6 +83,7 @@ namespace {
 /// Walkers of one ensemble are not independent: the worse of what chains and ensembles say.
 void heed_ensembles(const Eigen::MatrixXd& x, const std::vector<int>& group,
                     const Eigen::MatrixXd& pooled, Estimate& of) {
+  // Chains beside ensembles, for every figure.
   const auto below = [&x](double limit) -> Eigen::MatrixXd {
     return (x.array() <= limit).cast<double>();
   };
@@ -100,6 +101,7 @@ Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixX
   Estimate of{name, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
   if (x.size() == 0 || !x.allFinite()) return of;
 
+  // Moments and quantiles.
   const Eigen::VectorXd rising = sorted(x);
   of.mean = x.mean();
   of.sd = std::sqrt((x.array() - of.mean).square().sum() / double(x.size() - 1));
@@ -109,6 +111,7 @@ Estimate estimate(const std::string& name, const Eigen::Ref<const Eigen::MatrixX
   if (!finite_and_varying(x)) of.sd = 0;  // alike: not even rounding of the mean
   if (x.rows() < 4 || of.sd == 0) return of;
 
+  // Errors, agreement and effective sizes.
   of.mcse_mean = mean_mcse(x, group);
   of.mcse_sd = sd_mcse(x);
   of.r_hat = rank_r_hat(x);
@@ -142,6 +145,7 @@ template <typename Badness>
 Offence find_offence(const std::vector<Estimate>& estimates, double limit, Badness badness) {
   Offence found;
   for (const Estimate& of : estimates) {
+    // NaN is no offence.
     const double figure = badness(of);
     if (!(figure > limit)) continue;
     ++found.others;
@@ -157,13 +161,16 @@ void judge_draws(const std::vector<Estimate>& estimates, std::vector<std::string
   const auto find = [&](auto holds) {
     return find_offence(estimates, 0, [&](const Estimate& of) { return holds(of) ? 1.0 : 0.0; });
   };
+  // Not finite.
   const Offence non_finite = find([](const Estimate& of) { return !std::isfinite(of.mean); });
   if (non_finite.worst)
     warnings.push_back(fmt::format("there are draws that are not finite, of {}", non_finite.who()));
+  // All alike.
   const Offence still = find([](const Estimate& of) { return of.sd == 0; });
   if (still.worst)
     warnings.push_back(
         fmt::format("all draws of {} are alike: no chain has moved there", still.who()));
+  // No figure can be told.
   const Offence mute = find([](const Estimate& of) {
     return of.sd > 0 && std::isnan(of.r_hat + of.bulk_ess + of.tail_ess);
   });
@@ -201,6 +208,7 @@ void judge_steps(const Convergence& result, long steps, double allowed,
 
 void judge_swaps(const Draws& draws, double least, std::vector<std::string>& warnings) {
   if (draws.swap_rate.size() == 0) return;
+  // The pair of neighbours that swaps least.
   Eigen::Index temperature_index, group;
   const double rate = draws.swap_rate.minCoeff<Eigen::PropagateNaN>(&temperature_index, &group);
   if (!(rate >= least))
@@ -237,12 +245,14 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
                    const ConvergenceLimits& limits) {
   require(int(names.size()) == draws.size(), "{} names for {} coordinates", names.size(),
           draws.size());
+  // Figures of every coordinate, and the worst of them.
   Convergence result;
   for (int i = 0; i < draws.size(); ++i)
     result.estimates.push_back(estimate(names[i], draws.coordinate(i), draws.group));
   find_worst(result);
   count_steps(draws, limits.max_depth, result);
 
+  // Are there enough draws and groups to judge?
   const long groups = long(std::set<int>(draws.group.begin(), draws.group.end()).size());
   if (draws.draws() < 4)
     result.warnings.push_back(
@@ -252,6 +262,7 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
         fmt::format("independent chains or ensembles: {}; one that is stuck shows only beside "
                     "another, so 2 are needed",
                     groups));
+  // Figures against their limits.
   const double least = limits.ess_per_chain * double(groups);
   judge_draws(result.estimates, result.warnings);
   judge_agreement(result.estimates, limits.r_hat, result.warnings);

@@ -19,11 +19,13 @@ constexpr Eigen::Index kFewLags = 100;  // usually enough, and soon computed
 
 /// Autocorrelation of all chains together, at lags 0 .. lags - 1 [Vehtari2021 eq. 10].
 Eigen::VectorXd autocorrelation_of_all(const Eigen::MatrixXd& x, Eigen::Index lags) {
+  // Autocovariance, mean over the chains.
   const double n = double(x.rows()), m = double(x.cols());
   Eigen::VectorXd covariance = Eigen::VectorXd::Zero(lags);
   for (Eigen::Index chain = 0; chain < x.cols(); ++chain)
     covariance += autocovariance(x.col(chain), lags) / m;
 
+  // Variance of all chains together, which also sees how their means differ.
   const Eigen::RowVectorXd mean = x.colwise().mean();
   const double within = covariance[0] * n / (n - 1);
   const double all = covariance[0] + (mean.array() - mean.mean()).square().sum() / (m - 1);
@@ -81,6 +83,7 @@ double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, const std::vecto
   if (!finite_and_varying(x)) return kNaN;
   const Eigen::MatrixXd pooled = pool_groups(x, group);  // walkers take turns
   const Eigen::Index walkers = pooled.rows() / x.rows();
+  // Means over the walkers of each group, draw by draw.
   const Eigen::MatrixXd means = pooled.reshaped(walkers, x.rows() * pooled.cols())
                                     .colwise()
                                     .mean()
@@ -116,6 +119,7 @@ double quantile_ess(const Eigen::Ref<const Eigen::MatrixXd>& x, double share) {
 double tail_ess(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   (void)split_chains(x);
   if (!finite_and_varying(x)) return kNaN;
+  // The worse of the 5 and 95 % quantiles.
   const Eigen::VectorXd rising = sorted(x);
   const double low = effective_size(split_chains(at_most(x, quantile(rising, 0.05))));
   const double high = effective_size(split_chains(at_most(x, quantile(rising, 0.95))));

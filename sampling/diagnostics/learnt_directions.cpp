@@ -17,6 +17,7 @@ constexpr double kTold = 0.05;  // entries of a smaller share are left out of th
 constexpr int kMostTold = 5;
 
 std::string tell(const std::vector<std::string>& names, const LearntDirection& direction) {
+  // Entries by falling share.
   std::vector<Eigen::Index> order(names.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
@@ -62,6 +63,7 @@ LearntDirections learnt_directions(const std::vector<std::string>& names,
           "the prior covariance is not positive definite");
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(posterior, prior);
 
+  // Eigenvalues rise: the best learnt direction comes first.
   LearntDirections of;
   for (Eigen::Index k = 0; k < n; ++k) {
     LearntDirection direction;

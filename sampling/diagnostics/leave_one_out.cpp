@@ -44,6 +44,7 @@ ParetoFit fit_pareto(const Eigen::Ref<const Eigen::VectorXd>& rising) {
   for (double& of : log_likelihood)
     if (std::isnan(of)) of = -std::numeric_limits<double>::infinity();  // b = 0 to rounding
 
+  // Mean of b over the posterior on the grid.
   const Eigen::VectorXd weight = (log_likelihood.array() - log_sum_exp(log_likelihood)).exp();
   const double mean = weight.dot(b), k = shape_at(mean, rising);
   return {k, -k / mean};
@@ -53,10 +54,12 @@ SmoothedWeights smooth_weights(const Eigen::Ref<const Eigen::VectorXd>& log_rati
                                double efficiency) {
   const Eigen::Index n = log_ratio.size();
   require(n > 0 && log_ratio.allFinite(), "importance ratios must be finite");
+  // Ratios with the largest at 1.
   SmoothedWeights of;
   of.log_weight = log_ratio.array() - log_ratio.maxCoeff();
   of.k = std::numeric_limits<double>::infinity();
 
+  // The largest ratios are the tail.
   std::vector<Eigen::Index> order(n);
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](Eigen::Index a, Eigen::Index b) {
@@ -66,11 +69,13 @@ SmoothedWeights smooth_weights(const Eigen::Ref<const Eigen::VectorXd>& log_rati
   const auto tail = Eigen::Index(wanted);
 
   if (tail >= 5 && tail < n) {
+    // Excesses over the largest ratio outside of the tail.
     const double cut = std::exp(of.log_weight[order[n - tail - 1]]);
     Eigen::VectorXd excess(tail);
     for (Eigen::Index i = 0; i < tail; ++i)
       excess[i] = std::exp(of.log_weight[order[n - tail + i]]) - cut;
     if (excess[tail - 1] > std::numeric_limits<double>::epsilon()) {
+      // Quantiles of the fitted Pareto distribution replace them.
       ParetoFit fit = fit_pareto(excess);
       fit.k = (double(tail) * fit.k + 5) / (double(tail) + 10);
       of.k = fit.k;
@@ -114,20 +119,24 @@ LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihoo
           chains, observations);
   require(log_likelihood.allFinite(), "leave-one-out needs finite log likelihoods");
 
+  // Limit of k for this many draws.
   LeaveOneOut of;
   of.good_k = std::min(1 - 1 / std::log10(double(draws)), 0.7);
   of.pointwise.resize(observations);
   of.k.resize(observations);
   for (Eigen::Index i = 0; i < observations; ++i) {
+    // Importance ratios 1 / likelihood of this observation.
     const Eigen::VectorXd seen = log_likelihood.row(i).transpose();
     const SmoothedWeights weights = smooth_weights(-seen, efficiency_of(seen, chains, group));
     of.k[i] = weights.k;
     of.pointwise[i] = log_sum_exp(weights.log_weight + seen);
     of.effective_parameters += log_sum_exp(seen) - std::log(double(draws)) - of.pointwise[i];
   }
+  // Sum over observations, and its error.
   of.elpd = of.pointwise.sum();
   of.se = error_of_sum(of.pointwise);
 
+  // Observations that the draws cannot do without.
   Eigen::Index worst;
   const double highest = of.k.maxCoeff(&worst);
   if (const long bad = (of.k.array() > of.good_k).count(); bad > 0)

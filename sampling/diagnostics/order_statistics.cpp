@@ -11,6 +11,7 @@
 namespace thenar {
 
 Eigen::MatrixXd average_ranks(const Eigen::Ref<const Eigen::MatrixXd>& x) {
+  // Entries in rising order.
   const Eigen::MatrixXd dense = x;
   std::vector<std::pair<double, Eigen::Index>> order(dense.size());
   for (Eigen::Index i = 0; i < dense.size(); ++i) order[i] = {dense.data()[i], i};
@@ -18,6 +19,7 @@ Eigen::MatrixXd average_ranks(const Eigen::Ref<const Eigen::MatrixXd>& x) {
 
   Eigen::MatrixXd ranks(x.rows(), x.cols());
   for (std::size_t first = 0; first < order.size();) {
+    // Ties share the mean of their ranks.
     std::size_t end = first;
     while (end < order.size() && order[end].first == order[first].first) ++end;
     for (std::size_t k = first; k < end; ++k)

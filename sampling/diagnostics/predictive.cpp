@@ -18,11 +18,13 @@ void check_shapes(const Eigen::VectorXd& measured, const Replicates& of, int tri
   require(m > 0 && draws > 0, "a check needs measured numbers and draws, got {} and {}", m, draws);
   require(trial_size > 0 && m % trial_size == 0, "{} numbers are not whole trials of {}", m,
           trial_size);
+  // Shapes of the replicates.
   require(of.expected.rows() == m && of.replicated.rows() == m && of.replicated.cols() == draws,
           "{} measured numbers, {} x {} expected, {} x {} replicated", m, of.expected.rows(), draws,
           of.replicated.rows(), of.replicated.cols());
   require(of.sd.rows() == m && (of.sd.cols() == draws || of.sd.cols() == 1),
           "noise sds are {} x {}, wanted {} x {} or 1", of.sd.rows(), of.sd.cols(), m, draws);
+  // Numbers that can be compared.
   require(measured.allFinite() && of.expected.allFinite() && of.replicated.allFinite(),
           "measured, expected and replicated numbers must be finite");
   require(of.sd.allFinite() && of.sd.minCoeff() > 0, "noise sds must be positive");
@@ -33,6 +35,7 @@ Eigen::MatrixXd chi_squares(const Eigen::MatrixXd& numbers, const Replicates& of
   const Eigen::Index trials = numbers.rows() / trial_size;
   Eigen::MatrixXd sums(trials, of.expected.cols());
   for (Eigen::Index s = 0; s < sums.cols(); ++s) {
+    // Measured numbers are the same at all draws.
     const Eigen::VectorXd y = numbers.col(numbers.cols() == 1 ? 0 : s);
     const Eigen::VectorXd sd = of.sd.col(of.sd.cols() == 1 ? 0 : s);
     const Eigen::VectorXd square = ((y - of.expected.col(s)).array() / sd.array()).square();
@@ -50,6 +53,7 @@ double exceedance(const Eigen::VectorXd& replicated, const Eigen::VectorXd& meas
 Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicated, double level) {
   long inside = 0;
   for (Eigen::Index i = 0; i < measured.size(); ++i) {
+    // Central interval of the replicates.
     const Eigen::VectorXd rising = sorted(replicated.row(i));
     inside += measured[i] >= quantile(rising, (1 - level) / 2) &&
               measured[i] <= quantile(rising, (1 + level) / 2);
@@ -60,15 +64,18 @@ Coverage cover(const Eigen::VectorXd& measured, const Eigen::MatrixXd& replicate
 
 std::vector<std::string> predictive_warnings(const PredictiveCheck& of) {
   std::vector<std::string> warnings;
+  // The whole chi-square.
   if (of.p < kOddP || of.p > 1 - kOddP)
     warnings.push_back(
         fmt::format("{:.3g} % of replicated measurements are further from the model "
                     "than the measured ones: the model is too {}",
                     100 * of.p, of.p < 0.5 ? "sure" : "unsure"));
+  // Single trials, with the limit shared among them.
   for (Eigen::Index t = 0; t < of.trial_p.size(); ++t)
     if (of.trial_p[t] < kOddP / double(of.trial_p.size()))
       warnings.push_back(fmt::format("trial {} is further off than {:.4g} % of its replicates",
                                      t + 1, 100 * (1 - of.trial_p[t])));
+  // Coverage.
   for (const Coverage& interval : of.coverage)
     if (std::abs(interval.share - interval.level) > kOddCoverage * interval.error)
       warnings.push_back(fmt::format("{:.3g} % of measurements lie in their {:.3g} % intervals",
@@ -81,12 +88,14 @@ std::vector<std::string> predictive_warnings(const PredictiveCheck& of) {
 PredictiveCheck check_predictive(const Eigen::Ref<const Eigen::VectorXd>& measured,
                                  const Replicates& replicates, int trial_size) {
   check_shapes(measured, replicates, trial_size);
+  // Coverage, and the place of each measurement among its replicates.
   PredictiveCheck of;
   for (const double level : {0.5, 0.8, 0.95})
     of.coverage.push_back(cover(measured, replicates.replicated, level));
   of.rank_share =
       ((replicates.replicated.colwise() - measured).array() < 0).cast<double>().rowwise().mean();
 
+  // Chi-squares of measurements and replicates at the same draws.
   const Eigen::MatrixXd seen = chi_squares(measured, replicates, trial_size);
   const Eigen::MatrixXd again = chi_squares(replicates.replicated, replicates, trial_size);
   of.trial_p.resize(seen.rows());

@@ -20,6 +20,7 @@ ChiSquare chi_square_of(const Eigen::VectorXi& rank, int draws, int bins) {
   const auto edge = [&](int bin) { return int(long(bin) * (draws + 1) / bins); };
   double value = 0;
   for (int bin = 0; bin < bins; ++bin) {
+    // Ranks expected and counted in the bin.
     const int from = edge(bin), to = edge(bin + 1);
     const double expected = double(rank.size()) * (to - from) / (draws + 1);
     const double count = double((rank.array() >= from && rank.array() < to).count());
@@ -61,12 +62,14 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
                                   const CalibrationOptions& options) {
   require(Eigen::Index(names.size()) == rank.rows() && rank.size() > 0,
           "{} names for {} x {} ranks", names.size(), rank.rows(), rank.cols());
+  // Tests at this number of runs; alpha is shared among all of them.
   const int points = std::min(options.points, draws);
   const int bins = std::clamp(std::min(options.bins, int(rank.cols()) / 5), 1, draws + 1);
   const double least_p = options.alpha / (2 * double(names.size()));
 
   RankCalibration all;
   for (std::size_t i = 0; i < names.size(); ++i) {
+    // Band and chi-square of one parameter.
     const Eigen::VectorXi of = rank.row(Eigen::Index(i)).transpose();
     ParameterCalibration judged;
     judged.name = names[i];
@@ -74,6 +77,7 @@ RankCalibration judge_calibration(const std::vector<std::string>& names,
     const ChiSquare counts = chi_square_of(of, draws, bins);
     judged.chi_square = counts.value;
     judged.chi_square_p = counts.p;
+    // The smaller p decides.
     if (const double p = std::min(judged.band_p, judged.chi_square_p); p < least_p) {
       judged.shape = shape_of(of, draws);
       all.warnings.push_back(

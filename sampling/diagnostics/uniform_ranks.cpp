@@ -49,6 +49,7 @@ struct Limits {
 Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
   Limits of{Eigen::VectorXi(cumulative.size()), Eigen::VectorXi(cumulative.size())};
   for (std::size_t i = 0; i < cumulative.size(); ++i) {
+    // Smallest counts whose cumulative probability reaches the share.
     const Eigen::VectorXd& F = cumulative[i];
     const auto quantile = [&F](double share) {
       const auto found = std::lower_bound(F.begin(), F.end(), share) - F.begin();
@@ -64,12 +65,15 @@ Limits limits_at(double gamma, const std::vector<Eigen::VectorXd>& cumulative) {
 /// which each rank not yet counted falls into the next part alone.
 double stay_inside(const Limits& limits, const Eigen::VectorXi& below, int N, int draws,
                    const Binomial& binomial) {
+  // All probability is at a count of zero.
   Eigen::VectorXd now = Eigen::VectorXd::Zero(N + 1), next;
   now[0] = 1;
   int first = 0, last = 0, before = 0;
   for (Eigen::Index i = 0; i < below.size(); ++i) {
+    // Probability that a rank not yet counted falls into this part.
     const double p = double(below[i] - before) / (draws + 1 - before);
     const double log_p = std::log(p), log_rest = std::log1p(-p);
+    // From each count within the limits to each count within the next.
     next = Eigen::VectorXd::Zero(N + 1);
     for (int c = first; c <= last; ++c)
       for (int to = std::max(c, limits.low[i]); now[c] > 0 && to <= limits.high[i]; ++to)
@@ -104,6 +108,7 @@ Eigen::VectorXi count_below(const Eigen::VectorXi& rank, const Eigen::VectorXi& 
 RankBand uniform_rank_band(int ranks, int draws, int points, double level) {
   check(ranks, draws, points);
   require(level > 0 && level < 1, "a band's level lies in (0, 1), got {}", level);
+  // Evaluation points, and the distribution of the count at each.
   const Binomial binomial(ranks);
   RankBand band{evaluation_points(draws, points), {}, {}, 0};
   const auto cumulative = cumulative_at(band.below, ranks, draws, binomial);
@@ -116,6 +121,7 @@ RankBand uniform_rank_band(int ranks, int draws, int points, double level) {
         stay_inside(limits_at(gamma, cumulative), band.below, ranks, draws, binomial);
     (inside >= level ? wide : narrow) = gamma;
   }
+  // The widest gamma that still holds.
   const Limits limits = limits_at(wide, cumulative);
   band.low = limits.low;
   band.high = limits.high;
@@ -127,6 +133,7 @@ double uniform_rank_p(const Eigen::VectorXi& rank, int draws, int points) {
   check(int(rank.size()), draws, points);
   require(rank.minCoeff() >= 0 && rank.maxCoeff() <= draws, "ranks lie in 0..{}, got {} to {}",
           draws, rank.minCoeff(), rank.maxCoeff());
+  // Counts at the evaluation points.
   const int N = int(rank.size());
   const Binomial binomial(N);
   const Eigen::VectorXi below = evaluation_points(draws, points);

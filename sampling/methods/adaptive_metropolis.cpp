@@ -47,6 +47,7 @@ class AdaptiveMetropolis final : public Metropolis {
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
+      // A normal step in the shape that the chain has learnt.
       const ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
       RandomStream draw = random(k, kProposal);
       Eigen::VectorXd w(size());
@@ -58,6 +59,7 @@ class AdaptiveMetropolis final : public Metropolis {
   }
 
   void learn(const Eigen::MatrixXd& /*before*/) override {
+    // Weights fall with the steps; the wanted acceptance is the method's own unless told.
     const double t = double(steps()) + 1;
     const double weight = 2 / (t + 10 * size()), gain = std::pow(t, -0.6);
     const double target =
@@ -65,11 +67,13 @@ class AdaptiveMetropolis final : public Metropolis {
     for (int k = 0; k < chains(); ++k) {
       if (!inside(k)) continue;
       ProposalShape& shape = shapes_[static_cast<std::size_t>(k)];
+      // Mean and covariance of the chain's past.
       const Eigen::VectorXd off = positions().col(k) - shape.mean;
       shape.mean += weight * off;
       // C becomes (1 - weight) C + weight off off'.
       shape.L *= std::sqrt(1 - weight);
       add_square(shape.L, std::sqrt(weight) * off);
+      // The scale rises where more is accepted than wanted.
       shape.log_scale += gain * (stats()[static_cast<std::size_t>(k)].acceptance - target);
     }
   }

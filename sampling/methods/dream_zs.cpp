@@ -32,6 +32,7 @@ class DreamZs final : public Metropolis {
   DreamZs(const Eigen::MatrixXd& starts, const SamplerOptions& options)
       : Metropolis(starts, options), root_(initial_covariance_factor(options, size())) {
     require(chains() >= 3, "differential evolution needs at least 3 chains, got {}", chains());
+    // The archive begins with the starts, scattered by the guessed covariance.
     first_ = std::max(kFirstStates * size(), 2 * kMaxPairs + 1);
     RandomStream draw = random(0, kArchive);
     for (int i = 0; i < first_; ++i) {
@@ -39,6 +40,7 @@ class DreamZs final : public Metropolis {
       for (double& entry : w) entry = draw.normal();
       append(starts.col(i % chains()) + root_ * w);
     }
+    // Crossovers with equal shares.
     carried_.setZero(kCrossovers);
     used_.setZero(kCrossovers);
     share_.setConstant(kCrossovers, 1.0 / kCrossovers);
@@ -57,6 +59,7 @@ class DreamZs final : public Metropolis {
   /// Different states of the archive, not older than its first half.
   template <std::size_t count>
   [[nodiscard]] std::array<int, count> pick(RandomStream& draw) const {
+    // Drawn again until it differs from those before.
     const int all = states(), oldest = (all - first_) / 2;
     std::array<int, count> picked;
     for (std::size_t i = 0; i < count; ++i) {
@@ -72,14 +75,19 @@ class DreamZs final : public Metropolis {
 
   /// Some entries of a sum of differences of the archive; each entry by chance, one at least.
   Eigen::VectorXd jump(int k, RandomStream& draw) {
+    // The crossover by its share.
     int& m = crossover_[static_cast<std::size_t>(k)];
     double left = draw.uniform();
     for (m = 0; m < kCrossovers - 1 && left >= share_[m]; ++m) left -= share_[m];
+
+    // A sum of differences between states.
     const int pairs = 1 + draw.index(kMaxPairs), sure = draw.index(size());
     const auto picked = pick<2 * kMaxPairs>(draw);
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(size());
     for (std::size_t i = 0; i < 2 * std::size_t(pairs); i += 2)
       sum += state(picked[i]) - state(picked[i + 1]);
+
+    // Only some entries jump; the scale is the best for as many.
     int entries = 0;
     for (int i = 0; i < size(); ++i) {
       const bool moves = draw.uniform() * kCrossovers < m + 1 || i == sure;
@@ -101,6 +109,7 @@ class DreamZs final : public Metropolis {
   std::pair<Eigen::VectorXd, double> snooker(int k, RandomStream& draw) {
     crossover_[static_cast<std::size_t>(k)] = -1;
     const auto [anchor, a, b] = pick<3>(draw);
+    // Along the line from the anchor to the chain.
     const Eigen::VectorXd line = positions().col(k) - state(anchor);
     const double length = line.norm(), g = 1.2 + draw.uniform();
     if (length == 0) return {Eigen::VectorXd::Zero(size()), 0};
@@ -111,6 +120,7 @@ class DreamZs final : public Metropolis {
   Proposals propose(int /*round*/) override {
     Proposals to{{}, positions(), Eigen::VectorXd::Zero(chains())};
     for (int k = 0; k < chains(); ++k) {
+      // Which of the three kinds?
       RandomStream draw = random(k, kCandidate);
       to.chain.push_back(k);
       const double kind = draw.uniform();
@@ -121,6 +131,7 @@ class DreamZs final : public Metropolis {
         continue;
       }
       to.x.col(k) += kind < kSnooker + kLongJump ? long_jump(k, draw) : jump(k, draw);
+      // A little jitter, so that any point can be reached.
       Eigen::VectorXd w(size());
       for (double& entry : w) entry = kJitter * draw.normal();
       to.x.col(k) += root_ * w;
@@ -129,6 +140,7 @@ class DreamZs final : public Metropolis {
   }
 
   void learn(const Eigen::MatrixXd& before) override {
+    // How far each crossover carries, in sds of the chains.
     const Eigen::VectorXd mean = positions().rowwise().mean();
     const Eigen::VectorXd variance =
         (positions().colwise() - mean).rowwise().squaredNorm() / (chains() - 1);
@@ -140,10 +152,12 @@ class DreamZs final : public Metropolis {
         if (variance[i] > 0) carried_[m] += moved[i] * moved[i] / variance[i];
       used_[m] += 1;
     }
+    // Shares in proportion to that, once all have been used.
     if (used_.minCoeff() > 0 && carried_.minCoeff() > 0) {
       share_ = carried_.cwiseQuotient(used_);
       share_ /= share_.sum();
     }
+    // Every tenth state joins the archive.
     if ((steps() + 1) % kThin != 0) return;
     for (int k = 0; k < chains(); ++k)
       if (inside(k)) append(positions().col(k));

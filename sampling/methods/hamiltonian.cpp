@@ -114,6 +114,7 @@ void Hamiltonian::begin() {
 
 void Hamiltonian::begin_trial() {
   waits_ = Waits::kForTrial;
+  // A fresh momentum each time, and one leapfrog.
   RandomStream random(options_.seed, static_cast<std::uint32_t>(options_.first_chain),
                       stream_step(steps_),
                       kTrialStream + static_cast<std::uint32_t>(warm_up_.tries()));
@@ -136,6 +137,7 @@ void Hamiltonian::begin_trajectory() {
 }
 
 void Hamiltonian::draw_momentum(RandomStream& random) {
+  // Momentum, slope and energy at the chain's position.
   from_.x = current_.x;
   for (Eigen::Index i = 0; i < from_.r.size(); ++i) from_.r[i] = random.normal();
   weigh(current_.at);
@@ -183,6 +185,7 @@ double Hamiltonian::land(const Densities& at, const TemperedDensity& density) {
 }
 
 void Hamiltonian::follow(const Densities& at, double energy_error) {
+  // The candidate, and the choice.
   const Verdict verdict = trajectory_->judge(energy_error, random_);
   if (verdict.take) {
     candidate_.x = moving_->x;
@@ -190,6 +193,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
     candidate_.energy = energy_;
   }
   if (verdict.adopt) std::swap(current_, candidate_);
+  // The next draw, or one leapfrog further.
   if (verdict.end)
     complete(trajectory_->acceptance(), trajectory_->depth(), energy_error > kMaxEnergyError);
   else
@@ -197,6 +201,7 @@ void Hamiltonian::follow(const Densities& at, double energy_error) {
 }
 
 void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
+  // Position and statistics of the step.
   ++steps_;
   positions_.col(0) = current_.x;
   stats_[0] = {current_.at.log_prior[0],
@@ -208,6 +213,7 @@ void Hamiltonian::complete(double acceptance, int depth, bool divergent) {
                evaluations_,
                broken_,
                divergent};
+  // What warm-up learns from it, then the next step.
   evaluations_ = broken_ = 0;
   if (usable_) warm_up_.learn(steps_, current_.x, acceptance);
   warm_up_.settle(steps_);
@@ -230,6 +236,7 @@ void Hamiltonian::move(int /*chain*/, const Eigen::VectorXd& x, const Densities&
               at.likelihood_gradient.size() == x.size(),
           "chain of {} coordinates cannot move to {}, with gradients of {} and {}",
           current_.x.size(), x.size(), at.prior_gradient.size(), at.likelihood_gradient.size());
+  // The density there is known already.
   current_.x = x;
   current_.at = at;
   positions_.col(0) = x;
@@ -257,6 +264,7 @@ void Hamiltonian::save(StateWriter& to) const {
 }
 
 void Hamiltonian::restore(StateReader& from) {
+  // Steps, position and densities.
   steps_ = from.integer();
   known_ = from.integer() != 0;
   current_.x = from.matrix();
@@ -266,6 +274,7 @@ void Hamiltonian::restore(StateReader& from) {
   current_.at.likelihood_gradient = from.matrix();
   require(current_.x.size() == positions_.rows(), "saved chain has {} coordinates, this one {}",
           current_.x.size(), positions_.rows());
+  // Metric and step size; all else follows from the position.
   warm_up_.restore(from);
   positions_.col(0) = current_.x;
   usable_ = known_ && usable(current_.at);

@@ -24,6 +24,7 @@ class JitteredLength : public HamiltonianTrajectory {
  public:
   void start(const PhasePoint& from, double step, RandomStream& random) override {
     constexpr double kMaxSteps = 1000;
+    // As many leapfrogs as the jittered length takes.
     point_ = from;
     const double length = kPi / 2 * (0.5 + random.uniform());
     left_ = static_cast<int>(std::clamp(std::round(length / step), 1.0, kMaxSteps));
@@ -35,9 +36,11 @@ class JitteredLength : public HamiltonianTrajectory {
 
   Verdict judge(double energy_error, RandomStream& random) override {
     ++told_;
+    // A divergent trajectory is refused.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     const double acceptance = std::min(1.0, std::exp(-energy_error));
     acceptance_sum_ += acceptance;
+    // The end is accepted or refused.
     if (--left_ > 0) return {};
     return {true, random.uniform() < acceptance, true};
   }

@@ -15,6 +15,7 @@ int first_window(Metric metric, int n) {
 
 MetricWindows metric_windows(long warm_up, int first_window) {
   if (warm_up < kMinAdaptiveSteps) return {warm_up, {}};
+  // Between the steps that find the typical set and those that settle the step size.
   MetricWindows windows;
   windows.first = std::min<long>(20, warm_up * 15 / 100);
   const long last = warm_up - std::min<long>(50, warm_up * 35 / 100);
@@ -50,12 +51,14 @@ void WarmUp::learn(long step, const Eigen::VectorXd& x, double acceptance) {
   if (step > steps_) return;
   averaging_.learn(acceptance);
   step_ = averaging_.step();
+  // Draws within windows are gathered; each window's end learns the metric anew.
   if (step > windows_.first && !metric_settled(step - 1)) estimate_.add(x);
   if (std::binary_search(windows_.ends.begin(), windows_.ends.end(), step)) learn_metric();
 }
 
 void WarmUp::settle(long step) {
   if (step < steps_) return;
+  // A search that is not over ends with its next try, otherwise the average stays.
   if (searching_)
     step_ = search_.step();
   else if (step == steps_)
@@ -68,6 +71,7 @@ bool WarmUp::metric_settled(long steps) const {
 }
 
 void WarmUp::learn_metric() {
+  // In another metric the step size is searched again.
   if (estimate_.count() >= 2 && metric_.set(estimate_.shrunk(metric_.covariance()))) {
     searching_ = true;
     search_.start(step_);

@@ -11,6 +11,7 @@ constexpr double kLeastBend = 0.05;  // curvature that counts: the prior's is 1 
 }  // namespace
 
 Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& x) {
+  // Central differences of the gradient along every coordinate, in one evaluation.
   const Eigen::Index n = x.size();
   Eigen::MatrixXd points = x.replicate(1, 2 * n);
   points.leftCols(n).diagonal().array() += kStep;
@@ -19,6 +20,7 @@ Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& 
   const Eigen::MatrixXd gradient = at.prior_gradient + at.likelihood_gradient;
   const Eigen::MatrixXd bend = (gradient.rightCols(n) - gradient.leftCols(n)) / (2 * kStep);
   if (!bend.allFinite()) return Eigen::MatrixXd::Identity(n, n);
+  // Inverse of the symmetric part, with curvatures positive and not too small.
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen((bend + bend.transpose()) / 2);
   const Eigen::VectorXd positive = eigen.eigenvalues().cwiseAbs().cwiseMax(kLeastBend);
   return eigen.eigenvectors() * positive.cwiseInverse().asDiagonal() *

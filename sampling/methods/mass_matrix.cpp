@@ -7,6 +7,7 @@
 namespace thenar::internal {
 
 MassMatrix::MassMatrix(Metric metric, int n, const Eigen::MatrixXd& covariance) : metric_(metric) {
+  // The identity, unless there is a covariance to start from.
   factor_.setOnes(n, 1);
   if (dense()) factor_.setIdentity(n, n);
   if (covariance.size() == 0) return;

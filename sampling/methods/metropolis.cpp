@@ -49,9 +49,11 @@ void Metropolis::begin(const Densities& at) {
 }
 
 void Metropolis::decide(const Densities& at, Eigen::Index point) {
+  // Tempered density at the proposal.
   const int k = proposals_.chain[static_cast<std::size_t>(point)];
   TemperedDensity there = tempered(at, point, options_.beta);
   if (!proposals_.x.col(point).allFinite()) there.value = kZero;  // where no posterior holds it
+  // Accept or stay.
   StepStats& stats = stats_[static_cast<std::size_t>(k)];
   stats = {};
   stats.evaluations = 1;
@@ -63,6 +65,7 @@ void Metropolis::decide(const Densities& at, Eigen::Index point) {
     likelihood_[k] = at.log_likelihood[point];
     value_[k] = there.value;
   }
+  // Densities at the position after that.
   stats.log_prior = prior_[k];
   stats.log_likelihood = likelihood_[k];
 }
@@ -71,10 +74,12 @@ void Metropolis::tell(const Densities& at) {
   require(
       at.log_prior.size() == proposals_.x.cols() && at.log_likelihood.size() == proposals_.x.cols(),
       "{} points were asked, densities of {} came", proposals_.x.cols(), at.log_prior.size());
+  // The first densities are those of the starts.
   if (!begun_) {
     begin(at);
   } else {
     for (Eigen::Index point = 0; point < proposals_.x.cols(); ++point) decide(at, point);
+    // After the last round the step is complete.
     if (++round_ == rounds()) {
       if (steps_ < options_.warm_up) learn(before_);
       ++steps_;
@@ -89,11 +94,13 @@ void Metropolis::move(int chain, const Eigen::VectorXd& x, const Densities& at) 
   require(round_ == 0, "a chain can be moved between steps only");
   require(chain >= 0 && chain < chains() && x.size() == size(), "no chain {} of {} entries", chain,
           x.size());
+  // Position and densities.
   x_.col(chain) = x;
   before_.col(chain) = x;
   prior_[chain] = at.log_prior[0];
   likelihood_[chain] = at.log_likelihood[0];
   value_[chain] = tempered(at, 0, options_.beta).value;
+  // What was proposed from the old position is void.
   if (begun_)
     proposals_ = propose(0);
   else
@@ -114,11 +121,13 @@ Densities Metropolis::density(int chain) const {
 
 void Metropolis::save(StateWriter& to) const {
   require(round_ == 0, "a sampler can be saved between steps only");
+  // Positions and densities.
   to.put(std::int64_t{steps_});
   to.put(std::int64_t{begun_});
   to.put(x_);
   to.put(prior_);
   to.put(likelihood_);
+  // Statistics of the last step, and what the method has learnt.
   for (const StepStats& stats : stats_) {
     to.put(stats.acceptance);
     to.put(std::int64_t{stats.evaluations});
@@ -128,6 +137,7 @@ void Metropolis::save(StateWriter& to) const {
 }
 
 void Metropolis::restore(StateReader& from) {
+  // Steps and positions.
   steps_ = static_cast<long>(from.integer());
   begun_ = from.integer() != 0;
   const Eigen::MatrixXd x = from.matrix();
@@ -137,6 +147,7 @@ void Metropolis::restore(StateReader& from) {
   x_ = x;
   before_ = x;
   round_ = 0;
+  // Statistics of the last step.
   const Eigen::VectorXd prior = from.matrix(), likelihood = from.matrix();
   for (int k = 0; k < chains(); ++k) {
     StepStats& stats = stats_[static_cast<std::size_t>(k)];
@@ -147,6 +158,7 @@ void Metropolis::restore(StateReader& from) {
     stats.log_prior = prior[k];
     stats.log_likelihood = likelihood[k];
   }
+  // Tempered densities, what was learnt, and the next proposals.
   const bool begun = begun_;
   begin({prior, likelihood, {}, {}});
   begun_ = begun;

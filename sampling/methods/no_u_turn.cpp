@@ -47,12 +47,14 @@ double log_add_exp(double log_a, double log_b) {
 class NoUTurn : public HamiltonianTrajectory {
  public:
   NoUTurn(int n, int max_depth) : max_depth_(max_depth) {
+    // Memory for the tree and for the subtrees of one doubling.
     const TreeSpan none{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), 0};
     tree_ = none;
     halves_.assign(static_cast<std::size_t>(max_depth) + 1, none);
   }
 
   void start(const PhasePoint& from, double /*step*/, RandomStream& random) override {
+    // A tree of one point.
     ends_[0] = ends_[1] = from;
     tree_.assign(from.r);
     log_weight_ = acceptance_sum_ = 0;
@@ -65,12 +67,15 @@ class NoUTurn : public HamiltonianTrajectory {
 
   Verdict judge(double energy_error, RandomStream& random) override {
     ++told_;
+    // A divergent trajectory ends; the choice so far is the draw.
     if (!(energy_error <= kMaxEnergyError)) return {false, false, true};
     acceptance_sum_ += std::min(1.0, std::exp(-energy_error));
+    // One of the new points is the candidate; they end the trajectory if they turn.
     Verdict verdict;
     verdict.take = weigh(-energy_error, random);
     verdict.end = !push();
     if (verdict.end || halves_[0].points < tree_.points) return verdict;
+    // The new half is complete: its candidate is adopted by its weight, and the tree grows.
     verdict.adopt = std::log(random.uniform()) < new_log_weight_ - log_weight_;
     verdict.end = !join() || depth_ == max_depth_;
     if (!verdict.end) start_doubling(random);
@@ -102,6 +107,7 @@ class NoUTurn : public HamiltonianTrajectory {
   /// Adds the latest point to the new half. Complete binary subtrees of it that await their
   /// sibling stand in `halves_`, longest first; false if two siblings turn.
   bool push() {
+    // Subtrees of equal length join, as carries of a binary counter.
     halves_[pending_++].assign(moving().r);
     while (pending_ > 1 && halves_[pending_ - 2].points == halves_[pending_ - 1].points) {
       TreeSpan &a = halves_[pending_ - 2], &b = halves_[pending_ - 1];

@@ -29,6 +29,7 @@ double swap_probability(double temper_drop, double cold, double hot) {
 /// What is rejection_rate between neighbours; never quite nothing, so that the barrier rises.
 Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
   constexpr double kMinRejection = 1e-3;
+  // Pairs that never tried are taken for the mean of the others.
   double sum = 0;
   int known = 0;
   for (const double r : rejection_rate)
@@ -43,6 +44,7 @@ Eigen::VectorXd known_rejection_rates(const Eigen::VectorXd& rejection_rate) {
 
 Eigen::VectorXd temperature_ladder(int temperatures, double least) {
   require(temperatures >= 1, "temperatures must be >= 1, got {}", temperatures);
+  // Geometric, or by the fifth power down to the prior.
   Eigen::VectorXd beta = Eigen::VectorXd::Ones(temperatures);
   if (temperatures == 1) return beta;
   require(least >= 0 && least < 1, "least temper must be in 0 .. below 1, got {}", least);
@@ -58,6 +60,7 @@ Swaps decide_swaps(const Eigen::VectorXd& beta, const Eigen::MatrixXd& log_likel
   require(beta.size() >= 1 && log_likelihood.cols() == beta.size(),
           "{} temperatures, likelihoods of {}", beta.size(), log_likelihood.cols());
   const Eigen::Index walkers = log_likelihood.rows(), pairs = beta.size() - 1;
+  // Even pairs in even rounds, odd pairs in odd ones; one stream for all.
   Swaps swaps{SwapMask::Constant(walkers, pairs, false), SwapMask::Constant(walkers, pairs, false),
               Eigen::ArrayXXd::Zero(walkers, pairs)};
   RandomStream random(seed, group, round, kSwapStream);
@@ -101,6 +104,7 @@ void SwapCounts::restore(StateReader& from) {
 Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta, const Eigen::VectorXd& rejection_rate) {
   require(beta.size() >= 1 && rejection_rate.size() == beta.size() - 1,
           "{} temperatures, refusals of {} pairs", beta.size(), rejection_rate.size());
+  // Barrier between neighbours, over beta^(1/5).
   const Eigen::VectorXd steps = known_rejection_rates(rejection_rate);
   const Eigen::VectorXd s = beta.array().pow(1 / kLadderPower);
   const Eigen::Index pairs = steps.size();
@@ -108,6 +112,7 @@ Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta, const Eigen::VectorX
   double passed = 0;  // of the barrier, up to temperature_index `below`
   Eigen::Index below = 0;
   for (Eigen::Index i = 1; i < pairs; ++i) {
+    // The rung at the i-th equal part of it, interpolated.
     const double wanted = steps.sum() * double(i) / double(pairs);
     while (below < pairs - 1 && passed + steps[below] < wanted) passed += steps[below++];
     const double part = (wanted - passed) / steps[below];

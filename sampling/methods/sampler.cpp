@@ -18,9 +18,11 @@ constexpr std::array<std::pair<SamplingMethod, const char*>, 5> kNames{
      {SamplingMethod::kNuts, "nuts"}}};
 
 void check_sampler(const Eigen::MatrixXd& starts, const SamplerOptions& options) {
+  // Starts.
   const Eigen::Index n = starts.rows();
   require(n >= 1 && starts.cols() >= 1, "starts are {} x {}", n, starts.cols());
   require(starts.allFinite(), "a start is not finite");
+  // Options.
   require(options.first_chain >= 0, "first chain must be >= 0, got {}", options.first_chain);
   require(options.warm_up >= 0 && options.warm_up < kMaxStreamSteps,
           "warm-up must be >= 0 and below 2^32 steps, got {}", options.warm_up);

@@ -11,6 +11,7 @@ class ChainBatch {
 
   /// False if nobody has to go on.
   bool gather(long steps) {
+    // Samplers that are not there yet, and how many points they ask for.
     going_.clear();
     want_ = WithGradient::kNo;
     points_ = 0;
@@ -24,6 +25,7 @@ class ChainBatch {
   }
 
   [[nodiscard]] Densities evaluate(const Target& target) {
+    // Their points side by side.
     x_.resize(target.size(), points_);
     Eigen::Index at = 0;
     for (const std::size_t i : going_) {
@@ -37,6 +39,7 @@ class ChainBatch {
   void tell(const Densities& all, const StepObserver& observer) {
     Eigen::Index first = 0;
     for (const std::size_t i : going_) {
+      // Each sampler gets the densities of its own points.
       Sampler& sampler = *samplers_[i];
       const Eigen::Index count = sampler.asks().cols();
       const long before = sampler.steps();

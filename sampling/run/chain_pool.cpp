@@ -27,6 +27,7 @@ ChainState read_chain_state(const double*& from, Eigen::Index size, WithGradient
     from += count;
     return numbers;
   };
+  // Position and densities; gradients only of samplers that want them.
   ChainState chain_state;
   chain_state.x = take(size);
   chain_state.at.log_prior = take(1);
@@ -39,8 +40,10 @@ ChainState read_chain_state(const double*& from, Eigen::Index size, WithGradient
 
 void ChainSlot::record(long warm_up, int thin) {
   if (temperature_index != 0 || sampler->steps() <= warm_up) return;
+  // Divergences are counted at every step, also between draws.
   const bool draw = (sampler->steps() - warm_up) % thin == 0;
   for (int c = 0; c < sampler->chains(); ++c) {
+    // Counts since the last draw.
     const StepStats& step = sampler->stats()[static_cast<std::size_t>(c)];
     StepStats& sum = since[static_cast<std::size_t>(c)];
     divergent += step.divergent;
@@ -48,6 +51,7 @@ void ChainSlot::record(long warm_up, int thin) {
     sum.non_finite += step.non_finite;
     sum.divergent |= step.divergent;
     if (!draw) continue;
+    // A draw: the step's statistics with those counts.
     StepStats stats = step;
     stats.evaluations = sum.evaluations;
     stats.non_finite = sum.non_finite;
@@ -117,9 +121,11 @@ bool splits(int parts, int items, int length, int offset = 0) {
 
 /// As many threads as fill the lanes of the target; one for each of several ranks, unless told.
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
+  // Unless told: all processors, or one of several ranks.
   int threads = options.threads;
   if (threads == 0)
     threads = ranks > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  // No more than fill the batches that cost least.
   const int lanes = std::max(1, target.lanes());
   const int batches = (samplers * options.walkers + lanes - 1) / lanes;
   return std::max(1, std::min({threads, batches, samplers}));
@@ -143,10 +149,12 @@ ChainPool::ChainPool(const Target& target, const Eigen::MatrixXd& starts, const 
       options_(options),
       ranks_(ranks),
       beta_(temperature_ladder(options.temperatures, options.min_beta)) {
+  // Samplers of this rank, in consecutive order.
   const int all = options.groups * options.temperatures;
   first_ = first_of(ranks.rank(), ranks.size(), all);
   const int samplers = first_of(ranks.rank() + 1, ranks.size(), all) - first_;
   for (int k = 0; k < samplers; ++k) slots_.push_back(build_slot(first_ + k, starts));
+  // Threads, and whether groups lie across threads or ranks.
   pool_ = std::make_unique<ThreadPool>(threads_for(options, target, samplers, ranks.size()));
   split_ranks_ = splits(ranks.size(), all, options.temperatures);
   split_threads_ = splits(pool_->size(), samplers, options.temperatures, first_);
@@ -187,7 +195,9 @@ std::size_t ChainPool::share(int worker) const {
 
 void ChainPool::advance_to(long step) {
   while (step_ < step) {
+    // To the next change of the ladder.
     const long tuning = next_retuning(step_), stop = std::min(step, tuning);
+    // Threads wait for each other at swaps only where a group is split among them.
     if (split_ranks_ || split_threads_)
       advance_together(stop);
     else
@@ -222,6 +232,7 @@ void ChainPool::retune() {
     sum.tried += all.segment(at, pairs);
     sum.probability += all.segment(at + pairs, pairs);
   }
+  // The ladder follows once every pair has been tried often enough.
   if (step_ < options_.sampler.warm_up) {
     if ((sum.tried.array() < kSwapsToLearn).any()) return;
     beta_ = adapted_ladder(beta_, sum.rejected());
@@ -231,9 +242,11 @@ void ChainPool::retune() {
 
 void ChainPool::advance_together(long step) {
   for (long at = step_; at < step;) {
+    // All samplers to the next swap.
     at = next_stop(at, step);
     pool_->run([&](int worker) { advance_slots(share(worker), share(worker + 1), at); });
     if (at % options_.swap_every != 0) continue;
+    // States of other ranks are needed only where a group is split among ranks.
     if (split_ranks_)
       swap(0, slots_.size(), gather_chain_states(), 0, at);
     else
@@ -259,6 +272,7 @@ std::vector<std::vector<ChainState>> ChainPool::chain_states(std::size_t from,
 
 std::vector<std::vector<ChainState>> ChainPool::gather_chain_states() const {
   std::vector<double> numbers{0};  // first: do they have gradients?
+  // States of this rank's samplers as numbers.
   for (const ChainSlot& slot : slots_) {
     if (slot.sampler->wants() == WithGradient::kYes) numbers[0] = 1;
     for (const ChainState& chain_state : slot.chain_states())
@@ -266,6 +280,7 @@ std::vector<std::vector<ChainState>> ChainPool::gather_chain_states() const {
   }
   const Eigen::VectorXd all = ranks_.all_gather(
       Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size())));
+  // States of all samplers, rank by rank.
   const int count = options_.groups * options_.temperatures;
   std::vector<std::vector<ChainState>> found;
   const double* at = all.data();
@@ -287,15 +302,18 @@ void ChainPool::swap(std::size_t from, std::size_t to,
   const int T = options_.temperatures;
   const auto round = static_cast<std::uint32_t>(step / options_.swap_every);
   for (std::size_t k = from; k < to; ++k) {
+    // Likelihoods of all walkers at all temperatures of the group.
     ChainSlot& slot = slots_[k];
     const auto* group = &chain_states[static_cast<std::size_t>((slot.group - first_group) * T)];
     Eigen::MatrixXd log_likelihood(options_.walkers, T);
     for (int t = 0; t < T; ++t)
       for (int w = 0; w < options_.walkers; ++w)
         log_likelihood(w, t) = group[t][static_cast<std::size_t>(w)].at.log_likelihood[0];
+    // Every rank and thread decides alike.
     const Swaps swaps = decide_swaps(beta_, log_likelihood, options_.sampler.seed,
                                      static_cast<std::uint32_t>(slot.group), round);
     if (slot.temperature_index == 0) slot.swap_counts.add(swaps);
+    // Walkers that exchange their states.
     for (int w = 0; w < options_.walkers; ++w) {
       const int other = partner(swaps, w, slot.temperature_index);
       if (other == slot.temperature_index) continue;
@@ -327,6 +345,7 @@ void ChainPool::restore(long step, const Eigen::VectorXd& beta,
   require(beta.size() == beta_.size(), "the checkpoint has {} temperatures", beta.size());
   beta_ = beta;
   for (std::size_t k = 0; k < slots_.size(); ++k) {
+    // Each sampler from its own state, at its own temperature.
     StateReader reader(all.at(static_cast<std::size_t>(first_) + k));
     slots_[k].set_beta(beta_[slots_[k].temperature_index]);
     slots_[k].restore(reader);

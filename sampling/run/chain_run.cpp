@@ -28,9 +28,11 @@ ChainRun::ChainRun(const Target& target, const Eigen::MatrixXd& starts, const Ru
       kept_(static_cast<std::size_t>(options.groups)) {}
 
 void ChainRun::resume() {
+  // Rank 0 has the checkpoint, if anyone.
   const bool found = folder_ && folder_->state();
   const std::string state = all_gather_bytes(ranks_, found ? *folder_->state() : "").front();
   if (state.empty()) return;
+  // Step, time and ladder, then the state of every sampler.
   StateReader reader(state);
   const long step = reader.integer();
   seconds_before_ = reader.number();
@@ -54,6 +56,7 @@ void ChainRun::go() {
 /// Steps for about a quarter of a second, so that stop requests are heard and time is known. How
 /// many is no matter for the draws.
 void ChainRun::leg() {
+  // Not beyond the end of warm-up, or of the run.
   const long warm_up = options_.sampler.warm_up, from = samplers_.step();
   const long end = from < warm_up ? std::min(warm_up, total_) : total_;
   const Clock::time_point start = Clock::now();
@@ -63,6 +66,7 @@ void ChainRun::leg() {
 }
 
 void ChainRun::agree(double seconds, long steps) {
+  // As many steps as should fill the wanted time, at most twice as many as before.
   constexpr double kLeg = 0.25;  // [s]
   const double goal = std::min(kLeg, options_.checkpoint_every);
   const double next = double(steps) * goal / std::max(seconds, 1e-9);
@@ -82,6 +86,7 @@ void ChainRun::agree(double seconds, long steps) {
 
 void ChainRun::report() const {
   if (!first()) return;
+  // Time left at the pace of the last leg.
   const long step = samplers_.step(), warm_up = options_.sampler.warm_up;
   const long left = static_cast<long>(double(total_ - step) * seconds_per_step_ + 0.5);
   std::string what = step < warm_up ? fmt::format("warm-up, step {} of {}", step, warm_up)
@@ -106,6 +111,7 @@ void ChainRun::checkpoint() {
   last_checkpoint_ = Clock::now();
   if (saved_step_ == samplers_.step()) return;
   saved_step_ = samplers_.step();
+  // Draws and states of this rank as bytes.
   const std::vector<Eigen::MatrixXd> draws = samplers_.take_draws();
   const std::vector<std::string> states =
       options_.folder.empty() ? std::vector<std::string>{} : samplers_.save();
@@ -114,6 +120,7 @@ void ChainRun::checkpoint() {
   for (const Eigen::MatrixXd& group : draws) writer.put(group);
   for (const std::string& sampler : states) writer.put_bytes(sampler);
 
+  // Rank 0 takes those of all ranks.
   std::vector<Eigen::MatrixXd> all_draws;
   std::vector<std::string> all_states;
   for (const std::string& bytes : all_gather_bytes(ranks_, writer.bytes())) {
@@ -123,6 +130,7 @@ void ChainRun::checkpoint() {
       all_draws.push_back(reader.matrix());
     while (!reader.done()) all_states.push_back(reader.bytes());
   }
+  // On the disk, or kept in memory.
   if (folder_) folder_->commit(all_draws, state(all_states));
   for (std::size_t g = 0; g < all_draws.size() && !folder_; ++g)
     kept_[g].push_back(std::move(all_draws[g]));
@@ -130,6 +138,7 @@ void ChainRun::checkpoint() {
 
 Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
   if (folder_) return folder_->read(group);
+  // Parts of the group, in the order in which they came.
   Eigen::Index columns = 0;
   for (const Eigen::MatrixXd& part : kept_[group]) columns += part.cols();
   Eigen::MatrixXd all(rows_ * options_.walkers, columns);
@@ -142,6 +151,7 @@ Eigen::MatrixXd ChainRun::draws_of(std::size_t group) const {
 }
 
 Draws ChainRun::result() const {
+  // What all ranks know.
   Draws draws;
   draws.beta = samplers_.beta();
   const Eigen::VectorXd rates = ranks_.all_gather(samplers_.swap_rates());
@@ -152,9 +162,11 @@ Draws ChainRun::result() const {
   draws.seconds = seconds_before_ + seconds_since(start_);
   if (!first()) return draws;
   for (int g = 0; g < options_.groups; ++g) {
+    // Draws of the group: walkers below each other.
     const Eigen::MatrixXd rows = draws_of(static_cast<std::size_t>(g));
     const Eigen::Index count = std::min<Eigen::Index>(rows.cols(), options_.draws);
     for (int w = 0; w < options_.walkers; ++w) {
+      // Position and statistics of each draw of a walker.
       const auto chain = rows.block(w * rows_, 0, rows_, count);
       Eigen::MatrixXd x(samplers_.size(), count);
       std::vector<StepStats> stats;

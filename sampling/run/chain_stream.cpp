@@ -22,6 +22,7 @@ void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
   const Eigen::MatrixXd block = columns;  // without gaps between the columns
   const std::string numbers(reinterpret_cast<const char*>(block.data()),
                             static_cast<std::size_t>(block.size()) * sizeof(double));
+  // Shape, digest, numbers.
   StateWriter head;
   head.put(std::int64_t{block.rows()});
   head.put(std::int64_t{block.cols()});
@@ -29,6 +30,7 @@ void ChainStream::append(const Eigen::Ref<const Eigen::MatrixXd>& columns) {
 }
 
 Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
+  // The head of the block, if the file has room for one.
   const std::int64_t left = file_.size() - at;
   require(left >= kHead, "'{}' ends too early, at byte {}", file_.path(), at);
   const std::string head = file_.read(at, kHead);
@@ -38,6 +40,7 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
   require(rows == rows_ && columns > 0 && columns <= room / rows,
           "'{}' is damaged at byte {}: a block of {} x {} in {} numbers", file_.path(), at, rows,
           columns, room);
+  // Its numbers, which must have the digest of the head.
   Eigen::MatrixXd block(rows, columns);
   const std::string numbers = file_.read(at + kHead, block.size() * std::int64_t{sizeof(double)});
   require(digest(numbers) == head.substr(head.size() - kDigestBytes),
@@ -49,6 +52,7 @@ Eigen::MatrixXd ChainStream::read_block(std::int64_t& at) const {
 }
 
 void ChainStream::resume(long columns) {
+  // Whole blocks up to the wanted column; the file is cut behind them.
   std::int64_t at = 0;
   long found = 0;
   while (found < columns) found += read_block(at).cols();
@@ -57,6 +61,7 @@ void ChainStream::resume(long columns) {
 }
 
 Eigen::MatrixXd ChainStream::read() const {
+  // All blocks, joined.
   std::vector<Eigen::MatrixXd> blocks;
   Eigen::Index columns = 0;
   for (std::int64_t at = 0; at < file_.size(); columns += blocks.back().cols())

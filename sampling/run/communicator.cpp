@@ -49,11 +49,13 @@ std::vector<std::string> all_gather_bytes(const Communicator& ranks, const std::
   const auto words = [](std::size_t bytes) {
     return static_cast<Eigen::Index>((bytes + sizeof(double) - 1) / sizeof(double));
   };
+  // The length, then the bytes.
   Eigen::VectorXd sent = Eigen::VectorXd::Zero(1 + words(mine.size()));
   sent[0] = static_cast<double>(mine.size());
   mine.copy(reinterpret_cast<char*>(sent.data() + 1), mine.size());
 
   const Eigen::VectorXd all = ranks.all_gather(sent);
+  // Taken apart by the lengths.
   std::vector<std::string> parts;
   for (Eigen::Index at = 0; at < all.size();) {
     const auto size = static_cast<std::size_t>(all[at]);

@@ -88,6 +88,7 @@ bool AppendFile::lock() {
 }
 
 void replace_file(const std::string& path, const std::string& bytes) {
+  // All bytes are on the disk before the name changes.
   const std::string name = path + ".tmp";
   {
     AppendFile file(name);
@@ -95,6 +96,7 @@ void replace_file(const std::string& path, const std::string& bytes) {
     file.append(bytes);
     file.sync();
   }
+  // The rename is what replaces the older one.
   std::error_code error;
   fs::rename(name, path, error);
   require(!error, "cannot rename '{}' to '{}': {}", name, path, error.message());

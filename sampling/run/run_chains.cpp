@@ -15,6 +15,7 @@ namespace internal {
 namespace {
 
 void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options) {
+  // A start for every walker.
   require(options.groups >= 1, "groups must be >= 1, got {}", options.groups);
   require(options.walkers >= 1, "walkers must be >= 1, got {}", options.walkers);
   require(starts.rows() == target.size(), "starts have {} entries, the target has {}",
@@ -22,6 +23,7 @@ void check_run(const Target& target, const Eigen::MatrixXd& starts, const RunOpt
   require(starts.cols() == Eigen::Index{options.groups} * options.walkers,
           "wanted a start for each of {} groups of {} walkers, got {}", options.groups,
           options.walkers, starts.cols());
+  // Lengths and times.
   require(options.swap_every >= 1, "steps between swaps must be >= 1, got {}", options.swap_every);
   require(options.draws >= 0, "draws must be >= 0, got {}", options.draws);
   require(options.thin >= 1, "steps a draw must be >= 1, got {}", options.thin);
@@ -74,6 +76,7 @@ std::optional<RunFolder> open_folder(const Eigen::MatrixXd& starts, const RunOpt
     } catch (const std::exception& error) {
       refusal = error.what();
     }
+  // All ranks meet the same refusal.
   refusal = all_gather_bytes(ranks, refusal).front();
   if (refusal[0] == '!') throw CheckpointError(CheckpointError::Kind::kOtherRun, refusal.substr(1));
   if (refusal[0] == '#') throw CheckpointError(CheckpointError::Kind::kDamaged, refusal.substr(1));

@@ -43,6 +43,7 @@ RunIdentity parse_identity(const std::string& text) {
 
 /// "seed (was 1, is 2), ..." of all entries that differ.
 std::string differences(RunIdentity was, RunIdentity is) {
+  // Entries that only one of them has count as different.
   for (const auto& [name, value] : is) was.emplace(name, "not there");
   std::string text;
   for (const auto& [name, value] : was) {
@@ -55,6 +56,7 @@ std::string differences(RunIdentity was, RunIdentity is) {
 
 void check_identity(const std::string& folder, const RunIdentity& identity) {
   const std::string path = folder + "/run.txt";
+  // A new folder takes the identity; a state without one is damage.
   if (!fs::exists(path)) {
     if (fs::exists(folder + "/state.bin"))
       throw CheckpointError(CheckpointError::Kind::kDamaged,
@@ -62,6 +64,7 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
     replace_file(path, text_of(identity));
     return;
   }
+  // An old one must have the same.
   const std::string differing = differences(parse_identity(content_of(path)), identity);
   if (!differing.empty())
     throw CheckpointError(
@@ -75,6 +78,7 @@ void check_identity(const std::string& folder, const RunIdentity& identity) {
 RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
                      const std::vector<Eigen::Index>& rows)
     : folder_(folder) {
+  // The folder, for this process alone.
   std::error_code error, none;
   fs::create_directories(folder, error);
   require(fs::is_directory(folder, none), "cannot make folder '{}' for checkpoints: {}", folder,
@@ -82,6 +86,7 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
   lock_.emplace(folder + "/lock");
   require(lock_->lock(), "another process is sampling in '{}'", folder);
   check_identity(folder, identity);
+  // State and streams, cut to the columns that count.
   try {
     read_state();
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -94,6 +99,7 @@ RunFolder::RunFolder(const std::string& folder, const RunIdentity& identity,
 }
 
 void RunFolder::read_state() {
+  // The content must have the digest that it begins with.
   const std::string path = folder_ + "/state.bin";
   if (!fs::exists(path)) return;
   const std::string content = content_of(path);
@@ -106,11 +112,13 @@ void RunFolder::read_state() {
 }
 
 void RunFolder::commit(const std::vector<Eigen::MatrixXd>& added, const std::string& state) {
+  // Columns first: without a newer state they do not count.
   for (std::size_t k = 0; k < streams_.size(); ++k) {
     if (added[k].cols() == 0) continue;
     streams_[k].append(added[k]);
     streams_[k].sync();
   }
+  // Then the state that counts them.
   const long columns = columns_ + (added.empty() ? 0 : added[0].cols());
   StateWriter writer;
   writer.put(std::int64_t{columns});

@@ -53,10 +53,12 @@ class MpiRanks : public Communicator {
 
   // Errors of MPI end all ranks: that is its default, and what is wanted.
   [[nodiscard]] Eigen::VectorXd all_gather(const Eigen::VectorXd& mine) const override {
+    // Lengths first, as they may differ.
     const int length = static_cast<int>(mine.size());
     std::vector<int> lengths(static_cast<std::size_t>(size_)), starts(lengths.size(), 0);
     MPI_Allgather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, MPI_COMM_WORLD);
     std::partial_sum(lengths.begin(), lengths.end() - 1, starts.begin() + 1);
+    // Then the numbers, rank by rank.
     Eigen::VectorXd all(starts.back() + lengths.back());
     MPI_Allgatherv(mine.data(), length, MPI_DOUBLE, all.data(), lengths.data(), starts.data(),
                    MPI_DOUBLE, MPI_COMM_WORLD);
