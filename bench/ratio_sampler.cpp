@@ -35,7 +35,7 @@ struct Turn {
 std::vector<Turn> turns(Told told) {
   const HandPosterior posterior = thumb_posterior();
   RunOptions options;  // the default method, warm-up and number of draws
-  options.groups = posterior.lanes();
+  options.groups = posterior.preferred_batch_size();
   RivalRun rival;
   rival.told = told;
   rival.warm_up = told == Told::kAll ? 2000 : 100000;

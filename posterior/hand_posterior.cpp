@@ -122,7 +122,7 @@ HandPosterior::HandPosterior(FitProblem problem, const PosteriorOptions& options
 HandPosterior::~HandPosterior() = default;
 
 int HandPosterior::size() const { return parts_->entries.size(); }
-int HandPosterior::lanes() const { return ForceKernel::lanes(); }
+int HandPosterior::preferred_batch_size() const { return ForceKernel::lanes(); }
 const FitProblem& HandPosterior::problem() const { return parts_->problem; }
 const PosteriorOptions& HandPosterior::options() const { return parts_->options; }
 

@@ -44,7 +44,7 @@ class HandPosterior : public Target {
   ~HandPosterior() override;
 
   [[nodiscard]] int size() const override;
-  [[nodiscard]] int lanes() const override;
+  [[nodiscard]] int preferred_batch_size() const override;
   [[nodiscard]] Densities evaluate(const Eigen::Ref<const Eigen::MatrixXd>& x,
                                    WithGradient want) const override;
 

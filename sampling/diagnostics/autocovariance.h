@@ -1,6 +1,6 @@
 #pragma once
 
-/// How a series resembles itself some steps later. The one fence of Eigen's unsupported FFT.
+/// Autocovariance of a chain. The fence of Eigen's unsupported FFT.
 
 #include <Eigen/Core>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Effective size of one series; those of several chains are in convergence.h.
+/// Effective sample size of one series and of ensembles; convergence.h has those of several chains.
 
 #include <vector>
 
@@ -14,13 +14,14 @@ namespace thenar {
 /// @param rho  at lags 0, 1, ...; rho(0) = 1 (n)
 [[nodiscard]] double autocorrelation_time(const Eigen::VectorXd& rho);
 
-/// Independent draws worth one series [1]; NaN if it is constant or not finite.
+/// Effective sample size of one series [1]; NaN if it is constant or not finite.
 [[nodiscard]] double series_ess(const Eigen::Ref<const Eigen::VectorXd>& x);
 
-/// Effective size for the mean of draws whose chains are walkers of ensembles. Walkers of one
-/// depend on each other, which no chain alone shows; the mean over an ensemble does:
+/// Effective sample size for the mean of draws whose chains are walkers of ensembles [1]. Walkers
+/// of one ensemble depend on each other, which shows in the mean over the ensemble and in no single
+/// chain:
 ///   ESS = var(x) ESS(m) / var(m),   m the means over the walkers of each group at each draw.
-/// For independent walkers this is the sum of theirs; for walkers that do the same, that of one.
+/// For independent walkers this is the sum of their sizes; for identical walkers the size of one.
 /// @param x      (draws, chains)
 /// @param group  of each chain
 [[nodiscard]] double ensemble_ess(const Eigen::Ref<const Eigen::MatrixXd>& x,

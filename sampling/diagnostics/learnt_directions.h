@@ -1,6 +1,6 @@
 #pragma once
 
-/// Which combinations of parameters the data decided, and which they left as they were believed.
+/// Combinations of parameters that the data decided, and combinations that stay as in the prior.
 
 #include <string>
 #include <vector>
@@ -9,25 +9,25 @@
 
 namespace thenar {
 
-/// A combination v'x, with v' P v = 1: one prior sd long.
+/// A combination v'x, scaled to one prior sd: v' P v = 1.
 struct LearntDirection {
   double sd_ratio = 1;    // posterior sd over prior sd; 1: nothing learnt [1]
   Eigen::VectorXd v;      // [1 / unit of x] (n)
-  Eigen::VectorXd share;  // v_i^2 P_ii over their sum: which entries it is made of, 0..1 (n)
+  Eigen::VectorXd share;  // of each entry in it: v_i^2 P_ii over their sum, 0..1 (n)
   std::string text;       // "0.62 a - 0.31 b: sd 0.04 of the prior's": signed shares, largest first
 };
 
 struct LearntDirections {
   std::vector<LearntDirection> directions;  // best learnt first (n)
-  int decided = 0;                          // of them, below the limit
+  int decided = 0;                          // directions whose sd_ratio is below the limit [1]
   double effective_parameters = 0;          // sum of max(0, 1 - sd_ratio^2) [1]
 };
 
-/// Generalised eigenproblem  S v = r^2 P v  of posterior against prior covariance. It is the same
-/// in whatever units or linear coordinates x is. Covariances see straight directions only: of two
-/// modes it says that they lie apart, of a bent ridge that it is wide.
+/// Solves the generalised eigenproblem  S v = r^2 P v  of posterior against prior covariance. The
+/// result does not depend on units or linear coordinates of x. Covariances describe straight
+/// directions only: two separate modes and a bent ridge both appear as one wide direction.
 ///
-/// From covariances of N draws each r is uncertain by about sqrt(n / N).
+/// With covariances of N draws each r is uncertain by about sqrt(n / N).
 /// @param S, P           posterior and prior covariance; P positive definite (n, n)
 /// @param decided_below  sd ratio at which a direction counts as decided [1]
 /// @throws InputError if shapes disagree, or P is not positive definite.

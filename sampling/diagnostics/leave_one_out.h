@@ -1,5 +1,7 @@
 #pragma once
 
+/// Leave-one-out predictive accuracy by Pareto-smoothed importance sampling.
+
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,8 +16,6 @@ namespace thenar {
   return std::isfinite(top) ? top + std::log((x.array() - top).exp().sum()) : top;
 }
 
-// The tail of importance ratios, and what its shape says of their sums.
-
 /// Generalised Pareto distribution of excesses x > 0: P(X > x) = (1 + k x / sigma)^(-1/k).
 /// Moments of order 1/k and above are infinite.
 struct ParetoFit {
@@ -23,13 +23,13 @@ struct ParetoFit {
   double sigma = 0;  // scale [unit of x]
 };
 
-/// Shape and scale by a quasi-posterior mean over profile likelihoods: [ZhangStephens2009], with
-/// the finer grid of 30 + sqrt(n) points of [Vehtari2024].
+/// Fits shape and scale by a quasi-posterior mean over profile likelihoods: [ZhangStephens2009],
+/// with the finer grid of 30 + sqrt(n) points of [Vehtari2024].
 /// @param rising  excesses in rising order, >= 0, the largest > 0; 5 or more (n)
-/// @throws InputError else.
+/// @throws InputError for any other excesses.
 [[nodiscard]] ParetoFit fit_pareto(const Eigen::Ref<const Eigen::VectorXd>& rising);
 
-/// Importance weights with a tail that is smoothed.
+/// Importance weights with a smoothed tail.
 struct SmoothedWeights {
   Eigen::VectorXd log_weight;  // sum of exp is 1 (N)
   double k = 0;  // shape of the tail [1]; infinite: fewer than 25 draws; 0: equal ratios
@@ -37,7 +37,7 @@ struct SmoothedWeights {
 
 /// Pareto-smoothed importance sampling: the largest M = min(N / 5, 3 sqrt(N / r)) ratios become
 /// the expected order statistics of the Pareto distribution that fits them, at most the largest
-/// ratio. k is drawn towards 1/2 as by ten further draws: (M k + 5) / (M + 10).
+/// ratio. k is shrunk towards 1/2 as by ten further draws: (M k + 5) / (M + 10).
 /// @param log_ratio   finite (N)
 /// @param efficiency  r, effective size over N [1]
 /// @throws InputError if a ratio is not finite.
@@ -45,36 +45,36 @@ struct SmoothedWeights {
 [[nodiscard]] SmoothedWeights smooth_weights(const Eigen::Ref<const Eigen::VectorXd>& log_ratio,
                                              double efficiency = 1);
 
-// How well a model would have predicted each observation from all the others.
-
-/// Expected log predictive density by Pareto-smoothed importance sampling.
+/// Expected log predictive density of each observation given all the others.
 struct LeaveOneOut {
   double elpd = 0;                  // sum of `pointwise` [1]
   double se = 0;                    // of elpd, over observations: sqrt(n var) [1]
-  double effective_parameters = 0;  // p_loo: log density of the data seen, less that unseen [1]
+  double effective_parameters = 0;  // p_loo: log density of the data when fitted, less that when
+                                    // left out [1]
   Eigen::VectorXd pointwise;        // log p(y_i | y_-i) (observations)
   Eigen::VectorXd k;                // Pareto shape of each one's ratios (observations)
-  double good_k = 0;  // above, the estimate is not to be trusted: min(1 - 1/log10 N, 0.7)
-  std::vector<std::string> warnings;  // sentences; empty: trustworthy
+  double good_k = 0;  // k above this makes an estimate unreliable: min(1 - 1/log10 N, 0.7) [1]
+  std::vector<std::string> warnings;  // sentences; empty: all estimates are reliable
 };
 
-/// Leave-one-out from draws that have seen everything:
+/// Leave-one-out from draws of the posterior given all observations:
 ///   log p(y_i | y_-i) = log sum_s w_is p(y_i | x_s),   w_is ~ 1 / p(y_i | x_s), smoothed.
 /// Observations must be independent given x.
 /// @param log_likelihood  finite; draws chain by chain (observations, draws * chains)
-/// @param chains          by which the draws' efficiency is told
+/// @param chains          number of chains, for the efficiency of the draws [1]
 /// @param group           of each chain, walkers of one ensemble share theirs; empty: none do
-/// @throws InputError if there are not 4 draws for every chain, or one is not finite.
+/// @throws InputError if a chain has fewer than 4 draws, or a likelihood is not finite.
 /// Source: [Vehtari2017] eqs. 4, 10 and sec. 2; [Vehtari2024] for the limit of k.
 [[nodiscard]] LeaveOneOut leave_one_out(const Eigen::Ref<const Eigen::MatrixXd>& log_likelihood,
                                         int chains, const std::vector<int>& group = {});
 
-/// Difference in elpd of two models of the same observations, first less second, and its se.
+/// Difference in elpd of two models of the same observations, first less second, and its standard
+/// error.
 struct ElpdDifference {
   double elpd = 0, se = 0;  // [1]
 };
 
-/// @throws InputError if they are of different numbers of observations.
+/// @throws InputError if the numbers of observations differ.
 /// Source: [Vehtari2017] eq. 24.
 [[nodiscard]] ElpdDifference compare_elpd(const LeaveOneOut& first, const LeaveOneOut& second);
 

@@ -6,10 +6,10 @@
 
 namespace thenar {
 
-/// Ranks 1 .. N among all entries; ties share the average of theirs (shape of x).
+/// Ranks 1 .. N among all entries; ties share the average of their ranks [1] (shape of x).
 [[nodiscard]] Eigen::MatrixXd average_ranks(const Eigen::Ref<const Eigen::MatrixXd>& x);
 
-/// Normal scores  quantile of N(0, 1) at (rank - 3/8) / (N + 1/4)  (shape of x).
+/// Normal scores: quantile of N(0, 1) at (rank - 3/8) / (N + 1/4) [1] (shape of x).
 /// Source: [Vehtari2021] eq. 14, after [Blom1958].
 [[nodiscard]] Eigen::MatrixXd normal_scores(const Eigen::Ref<const Eigen::MatrixXd>& x);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Simulation-based calibration: does the sampler draw from the posterior that it claims?
+/// Simulation-based calibration: tests whether draws come from the posterior they should come from.
 
 #include <string>
 #include <vector>
@@ -11,46 +11,48 @@
 
 namespace thenar {
 
-/// Rank of the truth among L draws: how many lie below it, 0 .. L; of an equal draw, half a rank
-/// more, rounded to even. Draws must be nearly independent: thin them first.
+/// Rank of the truth among L draws: the number of draws below it, 0 .. L; each equal draw adds half
+/// a rank, rounded to even. Draws must be nearly independent: thin them first.
 [[nodiscard]] int rank_of_truth(double truth, const Eigen::Ref<const Eigen::VectorXd>& draws);
 
-/// The same among L of the draws of some chains, evenly spread over them all.
+/// Rank of the truth among L draws taken evenly from all chains.
 /// @param x      (draws, chains), at least L entries
 /// @param draws  L
 [[nodiscard]] int rank_of_truth(double truth, const Eigen::Ref<const Eigen::MatrixXd>& x,
                                 int draws);
 
-/// Ranks of one parameter over all runs.
+/// Tests of one parameter's ranks over all runs.
 struct ParameterCalibration {
   std::string name;
-  double band_p = 0;        // that uniform ranks stray so far from the diagonal [1]
+  double band_p = 0;        // probability that uniform ranks stray as far from the diagonal [1]
   double chi_square = 0;    // of counts in bins [1]
-  double chi_square_p = 0;  // that uniform ranks give more [1]
+  double chi_square_p = 0;  // probability that uniform ranks give a larger chi-square [1]
   std::string shape;        // "too narrow", "too wide", "too low", "too high", or empty
 };
 
-/// Ranks are uniform as far as anyone can tell if `warnings` is empty.
+/// Tests of all parameters; without warnings the ranks agree with a uniform distribution.
 struct RankCalibration {
   std::vector<ParameterCalibration> parameters;
   std::vector<std::string> warnings;  // sentences with the figure and its limit
 };
 
+/// Options of judge_calibration().
 struct CalibrationOptions {
   double alpha = 0.01;  // probability of a false alarm in all tests together [1]
   int points = 50;      // of the cumulative count; at most L [1]
   int bins = 20;        // of the chi-square test; at most L + 1, and 5 runs a bin [1]
 };
 
-/// If truths are drawn from the prior, data from the model, and draws from the posterior, the rank
-/// of the truth among L independent draws is uniform on 0 .. L. Each parameter is judged by the
-/// exact band of its cumulative ranks and by chi-square; both share alpha by Bonferroni.
+/// Tests whether ranks are uniform. If truths are drawn from the prior, data from the model, and
+/// draws from the posterior, the rank of the truth among L independent draws is uniform on 0 .. L.
+/// Each parameter is tested by the exact band of its cumulative ranks and by chi-square; all tests
+/// share alpha by Bonferroni.
 ///
-/// "Too narrow" posteriors have ranks at both ends, "too wide" ones in the middle; "too low" ones
-/// lie below the truth.
+/// A posterior that is "too narrow" has ranks at both ends, one that is "too wide" in the middle;
+/// one that is "too low" lies below the truth.
 /// @param rank   (parameters, runs)
 /// @param draws  L
-/// @throws InputError if names do not fit, or a rank is out of range.
+/// @throws InputError if the number of names differs, or a rank is out of range.
 /// Source: [Talts2018] theorem 1; [Sailynoja2022].
 [[nodiscard]] RankCalibration judge_calibration(const std::vector<std::string>& names,
                                                 const Eigen::Ref<const Eigen::MatrixXi>& rank,

@@ -8,19 +8,19 @@
 
 namespace thenar {
 
-/// First and second halves of every chain as chains of their own; of an odd number of draws the
-/// middle one is left out (draws / 2, 2 chains).
+/// First and second halves of every chain as separate chains; the middle draw of an odd number is
+/// left out (draws / 2, 2 chains).
 /// @throws InputError unless there is a chain, with at least 4 draws.
 [[nodiscard]] Eigen::MatrixXd split_chains(const Eigen::Ref<const Eigen::MatrixXd>& x);
 
-/// Chains of one group as one longer chain in which the walkers take turns, so that its halves are
-/// halves in time (draws * walkers, groups).
-/// @param group  of each chain; groups are of one size
-/// @throws InputError if they are not, or there is not one for each chain.
+/// Chains of each group joined to one longer chain in which the walkers take turns, so that its
+/// halves are halves in time (draws * walkers, groups).
+/// @param group  of each chain; all groups have the same number of chains
+/// @throws InputError if group sizes differ, or there is not one entry for each chain.
 [[nodiscard]] Eigen::MatrixXd pool_groups(const Eigen::Ref<const Eigen::MatrixXd>& x,
                                           const std::vector<int>& group);
 
-/// Every draw finite, and not all of them alike.
+/// Returns whether all draws are finite and at least two differ.
 [[nodiscard]] bool finite_and_varying(const Eigen::Ref<const Eigen::MatrixXd>& x);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Are ranks uniform? A band that holds their whole cumulative count at once.
+/// Simultaneous confidence band for the cumulative counts of uniform ranks.
 /// Source: [Sailynoja2022] secs. 2.1-2.2.
 
 #include <vector>
@@ -9,24 +9,26 @@
 
 namespace thenar {
 
-/// Counts of N ranks 0 .. L that are below each of several ranks: limits that hold all of them at
-/// once with at least the asked probability, if the ranks are independent and uniform.
+/// Limits of the numbers of ranks, N in all and each 0 .. L, below several evaluation points. If
+/// the ranks are independent and uniform, all counts keep their limits at once with at least the
+/// requested probability.
 struct RankBand {
   Eigen::VectorXi below;      // evaluation points: ranks < below, rising, in 1 .. L (points)
   Eigen::VectorXi low, high;  // limits of the count, both allowed (points)
-  double pointwise = 0;       // level of each limit pair alone: 1 - gamma [1]
+  double pointwise = 0;       // level of each pair of limits alone: 1 - gamma [1]
 };
 
-/// Limits are binomial quantiles at gamma / 2 and 1 - gamma / 2; gamma is the largest at which the
-/// exact probability to stay inside is at least `level`.
-/// @param ranks   N, how many there will be
+/// Computes the band: limits are binomial quantiles at gamma / 2 and 1 - gamma / 2, with the
+/// largest gamma at which the exact probability to stay inside is at least `level`.
+/// @param ranks   N, number of ranks
 /// @param draws   L: ranks are 0 .. L
-/// @param points  at which counts are looked at, at most L
+/// @param points  number of evaluation points, at most L
 /// @throws InputError if arguments are not positive, or level is not in (0, 1).
 [[nodiscard]] RankBand uniform_rank_band(int ranks, int draws, int points, double level = 0.95);
 
-/// Probability that uniform ranks somewhere stray as far, pointwise, as these do: the exact
-/// p-value of uniformity. @param rank  each 0 .. L (N)
+/// Exact p-value of uniformity: the probability that uniform ranks stray somewhere as far,
+/// pointwise, as these ranks do [1].
+/// @param rank  each 0 .. L (N)
 [[nodiscard]] double uniform_rank_p(const Eigen::VectorXi& rank, int draws, int points);
 
 /// Counts of ranks below each point (points).

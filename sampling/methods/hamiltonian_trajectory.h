@@ -1,6 +1,6 @@
 #pragma once
 
-/// Trajectories of Hamiltonian dynamics, and how a draw is chosen from one.
+/// Trajectories of Hamiltonian dynamics, and the choice of a draw from each.
 
 #include <memory>
 
@@ -28,28 +28,28 @@ void begin_leapfrog(PhasePoint& point, const MassMatrix& metric, double step);
 void end_leapfrog(PhasePoint& point, const MassMatrix& metric, const Eigen::VectorXd& gradient,
                   double step);
 
-/// What becomes of the latest point. A trajectory keeps no positions: its caller holds a candidate
-/// and the choice, which is the starting point at first.
+/// Decision about the latest point. A trajectory keeps no positions: its caller holds a candidate
+/// and a choice; the choice is the starting point at first.
 struct Verdict {
   bool take = false;   // the point is the candidate now
   bool adopt = false;  // the candidate is the choice now (after `take`)
   bool end = false;    // the choice is the next draw
 };
 
-/// One trajectory after the other, each grown point by point.
+/// Grows one trajectory after the other, point by point.
 class HamiltonianTrajectory {
  public:
   virtual ~HamiltonianTrajectory() = default;
 
   /// @param step  of the leapfrog [1]
   virtual void start(const PhasePoint& from, double step, RandomStream& random) = 0;
-  /// The point that is to go one leapfrog further, and which way in time: 1 or -1.
+  /// The point that makes the next leapfrog, and its direction in time: 1 or -1.
   [[nodiscard]] virtual PhasePoint& moving() = 0;
   [[nodiscard]] virtual int direction() const = 0;
   /// @param energy_error  of the point that has moved; +inf if its density is zero or non_finite
   virtual Verdict judge(double energy_error, RandomStream& random) = 0;
 
-  /// Mean over the points so far of what a proposal of each would be accepted with, 0..1 [1].
+  /// Mean acceptance probability over the points so far, each taken as a proposal, 0..1 [1].
   [[nodiscard]] virtual double acceptance() const = 0;
   [[nodiscard]] virtual int depth() const = 0;  // complete doublings [1]
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What Hamiltonian chains learn before they sample: step size and metric.
+/// Adaptation of step size and metric during the warm-up of Hamiltonian chains.
 
 #include <vector>
 
@@ -9,17 +9,18 @@
 
 namespace thenar::internal {
 
-/// Steps between which draws are gathered for the metric.
+/// Windows of warm-up steps whose draws estimate the metric.
 struct MetricWindows {
   long first = 0;          // draws of later steps are gathered
   std::vector<long> ends;  // after each of these the metric is learnt anew; each twice as far
 };
 
-/// In the manner of Stan: some steps find the typical set, windows that double learn the metric,
-/// and the last steps settle the step size. Departs from its numbers: 20 steps to begin with, where
-/// Stan takes 75, since what a first window learnt is forgotten after the next; the last 50 are at
-/// most 35 % of a short warm-up, not 10 %. Below 20 steps there is no window.
-/// @param first_window  least length of the first [1]
+/// Returns windows in the manner of Stan: some steps find the typical set, windows that double in
+/// length learn the metric, and the last steps settle the step size. Two numbers depart from
+/// Stan's: 20 steps to begin with instead of 75, since the estimate of the first window is
+/// forgotten after the next; the last 50 steps are at most 35 % of a short warm-up instead of 10 %.
+/// A warm-up below 20 steps has no window.
+/// @param first_window  least length of the first window [steps]
 /// Source: [Carpenter2017] for the scheme.
 [[nodiscard]] MetricWindows metric_windows(long warm_up, int first_window);
 
@@ -29,25 +30,25 @@ class WarmUp {
   WarmUp(int n, double target_acceptance, const SamplerOptions& options);
 
   [[nodiscard]] const MassMatrix& metric() const { return metric_; }
-  /// Of the leapfrog of the next trajectory or trial, in whitened units [1].
+  /// Step size of the next trajectory or trial, in whitened units [1].
   [[nodiscard]] double step() const { return searching_ ? search_.step() : step_; }
 
-  /// Whether the next leapfrog is a trial that looks for a step size to begin with. The metric has
-  /// just changed then, or nothing was learnt yet.
+  /// Returns whether the next leapfrog is a trial in the search for a first step size: at the start
+  /// of warm-up, and after each change of the metric.
   [[nodiscard]] bool searching() const { return searching_; }
   [[nodiscard]] int tries() const { return search_.tries(); }
   void learn_trial(double energy_error);
 
-  /// To be told of every step of the warm-up; later ones are ignored.
-  /// @param step  its number, from 1
+  /// Call after every step; steps after warm-up have no effect.
+  /// @param step  number of the step, from 1
   void learn(long step, const Eigen::VectorXd& x, double acceptance);
 
-  /// To be told of every step, after learn(), and of those of chains that cannot learn, too: from
-  /// the last of the warm-up on, metric and step size stay. A search for a step size that is not
-  /// over, as of a chain that found no density, ends with what it would have tried next.
+  /// Call after learn(), at every step and also for chains that cannot learn: from the last step of
+  /// warm-up on, metric and step size stay. An unfinished search for a step size (a chain that
+  /// found no density) ends with the step that it would have tried next.
   void settle(long step);
 
-  /// Whether the metric is final after this many steps.
+  /// Returns whether the metric is final after this many steps.
   [[nodiscard]] bool metric_settled(long steps) const;
 
   void save(StateWriter& to) const;

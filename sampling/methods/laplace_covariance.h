@@ -1,14 +1,16 @@
 #pragma once
 
-/// The normal density that touches another one.
+/// Laplace approximation of a density: the normal density of the same curvature.
 
 #include "sampling/methods/target.h"
 
 namespace thenar {
 
-/// Inverse of  -d2 log p / dx2  at x, by central differences of the gradient (n, n). It is a guess
-/// to start from: where the density bends the wrong way, it counts as bent as much the right way;
-/// at least by a twentieth of a standard normal. The identity where gradients are not finite.
+/// Returns the inverse of  -d2 log p / dx2  at x, by central differences of the gradient (n, n), as
+/// a first guess for samplers: eigenvalues of the curvature count by their absolute value and are
+/// at least 0.05, a twentieth of a standard normal's. Returns the identity where gradients are not
+/// finite.
+/// @param x  in units of prior sds [1] (n)
 [[nodiscard]] Eigen::MatrixXd laplace_covariance(const Target& target, const Eigen::VectorXd& x);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The metric of Hamiltonian samplers, as a linear map that whitens.
+/// Mass matrix of Hamiltonian samplers as a whitening map, and its estimate from draws.
 
 #include <Eigen/Core>
 
@@ -27,7 +27,7 @@ class MassMatrix {
 
   /// Sigma: all of it (n, n), or its diagonal (n, 1).
   [[nodiscard]] Eigen::MatrixXd covariance() const;
-  /// Takes another Sigma of that shape. False, and nothing changes, unless it is finite and
+  /// Takes another Sigma of that shape. Returns false and changes nothing unless it is finite and
   /// positive definite.
   bool set(const Eigen::MatrixXd& covariance);
 
@@ -48,10 +48,10 @@ class CovarianceEstimate {
   void clear();
   [[nodiscard]] long count() const { return count_; }
 
-  /// With N points of sample covariance C, a little of a small multiple of what was before:
+  /// Shrinks the sample covariance C of N points towards a small multiple of the one before:
   ///   Sigma = N / (N + 5) C + 5 / (N + 5) 0.001 before.
-  /// Stan shrinks towards 0.001 I in the unit of x; this has no unit, so that sds of 1e-4 and of
-  /// 1e4 do as well as those near one.
+  /// Stan shrinks towards 0.001 I in the unit of x; this estimate has no unit, so that it works for
+  /// sds of 1e-4 and of 1e4 as for those near one.
   /// @param before  of the shape that MassMatrix::covariance() has; count() must be at least 2
   /// Source: [Carpenter2017] for the weights.
   [[nodiscard]] Eigen::MatrixXd shrunk(const Eigen::MatrixXd& before) const;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What samplers that only compare densities have in common.
+/// Base of the samplers that compare densities and need no gradient.
 
 #include <vector>
 
@@ -11,9 +11,9 @@ namespace thenar::internal {
 
 /// Chains that propose, compare densities, and accept or stay.
 ///
-/// A step has one or more rounds, each of which proposes for some of the chains at once. A chain
-/// whose density is zero stays where it is until a proposal has another, which it takes whatever
-/// its density; it learns nothing until then.
+/// A step has one or more rounds, each of which proposes for some of the chains at once. A chain at
+/// zero density stays until a proposal has a density above zero, and takes that one whatever its
+/// value; it learns nothing until then.
 class Metropolis : public Sampler {
  public:
   Metropolis(const Eigen::MatrixXd& starts, SamplerOptions options);
@@ -33,16 +33,15 @@ class Metropolis : public Sampler {
 
  protected:
   struct Proposals {
-    std::vector<int> chain;  // that would move (points)
-    Eigen::MatrixXd x;       // to there (n, points)
-    Eigen::VectorXd
-        log_proposal_ratio;  // log of the density of the way back over that of the way there
+    std::vector<int> chain;              // that would move (points)
+    Eigen::MatrixXd x;                   // proposed positions (n, points)
+    Eigen::VectorXd log_proposal_ratio;  // log q(x | x') - log q(x' | x) [1] (points)
   };
 
-  /// Proposals of one round, a function of the state between steps and of earlier rounds.
+  /// Proposals of one round; they depend on the state between steps and on earlier rounds alone.
   [[nodiscard]] virtual Proposals propose(int round) = 0;
   [[nodiscard]] virtual int rounds() const { return 1; }
-  /// After every step of warm-up. @param before  positions at its start (n, chains)
+  /// Called after every step of warm-up. @param before  positions at its start (n, chains)
   virtual void learn(const Eigen::MatrixXd& before) { (void)before; }
   virtual void save_learnt(StateWriter& to) const { (void)to; }
   virtual void restore_learnt(StateReader& from) { (void)from; }
@@ -68,7 +67,8 @@ class Metropolis : public Sampler {
   bool begun_ = false;
 };
 
-/// A guess of the target's covariance as L with L L' = C; identity if there is none.
+/// Cholesky factor L of the guessed covariance of the target, C = L L'; the identity without a
+/// guess.
 /// @throws InputError if the guess is not positive definite.
 [[nodiscard]] Eigen::MatrixXd initial_covariance_factor(const SamplerOptions& options, int size);
 

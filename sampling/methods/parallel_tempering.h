@@ -1,6 +1,6 @@
 #pragma once
 
-/// Parallel tempering: chains of prior * likelihood^beta that change places.
+/// Parallel tempering: chains of prior * likelihood^beta that exchange their states.
 
 #include <cstdint>
 
@@ -20,30 +20,29 @@ namespace thenar {
 
 using SwapMask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// What one round of swaps of one group decided. Entry (w, i) is about walker w of rungs i and
-/// i + 1; neighbouring pairs never swap in the same round.
+/// Decisions of one round of swaps in one group. Entry (w, i) is about walker w of the temperatures
+/// i and i + 1; neighbouring pairs never swap in the same round.
 struct Swaps {
   SwapMask tried;               // (walkers, T - 1)
-  SwapMask exchange;            // walker w of rungs i and i + 1 change places (walkers, T - 1)
-  Eigen::ArrayXXd probability;  // of that; 0 where not tried [1] (walkers, T - 1)
+  SwapMask exchange;            // walkers w of i and i + 1 exchange states (walkers, T - 1)
+  Eigen::ArrayXXd probability;  // of the exchange; 0 where not tried [1] (walkers, T - 1)
 };
 
-/// Decides round `round` of a group, a function of its arguments alone:
+/// Decides one round of swaps; the result depends on the arguments alone:
 ///   P(exchange) = min(1, exp((beta_i - beta_{i+1}) (log L_{i+1} - log L_i))).
-/// Even pairs (0-1, 2-3, ...) in even rounds, odd ones in odd rounds: a place that moves on keeps
-/// its direction, and crosses the ladder in about T rounds instead of T^2.
+/// Even pairs (0-1, 2-3, ...) swap in even rounds, odd pairs in odd rounds: a state that moves
+/// keeps its direction, and crosses the ladder in about T rounds instead of T^2.
 ///
-/// A likelihood that is NaN or +inf counts as zero. A chain at a place of zero likelihood takes
-/// any other; two of them stay.
+/// A likelihood that is NaN or +inf counts as zero. A chain at zero likelihood takes any other
+/// state; two such chains stay.
 /// @param beta          falling (T)
-/// @param log_likelihood  not tempered, at the place of each walker of each temperature_index
-/// (walkers, T)
+/// @param log_likelihood  not tempered, of each walker at each temperature (walkers, T)
 /// @throws InputError if shapes disagree.
 /// Source: [Okabe2001] and [Syed2022] for the alternation.
 [[nodiscard]] Swaps decide_swaps(const Eigen::VectorXd& beta, const Eigen::MatrixXd& log_likelihood,
                                  std::uint64_t seed, std::uint32_t group, std::uint32_t round);
 
-/// How often neighbours changed places.
+/// Counts of swaps between neighbouring temperatures.
 struct SwapCounts {
   explicit SwapCounts(int temperatures = 1);
 
@@ -58,13 +57,14 @@ struct SwapCounts {
   Eigen::VectorXd probability;      // sum over the tried [1] (T - 1)
 };
 
-/// A ladder with the same ends, whose neighbours would refuse about equally often: the rungs stand
-/// at equal parts of the communication barrier  Lambda(beta_k) = sum_{i < k} rejection_rate_i,
-/// which is interpolated linearly in beta^(1/5). To be asked in warm-up only, with enough swaps
-/// counted.
+/// Returns a ladder with the same ends whose neighbours would reject swaps about equally often: its
+/// temperatures stand at equal parts of the communication barrier  Lambda(beta_k) = sum_{i < k}
+/// rejection_rate_i, which is interpolated linearly in beta^(1/5). Call during warm-up only, with
+/// enough swaps counted.
 /// @param beta   falling (T)
-/// @param rejection_rate  mean probability of refusal of neighbours, 0..1; NaN: as the mean of the
-/// others (T - 1)
+/// @param rejection_rate  mean rejection probability of neighbours, 0..1; NaN: the mean of the
+/// other
+///                        pairs is taken (T - 1)
 /// @throws InputError if shapes disagree.
 /// Source: [Syed2022, algorithm 2].
 [[nodiscard]] Eigen::VectorXd adapted_ladder(const Eigen::VectorXd& beta,

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Markov chains as machines that ask for densities, so that many may share one evaluation.
+/// Ask/tell interface of Markov chain samplers: a sampler asks for densities at points and is told
+/// them, so that many chains share one batch evaluation.
 
 #include <cstdint>
 #include <memory>
@@ -14,7 +15,7 @@
 
 namespace thenar {
 
-/// What one step of one chain was like.
+/// Statistics of one step of one chain.
 struct StepStats {
   double log_prior = 0;       // at the new position [1]
   double log_likelihood = 0;  // at the new position, not tempered [1]
@@ -22,15 +23,15 @@ struct StepStats {
   double step_size = 0;       // of the leapfrog; 0 for samplers without one [1]
   double energy = 0;          // Hamiltonian at the new position; 0 without one [1]
   int depth = 0;              // of the tree of NUTS [1]
-  int evaluations = 0;        // densities asked for, by this chain: hotter ones not counted [1]
-  int non_finite = 0;         // of them: NaN or +inf [1]
+  int evaluations = 0;        // densities asked for by this chain alone, not by hotter ones [1]
+  int non_finite = 0;         // evaluations that gave NaN or +inf [1]
   bool divergent = false;     // the energy error of a trajectory exceeded 1000
 };
 
-/// One chain, or several that advance together (walkers of an ensemble). The driver evaluates
-/// what it asks for and tells it, until it has made as many steps as are wanted. Every draw is a
-/// function of the seed, the chain's number and the step alone. Streams of random numbers count
-/// steps in 32 bits: a chain makes fewer than 2^32 (4.3e9) of them.
+/// One chain, or several that advance together (walkers of an ensemble). The driver evaluates the
+/// target at asks() and passes the densities to tell(), until the sampler has made the wanted
+/// number of steps. Every draw is a function of the seed, the chain's number and the step alone.
+/// Streams of random numbers count steps in 32 bits: a chain makes fewer than 2^32 (4.3e9) steps.
 ///
 /// A density of NaN or +inf counts as zero and is counted in StepStats::non_finite.
 class Sampler {
@@ -42,7 +43,8 @@ class Sampler {
 
   /// Points whose densities the next tell() must bring; never empty (n, points).
   [[nodiscard]] virtual const Eigen::MatrixXd& asks() const = 0;
-  /// @throws InputError if densities are not of what was asked for, or after 2^32 steps.
+  /// @param at  densities at asks(), in its order
+  /// @throws InputError if their number differs, or after 2^32 steps.
   virtual void tell(const Densities& at) = 0;
 
   /// Steps completed. The starting point is no step; its density is asked for first.
@@ -50,18 +52,19 @@ class Sampler {
   [[nodiscard]] virtual const Eigen::MatrixXd& positions() const = 0;     // (n, chains)
   [[nodiscard]] virtual const std::vector<StepStats>& stats() const = 0;  // last step (chains)
 
-  /// Puts a chain elsewhere, between steps: swaps of parallel tempering. The density there is
-  /// known and is not asked for again.
-  /// @param at  of this one point, with gradients if wants() says so
+  /// Puts a chain at another point between steps, as swaps of parallel tempering do. The density
+  /// there is known and is not asked for again.
+  /// @param at  density at x alone, with gradients if wants() says so
   virtual void move(int chain, const Eigen::VectorXd& x, const Densities& at) = 0;
   /// Density at a chain's position, as move() wants it.
   [[nodiscard]] virtual Densities density(int chain) const = 0;
 
-  /// Another power of the likelihood from now on; only between steps of warm-up. It is no part of
-  /// the saved state: who changes it says it again before restore().
+  /// Sets another power of the likelihood; only between steps of warm-up. It is no part of the
+  /// saved state: set it again before restore().
   virtual void set_beta(double beta) = 0;
 
-  /// Everything that the next step depends on, but the options; only between steps.
+  /// Writes and reads everything that the next step depends on, except the options; only between
+  /// steps.
   virtual void save(StateWriter& to) const = 0;
   virtual void restore(StateReader& from) = 0;
 };
@@ -89,20 +92,21 @@ struct SamplerOptions {
 
 /// @param starts  one column for each chain; kStretchMove wants at least n + 2 and an even number,
 /// kDreamZs at least 3, the others one (n, chains). Their densities are not known yet: a
-/// Hamiltonian chain at a start of no density has no slope to follow; it stays, and calls each step
-/// divergent, until move() takes it away.
+/// Hamiltonian chain that starts at zero density has no gradient to follow; it stays, and calls
+/// each step divergent, until move() puts it elsewhere.
 /// @throws InputError if shapes or options do not fit, or a start is not finite.
 [[nodiscard]] std::unique_ptr<Sampler> build_sampler(SamplingMethod method,
                                                      const Eigen::MatrixXd& starts,
                                                      const SamplerOptions& options);
 
-/// "adaptive-metropolis", "dream-zs", "stretch", "hmc" or "nuts". @throws InputError else.
+/// Method of a name: "adaptive-metropolis", "dream-zs", "stretch", "hmc" or "nuts".
+/// @throws InputError for any other name.
 [[nodiscard]] SamplingMethod sampling_method(const std::string& name);
 [[nodiscard]] std::string name_of(SamplingMethod method);
 
 namespace internal {
-/// The number of a step, from 0, for its stream of random numbers.
-/// @throws InputError from 2^32 on, where the numbers would begin to repeat.
+/// Step number, from 0, as the counter of its stream of random numbers.
+/// @throws InputError from 2^32 on, where random numbers would begin to repeat.
 [[nodiscard]] std::uint32_t stream_step(long step);
 
 std::unique_ptr<Sampler> adaptive_metropolis(const Eigen::MatrixXd&, const SamplerOptions&);

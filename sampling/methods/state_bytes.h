@@ -1,6 +1,6 @@
 #pragma once
 
-/// Numbers as bytes and back, exactly: what a sampler must keep to go on as if nothing happened.
+/// Exact serialisation of numbers: a sampler restored from its bytes goes on as if never stopped.
 
 #include <cstdint>
 #include <string>
@@ -23,7 +23,7 @@ class StateWriter {
   std::string bytes_;
 };
 
-/// Takes them out again, in the same order.
+/// Reads numbers in the order in which a StateWriter put them.
 class StateReader {
  public:
   explicit StateReader(std::string bytes) : bytes_(std::move(bytes)) {}

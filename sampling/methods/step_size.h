@@ -1,19 +1,19 @@
 #pragma once
 
-/// How long the steps of a leapfrog should be.
+/// Adaptation of the leapfrog's step size.
 
 #include "sampling/methods/state_bytes.h"
 
 namespace thenar::internal {
 
-/// Dual averaging: moves the logarithm of the step size until the mean acceptance is the target.
+/// Dual averaging: moves the logarithm of the step size until the mean acceptance is on target.
 /// Source: [Hoffman2014, section 3.2], with its gamma = 0.05, t0 = 10, kappa = 0.75.
 class DualAveraging {
  public:
   explicit DualAveraging(double target) : target_(target) {}
 
-  /// Forgets all but a first step size.
-  /// @param lean  multiple of it to lean towards [1]
+  /// Forgets everything except a first step size.
+  /// @param lean  multiple of `step` that the search leans towards [1]
   void restart(double step, double lean);
   void learn(double acceptance);  // of the last step, 0..1 [1]
 

@@ -119,15 +119,15 @@ bool splits(int parts, int items, int length, int offset = 0) {
   return false;
 }
 
-/// As many threads as fill the lanes of the target; one for each of several ranks, unless told.
+/// As many threads as fill batches of the target; one for each of several ranks, unless told.
 int threads_for(const RunOptions& options, const Target& target, int samplers, int ranks) {
   // Unless told: all processors, or one of several ranks.
   int threads = options.threads;
   if (threads == 0)
     threads = ranks > 1 ? 1 : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   // No more than fill the batches that cost least.
-  const int lanes = std::max(1, target.lanes());
-  const int batches = (samplers * options.walkers + lanes - 1) / lanes;
+  const int batch = std::max(1, target.preferred_batch_size());
+  const int batches = (samplers * options.walkers + batch - 1) / batch;
   return std::max(1, std::min({threads, batches, samplers}));
 }
 

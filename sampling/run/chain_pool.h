@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a chain stands, and what the target says there: what swaps of tempering hand on.
+/// The samplers of a run that one rank advances: its share of groups x temperatures.
 
 #include <memory>
 #include <string>
@@ -15,31 +15,31 @@
 
 namespace thenar::internal {
 
+/// Position of a chain and the log densities there; swaps exchange it between temperatures.
 struct ChainState {
-  Eigen::VectorXd x;
-  Densities at;  // of this one point
+  Eigen::VectorXd x;  // (n)
+  Densities at;       // at x alone
 };
 
 /// Appends position, log prior, log likelihood, and gradients if there are any.
 void append_chain_state(const ChainState& chain_state, std::vector<double>& to);
 
-/// Takes one out again. @param from  where it begins; afterwards, where the next one does
+/// Reads a state back. @param from  its first number; afterwards the first of the next state
 [[nodiscard]] ChainState read_chain_state(const double*& from, Eigen::Index size,
                                           WithGradient gradient);
 
-// A sampler of a run with what is recorded of it.
-
-/// The sampler of one temperature_index of one group. Only temperature_index 0, whose beta is 1, is
-/// recorded.
+/// The sampler of one temperature of one group, and its recorded draws. Only temperature_index 0,
+/// whose beta is 1, is recorded.
 struct ChainSlot {
   int group = 0, temperature_index = 0;
   std::unique_ptr<Sampler> sampler;
   SwapCounts swap_counts;        // of the group, since warm-up or the last change of the ladder
-  std::vector<double> pending;   // draws not taken yet: columns of all its chains (draw_rows.h)
-  std::vector<StepStats> since;  // the last draw: evaluations, non_finite, divergent (chains)
-  long divergent = 0;            // steps after warm-up, of all its chains
+  std::vector<double> pending;   // draws not taken yet: columns of all its chains, see put_draw()
+  std::vector<StepStats> since;  // counts since the last draw: evaluations, non_finite, divergent
+                                 // (chains)
+  long divergent = 0;            // divergent steps after warm-up, of all its chains [1]
 
-  /// To be called after each step. Every `thin`-th after warm-up is a draw.
+  /// Call after each step. Every `thin`-th step after warm-up is a draw.
   void record(long warm_up, int thin);
 
   /// All pending draws (rows of a draw * chains, draws); none are pending afterwards.
@@ -47,46 +47,43 @@ struct ChainSlot {
 
   [[nodiscard]] std::vector<ChainState> chain_states() const;
 
-  /// Another beta, and swaps counted anew.
+  /// Sets another beta and starts the counts of swaps anew.
   void set_beta(double beta);
 
   void save(StateWriter& to) const;
   void restore(StateReader& from);
 };
 
-// The samplers of a run that one rank advances: its share of groups x temperatures.
-
-/// Sampler k = group * temperatures + temperature_index. Communicator have consecutive ones, and so
-/// have the threads of a rank: where there are enough groups for all, nobody waits for another at a
-/// swap.
+/// Sampler k = group * temperatures + temperature_index. Each rank has consecutive samplers, and so
+/// has each thread of a rank: with enough groups for all, no thread waits for another at a swap.
 class ChainPool {
  public:
-  /// Keeps references to all but `starts`.
+  /// Keeps references to `target`, `options` and `ranks`, which must outlive it.
   ChainPool(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options,
             const Communicator& ranks);
 
   [[nodiscard]] long step() const { return step_; }
   [[nodiscard]] int size() const { return target_.size(); }
 
-  /// Brings all samplers to `step`, with the swaps on the way and that of `step` itself. Every rank
+  /// Advances all samplers to `step`, with the swaps on the way and the swap at `step`. Every rank
   /// must call it alike.
   void advance_to(long step);
 
-  /// Draws since the last call, of each group whose temperature_index 0 is dealt here, in their
-  /// order.
+  /// Draws since the last call, of each group whose temperature_index 0 is on this rank, in the
+  /// order of groups.
   [[nodiscard]] std::vector<Eigen::MatrixXd> take_draws();
 
-  /// State of each sampler dealt here, in their order.
+  /// State of each sampler of this rank, in their order.
   [[nodiscard]] std::vector<std::string> save() const;
   /// @param all  states of all samplers of all ranks
   /// @throws InputError if they do not fit.
   void restore(long step, const Eigen::VectorXd& beta, const std::vector<std::string>& all);
 
   [[nodiscard]] const Eigen::VectorXd& beta() const { return beta_; }
-  [[nodiscard]] long divergent()
-      const;  // steps of temperature_index 0 after warm-up, of the groups dealt here
-  [[nodiscard]] Eigen::VectorXd swap_rates()
-      const;  // of the groups dealt here, one after the other
+  /// Divergent steps of temperature_index 0 after warm-up, of this rank's groups [1].
+  [[nodiscard]] long divergent() const;
+  /// Swap rates of this rank's groups, one after the other [1] (groups * (temperatures - 1)).
+  [[nodiscard]] Eigen::VectorXd swap_rates() const;
 
  private:
   [[nodiscard]] ChainSlot build_slot(int number, const Eigen::MatrixXd& starts) const;
@@ -107,7 +104,7 @@ class ChainPool {
   const RunOptions& options_;
   const Communicator& ranks_;
   Eigen::VectorXd beta_;
-  int first_ = 0;  // number of the first sampler dealt here
+  int first_ = 0;  // number of the first sampler of this rank
   std::vector<ChainSlot> slots_;
   std::unique_ptr<ThreadPool> pool_;
   bool split_ranks_ = false, split_threads_ = false;  // does a group belong to several?

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The run of all chains, as one rank sees it: legs of steps, and checkpoints between them.
+/// The run of all chains on one rank: legs of steps, and checkpoints between them.
 
 #include <chrono>
 #include <optional>
@@ -15,18 +15,18 @@ namespace thenar::internal {
 /// A run on one rank. Every member that gathers must be called by all ranks alike.
 class ChainRun {
  public:
-  /// Keeps references to all but `starts`.
+  /// Keeps references to all arguments except `starts`; they must outlive it.
   /// @param folder  of rank 0, if anything is to be kept
   ChainRun(const Target& target, const Eigen::MatrixXd& starts, const RunOptions& options,
            const Communicator& ranks, std::optional<RunFolder>& folder);
 
-  /// Goes on from the checkpoint, if there is one.
+  /// Continues from the checkpoint, if there is one.
   void resume();
 
-  /// To the end, or until someone asks to stop.
+  /// Runs to the end, or until a stop request.
   void go();
 
-  /// What there is: on rank 0 all draws, on the others none.
+  /// All draws so far on rank 0, none on the others.
   [[nodiscard]] Draws result() const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Draws on the disk: columns of numbers, appended in blocks that are checked when they are read.
+/// File of draws: columns of numbers, appended in blocks that are verified when they are read.
 
 #include <string>
 
@@ -10,22 +10,22 @@
 
 namespace thenar::internal {
 
-/// A file of columns. Each block is  rows, columns (64-bit integers), the first 16 hexadecimal
+/// A file of columns. Each block holds  rows, columns (64-bit integers), the first 16 hexadecimal
 /// digits of the SHA-256 of its numbers, and the numbers, column by column, little endian.
 class ChainStream {
  public:
   /// @param rows  numbers of one column
   ChainStream(const std::string& path, Eigen::Index rows) : file_(path), rows_(rows) {}
 
-  /// Keeps the first blocks, `columns` in all, and forgets what stands behind, as left by a
-  /// process that was killed within a write.
-  /// @throws InputError if there are fewer sound ones, or if no block ends there.
+  /// Keeps the first blocks, `columns` columns in all, and cuts the rest, which a process that was
+  /// killed within a write may have left.
+  /// @throws InputError if there are fewer intact columns, or if no block ends there.
   void resume(long columns);
 
   void append(const Eigen::Ref<const Eigen::MatrixXd>& columns);
   void sync() { file_.sync(); }
 
-  /// All of it (rows, columns).
+  /// All columns (rows, columns).
   [[nodiscard]] Eigen::MatrixXd read() const;
 
  private:

@@ -1,9 +1,9 @@
 #pragma once
 
-/// Processes that share a run. One alone unless started by mpirun.
+/// Communication between the processes (ranks) of a run; a single process unless started by mpirun.
 ///
-/// All ranks must meet the same gathers in the same order. Who catches an error that the others do
-/// not have must call abort(): they would wait for ever.
+/// All ranks must meet the same gathers in the same order. A rank that catches an error which the
+/// others do not have must call abort(): otherwise they wait for ever.
 
 #include <exception>
 #include <memory>
@@ -16,6 +16,7 @@
 
 namespace thenar {
 
+/// The processes of a run.
 class Communicator {
  public:
   virtual ~Communicator() = default;
@@ -24,18 +25,18 @@ class Communicator {
   /// The vectors of all ranks, one after the other; lengths may differ.
   [[nodiscard]] virtual Eigen::VectorXd all_gather(const Eigen::VectorXd& mine) const = 0;
   virtual void barrier() const = 0;
-  /// Ends all ranks at once, because this one cannot go on; of several, it writes why to stderr,
-  /// as nobody is left to catch it. One alone throws InputError.
+  /// Ends all ranks at once because this one cannot go on. With several ranks it writes the reason
+  /// to stderr, since nobody is left to catch an exception; a single process throws InputError.
   [[noreturn]] virtual void abort(const std::string& why) const = 0;
 };
 
 /// This process alone.
 [[nodiscard]] std::unique_ptr<Communicator> single_process();
 
-/// All processes that mpirun started; single_process() if there is no mpirun. To be called once,
-/// and kept until the end of main(): MPI is finalised with it. MPI_Init must come from libmpi:
-/// Debian's sequential MUMPS (below Ipopt) has a fake one.
-/// @throws InputError if it does not, or if mpirun started us and no MPI was built in.
+/// All processes that mpirun started; single_process() without mpirun. Call it once and keep the
+/// result until the end of main(): its destructor finalises MPI. MPI_Init must come from libmpi:
+/// Debian's sequential MUMPS (below Ipopt) brings a dummy one.
+/// @throws InputError if MPI_Init is the dummy, or if mpirun started a program built without MPI.
 [[nodiscard]] std::unique_ptr<Communicator> world_communicator();
 
 }  // namespace thenar
@@ -50,11 +51,9 @@ namespace thenar::internal {
 
 namespace thenar {
 
-// Work that several ranks do side by side, and whose failure they share.
-
-/// Calls work() on this rank; once all ranks have, throws on every one if it threw on any: each its
-/// own error, or that of the first rank that has one. So nobody waits for a rank that has given up.
-/// Every rank must call it alike, and `work` must meet no gathers.
+/// Runs work() on every rank and throws on all ranks if it failed on one: each rank throws its own
+/// error, or the error of the first rank that has one. So no rank waits for another that has
+/// failed. Every rank must call it alike, and `work` must not gather.
 template <typename Work>
 void collective_call(const Communicator& ranks, Work work) {
   std::exception_ptr mine;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The folder of a run: what the run is, its draws so far, and the state to go on from.
+/// The folder of a run: identity of the run, draws so far, and the state to continue from.
 
 #include <map>
 #include <optional>
@@ -20,8 +20,9 @@ using RunIdentity = std::map<std::string, std::string>;
 ///   group_<k>.draws   a ChainStream for each group
 ///   state.bin         how many columns of the streams count, and the state after them
 ///
-/// Draws are appended first; then the state replaces the older one by a rename. Whatever moment a
-/// process is killed at, the state on the disk and the columns it counts belong together.
+/// Draws are appended first; then the new state replaces the old one by a rename. At whatever
+/// moment a process is killed, the state on the disk and the columns that it counts belong
+/// together.
 class RunFolder {
  public:
   /// @param rows  of the streams (groups)
@@ -31,10 +32,10 @@ class RunFolder {
   RunFolder(const std::string& folder, const RunIdentity& identity,
             const std::vector<Eigen::Index>& rows);
 
-  /// The state that was found; none in a new folder, or once there is a newer one.
+  /// The state found when the folder was opened; none in a new folder, and none after commit().
   [[nodiscard]] const std::optional<std::string>& state() const { return state_; }
 
-  /// Columns of each stream that count.
+  /// Number of columns of each stream that the state counts.
   [[nodiscard]] long columns() const { return columns_; }
 
   /// Adds columns to every stream, and makes `state` the state after them.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The one fence of MPI; compiled only where it is installed.
+/// The fence of MPI; compiled only where MPI is installed.
 
 #include <memory>
 
@@ -8,9 +8,9 @@
 
 namespace thenar::internal {
 
-/// Initialises MPI, and finalises it when it goes. To be called once in a process. Going while an
-/// exception is on its way ends all ranks: the others would wait for ever.
-/// @throws InputError if MPI_Init is not that of an MPI library.
+/// Initialises MPI; the destructor finalises it. Call it once in a process. Destruction while an
+/// exception unwinds the stack ends all ranks, since the others would wait for ever.
+/// @throws InputError if MPI_Init does not come from an MPI library.
 [[nodiscard]] std::unique_ptr<Communicator> mpi_communicator();
 
 }  // namespace thenar::internal
