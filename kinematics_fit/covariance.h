@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the data taught about each parameter, from the curvature at the fit.
+/// Laplace approximation of the posterior at the fit, and how much the data say of each coordinate.
 
 #include <string>
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace thenar {
 
-/// Belief about one coordinate after the fit.
+/// Estimate of one coordinate with its posterior sd.
 struct CoordinateEstimate {
   std::string name;   // of the entry of z
   double z;           // estimate, in prior sds [1]
-  double sd;          // afterwards, in prior sds: 1 = nothing learnt [1]
-  double null_share;  // of the coordinate that lies in null directions, 0..1 [1]
-  bool at_bound;      // the estimate sits on a bound, which the sd does not know of: beyond it the
-                      // belief is cut off, and where data push against it z is no optimum
+  double sd;          // posterior sd, in prior sds: 1 = nothing learnt [1]
+  double null_share;  // share of the coordinate in null directions, 0..1 [1]
+  bool at_bound;      // the estimate sits on a bound, which the sd ignores: the posterior ends
+                      // there, and where data push against the bound z is no optimum
 };
 
-/// A direction of z along which the data say nothing at all.
+/// A direction of z along which the data have no curvature: it is not identifiable.
 struct NullDirection {
   std::string text;           // "axis/MCP3_FE/point/along: not identifiable"
   Eigen::VectorXd direction;  // unit, in z (size)
@@ -37,7 +37,7 @@ struct Covariance {
 /// @param z  the fitted point (size)
 [[nodiscard]] Covariance posterior_covariance(const FitProblem& problem, const Eigen::VectorXd& z);
 
-/// Coordinates from the best known to the least, by their sd afterwards (entries of z).
+/// Entries of z by rising posterior sd: the best known first.
 [[nodiscard]] std::vector<int> sorted_by_sd(const Covariance& covariance);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// How well a fit predicts what it has not seen.
+/// Cross-validation of fits: predictions of postures, tendons and specimens that were left out.
 
 #include <string>
 #include <vector>
@@ -9,19 +9,19 @@
 
 namespace thenar {
 
-/// What is left out of a fold.
+/// Kind of trials that a fold leaves out.
 enum class LeaveOut { kPosture, kTendon, kSpecimen };
 
 [[nodiscard]] std::string name_of(LeaveOut what);
 
-/// Trials predicted while left out, and what was left out when.
+/// Predictions of all left-out trials, and the folds that they belong to.
 struct CrossValidation {
   LeaveOut what = LeaveOut::kPosture;
-  std::vector<Prediction> experiments;  // trials of the folds done, by fits that never saw them;
-                                        // error.trials says how many
+  std::vector<Prediction> experiments;  // trials of the folds done, predicted by fits without
+                                        // them; error.trials is their number
   std::vector<std::string> folds;       // "HyperExt", "FDS", "H02"; the first folds_done are done
   int folds_done = 0;                   // folds fitted and predicted [1]
-  bool stopped = false;                 // by request; the fold under way then is left out
+  bool stopped = false;                 // by request; the unfinished fold is dropped
   int not_converged = 0;                // folds done whose fit did not converge [1]
 };
 

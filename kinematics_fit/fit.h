@@ -1,6 +1,6 @@
 #pragma once
 
-/// One fit from files to result, and its result file.
+/// A fit from input files to its result, and its result file.
 
 #include <string>
 #include <vector>
@@ -11,13 +11,13 @@
 
 namespace thenar {
 
-/// A text and where it came from.
+/// Content of a file, with its path.
 struct SourceText {
   std::string path;
   std::string text;
 };
 
-/// Everything a fit depends on; kept whole in the result file, so that it can be run again.
+/// All inputs of a fit; the result file keeps their texts, so that the fit can be repeated.
 struct FitInputs {
   SourceText subject;
   SourceText settings;
@@ -42,13 +42,14 @@ struct Fit {
 /// @throws DataError or InputError as the readers and builders do.
 [[nodiscard]] FitProblem build_problem(const FitInputs& inputs);
 
-/// Builds and solves. A stop request still gives a valid (unconverged) fit.
+/// Builds the problem, solves it and computes the covariance. A stop request still gives a valid
+/// (unconverged) fit.
 [[nodiscard]] Fit run_fit(const FitInputs& inputs, const SolveOptions& options = {});
 
-/// Parameters as fitted, in the units that people read (display_unit()).
+/// Fitted parameters in display units, see display_unit().
 struct FittedValues {
-  Eigen::VectorXd value;  // (all parameters)
-  Eigen::VectorXd sd;     // afterwards; 0 where fixed (all parameters)
+  Eigen::VectorXd value;  // [mm], [deg], [1] or [1/rad] (all parameters)
+  Eigen::VectorXd sd;     // posterior sd, 0 where fixed; units as above (all parameters)
 };
 
 /// @param specimen  index in fit.problem.specimens(), or -1: the population

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Parameters and the coordinates that a fit moves them by.
+/// Free, fixed and tied parameters of a digit, and the coordinates of a fit that move them.
 
 #include <string>
 #include <vector>
@@ -12,8 +12,8 @@ namespace thenar {
 
 /// A choice of free, fixed and tied parameters. A free parameter p has the value
 ///   mean_p + ratio_p u,   u = sd z_population + between_sd z_specimen,
-/// with standard normal z beforehand; tied ones share the u of their leader, whose bounds are
-/// narrowed so that all stay within their own.
+/// with standard normal z beforehand. Tied parameters share the u of their leader, whose bounds are
+/// narrowed so that all parameters stay within their own bounds.
 struct FitParameters {
   std::vector<Parameter> all;         // in the order of list_parameters()
   std::vector<std::string> postures;  // whose angles may be in error one by one

@@ -1,6 +1,6 @@
 #pragma once
 
-/// All that one asks of a fit: every solver, what is left out, and the baselines on the same rows.
+/// Compares a fit with other solvers, left-out data and baselines on the same trials.
 
 #include <string>
 #include <vector>
@@ -19,10 +19,10 @@ struct SolverRun {
   ForceError error;  // in sample
 };
 
-/// Predictions of the same experiment by something else.
+/// Prediction of the same experiment by a baseline without a fit.
 struct BaselinePrediction {
   std::string name;
-  std::string note;  // what it has seen of the data
+  std::string data_seen;  // the data that it has used
   Prediction prediction;
 };
 
@@ -33,7 +33,7 @@ struct SpecimenStudy {
   CrossValidation postures;       // leave one posture out
   CrossValidation tendons;        // leave one tendon out
   std::vector<SolverRun> runs;    // every solver from the same start
-  std::vector<Profile> profiles;  // of the coordinates that the data taught most about
+  std::vector<Profile> profiles;  // of the coordinates with the smallest posterior sds
   std::vector<BaselinePrediction> baselines;
 };
 
@@ -53,13 +53,13 @@ struct PopulationStudy {
   std::vector<UnseenSpecimen> unseen;  // experiments that were not fitted
 };
 
-/// A subject by the name it goes by in the report.
+/// A subject and its name in the report.
 struct NamedSubject {
   std::string name;
   SourceText source;
 };
 
-/// What a study fits, and what it compares with.
+/// Inputs of a study: fits, and baselines to compare them with.
 struct StudyInputs {
   FitInputs specimen;                   // subject and settings of the single fits; all experiments
   SourceText population_subject;        // where the population starts
@@ -68,20 +68,21 @@ struct StudyInputs {
   std::vector<LeastSquaresMethod> methods;
 };
 
-/// Every specimen of the inputs, alone.
+/// Fits and compares every specimen of the inputs alone.
 [[nodiscard]] std::vector<SpecimenStudy> study_specimens(const StudyInputs& inputs,
                                                          const Progress& progress = {});
 
-/// All specimens together.
+/// Fits and compares all specimens together.
 [[nodiscard]] PopulationStudy study_population(const StudyInputs& inputs,
                                                const Progress& progress = {});
 
-/// A subject as it is, without a fit: no friction, in-plane hold, all shifts zero.
+/// Predicts an experiment by a subject without any fit: no friction, in-plane hold, all shifts
+/// zero.
 [[nodiscard]] Prediction predict_as_published(const SourceText& subject,
                                               const Experiment& experiment);
 
-/// Every trial predicted by the mean of the trials with the same loads in other postures: what
-/// one gets without a model. Trials without such others are left out.
+/// Predicts every trial by the mean of the trials with the same loads in other postures, a baseline
+/// without any model. Trials without such others are left out.
 [[nodiscard]] Prediction mean_of_other_postures(const Experiment& experiment);
 
 }  // namespace thenar

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Predicted forces, distances between axes and their exact derivatives: the fence of Ceres'
+/// Predicted forces and distances between axes with exact derivatives. The fence of Ceres'
 /// automatic differentiation.
 
 #include "kinematics_fit/predict_forces.h"
@@ -22,7 +22,7 @@ struct ForceJacobian {
                                            const FitParameters& parameters,
                                            const ExperimentPlan& plan, const Eigen::VectorXd& u);
 
-/// Two hinges whose axes must keep a distance.
+/// Two hinges and the wanted distance between their axes.
 struct AxisPair {
   int first, second;    // hinges
   double lower, upper;  // [m]

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Measured fingertip forces beside those of every rung of the extensor hood, nothing fitted.
+/// Predicts measured fingertip forces by every model of the extensor hood, without any fit.
 
 #include <map>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace thenar {
 
-/// One rung of path and hood on one experiment.
+/// Predictions of one experiment by one model of tendon paths and hood (a rung of the ladder).
 struct HoodRung {
   std::string name;  // "fixed fractions", "net winslow"
   Path path;
@@ -23,13 +23,14 @@ struct HoodRung {
   double relative_to_finest = 0;     // RMS distance of its forces from those of the last rung,
                                      // per RMS force of that [1]
   double seconds = 0;                // for one posture and load, a net started where it rests [s]
-  std::vector<std::string> warning;  // trial and reason, where a net is not to be trusted
+  std::vector<std::string> warning;  // trial and reason, where the result of a net is unreliable
 };
 
+/// All rungs on one experiment.
 struct HoodComparison {
   std::string subject, experiment;
-  std::vector<std::string> hood_muscles;  // whose trials count there
-  std::vector<HoodRung> rungs;            // from the poorest to the finest
+  std::vector<std::string> hood_muscles;  // muscles of HoodRung::hood_muscles
+  std::vector<HoodRung> rungs;            // from the simplest to the finest
 };
 
 /// Predicts every trial on every rung: separate tendons, fixed fractions if the subject has a hood
@@ -44,7 +45,7 @@ struct HoodComparison {
 /// Forces of a held tip in every trial of an experiment.
 struct TrialForces {
   Eigen::Matrix3Xd force;            // in the experiment's components [N] (3, trials)
-  std::vector<std::string> warning;  // why not to trust each; empty: nothing (trials)
+  std::vector<std::string> warning;  // why the trial is unreliable; empty if it is not (trials)
   double seconds;                    // for one trial, median [s]
 };
 

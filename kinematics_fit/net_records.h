@@ -1,6 +1,6 @@
 #pragma once
 
-/// What an experiment says of the extensor net of a digit: inputs of the inference of its bands.
+/// Trials of an experiment as inputs of the inference of an extensor net's bands.
 
 #include <vector>
 
@@ -12,21 +12,22 @@
 namespace thenar {
 
 /// Force of the held tip on the load cell per joint torque, in the experiment's components [1/m]
-/// (3, coordinates). Where the hold takes more loads than there are joints, the least.
+/// (3, coordinates). Where the hold takes more loads than there are joints, the loads of least
+/// norm.
 [[nodiscard]] Eigen::MatrixXd cell_map(const TendonModel<double>& model, const ExperimentPlan& plan,
                                        const Eigen::VectorXd& q);
 
 /// Every passive band of the digit's net as a candidate.
 [[nodiscard]] CandidateNet candidate_of(const NetTendons& tendons);
 
-/// The trials in which a muscle pulls the net, as the load cell read them: forces of the held tip
-/// in the experiment's components. Other trials say nothing of the net and are left out.
+/// Trials in which a muscle pulls the net, with the measured forces of the held tip in the
+/// experiment's components. Other trials do not depend on the net and are left out.
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] std::vector<TendonRecord> net_records(const NetTendons& tendons,
                                                     const Experiment& experiment);
 
-/// Tests that could be done on the same rig: every posture of the experiment with the largest load
-/// of each muscle of the net there, alone, in pairs and all together.
+/// Tests that are possible on the same rig: every posture of the experiment with the largest load
+/// of each muscle of the net, alone, in pairs and all together.
 [[nodiscard]] std::vector<TendonTest> possible_tests(const NetTendons& tendons,
                                                      const Experiment& experiment);
 

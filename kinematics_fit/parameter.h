@@ -1,6 +1,6 @@
 #pragma once
 
-/// The numbers of a digit that a fit may move, by name.
+/// Named parameters of a digit that a fit may move, with default priors.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,8 @@
 
 namespace thenar {
 
-/// What a parameter changes. Directions of points are the digit's proximal, dorsal, radial.
+/// Kind of a parameter: the quantity that it changes. Points move along the digit's proximal,
+/// dorsal and radial directions.
 enum class ParameterKind {
   kAxisDirection,  // axis/<joint>/direction/<1|2>: tilt along a tangent of the sphere [rad]
   kAxisPoint,      // axis/<joint>/point/<1|2|along>: shift of the axis                 [m]
@@ -24,11 +25,11 @@ enum class ParameterKind {
   kSensorTilt,     // sensor/<proximal|dorsal|radial>: of the load cell                 [rad]
   kAngle,          // angle/<joint>: error of all postures                              [rad]
   kPostureAngle,   // angle/<joint>/<posture>: error of one posture                     [rad]
-  kOutOfPlane,     // hold/out_of_plane: length that prices out-of-plane moments         [m]
+  kOutOfPlane,     // hold/out_of_plane: length that weighs out-of-plane moments         [m]
   kGain            // gain/<muscle>: tension at the digit per stated tension            [1]
 };
 
-/// One number. Its value is `mean` before the fit.
+/// One parameter. Its value is `mean` before the fit.
 struct Parameter {
   std::string name;
   ParameterKind kind;
@@ -42,10 +43,10 @@ struct Parameter {
   double upper = 0;
 };
 
-/// "axis/direction", "arm", "hood/into": what all parameters of a kind have in common.
+/// Name of a kind: "axis/direction", "arm", "hood/into".
 [[nodiscard]] std::string name_of(ParameterKind kind);
 
-/// "mm", "deg", "1" or "1/rad": the unit in which people read and write the parameter.
+/// Unit in which people read and write the parameter: "mm", "deg", "1" or "1/rad".
 [[nodiscard]] std::string display_unit(const Parameter& parameter);
 
 /// Display units per SI unit: 1000 for lengths, 180/pi for angles.
@@ -57,7 +58,7 @@ struct Parameter {
 [[nodiscard]] std::vector<Parameter> list_parameters(const TendonDigit& digit,
                                                      const std::vector<std::string>& postures = {});
 
-/// Does a name match a glob with `*` (any run of characters, also none) and `?`?
+/// Returns whether a name matches a glob with `*` (any run of characters, also none) and `?`.
 [[nodiscard]] bool matches_glob(const std::string& glob, const std::string& name);
 
 }  // namespace thenar

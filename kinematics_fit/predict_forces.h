@@ -7,7 +7,7 @@
 
 namespace thenar {
 
-/// The digit as mounted, for these parameter values [SI] (all).
+/// Model of the digit as mounted, for given parameter values [SI] (all).
 template <typename T>
 [[nodiscard]] SpecimenModel<T> specimen_model(const TendonDigit& digit,
                                               const FitParameters& parameters,
@@ -29,7 +29,8 @@ template <typename T>
   return Mat3<T>::Identity() + (T(2) / (T(1) + h.squaredNorm())) * (K + K * K);
 }
 
-/// Map from stated tensions to the force components the load cell reads (3, muscles), one posture.
+/// Map from stated tensions to the force components that the load cell reads in one posture [1]
+/// (3, muscles).
 template <typename T>
 [[nodiscard]] MatrixX<T> cell_force_map(const SpecimenModel<T>& model, const ExperimentPlan& plan,
                                         std::size_t posture) {

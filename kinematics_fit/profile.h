@@ -1,6 +1,6 @@
 #pragma once
 
-/// Profile likelihood: how far one coordinate can go while all others make up for it.
+/// Profile likelihood: least cost over all other coordinates as one coordinate is held.
 
 #include <optional>
 #include <string>
@@ -10,19 +10,22 @@
 
 namespace thenar {
 
-/// The best cost with one coordinate held.
+/// Least cost with one coordinate held.
 struct ProfilePoint {
-  double z;                  // where it is held, in prior sds [1]
+  double z;                  // value at which it is held, in prior sds [1]
   double cost;               // 1/2 |r|^2, all others refitted [1]
   double rise;               // above the least cost of the profile [1]
-  double without_own_prior;  // rise of cost - z^2/2: what data and the other priors say [1]
+  double without_own_prior;  // rise of cost - z^2/2: data and the other priors alone [1]
 };
 
-/// Where a profile has risen by ProfileOptions::rise; empty: nowhere within half_width, "open".
+/// Values at which a profile has risen by ProfileOptions::rise; empty: it does not within
+/// half_width
+/// ("open").
 struct ProfileBounds {
   std::optional<double> lower, upper;  // in prior sds [1]
 };
 
+/// Profile of one coordinate.
 struct Profile {
   std::string name;                  // of the coordinate
   std::vector<ProfilePoint> points;  // by rising z
@@ -31,6 +34,7 @@ struct Profile {
   int not_converged = 0;             // refits that did not converge [1]
 };
 
+/// Grid of a profile, and the rise of its bounds.
 struct ProfileOptions {
   double half_width = 4;  // to each side of the estimate, in prior sds; clipped to bounds [1]
   int steps = 8;          // to each side [1]
@@ -46,7 +50,7 @@ struct ProfileOptions {
 [[nodiscard]] Profile profile_likelihood(const LeastSquares& problem, const Eigen::VectorXd& z,
                                          int i, const ProfileOptions& options = {});
 
-/// The same of a fit, with the coordinate's name.
+/// Profile of a fit's coordinate, with its name.
 [[nodiscard]] Profile profile_likelihood(const FitProblem& problem, const Eigen::VectorXd& z, int i,
                                          const ProfileOptions& options = {});
 

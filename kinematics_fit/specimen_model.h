@@ -1,6 +1,6 @@
 #pragma once
 
-/// A digit with its parameters set, on any scalar, and the forces it predicts.
+/// Model of one specimen: a digit with its parameters set, on any scalar.
 
 #include <vector>
 
@@ -21,7 +21,7 @@ struct SpecimenModel {
   Vec3<T> sensor_tilt = Vec3<T>::Zero();  // rotation vector in digit axes [rad] (3)
 };
 
-/// The model on another scalar, every number constant.
+/// Copies a model to another scalar; all its numbers are constants.
 template <typename T>
 [[nodiscard]] SpecimenModel<T> cast_model(const TendonModel<double>& from, int postures) {
   // Topology and constants.
@@ -85,7 +85,7 @@ void lengthen_bone(const TendonModel<double>& from, int i, const T& by, TendonMo
   if (beyond(from.tip_link)) to.tip += shift(from.tip);
 }
 
-/// Sets one parameter that the model still has at its start.
+/// Sets one parameter of a model that still has the parameter's start value.
 /// Axis directions are left unnormalised: normalise_axes() puts them back on the sphere, which
 /// makes the two tilts a gnomonic chart about the start direction.
 template <typename T>

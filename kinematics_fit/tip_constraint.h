@@ -1,6 +1,6 @@
 #pragma once
 
-/// The linear map from tendon tensions to the force of a held fingertip, on any scalar.
+/// Linear map from tendon tensions to the force of a held fingertip, on any scalar.
 
 #include "data/io/experiment.h"
 #include "solvers/orthogonal_solve.h"
@@ -12,9 +12,9 @@ namespace thenar {
 /// phalanx [m]. It matters only where the hold carries more loads than there are joints.
 inline constexpr double kHoldLength = 0.0236;
 
-/// Torque about each joint per load that the hold can carry: force of the tip on the world along
-/// the tip's proximal, dorsal and radial directions, and if rigid the moments about radial,
-/// proximal and dorsal. Moments are counted in units of a length, so that all are in [N]:
+/// Torque about each joint per load that the hold can carry: forces of the tip on the world along
+/// the tip's proximal, dorsal and radial directions and, if rigid, moments about the radial,
+/// proximal and dorsal directions. Moments are divided by a length, so that all loads are in [N]:
 /// `out_of_plane` for the last two, which are left out where it is zero [Synek2019].
 /// @return (coordinates, 3, 4 or 6) [m/rad]
 template <typename T>
@@ -43,7 +43,7 @@ template <typename T>
 
 /// Tip force in the tip's own directions (proximal, dorsal, radial) per unit tension (3, muscles).
 ///
-/// Solves  loads c = R' t : the least c where the hold carries more loads than there are joints,
+/// Solves  loads c = R' t : in least norm where the hold carries more loads than there are joints,
 /// exactly where as many, in least squares where fewer.
 template <typename T>
 [[nodiscard]] MatrixX<T> tip_force_map(const TendonModel<T>& digit, const TreeState<T>& state,

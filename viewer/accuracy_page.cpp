@@ -28,7 +28,7 @@ Json rows_of(const SpecimenStudy& study) {
   rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
                            study.tendons.experiments.front()));
   for (const BaselinePrediction& baseline : study.baselines)
-    rows.push_back(error_row(specimen, baseline.name, baseline.note, baseline.prediction));
+    rows.push_back(error_row(specimen, baseline.name, baseline.data_seen, baseline.prediction));
   return rows;
 }
 
