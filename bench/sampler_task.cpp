@@ -49,7 +49,7 @@ Prepared prepare(const HandPosterior& posterior, int chains, unsigned seed) {
   const double start = processor_seconds();
   const LeastSquares problem = least_squares(posterior.problem());
   ModeSearchOptions search;
-  search.also = Eigen::VectorXd::Zero(posterior.problem().size());
+  search.extra_starts = Eigen::VectorXd::Zero(posterior.problem().size());
   search.seed = seed;
   Prepared out;
   out.modes = find_modes(problem, search).modes;

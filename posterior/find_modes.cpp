@@ -81,12 +81,13 @@ void check_mode_search(const LeastSquares& problem, const ModeSearchOptions& sea
   require(search.starts >= 0, "starts must be >= 0, got {}", search.starts);
   require(search.global_searches >= 0, "global searches must be >= 0, got {}",
           search.global_searches);
-  require(search.spread > 0, "spread must be > 0, got {}", search.spread);
+  require(search.start_sd > 0, "start_sd must be > 0, got {}", search.start_sd);
   require(search.same_distance > 0 && search.same_cost > 0,
           "distance and cost of the same mode must be > 0, got {} and {}", search.same_distance,
           search.same_cost);
-  require(search.also.size() == 0 || search.also.rows() == problem.lower.size(),
-          "further starts have {} entries, wanted {}", search.also.rows(), problem.lower.size());
+  require(search.extra_starts.size() == 0 || search.extra_starts.rows() == problem.lower.size(),
+          "further starts have {} entries, wanted {}", search.extra_starts.rows(),
+          problem.lower.size());
 }
 
 /// Standard normal entries, those outside their bounds drawn again or else set on them.
@@ -99,7 +100,7 @@ Eigen::VectorXd prior_draw(const LeastSquares& problem, const ModeSearchOptions&
   for (Eigen::Index i = 0; i < z.size(); ++i)
     // Drawn again while outside, at last put on the bound.
     for (int trial = 0; trial < kTrials; ++trial) {
-      z[i] = search.spread * random.normal();
+      z[i] = search.start_sd * random.normal();
       if (z[i] >= problem.lower[i] && z[i] <= problem.upper[i]) break;
     }
   return z.cwiseMax(problem.lower).cwiseMin(problem.upper);
@@ -141,19 +142,19 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
 
 void run_searches(const LeastSquares& problem, const ModeSearchOptions& search, FoundModes& found) {
   // Given starts first, then draws from the prior, then global searches.
-  const int also = static_cast<int>(search.also.cols());
-  const int total = also + search.starts + search.global_searches;
+  const int given = static_cast<int>(search.extra_starts.cols());
+  const int total = given + search.starts + search.global_searches;
   for (int i = 0; i < total; ++i) {
     found.stopped = search.progress.stop();
     if (found.stopped) return;
     search.progress(double(i) / total, fmt::format("search {} of {} for modes", i + 1, total));
-    if (i < also)
-      found.searches.push_back(search_from(problem, search.also.col(i), search.polish));
-    else if (i < also + search.starts)
+    if (i < given)
+      found.searches.push_back(search_from(problem, search.extra_starts.col(i), search.polish));
+    else if (i < given + search.starts)
       found.searches.push_back(
-          search_from(problem, prior_draw(problem, search, i - also), search.polish));
+          search_from(problem, prior_draw(problem, search, i - given), search.polish));
     else
-      found.searches.push_back(search_globally(problem, search, i - also - search.starts));
+      found.searches.push_back(search_globally(problem, search, i - given - search.starts));
   }
 }
 

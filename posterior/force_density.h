@@ -1,6 +1,6 @@
 #pragma once
 
-/// How likely a measured force is, if another one was predicted.
+/// Likelihood of a measured force given the predicted force.
 
 #include <vector>
 
@@ -8,12 +8,12 @@
 
 namespace thenar {
 
-/// Distribution of measured about predicted forces.
+/// Distribution of measured forces about predicted forces.
 ///
 /// Plain: normal. Robust: Student's t in three dimensions,
 ///   p(f) = C |S|^(-1/2) (1 + m / c^2)^(-c^2 / 2),   m = r' S^-1 r,
-/// with c^2 - 3 degrees of freedom: the fit's Cauchy loss of scale c as a proper density. Proper it
-/// is for c^2 > 3 alone; a smaller c than 2 counts as 2, Cauchy's distribution.
+/// with c^2 - 3 degrees of freedom: the fit's Cauchy loss of scale c as a density. The density is
+/// proper only for c^2 > 3; a c below 2 counts as 2, Cauchy's distribution.
 struct ForceNoise {
   /// @param robust_scale  c [noise sds]; 0: normal
   explicit ForceNoise(double robust_scale);
@@ -21,30 +21,31 @@ struct ForceNoise {
   double c2;            // c^2; infinite: normal [1]
   double log_constant;  // of C [1]
 
-  /// log of (..)^(-c^2 / 2) and -2 times its derivative by m.
+  /// Logarithm of (..)^(-c^2 / 2) and -2 times its derivative by m.
   struct Tail {
     double log_density, weight;
   };
   [[nodiscard]] Tail tail(double m) const;
 };
 
-/// What a muscle may have done in a task.
+/// Distribution of a muscle's tension in a task.
 struct MuscleTension {
   int column;       // of the unit pulls' forces
   double tension;   // F0 a, expected [N]
   double variance;  // (F0 sd)^2 [N^2]
 };
 
-/// log density of one measured force and its derivatives.
+/// Log density of one measured force and its derivatives.
 struct TaskDensity {
   double log_density;
   Eigen::Matrix3Xd by_unit;  // by the forces of unit pulls [1/N] (3, pulls)
   double by_log_noise;       // by the logarithm of a factor on sd [1]
 };
 
-/// A force made by muscles of about known activation, their true tensions integrated out:
+/// Density of a force made by muscles whose activation is known with an error; the true tensions
+/// are integrated out:
 ///   f ~ N(A t, S),   S = noise^2 diag(sd^2) + A diag(variance) A'.
-/// Tensions are normal; that none is negative is neglected.
+/// Tensions are normal: their positivity is neglected.
 /// @param unit   forces per unit pull, one column for each of `pulls` [1] (3, pulls)
 /// @param noise  factor on sd [1]
 [[nodiscard]] TaskDensity task_density(const ForceNoise& model,

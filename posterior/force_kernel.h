@@ -12,8 +12,8 @@ namespace thenar {
 
 /// predict_forces() for many parameter values at once, with derivatives by a hand-written adjoint.
 ///
-/// Points share registers (lanes) of the widest vector unit that this processor has; any unit
-/// gives the same bits, as does a point alone. Constant once built; used by many threads.
+/// Points share registers (lanes) of the widest vector unit that this processor has; every unit
+/// gives the same bits, also for a single point. Constant once built; used by many threads.
 /// Derivation: docs/theory/fitting.md, "The adjoint of the force model".
 class ForceKernel {
  public:
@@ -25,15 +25,16 @@ class ForceKernel {
 
   [[nodiscard]] int coordinates() const;  // of u, FitParameters::coordinates()
   [[nodiscard]] int trials() const;
-  [[nodiscard]] static int lanes();  // points that cost least for each together
+  [[nodiscard]] static int lanes();  // points of a batch at which the cost of each is least
 
   /// Forces of every trial at displacements u (coordinates, points) [N] (3 trials, points).
   /// NaN where the held tip is singular.
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& u) const;
 
-  /// What forces() went through, for adjoint_product().
+  /// Intermediate results of forces() that adjoint_product() needs.
   class Tape;
 
+  /// Forces with the tape of their computation.
   struct Recorded {
     Eigen::MatrixXd forces;      // [N] (3 trials, points)
     std::shared_ptr<Tape> tape;  // shared, since the type is private to the source

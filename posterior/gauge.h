@@ -1,6 +1,6 @@
 #pragma once
 
-/// Shifts of axes along themselves: what no measurement can ever tell.
+/// Shifts of joint axes along themselves, which no measurement can identify (gauge freedoms).
 
 #include <vector>
 
@@ -10,18 +10,18 @@ namespace thenar {
 
 /// An axis that may be shifted along its start direction d0 by s. Tilted by (u, v), its line is
 ///   p + s d0 + a e1 + b e2 + R (d0 + u e1 + v e2),
-/// the same as without s but with a - s u and b - s v. So s can be left out, and nothing is lost.
+/// the same as without s but with a - s u and b - s v [m]. So s can be left out without any loss.
 struct Gauge {
   int along;     // coordinate of s
-  int point[2];  // coordinates of a and b; -1: the axis is not tilted, and they do not matter
+  int point[2];  // coordinates of a and b; -1: the axis is not tilted and they have no effect
   int tilt[2];   // parameters u and v
 };
 
-/// Shifts along an axis that can be left out: those that move nothing else, of axes that are not
-/// tilted or whose point moves freely wherever the shift does, in population or specimens.
+/// Finds the shifts along an axis that can be left out: shifts that move nothing else, of axes that
+/// are not tilted or whose point is free wherever the shift is, in population or specimens.
 [[nodiscard]] std::vector<Gauge> find_gauges(const FitProblem& problem);
 
-/// z with every gauge at zero and the same forces.
+/// Point z with every gauge at zero and the same forces (size).
 [[nodiscard]] Eigen::VectorXd without_gauges(const FitProblem& problem,
                                              const std::vector<Gauge>& gauges, Eigen::VectorXd z);
 

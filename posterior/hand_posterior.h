@@ -1,6 +1,6 @@
 #pragma once
 
-/// What forces and muscle activity tell of a digit: a posterior density over all real numbers.
+/// Posterior density of a digit given forces and muscle activity, on all real numbers.
 
 #include <memory>
 #include <string>
@@ -12,22 +12,22 @@
 
 namespace thenar {
 
-/// What the posterior asks beyond the least-squares problem.
+/// Unknowns and priors of the posterior beyond those of the least-squares problem.
 struct PosteriorOptions {
-  bool learn_noise = true;           // a factor on every experiment's noise, log-normal beforehand
+  bool learn_noise = true;           // a factor on every experiment's noise, with log-normal prior
   double noise_sd = 0.5;             // sd of its logarithm [1]
   bool learn_specimen_scale = true;  // with several specimens: a factor on between_sd of each kind
   double specimen_scale_sd = 0.5;    // sd of its logarithm [1]
   bool sphere_priors = true;         // von Mises-Fisher on axis directions instead of normal tilts
 };
 
-/// What a settings file says of them; a sd of zero learns nothing.
+/// Options of a settings file; a sd of zero means that the factor is not learnt.
 [[nodiscard]] PosteriorOptions posterior_options(const PosteriorPriors& beliefs);
 
-/// The parameters of a digit as people read them.
+/// Parameters of a digit and factors at several points.
 struct PosteriorValues {
   Eigen::MatrixXd population;              // [SI] (parameters that move, points)
-  std::vector<Eigen::MatrixXd> specimens;  // each the same, by FitProblem::specimens()
+  std::vector<Eigen::MatrixXd> specimens;  // of each specimen [SI] (as above)
   Eigen::MatrixXd noise;                   // factor on the stated noise [1] (experiments, points)
   Eigen::MatrixXd specimen_scale;          // factor on between_sd [1] (kinds, points)
 };
@@ -35,8 +35,8 @@ struct PosteriorValues {
 /// The posterior of a FitProblem, without its gauge freedoms:
 ///   log p(x) = log prior(z(x)) + log |dz/dx| + sum log N(f; f(z), (s sd)^2) + activations.
 ///
-/// x is unbounded: bounded entries of z go through a smooth map; shifts of a point along its own
-/// axis, about which nothing can be known, are left out. docs/theory/fitting.md derives it.
+/// x is unbounded: bounded entries of z are smooth maps of x; shifts of an axis along itself, which
+/// no data can identify, are left out. docs/theory/fitting.md derives it.
 class HandPosterior : public Target {
  public:
   /// @throws InputError if nothing is left to sample.
@@ -52,22 +52,23 @@ class HandPosterior : public Target {
   [[nodiscard]] const PosteriorOptions& options() const;
   [[nodiscard]] std::vector<std::string> names() const;      // of x: "noise/H01" (size)
   [[nodiscard]] std::vector<int> moving_parameters() const;  // indices in parameters().all
-  [[nodiscard]] std::vector<std::string> specimen_scale_kinds()
-      const;  // of PosteriorValues::specimen_scale
+  /// Kinds of parameters with a factor in PosteriorValues::specimen_scale.
+  [[nodiscard]] std::vector<std::string> specimen_scale_kinds() const;
 
   [[nodiscard]] PosteriorValues values(const Eigen::Ref<const Eigen::MatrixXd>& x) const;
-  /// z of FitProblem and back; entries that x lacks are zero, noise and specimen_scale factors 1
-  /// (size).
+  /// From x to z of the fit and back. Entries of z without an entry of x become zero, factors of
+  /// noise and specimen_scale become 1 (size).
   [[nodiscard]] Eigen::VectorXd fit_coordinates(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::VectorXd from_fit(const Eigen::VectorXd& z) const;
 
   /// Forces of experiment e [N] (3 trials, points).
   [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& x, int e) const;
-  /// Log likelihood of every trial of every experiment in turn, and every activation row
+  /// Log likelihood of every trial of all experiments in turn, then of every activation row
   /// (observations, points).
   [[nodiscard]] Eigen::MatrixXd pointwise(const Eigen::Ref<const Eigen::MatrixXd>& x) const;
 
-  /// A point drawn from the prior (size).
+  /// Draws a point from the prior (size).
+  /// @param number  of the draw; the same seed and number give the same point
   [[nodiscard]] Eigen::VectorXd draw_prior(unsigned seed, unsigned number) const;
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The measurements of one experiment, as a posterior compares them with a model.
+/// Measurements of one experiment in the form that the likelihood needs.
 
 #include "posterior/force_density.h"
 #include "posterior/force_kernel.h"
@@ -13,10 +13,10 @@ struct ObservedTask {
   Eigen::Vector3d force, sd;         // [N] (3)
 };
 
-/// Trials, and after them unit pulls of muscles in the postures of tasks.
+/// Trials of an experiment, followed by unit tensions of muscles in the postures of its tasks.
 struct ObservedForces {
-  ExperimentPlan plan;  // with the unit pulls as further trials
-  int trials = 0;       // of them measured
+  ExperimentPlan plan;  // with the unit tensions as further trials
+  int trials = 0;       // measured trials, the first of the plan [1]
   std::vector<ObservedTask> tasks;
   Eigen::Matrix3Xd precision;  // 1 / sd^2 of the trials [1/N^2] (3, trials)
   Eigen::VectorXd log_scale;   // log density of each trial at its measured force (trials)
@@ -27,7 +27,7 @@ struct ObservedForces {
 [[nodiscard]] ObservedForces observed_forces(const TendonDigit& digit, const ExperimentPlan& plan,
                                              const Experiment& experiment, const ForceNoise& model);
 
-/// log likelihood of all measurements of an experiment at one point, with derivatives.
+/// Log likelihood of all measurements of an experiment at one point, with derivatives.
 /// @param forces     of all columns of the plan (3 columns)
 /// @param log_noise  logarithm of a factor on sds [1]
 /// @param by_force   receives d/d forces (3 columns)

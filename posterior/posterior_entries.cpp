@@ -9,7 +9,7 @@ namespace {
 class EntryLister {
  public:
   EntryLister(const FitProblem& problem, bool learn_specimen_scale)
-      : problem_(problem), learn_spread_(learn_specimen_scale) {
+      : problem_(problem), learn_specimen_scale_(learn_specimen_scale) {
     // Shifts along axes are left out.
     out_.gauges = find_gauges(problem);
     for (const Gauge& gauge : out_.gauges) left_out_.push_back(gauge.along);
@@ -51,7 +51,7 @@ class EntryLister {
       return;
     }
     // Bounds are tabulated where no factor moves them.
-    if (specimen >= 0 && learn_spread_) entry.specimen_scale = spread_of(c);
+    if (specimen >= 0 && learn_specimen_scale_) entry.specimen_scale = specimen_scale_of(c);
     if (entry.specimen_scale < 0 && entry.bounds(1)) entry.table = table_of(entry);
     out_.coordinates.push_back(std::move(entry));
   }
@@ -77,7 +77,7 @@ class EntryLister {
     return std::make_shared<const BoundedTable>(*entry.bounds(1));
   }
 
-  int spread_of(int c) {
+  int specimen_scale_of(int c) {
     // Factors are shared by all parameters of a kind.
     const FitParameters& parameters = problem_.parameters();
     const ParameterKind kind = parameters.all[parameters.leader[c]].kind;
@@ -119,7 +119,7 @@ class EntryLister {
   }
 
   const FitProblem& problem_;
-  bool learn_spread_;
+  bool learn_specimen_scale_;
   std::vector<int> left_out_;  // coordinates
   PosteriorEntries out_;
 };

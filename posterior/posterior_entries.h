@@ -1,6 +1,6 @@
 #pragma once
 
-/// How the entries of a posterior's x move the coordinates of a fit.
+/// Entries of a posterior's x, and the coordinates of the fit that each of them moves.
 
 #include <algorithm>
 #include <memory>
@@ -13,42 +13,44 @@
 
 namespace thenar {
 
-/// One entry of x that stands for one of z: it adds to coordinate c of one or all specimens
-///   k sd z(x; lower / k, upper / k),    k the specimen_scale factor of its kind, or 1;
-/// a specimen's whose sum with its population is bounded adds specimen_deviation().
+/// One entry of x that stands for one entry of z. It adds to coordinate c of one or all specimens
+///   k sd z(x; lower / k, upper / k),    k the specimen_scale factor of its kind, or 1.
+/// The entry of a specimen whose sum with the population is bounded adds specimen_deviation().
 struct CoordinateEntry {
   int z;                                      // entry of z
   int coordinate;                             // of u
   int specimen;                               // -1: the population, so all
   double sd;                                  // [SI]
   double lower, upper;                        // of z; infinite if not bounded [1]
-  std::shared_ptr<const BoundedTable> table;  // of their map where they are fixed and not too far;
-                                              // shared by entries of the same bounds
+  std::shared_ptr<const BoundedTable> table;  // map of the bounds where no factor moves them and
+                                              // they are not too far; shared by entries of the
+                                              // same bounds
   int specimen_scale = -1;                    // index of the specimen_scale factor; -1: none
-  int centre = -1;  // entry of x of the population that bounds count from; -1: none
+  int centre = -1;  // entry of x of the population relative to which bounds hold; -1: none
 
-  /// The map of bounds, where the specimen_scale factor is k; absent: z = x.
+  /// Map of the bounds for a specimen_scale factor k; absent: z = x.
   [[nodiscard]] std::optional<BoundedNormal> bounds(double k) const;
 };
 
 /// Both tilts of an axis, of the population or of a specimen, with a von Mises-Fisher prior.
 struct TiltPair {
   int x[2];             // entries of the tilts
-  int centre[2];        // entries of the population's; -1: it has none, and stays at the mean
+  int centre[2];        // entries of the population's tilts; -1: none, it stays at the mean
   double mean[2];       // prior mean of the population [rad]
-  double log_constant;  // of its density without specimen_scale, over that of normal tilts [1]
+  double log_constant;  // log of the density's constant over that of normal tilts, without
+                        // specimen_scale [1]
 };
 
-/// x: entries of z in their order, then noise factors, then specimen_scale factors.
+/// Layout of x: entries of z in their order, then noise factors, then specimen_scale factors.
 struct PosteriorEntries {
   std::vector<CoordinateEntry> coordinates;
-  std::vector<Gauge> gauges;                   // what x leaves out
-  std::vector<int> fixed;                      // entries of z whose bounds leave them no room
+  std::vector<Gauge> gauges;                   // shifts along axes, which x leaves out
+  std::vector<int> fixed;                      // entries of z between equal bounds
   std::vector<TiltPair> tilts;                 // populations first
   std::vector<ParameterKind> specimen_scales;  // of each specimen_scale factor
-  int noise_scales = 0;                        // number of noise factors, of experiments in turn
+  int noise_scales = 0;                        // number of noise factors, by experiment
 
-  /// Does any entry count its bounds from another?
+  /// Returns whether any entry has a centre.
   [[nodiscard]] bool has_centres() const {
     return std::any_of(coordinates.begin(), coordinates.end(),
                        [](const CoordinateEntry& entry) { return entry.centre >= 0; });

@@ -36,7 +36,7 @@ double sane(double log_factor) {
 }
 
 /// An entry with a specimen_scale factor, at one point.
-void move_spread(const CoordinateEntry& entry, Index i, Index p, double k, EntryMotion& out) {
+void move_scaled(const CoordinateEntry& entry, Index i, Index p, double k, EntryMotion& out) {
   // Without bounds the map is linear.
   const double x = out.x(i, p), scale = k * entry.sd;
   out.y(i, p) = out.by_log_specimen_scale(i, p) = scale * x;
@@ -110,7 +110,7 @@ EntryMotion move(const PosteriorParts& parts, const Eigen::Ref<const Eigen::Matr
         scale_block(out.x.row(b, i), entry.sd, out.y.row(b, i), out.by_x.row(b, i));
     }
     for (Index p = 0; p < x.cols() && entry.specimen_scale >= 0; ++p)
-      move_spread(entry, i, p, out.specimen_scale(entry.specimen_scale, p), out);
+      move_scaled(entry, i, p, out.specimen_scale(entry.specimen_scale, p), out);
   }
   return out;
 }
@@ -175,7 +175,7 @@ class TiltTerm {
   void add_gradient(double specimen_scale_sd, Eigen::MatrixXd& gradient) const {
     // By the tilts themselves and by their centre.
     const int specimen_scale = entries_.coordinates[pair_.x[0]].specimen_scale;
-    double by_log_spread = 2 - 2 * density_.by_log_concentration;
+    double by_log_scale = 2 - 2 * density_.by_log_concentration;
     for (int k = 0; k < 2; ++k) {
       const int i = pair_.x[k], centre = pair_.centre[k];
       const double by_own = density_.by_tilt[k] + z_[k] / scale_;
@@ -185,11 +185,11 @@ class TiltTerm {
             (density_.by_tilt[k] + density_.by_centre[k]) * motion_.by_x(centre, point_);
       // By the factor of the scale, which moves tilts and concentration.
       if (specimen_scale >= 0)
-        by_log_spread += by_own * motion_.by_log_specimen_scale(i, point_) - z_[k] * z_[k];
+        by_log_scale += by_own * motion_.by_log_specimen_scale(i, point_) - z_[k] * z_[k];
     }
     if (specimen_scale >= 0)
       gradient(entries_.specimen_scale_offset() + specimen_scale, point_) +=
-          specimen_scale_sd * by_log_spread;
+          specimen_scale_sd * by_log_scale;
   }
 
  private:

@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a HandPosterior is made of; for its own sources.
+/// Internal parts of a HandPosterior, for its own sources.
 
 #include "posterior/hand_posterior.h"
 #include "posterior/posterior_data.h"
@@ -10,6 +10,7 @@
 namespace thenar {
 namespace internal {
 
+/// Problem, layout of x, measurements and kernels.
 struct PosteriorParts {
   FitProblem problem;
   PosteriorOptions options;
@@ -20,9 +21,9 @@ struct PosteriorParts {
   std::vector<Eigen::VectorXd> rest;  // u of each specimen where all entries add nothing [SI]
 };
 
-/// What the entries of some points add to coordinates.
+/// Contributions of the entries of x to the coordinates, at several points.
 struct EntryMotion {
-  SimdRows x;     // as asked for [1] (entries of x, points)
+  SimdRows x;     // the points [1] (entries of x, points)
   SimdRows y;     // [SI] (coordinate entries, points)
   SimdRows by_x;  // dy/dx [SI] (coordinate entries, points)
   SimdRows

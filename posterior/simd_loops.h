@@ -1,6 +1,6 @@
 #pragma once
 
-/// Numbers of many points, eight points beside each other.
+/// Inner loops of a posterior over blocks of eight points, compiled for several processors.
 
 #include <vector>
 
@@ -37,17 +37,17 @@ class SimdRows {
   std::vector<double> numbers_;
 };
 
-// The inner loops of a posterior, compiled for several processors and chosen from at run time.
-// All give the same bits: no sum is reordered, and none is fused (-ffp-contract=off).
+// The processor is asked at run time. All versions give the same bits: no sum is reordered, and no
+// multiplication is fused (-ffp-contract=off).
 
-/// A map in cells of equal width, of which each is a polynomial of degree 5.
+/// A map in cells of equal width, each a polynomial of degree 5.
 struct PiecewisePolynomial {
   const double* coefficients;  // six of each cell, constant term first
   double start, per_unit;      // where the first cell begins; cells per unit
   double last;                 // where the last one ends
 };
 
-/// y = scale z(x), by_x = scale dz/dx at eight points; beyond the cells, those of their ends.
+/// y = scale z(x), by_x = scale dz/dx at eight points; beyond the cells, the values at their ends.
 void map_block(const PiecewisePolynomial& map, const double* x, double scale, double* y,
                double* by_x);
 
@@ -57,9 +57,10 @@ void scale_block(const double* x, double scale, double* y, double* by_x);
 /// sum -= x^2 / 2 at eight points.
 void subtract_half_square(const double* x, double* sum);
 
-/// A von Mises-Fisher prior of two tilts against normal ones, see TiltDensity.
+/// A von Mises-Fisher prior of two tilts relative to a normal prior, see TiltDensity.
 struct TiltPriorBlock {
-  double mean[2], sd, concentration;
+  double mean[2], sd;    // [rad]
+  double concentration;  // [1/rad^2]
 };
 /// Adds to `sum` the part of its logarithm without -3/2 log w, multiplies `product` by w = 1 +
 /// |t|^2 and gives the derivatives by y, the tilts' displacements.

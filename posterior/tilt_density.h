@@ -1,6 +1,6 @@
 #pragma once
 
-/// Belief about the direction of an axis, in the two tilts by which fits move it.
+/// Prior density of an axis direction, in the two tilts by which a fit moves it.
 
 #include <Eigen/Core>
 
@@ -8,7 +8,7 @@
 
 namespace thenar {
 
-/// log p(t) of tilts t and its derivatives.
+/// Log density of tilts t and its derivatives.
 struct TiltDensity {
   double log_density;           // [1]
   Eigen::Vector2d by_tilt;      // [1/rad] (2)
@@ -19,14 +19,14 @@ struct TiltDensity {
 /// Von Mises-Fisher density of a direction d(t) = (d0 + t_1 e1 + t_2 e2) / sqrt(1 + |t|^2) about
 /// d(c), over the hemisphere that the gnomonic chart covers:
 ///   p(t) = k / (2 pi (1 - exp(-k))) exp(k (d(t).d(c) - 1)) (1 + |t|^2)^(-3/2),
-/// where the last factor is the solid angle of dt. It integrates to one for c = 0; elsewhere to
-/// within exp(-k) of it.
+/// where the last factor is the solid angle of dt. It integrates to one for c = 0, and to one
+/// within exp(-k) for other centres.
 /// @param concentration  k > 0, 1 / variance for small tilts [1/rad^2]
 /// Source: [Mardia2000], section 9.3.2.
 [[nodiscard]] TiltDensity tilt_density(const Eigen::Vector2d& tilt, const Eigen::Vector2d& centre,
                                        double concentration);
 
-/// Tilts drawn from it.
+/// Draws tilts from this density [rad] (2).
 [[nodiscard]] Eigen::Vector2d draw_tilt(const Eigen::Vector2d& centre, double concentration,
                                         RandomStream& random);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 3a: moment arms of strands along their paths, and what friction leaves of them.
+/// Step 3a: moment arms of strands along their paths, with and without friction [m].
 
 #include "posterior/kernel/pose.h"
 
@@ -23,7 +23,8 @@ inline void set_paths(const Program& program, const DigitParameters& digit, Pose
   for (const int s : program.path_strands) clear(posed.frictionless_arm + s * n, n);
   // Points of the paths, where their links are now.
   for (int k = 0; k < program.nodes.size(); ++k)
-    posed.node[k] = carried(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
+    posed.node[k] =
+        link_point(program, digit, posed, program.nodes[k].link, program.nodes[k].place);
   for (int k = 0; k < program.runs.size(); ++k) {
     // Direction of the run, and what it adds to the arm about every hinge between its ends.
     const RunStep& run = program.runs[k];
@@ -64,8 +65,8 @@ inline void adjoint_paths(const Program& program, const Posed& posed, Posed& adj
   }
   // From points of paths to links, then from constant arms to their numbers.
   for (int k = 0; k < program.nodes.size(); ++k)
-    adjoint_carried(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
-                    adjoint.node[k], on, adjoint_digit);
+    adjoint_link_point(posed, program.nodes[k].link, program.nodes[k].place, posed.node[k],
+                       adjoint.node[k], on, adjoint_digit);
   for (const int s : program.path_strands) clear(adjoint.frictionless_arm + s * n, n);
   for (int i = 0; i < program.strands * n; ++i)
     adjoint_digit.number[program.arms + i] += adjoint.frictionless_arm[i];
@@ -78,7 +79,7 @@ inline V size_of(const BendStep& bend, const Posed& posed) {
                                    : square_root(angle * angle + 1e-4);
 }
 
-/// Is coordinate j the first to feel some bend?
+/// Returns whether coordinate j is the first beyond some bend.
 inline bool bends_before(const Program& program, int j) {
   for (const BendStep& bend : program.bends)
     if (bend.first_coordinate_beyond == j) return true;
@@ -103,10 +104,10 @@ inline void set_friction(const Program& program, const DigitParameters& digit, P
     for (int j = 0; j < n; ++j) {
       const int i = sheath.strand * n + j;
       if (bends_before(program, j))
-        posed.left[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
+        posed.tension_ratio[i] = exponential(-digit.number[sheath.friction] * posed.bent[j]);
       else
-        posed.left[i] = j == 0 ? splat(1) : posed.left[i - 1];
-      posed.arm[i] = posed.frictionless_arm[i] * posed.left[i];
+        posed.tension_ratio[i] = j == 0 ? splat(1) : posed.tension_ratio[i - 1];
+      posed.arm[i] = posed.frictionless_arm[i] * posed.tension_ratio[i];
     }
 }
 
@@ -120,7 +121,7 @@ inline void adjoint_friction(const Program& program, const DigitParameters& digi
     for (int j = 0; j < n; ++j) {
       // Adjoints of the arm, of the friction and of the bends.
       const int i = sheath.strand * n + j;
-      adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.left[i];
+      adjoint.frictionless_arm[i] = adjoint.arm[i] * posed.tension_ratio[i];
       const V lost = adjoint.arm[i] * posed.arm[i];
       adjoint_digit.number[sheath.friction] -= lost * posed.bent[j];
       adjoint.bent[j] -= lost * digit.number[sheath.friction];

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Many points through a backend, a group of lanes at a time.
+/// Runs many points through a backend, a group of lanes at a time.
 
 #include <memory>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace thenar::kernel {
 
-/// Memory for packs of any backend.
+/// Aligned memory for the registers of any backend.
 class SimdBuffer {
  public:
   explicit SimdBuffer(long doubles);
@@ -24,7 +24,7 @@ class SimdBuffer {
   std::unique_ptr<double, Free> first_;
 };
 
-/// Points that went through a backend together, and what it left behind.
+/// Points that a backend ran together, and their tape.
 struct Group {
   const SimdBackend* backend;
   Eigen::Index first;  // point
@@ -38,8 +38,8 @@ struct Batch {
   SimdBuffer memory;  // of all tapes, or of one that all groups wrote over
 };
 
-/// @param choice  simd_backends to take, widest first; what is left over goes to the narrowest that
-/// holds it
+/// @param choice  backends to take, widest first; the last points go to the narrowest backend that
+///                holds them
 /// @param u       (fit coordinates, points)
 [[nodiscard]] Batch run_batch(const Program& program, const std::vector<SimdBackend>& choice,
                               const Eigen::Ref<const Eigen::MatrixXd>& u, KeepTape keep);

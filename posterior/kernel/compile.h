@@ -1,19 +1,20 @@
 #pragma once
 
-/// All numbers of a digit in a row, in which every parameter is a straight line.
+/// Compiles a digit, its parameters and an experiment to a Program.
 
 #include "kinematics_fit/predict_forces.h"
 #include "posterior/kernel/program.h"
 
 namespace thenar::kernel {
 
-/// Where the numbers of a SpecimenModel stand in the row.
+/// Indices of the numbers of a SpecimenModel in one row, in which every parameter is a straight
+/// line.
 struct Layout {
   explicit Layout(const TendonModel<double>& model, int postures);
 
   int hinges, coordinates, postures;
   std::vector<int> first_node;  // of each strand
-  // Places of the first of each kind.
+  // Index of the first number of each kind.
   int directions, points, nodes, arms, frictions, shares, tip, tilt, angle_errors, posture_errors,
       out_of_plane, gains, size;
 
@@ -28,18 +29,17 @@ struct Layout {
   }
 };
 
-/// The row of a digit whose parameters are at their means, axis directions as set_parameter() left
-/// them and hood fractions as shifts of their logits.
+/// Row of a digit whose parameters are at their means; axis directions are not normalised, and hood
+/// fractions are shifts of their logits.
 [[nodiscard]] std::vector<double> initial_parameters(const TendonDigit& digit,
                                                      const FitParameters& parameters,
                                                      const Layout& layout);
 
-/// What of the row each coordinate moves, and how far: set_parameter() on a digit of zeros.
+/// Numbers of the row that each coordinate moves, with their weights: set_parameter() on a digit of
+/// zeros.
 [[nodiscard]] std::vector<LinearTerm> parameter_terms(const TendonDigit& digit,
                                                       const FitParameters& parameters,
                                                       const Layout& layout);
-
-// From a digit, its parameters and an experiment to a program.
 
 /// Fills a program; parameters without a coordinate become constants.
 void compile(const TendonDigit& digit, const FitParameters& parameters, const ExperimentPlan& plan,

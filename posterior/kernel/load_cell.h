@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 5: the load cell: its components from those of the tip.
+/// Steps 5 and 6: components of the load cell from those of the tip, and forces of all trials [N].
 
 #include "posterior/kernel/pose.h"
 #include "posterior/kernel/tape.h"
@@ -42,7 +42,7 @@ inline Vec adjoint_tilt(const Tilt& t, const Mat& Q_bar) {
   return splat(0.5) * h_bar;
 }
 
-/// Directions in which the forces are stated, where their link is now.
+/// Directions in which the forces are stated, in the posture of their link.
 inline Mat stated_axes(const Program& program, const Posed& posed) {
   const Mat axes = constant_matrix(program.tip_axes);
   return program.force_link < 0 ? axes : posed.R[program.force_link] * axes;
@@ -91,7 +91,7 @@ inline void adjoint_load_cell(const Program& program, const DigitParameters& dig
 // Step 6: forces of all trials of a posture from their torques.
 namespace {
 
-/// Torque of a trial about joint j; number or constant.
+/// Torque of a trial about joint j, computed or constant [N m].
 inline V torque_of(const Program& program, const PostureStep& posture, const Posed& posed,
                    int trial, int j) {
   return program.arms_move ? posed.torque[(trial - posture.first_trial) * program.coordinates + j]

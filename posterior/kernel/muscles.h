@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 3b: arms of muscles through the hood, and the torques of all trials of a posture.
+/// Step 3b: arms of muscles through the hood [m], and torques of all trials of a posture [N m].
 
 #include "posterior/kernel/arms.h"
 
@@ -13,8 +13,8 @@ inline V shifted(double c, const V& u) {
   return odds / ((1.0 - c) + odds);
 }
 
-/// Strands of the hood that a share feeds: arms at coordinate j of the central slip and, through
-/// the lateral bands, of bands and terminal slip.
+/// Arms at coordinate j of the strands that a share of the hood pulls: of the central slip, and of
+/// the lateral bands with the terminal slip.
 struct Fed {
   V central, lateral;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 1: from displacements u to the numbers of the digit, and back.
+/// Step 1: from displacements u to the numbers of the digit, and the adjoint.
 
 #include "posterior/kernel/tape.h"
 
@@ -25,7 +25,7 @@ inline void set_parameters(const Program& program, const V* u, DigitParameters& 
   }
 }
 
-/// Adjoint. A push along the direction itself is lost in the normalisation.
+/// Adjoint. Normalisation removes the part along the direction itself.
 inline void adjoint_parameters(const Program& program, const DigitParameters& digit,
                                DigitParameters& adjoint, V* u_bar) {
   // Axis directions before normalisation.

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Step 2: angles, and where links and hinges are. Its adjoint is a sum of forces and moments from
-/// the tip to the base, as in statics.
+/// Step 2: angles [rad], and positions and orientations of links and hinges [m]. The adjoint sums
+/// forces and moments from the tip to the base, as in statics.
 
 #include "posterior/kernel/tape.h"
 
@@ -47,7 +47,7 @@ inline void adjoint_angles(const Program& program, int k, const Posed& adjoint,
   }
 }
 
-/// Link by link:  axis = R_parent d,  point = where the parent carries it,  R = R_parent turn.
+/// Link by link:  axis = R_parent d,  point = its position on the parent,  R = R_parent turn.
 inline void pose(const Program& program, const DigitParameters& digit, Posed& posed) {
   for (int i = 0; i < program.hinges.size(); ++i) {
     const HingeStep& hinge = program.hinges[i];
@@ -58,19 +58,20 @@ inline void pose(const Program& program, const DigitParameters& digit, Posed& po
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
       R = posed.R[parent];
-      const Vec carried = p - vector_at(digit.number + program.hinges[parent].point);
+      const Vec offset = p - vector_at(digit.number + program.hinges[parent].point);
       posed.axis[i] = R * d;
-      posed.point[i] = posed.point[parent] + R * carried;
+      posed.point[i] = posed.point[parent] + R * offset;
     }
     // Turn about the axis.
     posed.R[i] = turned(R, posed.axis[i], d, posed.sine[i], posed.cosine[i]);
   }
 }
 
-/// A link feels force F at its hinge's point and moment M about it (see Wrenches). With the twists
-///   of the angle: axis;  of a tilt e: sin R e + (1 - cos) axis x R e;  of the point: (R_parent -
-///   R) e
-/// that move all beyond, and what the axis and the point themselves feel:
+/// A force F at its hinge's point and a moment M about the point act on a link (see Wrenches). The
+/// twists that move all links beyond are
+///   by the angle: axis;  by a tilt e: sin R e + (1 - cos) axis x R e;  by the point: (R_parent -
+///   R) e.
+/// With the adjoints of the axis and the point themselves:
 ///   angle_bar = axis . M,
 ///   d_bar     = R_parent' (sin M + (1 - cos) M x axis + axis_bar),
 ///   p_bar     = R_parent' (F + point_bar) - R' F.
@@ -79,19 +80,19 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
   for (int i = program.hinges.size() - 1; i >= 0; --i) {
     const HingeStep& hinge = program.hinges[i];
     const Vec F = on.force[i], M = on.moment[i], axis = posed.axis[i];
-    // The hinge's angle feels the moment along its axis.
+    // The angle's adjoint is the moment along the axis.
     adjoint.angle[hinge.coordinate] += hinge.ratio * dot(axis, M);
     Vec tilt = posed.sine[i] * M + (1.0 - posed.cosine[i]) * cross(M, axis) + adjoint.axis[i];
-    // The parent carries force and moment on, like a free body.
-    const Vec carried = F + adjoint.point[i];
-    Vec shift = carried;
+    // Force and moment pass on to the parent, as for a free body.
+    const Vec total = F + adjoint.point[i];
+    Vec shift = total;
     if (hinge.parent >= 0) {
       const int parent = hinge.parent;
       tilt = turned_back(posed.R[parent], tilt);
       shift = turned_back(posed.R[parent], shift);
-      on.force[parent] += carried;
+      on.force[parent] += total;
       on.moment[parent] +=
-          M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], carried);
+          M + cross(axis, adjoint.axis[i]) + cross(posed.point[i] - posed.point[parent], total);
     }
     // Numbers of the hinge, where anything moves them.
     if (hinge.tilts) adjoint_digit.direction[i] += tilt;
@@ -100,18 +101,18 @@ inline void adjoint_pose(const Program& program, const Posed& posed, Wrenches& o
   }
 }
 
-/// Where a link carries a point now, link -1 being the base.
-inline Vec carried(const Program& program, const DigitParameters& digit, const Posed& posed,
-                   int link, int place) {
+/// Position of a point of a link in the posture; link -1 is the base.
+inline Vec link_point(const Program& program, const DigitParameters& digit, const Posed& posed,
+                      int link, int place) {
   const Vec p = vector_at(digit.number + place);
   if (link < 0) return p;
   return posed.point[link] +
          posed.R[link] * (p - vector_at(digit.number + program.hinges[link].point));
 }
 
-/// Adjoint: a force `push` at x, the point carried, is felt by its link.
-inline void adjoint_carried(const Posed& posed, int link, int place, const Vec& x, const Vec& push,
-                            Wrenches& on, DigitParameters& adjoint_digit) {
+/// Adjoint: a force `push` at the point's position x acts on its link.
+inline void adjoint_link_point(const Posed& posed, int link, int place, const Vec& x,
+                               const Vec& push, Wrenches& on, DigitParameters& adjoint_digit) {
   if (link < 0) {
     add_vector(adjoint_digit.number + place, push);
   } else {

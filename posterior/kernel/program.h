@@ -1,14 +1,15 @@
 #pragma once
 
-/// Rows of plain numbers that sources for different processors may share.
+/// The force model of one digit in one experiment as flat lists of steps. Plain numbers alone, so
+/// that sources for different processors can share them.
 
 #include <utility>
 #include <vector>
 
 namespace thenar::kernel {
 
-/// A vector that never changes. Reading it is always inlined: were it a function, the linker might
-/// pick the copy that was compiled for a processor other than this one.
+/// A constant vector. Reading is always inlined: otherwise the linker might pick a copy of the
+/// function that was compiled for another processor.
 template <typename T>
 class Array {
  public:
@@ -37,9 +38,6 @@ class Array {
   int size_;
 };
 
-// The force model of one digit in one experiment as flat lists: what is computed, in which order,
-// from which numbers. Plain numbers alone, since sources for other processors read it.
-
 /// number[i] += weight u[coordinate]
 struct LinearTerm {
   int number, coordinate;
@@ -57,22 +55,22 @@ struct HingeStep {
   int parent;            // hinge; -1: the base
   int coordinate;        // entry of q
   double ratio, offset;  // angle = ratio q + offset
-  int direction, point;  // places of three numbers each
-  bool tilts, shifts;    // does anything move them?
+  int direction, point;  // index of their three numbers
+  bool tilts, shifts;    // some coordinate moves direction, point
 };
 
 /// A point of a tendon path.
 struct NodeStep {
   int link;   // -1: the base
-  int place;  // of its three numbers
+  int place;  // index of its three numbers
 };
 
-/// What a run of tendon adds to the arm about one hinge:  weight u (axis x (node - point)).
+/// Contribution of a run of tendon to the arm about one hinge:  weight u (axis x (node - point)).
 struct ArmTerm {
   int hinge;
   int node;
   int arm;        // entry of the arms (strands, coordinates)
-  double weight;  // ratio of the hinge; negative where the end further out arm_terms
+  double weight;  // ratio of the hinge; negative where the run's end is the further one out
 };
 
 /// A straight run of tendon between two links, u its direction.
@@ -81,7 +79,8 @@ struct RunStep {
   int first, last;  // of the arm_terms
 };
 
-/// A bend of the sheaths, felt by all coordinates from first_coordinate_beyond on.
+/// A bend of the sheaths, which lowers the tension at all coordinates from first_coordinate_beyond
+/// on.
 struct BendStep {
   AngleStep angle;
   int first_coordinate_beyond;
@@ -90,7 +89,7 @@ struct BendStep {
 /// A strand with friction.
 struct SheathStep {
   int strand;
-  int friction;  // place of its number
+  int friction;  // index of its number
 };
 
 /// Strands of the hood.
@@ -103,16 +102,16 @@ struct ShareStep {
   int muscle;
   double radial;                         // part of the lateral share that the radial band takes [1]
   double into, central;                  // fractions before they are shifted [1]
-  int into_shift, central_shift, slope;  // places of numbers
+  int into_shift, central_shift, slope;  // indices of numbers
 };
 
-/// tension of a muscle in a trial [N]
+/// Tension of a muscle in a trial.
 struct TensionStep {
   int muscle;
-  double tension;
+  double tension;  // [N]
 };
 
-/// One loading.
+/// One trial: the tensions of its muscles.
 struct TrialStep {
   int column;       // of the forces
   int first, last;  // of the pulls
@@ -121,15 +120,16 @@ struct TrialStep {
 /// A posture and the trials in it.
 struct PostureStep {
   int first_trial, last_trial;
-  int own_error;  // place of the first of its own angle errors; -1: none
+  int own_error;  // index of the first of its own angle errors; -1: none
 };
 
-/// Sine and cosine of a hinge in a posture, if it never moves there.
+/// Sine and cosine of a hinge's angle in a posture, where no coordinate moves the angle.
 struct StillAngle {
   bool still;
   double sine, cosine;
 };
 
+/// All steps, and the numbers that they use.
 struct Program {
   int coordinates = 0;      // entries of q
   int fit_coordinates = 0;  // entries of u
@@ -143,12 +143,12 @@ struct Program {
   Array<PostureStep> postures;
   Array<double> q;                 // (postures, coordinates) [rad]
   Array<StillAngle> still_angles;  // (postures, hinges)
-  int angle_error = 0;             // place of the first angle error
+  int angle_error = 0;             // index of the first angle error
 
-  bool arms_move = false;      // else the torques of all trials are as in still_torque
+  bool arms_move = false;      // false: the torques of all trials are still_torque
   Array<double> still_torque;  // (trials in the order below, coordinates) [N m]
   int strands = 0;
-  int arms = 0;  // place of the constant arms (strands, coordinates)
+  int arms = 0;  // index of the constant arms (strands, coordinates)
   Array<NodeStep> nodes;
   Array<RunStep> runs;
   Array<ArmTerm> arm_terms;
@@ -160,20 +160,20 @@ struct Program {
   double hood_angle = 0;  // of the knuckle, at which shares are stated [rad]
   Array<ShareStep> shares;
   Array<int> pulls_strand;  // of each muscle
-  int gain = 0;             // place of the first gain
+  int gain = 0;             // index of the first gain
   Array<TensionStep> pulls;
   Array<TrialStep> trial_steps;  // by posture
 
   int tip_link = 0;
-  int tip = 0;              // place of three numbers
+  int tip = 0;              // index of three numbers
   Array<int> tip_hinges;    // from the tip to the base
   double tip_axes[9] = {};  // columns proximal, dorsal, radial
-  int out_of_plane = 0;     // place
+  int out_of_plane = 0;     // index
   double hold_length = 0;   // of flexion moments [m]
 
-  bool cell_moves = false;    // else the cell sees the tip's components through still_cell
+  bool cell_moves = false;    // false: still_cell maps the tip's components to the cell's
   double still_cell[9] = {};  // by columns
-  int sensor_tilt = 0;        // place of three numbers
+  int sensor_tilt = 0;        // index of three numbers
   int force_link = 0;
   double components[9] = {};  // by columns
 };

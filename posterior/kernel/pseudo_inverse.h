@@ -1,15 +1,15 @@
 #pragma once
 
-/// The pseudo-inverse P of the loads L: least squares where the hold carries fewer loads than there
-/// are joints, exact where as many, least norm where more.
+/// Pseudo-inverse P of the loads L and its adjoint: least squares where the hold carries fewer
+/// loads than there are joints, the inverse where as many, least norm where more.
 
 #include "posterior/kernel/tape.h"
 
 namespace thenar::kernel {
 namespace {
 
-/// Squared sine of the angle between a column and those before it, below which it is one of them:
-/// no digit of a force would be right.
+/// Squared sine of the angle between a column and the span of those before it. Below this limit the
+/// column counts as dependent: no digit of a force would be right [1].
 inline constexpr double kSingularSquare = 1e-24;
 
 /// X = A^+ (columns, rows) of A (rows, columns), column-major, rows >= columns, NaN if singular.

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The whole model and its adjoint: steps forwards, and the same steps backwards.
+/// The whole force model and its adjoint: all steps forwards, and the same steps backwards.
 
 #include "posterior/kernel/load_cell.h"
 #include "posterior/kernel/muscles.h"
@@ -11,7 +11,7 @@
 namespace thenar::kernel {
 namespace {
 
-/// Length of the work space that steps share.
+/// Length of the work space that steps share [registers].
 inline int work_length(const Program& program) {
   const int n = program.coordinates, c = program.loads, longer = n > c ? n : c;
   return 2 * n * c + longer * longer + longer + 6 * c + 3 * n + 2 * c * c;
@@ -57,7 +57,7 @@ inline void adjoint_posture(const Program& program, int k, const DigitParameters
   adjoint_angles(program, k, adjoint, adjoint_digit);
 }
 
-/// Everything that one run leaves, in order: numbers, then postures.
+/// Length of the tape of one run: numbers, then postures [registers].
 inline long tape_length(const Program& program) {
   BumpAllocator bump(nullptr);
   DigitParameters numbers(program, bump);

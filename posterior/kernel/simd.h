@@ -1,10 +1,11 @@
 #pragma once
 
-/// THENAR_LANES points at a time. To be included by unit_*.cpp alone, which define it.
+/// Vector arithmetic on THENAR_LANES points at a time. Only simd_backend_*.cpp include it, which
+/// define THENAR_LANES.
 ///
-/// Every unit computes the same sums in the same order, without fused multiplications
-/// (-ffp-contract=off): so all give the same bits. All is in an anonymous namespace: each unit is
-/// compiled for its own processor and must not share functions with others.
+/// Every backend computes the same sums in the same order, without fused multiplications
+/// (-ffp-contract=off), so that all give the same bits. Everything is in an anonymous namespace:
+/// each backend is compiled for its own processor and must not share functions with others.
 
 #include <cstdint>
 

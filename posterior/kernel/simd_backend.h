@@ -1,6 +1,6 @@
 #pragma once
 
-/// The same steps compiled for several processors, to be chosen from at run time.
+/// The force model compiled for several processors, one of which is chosen at run time.
 
 #include <vector>
 
@@ -8,27 +8,27 @@
 
 namespace thenar::kernel {
 
-/// Will run_adjoint() be asked? If not, all postures are written over the same part of the tape,
-/// which then stays in the cache.
+/// Whether run_adjoint() will follow. With kNo all postures use the same part of the tape, which
+/// then stays in the cache.
 enum class KeepTape { kNo, kYes };
 
-/// One of them. Sizes are in packs of `lanes` doubles; memory is aligned to 64 bytes.
+/// One backend. Sizes are in registers of `lanes` doubles; memory is aligned to 64 bytes.
 struct SimdBackend {
   const char* name;
   int lanes;                               // points at a time
-  long (*tape_length)(const Program&);     // of what run() leaves for run_adjoint()
-  long (*scratch_length)(const Program&);  // of what either needs meanwhile
+  long (*tape_length)(const Program&);     // tape of run() for run_adjoint() [registers]
+  long (*scratch_length)(const Program&);  // work space of either [registers]
 
-  /// Forces of `count` of the `lanes` points whose coordinates are given; those beyond are computed
-  /// and dropped, so repeat a point there.
+  /// Forces [N] of the first `count` of `lanes` points; the results of the other points are
+  /// dropped, so repeat a point there.
   void (*run)(const Program&, const double* const* u, int count, double* tape, double* scratch,
               double* const* forces, KeepTape keep);
-  /// Their adjoint.
+  /// Adjoint: gradients from weights of the forces.
   void (*run_adjoint)(const Program&, double* tape, const double* const* weights, int count,
                       double* scratch, double* const* gradient);
 };
 
-/// All that this processor can run, the widest first; the last takes points one by one.
+/// Backends that this processor can run, the widest first; the last takes points one by one.
 [[nodiscard]] const std::vector<SimdBackend>& simd_backends();
 
 }  // namespace thenar::kernel

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Where a run leaves everything that its adjoint needs, and the adjoints themselves.
+/// Tape of a run: all intermediate results that its adjoint needs, and the adjoints themselves.
 
 #include "posterior/kernel/program.h"
 #include "posterior/kernel/simd.h"
@@ -8,7 +8,7 @@
 namespace thenar::kernel {
 namespace {
 
-/// Hands out parts of one block of memory; given none, it counts.
+/// Allocates parts of one block of memory; without a block it only counts.
 class BumpAllocator {
  public:
   explicit BumpAllocator(V* first) : first_(first) {}
@@ -25,7 +25,7 @@ class BumpAllocator {
   long used_ = 0;
 };
 
-/// DigitParameters of the digit, the same in all postures.
+/// Numbers of the digit, the same in all postures.
 struct DigitParameters {
   V* number;       // all of them, axis directions not of unit length
   Vec* direction;  // of unit length (hinges)
@@ -37,18 +37,18 @@ struct DigitParameters {
         shrink(bump.take<V>(program.hinges.size())) {}
 };
 
-/// Everything of one posture. Of the adjoints, the same shapes.
+/// Intermediate results of one posture; the adjoints have the same shapes.
 struct Posed {
   V* angle;           // [rad] (coordinates)
   V *sine, *cosine;   // (hinges)
   Mat* R;             // of each link (hinges)
-  Vec *axis, *point;  // of each hinge, where it is now (hinges)
+  Vec *axis, *point;  // of each hinge in the posture (hinges)
 
-  Vec* node;            // points of paths, where they are now
+  Vec* node;            // points of paths in the posture [m]
   Vec* run;             // unit directions of runs
   V* length;            // 1 / length of each run [1/m]
   V* frictionless_arm;  // arms of strands without friction (strands, coordinates)
-  V* left;              // tension left (strands, coordinates)
+  V* tension_ratio;     // tension over that at the muscle [1] (strands, coordinates)
   V* arm;               // their product (strands, coordinates)
   V* bent;              // sum of bends (coordinates) [rad]
   V *into, *central;    // fractions (shares)
@@ -74,7 +74,7 @@ struct Posed {
       node = bump.take<Vec>(p.nodes.size());
       run = bump.take<Vec>(p.runs.size());
       length = bump.take<V>(p.runs.size());
-      frictionless_arm = bump.take<V>(p.strands * n), left = bump.take<V>(p.strands * n);
+      frictionless_arm = bump.take<V>(p.strands * n), tension_ratio = bump.take<V>(p.strands * n);
       arm = bump.take<V>(p.strands * n);
       bent = bump.take<V>(n);
       into = bump.take<V>(p.shares.size()), central = bump.take<V>(p.shares.size());
@@ -90,7 +90,7 @@ struct Posed {
   }
 };
 
-/// What the adjoint of one posture gathers for each link, as statics would: forces on it.
+/// Forces and moments on each link that the adjoint of one posture sums up, as in statics.
 struct Wrenches {
   Vec* force;   // on points of the link: adjoints of their places (hinges)
   Vec* moment;  // of those about the hinge's point, and on directions of the link (hinges)

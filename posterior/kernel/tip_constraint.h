@@ -1,6 +1,6 @@
 #pragma once
 
-/// Step 4: what the hold can carry, and the forces that follow from torques.
+/// Step 4: loads of the hold, torque about each joint per unit load.
 
 #include "posterior/kernel/pose.h"
 #include "posterior/kernel/pseudo_inverse.h"
@@ -11,10 +11,10 @@ namespace {
 /// Torque about each joint per load (coordinates, loads): along a row, forces in three directions
 /// a_k of the tip,  ratio (axis x (tip - point)) . a_k,  and moments,  ratio length axis . a_k.
 inline void set_loads(const Program& program, const DigitParameters& digit, Posed& posed) {
-  // The tip and its directions, where they are now.
+  // Position and directions of the tip in the posture.
   const int c = program.loads;
   const V out = digit.number[program.out_of_plane];
-  const Vec tip = *posed.tip = carried(program, digit, posed, program.tip_link, program.tip);
+  const Vec tip = *posed.tip = link_point(program, digit, posed, program.tip_link, program.tip);
   const Mat a = *posed.axes = posed.R[program.tip_link] * constant_matrix(program.tip_axes);
   clear(posed.load, program.coordinates * c);
   for (const int i : program.tip_hinges) {
@@ -33,7 +33,7 @@ inline void set_loads(const Program& program, const DigitParameters& digit, Pose
   }
 }
 
-/// Adjoint. Directions a_k turn with the tip's link, which feels  a_k x a_k_bar.
+/// Adjoint. Directions a_k turn with the tip's link; the moment on the link is  a_k x a_k_bar.
 inline void adjoint_loads(const Program& program, const DigitParameters& digit, const Posed& posed,
                           const V* load_bar, Posed& adjoint, Wrenches& on,
                           DigitParameters& adjoint_digit) {
@@ -63,7 +63,7 @@ inline void adjoint_loads(const Program& program, const DigitParameters& digit, 
     adjoint.axis[i] += turn;
     on.moment[link] += cross(turn, axis);
   }
-  adjoint_carried(posed, link, program.tip, *posed.tip, push, on, adjoint_digit);
+  adjoint_link_point(posed, link, program.tip, *posed.tip, push, on, adjoint_digit);
 }
 
 }  // namespace

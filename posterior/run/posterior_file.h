@@ -1,6 +1,6 @@
 #pragma once
 
-/// What a posterior file keeps as attributes: inputs and settings, to run it again.
+/// Posterior files: ArviZ InferenceData with the inputs and settings of the run as attributes.
 
 #include <map>
 #include <string>
@@ -18,7 +18,7 @@ inline constexpr const char* kPosteriorFormat = "thenar posterior 1";
 void add_inputs(const FitInputs& inputs, Attributes& to);
 void add_settings(const PosteriorSettings& settings, Attributes& to);
 
-/// Attributes of a file, asked by name.
+/// Reads attributes by name; refers to `attributes`, which must outlive it.
 class AttributeReader {
  public:
   explicit AttributeReader(const Attributes& attributes) : attributes_(attributes) {}
@@ -49,16 +49,15 @@ class AttributeReader {
 
 namespace thenar {
 
-// A posterior as ArviZ InferenceData; the layout is in docs/data_format.md.
-
-/// Parameters, statistics of the sampler, pointwise log likelihood, replicated and measured
-/// forces, draws from the prior, and everything needed to run it again.
+/// Content of a posterior file: parameters, statistics of the sampler, pointwise log likelihood,
+/// replicated and measured forces, draws from the prior, and all inputs to run it again. The layout
+/// is in docs/data_format.md.
 [[nodiscard]] InferenceFile describe_posterior(const PosteriorRun& run);
 
 /// Writes to a temporary file and renames it when complete.
 void write_posterior(const PosteriorRun& run, const std::string& path);
 
-/// Rebuilds the posterior from the inputs in the file and takes the draws from it.
+/// Reads draws from the file and rebuilds the posterior from the inputs in it.
 /// @throws DataError if the file is not a posterior that thenar wrote.
 [[nodiscard]] PosteriorRun read_posterior(const std::string& path);
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// The draws of a run as numbers that people read: parameters with units, factors.
+/// Draws of a run as named quantities in display units: parameters and factors.
 
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace thenar {
 
-/// One number of a posterior.
+/// One quantity of a posterior.
 struct PosteriorQuantity {
   std::string name;       // "axis/CMC1_FE/direction/1", "H01: arm/FPL/IP1", "noise/H01"
   std::string unit;       // "mm", "deg", "1", "1/rad"
@@ -17,26 +17,27 @@ struct PosteriorQuantity {
   Eigen::VectorXd prior;  // draws from the prior [unit]
 };
 
-/// The population's parameters, every specimen's where there are several, noise and spread.
+/// Parameters of the population, of every specimen where there are several, and factors of noise
+/// and between specimens.
 /// @param prior_draws  of each quantity [1]
 [[nodiscard]] std::vector<PosteriorQuantity> posterior_quantities(const PosteriorRun& run,
                                                                   int prior_draws = 1000);
 
 [[nodiscard]] double prior_sd(const PosteriorQuantity& quantity);  // in its unit
 
-/// Their means, Monte Carlo errors and R-hats, in the same order and units.
+/// Means, Monte Carlo errors and R-hats of quantities, in the same order and units.
 [[nodiscard]] std::vector<Estimate> estimates_of(const std::vector<PosteriorQuantity>& quantities,
                                                  const std::vector<int>& group);
 
-/// "H01: Hook FDS": every trial of every experiment in turn; then, unless kForces, every row
-/// of muscle activations, as HandPosterior::pointwise() has them.
+/// Names such as "H01: Hook FDS" of every trial of every experiment in turn; then, unless kForces,
+/// of every row of muscle activations: the order of HandPosterior::pointwise().
 enum class Observed { kForces, kAll };
 [[nodiscard]] std::vector<std::string> observation_names(const FitProblem& problem,
                                                          Observed which = Observed::kAll);
 
 [[nodiscard]] std::vector<std::string> experiment_names(const FitProblem& problem);
 
-/// Draws from the prior of a posterior, by the seed of the run (size, count).
+/// Draws from the prior of a posterior, by the seed of the run [1] (size, count).
 [[nodiscard]] Eigen::MatrixXd prior_draws(const PosteriorRun& run, int count);
 
 }  // namespace thenar

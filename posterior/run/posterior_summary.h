@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the draws of a run say, in numbers that a table, a page and JSON share.
+/// Summary of the draws of a run: the results that tables, pages and JSON share.
 
 #include <optional>
 #include <string>
@@ -14,22 +14,23 @@
 
 namespace thenar {
 
-/// How well each observation would have been predicted by the others.
+/// Leave-one-out prediction of each observation by the others.
 struct LeftOutObservations {
   LeaveOneOut result;
   std::vector<std::string> observations;  // "H01: Hook FDS" (observations)
 };
 
-/// Nothing if there are fewer than 4 draws a chain, or a likelihood is not finite.
+/// Leave-one-out of a run; empty with fewer than 4 draws a chain or a likelihood that is not
+/// finite.
 [[nodiscard]] std::optional<LeftOutObservations> leave_out_observations(const PosteriorRun& run);
 
-/// One fitted experiment beside its replicates.
+/// Posterior predictive check of one fitted experiment.
 struct ExperimentCheck {
   Prediction prediction;  // means of the draws beside the measured forces
   PredictiveCheck check;
 };
 
-/// Everything that a summary tells beside the run's own convergence, modes and swap rates.
+/// Summary of a run, in addition to its convergence, modes and swap rates.
 struct PosteriorSummary {
   std::vector<PosteriorQuantity> quantities;
   std::vector<Estimate> estimates;           // of the quantities, in their units

@@ -13,8 +13,8 @@ namespace {
 
 enum Purpose : std::uint32_t { kReplicate = 101, kNewSpecimen, kMeasure };
 
-/// Columns evenly specimen_scale over all draws (size, columns).
-Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
+/// At most `count` columns, taken evenly from all draws (size, columns).
+Eigen::MatrixXd thinned_columns(const Eigen::MatrixXd& all, long count) {
   const long kept = std::min<long>(count, all.cols());
   Eigen::MatrixXd x(all.rows(), kept);
   for (long k = 0; k < kept; ++k) x.col(k) = all.col(k * all.cols() / kept);
@@ -22,8 +22,8 @@ Eigen::MatrixXd spread_columns(const Eigen::MatrixXd& all, long count) {
 }
 
 /// Factor of the draw on the sd between specimens of each coordinate (coordinates).
-Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& parameters,
-                          const PosteriorValues& values, Eigen::Index draw) {
+Eigen::VectorXd specimen_scale_of(const HandPosterior& posterior, const FitParameters& parameters,
+                                  const PosteriorValues& values, Eigen::Index draw) {
   // Kinds without a learnt factor keep 1.
   const std::vector<std::string> kinds = posterior.specimen_scale_kinds();
   Eigen::VectorXd factor = Eigen::VectorXd::Ones(parameters.coordinates());
@@ -35,7 +35,7 @@ Eigen::VectorXd spread_of(const HandPosterior& posterior, const FitParameters& p
   return factor;
 }
 
-/// A new_specimen's deviation from the population [SI], drawn until their sum is within the bounds
+/// Deviation of a new specimen from the population [SI], drawn until their sum is within the bounds
 /// of the parameter.
 double new_specimen(const Parameter& leader, double population, double sd, RandomStream& random) {
   constexpr int kMaxTries = 1000;  // bounds enclose the population, so that one soon falls inside
@@ -46,7 +46,8 @@ double new_specimen(const Parameter& leader, double population, double sd, Rando
   return u;
 }
 
-/// Displacements of one draw, a new_specimen's deviation and unknown postures drawn (coordinates).
+/// Displacements of one draw [SI] (coordinates); the deviation of a new specimen and the errors of
+/// unknown postures are drawn from their priors.
 Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values,
                           const FitParameters& parameters, const Eigen::VectorXd& x,
                           Eigen::Index draw, int specimen) {
@@ -55,7 +56,7 @@ Eigen::VectorXd displaced(const PosteriorRun& run, const PosteriorValues& values
   const int known = problem.parameters().coordinates();
   RandomStream random(run.settings.run.sampler.seed, static_cast<std::uint32_t>(draw), 0,
                       kNewSpecimen);
-  const Eigen::VectorXd factor = spread_of(*run.posterior, parameters, values, draw);
+  const Eigen::VectorXd factor = specimen_scale_of(*run.posterior, parameters, values, draw);
   const auto leader = [&](int c) -> const Parameter& {
     return parameters.all[static_cast<std::size_t>(parameters.leader[c])];
   };
@@ -98,7 +99,7 @@ void add_noise(const ForceNoise& noise, const Eigen::VectorXd& sd, RandomStream&
 }
 
 /// Half the width of the central 95 % of a row over that of a standard normal: its sd, if normal.
-double spread_of_row(Eigen::VectorXd row) {
+double robust_sd(Eigen::VectorXd row) {
   std::sort(row.begin(), row.end());
   const auto last = static_cast<double>(row.size() - 1);
   const auto at = [&](double share) {
@@ -118,7 +119,7 @@ PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experime
   const FitParameters parameters =
       add_posture_errors(posterior.problem().parameters(), experiment, digit.model.coordinates);
   const ExperimentPlan plan = plan_experiment(digit, parameters, experiment);
-  const Eigen::MatrixXd x = spread_columns(pooled(run.draws), draws);
+  const Eigen::MatrixXd x = thinned_columns(pooled(run.draws), draws);
   const PosteriorValues values = posterior.values(x);
 
   // Expected forces at each of them.
@@ -149,7 +150,7 @@ Prediction summarise(const PredictedDraws& predicted) {
   // Means without noise, intervals with it.
   const Eigen::VectorXd mean = predicted.expected.rowwise().mean();
   Eigen::VectorXd sd(mean.size());
-  for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = spread_of_row(predicted.replicated.row(i));
+  for (Eigen::Index i = 0; i < sd.size(); ++i) sd[i] = robust_sd(predicted.replicated.row(i));
   const Eigen::Index trials = mean.size() / 3;
   return compare_forces(
       predicted.experiment, Eigen::Map<const Eigen::Matrix3Xd>(mean.data(), 3, trials),

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Forces that the draws of a posterior predict.
+/// Posterior predictive forces.
 
 #include <string>
 
@@ -9,33 +9,34 @@
 
 namespace thenar {
 
-/// What each draw says of an experiment.
+/// Forces of an experiment predicted by each draw.
 struct PredictedDraws {
   Experiment experiment;
-  std::string specimen;         // whose parameters; empty: a new_specimen of the population
+  std::string specimen;         // of the parameters; empty: a new specimen of the population
   Eigen::MatrixXd expected;     // forces without noise [N] (3 trials, draws)
   Eigen::MatrixXd replicated;   // what a repeated measurement would read [N] (3 trials, draws)
   Eigen::MatrixXd sd;           // of the noise [N] (3 trials, draws)
   bool calibrated_on_specimen;  // the subject of the prior was calibrated on this specimen
 };
 
-/// Any experiment on the fitted digit, also of a specimen that was not fitted: then every draw adds
-/// a new_specimen's deviation from the population. Postures that the fit does not know by name err
-/// by angles drawn from their prior. At most `draws` of the run, evenly spread.
+/// Predicts any experiment on the fitted digit. For a specimen that was not fitted, every draw adds
+/// the deviation of a new specimen from the population. Postures that the fit does not know by name
+/// have angle errors drawn from their prior. At most `draws` draws of the run are used, evenly
+/// thinned.
 ///
-/// The noise of an experiment that was not fitted, or that a new_specimen made, is its stated one
-/// times a factor from the prior, as experiments err by themselves.
-/// @param specimen  index in problem().specimens(), or -1: a new_specimen
+/// The noise of an experiment that was not fitted, or of a new specimen, is the stated noise times
+/// a factor drawn from the prior, since every experiment has its own factor.
+/// @param specimen  index in problem().specimens(), or -1: a new specimen
 /// @throws InputError if the experiment does not fit the digit, or there are no draws.
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);
 
-/// Means beside the measured forces, with sds of the replicated ones: half their central 95 % over
-/// 1.96, which robust noise of infinite variance has, too.
+/// Means of the draws beside the measured forces. The sds are half the central 95 % range of the
+/// replicated forces over 1.96, which exists also for robust noise of infinite variance.
 [[nodiscard]] Prediction summarise(const PredictedDraws& predicted);
 
-/// Forces of the fitted trials as they would be measured again, for every
-/// column of x [N] (3 trials of all experiments, points).
+/// Replicated forces of the fitted trials at every column of x [N] (3 trials of all experiments,
+/// points).
 [[nodiscard]] Eigen::MatrixXd replicated_forces(const HandPosterior& posterior,
                                                 const Eigen::MatrixXd& x, unsigned seed);
 

@@ -35,14 +35,14 @@ FoundModes search_modes(const FitProblem& problem, const PosteriorSettings& sett
   search.starts = settings.mode_starts;
   // A global search without derivatives finds nothing among more coordinates than this.
   if (problem.size() > kGlobalSearch) search.global_searches = 0;
-  search.also = Eigen::VectorXd::Zero(problem.size());
+  search.extra_starts = Eigen::VectorXd::Zero(problem.size());
   search.seed = settings.run.sampler.seed;
   search.progress = settings.run.progress;
   search.polish.progress.stop_requested = settings.run.progress.stop_requested;
   return find_modes(least_squares(problem), search);
 }
 
-/// Entries at the end of x that are factors of noise and spread.
+/// Number of factors of noise and between specimens, the last entries of x.
 Eigen::Index count_factors(const HandPosterior& posterior) {
   const std::size_t noise_scales =
       posterior.options().learn_noise ? posterior.problem().experiments().size() : 0;
@@ -54,7 +54,7 @@ Eigen::MatrixXd find_starts(const HandPosterior& posterior, const std::vector<Mo
                             int count, unsigned seed) {
   const LeastSquares problem = least_squares(posterior.problem());
   Eigen::MatrixXd starts(posterior.size(), count);
-  // A fit knows no factors of noise and spread: they begin where the prior has them.
+  // A fit has no factors of noise and between specimens: they start at draws from the prior.
   const Eigen::Index factors = count_factors(posterior);
   double inflation = kInflation;
   for (int found = 0, attempt = 0; found < count; ++attempt, inflation *= 0.7) {

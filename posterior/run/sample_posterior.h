@@ -1,6 +1,6 @@
 #pragma once
 
-/// From files to draws: the posterior of a fit, its modes, its chains, and whether to believe them.
+/// From input files to draws: posterior, modes, chains, and their convergence.
 
 #include <memory>
 #include <string>
@@ -15,13 +15,15 @@
 
 namespace thenar {
 
-/// What a settings file says of the posterior. @throws DataError if it cannot be read.
+/// Options of the posterior in a settings file. @throws DataError if it cannot be read.
 [[nodiscard]] PosteriorOptions posterior_options(const SourceText& settings);
 
+/// Settings of a run of a posterior.
 struct PosteriorSettings {
   PosteriorOptions posterior;
-  RunOptions run;        // fingerprint and covariance are set here; walkers 0: as few as can be
-  int mode_starts = 16;  // of the search for modes, before sampling [1]
+  RunOptions run;        // fingerprint and covariance are set by the run; walkers 0: as few as
+                         // the method allows
+  int mode_starts = 16;  // starts of the search for modes, before sampling [1]
   ConvergenceLimits limits;
 };
 
@@ -29,17 +31,19 @@ struct PosteriorSettings {
 struct PosteriorRun {
   FitInputs inputs;
   PosteriorSettings settings;
-  std::shared_ptr<const HandPosterior> posterior;  // shared with whoever draws more from it
+  std::shared_ptr<const HandPosterior> posterior;  // shared by copies of the run
   std::vector<Mode> modes;                         // found before sampling, best first
   Draws draws;
   Convergence convergence;
   ModeTable mode_table;  // masses of the modes, from the draws
 };
 
-/// Finds the modes, starts chains at overdispersed points about them, samples, and assesses.
+/// Finds the modes, starts chains at overdispersed points about them, samples, and assesses the
+/// draws.
 ///
-/// Asked to stop while it searches, it returns no draws and no modes: the next call searches again.
-/// Of several ranks, the first alone searches, and returns all; the others return no draws.
+/// A stop request during the search returns no draws and no modes: the next call searches again.
+/// With several ranks, the first alone searches and returns all results; the others return no
+/// draws.
 /// @throws InputError or DataError as build_problem() and run_chains() do, and if no start of
 /// finite density is found; on all ranks alike.
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
@@ -48,14 +52,14 @@ struct PosteriorRun {
 [[nodiscard]] PosteriorRun sample_posterior(const FitInputs& inputs,
                                             const PosteriorSettings& settings);
 
-/// "nuts: 4 chains of 1000 draws after 1000 steps of warm-up, 3.2 s".
+/// Sentence about the run: "nuts: 4 chains of 1000 draws after 1000 steps of warm-up, 3.2 s".
 [[nodiscard]] std::string describe_run(const PosteriorRun& run);
 
 /// All draws of all chains side by side, chain by chain (size, chains * draws).
 [[nodiscard]] Eigen::MatrixXd pooled(const Draws& draws);
 
-/// Judges the draws of a run and shares them out among its modes: fills
-/// `convergence` and `mode_table`. Nothing if there are no draws.
+/// Assesses the draws of a run and assigns them to its modes: fills `convergence` and `mode_table`.
+/// Does nothing without draws.
 void assess_run(PosteriorRun& run);
 
 }  // namespace thenar

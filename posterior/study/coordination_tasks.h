@@ -1,7 +1,6 @@
 #pragma once
 
-/// Tasks of a whole thumb, as electromyography and a load cell see them, and how well a model
-/// explains them.
+/// Simulated tasks of a thumb with electromyography and a load cell, and the misfits of a model.
 
 #include "data/io/experiment.h"
 #include "tendons/tendon_model.h"
@@ -20,20 +19,20 @@ struct TaskOptions {
   unsigned seed = 1;
 };
 
-/// Each person takes the activations  0 <= a <= 1  that minimise
+/// Simulates tasks. Each person takes the activations  0 <= a <= 1  that minimise
 ///   |R' F0 a - J' f|^2 / (0.1 N m)^2 + sum (c_i a_i)^2 / 100,   log c_i ~ N(0, habit^2):
-/// the wanted force with as little torque left over as the thumb allows. What the tip really makes
-/// of them (tip_force()) is read with noise; readings of activations are kept within 0 to 1.
+/// the wanted force with the least unbalanced torque that the thumb allows. The resulting tip force
+/// (tip_force()) is read with noise; readings of activations are kept within 0 to 1.
 [[nodiscard]] Experiment simulate_tasks(const TendonDigit& truth, const TaskOptions& options);
 
-/// What a model makes of one task, driven by the measured activations.
+/// Misfit of a model in one task, driven by the measured activations.
 struct TaskMisfit {
   double direction;  // between its tip force and the measured one [rad]
-  double torque;     // |R' t - J' f|, f the measured force: what its joints cannot balance [N m]
-  double distance;   // r' S^-1 r of the measured force, S of noise and activations [1]
+  double torque;     // unbalanced joint torque |R' t - J' f|, f the measured force [N m]
+  double distance;   // r' S^-1 r of the measured force, S from noise and activations [1]
 };
 
-/// Every task of the experiment.
+/// Misfits of all tasks of the experiment.
 [[nodiscard]] std::vector<TaskMisfit> task_misfits(const TendonDigit& model,
                                                    const Experiment& tasks);
 

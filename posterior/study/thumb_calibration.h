@@ -1,12 +1,13 @@
 #pragma once
 
-/// Are posteriors of thumbs what they claim to be? Truths from the prior, forces from the model.
+/// Simulation-based calibration of thumb posteriors: truths from the prior, forces from the model.
 
 #include "posterior/study/thumb_study.h"
 #include "sampling/diagnostics/simulation_based_calibration.h"
 
 namespace thenar {
 
+/// Simulations and chains of a calibration.
 struct ThumbCalibrationSettings {
   ThumbFitSettings thumb;  // which model, how much noise, how many postures; no tasks
   int simulations = 200;
@@ -18,21 +19,22 @@ struct ThumbCalibrationSettings {
   Progress progress;
 };
 
+/// Ranks of the truths and their tests.
 struct ThumbCalibration {
   std::vector<std::string> names;  // entries of x, and the log likelihood
   Eigen::MatrixXi rank;            // of the truths, 0 .. ranked (names, simulations done)
   int ranked = 0;
-  int not_converged = 0;  // runs, after retries; their ranks count all the same
+  int not_converged = 0;  // runs that did not converge after retries; their ranks are counted
   RankCalibration judged;
   double covered = 0, covered_error = 0;  // share of truths within central 90 % intervals of
                                           // ranks, and its error, runs being independent [1]
 };
 
 /// Every simulation draws a thumb from the prior of the fit, simulates its pulls with noise of the
-/// stated sds times a factor from its prior, and samples the posterior. The stated sds are those
-/// that fit the thumb at the start: they must not know the truth. A stop request judges what there
-/// is; nothing is judged below 20 simulations.
-/// Source: [Talts2018]; the log likelihood among the ranked as [Sailynoja2022] advise.
+/// stated sds times a factor from its prior, and samples the posterior. The stated sds are those of
+/// the thumb at the start: they must not depend on the truth. After a stop request the simulations
+/// so far are tested; below 20 simulations nothing is tested. Source: [Talts2018]; the log
+/// likelihood among the ranked as [Sailynoja2022] advise.
 [[nodiscard]] ThumbCalibration calibrate_thumb(const ThumbStudyInputs& inputs,
                                                const ThumbCalibrationSettings& settings);
 

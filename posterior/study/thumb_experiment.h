@@ -1,6 +1,6 @@
 #pragma once
 
-/// Experiments made up for a thumb: one muscle after the other, and tasks with electromyography.
+/// Simulated experiments of a thumb: single muscles pulled in turn, tip pinned.
 
 #include <string>
 #include <vector>
@@ -10,11 +10,12 @@
 
 namespace thenar {
 
-/// Key pinch, opposition pinch, wide grasp and hook, in this order: joint angles of a five-axis
-/// thumb within its ranges. They are judgements: key pinch with the thumb adducted and its IP joint
-/// bent, opposition abducted and less bent, the other two to either side of them.
+/// Postures of a five-axis thumb within its ranges: key pinch, opposition pinch, wide grasp and
+/// hook, in this order. The joint angles are judgements: key pinch with the thumb adducted and its
+/// IP joint bent, opposition abducted and less bent, the other two to either side of these.
 [[nodiscard]] std::vector<PostureRecord> thumb_postures();
 
+/// Protocol and noise of simulated pulls.
 struct SimulatedPullOptions {
   int postures = 2;       // the first of thumb_postures() [1]
   double tension = 10;    // of one muscle after the other [N]
@@ -24,17 +25,16 @@ struct SimulatedPullOptions {
   unsigned seed = 1;
 };
 
-/// Pulls every muscle of the digit in turn, tip pinned, and reads the force with its sds, which are
-/// known as if from repeated readings: sd^2 = floor^2 + (noise |f|)^2, f the true force.
+/// Pulls every muscle of the digit in turn, tip pinned, and reads the force. Its sds are known, as
+/// if from repeated readings: sd^2 = floor^2 + (noise |f|)^2, f the true force.
 [[nodiscard]] Experiment simulate_pulls(const TendonDigit& truth,
                                         const SimulatedPullOptions& options);
 
-/// The true forces of its trials [N] (3, trials).
+/// True forces of the trials of an experiment [N] (3, trials).
 [[nodiscard]] Eigen::Matrix3Xd true_forces(const TendonDigit& truth, const Experiment& experiment);
 
-/// The experiment as a file that read_experiment() reads, numbers to the last bit. Components are
-/// those of the digit, every row has its own sd.
-/// @throws InputError if a row has none, or the components are others.
+/// Text of the experiment as read_experiment() reads it, numbers to the last bit.
+/// @throws InputError if a row has no sd, or the components are not those of the digit.
 [[nodiscard]] std::string experiment_text(const Experiment& experiment);
 
 }  // namespace thenar

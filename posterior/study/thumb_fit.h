@@ -1,14 +1,17 @@
 #pragma once
 
+/// One fit of the thumb study: its inputs, its posterior and its scores.
+
 #include "kinematics_fit/prediction.h"
 #include "posterior/study/thumb_study.h"
 
 namespace thenar::internal {
 
-/// Data of a noise and a number of postures, and the digits that they are between.
+/// Simulated data of one noise level and number of postures, with the digit that made them and the
+/// digit that fits start from.
 struct ThumbData {
-  const TendonDigit& truth;  // in the frame of `start`
-  const TendonDigit& start;
+  TendonDigit truth;  // in the frame of `start`
+  TendonDigit start;
   Experiment pulls;
   Experiment tasks;
 };
@@ -19,15 +22,17 @@ struct DirectionErrors {
 };
 [[nodiscard]] DirectionErrors direction_errors(const Prediction& prediction);
 
-/// What a fit is given: files, and globs of the arms that it may move.
+/// Inputs of a fit: files, and globs of the arms that it may move.
 [[nodiscard]] FitInputs thumb_fit_inputs(const ThumbStudyInputs& inputs,
                                          const ThumbFitSettings& settings, const ThumbData& data);
 
-/// Samples; where chains do not agree again, each time twice as long and with shorter steps.
+/// Samples a posterior; while chains disagree, samples again with twice as many draws and shorter
+/// steps.
+/// @param retries  at most [1]
 [[nodiscard]] PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings settings,
                                                int retries);
 
-/// Samples, again and longer where chains do not agree, and scores. `run` has no draws if stopped.
+/// Samples with retries and scores the result. `run` has no complete draws if it was stopped.
 [[nodiscard]] ThumbFit run_thumb_fit(const ThumbStudyInputs& inputs,
                                      const ThumbFitSettings& settings, const ThumbData& data,
                                      const ThumbStudySettings& study);

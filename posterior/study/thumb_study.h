@@ -1,7 +1,7 @@
 #pragma once
 
-/// How well do thumbs with orthogonal and with skewed axes explain forces of a skewed thumb, and
-/// what do these tell of its axes?
+/// Study of thumb models: how well orthogonal and skewed axes explain forces of a skewed thumb, and
+/// how well these forces determine the axes.
 
 #include <optional>
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace thenar {
 
-/// The files of the study.
+/// Files of the study.
 struct ThumbStudyInputs {
   SourceText truth;       // subject that forces are made with
   SourceText start;       // subject that both models start from
@@ -26,11 +26,11 @@ struct ThumbStudyInputs {
 /// From a folder with subjects/ and fits/. @throws InputError if a file cannot be read.
 [[nodiscard]] ThumbStudyInputs thumb_study_inputs(const std::string& data);
 
-/// Fixed: both models are told the true moment arms. Free: arms are learnt too, from priors that
-/// are as wide as sources disagree, about the true ones: both fit as well as they can.
+/// Fixed: both models have the true moment arms. Free: the arms are fitted too, with priors about
+/// the true arms that are as wide as the disagreement between sources.
 enum class Arms { kFixed, kFree };
 
-/// One fit of the study.
+/// Model and data of one fit of the study.
 struct ThumbFitSettings {
   bool skewed = true;
   Arms arms = Arms::kFixed;
@@ -51,11 +51,12 @@ struct ThumbStudySettings {
   Progress progress;
 };
 
-/// Both models, arms fixed: at 1, 5, 10 and 20 % noise, at twice the published skewness, in 1 to 4
-/// postures, with tasks beside the pulls, and with priors three times as wide; arms free: at 5, 10
-/// and 20 % noise. Minutes.
+/// Settings of the full study, which takes minutes. Both models, arms fixed: at 1, 5, 10 and 20 %
+/// noise, at twice the published skewness, in 1 to 4 postures, with tasks beside the pulls, and
+/// with priors three times as wide; arms free: at 5, 10 and 20 % noise.
 [[nodiscard]] ThumbStudySettings full_thumb_study();
-/// Both models at three noises, and 1 to 4 postures, arms fixed: less than 20 s on one core.
+/// Settings of a study of less than 20 s on one core: both models at three noises, and 1 to 4
+/// postures, arms fixed.
 [[nodiscard]] ThumbStudySettings quick_thumb_study();
 
 /// Means and sds over tasks, each a mean over draws.
@@ -66,19 +67,19 @@ struct TaskScores {
 };
 [[nodiscard]] TaskScores task_scores(const std::vector<TaskMisfit>& misfits);
 
-/// What a fit taught of one number of the axes, or of the arms.
+/// Posterior of one parameter of the axes or the arms.
 struct LearntNumber {
   std::string name, unit;       // "axis/CMC1_FE/direction/1", "deg"
   double mean, sd, prior_sd;    // [unit]
   double q05, q95;              // [unit]
-  std::optional<double> truth;  // [unit]; of the orthogonal thumb none
+  std::optional<double> truth;  // [unit]; empty for orthogonal models
 };
 
-/// One fit and what it says.
+/// One fit with its scores.
 struct ThumbFit {
   ThumbFitSettings settings;
   PosteriorRun run;
-  double direction = 0, direction_sd = 0;  // posterior mean and measured forces of pulls [rad]
+  double direction = 0, direction_sd = 0;  // angle between posterior mean and measured forces [rad]
   double relative_error = 0;               // rms of predicted less true force over rms force [1]
   TaskScores tasks;                        // not fitted unless with_tasks
   std::vector<LearntNumber> learnt;        // every free or tied parameter of axes, and free arms
@@ -86,31 +87,32 @@ struct ThumbFit {
   [[nodiscard]] bool converged() const { return run.convergence.warnings.empty(); }
 };
 
-/// Thumbs that were not fitted, on the same data.
+/// Scores of thumbs that were not fitted, on the same data.
 struct ThumbReference {
   double noise, skewness;          // [1]
-  double direction, direction_sd;  // forces of pulls by the start and as measured [rad]
-  TaskScores start;                // the orthogonal thumb as it stands in its file
-  TaskScores truth;                // the true thumb: what noise alone does
+  double direction, direction_sd;  // angle between forces of the start and measured forces [rad]
+  TaskScores start;                // of the orthogonal thumb as in its file
+  TaskScores truth;                // of the true thumb: the effect of noise alone
 };
 
+/// Results of the study.
 struct ThumbStudy {
   ThumbStudyInputs inputs;
   TendonDigit truth;  // in the frame of the start
   TendonDigit start;
-  std::vector<ThumbReference> references;  // of the noises and skewnesses met, in turn
+  std::vector<ThumbReference> references;  // for each noise and skewness of the fits
   std::vector<ThumbFit> fits;              // in the order of the settings
-  bool complete = false;                   // false: stopped; fits are those that were finished
+  bool complete = false;                   // false: stopped; `fits` has the finished ones
 };
 
 /// Runs the study; same settings, same bits.
 [[nodiscard]] ThumbStudy study_thumb(const ThumbStudyInputs& inputs,
                                      const ThumbStudySettings& settings);
 
-/// The thumb that a fit's data are made with.
+/// Thumb that the data of a fit are simulated with.
 [[nodiscard]] TendonDigit true_thumb(const ThumbStudy& study, double skewness);
 
-/// "skewed, arms free, 10 % noise, 2 postures".
+/// Description of a fit: "skewed, arms free, 10 % noise, 2 postures".
 [[nodiscard]] std::string describe_fit(const ThumbFitSettings& settings);
 
 }  // namespace thenar

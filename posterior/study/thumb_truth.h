@@ -1,6 +1,6 @@
 #pragma once
 
-/// A thumb that data are made with, seen from the thumb that is fitted to them.
+/// True parameters of a thumb, expressed relative to the thumb that is fitted.
 
 #include <optional>
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace thenar {
 
-/// The same digit in another frame: turned and shifted so that its tip and the tip's directions at
-/// the reference posture are those of `start`. No angle, length or tip force changes by that.
+/// Digit in the frame of another: turned and shifted so that its tip and the tip's directions at
+/// the reference posture are those of `start`. Angles, lengths and tip forces do not change.
 /// @throws InputError if the digits have other hinges, or strands that run along paths.
 [[nodiscard]] TendonDigit in_frame_of(const TendonDigit& start, const TendonDigit& digit);
 
-/// Value of a parameter of `start` at which it has the axis, or the arm, of `truth` [SI]; none for
+/// Value of a parameter of `start` at which it has the axis, or the arm, of `truth` [SI]; empty for
 /// other kinds. With d0 and p0 the axis at the start and e its tangents, the true axis (d, p) has
 ///   tilt_k = e_k.d / d0.d,   shift_k = e_k.(p + s d - p0),  s such that d0.(p + s d - p0) = 0.
 /// @param truth  in the frame of `start`
-/// @throws InputError if the true axis stands square to the one at the start: no tilt leads there.
+/// @throws InputError if the true axis is perpendicular to the axis of `start`: no tilt reaches it.
 [[nodiscard]] std::optional<double> true_value(const Parameter& parameter, const TendonDigit& start,
                                                const TendonDigit& truth);
 
-/// Angle between two axes, whichever way they point [rad], and the length of their common normal.
+/// Angle between two axes, whatever their senses, and length of their common normal.
 struct AxisOffset {
   double angle;     // 0..pi/2 [rad]
   double distance;  // [m]

@@ -40,7 +40,7 @@ double rank_r_hat(const Eigen::Ref<const Eigen::MatrixXd>& x) {
   if (!finite_and_varying(halves)) return kNaN;
   const double bulk = r_hat(normal_scores(halves));
 
-  // Folded about the median, chains of unequal spread differ in place.
+  // Folded about the median, chains of unequal sd differ in location.
   const Eigen::MatrixXd folded = (halves.array() - quantile(sorted(halves), 0.5)).abs();
   return finite_and_varying(folded) ? std::max(bulk, r_hat(normal_scores(folded))) : bulk;
 }

@@ -69,7 +69,7 @@ TEST(FindModes, FindsBothWellsAndWeighsThem) {
 TEST(FindModes, KeepsEverySearchAndItsStatus) {
   ModeSearchOptions search;
   search.starts = 6;
-  search.also = Vector2d(-3, 0);
+  search.extra_starts = Vector2d(-3, 0);
   const FoundModes found = find_modes(two_wells(), search);
   ASSERT_EQ(found.searches.size(), 8);  // one given, six drawn, one global
   int hits = 0;
@@ -155,7 +155,7 @@ TEST(FindModes, StopsWhenAsked) {
 
 TEST(FindModes, RefusesNonsense) {
   ModeSearchOptions search;
-  search.also = Vector3d::Zero();
+  search.extra_starts = Vector3d::Zero();
   EXPECT_THROW((void)find_modes(two_wells(), search), InputError);
   EXPECT_THROW((void)dispersed_starts(two_wells(), {}, 4), InputError);
 }
