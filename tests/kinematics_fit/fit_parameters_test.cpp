@@ -2,8 +2,6 @@
 
 #include "kinematics_fit/fit_parameters.h"
 
-#include <set>
-
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -43,48 +41,6 @@ std::vector<std::string> free_names(const FitParameters& parameters) {
   for (const int p : parameters.leader) names.push_back(parameters.all[p].name);
   return names;
 }
-
-// -- Names ------------------------------------------------------------------------------------
-
-TEST(Globs, StarIsAnyRunAndQuestionMarkOneCharacter) {
-  EXPECT_TRUE(matches_glob("path/*/dorsal", "path/FDP/3/dorsal"));
-  EXPECT_TRUE(matches_glob("*", ""));
-  EXPECT_TRUE(matches_glob("a*b*c", "a-b-b-c"));
-  EXPECT_TRUE(matches_glob("gain/?I", "gain/UI"));
-  EXPECT_FALSE(matches_glob("gain/?I", "gain/I"));
-  EXPECT_FALSE(matches_glob("path/*", "Path/FDP"));
-  EXPECT_FALSE(matches_glob("", "x"));
-  EXPECT_FALSE(matches_glob("a*b", "a-b-c"));
-}
-
-TEST(Parameters, EveryKindIsNamedOnce) {
-  const std::vector<Parameter> all = list_parameters(finger(), {"Hook"});
-  std::set<std::string> names;
-  for (const Parameter& parameter : all) names.insert(parameter.name);
-  EXPECT_EQ(names.size(), all.size());
-  for (const char* name :
-       {"axis/MCP3_FE/direction/1", "axis/DIP3/point/along", "length/PIP3", "friction/FDP",
-        "path/FDS/1/proximal", "path/RI/2/radial", "hood/RI/into", "hood/EDC/central",
-        "hood/UI/slope", "tip/dorsal", "sensor/radial", "angle/MCP3_AA", "angle/PIP3/Hook",
-        "hold/out_of_plane", "gain/LU"})
-    EXPECT_EQ(names.count(name), 1U) << name;
-}
-
-TEST(Parameters, PathsReplaceArms) {
-  for (const Parameter& parameter : list_parameters(finger()))
-    EXPECT_FALSE(matches_glob("arm/*", parameter.name)) << parameter.name;
-  const SourceText text = sample::source("subjects/arms_thumb");
-  const TendonDigit thumb = build_tendon_digit(parse_subject(text.text, text.path), "thumb");
-  int arms = 0;
-  for (const Parameter& parameter : list_parameters(thumb))
-    if (parameter.name == "arm/FPL/IP1") {
-      EXPECT_DOUBLE_EQ(parameter.mean, 6.3e-3);  // the subject's own [m]
-      ++arms;
-    }
-  EXPECT_EQ(arms, 1);
-}
-
-// -- Rules ------------------------------------------------------------------------------------
 
 TEST(ChooseParameters, LaterRulesWin) {
   const FitParameters chosen = choose(R"(

@@ -97,6 +97,22 @@ inline FitSetup middle_finger(const std::string& rows, const std::string& specim
   return setup;
 }
 
+/// A digit whose axes may move and tilt; degrees of directions are not lengths of points.
+inline FitSetup moving_axes(const std::string& points) {
+  return middle_finger(R"([[parameter]]
+match = "axis/MCP3_*/direction/*"
+state = "free"
+sd_deg = 6
+between_sd_deg = 5
+[[parameter]]
+match = ")" + points + R"("
+state = "free"
+sd_mm = 2
+between_sd_mm = 1
+range_mm = 30
+)");
+}
+
 /// Standard normal numbers.
 inline Eigen::VectorXd normal(Eigen::Index size, std::mt19937& rng) {
   std::normal_distribution<double> one;

@@ -1,4 +1,4 @@
-// Tests for posterior/posterior_parts.cpp and hand_posterior_values.cpp: priors, and x against z.
+// Tests for posterior/posterior_parts.cpp and hand_posterior.cpp: priors, and x against z.
 
 #include <cmath>
 #include <map>
@@ -20,6 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using sample::FitSetup;
 using sample::middle_finger;
+using sample::moving_axes;
 
 PosteriorOptions options(bool noise, bool specimen_scale, bool sphere) {
   PosteriorOptions chosen;
@@ -213,61 +214,6 @@ TEST(ThumbSettings, MoveNoJointBeyondAnInsertion) {
 }
 
 // -- x and the fit's z ------------------------------------------------------------------------
-
-/// A digit whose axes may move and tilt; degrees of directions are not lengths of points.
-FitSetup moving_axes(const std::string& points) {
-  return middle_finger(R"([[parameter]]
-match = "axis/MCP3_*/direction/*"
-state = "free"
-sd_deg = 6
-between_sd_deg = 5
-[[parameter]]
-match = ")" + points + R"("
-state = "free"
-sd_mm = 2
-between_sd_mm = 1
-range_mm = 30
-)");
-}
-
-TEST(Gauge, ShiftsAlongAnAxisAreLeftOutAndNothingIsLost) {
-  for (const bool two : {false, true}) {
-    FitSetup setup = moving_axes("axis/MCP3_*/point/*");
-    if (two) setup.experiments.push_back(sample::experiment("H02"));
-    const FitProblem problem = setup.problem();
-    const HandPosterior posterior(problem, options(false, false, true));
-    EXPECT_EQ(posterior.size(), problem.size() - (two ? 6 : 2));
-    for (const std::string& name : posterior.names())
-      EXPECT_EQ(name.find("along"), std::string::npos) << name;
-
-    // Any z of the fit has an x with the same forces, whatever its shifts along the axes.
-    std::mt19937 rng(4);
-    const VectorXd z = 0.7 * sample::normal(problem.size(), rng);
-    const VectorXd x = posterior.from_fit(z);
-    for (int e = 0; e < (two ? 2 : 1); ++e)
-      EXPECT_TRUE(matrix_near(posterior.forces(x, e).reshaped(3, 24),
-                              predict_trials(problem, z, e, WithJacobian::kNo).force, 1e-11));
-    // And it is a shift that matters at tilted axes, if not made up for.
-    VectorXd bare = z;
-    for (std::size_t i = 0; i < problem.coordinates().names().size(); ++i)
-      if (problem.coordinates().names()[i].find("along") != std::string::npos)
-        bare[static_cast<Eigen::Index>(i)] = 0;
-    EXPECT_FALSE(matrix_near(predict_trials(problem, bare, 0, WithJacobian::kNo).force,
-                             predict_trials(problem, z, 0, WithJacobian::kNo).force, 1e-4));
-  }
-}
-
-TEST(Gauge, OfAnAxisThatIsNotTiltedNeedsNoOtherParameter) {
-  const FitProblem problem = moving_axes("axis/PIP3/point/along").problem();
-  const HandPosterior posterior(problem, options(false, false, true));
-  EXPECT_EQ(posterior.size(), problem.size() - 1);
-}
-
-// Without freedom across the axis, a shift along its start direction moves the tilted one.
-TEST(Gauge, IsKeptWhereNothingTakesItUp) {
-  const FitProblem problem = moving_axes("axis/MCP3_*/point/along").problem();
-  EXPECT_EQ(HandPosterior(problem, options(false, false, true)).size(), problem.size());
-}
 
 TEST(HandPosteriorValues, GoThereAndBack) {
   FitSetup setup = moving_axes("axis/MCP3_*/point/?");

@@ -1,4 +1,5 @@
-// Tests for sampling/diagnostics/: R-hat, effective sample sizes, Monte Carlo errors.
+// Tests for sampling/diagnostics/convergence.cpp: R-hat, effective sample sizes, Monte Carlo
+// errors.
 
 #include "sampling/diagnostics/convergence.h"
 
@@ -9,7 +10,6 @@
 
 #include "base/error.h"
 #include "base/special_functions.h"
-#include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/effective_sample_size.h"
 #include "sampling/diagnostics/order_statistics.h"
 #include "tests/matrix_near.h"
@@ -65,29 +65,6 @@ TEST(Convergence, SplitRHatByHand) {
   // About their mean, the means have the sum of squares 4 + 9 + 25 + 49 - 17^2 / 4 = 14.75.
   const double between = 2 * 14.75 / 3, within = 1.5;
   EXPECT_NEAR(split_r_hat(x), std::sqrt((between / within + 1) / 2), 1e-15);
-}
-
-// An autoregressive chain carries (1 - phi) / (1 + phi) of its draws.
-TEST(Convergence, MeanEssOfAutoregressiveChains) {
-  for (const double phi : {0.0, 0.5, 0.9, -0.5}) {
-    const Eigen::MatrixXd x = autoregressive(phi, 20000, 4);
-    const double expected = 80000 * (1 - phi) / (1 + phi);
-    EXPECT_NEAR(mean_ess(x) / expected, 1, 0.1) << phi;
-    EXPECT_NEAR(bulk_ess(x) / expected, 1, 0.1) << phi;
-  }
-}
-
-// Their squares are correlated by phi^2.
-TEST(Convergence, SdEssOfAutoregressiveChains) {
-  const double phi = 0.8, square = phi * phi;
-  const Eigen::MatrixXd x = autoregressive(phi, 20000, 4);
-  EXPECT_NEAR(sd_ess(x) / (80000 * (1 - square) / (1 + square)), 1, 0.1);
-}
-
-// Alternating draws know the mean far better than independent ones: limited by N log10 N.
-TEST(Convergence, AntitheticEssIsBounded) {
-  const Eigen::MatrixXd x = autoregressive(-0.99, 1000, 4);
-  EXPECT_NEAR(mean_ess(x), 4000 * std::log10(4000.0), 1e-9);
 }
 
 // Independent normal draws: sd / sqrt(2 N) for the sd, sqrt(pi / 2 / N) for the median. The latter
@@ -182,15 +159,6 @@ std::vector<int> tens(int chains) {
   return group;
 }
 
-// Sums one by one and FFT are the same numbers.
-TEST(Convergence, AutocovarianceByHandAndByFft) {
-  // 1, 2, 4, 1 have the mean 2: deviations -1, 0, 2, -1.
-  EXPECT_NEAR(autocovariance(Eigen::Vector4d(1, 2, 4, 1))[0], 6.0 / 4, 1e-15);
-  EXPECT_NEAR(autocovariance(Eigen::Vector4d(1, 2, 4, 1))[1], -2.0 / 4, 1e-15);
-  const Eigen::VectorXd x = autoregressive(0.9, 777, 1);
-  EXPECT_TRUE(matrix_near(autocovariance(x, 50), autocovariance(x).head(50), 1e-14));
-}
-
 // Walkers of an ensemble mix, ensembles do not: only R-hat over groups can see it clearly.
 TEST(Convergence, RHatOverGroupsSeesEnsemblesApart) {
   Eigen::MatrixXd x = autoregressive(0, 500, 40);
@@ -200,12 +168,6 @@ TEST(Convergence, RHatOverGroupsSeesEnsemblesApart) {
   const double apart = estimate("x", x, tens(40)).r_hat;
   EXPECT_GE(apart, estimate("x", x, alone).r_hat);
   EXPECT_GT(apart, 1.02);
-}
-
-// Independent walkers count one by one.
-TEST(Convergence, EnsembleEssOfIndependentWalkers) {
-  const Eigen::MatrixXd x = autoregressive(0.5, 5000, 40);
-  EXPECT_NEAR(ensemble_ess(x, tens(40)) / (200000.0 / 3), 1, 0.1);
 }
 
 // Walkers that do all the same are worth one chain, whatever each alone looks like.
@@ -218,13 +180,6 @@ TEST(Convergence, WalkersInStepAreWorthOneChain) {
   EXPECT_NEAR(of.bulk_ess / bulk_ess(leaders), 1, 0.02);
   EXPECT_NEAR(of.tail_ess / tail_ess(leaders), 1, 0.02);
   EXPECT_NEAR(of.mcse_mean / mean_mcse(leaders), 1, 0.02);
-}
-
-// The chain forgets so slowly that few lags are not enough: both ways meet at the closed form.
-TEST(Convergence, LongMemoryNeedsAllLags) {
-  const double phi = 0.99;
-  const Eigen::MatrixXd x = autoregressive(phi, 50000, 4);
-  EXPECT_NEAR(mean_ess(x) / (200000 * (1 - phi) / (1 + phi)), 1, 0.15);
 }
 
 }  // namespace

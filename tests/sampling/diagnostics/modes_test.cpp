@@ -1,4 +1,4 @@
-// Tests for sampling/diagnostics/: valleys, clusters and the table of modes.
+// Tests for sampling/diagnostics/modes.cpp: draws sorted into modes, and their masses.
 
 #include "sampling/diagnostics/modes.h"
 
@@ -11,7 +11,6 @@
 
 #include "base/error.h"
 #include "base/random_stream.h"
-#include "sampling/diagnostics/clusters.h"
 #include "tests/matrix_near.h"
 
 namespace thenar {
@@ -44,26 +43,6 @@ Draws two_modes(int n, int draws = 1000) {
     const double centre = random.uniform() < 1.0 / 3 ? -5 : 5;
     return normal(n, random).array() + centre;
   });
-}
-
-// Two unit normals 6 apart, equally heavy: f(3) / f(0) = 2 exp(-9/2) = 0.022 at the middle; the
-// kernel's own width makes it somewhat more.
-TEST(Valley, LiesBetweenTwoNormals) {
-  RandomStream random(1, 0, 0);
-  const Eigen::VectorXd y = Eigen::VectorXd::NullaryExpr(
-      10000, [&] { return random.normal() + (random.uniform() < 0.5 ? 0 : 6); });
-  const Valley valley = find_valley(y, 0.01);
-  EXPECT_NEAR(valley.cut, 3, 0.5);
-  EXPECT_GT(valley.depth, 0.01);
-  EXPECT_LT(valley.depth, 0.15);
-  EXPECT_GT(valley.contrast, 20);
-}
-
-TEST(Valley, IsNoneInOneNormalOrAConstant) {
-  RandomStream random(2, 0, 0);
-  const Eigen::VectorXd y = Eigen::VectorXd::NullaryExpr(10000, [&] { return random.normal(); });
-  EXPECT_TRUE(find_valley(y, 0.01).depth > 0.5 || find_valley(y, 0.01).contrast < 5);
-  EXPECT_EQ(find_valley(Eigen::VectorXd::Ones(10), 0.01).depth, 1);
 }
 
 TEST(Modes, FindsTwoUnequalOnes) {

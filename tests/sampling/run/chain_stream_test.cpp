@@ -1,18 +1,13 @@
-// Tests for sampling/run/durable_file.cpp, sampling/run/chain_stream.cpp and
-// sampling/run/run_folder.cpp.
+// Tests for sampling/run/chain_stream.cpp.
 
 #include "sampling/run/chain_stream.h"
 
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include "base/error.h"
-#include "sampling/run/run_folder.h"
 #include "tests/message_of.h"
 #include "tests/temporary_folder.h"
 
@@ -75,71 +70,6 @@ TEST_F(ChainStreamTest, RefusesAColumnWithinABlock) {
   stream.append(kFirst);
   EXPECT_EQ(message_of([&] { stream.resume(2); }),
             "'" + path("a") + "' has no block that ends with column 2");
-}
-
-const RunIdentity kIdentity{{"method", "nuts"}, {"seed", "1"}};
-
-TEST_F(ChainStreamTest, FolderGoesOnFromItsLastCommit) {
-  {
-    RunFolder folder(path("run"), kIdentity, {2, 2});
-    EXPECT_FALSE(folder.state());
-    folder.commit({kFirst, 2 * kFirst}, "one");
-    folder.commit({kSecond, 2 * kSecond}, "two");
-  }
-  // Draws that no state counts are forgotten: the process was killed between the two.
-  { ChainStream(path("run/group_001.draws"), 2).append(kFirst); }
-  RunFolder folder(path("run"), kIdentity, {2, 2});
-  EXPECT_EQ(*folder.state(), "two");
-  EXPECT_EQ(folder.columns(), 4);
-  EXPECT_EQ(folder.read(0), both());
-  EXPECT_EQ(folder.read(1), 2 * both());
-}
-
-TEST_F(ChainStreamTest, FolderOfAnotherRunIsRefusedWithWhatDiffers) {
-  { RunFolder(path("run"), kIdentity, {2}); }
-  EXPECT_EQ(message_of([&] {
-              RunFolder(path("run"), {{"method", "nuts"}, {"seed", "2"}, {"thin", "3"}}, {2});
-            }),
-            "the checkpoint in '" + path("run") +
-                "' belongs to another run; what differs: seed (was 1, is 2), "
-                "thin (was not there, is 3)");
-}
-
-TEST_F(ChainStreamTest, FolderServesOneAtATime) {
-  const RunFolder folder(path("run"), kIdentity, {2});
-  EXPECT_EQ(message_of([&] { RunFolder(path("run"), kIdentity, {2}); }),
-            "another process is sampling in '" + path("run") + "'");
-}
-
-TEST_F(ChainStreamTest, FolderThatCannotBeMadeIsRefused) {
-  std::ofstream(path("file")) << "no folder";
-  EXPECT_EQ(message_of([&] { RunFolder(path("file/run"), kIdentity, {2}); }),
-            "cannot make folder '" + path("file/run") + "' for checkpoints: Not a directory");
-}
-
-TEST_F(ChainStreamTest, DamagedStateIsRefused) {
-  { RunFolder(path("run"), kIdentity, {2}).commit({kFirst}, "one"); }
-  fs::resize_file(path("run/state.bin"), fs::file_size(path("run/state.bin")) - 1);
-  EXPECT_EQ(message_of([&] { RunFolder(path("run"), kIdentity, {2}); }),
-            "the checkpoint '" + path("run/state.bin") + "' is damaged");
-}
-
-/// Commits draws that do not fit the disk, in a process of its own.
-void exit_refused_on_a_full_disk(const std::string& path) {
-  (void)std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit limit{4096, 4096};  // [bytes]
-  setrlimit(RLIMIT_FSIZE, &limit);
-  const std::string message = message_of(
-      [&] { RunFolder(path, kIdentity, {2}).commit({Eigen::MatrixXd::Ones(2, 1000)}, "two"); });
-  std::exit(message == "cannot write '" + path + "/group_000.draws': File too large" ? 0 : 1);
-}
-
-TEST_F(ChainStreamTest, FullDiskLeavesTheLastCommit) {
-  { RunFolder(path("run"), kIdentity, {2}).commit({kFirst}, "one"); }
-  EXPECT_EXIT(exit_refused_on_a_full_disk(path("run")), testing::ExitedWithCode(0), "");
-  const RunFolder folder(path("run"), kIdentity, {2});
-  EXPECT_EQ(*folder.state(), "one");
-  EXPECT_EQ(folder.read(0), kFirst);
 }
 
 }  // namespace

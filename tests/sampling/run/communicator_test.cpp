@@ -1,5 +1,4 @@
-// Tests for sampling/run/communicator.cpp and sampling/all_gather_bytes.cpp; ranks_test.py has
-// several processes.
+// Tests for sampling/run/communicator.cpp; ranks_test.py has several processes.
 
 #include "sampling/run/communicator.h"
 
@@ -8,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "tests/sampling/thread_ranks.h"
 
 namespace thenar {
 namespace {
@@ -43,6 +43,20 @@ TEST(GatherBytes, KeepsEveryByteOfAnyLength) {
     for (std::size_t i = 0; i < size; ++i) bytes += static_cast<char>(i * 37 + 128);
     EXPECT_EQ(internal::all_gather_bytes(Threefold(), bytes), std::vector<std::string>(3, bytes));
   }
+}
+
+// What one rank could not do, none may go on from.
+TEST(CollectiveCall, FailsOnAllRanksIfItFailsOnOne) {
+  std::vector<std::string> told(3);
+  sample::ThreadRanks::run(3, [&](const Communicator& ranks) {
+    collective_call(ranks, [] {});  // nothing fails, nothing is thrown
+    try {
+      collective_call(ranks, [&] { require(ranks.rank() != 1, "no disk on {}", ranks.rank()); });
+    } catch (const Error& error) {
+      told[static_cast<std::size_t>(ranks.rank())] = error.what();
+    }
+  });
+  EXPECT_EQ(told, std::vector<std::string>(3, "no disk on 1"));
 }
 
 }  // namespace

@@ -1,0 +1,105 @@
+// Tests for kinematics_fit/experiment_plan.cpp: names become indices; warnings and refusals.
+
+#include "kinematics_fit/experiment_plan.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/units.h"
+#include "tests/kinematics_fit/fit_samples.h"
+
+namespace thenar {
+namespace {
+
+using sample::FitSetup;
+using sample::kAxes;
+using sample::middle_finger;
+
+/// Angles of all joints of the digit [rad] (coordinates).
+Eigen::VectorXd posture_of(const TendonDigit& digit, const std::map<std::string, double>& angles) {
+  return posture(digit.skeleton, angles);
+}
+
+// Every trial finds its posture, the tensions of its muscles, and its measured force.
+TEST(ExperimentPlan, FindsPosturesMusclesAndForces) {
+  const FitSetup setup = middle_finger(kAxes);
+  const Experiment& experiment = setup.experiments.front();
+  const ExperimentPlan plan = plan_experiment(setup.digit, setup.parameters, experiment);
+  ASSERT_EQ(plan.force.cols(), static_cast<Eigen::Index>(experiment.trials.size()));
+  for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
+    const Trial& trial = experiment.trials[i];
+    const auto posture = static_cast<std::size_t>(plan.posture_of_trial[i]);
+    EXPECT_EQ(plan.posture_names[posture], trial.posture);
+    EXPECT_EQ(plan.postures[posture], posture_of(setup.digit, experiment.postures[posture].angles));
+    double sum = 0;  // [N]
+    for (const auto& [muscle, tension] : trial.tension) sum += tension;
+    EXPECT_EQ(plan.tension[i].sum(), sum);
+    EXPECT_EQ(Eigen::Vector3d(plan.force.col(static_cast<Eigen::Index>(i))), trial.force);
+  }
+}
+
+TEST(ExperimentPlan, SaysThatMomentsAreNotFitted) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
+  setup.experiments.front().trials[2].moment = Eigen::Vector3d(0.1, 0, 0);
+  EXPECT_EQ(setup.problem().warnings(),
+            std::vector<std::string>{"experiment 'synek2019_H01': 1 measured moments are not "
+                                     "fitted, only the forces are"});
+}
+
+TEST(ExperimentPlan, SaysWhichAnglesAndTensionsNoFingerHas) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
+  setup.experiments.front().postures[1].angles["PIP3"] = 300 * kDegree;
+  setup.experiments.front().trials[0].tension = {{"FDS", 950.0}};
+  EXPECT_EQ(setup.problem().warnings(),
+            (std::vector<std::string>{
+                "experiment 'synek2019_H01': posture 'MajorFlex': PIP3 = 300.0 deg is beyond -15.6 "
+                ".. 96.2 deg",
+                "experiment 'synek2019_H01': FDS was pulled with 950.0 N, but can make 189.0 N"}));
+}
+
+// A fifth of a degree from straight at both joints: far from singular to rounding, and not to a
+// goniometer.
+TEST(ExperimentPlan, SaysWhichPosturesAreNearlyStraight) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.digit.calibrated_on.clear();
+  auto& angles = setup.experiments.front().postures[1].angles;
+  angles["PIP3"] = angles["DIP3"] = 0.2 * kDegree;
+  const std::vector<std::string> warnings = setup.problem().warnings();
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_NE(warnings[0].find("posture 'MajorFlex' is nearly singular (condition "),
+            std::string::npos)
+      << warnings[0];
+}
+
+TEST(ExperimentPlan, RefusesAnExperimentOfAnotherDigit) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().digit = "index";
+  try {
+    (void)setup.problem();
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "experiment 'synek2019_H01' is of the index, but the digit built is the middle");
+  }
+}
+
+TEST(ExperimentPlan, NamesTheMuscleThatTheDigitHasNot) {
+  FitSetup setup = middle_finger(kAxes);
+  setup.experiments.front().trials[0].tension = {{"FPL", 1.0}};
+  try {
+    (void)setup.problem();
+    FAIL() << "expected InputError";
+  } catch (const InputError& e) {
+    EXPECT_STREQ(e.what(),
+                 "no muscle 'FPL' pulls on this digit; there are EDC, FDP, FDS, RI, LU, UI");
+  }
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,51 @@
+// Tests for posterior/run/posterior_file.cpp and posterior_groups.cpp: to a file and back.
+
+#include "posterior/run/posterior_file.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/posterior/run/small_run.h"
+
+namespace thenar {
+namespace {
+
+using sample::sampled;
+using sample::temporary_path;
+
+TEST(PosteriorFile, ComesBackWithEveryDrawAndVerdict) {
+  const std::string path = temporary_path("thenar_posterior_test.nc");
+  write_posterior(sampled(), path);
+  const PosteriorRun back = read_posterior(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(pooled(back.draws), pooled(sampled().draws));
+  EXPECT_EQ(back.convergence.worst_r_hat, sampled().convergence.worst_r_hat);
+  EXPECT_EQ(back.convergence.warnings, sampled().convergence.warnings);
+  EXPECT_EQ(back.inputs.settings.text, sampled().inputs.settings.text);
+  EXPECT_EQ(back.draws.stats[1][7].energy, sampled().draws.stats[1][7].energy);
+  EXPECT_EQ(describe_run(back), describe_run(sampled()));
+  EXPECT_EQ(back.settings.run.sampler.target_acceptance, 0.85);
+  EXPECT_EQ(back.settings.run.sampler.max_depth, 9);
+}
+
+TEST(PosteriorFile, RefusesOtherFiles) {
+  const std::string path = temporary_path("thenar_not_a_posterior.nc");
+  InferenceFile other;
+  other.groups["posterior"].lengths["draw"] = 1;
+  other.groups["posterior"].arrays["a"] = {{1}, {"draw"}, "1", ""};
+  write_inference(other, path);
+  EXPECT_THROW((void)read_posterior(path), DataError);
+  std::filesystem::remove(path);
+}
+
+TEST(PosteriorFile, HasNoPopulationOfOneSpecimen) {
+  const InferenceFile file = describe_posterior(sampled());
+  EXPECT_EQ(file.groups.at("posterior").arrays.count("hood_central"), 0U);
+  EXPECT_EQ(file.groups.at("posterior").arrays.count("hood_central_specimen"), 1U);
+}
+
+}  // namespace
+}  // namespace thenar
