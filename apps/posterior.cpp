@@ -80,8 +80,8 @@ void predict(const PosteriorArguments& options) {
              problem.digit(), plan_experiment(problem.digit(), problem.parameters(), experiment),
              experiment))
       fmt::print(stderr, "thenar: warning: {}\n", warning);
-    const Prediction prediction = summarise(
-        predict_draws(run, experiment, by == PredictedBy::kOwn ? fitted : -1, options.draws));
+    const Prediction prediction = summarise(predict_draws(
+        run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, options.draws));
     if (options.json)
       out.push_back(prediction_json(prediction, experiment.specimen, by));
     else

@@ -45,7 +45,7 @@ void run_predict(const PredictArguments& options) {
       warn(warning);
     const Prediction prediction =
         predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
-                           by == PredictedBy::kOwn ? fitted : -1);
+                           by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
     if (options.json)
       out.push_back(prediction_json(prediction, experiment.specimen, by));
     else

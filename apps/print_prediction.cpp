@@ -23,7 +23,7 @@ std::string component_names(const Experiment& experiment) {
 
 const char* in_words(PredictedBy by) {
   if (by == PredictedBy::kOwn) return "was fitted; its own parameters predict";
-  if (by == PredictedBy::kPopulation)
+  if (by == PredictedBy::kOwnPopulation)
     return "was fitted; the population, of which it is a part, predicts";
   return "was never fitted; the population predicts";
 }
@@ -32,7 +32,7 @@ const char* in_words(PredictedBy by) {
 
 PredictedBy predicted_by(int specimen, bool population) {
   if (specimen < 0) return PredictedBy::kStranger;
-  return population ? PredictedBy::kPopulation : PredictedBy::kOwn;
+  return population ? PredictedBy::kOwnPopulation : PredictedBy::kOwn;
 }
 
 nlohmann::json prediction_json(const Prediction& prediction, const std::string& specimen,

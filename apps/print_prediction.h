@@ -12,9 +12,9 @@ namespace thenar {
 
 /// Which parameters predict, and whether the fit has seen the specimen.
 enum class PredictedBy {
-  kOwn,         // its own, which were fitted
-  kPopulation,  // the population's, which it was a part of
-  kStranger     // the population's; it was not fitted
+  kOwn,            // its own, which were fitted
+  kOwnPopulation,  // the population's, which it was a part of
+  kStranger        // the population's; it was not fitted
 };
 
 /// @param specimen    index in fitted.specimens(), or -1

@@ -165,7 +165,7 @@ void add_parameters(const Fit& fit, ResultFile& file) {
     file.add(group + "/value", fitted.value, "see parameters/unit", {"parameter"});
     file.add(group + "/sd", fitted.sd, "see parameters/unit", {"parameter"});
   };
-  add("parameters/population", -1);
+  add("parameters/population", kPopulation);
   for (std::size_t s = 0; s < fit.problem.specimens().size(); ++s)
     add("parameters/specimens/" + fit.problem.specimens()[s], static_cast<int>(s));
 }

@@ -52,7 +52,7 @@ struct FittedValues {
   Eigen::VectorXd sd;     // posterior sd, 0 where fixed; units as above (all parameters)
 };
 
-/// @param specimen  index in fit.problem.specimens(), or -1: the population
+/// @param specimen  index in fit.problem.specimens(), or kPopulation
 [[nodiscard]] FittedValues fitted_values(const Fit& fit, int specimen);
 
 /// Writes inputs, estimate, covariance, predictions and provenance; see docs/data_format.md.

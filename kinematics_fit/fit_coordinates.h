@@ -12,6 +12,9 @@
 
 namespace thenar {
 
+/// In place of the index of a specimen: the population.
+inline constexpr int kPopulation = -1;
+
 /// Entries of z that move one coordinate of every specimen:
 ///   u = p + deviation_sd d,   p = population_sd z[population],   d from z[deviation + specimen *
 /// deviations] = x. Without bounds of the sum d = x; with them d = Z(x; l, h), the map of
@@ -53,7 +56,7 @@ class FitCoordinates {
   [[nodiscard]] int population_entries() const { return population_size_; }
   [[nodiscard]] int deviations() const { return deviation_size_; }
 
-  /// Entries of z that move a specimen (-1: the population); no other entry has any effect on it.
+  /// Entries of z that move a specimen (or kPopulation); no other entry has any effect on it.
   [[nodiscard]] std::vector<int> entries_of_specimen(int specimen) const;
 
   /// Share of coordinate c that belongs to the population; below 1 only for a single specimen [1].

@@ -110,14 +110,14 @@ PopulationStudy study_population(const StudyInputs& inputs, const Progress& prog
   };
   for (const Experiment& experiment : fit.problem.experiments()) {
     own.push_back(predict(experiment, find_specimen(fit.problem, experiment.specimen)));
-    as_unseen.push_back(predict(experiment, -1));
+    as_unseen.push_back(predict(experiment, kUnfittedSpecimen));
   }
 
   // Experiments that were not fitted.
   for (const SourceText& source : inputs.unseen) {
     const Experiment experiment = parse_experiment(source.text, source.path);
-    unseen.push_back(
-        {experiment.specimen, predict(experiment, -1), baselines_of(inputs, experiment)});
+    unseen.push_back({experiment.specimen, predict(experiment, kUnfittedSpecimen),
+                      baselines_of(inputs, experiment)});
   }
 
   // Refits without each specimen.

@@ -188,7 +188,7 @@ Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z
 int find_specimen(const FitProblem& fitted, const std::string& specimen) {
   const auto& known = fitted.specimens();
   const auto found = std::find(known.begin(), known.end(), specimen);
-  return found == known.end() ? -1 : static_cast<int>(found - known.begin());
+  return found == known.end() ? kUnfittedSpecimen : static_cast<int>(found - known.begin());
 }
 
 }  // namespace thenar

@@ -72,13 +72,16 @@ struct Prediction {
 /// Prediction of experiment `e` of the problem at z, without predictive sds.
 [[nodiscard]] Prediction predict_fitted(const FitProblem& problem, const Eigen::VectorXd& z, int e);
 
+/// In place of the index of a specimen: one that was not fitted, predicted by the population.
+inline constexpr int kUnfittedSpecimen = -1;
+
 /// Prediction of any experiment; the population predicts a specimen that was not fitted. The
 /// predictive variance is the sum of the parameters' covariance, the deviation of an unseen
 /// specimen from the population, and the noise:
 ///   V = J_z C J_z' + J_u diag(unseen_variance) J_u' + J_q diag(angle variance) J_q' + diag(sd^2).
 /// Angles of a posture that the fit does not know by name have the mean prior variance of the
 /// postures that it knows (J_q).
-/// @param specimen  index in fitted.specimens(), or -1: a specimen that was not fitted
+/// @param specimen  index in fitted.specimens(), or kUnfittedSpecimen
 /// @throws InputError if the experiment does not fit the digit.
 [[nodiscard]] Prediction predict_experiment(const FitProblem& fitted, const Eigen::VectorXd& z,
                                             const Eigen::MatrixXd& C, const Experiment& experiment,
@@ -90,7 +93,7 @@ struct Prediction {
 [[nodiscard]] FitParameters add_posture_errors(FitParameters fitted, const Experiment& experiment,
                                                int joints);
 
-/// Index of a fitted specimen, or -1.
+/// Index of a fitted specimen, or kUnfittedSpecimen.
 [[nodiscard]] int find_specimen(const FitProblem& fitted, const std::string& specimen);
 
 }  // namespace thenar

@@ -36,15 +36,15 @@ struct CoordinateMotion {
 };
 
 /// @param z         (size)
-/// @param specimen  index, or -1: the population
+/// @param specimen  index, or kPopulation
 [[nodiscard]] CoordinateMotion coordinate_motion(const FitCoordinates& coordinates,
                                                  const Eigen::VectorXd& z, int specimen);
 
-/// Displacements u of the coordinates of a specimen (-1: the population)  [SI] (coordinates).
+/// Displacements u of the coordinates of a specimen or kPopulation [SI] (coordinates).
 [[nodiscard]] Eigen::VectorXd displacements(const FitCoordinates& coordinates,
                                             const Eigen::VectorXd& z, int specimen);
 
-/// du/dz of a specimen (-1: the population) at z  [SI] (coordinates, size).
+/// du/dz of a specimen or kPopulation at z [SI] (coordinates, size).
 [[nodiscard]] Eigen::MatrixXd displacement_jacobian(const FitCoordinates& coordinates,
                                                     const Eigen::VectorXd& z, int specimen);
 

@@ -40,7 +40,7 @@ double tilt(const FitParameters& parameters, int parameter, const Eigen::VectorX
   return parameters.all[parameter].mean + (c < 0 ? 0 : parameters.ratio[parameter] * u[c]);
 }
 
-/// Displacements of the population (-1) or of a specimen, before the share of the former is taken.
+/// Displacements of kPopulation or a specimen, before the share of the former is taken.
 Eigen::VectorXd whole_displacements(const FitProblem& problem, const Eigen::VectorXd& z,
                                     int specimen) {
   if (specimen >= 0) return displacements(problem.coordinates(), z, specimen);
@@ -89,7 +89,7 @@ Eigen::VectorXd without_gauges(const FitProblem& problem, const std::vector<Gaug
   const Eigen::VectorXd before = z;
   const FitParameters& parameters = problem.parameters();
   const int specimens = static_cast<int>(problem.specimens().size());
-  const Eigen::VectorXd population = whole_displacements(problem, before, -1);
+  const Eigen::VectorXd population = whole_displacements(problem, before, kPopulation);
   for (const Gauge& gauge : gauges) {
     // Change of the point that replaces the shift s of a tilted axis: -s u, -s v.
     const auto shift = [&](const Eigen::VectorXd& u, int k) {

@@ -19,9 +19,12 @@ struct Gauge {
 
 /// Finds the shifts along an axis that can be left out: shifts that move nothing else, of axes that
 /// are not tilted or whose point is free wherever the shift is, in population or specimens.
+/// @return  one gauge for each such axis, in the order of the parameters
 [[nodiscard]] std::vector<Gauge> find_gauges(const FitProblem& problem);
 
-/// Point z with every gauge at zero and the same forces (size).
+/// Point with every gauge at zero and the same forces (size).
+/// @param gauges  from find_gauges()
+/// @param z       any point of the fit [1] (size)
 [[nodiscard]] Eigen::VectorXd without_gauges(const FitProblem& problem,
                                              const std::vector<Gauge>& gauges, Eigen::VectorXd z);
 

@@ -326,7 +326,7 @@ PosteriorValues HandPosterior::values(const Eigen::Ref<const Eigen::MatrixXd>& x
       return values_of(problem.parameters(), moving,
                        displacements(problem.coordinates(), z, specimen));
     };
-    out.population.col(p) = row(-1);
+    out.population.col(p) = row(kPopulation);
     for (std::size_t s = 0; s < out.specimens.size(); ++s)
       out.specimens[s].col(p) = row(static_cast<int>(s));
   }

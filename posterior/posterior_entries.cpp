@@ -18,7 +18,7 @@ class EntryLister {
     const int coordinates = problem.parameters().coordinates();
     for (int c = 0; c < coordinates; ++c) {
       const CoordinateEntries of = problem.coordinates().entries(c);
-      if (of.population >= 0) add(of.population, c, -1, of.population_sd);
+      if (of.population >= 0) add(of.population, c, kPopulation, of.population_sd);
       for (int s = 0; s < static_cast<int>(problem.specimens().size()) && of.deviation >= 0; ++s)
         add(of.deviation + s * problem.coordinates().deviations(), c, s, of.deviation_sd);
     }
@@ -33,7 +33,7 @@ class EntryLister {
 
   void pair_tilts() {
     const int hinges = static_cast<int>(problem_.digit().names.hinges.size());
-    for (int s = -1; s < static_cast<int>(problem_.specimens().size()); ++s)
+    for (int s = kPopulation; s < static_cast<int>(problem_.specimens().size()); ++s)
       for (int hinge = 0; hinge < hinges; ++hinge) pair_tilts(hinge, s);
   }
 
@@ -88,7 +88,7 @@ class EntryLister {
     return at;
   }
 
-  /// Entry of x that moves this tilt, of the population (-1) or a specimen; -1: none.
+  /// Entry of x that moves this tilt, of kPopulation or a specimen; -1: none.
   [[nodiscard]] int tilt_entry(int hinge, int component, int specimen, double* mean) const {
     const FitParameters& parameters = problem_.parameters();
     // The mean comes from any entry of the tilt, also of another specimen.
@@ -108,7 +108,7 @@ class EntryLister {
     TiltPair pair{};
     for (int k = 0; k < 2; ++k) {
       pair.x[k] = tilt_entry(hinge, k, specimen, &pair.mean[k]);
-      pair.centre[k] = specimen < 0 ? -1 : tilt_entry(hinge, k, -1, &pair.mean[k]);
+      pair.centre[k] = specimen < 0 ? -1 : tilt_entry(hinge, k, kPopulation, &pair.mean[k]);
       if (pair.x[k] < 0) return;
     }
     const auto& all = out_.coordinates;

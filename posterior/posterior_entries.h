@@ -19,7 +19,7 @@ namespace thenar {
 struct CoordinateEntry {
   int z;                                      // entry of z
   int coordinate;                             // of u
-  int specimen;                               // -1: the population, so all
+  int specimen;                               // or kPopulation: all specimens
   double sd;                                  // [SI]
   double lower, upper;                        // of z; infinite if not bounded [1]
   std::shared_ptr<const BoundedTable> table;  // map of the bounds where no factor moves them and

@@ -26,7 +26,7 @@ struct PredictedDraws {
 ///
 /// The noise of an experiment that was not fitted, or of a new specimen, is the stated noise times
 /// a factor drawn from the prior, since every experiment has its own factor.
-/// @param specimen  index in problem().specimens(), or -1: a new specimen
+/// @param specimen  index in problem().specimens(), or kUnfittedSpecimen: a new specimen
 /// @throws InputError if the experiment does not fit the digit, or there are no draws.
 [[nodiscard]] PredictedDraws predict_draws(const PosteriorRun& run, const Experiment& experiment,
                                            int specimen, long draws = 2000);

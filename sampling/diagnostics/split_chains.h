@@ -10,6 +10,7 @@ namespace thenar {
 
 /// First and second halves of every chain as separate chains; the middle draw of an odd number is
 /// left out (draws / 2, 2 chains).
+/// @param x  draws in the unit of the quantity (draws, chains)
 /// @throws InputError unless there is a chain, with at least 4 draws.
 [[nodiscard]] Eigen::MatrixXd split_chains(const Eigen::Ref<const Eigen::MatrixXd>& x);
 
@@ -21,6 +22,7 @@ namespace thenar {
                                           const std::vector<int>& group);
 
 /// Returns whether all draws are finite and at least two differ.
+/// @param x  in the unit of the quantity (draws, chains)
 [[nodiscard]] bool finite_and_varying(const Eigen::Ref<const Eigen::MatrixXd>& x);
 
 }  // namespace thenar
