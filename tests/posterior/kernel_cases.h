@@ -112,7 +112,7 @@ inline KernelCase held_thumb(const std::string& subject, const Held& held, std::
     c.plan.posture_key.push_back(k == 0 ? 0 : -1);
     for (int m = 0; m < muscles; ++m) {
       c.plan.posture_of_trial.push_back(k);
-      c.plan.tension.emplace_back(10 * Eigen::VectorXd::SimdBackend(muscles, m));
+      c.plan.tension.emplace_back(10 * Eigen::VectorXd::Unit(muscles, m));
     }
   }
   c.plan.force = c.plan.sd = Eigen::Matrix3Xd::Zero(3, 2 * muscles);
