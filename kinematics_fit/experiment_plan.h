@@ -13,7 +13,8 @@
 
 namespace thenar {
 
-/// Names of an experiment resolved against a digit; built once, used at every evaluation.
+/// Experiment with all names resolved to indices of one digit; built once, used at every
+/// evaluation.
 struct ExperimentPlan {
   TipConstraint hold;
   int force_link;                         // link whose axes the forces use; -1: the base
@@ -28,16 +29,17 @@ struct ExperimentPlan {
   Eigen::Matrix3Xd sd;                   // [N] (3, trials)
 };
 
-/// @param parameters  says which postures may be in error one by one
+/// Resolves the names of an experiment.
+/// @param parameters  name the postures that may be in error one by one
 /// @throws InputError if the experiment names a joint, muscle or segment the digit has not, or a
 /// posture in which the held tip is singular: no force there follows from the tendons' torques.
 [[nodiscard]] ExperimentPlan plan_experiment(const TendonDigit& digit,
                                              const FitParameters& parameters,
                                              const Experiment& experiment);
 
-/// What to know of an experiment before its numbers are trusted with this digit: postures beyond
-/// the joints' limits or in which the held tip is nearly singular, tensions far above what the
-/// muscle can make, a subject that was calibrated on the specimen, moments that no fit uses.
+/// Warnings about an experiment on this digit: postures beyond the joint limits or in which the
+/// held tip is nearly singular, tensions far above those that the muscle can make, a subject that
+/// was calibrated on the specimen, moments that no fit uses.
 [[nodiscard]] std::vector<std::string> experiment_warnings(const TendonDigit& digit,
                                                            const ExperimentPlan& plan,
                                                            const Experiment& experiment);
