@@ -188,8 +188,10 @@
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/fit.h"
+#include "kinematics_fit/fit_coordinates.h"
 #include "kinematics_fit/fit_parameters.h"
 #include "kinematics_fit/fit_problem.h"
+#include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/fit_study.h"
 #include "kinematics_fit/force_jacobian.h"
 #include "kinematics_fit/hood_comparison.h"
@@ -198,6 +200,7 @@
 #include "kinematics_fit/predict_forces.h"
 #include "kinematics_fit/prediction.h"
 #include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/specimen_prior.h"
 
 // posterior: the posterior of a hand.
 #include "posterior/find_modes.h"
