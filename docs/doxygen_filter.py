@@ -1,7 +1,8 @@
 """What Doxygen is given in place of a header: `docs/doxygen_filter.py HEADER` prints it.
 
 The columns of comments beside fields and enumerators (`double d;  // depth [m]`) become documentation of
-these, and names of XML elements in comments (<robot>) are escaped. Lines keep their numbers.
+these, the comment at the head becomes that of the file, and names of XML elements in comments (<robot>) are
+escaped. Lines keep their numbers.
 """
 import html
 import re
@@ -22,9 +23,11 @@ def escaped(words):
 
 def document(lines):
     beside, inside = False, False
-    for line in lines:
+    for line, before, after in zip(lines, ["", *lines], [*lines[1:], ""]):
+        if line == "" and before == "#pragma once" and after.startswith("///"):
+            line = "/// @file"
         inside = (inside or re.match(r"(struct|class|enum)\b.*\{", line)) and not line.startswith("}")
-        if doc := re.match(r"^(\s*/// ?)(.*)$", line):
+        if line != "/// @file" and (doc := re.match(r"^(\s*/// ?)(.*)$", line)):
             yield doc[1] + escaped(doc[2])
         elif inside and (found := BESIDE.match(line)) and "(" not in found["code"].split("//")[0].split("=")[0]:
             beside = True
