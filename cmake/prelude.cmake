@@ -22,4 +22,4 @@ endfunction()
 
 set(THENAR_PRELUDE_HEADERS <algorithm> <array> <cmath> <filesystem> <functional> <limits> <map>
     <memory> <numeric> <optional> <random> <set> <sstream> <string> <vector>
-    <Eigen/Dense> <fmt/format.h> <fmt/ranges.h>)
+    <Eigen/Dense> ${PROJECT_SOURCE_DIR}/base/dense.h <fmt/format.h> <fmt/ranges.h>)
