@@ -8,12 +8,10 @@ import pathlib
 import re
 import sys
 
-COMMENT = re.compile(r"//[^\n]*|/\*.*?\*/", re.S)
-STRING = re.compile(r'R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
+TEXT = re.compile(r'R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|//[^\n]*|/\*.*?\*/', re.S)
 NAMED = re.compile(r"\b(?:struct|class|enum(?: class)?) (\w+)[^;{}()]*$")
 USING = re.compile(r"^using (\w+) = (.*)$", re.S)
 FUNCTION = re.compile(r"([\w~]+)\s*\(([^{}]*)\)[^(){}]*$", re.S)
-VARIABLE = re.compile(r"^(?:inline |static )?(?:constexpr|const) [^=({;]*?\b(\w+)(?:\[[^\]]*\])*$", re.S)
 
 
 def parameters(text):
@@ -32,7 +30,7 @@ def parameters(text):
 
 def definitions(text):
     """(line, what) of everything in unnamed namespaces, at their top level."""
-    text = STRING.sub(lambda m: '""' + "\n" * m[0].count("\n"), COMMENT.sub(lambda m: "\n" * m[0].count("\n"), text))
+    text = TEXT.sub(lambda m: ("" if m[0][0] == "/" else '""') + "\n" * m[0].count("\n"), text)
     text = re.sub(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*$", lambda m: "\n" * m[0].count("\n"), text, flags=re.M)
     stack, start, round_brackets = [], 0, 0
     for i, c in enumerate(text):
@@ -66,9 +64,16 @@ def name_of(head):
         return f"using {using[1]}", re.sub(r"\s+", " ", using[2])
     if head.startswith(("using", "friend", "static_assert")) or not head:
         return None
-    before = head.split("=")[0].strip() if re.match(r"(inline |static )?(constexpr|const) ", head) and "(" not in head.split("=")[0] else head
-    if variable := VARIABLE.match(before):
-        return variable[1], ""
+    if re.match(r"(inline |static )?(constexpr|const)\b", head):
+        # Constants begin with k: the first after its type, others after a comma.
+        flat, depth = "", 0
+        for c in head:
+            depth -= c in ")}]>"
+            flat += c if depth == 0 and c not in ")}]>" else ""
+            depth += c in "({[<"
+        names = re.findall(r"(?:^|[\s*&,])(k[A-Z]\w*)\s*(?=[=({\[,]|$)", flat)
+        if names:
+            return names[0], ""
     if named := NAMED.search(head):
         return named[1], ""
     if (function := FUNCTION.search(head)) and not re.search(r"\b\w+::\w+\s*\($", head[:function.start(2)]):

@@ -10,14 +10,14 @@
 namespace thenar {
 namespace {
 
-const std::string kFreeDirections = R"(
+const std::string kFreeAxes = R"(
 [[parameter]]
 match = "axis/*/direction/*"
 state = "free"
 )";
 
 sample::FitSetup two_specimens() {
-  sample::FitSetup setup = sample::middle_finger(kFreeDirections);
+  sample::FitSetup setup = sample::middle_finger(kFreeAxes);
   setup.experiments.push_back(sample::experiment("H02"));
   return setup;
 }
@@ -98,7 +98,7 @@ TEST(CrossValidation, MarksWhatTheStartHasSeen) {
 }
 
 TEST(CrossValidation, NeedsTwoFolds) {
-  const FitProblem problem = sample::middle_finger(kFreeDirections).problem();
+  const FitProblem problem = sample::middle_finger(kFreeAxes).problem();
   try {
     (void)cross_validate(problem, LeaveOut::kSpecimen);
     FAIL() << "expected InputError";
@@ -110,7 +110,7 @@ TEST(CrossValidation, NeedsTwoFolds) {
 
 // The fold under way when the stop comes is left out: what stays is what a whole run gives too.
 TEST(CrossValidation, InterruptedHoldsOnlyWholeFolds) {
-  const FitProblem problem = sample::middle_finger(kFreeDirections).problem();
+  const FitProblem problem = sample::middle_finger(kFreeAxes).problem();
   const CrossValidation whole = cross_validate(problem, LeaveOut::kPosture);
   EXPECT_EQ(whole.folds_done, 4);
   EXPECT_FALSE(whole.stopped);
@@ -140,7 +140,7 @@ TEST(CrossValidation, GivesEveryLeftOutTrialAnInterval) {
 }
 
 TEST(CrossValidation, StopsWhenAsked) {
-  const FitProblem problem = sample::middle_finger(kFreeDirections).problem();
+  const FitProblem problem = sample::middle_finger(kFreeAxes).problem();
   SolveOptions options;
   options.progress.stop_requested = [] { return true; };
   EXPECT_TRUE(cross_validate(problem, LeaveOut::kPosture, options).experiments[0].trials.empty());

@@ -100,7 +100,7 @@ TEST(HandPrior, OfSpecimensIsTruncatedAtEverySpread) {
 }
 
 /// One axis, 20 degrees of doubt, at most 45.
-const std::string kTiltedAxis = R"([[parameter]]
+const std::string kOneAxis = R"([[parameter]]
 match = "axis/PIP3/direction/*"
 state = "free"
 sd_deg = 20
@@ -110,7 +110,7 @@ range_deg = 45
 
 // The sphere's density in x is that of the directions: mass and mean cosine over the box of tilts.
 TEST(HandPrior, OfAnAxisIsThatOfTheSphere) {
-  const HandPosterior posterior(without_data(kTiltedAxis), options(false, false, true));
+  const HandPosterior posterior(without_data(kOneAxis), options(false, false, true));
   constexpr int kCount = 81;
   const MatrixXd x = grid(2, kCount, 8);
   const VectorXd weight = weights(posterior, x, kCount, 8);

@@ -49,10 +49,11 @@ TEST(TiltDensity, DependsOnTheAngleBetweenDirections) {
 }
 
 TEST(TiltDensity, IsNormalForSmallTilts) {
-  constexpr double kSd = 1e-4;
+  constexpr double kTiltSd = 1e-4;
   for (const Vector2d& z : {Vector2d(0, 0), Vector2d(1, -2)}) {
-    const double normal = -std::log(2 * kPi * kSd * kSd) - 0.5 * z.squaredNorm();
-    EXPECT_NEAR(tilt_density(kSd * z, {0, 0}, 1 / (kSd * kSd)).log_density, normal, 1e-6);
+    const double normal = -std::log(2 * kPi * kTiltSd * kTiltSd) - 0.5 * z.squaredNorm();
+    EXPECT_NEAR(tilt_density(kTiltSd * z, {0, 0}, 1 / (kTiltSd * kTiltSd)).log_density, normal,
+                1e-6);
   }
 }
 

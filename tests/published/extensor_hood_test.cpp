@@ -22,7 +22,7 @@ Subject subject(const std::string& name) {
   return read_subject(kData + "/subjects/" + name + ".toml");
 }
 NetDescription net(const std::string& name) { return read_net(kData + "/nets/" + name + ".toml"); }
-Experiment experiment(const std::string& specimen) {
+Experiment hood_experiment(const std::string& specimen) {
   return read_experiment(kData + "/experiments/synek2019_" + specimen + ".toml");
 }
 
@@ -45,7 +45,7 @@ void PrintTo(const Finger& finger, std::ostream* out) {
 class HoodForces : public testing::TestWithParam<Finger> {
  protected:
   HoodComparison compare() const {
-    return compare_hoods(subject(GetParam().subject), experiment(GetParam().specimen),
+    return compare_hoods(subject(GetParam().subject), hood_experiment(GetParam().specimen),
                          {net("chao_an"), net("dogadov2017"), net("winslow")});
   }
 };
@@ -91,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Human, HoodForces,
 // Published: 0.32 and 0.49 for the calibrated fractions [Synek2019].
 TEST(HoodBaseline, FixedFractionsErrAsPublished) {
   const auto error = [](const char* specimen) {
-    const auto comparison = compare_hoods(subject("synek2019_middle"), experiment(specimen), {});
+    const auto comparison =
+        compare_hoods(subject("synek2019_middle"), hood_experiment(specimen), {});
     return rung(comparison, "fixed fractions").prediction.error.relative;
   };
   EXPECT_NEAR(error("H01"), 0.32, 0.005);

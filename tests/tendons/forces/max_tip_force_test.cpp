@@ -59,17 +59,16 @@ TEST_P(PublishedIndex, LargestWrenchAgrees) {
   EXPECT_NEAR(result.multiple, p.largest, 0.0006);  // half a unit of the last printed digit
 }
 
-const Vector3d kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1), kNone(0, 0, 0);
-INSTANTIATE_TEST_SUITE_P(Directions, PublishedIndex,
-                         testing::Values(Published{kNone, kX, 28.812}, Published{kNone, kY, 6.758},
-                                         Published{kNone, kZ, 40.284}, Published{kX, kNone, 0.358},
-                                         Published{kNone, -kX, 17.593},
-                                         Published{kNone, -kY, 25.497},
-                                         Published{kNone, -kZ, 15.292},
-                                         Published{-kX, kNone, 0.176}));
+const Vector3d kAlongX(1, 0, 0), kAlongY(0, 1, 0), kAlongZ(0, 0, 1), kNone(0, 0, 0);
+INSTANTIATE_TEST_SUITE_P(
+    Directions, PublishedIndex,
+    testing::Values(Published{kNone, kAlongX, 28.812}, Published{kNone, kAlongY, 6.758},
+                    Published{kNone, kAlongZ, 40.284}, Published{kAlongX, kNone, 0.358},
+                    Published{kNone, -kAlongX, 17.593}, Published{kNone, -kAlongY, 25.497},
+                    Published{kNone, -kAlongZ, 15.292}, Published{-kAlongX, kNone, 0.176}));
 
 TEST(MaxTipForce, MatchesPublishedIndexFinger) {
-  const MaxTipForce result = max_tip_force(published_index(), kX);
+  const MaxTipForce result = max_tip_force(published_index(), kAlongX);
   EXPECT_NEAR(result.magnitude, 28.81, 0.005);
   EXPECT_TRUE(matrix_near(result.force, Vector3d(result.magnitude, 0, 0), 1e-12));
 }
@@ -78,7 +77,7 @@ TEST(MaxTipForce, MatchesPublishedActivation) {
   VectorXd published(7);
   published << 0.204, 0.138, 0.323, 1, 1, 1, 0;
   EXPECT_TRUE(
-      matrix_near(max_tip_force(published_index(), kX).activation, published, 0.0005 + 1e-9));
+      matrix_near(max_tip_force(published_index(), kAlongX).activation, published, 0.0005 + 1e-9));
 }
 
 TEST(MaxTipForce, BalancesEveryJoint) {
@@ -115,7 +114,7 @@ TEST(MaxTipForce, MeetsTheConeExactly) {
   options.tolerance = radians(40);
   const double s = std::tan(options.tolerance) * std::tan(options.tolerance);
   const double b = (s + std::sqrt(2 * s - 1)) / (1 - s);  // of (1 - s) b^2 - 2 s b + (1 - s) = 0
-  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(1, 10)), kX, options);
+  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(1, 10)), kAlongX, options);
   EXPECT_NEAR(result.magnitude, 1 + b, 1e-9 * (1 + b));
   EXPECT_LE(result.force.tail<2>().norm(),
             std::tan(options.tolerance) * result.force.x() * (1 + 1e-9));
@@ -124,20 +123,20 @@ TEST(MaxTipForce, MeetsTheConeExactly) {
 TEST(MaxTipForce, ZeroToleranceIsTheLimitOfACone) {
   MaxTipForceOptions options;
   options.tolerance = 1e-7;
-  EXPECT_NEAR(max_tip_force(published_index(), kX, options).magnitude,
-              max_tip_force(published_index(), kX).magnitude, 1e-4);
+  EXPECT_NEAR(max_tip_force(published_index(), kAlongX, options).magnitude,
+              max_tip_force(published_index(), kAlongX).magnitude, 1e-4);
 }
 
 TEST(MaxTipForce, NoMuscleMakesNoForce) {
   TipStatics statics = published_index();
   statics.max_tension.setZero();
-  const MaxTipForce result = max_tip_force(statics, kX);
+  const MaxTipForce result = max_tip_force(statics, kAlongX);
   EXPECT_EQ(result.status, ForceStatus::kSolved);
   EXPECT_EQ(result.magnitude, 0);
 }
 
 TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
-  const MaxTipForce result = max_tip_force(cross(), kZ);
+  const MaxTipForce result = max_tip_force(cross(), kAlongZ);
   EXPECT_EQ(result.status, ForceStatus::kSolved);
   EXPECT_EQ(result.magnitude, 0);
 }
@@ -145,10 +144,10 @@ TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
 TEST(MaxTipForce, UnknownStrengthIsUnbounded) {
   TipStatics statics = cross();
   statics.max_tension(0) = kInfinity;
-  const MaxTipForce result = max_tip_force(statics, kX);
+  const MaxTipForce result = max_tip_force(statics, kAlongX);
   EXPECT_EQ(result.status, ForceStatus::kUnbounded);
   EXPECT_EQ(result.magnitude, kInfinity);
-  EXPECT_NEAR(max_tip_force(statics, kY).magnitude, 3, 1e-12);
+  EXPECT_NEAR(max_tip_force(statics, kAlongY).magnitude, 3, 1e-12);
 }
 
 // An unlimited pull c along (1, 0.75, 0.75), outside the cone of 0.7 rad about x but inside its
@@ -159,7 +158,8 @@ TEST(MaxTipForce, UnlimitedPullOutsideTheConeStaysBounded) {
   A << 1, 0, 0.75, -1, 0.75, -1;
   MaxTipForceOptions options;
   options.tolerance = 0.7;
-  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kX, options);
+  const MaxTipForce result =
+      max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kAlongX, options);
   EXPECT_EQ(result.status, ForceStatus::kSolved);
   EXPECT_NEAR(result.magnitude, 1 / (0.75 - std::tan(0.7) / std::sqrt(2.0)), 1e-8);
 }
@@ -171,44 +171,44 @@ TEST(MaxTipForce, UnlimitedPullInsideTheConeIsUnbounded) {
 }
 
 TEST(MaxTipForce, StraightFingerCarriesAnyForceAlongItself) {
-  EXPECT_EQ(max_tip_force(straight_finger(), kX).status, ForceStatus::kUnbounded);
+  EXPECT_EQ(max_tip_force(straight_finger(), kAlongX).status, ForceStatus::kUnbounded);
 }
 
 // Across itself: both joints must balance, 0.07 f <= 1 N m and 0.03 f <= 1 N m.
 TEST(MaxTipForce, StraightFingerPushesAcrossItself) {
-  EXPECT_NEAR(max_tip_force(straight_finger(), kY).magnitude, 1 / 0.07, 1e-12);
+  EXPECT_NEAR(max_tip_force(straight_finger(), kAlongY).magnitude, 1 / 0.07, 1e-12);
 }
 
 TEST(MaxTipForce, PassiveTorqueNobodyBalancesIsInfeasible) {
   TipStatics statics = cross();
-  statics.tau_0 = kZ;  // a force along z that no tendon opposes and x cannot carry
-  EXPECT_EQ(max_tip_force(statics, kX).status, ForceStatus::kInfeasible);
+  statics.tau_0 = kAlongZ;  // a force along z that no tendon opposes and x cannot carry
+  EXPECT_EQ(max_tip_force(statics, kAlongX).status, ForceStatus::kInfeasible);
 }
 
 TEST(MaxTipForce, PassiveTorqueShiftsTheAnswer) {
   TipStatics statics = cross();
-  statics.tau_0 = 0.5 * kX;
-  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, 2.5, 1e-12);
+  statics.tau_0 = 0.5 * kAlongX;
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, 2.5, 1e-12);
 }
 
 TEST(MaxTipForce, RefusesBadCalls) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW((void)max_tip_force(cross(), kNone), InputError);
   EXPECT_THROW((void)max_tip_force(cross(), Vector3d(nan, 0, 1)), InputError);
-  EXPECT_THROW((void)max_tip_force(cross(), kX, {-0.1}), InputError);
-  EXPECT_THROW((void)max_tip_force(cross(), kX, {2.0}), InputError);
+  EXPECT_THROW((void)max_tip_force(cross(), kAlongX, {-0.1}), InputError);
+  EXPECT_THROW((void)max_tip_force(cross(), kAlongX, {2.0}), InputError);
   TipStatics statics = cross();
   statics.max_tension(2) = nan;
-  EXPECT_THROW((void)max_tip_force(statics, kX), InputError);
+  EXPECT_THROW((void)max_tip_force(statics, kAlongX), InputError);
 }
 
 TEST(MaxTipWrench, MomentNeedsRotationJacobian) {
-  EXPECT_THROW((void)max_tip_wrench(cross(), kX, kNone), InputError);
+  EXPECT_THROW((void)max_tip_wrench(cross(), kAlongX, kNone), InputError);
 }
 
 TEST(MaxTipWrench, AgreesWithLargestForceWhereNoMomentIsAsked) {
-  EXPECT_NEAR(max_tip_wrench(published_index(), kNone, 2 * kY).multiple,
-              max_tip_force(published_index(), kY).magnitude / 2, 1e-12);
+  EXPECT_NEAR(max_tip_wrench(published_index(), kNone, 2 * kAlongY).multiple,
+              max_tip_force(published_index(), kAlongY).magnitude / 2, 1e-12);
 }
 
 // Stability. F0 from 1e-3 to 1e3 N: the weakest tendon of each axis decides, to full precision.
@@ -219,7 +219,7 @@ TEST(LargestForceStability, TensionsOfRatioOneToAMillion) {
   // f = (1, 1, 0): t = (0, 1000, 0).  f along (0, 1, 1e-6): t_2 alone.
   EXPECT_NEAR(max_tip_force(statics, Vector3d(1, 1, 0)).magnitude, std::sqrt(2.0) * 1e3, 1e-9);
   EXPECT_NEAR(max_tip_force(statics, Vector3d(0, 1, 1e-6)).magnitude, 1e3, 1e-8);
-  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, 1e-3, 1e-12);
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, 1e-3, 1e-12);
 }
 
 // Two joints whose axes differ by 1e-6 rad: J has columns (0, 1, 0) L and (sin e, cos e, 0) L, so
@@ -227,10 +227,10 @@ TEST(LargestForceStability, TensionsOfRatioOneToAMillion) {
 TEST(LargestForceStability, NearlyParallelAxes) {
   const double e = 1e-6, L = 0.05;
   TipStatics statics = straight_finger();
-  statics.J.col(0) = L * kY;
+  statics.J.col(0) = L * kAlongY;
   statics.J.col(1) = L * Vector3d(std::sin(e), std::cos(e), 0);
   const double exact = 1 / (L * std::sin(e));
-  EXPECT_NEAR(max_tip_force(statics, kX).magnitude, exact, 1e-9 * exact);
+  EXPECT_NEAR(max_tip_force(statics, kAlongX).magnitude, exact, 1e-9 * exact);
 }
 
 }  // namespace

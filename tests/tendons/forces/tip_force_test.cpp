@@ -14,10 +14,10 @@ namespace {
 
 // Every joint moves the tip 0.1 m/rad along its own axis, so f = tau / 0.1 by hand.
 const Eigen::Matrix3d kJ = 0.1 * Eigen::Matrix3d::Identity();
-const Eigen::Matrix3d kArms = Eigen::Vector3d(0.010, 0.008, 0.005).asDiagonal();
+const Eigen::Matrix3d kFingerArms = Eigen::Vector3d(0.010, 0.008, 0.005).asDiagonal();
 
 TEST(TipForce, MatchesHandComputedFinger) {
-  const TipForce result = tip_force(kJ, kArms, Eigen::Vector3d(10, 20, 30));
+  const TipForce result = tip_force(kJ, kFingerArms, Eigen::Vector3d(10, 20, 30));
   EXPECT_TRUE(matrix_near(result.f_W, Eigen::Vector3d(1.0, 1.6, 1.5), 1e-12));
   EXPECT_TRUE(matrix_near(result.tau_residual, Eigen::Vector3d::Zero(), 1e-12));
 }
@@ -27,8 +27,8 @@ TEST(TipForce, ConservesPower) {
   Eigen::Matrix3d J;
   J << 0.05, 0.02, 0.00, 0.01, 0.06, 0.02, 0.00, 0.01, 0.04;
   const Eigen::Vector3d t(5, 7, 11), q_dot(0.3, -0.2, 0.5);
-  const TipForce result = tip_force(J, kArms, t);
-  EXPECT_NEAR(result.f_W.dot(J * q_dot), t.dot(kArms * q_dot), 1e-12);  // [W]
+  const TipForce result = tip_force(J, kFingerArms, t);
+  EXPECT_NEAR(result.f_W.dot(J * q_dot), t.dot(kFingerArms * q_dot), 1e-12);  // [W]
 }
 
 TEST(TipForce, ReturnsTorqueNoForceCanBalance) {
@@ -40,7 +40,8 @@ TEST(TipForce, ReturnsTorqueNoForceCanBalance) {
 }
 
 TEST(TipForce, AddsPassiveTorque) {
-  const TipStatics statics{kJ, {}, kArms, Eigen::Vector3d(0, 0.02, 0), Eigen::Vector3d::Ones(), {}};
+  const TipStatics statics{
+      kJ, {}, kFingerArms, Eigen::Vector3d(0, 0.02, 0), Eigen::Vector3d::Ones(), {}};
   const TipForce result = tip_force(statics, Eigen::Vector3d(10, 20, 30));
   EXPECT_TRUE(matrix_near(result.f_W, Eigen::Vector3d(1.0, 1.8, 1.5), 1e-12));
 }
@@ -48,7 +49,7 @@ TEST(TipForce, AddsPassiveTorque) {
 TEST(TipForce, ReportsStraightFinger) {
   Eigen::Matrix3d J = kJ;
   J(2, 2) = 0;
-  const TipForce result = tip_force(J, kArms, Eigen::Vector3d::Ones());
+  const TipForce result = tip_force(J, kFingerArms, Eigen::Vector3d::Ones());
   EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
   EXPECT_EQ(result.rank, 2);
 }
@@ -57,19 +58,20 @@ TEST(TipForce, ReportsStraightFinger) {
 TEST(TipForce, ReportsStraightFingerThroughRounding) {
   Eigen::Matrix3d J = kJ;
   J(1, 1) = J(2, 2) = 1e-17;
-  const TipForce result = tip_force(J, kArms, Eigen::Vector3d::Ones());
+  const TipForce result = tip_force(J, kFingerArms, Eigen::Vector3d::Ones());
   EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
   EXPECT_EQ(result.rank, 1);
 }
 
 TEST(TipForce, TwoJointsNeverFixAForce) {
-  const TipForce result = tip_force(kJ.leftCols<2>(), kArms.leftCols<2>(), Eigen::Vector3d::Ones());
+  const TipForce result =
+      tip_force(kJ.leftCols<2>(), kFingerArms.leftCols<2>(), Eigen::Vector3d::Ones());
   EXPECT_EQ(result.condition, std::numeric_limits<double>::infinity());
 }
 
 TEST(TipForce, RejectsPushingTendonAndNamesIt) {
   try {
-    (void)tip_force(kJ, kArms, Eigen::Vector3d(1, -2, 1));
+    (void)tip_force(kJ, kFingerArms, Eigen::Vector3d(1, -2, 1));
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "tendon 1 cannot push: tension -2 N");
@@ -78,8 +80,8 @@ TEST(TipForce, RejectsPushingTendonAndNamesIt) {
 
 TEST(TipForce, RefusesNaN) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW((void)tip_force(nan * kJ, kArms, Eigen::Vector3d::Ones()), InputError);
-  EXPECT_THROW((void)tip_force(kJ, kArms, Eigen::Vector3d(1, nan, 1)), InputError);
+  EXPECT_THROW((void)tip_force(nan * kJ, kFingerArms, Eigen::Vector3d::Ones()), InputError);
+  EXPECT_THROW((void)tip_force(kJ, kFingerArms, Eigen::Vector3d(1, nan, 1)), InputError);
 }
 
 }  // namespace
