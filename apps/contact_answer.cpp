@@ -138,7 +138,7 @@ std::optional<GraspMatrixMeasures> matrix_of(const ContactFile& file) {
 /// Each load by itself; the margin is the least of them.
 TaskAnswer answer_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads,
                         double largest) {
-  TaskAnswer found{{ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0}, {}};
+  TaskAnswer found{{Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0}, {}};
   for (const ScaledWrench& load : loads) {
     if (load.isZero(0)) {
       found.squeezes.push_back(0);
@@ -146,7 +146,7 @@ TaskAnswer answer_loads(const ForceSet& forces, const std::vector<ScaledWrench>&
     }
     const WrenchSupport reach = load_margin(forces, load);
     found.margin.residual = max_or_nan(found.margin.residual, reach.residual);
-    if (reach.status != ConeStatus::kSolved) {
+    if (reach.status != Status::kSolved) {
       found.squeezes.push_back(std::numeric_limits<double>::quiet_NaN());
       found.margin.status = reach.status;
       continue;
@@ -168,7 +168,7 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
   const ForceSet forces = unit_forces(set, question.limit);
   TaskAnswer found;
   if (set.caps.empty()) {
-    found.margin = {ConeStatus::kSolved, 0, 0, loads[0], 0};
+    found.margin = {Status::kSolved, 0, 0, loads[0], 0};
     if (file.task.kind == FileTask::Kind::kLoads) found.squeezes.assign(loads.size(), kInfinity);
   } else if (file.task.kind == FileTask::Kind::kLoads) {
     found = answer_loads(forces, loads, max_tip_wrench(set));
@@ -204,7 +204,7 @@ OrderedJson finite(double value) {
 }
 
 OrderedJson task_json(const TaskAnswer& task, bool planar) {
-  const bool known = task.margin.status == ConeStatus::kSolved;
+  const bool known = task.margin.status == Status::kSolved;
   OrderedJson squeezes = OrderedJson::array();
   for (const double squeeze : task.squeezes) squeezes.push_back(finite(squeeze));
   return {{"margin",
@@ -233,7 +233,7 @@ std::string matrix_words(const GraspMatrixMeasures& m) {
 }
 
 std::string task_words(const TaskAnswer& task, bool planar) {
-  if (task.margin.status != ConeStatus::kSolved) return "the programme did not end";
+  if (task.margin.status != Status::kSolved) return "the programme did not end";
   if (task.margin.upper == 0)
     return fmt::format("not withstood: nothing holds {}",
                        json_text(wrench_json(task.margin.worst_load, planar), -1));

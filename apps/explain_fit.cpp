@@ -14,7 +14,7 @@ Section explain_status(const Fit& fit) {
   const Solution& found = fit.solution;
   return {"status",
           fmt::format("Fit of the {}", fit.problem.experiments().front().digit),
-          {fmt::format("{} by {}: {}", name_of(found.status), name_of(fit.method), found.message),
+          {fmt::format("{} by {}: {}", convergence_word(found), name_of(fit.method), found.message),
            fmt::format("cost {:.5g} after {} evaluations in {:.2g} s; seed {}", found.cost,
                        found.evaluations, found.seconds, fit.seed),
            fmt::format("{} coordinates, worth {:.3g} parameters that the data determine",

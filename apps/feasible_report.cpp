@@ -13,21 +13,25 @@ namespace {
 constexpr double kNoForce = 1e-6;  // below the rounding of what the tendons make [N]
 
 /// What a status means to whoever asked for a force.
-std::string meaning(ForceStatus status) {
+std::string meaning(Status status) {
   switch (status) {
-    case ForceStatus::kSolved:
+    case Status::kSolved:
       return "";
-    case ForceStatus::kInfeasible:
+    case Status::kInfeasible:
       return "no tensions make any force this way with every joint in balance";
-    case ForceStatus::kUnbounded:
+    case Status::kUnbounded:
       return "the bones alone carry any force this way (a singular posture)";
-    case ForceStatus::kStalled:
+    case Status::kLimit:
+      return "the numerical method reached its limit of steps";
+    case Status::kStopped:
+      return "stopped";
+    case Status::kStalled:
       return "the numerical method gave up";
   }
   return "";
 }
 
-std::string status_line(ForceStatus status) {
+std::string status_line(Status status) {
   const std::string words = meaning(status);
   return words.empty() ? "" : fmt::format("{}: {}\n", name_of(status), words);
 }
@@ -46,23 +50,9 @@ std::string axis_name(const ForceAxes& axes, std::size_t k) {
 
 }  // namespace
 
-std::string name_of(ForceStatus status) {
-  switch (status) {
-    case ForceStatus::kSolved:
-      return "solved";
-    case ForceStatus::kInfeasible:
-      return "infeasible";
-    case ForceStatus::kUnbounded:
-      return "unbounded";
-    case ForceStatus::kStalled:
-      return "stalled";
-  }
-  return "";
-}
-
 Eigen::VectorXd magnitude_change(const DigitAtPosture& at, const ForceAxes& axes,
                                  const MaxTipForce& largest) {
-  if (largest.status != ForceStatus::kSolved || largest.magnitude < kNoForce || !at.map.empty())
+  if (largest.status != Status::kSolved || largest.magnitude < kNoForce || !at.map.empty())
     return {};
   return max_tip_force_gradient(at.statics, at.slopes, largest,
                                 axes.name == "tip" ? DirectionFrame::kTip : DirectionFrame::kWorld);
@@ -114,9 +104,9 @@ nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole) {
 }
 
 std::string text_of(const DigitAtPosture& at, const ForceAxes& axes, const MaxTipForce& largest) {
-  if (largest.status != ForceStatus::kSolved) return status_line(largest.status) + "\n";
+  if (largest.status != Status::kSolved) return status_line(largest.status) + "\n";
   if (largest.magnitude < kNoForce)
-    return "Largest force: none; " + meaning(ForceStatus::kInfeasible) + "\n\n";
+    return "Largest force: none; " + meaning(Status::kInfeasible) + "\n\n";
   const Eigen::Vector3d force = axes.to_world.transpose() * largest.force;
   Table muscles{{"muscle", "activation", "tension_N", "F0_N"}, {}};
   for (Eigen::Index i = 0; i < largest.tension.size(); ++i)

@@ -32,9 +32,6 @@ struct WholeSet {
 
 [[nodiscard]] WholeSet whole_set(const DigitAtPosture& at, const ForceAxes& axes);
 
-/// "solved", "infeasible", "unbounded" or "stalled".
-[[nodiscard]] std::string name_of(ForceStatus status);
-
 [[nodiscard]] nlohmann::ordered_json json_of(const DigitAtPosture& at, const ForceAxes& axes,
                                              const MaxTipForce& largest);
 [[nodiscard]] nlohmann::ordered_json json_of(const ForceAxes& axes, const WholeSet& whole);

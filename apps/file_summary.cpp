@@ -77,7 +77,7 @@ std::string summary(const Fit& fit) {
                      counted(trials, "trial"),
                      counted(fit.problem.experiments().size(), "experiment"),
                      counted(static_cast<std::size_t>(fit.problem.size()), "coordinate"),
-                     name_of(fit.solution.status));
+                     convergence_word(fit.solution));
 }
 
 std::string summary(const BodySpec& body) {

@@ -67,7 +67,7 @@ const char* mark(const Prediction& prediction) {
 }
 
 nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& validations) {
-  nlohmann::json out{{"status", name_of(fit.solution.status)},
+  nlohmann::json out{{"status", convergence_word(fit.solution)},
                      {"message", fit.solution.message},
                      {"cost", fit.solution.cost},
                      {"evaluations", fit.solution.evaluations},
@@ -115,7 +115,7 @@ void print_nulls(const Fit& fit, std::size_t count) {
 void print_summary(const Fit& fit, const std::vector<CrossValidation>& validations,
                    const std::string& output) {
   fmt::print("{}: {} after {} evaluations, {:.2f} s; {} coordinates, {:.1f} learnt\n",
-             name_of(fit.method), name_of(fit.solution.status), fit.solution.evaluations,
+             name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
              fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
   for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
     const Prediction p = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
@@ -131,7 +131,7 @@ void print_summary(const Fit& fit, const std::vector<CrossValidation>& validatio
       fmt::print("  {}: stopped after {} of {} folds; the errors are of those alone\n",
                  name_of(validation.what), validation.folds_done, validation.folds.size());
   }
-  if (fit.solution.status == SolveStatus::kConverged) print_learnt(fit, 8);
+  if (fit.solution.status == Status::kSolved) print_learnt(fit, 8);
   print_nulls(fit, 4);
   fmt::print("\nwrote {}\n", output);
 }
@@ -164,8 +164,8 @@ void run_fit(const FitArguments& options) {
     fmt::print("{}\n", json_text(summary(fit, validations)));
   else
     print_summary(fit, validations, options.output);
-  require(fit.solution.status != SolveStatus::kFailed,
-          "the fit failed: {}; the file holds the best point found", fit.solution.message);
+  require(!fit.solution.failed, "the fit failed: {}; the file holds the best point found",
+          fit.solution.message);
   if (interrupted()) throw Interrupted("stopped; the file holds the best point so far");
 }
 

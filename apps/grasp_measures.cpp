@@ -53,7 +53,7 @@ Measured<InscribedBall> zero_ball(const Asked& asked, InscribedBall ball) {
                                (std::isfinite(ball.upper)
                                     ? fmt::format("; at most {} N", shown(ball.upper))
                                     : std::string()));
-  ball.status = ConeStatus::kSolved;
+  ball.status = Status::kSolved;
   ball.lower = ball.upper = 0;
   return {ball, explain_zero_margin(asked.held, {ball.worst_load})};
 }
@@ -62,9 +62,9 @@ Measured<InscribedBall> ball_of(const Asked& asked) {
   const std::string unknown = explain_unknown_effort(asked.held);
   if (!unknown.empty()) return none<InscribedBall>(unknown);
   const InscribedBall ball = inscribed_ball(asked.forces);
-  if (ball.status == ConeStatus::kInfeasible)
+  if (ball.status == Status::kInfeasible)
     return none<InscribedBall>("no effort keeps the hand's own torques in balance");
-  if (ball.status == ConeStatus::kUnbounded) return none<InscribedBall>(kSupportedByStructure);
+  if (ball.status == Status::kUnbounded) return none<InscribedBall>(kSupportedByStructure);
   if (ball.lower >= kNegligibleLoad || ball.upper <= -kNegligibleLoad) return {ball, ""};
   return zero_ball(asked, ball);
 }
@@ -72,8 +72,8 @@ Measured<InscribedBall> ball_of(const Asked& asked) {
 Measured<double> hold_of(const ForceSet& forces, const ScaledWrench& load,
                          const std::string& failure) {
   const GraspForce hold = minimum_grasp_force(forces, load, GraspForceObjective::kSum);
-  if (hold.status == ConeStatus::kInfeasible) return none<double>(failure);
-  if (hold.status != ConeStatus::kSolved) return none<double>("the programme did not converge");
+  if (hold.status == Status::kInfeasible) return none<double>(failure);
+  if (hold.status != Status::kSolved) return none<double>("the programme did not converge");
   return {hold.objective, ""};
 }
 
@@ -88,7 +88,7 @@ ScaledWrench weight_load(const SceneBody& object, double weight) {
 std::string why_not_held(const Asked& asked, const ScaledWrench& load) {
   const WrenchSupport reach = load_margin(asked.forces, load);
   const std::string cannot = "what drives the hand cannot make forces that hold the weight: ";
-  if (reach.status != ConeStatus::kSolved || reach.value * load.norm() < kNegligibleLoad)
+  if (reach.status != Status::kSolved || reach.value * load.norm() < kNegligibleLoad)
     return cannot + explain_zero_margin(asked.held, {load});
   return cannot + fmt::format("it bears {:.3g} N of it", reach.value * load.norm());
 }
@@ -126,7 +126,7 @@ void tell_efforts(const Asked& asked, GraspTask task, double weight, Measured<do
   if (margin.value.value_or(0) == 0 || asked.forces.passive_contacts.empty()) return;
   const TaskMargin pressed = margin_of_loads(
       active_only(asked.forces), task_loads(task, weight, asked.question.scene.object.reach));
-  if (pressed.status == ConeStatus::kSolved && pressed.lower < *margin.value / 2)
+  if (pressed.status == Status::kSolved && pressed.lower < *margin.value / 2)
     margin.reason = fmt::format("{:.4g} by efforts and friction, the rest is borne by structure",
                                 pressed.lower);
 }

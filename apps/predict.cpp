@@ -30,9 +30,9 @@ void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n",
 void run_predict(const PredictArguments& options) {
   const Fit fit = read_fit(options.fit);
   warn_unchecked(options.fit);
-  if (fit.solution.status != SolveStatus::kConverged)
+  if (fit.solution.status != Status::kSolved)
     warn(fmt::format("the fit in '{}' did not converge: {}", options.fit,
-                     name_of(fit.solution.status)));
+                     convergence_word(fit.solution)));
   nlohmann::json out = nlohmann::json::array();
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);

@@ -29,7 +29,7 @@ Row ratio_fit() {
   row.rival = kAllowed;
   row.ratio = kAllowed / row.ours;
   row.required = 1;
-  row.error = fit.status == SolveStatus::kConverged ? 0 : 1;
+  row.error = fit.status == Status::kSolved ? 0 : 1;
   return row;
 }
 

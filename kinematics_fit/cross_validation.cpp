@@ -89,9 +89,9 @@ CrossValidation cross_validate(const FitProblem& problem, LeaveOut what,
     });
     const Solution fit = solve(least_squares(rest), Eigen::VectorXd::Zero(rest.size()), options);
     // A half-way fit has learnt less than its fold would say.
-    out.stopped = fit.status == SolveStatus::kStopped;
+    out.stopped = fit.status == Status::kStopped;
     if (out.stopped) break;
-    out.not_converged += fit.status == SolveStatus::kConverged ? 0 : 1;
+    out.not_converged += fit.status == Status::kSolved ? 0 : 1;
     predict_fold(rest, fit.z, what, fold, problem.experiments(), out.experiments);
     ++out.folds_done;
   }

@@ -202,12 +202,16 @@ void add_provenance(const Fit& fit, ResultFile& file) {
   file.add("provenance/seed", fit.seed, "1");
 }
 
-SolveStatus status_of(const std::string& name) {
-  for (const SolveStatus status :
-       {SolveStatus::kConverged, SolveStatus::kLimit, SolveStatus::kStopped, SolveStatus::kFailed,
-        SolveStatus::kStalled})
-    if (name_of(status) == name) return status;
-  throw InputError(fmt::format("no solver status '{}'", name));
+/// A solution that ended as the word of convergence_word() says; all else is empty.
+Solution ended_as(const std::string& word) {
+  Solution solution;
+  solution.failed = word == "failed";
+  for (const Status status :
+       {Status::kStalled, Status::kSolved, Status::kLimit, Status::kStopped}) {
+    solution.status = status;
+    if (convergence_word(solution) == word) return solution;
+  }
+  throw InputError(fmt::format("no solver status '{}'", word));
 }
 
 /// @throws InputError for what is missing or does not fit together.
@@ -225,14 +229,12 @@ Fit fit_of(const ResultFile& file) {
     require(i < names.size() && names[i] == wanted[i],
             "coordinate {} of the fit is '{}', its inputs give '{}'", i,
             i < names.size() ? names[i] : "", wanted[i]);
-
-  // What the solver said, and the covariance computed again at the estimate.
-  Solution solution{z,
-                    file.number("fit/cost"),
-                    status_of(file.text("fit/status")),
-                    file.text("fit/message"),
-                    static_cast<int>(file.number("fit/evaluations")),
-                    file.number("fit/seconds")};
+  Solution solution = ended_as(file.text("fit/status"));
+  solution.z = z;
+  solution.cost = file.number("fit/cost");
+  solution.message = file.text("fit/message");
+  solution.evaluations = static_cast<int>(file.number("fit/evaluations"));
+  solution.seconds = file.number("fit/seconds");
   Covariance covariance = posterior_covariance(problem, z);
   return {inputs,
           std::move(problem),
@@ -255,7 +257,7 @@ void write_fit(const Fit& fit, const std::string& path) {
   file.add("fit/name", fit.problem.coordinates().names());
   file.add("fit/covariance", fit.covariance.C, "1", {"coordinate", "coordinate_"});
   file.add("fit/cost", fit.solution.cost, "1");
-  file.add("fit/status", name_of(fit.solution.status));
+  file.add("fit/status", convergence_word(fit.solution));
   file.add("fit/message", fit.solution.message);
   file.add("fit/evaluations", fit.solution.evaluations, "1");
   file.add("fit/seconds", fit.solution.seconds, "s");

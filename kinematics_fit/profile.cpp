@@ -21,7 +21,7 @@ void walk(const LeastSquares& problem, const Eigen::VectorXd& z, int i, double e
     const double value = z[i] + (end - z[i]) * k / options.steps;
     held.lower[i] = held.upper[i] = value;
     const Solution fit = solve(held, start, options.solver);
-    if (fit.status != SolveStatus::kConverged) ++profile.not_converged;
+    if (fit.status != Status::kSolved) ++profile.not_converged;
     start = fit.z;
     profile.points.push_back({value, fit.cost, 0, 0});
   }

@@ -117,6 +117,7 @@ Solution search_from(const LeastSquares& problem, const Eigen::VectorXd& start,
   Solution none;
   none.z = inside;
   none.cost = std::numeric_limits<double>::infinity();
+  none.failed = true;
   none.message = "residuals at the start are not finite";
   none.evaluations = 1;
   return none;
@@ -131,9 +132,7 @@ Solution search_globally(const LeastSquares& problem, const ModeSearchOptions& s
   global.progress.stop_requested = search.polish.progress.stop_requested;
   const Solution rough =
       search_from(problem, prior_draw(problem, search, search.starts + number), global);
-  if (!std::isfinite(rough.cost) || rough.status == SolveStatus::kStopped) return rough;
-
-  // The local solver sharpens what was found.
+  if (!std::isfinite(rough.cost) || rough.status == Status::kStopped) return rough;
   Solution fine = search_from(problem, rough.z, search.polish);
   fine.evaluations += rough.evaluations;
   fine.seconds += rough.seconds;
@@ -171,8 +170,7 @@ void gather(const LeastSquares& problem, const ModeSearchOptions& search, FoundM
   std::vector<Curvature> at;
   for (const int i : order) {
     const Solution& end = found.searches[i];
-    if (!std::isfinite(end.cost) || end.status == SolveStatus::kFailed) continue;
-    // The first mode near in cost and in Laplace sds.
+    if (!std::isfinite(end.cost) || end.failed) continue;
     std::size_t m = 0;
     while (m < at.size() && (end.cost - found.modes[m].cost >= search.same_cost ||
                              squared_distance(at[m], end.z - found.modes[m].z) >=

@@ -10,12 +10,12 @@ namespace thenar {
 
 /// A local minimum of 1/2 |r(z)|^2 with the Laplace approximation of the posterior there.
 struct Mode {
-  Eigen::VectorXd z;           // in prior sds (n)
-  double cost = 0;             // 1/2 |r|^2 [1]
-  Eigen::MatrixXd covariance;  // (J'J)^-1; zero where bounds fix a coordinate [1] (n, n)
-  int hits = 0;                // searches that ended here [1]
-  double laplace_mass = 0;     // share of exp(-cost) sqrt|covariance| among all modes, 0..1 [1]
-  SolveStatus status = SolveStatus::kFailed;  // of the best search that ended here
+  Eigen::VectorXd z;                 // in prior sds (n)
+  double cost = 0;                   // 1/2 |r|^2 [1]
+  Eigen::MatrixXd covariance;        // (J'J)^-1; zero where bounds hold a coordinate (n, n)
+  int hits = 0;                      // searches that ended here [1]
+  double laplace_mass = 0;           // share of exp(-cost) sqrt|covariance| among all modes, 0..1
+  Status status = Status::kStalled;  // of the best search that ended here
 };
 
 /// Starts of the searches, and when two minima are one mode.

@@ -243,7 +243,7 @@ IterateQuality progress_of(const Reduced& p, const Embedding& e) {
 }
 
 struct Core {
-  ConeStatus status = ConeStatus::kStalled;
+  Status status = Status::kStalled;
   VectorXd v, z;
   double residual = kInfinity;
   double infeasible = kInfinity, unbounded = kInfinity;  // the best certificates
@@ -268,11 +268,11 @@ void keep_if_better(Core& best, const Embedding& e, const IterateQuality& progre
 }
 
 /// What the best iterate and the best certificates show to a tolerance.
-ConeStatus status_of(const Core& best, double tolerance) {
-  if (best.residual <= tolerance) return ConeStatus::kSolved;
-  if (best.infeasible <= tolerance) return ConeStatus::kInfeasible;
-  if (best.unbounded <= tolerance) return ConeStatus::kUnbounded;
-  return ConeStatus::kStalled;
+Status status_of(const Core& best, double tolerance) {
+  if (best.residual <= tolerance) return Status::kSolved;
+  if (best.infeasible <= tolerance) return Status::kInfeasible;
+  if (best.unbounded <= tolerance) return Status::kUnbounded;
+  return Status::kStalled;
 }
 
 Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOptions& options) {
@@ -283,11 +283,13 @@ Core solve_reduced(const Reduced& p, const std::vector<int>& cones, const ConeOp
   for (;; ++best.iterations) {
     keep_if_better(best, embedding, progress_of(p, embedding));
     best.status = status_of(best, options.tolerance);
-    if (best.status != ConeStatus::kStalled) return best;
+    if (best.status != Status::kStalled) return best;
     const bool lost = !(embedding.tau > 0) || !embedding.z.allFinite() || !embedding.s.allFinite();
     if (lost || best.iterations == options.max_iterations ||
         best.iterations - best.last_better > kPatience) {
       best.status = status_of(best, options.acceptable);
+      if (best.status == Status::kStalled && best.iterations == options.max_iterations)
+        best.status = Status::kLimit;
       return best;
     }
     embedding.step();
@@ -350,7 +352,7 @@ double misses_unbounded(const ConeProgram& p, const VectorXd& d) {
 
 /// What is said before anything is known.
 ConeResult unanswered(const ConeProgram& p) {
-  return {ConeStatus::kStalled,
+  return {Status::kStalled,
           VectorXd::Zero(p.c.size()),
           VectorXd::Zero(p.b.size()),
           VectorXd::Zero(p.h.size()),
@@ -363,8 +365,8 @@ ConeResult unanswered(const ConeProgram& p) {
 /// Infeasible, if y and z of the result prove it.
 bool settle_infeasible(const ConeProgram& p, double most, ConeResult& result) {
   result.residual = misses_infeasible(p, result.y, result.z);
-  if (result.residual <= most) result.status = ConeStatus::kInfeasible;
-  return result.status == ConeStatus::kInfeasible;
+  if (result.residual <= most) result.status = Status::kInfeasible;
+  return result.status == Status::kInfeasible;
 }
 
 /// Unbounded, if the objective falls along a direction, and there is a point to start from; that
@@ -376,9 +378,9 @@ bool settle_unbounded(const ConeProgram& p, const VectorXd& direction, const Con
   ConeProgram without_objective = p;
   without_objective.c.setZero();
   const ConeResult point = solve(without_objective, options);
-  if (point.status == ConeStatus::kInfeasible) result = point;
-  if (point.status != ConeStatus::kSolved) return point.status == ConeStatus::kInfeasible;
-  result.status = ConeStatus::kUnbounded;
+  if (point.status == Status::kInfeasible) result = point;
+  if (point.status != Status::kSolved) return point.status == Status::kInfeasible;
+  result.status = Status::kUnbounded;
   result.residual = missing;
   result.objective = result.dual = -kInfinity;
   return true;
@@ -404,13 +406,13 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   result.x = pre.reduced->x0 + N * core.v;
 
   // That there is no point, or no least one, the method does not say on its own word.
-  if (core.status == ConeStatus::kInfeasible) {
+  if (core.status == Status::kInfeasible) {
     result.z = core.infeasible_z;
     result.y = equality_multipliers(program, -program.G.transpose() * result.z);
     if (settle_infeasible(program, most, result)) return result;
   }
-  const bool falls = core.status == ConeStatus::kSolved && pre.falling.size() > 0;
-  if ((core.status == ConeStatus::kUnbounded || falls) &&
+  const bool falls = core.status == Status::kSolved && pre.falling.size() > 0;
+  if ((core.status == Status::kUnbounded || falls) &&
       settle_unbounded(program, falls ? pre.falling : VectorXd(N * core.unbounded_v), options, most,
                        result))
     return result;
@@ -421,8 +423,10 @@ ConeResult solve(const ConeProgram& program, const ConeOptions& options) {
   result.objective = program.c.dot(result.x);
   result.dual = -program.b.dot(result.y) - program.h.dot(result.z);
   result.residual = max_or_nan(core.residual, residual_of(program, result));
-  if (core.status == ConeStatus::kSolved && !falls && result.residual <= most)
-    result.status = ConeStatus::kSolved;
+  if (core.status == Status::kSolved && !falls && result.residual <= most)
+    result.status = Status::kSolved;
+  else if (core.status == Status::kLimit)
+    result.status = Status::kLimit;
   return result;
 }
 

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "solvers/status.h"
+
 namespace thenar {
 
 /// minimise c' x  subject to  A x = b,  h - G x in K.
@@ -21,23 +23,18 @@ struct ConeProgram {
   std::vector<int> cones;  // rows of each; their sum is m
 };
 
-enum class ConeStatus {
-  kSolved,      // x is optimal within `residual`
-  kInfeasible,  // no x obeys all: y and z are Farkas' proof, checked anew to 10 `acceptable`
-  kUnbounded,   // the objective falls without limit along a direction, checked likewise, from a
-                // point that obeys all
-  kStalled      // nothing of this could be shown: x is the best point found
-};
-
 struct ConeOptions {
   double tolerance = 1e-10;  // scaled residual and gap at which it stops [1]
-  double acceptable =
-      1e-7;  // the same where rounding ends progress: the best iterate or certificate counts [1]
+  double acceptable = 1e-7;  // the same for the best iterate or certificate, where rounding ends
+                             // progress [1]
   int max_iterations = 100;
 };
 
 struct [[nodiscard]] ConeResult {
-  ConeStatus status;  // read this first
+  Status status;      // kSolved: x is optimal within `residual`; kInfeasible: y and z are Farkas'
+                      // proof; kUnbounded: a feasible point, and a direction along which the
+                      // objective falls, both checked anew to 10 `acceptable`; kLimit, kStalled:
+                      // nothing could be shown, x is the best point found
   Eigen::VectorXd x;  // (n)
   Eigen::VectorXd y;  // multipliers of A x = b:  c + A' y + G' z = 0 (r)
   Eigen::VectorXd z;  // multipliers of the cones, in K (m)

@@ -64,15 +64,15 @@ class DenseSimplex {
       // While basic variables miss their bounds, that is what is lessened.
       const bool feasible = missing.isZero(0);
       const std::optional<Entering> entering = choose(duals(feasible, missing), step > patient);
-      if (!entering) return {feasible ? SimplexEnd::kOptimal : SimplexEnd::kInfeasible, basis_};
+      if (!entering) return {feasible ? Status::kSolved : Status::kInfeasible, basis_};
       // How basic variables move with the entering one.
       const VectorXd rates = -entering->way * lu_.solve(VectorXd(M_.col(entering->variable)));
       const Step move = longest(*entering, rates, missing, step > patient);
       if (!std::isfinite(move.length))
-        return {feasible ? SimplexEnd::kUnbounded : SimplexEnd::kStalled, basis_};
+        return {feasible ? Status::kUnbounded : Status::kStalled, basis_};
       take(*entering, move);
     }
-    return {SimplexEnd::kStalled, basis_};
+    return {Status::kStalled, basis_};
   }
 
  private:

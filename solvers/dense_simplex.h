@@ -3,13 +3,12 @@
 /// A simplex method of our own for small dense programs: asked where CLP's answer fails.
 
 #include "solvers/linear_certificate.h"
+#include "solvers/status.h"
 
 namespace thenar::internal {
 
-enum class SimplexEnd { kOptimal, kInfeasible, kUnbounded, kStalled };
-
 struct SimplexVertex {
-  SimplexEnd end;      // what the method believes; the caller certifies it
+  Status end;          // what the method believes; the caller certifies it
   SimplexBasis basis;  // the last one
 };
 

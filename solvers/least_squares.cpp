@@ -90,7 +90,7 @@ Solution stay(const LeastSquares& problem, const Eigen::VectorXd& start) {
   Solution solution;
   solution.z = start;
   solution.cost = 0.5 * problem.residuals(start, WithJacobian::kNo).r.squaredNorm();
-  solution.status = SolveStatus::kConverged;
+  solution.status = Status::kSolved;
   solution.message = "bounds leave nothing to move";
   solution.evaluations = 1;
   return solution;
@@ -210,8 +210,8 @@ void certify(const LeastSquares& problem, const SolveOptions& options, Solution&
   constexpr double kStep = 0.01;  // of an sd: nothing that a belief would notice
   // What the tolerance allows; a longer step refutes the solver.
   const double allowed = std::max(kStep, std::sqrt(20 * options.tolerance * solution.cost));
-  if (solution.status == SolveStatus::kConverged && !(solution.newton_step <= allowed)) {
-    solution.status = SolveStatus::kStalled;
+  if (solution.status == Status::kSolved && !(solution.newton_step <= allowed)) {
+    solution.status = Status::kStalled;
     solution.message += fmt::format("; but a step of {:.2g} sds is left", solution.newton_step);
   }
 }
@@ -284,7 +284,8 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
   const auto begin = std::chrono::steady_clock::now();
   Solution solution = solve_free(problem, inside, options);
   certify(problem, options, solution);
-  if (solution.status == SolveStatus::kStalled && options.method == LeastSquaresMethod::kCeres)
+  if (solution.status == Status::kStalled && !solution.failed &&
+      options.method == LeastSquaresMethod::kCeres)
     go_on(problem, options, solution);
   if (options.method != LeastSquaresMethod::kIpopt) tell_broken_constraints(problem, solution);
   solution.seconds =
@@ -305,9 +306,18 @@ std::string name_of(LeastSquaresMethod method) {
   return {};
 }
 
-std::string name_of(SolveStatus status) {
-  constexpr std::array kNames{"converged", "limit reached", "stopped", "failed", "not stationary"};
-  return kNames[static_cast<std::size_t>(status)];
+std::string convergence_word(const Solution& solution) {
+  if (solution.failed) return "failed";
+  switch (solution.status) {
+    case Status::kSolved:
+      return "converged";
+    case Status::kLimit:
+      return "limit reached";
+    case Status::kStopped:
+      return "stopped";
+    default:
+      return "not stationary";
+  }
 }
 
 }  // namespace thenar

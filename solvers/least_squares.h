@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "solvers/arrow_factor.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -75,19 +76,13 @@ struct SolveOptions {
   Progress progress;
 };
 
-enum class SolveStatus {
-  kConverged,  // as certified: see Solution::newton_step
-  kLimit,
-  kStopped,
-  kFailed,
-  kStalled  // the solver says that it has converged, the first-order conditions that it has not
-};
-
 /// The best point found, whatever happened.
 struct [[nodiscard]] Solution {
-  Eigen::VectorXd z;  // (n)
-  double cost = 0;    // 1/2 |r|^2 [1]
-  SolveStatus status = SolveStatus::kFailed;
+  Eigen::VectorXd z;                 // (n)
+  double cost = 0;                   // 1/2 |r|^2 [1]
+  Status status = Status::kStalled;  // kSolved: as certified by `newton_step`; kStalled: the
+                                     // first-order conditions do not hold, or the solver failed
+  bool failed = false;     // the solver broke off with an error, or found the bounds infeasible
   std::string message;     // the solver's own words
   int evaluations = 0;     // of the residuals
   double seconds = 0;      // wall time [s]
@@ -110,7 +105,10 @@ Solution solve(const LeastSquares& problem, const Eigen::VectorXd& start,
 /// "ceres", "nlopt", "nlopt-global" or "ipopt". @throws InputError for another name.
 [[nodiscard]] LeastSquaresMethod least_squares_method(const std::string& name);
 [[nodiscard]] std::string name_of(LeastSquaresMethod method);
-[[nodiscard]] std::string name_of(SolveStatus status);
+
+/// The word of fit files and tables for how a search ended: "converged", "limit reached",
+/// "stopped", "failed" or "not stationary".
+[[nodiscard]] std::string convergence_word(const Solution& solution);
 
 namespace internal {
 Solution solve_ceres(const LeastSquares&, const Eigen::VectorXd& start, const SolveOptions&);

@@ -61,16 +61,16 @@ class Listener final : public ceres::IterationCallback {
   int limit_;
 };
 
-SolveStatus status_of(const ceres::Solver::Summary& summary) {
+Status status_of(const ceres::Solver::Summary& summary) {
   switch (summary.termination_type) {
     case ceres::CONVERGENCE:
-      return SolveStatus::kConverged;
+      return Status::kSolved;
     case ceres::NO_CONVERGENCE:
-      return SolveStatus::kLimit;
+      return Status::kLimit;
     case ceres::USER_SUCCESS:
-      return SolveStatus::kStopped;
+      return Status::kStopped;
     default:
-      return SolveStatus::kFailed;
+      return Status::kStalled;
   }
 }
 
@@ -154,6 +154,7 @@ Solution solve_ceres(const LeastSquares& problem, const Eigen::VectorXd& start,
   solution.evaluations = calls / static_cast<int>(blocks.parts.size());
   solution.cost = summary.final_cost;
   solution.status = status_of(summary);
+  solution.failed = solution.status == Status::kStalled;
   solution.message = summary.message;
   return solution;
 }

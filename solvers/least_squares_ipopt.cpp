@@ -76,12 +76,6 @@ NonlinearProgram program_of(const LeastSquares& problem, Evaluator& evaluator) {
   return program;
 }
 
-SolveStatus status_of(NonlinearStatus status) {
-  if (status == NonlinearStatus::kSolved || status == NonlinearStatus::kAcceptable)
-    return SolveStatus::kConverged;
-  return status == NonlinearStatus::kStalled ? SolveStatus::kLimit : SolveStatus::kFailed;
-}
-
 }  // namespace
 
 Solution solve_ipopt_least_squares(const LeastSquares& problem, const Eigen::VectorXd& start,
@@ -98,10 +92,11 @@ Solution solve_ipopt_least_squares(const LeastSquares& problem, const Eigen::Vec
     const NonlinearResult result =
         thenar::solve_ipopt(program_of(problem, evaluator), start, settings);
     best.z = result.x;
-    best.status = status_of(result.status);
+    best.status = result.status;
+    best.failed = result.status == Status::kInfeasible || result.status == Status::kUnbounded;
     best.message = result.message;
   } catch (const StopRequested&) {
-    best.status = SolveStatus::kStopped;
+    best.status = Status::kStopped;
     best.message = "stopped";
   }
   best.cost = 0.5 * problem.residuals(best.z, WithJacobian::kNo).r.squaredNorm();

@@ -66,18 +66,20 @@ void run(nlopt::algorithm algorithm, const LeastSquares& problem, const SolveOpt
   if (algorithm == nlopt::LN_BOBYQA) optimiser.set_initial_step(first_steps(problem));
   std::vector<double> x = finite(best.z);
   double value = 0;
+  best.failed = false;
   try {
     const nlopt::result result = optimiser.optimize(x, value);
-    best.status = result == nlopt::MAXEVAL_REACHED ? SolveStatus::kLimit : SolveStatus::kConverged;
+    best.status = result == nlopt::MAXEVAL_REACHED ? Status::kLimit : Status::kSolved;
     best.message = nlopt_result_to_string(static_cast<nlopt_result>(result));
   } catch (const nlopt::forced_stop&) {
-    best.status = SolveStatus::kStopped;
+    best.status = Status::kStopped;
     best.message = "stopped";
   } catch (const nlopt::roundoff_limited&) {
-    best.status = SolveStatus::kConverged;
+    best.status = Status::kSolved;
     best.message = "limited by rounding";
   } catch (const std::exception& e) {
-    best.status = SolveStatus::kFailed;
+    best.status = Status::kStalled;
+    best.failed = true;
     best.message = e.what();
   }
 }
@@ -95,7 +97,7 @@ Solution solve_nlopt(const LeastSquares& problem, const Eigen::VectorXd& start,
   // Global search first if asked for, then BOBYQA from its best point.
   if (options.method == LeastSquaresMethod::kNloptGlobal)
     run(nlopt::GN_CRS2_LM, problem, options, limit, best);
-  if (best.status != SolveStatus::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);
+  if (best.status != Status::kStopped) run(nlopt::LN_BOBYQA, problem, options, limit, best);
   return best;
 }
 

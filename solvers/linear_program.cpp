@@ -65,7 +65,7 @@ void load(ClpSimplex& simplex, const LinearProgram& program) {
 
 /// What a method proposes. Nothing of it is believed: `end` only says what to try to prove.
 struct Proposal {
-  internal::SimplexEnd end;
+  Status end;
   std::optional<SimplexBasis> basis;
 };
 
@@ -98,7 +98,6 @@ enum class Method { kClpPrimal, kClpDual, kDense };
 constexpr Method kLinearMethods[] = {Method::kClpPrimal, Method::kClpDual, Method::kDense};
 
 Proposal propose(const LinearProgram& program, Method method) {
-  using internal::SimplexEnd;
   if (method == Method::kDense) {
     const internal::SimplexVertex vertex = internal::dense_simplex(program);
     return {vertex.end, vertex.basis};
@@ -110,19 +109,19 @@ Proposal propose(const LinearProgram& program, Method method) {
   const auto end = [&] {
     switch (simplex.status()) {
       case 0:
-        return SimplexEnd::kOptimal;
+        return Status::kSolved;
       case 1:
-        return SimplexEnd::kInfeasible;
+        return Status::kInfeasible;
       case 2:
-        return SimplexEnd::kUnbounded;
+        return Status::kUnbounded;
       default:
-        return SimplexEnd::kStalled;
+        return Status::kStalled;
     }
   }();
   return {end, basis_of(simplex, program)};
 }
 
-LinearResult unsolved(const LinearProgram& program, LinearStatus status) {
+LinearResult unsolved(const LinearProgram& program, Status status) {
   return {status,
           VectorXd::Zero(program.A.cols()),
           kNaN,
@@ -137,14 +136,14 @@ std::optional<LinearResult> certified(const LinearProgram& program, const Propos
   const double objective = program.objective.dot(point.x);
   const LinearCertificate certificate = internal::certify(program, point);
   if (!internal::holds(certificate, objective)) return std::nullopt;
-  return LinearResult{LinearStatus::kSolved, point.x, objective, point.duals, certificate};
+  return LinearResult{Status::kSolved, point.x, objective, point.duals, certificate};
 }
 
 /// Every method in turn, until an answer is certified; for programs that have one.
 LinearResult optimum(const LinearProgram& program) {
   for (const Method method : kLinearMethods)
     if (const auto result = certified(program, propose(program, method))) return *result;
-  return unsolved(program, LinearStatus::kStalled);
+  return unsolved(program, Status::kStalled);
 }
 
 /// maximise  -sum (p + q)  subject to  row_lower <= A x + p - q <= row_upper:  it has an optimum
@@ -175,39 +174,39 @@ LinearProgram recession(LinearProgram program) {
 }
 
 /// Is there a feasible point? Where rows are missed by rounding alone, they are relaxed to meet it.
-LinearStatus find_feasible(LinearProgram& program, LinearResult& proof) {
+Status find_feasible(LinearProgram& program, LinearResult& proof) {
   // Least sum of violations.
   proof = optimum(elastic(program));
-  if (proof.status != LinearStatus::kSolved) return LinearStatus::kStalled;
-  if (-proof.objective > kBarelyFeasible) return LinearStatus::kInfeasible;
+  if (proof.status != Status::kSolved) return Status::kStalled;
+  if (-proof.objective > kBarelyFeasible) return Status::kInfeasible;
   // Rounding: relax the rows by what is missing.
   const Index rows = program.A.rows();
   const VectorXd added = proof.x.segment(proof.x.size() - 2 * rows, rows);
   program.row_lower -= added;
   program.row_upper += proof.x.tail(rows);
-  return LinearStatus::kSolved;
+  return Status::kSolved;
 }
 
 /// No method's optimum was certified: prove that there is none, or meet the rows to rounding.
 LinearResult without_optimum(const LinearProgram& asked) {
   LinearProgram program = asked;
   LinearResult proof;
-  const LinearStatus feasible = find_feasible(program, proof);
-  if (feasible != LinearStatus::kSolved) {
+  const Status feasible = find_feasible(program, proof);
+  if (feasible != Status::kSolved) {
     LinearResult result = unsolved(program, feasible);
     result.certificate = proof.certificate;
     return result;
   }
   // A ray that improves the objective for ever.
   const LinearResult ray = optimum(recession(program));
-  if (ray.status == LinearStatus::kSolved && ray.objective > kBarelyFeasible) {
-    LinearResult result = unsolved(program, LinearStatus::kUnbounded);
+  if (ray.status == Status::kSolved && ray.objective > kBarelyFeasible) {
+    LinearResult result = unsolved(program, Status::kUnbounded);
     result.certificate = ray.certificate;
     return result;
   }
   // Optimal with rows relaxed: how far it misses those that were asked is part of the answer.
   LinearResult result = optimum(program);
-  if (result.status == LinearStatus::kSolved)
+  if (result.status == Status::kSolved)
     result.certificate.violation = internal::certify(asked, {result.x, result.duals}).violation;
   return result;
 }
@@ -223,10 +222,9 @@ LinearResult solve_scaled(const LinearProgram& program) {
   for (const Method method : kLinearMethods) {
     const Proposal proposal = propose(program, method);
     if (const auto result = certified(program, proposal)) return *result;
-    if (proposal.end == internal::SimplexEnd::kInfeasible ||
-        proposal.end == internal::SimplexEnd::kUnbounded) {
+    if (proposal.end == Status::kInfeasible || proposal.end == Status::kUnbounded) {
       const LinearResult result = without_optimum(program);
-      if (result.status != LinearStatus::kStalled) return result;
+      if (result.status != Status::kStalled) return result;
     }
   }
   return without_optimum(program);
@@ -236,14 +234,14 @@ LinearResult solve_scaled(const LinearProgram& program) {
 
 LinearResult solve(const LinearProgram& program) {
   check(program);
-  if (bounds_cross(program)) return unsolved(program, LinearStatus::kInfeasible);
+  if (bounds_cross(program)) return unsolved(program, Status::kInfeasible);
   // Objective of order one.
   const double size = program.objective.size() > 0 ? program.objective.cwiseAbs().maxCoeff() : 0;
   if (size == 0) return solve_scaled(program);
   LinearProgram scaled = program;
   scaled.objective /= size;
   LinearResult result = solve_scaled(scaled);
-  if (result.status != LinearStatus::kSolved) return result;
+  if (result.status != Status::kSolved) return result;
   // Back to its own scale.
   result.objective = program.objective.dot(result.x);
   result.duals *= size;

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include "solvers/status.h"
+
 namespace thenar {
 
 /// maximise objective' x  subject to  row_lower <= A x <= row_upper,  lower <= x <= upper.
@@ -15,24 +17,19 @@ struct LinearProgram {
   Eigen::VectorXd lower, upper;          // (n)
 };
 
-/// What tells how far x is from feasible, and how much more any feasible point could reach.
+/// How far x is from feasible, and by how much any feasible point can exceed its objective.
 struct LinearCertificate {
   double violation;       // largest of a bound or row, over max(1, sum |a_ij x_j|)              [1]
   double dual_violation;  // largest price that no finite bound pays, over max(1, its terms)     [1]
   double gap;             // upper bound of the optimum less objective' x: sum of price x slack
 };
 
-enum class LinearStatus {
-  kSolved,      // x is an optimal vertex: its certificate holds
-  kInfeasible,  // no x obeys all bounds to 1e-9 in the units of the rows: a Farkas ray says so
-  kUnbounded,   // there is a feasible point, and a ray along which the objective grows for ever
-  kStalled      // no method found an answer whose certificate holds
-};
-
 struct LinearResult {
-  LinearStatus status;            // read this first
-  Eigen::VectorXd x;              // optimal vertex if solved, else zero                    (n)
-  double objective;               // there, else NaN
+  Status status;      // kSolved: x is an optimal vertex; kInfeasible: a Farkas ray shows that no x
+                      // obeys all bounds to 1e-9 in the units of the rows; kUnbounded: a feasible
+                      // point, and a ray along which the objective grows; kStalled: no certificate
+  Eigen::VectorXd x;  // optimal vertex if solved, else zero                    (n)
+  double objective;   // there, else NaN
   Eigen::VectorXd duals;          // of the rows: d objective / d row bound if solved, or 0 (r)
   LinearCertificate certificate;  // of x and duals, or of what proves the status
 };

@@ -170,39 +170,37 @@ void check(const NonlinearProgram& program, const VectorXd& x0) {
           "{} constraints are bounded but no function computes them", rows);
 }
 
-constexpr const char* kIterationLimit = "iteration limit reached";
-
 struct Outcome {
-  NonlinearStatus status;
+  Status status;
   const char* message;
 };
 
 Outcome outcome_of(Ipopt::ApplicationReturnStatus status) {
   switch (status) {
     case Ipopt::Solve_Succeeded:
-      return {NonlinearStatus::kSolved, "solved"};
+      return {Status::kSolved, "solved"};
     case Ipopt::Feasible_Point_Found:
-      return {NonlinearStatus::kSolved, "feasible point found"};
+      return {Status::kSolved, "feasible point found"};
     case Ipopt::Solved_To_Acceptable_Level:
-      return {NonlinearStatus::kAcceptable, "solved to the acceptable level"};
+      return {Status::kSolved, "solved to the acceptable level"};
     case Ipopt::Infeasible_Problem_Detected:
-      return {NonlinearStatus::kInfeasible, "converged to a point of local infeasibility"};
+      return {Status::kInfeasible, "converged to a point of local infeasibility"};
     case Ipopt::Diverging_Iterates:
-      return {NonlinearStatus::kUnbounded, "iterates diverge"};
+      return {Status::kUnbounded, "iterates diverge"};
     case Ipopt::Maximum_Iterations_Exceeded:
-      return {NonlinearStatus::kStalled, kIterationLimit};
+      return {Status::kLimit, "iteration limit reached"};
     case Ipopt::Search_Direction_Becomes_Too_Small:
-      return {NonlinearStatus::kStalled, "search direction becomes too small"};
+      return {Status::kStalled, "search direction becomes too small"};
     case Ipopt::Restoration_Failed:
-      return {NonlinearStatus::kStalled, "restoration failed"};
+      return {Status::kStalled, "restoration failed"};
     case Ipopt::Error_In_Step_Computation:
-      return {NonlinearStatus::kStalled, "no step could be computed"};
+      return {Status::kStalled, "no step could be computed"};
     case Ipopt::Not_Enough_Degrees_Of_Freedom:
-      return {NonlinearStatus::kStalled, "more equality constraints than variables"};
+      return {Status::kStalled, "more equality constraints than variables"};
     case Ipopt::Invalid_Number_Detected:
-      return {NonlinearStatus::kStalled, "a function value is not finite"};
+      return {Status::kStalled, "a function value is not finite"};
     default:
-      return {NonlinearStatus::kStalled, "the solver gave up"};
+      return {Status::kStalled, "the solver gave up"};
   }
 }
 
@@ -257,15 +255,13 @@ bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, 
   const NonlinearResult& result = run.result;
   const KktResidual& at = result.kkt_residual;
   switch (result.status) {
-    case NonlinearStatus::kSolved:
-    case NonlinearStatus::kAcceptable: {
+    case Status::kSolved:
       return std::isfinite(run.slope) && at.violation <= certified &&
              at.stationarity <= certified * std::max(1.0, run.slope) &&
              at.complementarity <= certified * std::max(1.0, std::abs(result.objective));
-    }
-    case NonlinearStatus::kInfeasible:
+    case Status::kInfeasible:
       return at.violation > certified;
-    case NonlinearStatus::kUnbounded:
+    case Status::kUnbounded:
       return result.objective < program.objective(x0) &&
              at.violation <= certified * std::max(1.0, result.x.cwiseAbs().maxCoeff());
     default:
@@ -275,13 +271,13 @@ bool holds(const NonlinearProgram& program, const VectorXd& x0, const Run& run, 
 
 /// The word for an answer whose conditions fail.
 NonlinearResult refuted(NonlinearResult result) {
-  if (result.status == NonlinearStatus::kStalled) return result;
+  if (is_undecided(result.status)) return result;
   const KktResidual& at = result.kkt_residual;
   result.message = fmt::format(
       "{}, but first-order conditions do not hold: violation {:.2g}, stationarity {:.2g}, "
       "complementarity {:.2g}",
       result.message, at.violation, at.stationarity, at.complementarity);
-  result.status = NonlinearStatus::kStalled;
+  result.status = Status::kStalled;
   return result;
 }
 
@@ -293,7 +289,7 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
   if (x0.size() == 0) {
     const KktResidual at{violation(program, x0), 0, 0};
     const bool feasible = at.violation <= options.certified;
-    return {feasible ? NonlinearStatus::kSolved : NonlinearStatus::kInfeasible,
+    return {feasible ? Status::kSolved : Status::kInfeasible,
             "nothing to vary",
             x0,
             program.objective(x0),
@@ -308,7 +304,7 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
   const double certified = std::max(options.certified, 10 * options.acceptable_tolerance);
   const Run first = run(program, x0, options, Barrier::kAdaptive);
   if (holds(program, x0, first, certified)) return first.result;
-  if (first.result.message == kIterationLimit) return first.result;  // the caller's own
+  if (first.result.status == Status::kLimit) return first.result;  // the caller's own
 
   // Another start and another rule; what the first run needed counts too.
   const VectorXd again = first.result.x.allFinite() ? first.result.x : x0;
@@ -318,8 +314,8 @@ NonlinearResult solve_ipopt(const NonlinearProgram& program, const VectorXd& x0,
 
   // Nor is it believed when it gives up where the conditions hold.
   for (Run stalled : {second, first}) {
-    if (stalled.result.status != NonlinearStatus::kStalled) continue;
-    stalled.result.status = NonlinearStatus::kAcceptable;
+    if (!is_undecided(stalled.result.status)) continue;
+    stalled.result.status = Status::kSolved;
     if (holds(program, x0, stalled, certified)) return stalled.result;
   }
   return refuted(first.result);

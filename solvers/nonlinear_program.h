@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "base/numbers.h"
+#include "solvers/status.h"
 
 namespace thenar {
 
@@ -37,15 +38,6 @@ struct NonlinearOptions {
   double certified = 1e-6;  // what our own check of the conditions asks for, at least      [1]
 };
 
-enum class NonlinearStatus {
-  kSolved,      // local optimum to `tolerance`
-  kAcceptable,  // local optimum to `acceptable_tolerance`
-  kInfeasible,  // no point was found that obeys the constraints; x violates them, locally least
-  kUnbounded,   // the objective falls without limit along feasible points
-  kStalled      // iteration limit, restoration failure, a non-finite function value, or a point
-                // whose first-order conditions do not hold
-};
-
 /// What is left of the first-order conditions at x, computed from the functions of the program.
 struct KktResidual {
   double violation = kUnknown;        // of a bound or row, over max(1, |bound|)      [1]
@@ -56,7 +48,10 @@ struct KktResidual {
 };
 
 struct NonlinearResult {
-  NonlinearStatus status;    // read this first
+  Status status;  // kSolved: a local optimum, whose conditions are those of `kkt_residual`;
+                  // kInfeasible: x violates the constraints, locally least; kUnbounded: the
+                  // objective falls along feasible points; kLimit: `max_iterations`; kStalled:
+                  // the conditions do not hold at any point that was found
   std::string message;       // the solver's own word for it
   Eigen::VectorXd x;         // best point found (n)
   double objective;          // there
@@ -69,7 +64,7 @@ struct NonlinearResult {
 /// Calls are serialised in a process: the sparse solver below is not reentrant. An exception thrown
 /// by a function of the program leaves this function unchanged.
 ///
-/// Its word is not believed. Solved and acceptable need a violation, a stationarity over max(1,
+/// The solver's word is not believed: kSolved needs a violation, a stationarity over max(1,
 /// steepest slope at x0 and at x) and a complementarity over max(1, |objective|) of at most
 /// `certified`, or ten times the acceptable tolerance if that is more. If they fail, a second run
 /// starts from the best point with the other rule for its barrier; if these fail too, the status is

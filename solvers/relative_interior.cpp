@@ -36,10 +36,10 @@ MatrixXd null_space(const MatrixXd& E, const std::vector<Index>& pinned) {
 RelativeInterior relative_interior(LinearProgram program) {
   const Index n = program.lower.size();
   program.objective = VectorXd::Zero(n);
-  RelativeInterior interior{LinearStatus::kSolved, {}, {}, program.lower, program.upper};
+  RelativeInterior interior{Status::kSolved, {}, {}, program.lower, program.upper};
   const LinearResult any = solve(program);
   interior.status = any.status;
-  if (any.status != LinearStatus::kSolved) return interior;
+  if (any.status != Status::kSolved) return interior;
 
   // A box of one unit about that point keeps every program below bounded, and what is pinned in it
   // is pinned everywhere, because the set is convex.
@@ -57,8 +57,8 @@ RelativeInterior relative_interior(LinearProgram program) {
     for (const int end : {0, 1}) {
       program.objective = (end == 0 ? -1 : 1) * VectorXd::Unit(n, i);
       const LinearResult extreme = solve(program);
-      if (extreme.status != LinearStatus::kSolved) {  // the box bounds it and `any` is feasible
-        interior.status = LinearStatus::kStalled;
+      if (extreme.status != Status::kSolved) {  // the box bounds it and `any` is feasible
+        interior.status = Status::kStalled;
         return interior;
       }
       reached[end] = extreme.x(i);

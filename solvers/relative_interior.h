@@ -15,7 +15,7 @@ namespace thenar::internal {
 /// found by linear programs and taken out, so z0 is strictly inside all other bounds and every y
 /// balances exactly.
 struct RelativeInterior {
-  LinearStatus status;           // kInfeasible: there is no such z
+  Status status;                 // kInfeasible: there is no such z
   Eigen::VectorXd z0;            // relative interior point                              (n)
   Eigen::MatrixXd Z;             // orthonormal; rows of pinned variables are exact 0    (n, k)
   Eigen::VectorXd lower, upper;  // of z; infinite at pinned variables                   (n)

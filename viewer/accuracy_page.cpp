@@ -107,8 +107,8 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
     for (const SolverRun& run : study.runs) best = std::min(best, run.solution.cost);
     for (const SolverRun& run : study.runs) {
       const Solution& s = run.solution;
-      rows.push_back({specimen, name_of(run.method), name_of(s.status), s.cost, run.error.relative,
-                      s.evaluations, s.seconds});
+      rows.push_back({specimen, name_of(run.method), convergence_word(s), s.cost,
+                      run.error.relative, s.evaluations, s.seconds});
       series.push_back({{"name", fmt::format("{} {}", specimen, name_of(run.method))},
                         {"style", "points"},
                         {"x", {s.seconds}},

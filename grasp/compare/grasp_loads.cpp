@@ -28,14 +28,13 @@ std::vector<ScaledWrench> both_ways(int first, int last, double size) {
 
 /// The value, with the reason where it is zero, NaN or infinite. @param size  of a load at value 1
 /// [N]
-ExplainedLoad limited(const HandForceInputs& forces, ConeStatus status, double value,
+ExplainedLoad limited(const HandForceInputs& forces, Status status, double value,
                       const std::vector<ScaledWrench>& loads, double size) {
   // The order matters: a stalled solver or an unknown effort leaves the value unknown.
-  if (status == ConeStatus::kStalled)
-    return {kNaN, "the solver did not converge (numerical trouble)"};
+  if (is_undecided(status)) return {kNaN, "the solver did not converge (numerical trouble)"};
   const std::string unknown = explain_unknown_effort(forces);
   if (!unknown.empty()) return {kNaN, unknown};
-  if (status == ConeStatus::kInfeasible || value * size < kNegligibleLoad)
+  if (status == Status::kInfeasible || value * size < kNegligibleLoad)
     return {0, explain_zero_margin(forces, loads)};
   return {value, std::isinf(value) ? kSupportedByStructure : ""};
 }
@@ -59,8 +58,8 @@ std::vector<ScaledWrench> task_loads(GraspTask task, double weight, double scale
 std::optional<ScaledWrench> unsupported_load(const ForceSet& forces) {
   for (const ScaledWrench& load : both_ways(0, 5, 1)) {
     const WrenchSupport reach = load_margin(forces, load);
-    if (reach.status == ConeStatus::kSolved && reach.value < kNegligibleLoad) return load;
-    if (reach.status == ConeStatus::kInfeasible) return load;
+    if (reach.status == Status::kSolved && reach.value < kNegligibleLoad) return load;
+    if (reach.status == Status::kInfeasible) return load;
   }
   return {};
 }
@@ -109,10 +108,8 @@ ExplainedLoad hand_epsilon(const HeldObject& held, const SceneBody& object) {
     return {0, explain_zero_margin(held_by, {*load})};
   // A stalled search still has a certified lower bound.
   const InscribedBall ball = inscribed_ball(forces, options);
-  const bool known =
-      ball.status == ConeStatus::kStalled && ball.lower > kNegligibleLoad;  // less sharply
-  return limited(held_by, known ? ConeStatus::kSolved : ball.status, ball.lower, {ball.worst_load},
-                 1);
+  const bool known = is_undecided(ball.status) && ball.lower > kNegligibleLoad;  // less sharply
+  return limited(held_by, known ? Status::kSolved : ball.status, ball.lower, {ball.worst_load}, 1);
 }
 
 namespace {
@@ -142,7 +139,7 @@ bool holds(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
   // Smallest load of the list, for a limit in newtons.
   double size = kInfinity;
   for (const ScaledWrench& load : loads) size = std::min(size, load.norm());
-  return margin.status == ConeStatus::kSolved && margin.lower * size >= kNegligibleLoad;
+  return margin.status == Status::kSolved && margin.lower * size >= kNegligibleLoad;
 }
 
 bool holds_driven(const HandForceInputs& forces, const std::vector<ScaledWrench>& loads,

@@ -127,10 +127,9 @@ Farthest farthest(ConeProgram program, const Eigen::MatrixXd& J, const Eigen::Ve
   program.c.head(J.cols()) = -J.transpose() * d;
   const ConeResult result = solve(program);
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  if (result.status == ConeStatus::kUnbounded)
-    return {std::numeric_limits<double>::infinity(), zero};
-  if (result.status == ConeStatus::kInfeasible) return {0, zero};  // nothing balances the digit
-  if (result.status != ConeStatus::kSolved) return {kNaN, zero};
+  if (result.status == Status::kUnbounded) return {std::numeric_limits<double>::infinity(), zero};
+  if (result.status == Status::kInfeasible) return {0, zero};  // nothing balances the digit
+  if (result.status != Status::kSolved) return {kNaN, zero};
   return {-result.objective, J * result.x.head(J.cols())};
 }
 

@@ -211,7 +211,7 @@ class Limits {
     // Keep these rows if the hand stays in balance with them.
     if (is_slack() ||
         minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum).status !=
-            ConeStatus::kInfeasible)
+            Status::kInfeasible)
       return forces_;
     // No effort keeps the hand in balance and off its joint limits: they are not pressed.
     add_rows(idle, sum_of(SupportKind::kJointLimit) - by_stops_, VectorXd::Zero(1));

@@ -15,7 +15,7 @@ enum class GraspForceObjective {
 
 /// Result of minimum_grasp_force().
 struct [[nodiscard]] GraspForce {
-  ConeStatus status;     // kInfeasible: proof that contacts and limits cannot hold the load
+  Status status;         // kInfeasible: proof that contacts and limits cannot hold the load
   double objective;      // sum of the normal forces, or that of the most loaded patch [N]; infinite
                          // where infeasible
   ContactForces forces;  // an optimal choice

@@ -57,7 +57,7 @@ bool reaches(ConeProgram program, double value) {
   program.h(rows) = 1;
   program.cones.push_back(1);
   const ConeResult most = solve(program);
-  return most.status == ConeStatus::kSolved && -most.objective > kWholeLoad;
+  return most.status == Status::kSolved && -most.objective > kWholeLoad;
 }
 
 /// A value of so much leverage is supported by structure except for the rounding of normals; the
@@ -65,10 +65,10 @@ bool reaches(ConeProgram program, double value) {
 void judge_leverage(const ConeProgram& program, double way, ConeResult& solution) {
   const double most = kMaxLeverage * largest_limit(program) / way;
   if (most == 0) return;
-  const bool beyond = solution.status == ConeStatus::kSolved
+  const bool beyond = solution.status == Status::kSolved
                           ? -solution.objective > most
-                          : solution.status == ConeStatus::kStalled && reaches(program, most);
-  if (beyond) solution.status = ConeStatus::kUnbounded;
+                          : is_undecided(solution.status) && reaches(program, most);
+  if (beyond) solution.status = Status::kUnbounded;
 }
 
 /// Reads the support from a solution; the value is minus the objective.
@@ -77,12 +77,12 @@ WrenchSupport support_of(const ForceSet& forces, const ConeResult& solution) {
   WrenchSupport reach{solution.status, kNaN, kNaN, forces.wrench * y, contact_forces(forces, y),
                       // The dual objective bounds the value from above.
                       solution.residual};
-  if (solution.status == ConeStatus::kSolved) {
+  if (solution.status == Status::kSolved) {
     reach.value = -solution.objective;
     reach.bound = std::max(reach.value, -solution.dual);
   }
-  if (solution.status == ConeStatus::kUnbounded) reach.value = reach.bound = kInfinity;
-  if (solution.status != ConeStatus::kSolved) reach.wrench.setZero();
+  if (solution.status == Status::kUnbounded) reach.value = reach.bound = kInfinity;
+  if (solution.status != Status::kSolved) reach.wrench.setZero();
   // Without a solution the forces stand for no wrench.
   return reach;
 }

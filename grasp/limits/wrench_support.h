@@ -9,7 +9,7 @@ namespace thenar {
 
 /// Extreme wrench of a force set in one direction, with the contact forces that make it.
 struct [[nodiscard]] WrenchSupport {
-  ConeStatus status;     // read this first
+  Status status;         // read this first
   double value;          // infinite where unbounded, NaN where infeasible or stalled
   double bound;          // upper bound by the multipliers, >= value; equals value unless solved
   ScaledWrench wrench;   // at the extreme point; zero unless solved [N] (6)

@@ -34,7 +34,7 @@ class BallSearch {
     // Most sets contain the zero wrench, about which the ball lies.
     const GraspForce none =
         minimum_grasp_force(forces_, ScaledWrench::Zero(), GraspForceObjective::kSum);
-    if (none.status == ConeStatus::kSolved) {
+    if (none.status == Status::kSolved) {
       points_.caps.push_back({ScaledWrench::Zero(), {}});
       result_.residual = none.residual;
     }
@@ -46,13 +46,13 @@ class BallSearch {
     while (ok() && result_.programs < options_.max_programs && !refine()) {
     }
     const bool met = result_.upper <= 0 || result_.upper - result_.lower <= gap();
-    if (ok() && !met && !exhausted_) result_.status = ConeStatus::kStalled;
+    if (ok() && !met && !exhausted_) result_.status = Status::kLimit;
     result_.lower = std::min(result_.lower, result_.upper);
     return result_;
   }
 
  private:
-  [[nodiscard]] bool ok() const { return result_.status == ConeStatus::kSolved; }
+  [[nodiscard]] bool ok() const { return result_.status == Status::kSolved; }
   [[nodiscard]] double gap() const {
     return options_.gap * std::max(result_.upper, kNothingNew * size_);
   }
@@ -61,7 +61,7 @@ class BallSearch {
   bool look(const ScaledWrench& u) {
     const WrenchSupport reach = wrench_support(forces_, u);
     ++result_.programs;
-    if (reach.status != ConeStatus::kSolved) {
+    if (reach.status != Status::kSolved) {
       result_.status = reach.status;
       return false;
     }
@@ -98,7 +98,7 @@ class BallSearch {
   WrenchSet points_;
   double size_ = 0;
   bool exhausted_ = false;
-  InscribedBall result_{ConeStatus::kSolved,
+  InscribedBall result_{Status::kSolved,
                         -std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity(),
                         ScaledWrench::Zero(),
@@ -114,7 +114,7 @@ bool is_unlimited(ForceSet forces, int axes) {
   forces.h.setZero();
   for (int i = 0; i < axes; ++i)
     for (const double sign : {1.0, -1.0})
-      if (load_margin(forces, sign * ScaledWrench::Unit(i)).status != ConeStatus::kUnbounded)
+      if (load_margin(forces, sign * ScaledWrench::Unit(i)).status != Status::kUnbounded)
         return false;
   return true;
 }
@@ -124,7 +124,7 @@ InscribedBall inscribed_ball(const ForceSet& forces, const BallOptions& options)
           "gap, max_total_force and max_programs must be positive, got {}, {}, {}", options.gap,
           options.max_total_force, options.max_programs);
   if (is_unlimited(forces, 6))
-    return {ConeStatus::kUnbounded, kInfinity, kInfinity, ScaledWrench::Zero(), 12, 0};
+    return {Status::kUnbounded, kInfinity, kInfinity, ScaledWrench::Zero(), 12, 0};
   return BallSearch(forces, options).run();
 }
 

@@ -15,10 +15,10 @@ struct BallOptions {
 
 /// Signed radius of the largest ball about the origin in the wrenches of a force set.
 struct [[nodiscard]] InscribedBall {
-  ConeStatus status;  // kSolved; kInfeasible: no force is possible; kStalled: stopped early;
-                      // kUnbounded: every wrench can be made, bounds are infinite
-  double lower;       // [N]: the radius is in [lower, upper], each to within `residual` times 1 N
-  double upper;       // and the largest wrench met
+  Status status;  // kSolved; kInfeasible: no force is possible; kLimit: `max_programs`;
+                  // kUnbounded: every wrench can be made, bounds are infinite
+  double lower;   // [N]: the radius is in [lower, upper], each to within `residual` times 1 N
+  double upper;   // and the largest wrench met
   ScaledWrench worst_load;  // unit: load that is resisted least (6)
   int programs;             // cone programs solved
   double residual;          // largest of their KKT conditions, recomputed [1]

@@ -58,14 +58,14 @@ ForceSet slice_along(ForceSet forces, const Eigen::ColPivHouseholderQR<MatrixXd>
 }  // namespace
 
 TaskMargin margin_of_loads(const ForceSet& forces, const std::vector<ScaledWrench>& loads) {
-  TaskMargin margin{ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+  TaskMargin margin{Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
   for (const ScaledWrench& load : loads) {
     // The smallest margin counts; a load without limit sets none.
     if (load.isZero(0)) continue;
     const WrenchSupport reach = load_margin(forces, load);
-    if (reach.status == ConeStatus::kUnbounded) continue;
+    if (reach.status == Status::kUnbounded) continue;
     margin.residual = max_or_nan(margin.residual, reach.residual);
-    if (reach.status != ConeStatus::kSolved)
+    if (reach.status != Status::kSolved)
       return {reach.status, reach.value, reach.bound, load, margin.residual};
     if (reach.value < margin.lower) margin.worst_load = load;
     margin.lower = std::min(margin.lower, reach.value);
@@ -105,11 +105,11 @@ TaskMargin margin_of_ellipsoid(const ForceSet& forces,
           qr.rank());
   ForceSet sliced = slice_along(forces, qr);
   if (is_unlimited(sliced, static_cast<int>(Q.cols())))
-    return {ConeStatus::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
+    return {Status::kSolved, kInfinity, kInfinity, ScaledWrench::Zero(), 0};
   // Missing dimensions get a box, wider than the slice, which does not change its ball.
   if (Q.cols() < 6) {
     const WrenchSupport any = wrench_support(sliced, ScaledWrench::Unit(0));
-    const double width = any.status == ConeStatus::kSolved ? any.value : options.max_total_force;
+    const double width = any.status == Status::kSolved ? any.value : options.max_total_force;
     add_box(sliced, 6 - Q.cols(), 2 * std::max(width, 1e-3));
   }
   const InscribedBall ball = inscribed_ball(sliced, options);

@@ -10,9 +10,9 @@ namespace thenar {
 
 /// The largest k for which the grasp resists every load of k T, T the loads of a task.
 struct [[nodiscard]] TaskMargin {
-  ConeStatus status;  // of the program that failed, otherwise kSolved
-  double lower;  // the true k is in [lower, upper], each to within `residual` of 1 + itself [1]
-  double upper;  // infinite if nothing limits the forces [1]
+  Status status;  // of the program that failed, otherwise kSolved
+  double lower;   // the true k is in [lower, upper], each to within `residual` of 1 + itself [1]
+  double upper;   // infinite if nothing limits the forces [1]
   ScaledWrench worst_load;  // of T, or on its boundary: the first that is not resisted (6)
   double residual;          // largest of the KKT conditions of its programs, recomputed [1]
 };

@@ -90,7 +90,7 @@ WrenchSetMesh wrench_set_mesh(const ForceSet& forces, const std::array<int, 3>& 
     way.head<3>() = Eigen::Vector3d(x, y, z).normalized();
     const WrenchSupport reach =
         support_along(forces, rows, Eigen::VectorXd::Zero(rows.rows()), way);
-    const bool found = reach.status == ConeStatus::kSolved;
+    const bool found = reach.status == Status::kSolved;
     picture.failed += found ? 0 : 1;
     picture.mesh.vertices.col(static_cast<Eigen::Index>(i)) =
         (found ? reach.value : 0.0) * way.head<3>();

@@ -264,7 +264,7 @@ std::vector<Mode> modes_of(const InferenceFile& file, const HandPosterior& poste
     modes[m].cost = cost[m];
     modes[m].hits = static_cast<int>(array(file, "modes", "hits").values[m]);
     modes[m].laplace_mass = array(file, "modes", "laplace_mass").values[m];
-    modes[m].status = SolveStatus::kConverged;
+    modes[m].status = Status::kSolved;
   }
   return modes;
 }

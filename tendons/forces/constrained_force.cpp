@@ -113,7 +113,7 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
   const Unknowns unknowns{balance.force_unit * axes, balance.unit};
   const internal::RelativeInterior interior =
       internal::relative_interior(balance_program(balance, balance.force_part * turned, aim));
-  ConstrainedForce result{internal::force_status(interior.status),
+  ConstrainedForce result{interior.status,
                           Vector3d::Zero(),
                           0,
                           VectorXd::Zero(m),
@@ -123,8 +123,8 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
                           0,
                           KktResidual{},
                           KktResidual::kUnknown};
-  if (interior.status == LinearStatus::kStalled) result.message = "a linear program stalled";
-  if (interior.status != LinearStatus::kSolved) return result;
+  if (interior.status == Status::kStalled) result.message = "a linear program stalled";
+  if (interior.status != Status::kSolved) return result;
 
   // Largest component along the direction, within the limits.
   NonlinearProgram program = internal::program_over_interior(interior);
@@ -136,9 +136,9 @@ ConstrainedForce constrained_force(const TipStatics& statics, const Vector3d& di
 
   // Forces and tensions at the optimum.
   const VectorXd z = interior.z0 + interior.Z * best.x;
-  result.status = internal::force_status(best.status);
+  result.status = best.status;
   result.force = unknowns.force(z);
-  result.magnitude = result.status == ForceStatus::kUnbounded ? kInfinity : d.dot(result.force);
+  result.magnitude = result.status == Status::kUnbounded ? kInfinity : d.dot(result.force);
   result.tension = internal::tension(balance, z.tail(m));
   result.activation = internal::activation(statics, result.tension);
   // How far limits are exceeded, and first-order conditions in newtons.

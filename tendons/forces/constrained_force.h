@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "solvers/nonlinear_program.h"
+#include "solvers/status.h"
 #include "tendons/forces/force_constraints.h"
-#include "tendons/forces/force_status.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -21,7 +21,7 @@ enum class ForceDirection {
 };
 
 struct ConstrainedForce {
-  ForceStatus status;          // read this first
+  Status status;               // read this first
   Eigen::Vector3d force;       // of the tip on the world, world frame          [N] (3)
   double magnitude;            // its component along the direction             [N]
   Eigen::VectorXd tension;     // that makes it                                 [N] (m)

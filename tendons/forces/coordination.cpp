@@ -40,7 +40,7 @@ LinearProgram activation_program(const Task& task) {
   return program;
 }
 
-Coordination report(const Task& task, ForceStatus status, const VectorXd& a, const Vector3d& force,
+Coordination report(const Task& task, Status status, const VectorXd& a, const Vector3d& force,
                     const std::string& message, double gap = KktResidual::kUnknown) {
   Coordination result{status, internal::tension(task.balance, a), {}, 0, force, {}, message, gap};
   result.activation = internal::activation(task.statics, result.tension);
@@ -51,9 +51,9 @@ Coordination report(const Task& task, ForceStatus status, const VectorXd& a, con
 }
 
 /// No tensions and no force, because a linear program stopped short of an answer.
-Coordination unsolved(const Task& task, LinearStatus status) {
-  return report(task, internal::force_status(status), VectorXd::Zero(task.balance.most.size()),
-                Vector3d::Zero(), "a linear program stalled");
+Coordination unsolved(const Task& task, Status status) {
+  return report(task, status, VectorXd::Zero(task.balance.most.size()), Vector3d::Zero(),
+                "a linear program stalled");
 }
 
 /// How far above its least value a convex objective is at most:  sum of price x distance to bounds,
@@ -103,11 +103,11 @@ Coordination nearest(const Task& task) {
   everything.upper = VectorXd::Constant(3 + m, std::numeric_limits<double>::infinity());
   everything.upper.tail(m) = balance.most;
   const internal::RelativeInterior interior = internal::relative_interior(everything);
-  if (interior.status != LinearStatus::kSolved)
-    return report(
-        task, internal::force_status(interior.status), VectorXd::Zero(m), Vector3d::Zero(),
-        interior.status == LinearStatus::kStalled ? "a linear program stalled"
-                                                  : "no force at all balances the passive torque");
+  if (interior.status != Status::kSolved)
+    return report(task, interior.status, VectorXd::Zero(m), Vector3d::Zero(),
+                  interior.status == Status::kStalled
+                      ? "a linear program stalled"
+                      : "no force at all balances the passive torque");
 
   const VectorXd aim = balance.U.transpose() * task.wanted / balance.force_unit;
   const MatrixXd Z = interior.Z.topRows(3);
@@ -121,15 +121,15 @@ Coordination nearest(const Task& task) {
     return 2 * factor * Z.transpose() * Z;
   };
   const NonlinearResult best = solve_ipopt(program, VectorXd::Zero(Z.cols()));
-  const ForceStatus status = internal::force_status(best.status);
+  const Status status = best.status;
   const VectorXd z = interior.z0 + interior.Z * best.x;
   const auto square = [](double value) { return value * value; };
   // The optimum is no farther from the wanted force than this, so at most twice that from here.
   return report(
-      task, status == ForceStatus::kSolved ? ForceStatus::kInfeasible : status, z.tail(m),
+      task, status == Status::kSolved ? Status::kInfeasible : status, z.tail(m),
       balance.force_unit * (balance.U * z.head(3)),
-      status == ForceStatus::kSolved ? "the wanted force is out of reach; this is the nearest"
-                                     : best.message,
+      status == Status::kSolved ? "the wanted force is out of reach; this is the nearest"
+                                : best.message,
       square(balance.force_unit) * convex_gap(best, diameter(m) + 2 * miss(best.x).norm()));
 }
 
@@ -148,20 +148,20 @@ Coordination coordinate(const TipStatics& statics, const Vector3d& f,
   if (options.p == 1) {
     linear.objective.setConstant(-1);
     const LinearResult best = solve(linear);
-    if (best.status == LinearStatus::kInfeasible) return nearest(task);
-    if (best.status != LinearStatus::kSolved) return unsolved(task, best.status);
-    return report(task, ForceStatus::kSolved, best.x, f, "linear program", best.certificate.gap);
+    if (best.status == Status::kInfeasible) return nearest(task);
+    if (best.status != Status::kSolved) return unsolved(task, best.status);
+    return report(task, Status::kSolved, best.x, f, "linear program", best.certificate.gap);
   }
 
   const internal::RelativeInterior interior = internal::relative_interior(linear);
-  if (interior.status == LinearStatus::kInfeasible) return nearest(task);
-  if (interior.status != LinearStatus::kSolved) return unsolved(task, interior.status);
+  if (interior.status == Status::kInfeasible) return nearest(task);
+  if (interior.status != Status::kSolved) return unsolved(task, interior.status);
   NonlinearOptions sharp;  // a silent muscle is off by the p-th root of this
   sharp.tolerance = 1e-13;
   const NonlinearResult best =
       solve_ipopt(effort_program(interior, options.p), VectorXd::Zero(interior.Z.cols()), sharp);
-  return report(task, internal::force_status(best.status), interior.z0 + interior.Z * best.x, f,
-                best.message, convex_gap(best, diameter(interior.z0.size())));
+  return report(task, best.status, interior.z0 + interior.Z * best.x, f, best.message,
+                convex_gap(best, diameter(interior.z0.size())));
 }
 
 }  // namespace thenar

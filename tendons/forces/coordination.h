@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "tendons/forces/force_status.h"
+#include "solvers/status.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -16,7 +16,7 @@ struct CoordinationOptions {
 };
 
 struct Coordination {
-  ForceStatus status;            // kInfeasible: the force is out of reach; `force` is the nearest.
+  Status status;                 // kInfeasible: the force is out of reach; `force` is the nearest.
                                  // kStalled before any answer: `tension` and `force` are zero
   Eigen::VectorXd tension;       // of least effort; if infeasible, some that make `force`  [N] (m)
   Eigen::VectorXd activation;    // tension / F0                                           [1] (m)

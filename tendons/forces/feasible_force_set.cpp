@@ -56,19 +56,19 @@ class SupportOracle {
   }
 
   [[nodiscard]] Index dimension() const { return r_; }
-  [[nodiscard]] LinearStatus worst() const { return worst_; }  // of all answers so far
+  [[nodiscard]] Status worst() const { return worst_; }  // of all answers so far
 
   Point farthest(const VectorXd& direction) {
     program_.objective.head(r_) = direction;
     const LinearResult result = solve(program_);
-    if (result.status != LinearStatus::kSolved) worst_ = result.status;
+    if (result.status != Status::kSolved) worst_ = result.status;
     return {result.x.head(r_), result.x.tail(result.x.size() - r_), result.certificate.gap};
   }
 
  private:
   Index r_;
   LinearProgram program_;
-  LinearStatus worst_ = LinearStatus::kSolved;
+  Status worst_ = Status::kSolved;
 };
 
 /// Orthonormal axes along which the set has width, and half that width.
@@ -325,14 +325,14 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     points = corners(hull, frame, points);
     hull = convex_hull(local_points(frame, points));
   }
-  if (!hull.failure.empty() || oracle.worst() != LinearStatus::kSolved) {
-    set.status = ForceStatus::kStalled;
+  if (!hull.failure.empty() || oracle.worst() != Status::kSolved) {
+    set.status = Status::kStalled;
     set.failure = hull.failure.empty() ? "a linear program stalled" : hull.failure;
     return;
   }
   // Facets must be certified.
   if (!(set.excess <= kAccepted)) {
-    set.status = ForceStatus::kStalled;
+    set.status = Status::kStalled;
     set.failure = "a facet of the hull could not be certified";
     return;
   }
@@ -344,7 +344,7 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
     const HullCheck& check = hull.check;
     if (closed(set.triangles) && check.closed && check.volume_error <= kVolume * check.volume)
       return;
-    set.status = ForceStatus::kStalled;
+    set.status = Status::kStalled;
     set.failure = "nearly flat facets leave a gap in the hull";
     return;
   }
@@ -355,7 +355,7 @@ void write_hull(const TipStatics& statics, const internal::TipBalance& balance,
 
 FeasibleForceSet empty_set(const TipStatics& statics, const internal::TipBalance& balance) {
   const Index m = statics.R.rows();
-  return {ForceStatus::kSolved,
+  return {Status::kSolved,
           -1,
           0.0,
           Eigen::MatrixX3d(0, 3),
@@ -380,9 +380,9 @@ FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   SupportOracle oracle(balance);
   std::vector<Point> points{oracle.farthest(VectorXd::Zero(balance.rank))};
   Frame frame;
-  if (oracle.worst() == LinearStatus::kSolved) frame = span(oracle, points);
-  set.status = internal::force_status(oracle.worst());
-  if (set.status != ForceStatus::kSolved) return set;
+  if (oracle.worst() == Status::kSolved) frame = span(oracle, points);
+  set.status = oracle.worst();
+  if (set.status != Status::kSolved) return set;
 
   set.dimension = static_cast<int>(frame.half.size());
   if (set.dimension == 0) write_points(statics, balance, {points.front()}, set);
@@ -394,8 +394,8 @@ FeasibleForceSet feasible_force_set(const TipStatics& statics) {
   }
   if (set.dimension >= 2) write_hull(statics, balance, oracle, frame, points, set);
   // Every answer so far counts: also of those that found a width of nothing.
-  if (set.status == ForceStatus::kSolved) set.status = internal::force_status(oracle.worst());
-  if (set.status == ForceStatus::kSolved) set.volume = measure(set);
+  if (set.status == Status::kSolved) set.status = oracle.worst();
+  if (set.status == Status::kSolved) set.volume = measure(set);
   return set;
 }
 

@@ -6,14 +6,14 @@
 
 #include <Eigen/Core>
 
-#include "tendons/forces/force_status.h"
+#include "solvers/status.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
 
 /// The set is conv(vertices) + span(carried).
 struct FeasibleForceSet {
-  ForceStatus status;          // kInfeasible: the set is empty; then all below is empty or zero
+  Status status;               // kInfeasible: the set is empty; then all below is empty or zero
   int dimension;               // of conv(vertices): 3, or 2 1 0 if flat, -1 if empty
   double volume;               // of conv(vertices)                  [N^dimension], 1 for a point
   Eigen::MatrixX3d vertices;   // corners; of a polygon in order                    [N] (k, 3)

@@ -82,21 +82,19 @@ LinearResult maximise(LoadProblem problem) {
   while (problem.cuts.size() < kMostCuts) {
     const LinearProgram program = linear_program(problem);
     const LinearResult result = solve(program);
-    if (result.status == LinearStatus::kUnbounded) {
+    if (result.status == Status::kUnbounded) {
       // Unbounded for want of planes: cut the ray off.
       const LinearResult ray = solve(recession(program));
-      if (ray.status != LinearStatus::kSolved || !cut_off(ray.x, problem)) return result;
-    } else if (result.status != LinearStatus::kSolved || !cut_off(result.x, problem)) {
+      if (ray.status != Status::kSolved || !cut_off(ray.x, problem)) return result;
+    } else if (result.status != Status::kSolved || !cut_off(result.x, problem)) {
       return result;
     }
   }
-  return {LinearStatus::kStalled, VectorXd(), kInfinity, VectorXd(), {}};
+  return {Status::kLimit, VectorXd(), kInfinity, VectorXd(), {}};
 }
 
 /// What a result says before, or instead of, an answer.
-double amount_without_answer(ForceStatus status) {
-  return status == ForceStatus::kUnbounded ? kInfinity : 0;
-}
+double amount_without_answer(Status status) { return status == Status::kUnbounded ? kInfinity : 0; }
 
 }  // namespace
 
@@ -118,7 +116,7 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   turned.rightCols(axes.cols() - 1) *= slope;
 
   const LinearResult best = maximise({balance, balance.force_part * turned, {}});
-  const ForceStatus status = internal::force_status(best.status);
+  const Status status = best.status;
   MaxTipForce result{status,
                      Vector3d::Zero(),
                      amount_without_answer(status),
@@ -126,7 +124,7 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
                      VectorXd::Zero(balance.most.size()),
                      VectorXd::Zero(statics.J.cols()),
                      {}};
-  if (status != ForceStatus::kSolved) return result;
+  if (status != Status::kSolved) return result;
   result.force = balance.force_unit * (axes * best.x.head(axes.cols()));
   result.magnitude = balance.force_unit * best.x(0);
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));
@@ -161,10 +159,10 @@ MaxTipWrench max_tip_wrench(const TipStatics& statics, const Vector3d& moment,
   load *= unit;
 
   const LinearResult best = maximise({balance, load, {}});
-  const ForceStatus status = internal::force_status(best.status);
+  const Status status = best.status;
   MaxTipWrench result{status, amount_without_answer(status), VectorXd::Zero(balance.most.size()),
                       VectorXd::Zero(balance.most.size()), MaxTipForceCheck::kUnknown};
-  if (status != ForceStatus::kSolved) return result;
+  if (status != Status::kSolved) return result;
   result.multiple = unit * best.x(0);
   result.gap = unit * best.certificate.gap;
   result.tension = internal::tension(balance, best.x.tail(balance.most.size()));

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "base/numbers.h"
-#include "tendons/forces/force_status.h"
+#include "solvers/status.h"
 #include "tendons/tip_statics.h"
 
 namespace thenar {
@@ -20,7 +20,7 @@ struct MaxTipForceCheck {
 };
 
 struct MaxTipForce {
-  ForceStatus status;          // read this first
+  Status status;               // read this first
   Eigen::Vector3d force;       // of the tip on the world, world frame           [N] (3)
   double magnitude;            // its component along the direction; infinite if unbounded [N]
   Eigen::VectorXd tension;     // that makes it                                  [N] (m)
@@ -52,7 +52,7 @@ struct MaxTipForceOptions {
                                         const MaxTipForceOptions& options = {});
 
 struct MaxTipWrench {
-  ForceStatus status;          // read this first
+  Status status;               // read this first
   double multiple;             // of the wrench asked for; infinite if unbounded [1]
   Eigen::VectorXd tension;     // that makes it                                  [N] (m)
   Eigen::VectorXd activation;  // tension / F0, 0 where F0 is infinite or zero   [1] (m)

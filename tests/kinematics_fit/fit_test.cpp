@@ -137,10 +137,10 @@ TEST_F(FitFile, AStoppedFitIsStillAFit) {
   int asked = 0;
   options.progress.stop_requested = [&] { return ++asked > 1; };
   const Fit fit = run_fit(small_inputs(), options);
-  EXPECT_EQ(fit.solution.status, SolveStatus::kStopped);
+  EXPECT_EQ(fit.solution.status, Status::kStopped);
   const std::string path = (folder_ / "fit.h5").string();
   write_fit(fit, path);
-  EXPECT_EQ(read_fit(path).solution.status, SolveStatus::kStopped);
+  EXPECT_EQ(read_fit(path).solution.status, Status::kStopped);
 }
 
 TEST(BuildProblem, RefusesTheSameExperimentTwice) {

@@ -75,7 +75,7 @@ TEST(FindModes, KeepsEverySearchAndItsStatus) {
   int hits = 0;
   for (const Mode& mode : found.modes) {
     hits += mode.hits;
-    EXPECT_EQ(mode.status, SolveStatus::kConverged);
+    EXPECT_EQ(mode.status, Status::kSolved);
   }
   EXPECT_EQ(hits, 8);
   EXPECT_EQ(found.mode_of_search[0], 1);  // down the nearer well

@@ -124,7 +124,7 @@ class FingerFit : public testing::TestWithParam<Bar> {};
 TEST_P(FingerFit, FitsAndPredictsBetterThanEveryPublishedModel) {
   const Bar bar = GetParam();
   const Fit fit = run_fit(finger_inputs("an_chao_middle", {bar.specimen}));
-  EXPECT_EQ(fit.solution.status, SolveStatus::kConverged) << fit.solution.message;
+  EXPECT_EQ(fit.solution.status, Status::kSolved) << fit.solution.message;
   const double in_sample = predict_fitted(fit.problem, fit.solution.z, 0).error.relative;
   EXPECT_LT(in_sample, bar.in_sample);
 
@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(Human, FingerFit,
 
 TEST(FingerPopulation, OneFitServesBothSpecimens) {
   const Fit fit = run_fit(finger_inputs("synek2019_middle", {"H01", "H02"}));
-  EXPECT_EQ(fit.solution.status, SolveStatus::kConverged) << fit.solution.message;
+  EXPECT_EQ(fit.solution.status, Status::kSolved) << fit.solution.message;
   EXPECT_LT(predict_fitted(fit.problem, fit.solution.z, 0).error.relative, 0.20);
   EXPECT_LT(predict_fitted(fit.problem, fit.solution.z, 1).error.relative, 0.30);
 }

@@ -39,7 +39,7 @@ ConeProgram distance_to_line(double most) {
 
 TEST(ConeProgram, FindsDistanceOfPointFromLine) {
   const ConeResult result = solve(distance_to_line());
-  ASSERT_EQ(result.status, ConeStatus::kSolved);
+  ASSERT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.objective, 4 / std::sqrt(2.0), kSolved);
   EXPECT_NEAR(result.dual, 4 / std::sqrt(2.0), kSolved);
   EXPECT_TRUE(matrix_near(result.x.tail(2), Eigen::Vector2d(0, 1), kSolved));
@@ -55,13 +55,13 @@ TEST(ConeProgram, ProvesOptimalityByItsMultipliers) {
 }
 
 TEST(ConeProgram, ProvesInfeasibility) {
-  EXPECT_EQ(solve(distance_to_line(2.8)).status, ConeStatus::kInfeasible);
-  EXPECT_EQ(solve(distance_to_line(2.9)).status, ConeStatus::kSolved);
+  EXPECT_EQ(solve(distance_to_line(2.8)).status, Status::kInfeasible);
+  EXPECT_EQ(solve(distance_to_line(2.9)).status, Status::kSolved);
 }
 
 // Farkas: A'y + G'z = 0 with z in K and b'y + h'z < 0 rules every x out, and needs no solver.
 void expect_proof(const ConeProgram& p, const ConeResult& result, const std::string& about) {
-  ASSERT_EQ(result.status, ConeStatus::kInfeasible) << about;
+  ASSERT_EQ(result.status, Status::kInfeasible) << about;
   VectorXd e = p.G.transpose() * result.z;
   if (p.A.size() > 0) e += p.A.transpose() * result.y;
   const double gain = -p.h.dot(result.z) - (p.b.size() > 0 ? p.b.dot(result.y) : 0);
@@ -98,14 +98,22 @@ TEST(ConeProgram, CallsNothingUnboundedThatHasNoPoint) {
 
 TEST(ConeProgram, SolvesWhereOnlyOnePointIsFeasible) {
   const ConeResult result = solve(distance_to_line(4 / std::sqrt(2.0)));
-  ASSERT_EQ(result.status, ConeStatus::kSolved);
+  ASSERT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.objective, 4 / std::sqrt(2.0), 1e-7);  // its square root is what is certified
+}
+
+TEST(ConeProgram, CallsTheLimitOfItsIterationsALimit) {
+  ConeOptions options;
+  options.max_iterations = 1;
+  const ConeResult result = solve(distance_to_line(), options);
+  EXPECT_EQ(result.status, Status::kLimit);
+  EXPECT_EQ(result.iterations, 1);
 }
 
 TEST(ConeProgram, ProvesUnboundedness) {
   ConeProgram program = distance_to_line();
   program.c = -program.c;
-  EXPECT_EQ(solve(program).status, ConeStatus::kUnbounded);
+  EXPECT_EQ(solve(program).status, Status::kUnbounded);
 }
 
 TEST(ConeProgram, SeesThatNoConeBoundsTheObjective) {
@@ -114,7 +122,7 @@ TEST(ConeProgram, SeesThatNoConeBoundsTheObjective) {
   program.A.setZero();
   program.b.setZero();
   program.c << 1, 0, 1;
-  EXPECT_EQ(solve(program).status, ConeStatus::kUnbounded);
+  EXPECT_EQ(solve(program).status, Status::kUnbounded);
 }
 
 TEST(ConeProgram, TakesRedundantEqualitiesAndRefusesContradictions) {
@@ -124,7 +132,7 @@ TEST(ConeProgram, TakesRedundantEqualitiesAndRefusesContradictions) {
   program.b = Eigen::Vector2d(1, 2);
   EXPECT_NEAR(solve(program).objective, 4 / std::sqrt(2.0), kSolved);
   program.b = Eigen::Vector2d(1, 3);
-  EXPECT_EQ(solve(program).status, ConeStatus::kInfeasible);
+  EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
 // Over { |z_i| <= a_i, sum a_i <= 1 } the least of a sum of c_i a_i + g_i'z_i is the least of
@@ -145,7 +153,7 @@ TEST(ConeProgram, SolvesRandomProgramsWithKnownAnswers) {
     }
     p.cones.push_back(1);
     const ConeResult result = solve(p);
-    ASSERT_EQ(result.status, ConeStatus::kSolved) << trial;
+    ASSERT_EQ(result.status, Status::kSolved) << trial;
     ASSERT_NEAR(result.objective, expected, kSolved) << trial;
   }
 }

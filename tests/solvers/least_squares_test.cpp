@@ -71,14 +71,14 @@ TEST(Solve, DoesNotBelieveASolverThatStopsShort) {
   options.tolerance = 0.03;
   const Solution fit = solve(valley(), Vector2d(-1.2, 1), options);
   ASSERT_GT((fit.z - Vector2d(1, 1)).norm(), 0.5) << "it went all the way";
-  EXPECT_EQ(fit.status, SolveStatus::kStalled) << fit.message;
+  EXPECT_EQ(fit.status, Status::kStalled) << fit.message;
   // The step left, by hand: J is square, so that the Gauss-Newton step takes r to zero.
   EXPECT_NEAR(fit.newton_step, std::sqrt(2 * fit.cost), 1e-9);
 }
 
 TEST(Solve, CertifiesWhatHasConverged) {
   const Solution fit = solve(valley(), Vector2d(-1.2, 1));
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_LT(fit.newton_step, 1e-3);
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 1), 1e-4));
 }
@@ -86,7 +86,7 @@ TEST(Solve, CertifiesWhatHasConverged) {
 TEST_P(EveryMethod, RespectsBounds) {
   const LeastSquares problem = distance_to(Vector2d(3, 0.2), -1, 1);
   const Solution fit = solve(problem, VectorXd::Zero(2), options());
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(1, 0.2), 1e-4));
   EXPECT_LE(fit.z.maxCoeff(), 1 + 1e-7);  // Ipopt relaxes bounds by 1e-8 of themselves
   EXPECT_NEAR(fit.cost, 2, 1e-6);
@@ -110,7 +110,7 @@ TEST(Solve, CertifiesWhereMoreConstraintsAreActiveThanCoordinatesFree) {
   SolveOptions options;
   options.method = LeastSquaresMethod::kIpopt;
   const Solution fit = solve(problem, VectorXd::Zero(1), options);
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_NEAR(fit.z[0], 1, 1e-5);
   EXPECT_EQ(fit.newton_step, 0);
 }
@@ -138,7 +138,7 @@ TEST_P(EveryMethod, BringsTheStartWithinBounds) {
 TEST_P(EveryMethod, StartsFarAwayWhereNothingBoundsIt) {
   const LeastSquares problem = distance_to(Vector2d(0.5, 0.2), -kInfinity, kInfinity);
   const Solution fit = solve(problem, Vector2d(50, -50), options());
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.5, 0.2), 1e-4));
 }
 
@@ -158,11 +158,11 @@ TEST_P(EveryMethod, HoldsWhatBoundsPin) {
   LeastSquares problem = distance_to(Eigen::Vector3d(3, 0.2, 1), -1, 1);
   problem.lower[2] = problem.upper[2] = 0.5;
   const Solution fit = solve(problem, VectorXd::Zero(3), options());
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_TRUE(matrix_near(fit.z, Eigen::Vector3d(1, 0.2, 0.5), 1e-4));
   problem.lower = problem.upper = Eigen::Vector3d(0.1, 0.2, 0.3);
   const Solution pinned = solve(problem, VectorXd::Zero(3), options());
-  EXPECT_EQ(pinned.status, SolveStatus::kConverged) << pinned.message;
+  EXPECT_EQ(pinned.status, Status::kSolved) << pinned.message;
   EXPECT_EQ(pinned.z, problem.lower);
 }
 
@@ -171,7 +171,7 @@ TEST_P(EveryMethod, FitsIntoNarrowBounds) {
   problem.lower[0] = -0.01;
   problem.upper[0] = 0.01;
   const Solution fit = solve(problem, VectorXd::Zero(2), options());
-  EXPECT_EQ(fit.status, SolveStatus::kConverged) << fit.message;
+  EXPECT_EQ(fit.status, Status::kSolved) << fit.message;
   EXPECT_TRUE(matrix_near(fit.z, Vector2d(0.01, 0.2), 1e-4));
 }
 
@@ -216,7 +216,7 @@ TEST_P(EveryMethod, StopRequestReturnsTheBestPointYet) {
   options.progress.stop_requested = [&] { return ++asked > 2; };
   const VectorXd start = VectorXd::Zero(problem.size());
   const Solution fit = solve(least_squares(problem), start, options);
-  EXPECT_EQ(fit.status, SolveStatus::kStopped) << fit.message;
+  EXPECT_EQ(fit.status, Status::kStopped) << fit.message;
   EXPECT_TRUE(fit.z.allFinite());
   EXPECT_TRUE((fit.z.array() >= problem.coordinates().lower().array()).all());
   EXPECT_TRUE((fit.z.array() <= problem.coordinates().upper().array()).all());
@@ -234,7 +234,7 @@ TEST_P(EveryMethod, SaysWhenTheLimitCameFirst) {
       GetParam() == LeastSquaresMethod::kNloptGlobal)
     options.max_evaluations = 30;  // more than its first interpolation needs
   const Solution fit = solve(least_squares(problem), VectorXd::Zero(problem.size()), options);
-  EXPECT_EQ(fit.status, SolveStatus::kLimit) << fit.message;
+  EXPECT_EQ(fit.status, Status::kLimit) << fit.message;
 }
 
 /// Two valleys at x = -1 and x = 1; the second is deeper.
@@ -281,6 +281,20 @@ TEST(LeastSquares, RefusesAStartThatIsNonsense) {
     FAIL() << "expected InputError";
   } catch (const InputError& e) {
     EXPECT_STREQ(e.what(), "residuals at the start are not finite");
+  }
+}
+
+TEST(LeastSquares, HasAWordForEachEndOfASearch) {
+  Solution solution;
+  EXPECT_EQ(convergence_word(solution), "not stationary");
+  solution.failed = true;
+  EXPECT_EQ(convergence_word(solution), "failed");
+  solution.failed = false;
+  for (const auto& [status, word] :
+       {std::pair(Status::kSolved, "converged"), std::pair(Status::kLimit, "limit reached"),
+        std::pair(Status::kStopped, "stopped")}) {
+    solution.status = status;
+    EXPECT_EQ(convergence_word(solution), word);
   }
 }
 

@@ -23,7 +23,6 @@ using Eigen::VectorXd;
 using internal::certify;
 using internal::dense_simplex;
 using internal::holds;
-using internal::SimplexEnd;
 using sample::textbook;
 
 TEST(LinearCertificate, HoldsAtTheOptimum) {
@@ -82,7 +81,7 @@ TEST(LinearCertificate, VertexOfABasisIsExact) {
 
 TEST(DenseSimplex, FindsTextbookVertex) {
   const internal::SimplexVertex vertex = dense_simplex(textbook());
-  EXPECT_EQ(vertex.end, SimplexEnd::kOptimal);
+  EXPECT_EQ(vertex.end, Status::kSolved);
   EXPECT_TRUE(matrix_near(internal::vertex_of(textbook(), vertex.basis).x, Vector2d(3, 1), 1e-15));
 }
 
@@ -90,10 +89,10 @@ TEST(DenseSimplex, NamesContradictionAndUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_lower(0) = 5;  // against x <= 3 and x + 3y <= 6
   program.row_upper(0) = 6;
-  EXPECT_EQ(dense_simplex(program).end, SimplexEnd::kInfeasible);
+  EXPECT_EQ(dense_simplex(program).end, Status::kInfeasible);
   program = textbook();
   program.row_upper.setConstant(kInfinity);
-  EXPECT_EQ(dense_simplex(program).end, SimplexEnd::kUnbounded);
+  EXPECT_EQ(dense_simplex(program).end, Status::kUnbounded);
 }
 
 // Cycles under the steepest price alone: maximise 0.75 a - 150 b + 0.02 c - 6 d [Beale1955]; its
@@ -107,7 +106,7 @@ TEST(DenseSimplex, EndsWhereSteepestPricesCycle) {
   program.lower = VectorXd::Zero(4);
   program.upper = VectorXd::Constant(4, kInfinity);
   const internal::SimplexVertex vertex = dense_simplex(program);
-  EXPECT_EQ(vertex.end, SimplexEnd::kOptimal);
+  EXPECT_EQ(vertex.end, Status::kSolved);
   EXPECT_NEAR(program.objective.dot(internal::vertex_of(program, vertex.basis).x), 0.05, 1e-15);
 }
 
@@ -128,12 +127,12 @@ TEST(DenseSimplex, AgreesWithTheProgramsAsked) {
     program.row_upper = program.row_lower;
     if (rows > 1) program.row_lower(0) = -kInfinity;
     const internal::SimplexVertex vertex = dense_simplex(program);
-    ASSERT_EQ(vertex.end, SimplexEnd::kOptimal) << i;
+    ASSERT_EQ(vertex.end, Status::kSolved) << i;
     const internal::PrimalDualPoint point = internal::vertex_of(program, vertex.basis);
     const double objective = program.objective.dot(point.x);
     ASSERT_TRUE(holds(certify(program, point), objective)) << i;
     const LinearResult asked = solve(program);
-    ASSERT_EQ(asked.status, LinearStatus::kSolved);
+    ASSERT_EQ(asked.status, Status::kSolved);
     ASSERT_TRUE(holds(asked.certificate, asked.objective));
     ASSERT_NEAR(asked.objective, objective, 1e-12) << i;
   }

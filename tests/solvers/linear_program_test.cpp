@@ -21,7 +21,7 @@ using sample::textbook;
 
 TEST(LinearProgram, FindsTextbookVertex) {
   const LinearResult result = solve(textbook());
-  EXPECT_EQ(result.status, LinearStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(result.x, Vector2d(3, 1), 1e-12));
   EXPECT_NEAR(result.objective, 11, 1e-12);
 }
@@ -36,7 +36,7 @@ TEST(LinearProgram, ReportsContradiction) {
   LinearProgram program = textbook();
   program.row_lower(0) = 5;  // against row_upper(1): x + 3y <= 6 and x <= 3 allow x + y <= 4
   program.row_upper(0) = 6;
-  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+  EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
 // x = 1 and x = 1 + 5e-10 at once: each x misses one of them by 2.5e-10 or more.
@@ -46,7 +46,7 @@ TEST(LinearProgram, StatesByHowMuchItMissesRowsThatItRelaxed) {
   program.row_lower = program.row_upper = Vector2d(1, 1 + 5e-10);
   program.upper(1) = 1;
   const LinearResult result = solve(program);
-  ASSERT_EQ(result.status, LinearStatus::kSolved);
+  ASSERT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.objective, 5, 2e-9);
   EXPECT_GE(result.certificate.violation, 2.4e-10);
   EXPECT_LE(result.certificate.violation, 5.1e-10);
@@ -55,7 +55,7 @@ TEST(LinearProgram, StatesByHowMuchItMissesRowsThatItRelaxed) {
 TEST(LinearProgram, ReportsUnboundedGrowth) {
   LinearProgram program = textbook();
   program.row_upper.setConstant(kInfinity);
-  EXPECT_EQ(solve(program).status, LinearStatus::kUnbounded);
+  EXPECT_EQ(solve(program).status, Status::kUnbounded);
 }
 
 // Unbounded in one variable and contradictory in another: there is no feasible point to grow from.
@@ -64,7 +64,7 @@ TEST(LinearProgram, CallsContradictoryAndUnboundedInfeasible) {
   program.A << 1, 0, 1, 0;
   program.row_lower = Vector2d(2, -kInfinity);
   program.row_upper = Vector2d(kInfinity, 1);
-  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+  EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
 TEST(LinearProgram, SolvesWithoutRows) {
@@ -94,7 +94,7 @@ TEST(LinearProgram, UnitOfTheObjectiveDoesNotMatter) {
     program.row_upper(1) = 9;
     program.objective *= unit;
     const LinearResult result = solve(program);
-    EXPECT_EQ(result.status, LinearStatus::kSolved);
+    EXPECT_EQ(result.status, Status::kSolved);
     EXPECT_TRUE(matrix_near(result.duals, unit * Vector2d(2, 0), 1e-14 * unit));
     EXPECT_NEAR(result.objective, 11 * unit, 1e-14 * unit);
   }
@@ -107,17 +107,17 @@ TEST(LinearProgram, RelaxesRowsThatRoundingSetsAtOdds) {
   program.A << 1, 1, 1, 1;
   program.row_lower = program.row_upper = Vector2d(1, 1 + 1e-10);
   const LinearResult result = solve(program);
-  EXPECT_EQ(result.status, LinearStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.objective, 3, 1e-9);
   program.row_lower(1) = program.row_upper(1) = 1 + 1e-8;
-  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+  EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
 TEST(LinearProgram, CrossedBoundsAreInfeasible) {
   LinearProgram program = textbook();
   program.lower(1) = 8;
   program.upper(1) = 7;
-  EXPECT_EQ(solve(program).status, LinearStatus::kInfeasible);
+  EXPECT_EQ(solve(program).status, Status::kInfeasible);
 }
 
 TEST(LinearProgram, PrintsNothing) {

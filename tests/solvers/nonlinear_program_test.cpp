@@ -46,7 +46,7 @@ NonlinearProgram nearest_in_disc() {
 
 TEST(NonlinearProgram, FindsFreeMinimum) {
   const NonlinearResult result = solve_ipopt(nearest_to_2_1(), Vector2d::Zero());
-  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1), kClose));
 }
 
@@ -58,7 +58,7 @@ TEST(NonlinearProgram, StopsAtBounds) {
 
 TEST(NonlinearProgram, ObeysNonlinearConstraint) {
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1));
-  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1) / std::sqrt(5.0), kClose));
 }
 
@@ -68,7 +68,7 @@ TEST(NonlinearProgram, ExactHessianFindsTheSamePoint) {
     return 2 * (factor + multipliers(0)) * MatrixXd::Identity(2, 2);
   };
   const NonlinearResult result = solve_ipopt(program, Vector2d(0.1, 0.1));
-  EXPECT_EQ(result.status, NonlinearStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(result.x, Vector2d(2, 1) / std::sqrt(5.0), kClose));
 }
 
@@ -116,7 +116,7 @@ TEST(NonlinearProgram, RefusesPointsWhoseConditionsFail) {
   strict.certified = 0;
   strict.acceptable_tolerance = 0;
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), strict);
-  EXPECT_EQ(result.status, NonlinearStatus::kStalled);
+  EXPECT_EQ(result.status, Status::kStalled);
   EXPECT_NE(result.message.find("first-order conditions do not hold"), std::string::npos);
 }
 
@@ -133,7 +133,7 @@ TEST(NonlinearProgram, SteepStartsExcuseNoSlopeAtTheEnd) {
   loose.acceptable_tolerance = 1e-8;
   const NonlinearResult result = solve_ipopt(program, Vector2d(1002, 0), loose);
   const double left = program.gradient(result.x).cwiseAbs().maxCoeff();
-  EXPECT_TRUE(result.status == NonlinearStatus::kStalled || left <= 1e-6)
+  EXPECT_TRUE(result.status == Status::kStalled || left <= 1e-6)
       << result.message << ", slope " << left;
 }
 
@@ -144,20 +144,20 @@ TEST(NonlinearProgram, ContradictionWithoutVariablesIsInfeasible) {
   program.upper.resize(0);
   program.row_upper(0) = -1;
   program.objective = [](const VectorXd&) { return 0.0; };
-  EXPECT_EQ(solve_ipopt(program, VectorXd(0)).status, NonlinearStatus::kInfeasible);
+  EXPECT_EQ(solve_ipopt(program, VectorXd(0)).status, Status::kInfeasible);
 }
 
 TEST(NonlinearProgram, ReportsContradiction) {
   NonlinearProgram program = nearest_in_disc();
   program.row_upper(0) = -1;  // no square is negative
-  EXPECT_EQ(solve_ipopt(program, Vector2d(0.1, 0.1)).status, NonlinearStatus::kInfeasible);
+  EXPECT_EQ(solve_ipopt(program, Vector2d(0.1, 0.1)).status, Status::kInfeasible);
 }
 
 TEST(NonlinearProgram, ReportsIterationLimit) {
   NonlinearOptions options;
   options.max_iterations = 1;
   const NonlinearResult result = solve_ipopt(nearest_in_disc(), Vector2d(0.1, 0.1), options);
-  EXPECT_EQ(result.status, NonlinearStatus::kStalled);
+  EXPECT_EQ(result.status, Status::kLimit);
   EXPECT_EQ(result.message, "iteration limit reached");
 }
 

@@ -23,7 +23,7 @@ Solution fit(const FitProblem& problem) {
 }
 
 void expect_sound(const FitProblem& problem, const Solution& found) {
-  EXPECT_EQ(found.status, SolveStatus::kConverged) << found.message;
+  EXPECT_EQ(found.status, Status::kSolved) << found.message;
   EXPECT_TRUE(found.z.allFinite());
   EXPECT_TRUE(predict_trials(problem, found.z, 0, WithJacobian::kNo).force.allFinite());
   EXPECT_TRUE(posterior_covariance(problem, found.z).C.allFinite());
@@ -64,7 +64,7 @@ TEST(FitStability, NearlyStraightFingerIsWarnedOf) {
   // A microradian from straight one newton is a million sds away: Ceres ends where its step falls
   // below the rounding of z, far from what the slopes ask for, and is not believed.
   const Solution found = fit(problem);
-  EXPECT_EQ(found.status, SolveStatus::kStalled) << found.message;
+  EXPECT_EQ(found.status, Status::kStalled) << found.message;
   EXPECT_GT(found.newton_step, 1);
   EXPECT_TRUE(found.z.allFinite());
   // Forces are those of the same formulas in extended precision, to the digits that are there.

@@ -29,7 +29,7 @@ constexpr double kMu = 0.5;
 
 double load(const ForceSet& forces, int axis, double way = 1) {
   const WrenchSupport reach = load_margin(forces, way * ScaledWrench::Unit(axis));
-  EXPECT_TRUE(reach.status == ConeStatus::kSolved || reach.status == ConeStatus::kUnbounded);
+  EXPECT_TRUE(reach.status == Status::kSolved || reach.status == Status::kUnbounded);
   return reach.value;
 }
 
@@ -265,7 +265,7 @@ TEST(Pressed, CageOfAPalmHasNoLimitAndSaysSo) {
   const ForceSet caged = hand_forces(wrench_set(cage(), {0, 0, 0}, 1), MatrixXd::Zero(1, 12),
                                      motors(MatrixXd::Identity(1, 1), 6, {}));
   const InscribedBall ball = inscribed_ball(caged);
-  EXPECT_EQ(ball.status, ConeStatus::kUnbounded);
+  EXPECT_EQ(ball.status, Status::kUnbounded);
   EXPECT_EQ(ball.lower, kNoLimit);
   EXPECT_EQ(margin_of_ellipsoid(caged, Eigen::Matrix<double, 6, 2>::Identity()).lower, kNoLimit);
 }
@@ -295,7 +295,7 @@ double most_squeeze(std::mt19937& rng, double effort) {
       VectorXd::Zero(forces.wrench.cols()), forces.A, forces.b, forces.G, forces.h, forces.cones};
   for (int i = 0; i < kContacts; ++i) program.c(3L * i) = -1;
   const ConeResult result = solve(program);
-  EXPECT_EQ(result.status, ConeStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   return -result.objective;
 }
 

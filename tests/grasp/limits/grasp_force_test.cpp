@@ -21,7 +21,7 @@ ScaledWrench weight(double newton) { return -newton * ScaledWrench::Unit(2); }
 TEST(GraspForce, IsWeightByTwiceFrictionForAPinch) {
   const GraspForce hold =
       minimum_grasp_force(free_forces(pinch(0.5, 0)), weight(8), GraspForceObjective::kSum);
-  ASSERT_EQ(hold.status, ConeStatus::kSolved);
+  ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_NEAR(hold.objective, 16, kSolved);
   EXPECT_TRUE(matrix_near(hold.forces.normal, Eigen::Vector2d(8, 8), kSolved));
   EXPECT_LT(hold.unbalanced.norm(), kSolved);
@@ -32,7 +32,7 @@ TEST(GraspForce, IsWeightByTwiceFrictionForAPinch) {
 TEST(GraspForce, KeepsTheLargestForceSmall) {
   const GraspForce hold =
       minimum_grasp_force(free_forces(pinch(0.5, 0)), weight(8), GraspForceObjective::kLargest);
-  ASSERT_EQ(hold.status, ConeStatus::kSolved);
+  ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_NEAR(hold.objective, 8, kSolved);
 }
 
@@ -44,35 +44,35 @@ TEST(GraspForce, NeedsSoftFingersAgainstTwist) {
   ScaledWrench load = weight(w);
   load(3) = w * d / kScale;  // about x, the line of the contacts
   EXPECT_EQ(minimum_grasp_force(free_forces(pinch(mu, 0)), load, GraspForceObjective::kSum).status,
-            ConeStatus::kInfeasible);
+            Status::kInfeasible);
   const GraspForce hold =
       minimum_grasp_force(free_forces(pinch(mu, e)), load, GraspForceObjective::kLargest);
-  ASSERT_EQ(hold.status, ConeStatus::kSolved);
+  ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_NEAR(hold.objective, std::hypot(w / (2 * mu), w * d / (2 * e)), kSolved);
 }
 
 TEST(GraspForce, NeedsNothingWithoutLoad) {
   const GraspForce hold = minimum_grasp_force(free_forces(pinch(0.5, 0)), ScaledWrench::Zero(),
                                               GraspForceObjective::kSum);
-  ASSERT_EQ(hold.status, ConeStatus::kSolved);
+  ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_NEAR(hold.objective, 0, kSolved);
 }
 
 TEST(GraspForce, SaysThatWithoutFrictionOrContactsNothingIsHeld) {
   EXPECT_EQ(
       minimum_grasp_force(free_forces(pinch(0, 0)), weight(1), GraspForceObjective::kSum).status,
-      ConeStatus::kInfeasible);
+      Status::kInfeasible);
   EXPECT_EQ(minimum_grasp_force(free_forces({}), weight(1), GraspForceObjective::kSum).status,
-            ConeStatus::kInfeasible);
+            Status::kInfeasible);
 }
 
 // Two sliding fingers of at most 6 N hold mu 12 N.
 TEST(GraspForce, KeepsWithinTheMotors) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   EXPECT_EQ(minimum_grasp_force(hand, weight(6.1), GraspForceObjective::kSum).status,
-            ConeStatus::kInfeasible);
+            Status::kInfeasible);
   const GraspForce hold = minimum_grasp_force(hand, weight(5), GraspForceObjective::kSum);
-  ASSERT_EQ(hold.status, ConeStatus::kSolved);
+  ASSERT_EQ(hold.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(hold.forces.efforts, Eigen::Vector2d(5, 5), kSolved));
 }
 

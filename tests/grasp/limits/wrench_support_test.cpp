@@ -39,7 +39,7 @@ TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
         ScaledWrench::NullaryExpr([&] { return 2.0 * rng() / std::mt19937::max() - 1; });
     for (const ForceNorm limit : {ForceNorm::kL1, ForceNorm::kLinf}) {
       const WrenchSupport reach = wrench_support(unit_forces(set, limit), u);
-      ASSERT_EQ(reach.status, ConeStatus::kSolved);
+      ASSERT_EQ(reach.status, Status::kSolved);
       ASSERT_NEAR(reach.value, std::max(0.0, support(set, u, limit)), kSolvedLoad);
       ASSERT_NEAR(reach.wrench.dot(u), reach.value, kSolvedLoad);
     }
@@ -50,7 +50,7 @@ TEST(Withstood, SupportOfUnitForcesIsThatOfTheCaps) {
 TEST(Withstood, LoadAcrossAPinchIsBoundByItsMotors) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(0, 6));
   const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
-  ASSERT_EQ(reach.status, ConeStatus::kSolved);
+  ASSERT_EQ(reach.status, Status::kSolved);
   EXPECT_NEAR(reach.value, 6, kSolvedLoad);
   EXPECT_TRUE(matrix_near(reach.wrench, -6 * ScaledWrench::Unit(2), kSolvedLoad));
 }
@@ -83,7 +83,7 @@ TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0),
                                     pinch_motors(-kNoForceLimit, kNoForceLimit));
   const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
-  EXPECT_EQ(reach.status, ConeStatus::kUnbounded);
+  EXPECT_EQ(reach.status, Status::kUnbounded);
   EXPECT_EQ(reach.value, kNoForceLimit);
 }
 
@@ -91,7 +91,7 @@ TEST(Withstood, IsWithoutLimitWhereActuatorsAre) {
 TEST(Withstood, SaysWhereNoForceBalancesTheHand) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
   const WrenchSupport reach = load_margin(hand, ScaledWrench::Unit(2));
-  EXPECT_EQ(reach.status, ConeStatus::kInfeasible);
+  EXPECT_EQ(reach.status, Status::kInfeasible);
   EXPECT_TRUE(std::isnan(reach.value));
 }
 
@@ -151,7 +151,7 @@ TEST(Withstood, JawsOnBoxesAlwaysHaveAnAnswer) {
                           Eigen::VectorXd::Zero(1), Eigen::VectorXd::Constant(1, 40)};
     for (const int axis : {2, 5}) {
       const WrenchSupport reach = load_margin(hand_forces(set, T, motor), ScaledWrench::Unit(axis));
-      ASSERT_EQ(reach.status, ConeStatus::kSolved) << trial;
+      ASSERT_EQ(reach.status, Status::kSolved) << trial;
       ASSERT_LE(reach.residual, 1e-9) << trial;  // ten times what is asked for
     }
   }
@@ -185,7 +185,7 @@ TEST(Withstood, IsWithoutLimitWhereOnlyRoundingOfNormalsLimitsIt) {
   for (int trial = 0; trial < 10; ++trial) {
     const ForceSet jaws = worm_jaws(jaws_on_box(rng, 4 + trial % 5), 1e-8);
     const WrenchSupport reach = load_margin(jaws, ScaledWrench::Unit(0));
-    ASSERT_EQ(reach.status, ConeStatus::kUnbounded) << trial;
+    ASSERT_EQ(reach.status, Status::kUnbounded) << trial;
     ASSERT_EQ(reach.value, kNoForceLimit) << trial;
   }
 }

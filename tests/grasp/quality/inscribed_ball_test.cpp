@@ -32,7 +32,7 @@ TEST(InscribedBall, IsExactForPolytopes) {
   for (const auto& [limit, radius] :
        {std::pair(ForceNorm::kL1, 1 / std::sqrt(6.0)), std::pair(ForceNorm::kLinf, 1.0)}) {
     const InscribedBall ball = inscribed_ball(unit_forces(axes(), limit));
-    ASSERT_EQ(ball.status, ConeStatus::kSolved);
+    ASSERT_EQ(ball.status, Status::kSolved);
     EXPECT_NEAR(ball.upper, radius, kSolvedBall);
     EXPECT_LE(ball.lower, radius + kSolvedBall);
     EXPECT_GE(ball.lower, 0.99 * radius - kSolvedBall);
@@ -44,7 +44,7 @@ TEST(InscribedBall, AgreesWithEpsilonOnFrictionCones) {
   const WrenchSet set = pinch(0.5, 0.01);
   const InscribedBall ball = inscribed_ball(unit_forces(set, ForceNorm::kL1));
   const Epsilon expected = epsilon(set);
-  ASSERT_EQ(ball.status, ConeStatus::kSolved);
+  ASSERT_EQ(ball.status, Status::kSolved);
   EXPECT_LE(ball.lower, expected.upper + kSolvedBall);
   EXPECT_GE(ball.upper, expected.lower - kSolvedBall);
   EXPECT_LE(ball.upper - ball.lower, 0.01 * ball.upper + kSolvedBall);
@@ -79,7 +79,7 @@ TEST(InscribedBall, IsZeroWhereALoadIsNotWithstood) {
 // Both motors off: the only force is none.
 TEST(InscribedBall, SaysWhereNoForceIsPossible) {
   const ForceSet hand = hand_forces(pinch(0.5, 0), pinch_torques(0.5, 0), pinch_motors(-3, -1));
-  EXPECT_EQ(inscribed_ball(hand).status, ConeStatus::kInfeasible);
+  EXPECT_EQ(inscribed_ball(hand).status, Status::kInfeasible);
 }
 
 // One contact withstands nothing: upper is zero to rounding, of either sign, and lower below it.
@@ -118,13 +118,13 @@ TEST(TaskWrenches, EllipsoidIsExactInACrossPolytope) {
   const ForceSet forces = unit_forces(axes(), ForceNorm::kL1);
   const ScaledWrench q = (ScaledWrench() << 1, 2, 3, 0.5, 1, 2).finished();
   const TaskMargin full = margin_of_ellipsoid(forces, Eigen::MatrixXd(q.asDiagonal()));
-  ASSERT_EQ(full.status, ConeStatus::kSolved);
+  ASSERT_EQ(full.status, Status::kSolved);
   EXPECT_NEAR(full.upper, 1 / q.norm(), kSolvedBall);
   EXPECT_GE(full.lower, 0.99 / q.norm() - kSolvedBall);
   EXPECT_NEAR(full.worst_load.norm(), (q.cwiseProduct(q) / q.norm()).norm(), 1e-3);
   const Eigen::MatrixXd forces_only = Eigen::MatrixXd(q.asDiagonal()).leftCols(3);
   const TaskMargin flat = margin_of_ellipsoid(forces, forces_only);
-  ASSERT_EQ(flat.status, ConeStatus::kSolved);
+  ASSERT_EQ(flat.status, Status::kSolved);
   EXPECT_NEAR(flat.upper, 1 / q.head<3>().norm(), kSolvedBall);
   EXPECT_GE(flat.lower, 0.99 / q.head<3>().norm() - kSolvedBall);
 }

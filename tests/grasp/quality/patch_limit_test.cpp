@@ -215,7 +215,7 @@ TEST(PatchLimit, HoldsAndLoadsAreOneNumber) {
         const WrenchSupport most = load_margin(unit_forces(set, limit), load);
         const GraspForce hold = minimum_grasp_force(free_forces(set), load, objective);
         if (most.value < 1e-6) continue;  // not held at all
-        ASSERT_EQ(hold.status, ConeStatus::kSolved);
+        ASSERT_EQ(hold.status, Status::kSolved);
         EXPECT_NEAR(hold.objective * most.value, 1, 1e-7);
       }
     }

@@ -42,7 +42,7 @@ TEST_P(Directions, WithoutLimitsAgreesWithTheLinearProgram) {
   const double exact = max_tip_force(published_index(), direction()).magnitude;
   const ConstrainedForce result =
       constrained_force(published_index(), direction(), ForceDirection::kAlong, {});
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_NEAR(result.magnitude, exact, kClose * (1 + exact));
 }
 
@@ -52,7 +52,7 @@ TEST_P(Directions, FrictionConeAgreesWithCuttingPlanes) {
   const ConstrainedForce result =
       constrained_force(published_index(), direction(), ForceDirection::kComponent,
                         {friction_constraint(direction(), std::tan(angle))});
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_NEAR(result.magnitude, exact, 10 * kClose * (1 + exact));
 }
 
@@ -77,7 +77,7 @@ TEST(ConstrainedForce, EffortLimitIsTheInverseOfCoordination) {
   const TipStatics s = published_index();
   const ConstrainedForce result =
       constrained_force(s, kX, ForceDirection::kAlong, {effort_constraint(s.max_tension, 2, 1.0)});
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_NEAR(coordinate(s, result.force, {2}).effort, 1.0, 1e-5);
 }
 
@@ -104,10 +104,10 @@ TEST(ConstrainedForce, FrictionBoundsWhatTheSkeletonCarries) {
   s.R = MatrixXd::Constant(1, 1, 0.01);
   s.tau_0 = VectorXd::Zero(1);
   s.max_tension = VectorXd::Constant(1, 100);  // 1 N m: f_y <= 20 N
-  EXPECT_EQ(max_tip_force(s, kX).status, ForceStatus::kUnbounded);
+  EXPECT_EQ(max_tip_force(s, kX).status, Status::kUnbounded);
   const ConstrainedForce result =
       constrained_force(s, kX, ForceDirection::kComponent, {friction_constraint(kY, 0.5)});
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_NEAR(result.magnitude, 10, 1e-4);
 }
 
@@ -126,14 +126,14 @@ TEST(ConstrainedForce, ImpossibleLimitIsInfeasible) {
     return value;
   };
   const ConstrainedForce result = constrained_force(box(), kX, ForceDirection::kComponent, {never});
-  EXPECT_EQ(result.status, ForceStatus::kInfeasible) << result.message;
+  EXPECT_EQ(result.status, Status::kInfeasible) << result.message;
   EXPECT_GE(result.excess, 1 - 1e-6);
 }
 
 TEST(ConstrainedForce, TorqueNobodyBalancesIsInfeasible) {
   TipStatics s = published_index();
   s.tau_0(3) = 10;
-  EXPECT_EQ(constrained_force(s, kX, ForceDirection::kAlong, {}).status, ForceStatus::kInfeasible);
+  EXPECT_EQ(constrained_force(s, kX, ForceDirection::kAlong, {}).status, Status::kInfeasible);
 }
 
 // Gradients against central differences at a general point.

@@ -47,7 +47,7 @@ TEST_P(Synergists, ShareByTheClosedForm) {
   const ArrayXd shape = strength.pow(1 / (p - 1));
   const VectorXd expected = 0.05 * f / (strength * shape).sum() * shape;
   const Coordination result = coordinate(one_hinge(kArms, kF0), f * Vector3d(0, 1, 0), {p});
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_TRUE(matrix_near(result.activation, expected, kCloseActivation));
   EXPECT_NEAR(result.tau_residual(0), 0, 1e-13);
 }
@@ -80,7 +80,7 @@ TEST(Coordination, PublishedFingerMeetsOptimalityConditions) {
   const Vector3d wanted = 0.6 * max_tip_force(s, Vector3d(1, 0, 0)).force;
   for (const double p : {2.0, 3.0}) {
     const Coordination result = coordinate(s, wanted, {p});
-    ASSERT_EQ(result.status, ForceStatus::kSolved);
+    ASSERT_EQ(result.status, Status::kSolved);
     const MatrixXd columns = s.max_tension.asDiagonal() * s.R;  // (m, n)
     const VectorXd slope = p * result.activation.array().pow(p - 1);
     const ArrayXd inside =
@@ -101,7 +101,7 @@ TEST(Coordination, PublishedFingerMeetsOptimalityConditions) {
 TEST(Coordination, GapBoundsTheEffortThatCouldBeSaved) {
   for (const double p : {1.0, 1.5, 2.0, 3.0, 6.0}) {
     const Coordination result = coordinate(published_index(), Vector3d(10, 0, 0), {p});
-    ASSERT_EQ(result.status, ForceStatus::kSolved) << p << ": " << result.message;
+    ASSERT_EQ(result.status, Status::kSolved) << p << ": " << result.message;
     EXPECT_GE(result.gap, 0);
     EXPECT_LT(result.gap, 1e-6 * std::max(1.0, result.effort)) << p;
   }
@@ -116,21 +116,21 @@ TEST(Coordination, BalancesThePublishedFinger) {
 TEST(Coordination, LargestForceHasItsActivation) {
   const MaxTipForce largest = max_tip_force(published_index(), Vector3d(1, 0, 0));
   const Coordination result = coordinate(published_index(), largest.force);
-  EXPECT_EQ(result.status, ForceStatus::kSolved) << result.message;
+  EXPECT_EQ(result.status, Status::kSolved) << result.message;
   EXPECT_TRUE(matrix_near(result.activation, largest.activation, 1e-6));
 }
 
 // The hinge reaches 2.8 N m / 0.05 m = 56 N along y; x is carried by the skeleton.
 TEST(Coordination, ForceOutOfReachReportsTheNearest) {
   const Coordination result = coordinate(one_hinge(kArms, kF0), Vector3d(4, 60, 0));
-  EXPECT_EQ(result.status, ForceStatus::kInfeasible);
+  EXPECT_EQ(result.status, Status::kInfeasible);
   EXPECT_TRUE(matrix_near(result.force, Vector3d(4, 56, 0), 1e-5));
   EXPECT_NEAR(result.tau_residual(0), 0.05 * (60 - 56), 1e-6);
 }
 
 TEST(Coordination, FirstPowerReportsTheNearestToo) {
   const Coordination result = coordinate(one_hinge(kArms, kF0), Vector3d(0, -5, 0), {1});
-  EXPECT_EQ(result.status, ForceStatus::kInfeasible);
+  EXPECT_EQ(result.status, Status::kInfeasible);
   EXPECT_TRUE(matrix_near(result.force, Vector3d::Zero(), 1e-5));
 }
 
@@ -138,20 +138,20 @@ TEST(Coordination, TorqueNobodyBalancesIsInfeasible) {
   TipStatics s = published_index();
   s.tau_0(3) = 10;  // beyond all tendons together
   const Coordination result = coordinate(s, Vector3d(1, 0, 0));
-  EXPECT_EQ(result.status, ForceStatus::kInfeasible);
+  EXPECT_EQ(result.status, Status::kInfeasible);
   EXPECT_EQ(result.tension.norm(), 0);
 }
 
 TEST(Coordination, ParalysedMuscleIsLeftOut) {
   const Coordination result =
       coordinate(one_hinge(kArms, Vector2d(100, 0)), Vector3d(0, 10, 0), {2});
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_TRUE(matrix_near(result.activation, Vector2d(0.5, 0), kCloseActivation));
 }
 
 TEST(Coordination, StraightFingerCarriesAxialForceForNothing) {
   const Coordination result = coordinate(one_hinge(kArms, kF0), Vector3d(1000, 0, 0), {2});
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.effort, 0, 1e-9);
 }
 

@@ -46,7 +46,7 @@ double zonotope_volume(const MatrixXd& g) {
 TEST(FeasibleForceSet, OrthogonalTendonsMakeABox) {
   const FeasibleForceSet set =
       feasible_force_set(statics_of(MatrixXd::Identity(3, 3), Vector3d(2, 3, 5)));
-  EXPECT_EQ(set.status, ForceStatus::kSolved);
+  EXPECT_EQ(set.status, Status::kSolved);
   EXPECT_EQ(set.dimension, 3);
   EXPECT_EQ(set.vertices.rows(), 8);
   EXPECT_EQ(set.normals.rows(), 6);
@@ -71,7 +71,7 @@ TEST(FeasibleForceSet, EndsWhereAWidthIsNearTheLimitOfFlat) {
     MatrixXd A(3, 4);
     A << 1, 0, -1, 0.3, 0, 1, -0.5, -1, epsilon, 0, 0, -epsilon / 3;
     const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(4)));
-    EXPECT_TRUE(set.status == ForceStatus::kSolved || set.status == ForceStatus::kStalled);
+    EXPECT_TRUE(set.status == Status::kSolved || set.status == Status::kStalled);
     EXPECT_GE(set.dimension, 2) << epsilon;
   }
 }
@@ -138,7 +138,7 @@ TEST_P(RandomFinger, HullIsThatOfEnumeratedVertices) {
   const TipStatics statics = random_finger(3 + GetParam() % 3, 7, rng);
   const FeasibleForceSet set = feasible_force_set(statics);
   const std::vector<Vector3d> enumerated = enumerated_vertices(statics);
-  ASSERT_EQ(set.status == ForceStatus::kSolved, !enumerated.empty());
+  ASSERT_EQ(set.status == Status::kSolved, !enumerated.empty());
   if (enumerated.empty()) return;
   ASSERT_EQ(set.dimension, 3);
   const double size = set.vertices.cwiseAbs().maxCoeff();
@@ -252,14 +252,14 @@ TEST(FeasibleForceSet, TorqueNobodyBalancesLeavesItEmpty) {
   TipStatics statics = published_index();
   statics.tau_0(3) = 10;  // [N m], far beyond the 0.4 N m of all tendons together
   const FeasibleForceSet set = feasible_force_set(statics);
-  EXPECT_EQ(set.status, ForceStatus::kInfeasible);
+  EXPECT_EQ(set.status, Status::kInfeasible);
   EXPECT_EQ(set.dimension, -1);
   EXPECT_EQ(set.vertices.rows(), 0);
 }
 
 TEST(FeasibleForceSet, UnknownStrengthIsUnbounded) {
   TipStatics statics = statics_of(MatrixXd::Identity(3, 3), Vector3d(2, kInfinity, 5));
-  EXPECT_EQ(feasible_force_set(statics).status, ForceStatus::kUnbounded);
+  EXPECT_EQ(feasible_force_set(statics).status, Status::kUnbounded);
 }
 
 // Muscle 2 is unlimited but only fights muscle 1 on a joint that no force loads.
@@ -298,7 +298,7 @@ TEST(FeasibleForceSetStability, TwentyMusclesClose) {
   std::mt19937 rng(7);
   const MatrixXd A = random_matrix(3, 20, rng);
   const FeasibleForceSet set = feasible_force_set(statics_of(A, VectorXd::Ones(20)));
-  EXPECT_EQ(set.status, ForceStatus::kSolved) << set.failure;
+  EXPECT_EQ(set.status, Status::kSolved) << set.failure;
   EXPECT_EQ(set.normals.rows(), 380);
 }
 

@@ -55,7 +55,7 @@ class PublishedIndex : public testing::TestWithParam<Published> {};
 TEST_P(PublishedIndex, LargestWrenchAgrees) {
   const Published& p = GetParam();
   const MaxTipWrench result = max_tip_wrench(published_index(), p.moment, p.force);
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.multiple, p.largest, 0.0006);  // half a unit of the last printed digit
 }
 
@@ -130,22 +130,22 @@ TEST(MaxTipForce, ZeroToleranceIsTheLimitOfACone) {
 TEST(MaxTipForce, NoMuscleMakesNoForce) {
   TipStatics statics = published_index();
   statics.max_tension.setZero();
-  const MaxTipForce result = max_tip_force(statics, kAlongX);
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  const MaxTipForce result = max_tip_force(statics, kX);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_EQ(result.magnitude, 0);
 }
 
 TEST(MaxTipForce, DirectionOutOfReachHasZeroMagnitude) {
-  const MaxTipForce result = max_tip_force(cross(), kAlongZ);
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  const MaxTipForce result = max_tip_force(cross(), kZ);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_EQ(result.magnitude, 0);
 }
 
 TEST(MaxTipForce, UnknownStrengthIsUnbounded) {
   TipStatics statics = cross();
   statics.max_tension(0) = kInfinity;
-  const MaxTipForce result = max_tip_force(statics, kAlongX);
-  EXPECT_EQ(result.status, ForceStatus::kUnbounded);
+  const MaxTipForce result = max_tip_force(statics, kX);
+  EXPECT_EQ(result.status, Status::kUnbounded);
   EXPECT_EQ(result.magnitude, kInfinity);
   EXPECT_NEAR(max_tip_force(statics, kAlongY).magnitude, 3, 1e-12);
 }
@@ -158,20 +158,19 @@ TEST(MaxTipForce, UnlimitedPullOutsideTheConeStaysBounded) {
   A << 1, 0, 0.75, -1, 0.75, -1;
   MaxTipForceOptions options;
   options.tolerance = 0.7;
-  const MaxTipForce result =
-      max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kAlongX, options);
-  EXPECT_EQ(result.status, ForceStatus::kSolved);
+  const MaxTipForce result = max_tip_force(map_of(A, Eigen::Vector2d(kInfinity, 1)), kX, options);
+  EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.magnitude, 1 / (0.75 - std::tan(0.7) / std::sqrt(2.0)), 1e-8);
 }
 
 TEST(MaxTipForce, UnlimitedPullInsideTheConeIsUnbounded) {
   TipStatics statics = cross();
   statics.max_tension(0) = kInfinity;
-  EXPECT_EQ(max_tip_force(statics, Vector3d(1, 0.2, 0.3), {0.7}).status, ForceStatus::kUnbounded);
+  EXPECT_EQ(max_tip_force(statics, Vector3d(1, 0.2, 0.3), {0.7}).status, Status::kUnbounded);
 }
 
 TEST(MaxTipForce, StraightFingerCarriesAnyForceAlongItself) {
-  EXPECT_EQ(max_tip_force(straight_finger(), kAlongX).status, ForceStatus::kUnbounded);
+  EXPECT_EQ(max_tip_force(straight_finger(), kX).status, Status::kUnbounded);
 }
 
 // Across itself: both joints must balance, 0.07 f <= 1 N m and 0.03 f <= 1 N m.
@@ -181,8 +180,8 @@ TEST(MaxTipForce, StraightFingerPushesAcrossItself) {
 
 TEST(MaxTipForce, PassiveTorqueNobodyBalancesIsInfeasible) {
   TipStatics statics = cross();
-  statics.tau_0 = kAlongZ;  // a force along z that no tendon opposes and x cannot carry
-  EXPECT_EQ(max_tip_force(statics, kAlongX).status, ForceStatus::kInfeasible);
+  statics.tau_0 = kZ;  // a force along z that no tendon opposes and x cannot carry
+  EXPECT_EQ(max_tip_force(statics, kX).status, Status::kInfeasible);
 }
 
 TEST(MaxTipForce, PassiveTorqueShiftsTheAnswer) {

@@ -103,7 +103,7 @@ TEST(PostureSlopes, LargestForceAgreesWithDifferences) {
         return max_tip_force(tip_statics(*tendons, at), direction(frame, at), {cone});
       };
       const MaxTipForce now = largest(q);
-      ASSERT_EQ(now.status, ForceStatus::kSolved);
+      ASSERT_EQ(now.status, Status::kSolved);
       ASSERT_GT(now.magnitude, 1);
       const VectorXd slopes = max_tip_force_gradient(tip_statics(*tendons, q),
                                                      statics_derivatives(*tendons, q), now, frame);

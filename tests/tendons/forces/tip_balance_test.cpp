@@ -61,7 +61,7 @@ TEST_P(EverySubject, LargestForcesAreThoseOfEveryVertex) {
     for (int k = 0; k < 6; ++k) {
       const MaxTipForce largest = max_tip_force(statics, axis(k));
       const double certain = oracle.along(axis(k));
-      ASSERT_EQ(largest.status, ForceStatus::kSolved) << "posture " << i << " axis " << k;
+      ASSERT_EQ(largest.status, Status::kSolved) << "posture " << i << " axis " << k;
       ASSERT_NEAR(largest.magnitude, certain, 1e-9 * std::max(1.0, certain))
           << "posture " << i << " axis " << k;
       ASSERT_LE(largest.check.gap, 1e-9 * std::max(1.0, certain));
@@ -93,7 +93,7 @@ TEST_P(Fingers, ForcesNeverFallAsTheConeWidens) {
       double narrower = 0;
       for (const double degrees : {0, 1, 2, 5, 8, 10, 20, 30, 40}) {
         const MaxTipForce largest = max_tip_force(statics, axis(k), {radians(degrees)});
-        ASSERT_EQ(largest.status, ForceStatus::kSolved);
+        ASSERT_EQ(largest.status, Status::kSolved);
         ASSERT_GE(largest.magnitude, (1 - 1e-9) * narrower - 1e-9)
             << "posture " << i << " axis " << k << " cone " << degrees;
         narrower = largest.magnitude;
@@ -110,7 +110,7 @@ TEST_P(Fingers, SetsReachAsFarAsEveryVertex) {
     const TipStatics statics = tip_statics(digit, draw_posture(digit, rng));
     const VertexOracle oracle(statics);
     const FeasibleForceSet set = feasible_force_set(statics);
-    ASSERT_EQ(set.status, ForceStatus::kSolved) << set.failure;
+    ASSERT_EQ(set.status, Status::kSolved) << set.failure;
     for (int k = 0; k < 12; ++k) {
       const Vector3d u = k < 6 ? axis(k) : Vector3d(normal(rng), normal(rng), normal(rng));
       const double certain = oracle.support(u.normalized());

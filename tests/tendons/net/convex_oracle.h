@@ -109,7 +109,7 @@ class Program {
       for (Index i = 0; i < lines(); ++i)
         v(own(i)) = std::max(blunt_length(places(v), i) - kMm * line(i).slack, 0.0) + apex;
       const NonlinearResult result = solve_ipopt(program, v, {1e-8, 1e-6, 100});
-      if (result.status <= NonlinearStatus::kAcceptable) v = result.x;
+      if (result.status == Status::kSolved) v = result.x;
     }
     return places(v) / kMm;
   }

@@ -1,0 +1,26 @@
+#pragma once
+
+/// How a numerical method ended: one enumeration for every solver and every question that a solver
+/// answers.
+
+#include <string>
+
+namespace thenar {
+
+/// A result says more beside it: a `message`, residuals, a certificate.
+enum class Status {
+  kSolved,      // the result is an answer, and its certificate holds
+  kInfeasible,  // no point obeys the constraints
+  kUnbounded,   // the objective grows without limit along feasible points
+  kLimit,       // a limit that the caller set was reached: iterations, evaluations, cuts
+  kStopped,     // the caller asked to stop
+  kStalled      // the method ended without an answer whose certificate holds
+};
+
+/// "solved", "infeasible", "unbounded", "limit", "stopped" or "stalled".
+[[nodiscard]] std::string name_of(Status status);
+
+/// Whether a method ended without an answer and without a proof that there is none.
+[[nodiscard]] bool is_undecided(Status status);
+
+}  // namespace thenar
