@@ -1,6 +1,6 @@
 #pragma once
 
-/// Rigid motions on any scalar: double, Ceres' Jet, or a vector of lanes.
+/// Rigid motions on any scalar (double, Ceres' Jet, or a vector of lanes), and wrenches.
 
 #include <cmath>
 
@@ -48,6 +48,24 @@ template <typename T>
 [[nodiscard]] Pose<T> screw_motion(const Vec3<T>& d, const Vec3<T>& point, const T& a) {
   const Mat3<T> R = rotation_about(d, a);
   return {R, point - R * point};
+}
+
+/// Moment and force on a body. As six numbers the moment comes first.
+struct Wrench {
+  Eigen::Vector3d moment{0, 0, 0};  // about a stated point [N m] (3)
+  Eigen::Vector3d force{0, 0, 0};   // [N] (3)
+
+  Wrench& operator+=(const Wrench& b) {
+    moment += b.moment;
+    force += b.force;
+    return *this;
+  }
+};
+
+/// Wrench about the origin of a force at a point.
+/// @param p  point [m] (3);  @param f  force [N] (3)
+[[nodiscard]] inline Wrench wrench_of_force(const Eigen::Vector3d& p, const Eigen::Vector3d& f) {
+  return {p.cross(f), f};
 }
 
 /// Two unit vectors that complete `d` to a right-handed frame (e1, e2, d).

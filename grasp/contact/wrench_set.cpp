@@ -5,7 +5,6 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/spatial.h"
 #include "grasp/contact/contact.h"
 
 namespace thenar {
@@ -25,7 +24,7 @@ void require_sound(const Contact& contact, std::size_t i) {
 
 WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double torque_scale) {
   const auto wrench = [&](const Eigen::Vector3d& force) {
-    return (ScaledWrench() << force, arm.cross(force) / torque_scale).finished();
+    return scaled_wrench(wrench_of_force(arm, force), torque_scale);
   };
   // Frictionless unit wrench of the normal.
   const Eigen::Vector3d n = contact.n.normalized();
@@ -37,11 +36,19 @@ WrenchCap wrench_cap(const Contact& contact, const Eigen::Vector3d& arm, double 
   if (slides > 0)
     cap.A.leftCols<2>() << contact.friction * wrench(t.e1), contact.friction * wrench(t.e2);
   if (twists > 0)
-    cap.A.rightCols<1>() << Eigen::Vector3d::Zero(), contact.torsion * n / torque_scale;
+    cap.A.rightCols<1>() = scaled_wrench({contact.torsion * n, {0, 0, 0}}, torque_scale);
   return cap;
 }
 
 }  // namespace
+
+ScaledWrench scaled_wrench(const Wrench& wrench, double torque_scale) {
+  return (ScaledWrench() << wrench.force, wrench.moment / torque_scale).finished();
+}
+
+Wrench unscaled_wrench(const ScaledWrench& wrench, double torque_scale) {
+  return {torque_scale * wrench.tail<3>(), wrench.head<3>()};
+}
 
 WrenchSet wrench_set(const std::vector<Contact>& contacts, const Eigen::Vector3d& centre,
                      double torque_scale) {

@@ -6,11 +6,19 @@
 
 #include <Eigen/Core>
 
+#include "base/spatial.h"
 #include "grasp/contact/contact.h"
 
 namespace thenar {
 
 using ScaledWrench = Eigen::Matrix<double, 6, 1>;  // force [N], then torque / scale [N] (6)
+
+/// A wrench as six forces: the force first, then the moment divided by a length.
+/// @param torque_scale  above 0 [m]
+[[nodiscard]] ScaledWrench scaled_wrench(const Wrench& wrench, double torque_scale);
+
+/// The inverse of scaled_wrench().
+[[nodiscard]] Wrench unscaled_wrench(const ScaledWrench& wrench, double torque_scale);
 
 /// Wrenches of one contact at unit normal force: an ellipsoid { c + A z : |z| <= 1 }, a disc for
 /// a hard point with friction, a point without, three-dimensional for a soft finger.

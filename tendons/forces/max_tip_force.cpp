@@ -138,8 +138,8 @@ MaxTipForce max_tip_force(const TipStatics& statics, const Vector3d& direction,
   return result;
 }
 
-MaxTipWrench max_tip_wrench(const TipStatics& statics, const Vector3d& moment,
-                            const Vector3d& force) {
+MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench) {
+  const auto& [moment, force] = wrench;
   const internal::TipBalance balance = internal::tip_balance(statics);
   require(moment.allFinite() && force.allFinite(), "a wrench must be finite");
   require(!moment.isZero(0) || !force.isZero(0), "a wrench must not be zero");

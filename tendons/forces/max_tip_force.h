@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "base/numbers.h"
+#include "base/spatial.h"
 #include "solvers/status.h"
 #include "tendons/tip_statics.h"
 
@@ -63,12 +64,10 @@ struct MaxTipWrench {
 ///
 ///   maximise s >= 0  subject to  s (J' f + W' m) = R' t + tau_0,  0 <= t <= F0.
 ///
-/// @param statics  one posture; W may be absent if `moment` is zero
-/// @param moment   m, about the tip, world frame   3   [N m]
-/// @param force    f, world frame                  3   [N]
-/// @throws InputError as max_tip_force(), or if a moment is asked for and W is absent.
+/// @param statics  one posture; W may be absent if the moment is zero
+/// @param wrench   m about the tip, and f; world frame [N m], [N]
+/// @throws InputError as max_tip_force(), or if a moment is wanted and W is absent.
 /// Source: [ValeroCuevas1998].
-[[nodiscard]] MaxTipWrench max_tip_wrench(const TipStatics& statics, const Eigen::Vector3d& moment,
-                                          const Eigen::Vector3d& force);
+[[nodiscard]] MaxTipWrench max_tip_wrench(const TipStatics& statics, const Wrench& wrench);
 
 }  // namespace thenar

@@ -11,12 +11,10 @@ using Eigen::Vector3d;
 /// Moments and forces on all links, the base first.
 struct LinkWrenches {
   explicit LinkWrenches(std::size_t links) : touched(links + 1, false), on(links + 1) {
-    for (LinkWrench& w : on) w = {static_cast<int>(&w - on.data()) - 1, {0, 0, 0}, {0, 0, 0}};
+    for (LinkWrench& w : on) w.link = static_cast<int>(&w - on.data()) - 1;
   }
   void add(int link, const Vector3d& at, const Vector3d& f) {
-    LinkWrench& w = on[static_cast<std::size_t>(link + 1)];
-    w.f += f;
-    w.m += at.cross(f);
+    on[static_cast<std::size_t>(link + 1)].wrench += wrench_of_force(at, f);
     touched[static_cast<std::size_t>(link + 1)] = true;
   }
   std::vector<bool> touched;
@@ -63,13 +61,7 @@ std::vector<LinkWrench> net_wrenches(const Net& net, const TreeState<double>& st
 
 Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree, const TreeState<double>& state,
                            const NetEquilibrium& rest, int coordinates) {
-  // Moments about the hinges of all wrenches beyond them.
-  Eigen::VectorXd tau = Eigen::VectorXd::Zero(coordinates);
-  for (const LinkWrench& w : wrenches(net, state, rest).on)
-    for_each_hinge_to_base(tree, w.link, [&](int i) {
-      tau(tree[i].coordinate) += tree[i].ratio * state[i].axis.dot(w.m - state[i].point.cross(w.f));
-    });
-  return tau;
+  return joint_torque(tree, state, wrenches(net, state, rest).on, coordinates);
 }
 
 }  // namespace thenar

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "hand/chain.h"
+#include "hand/link_wrench.h"
 #include "tendons/net/solve_net.h"
 
 namespace thenar {
@@ -16,13 +17,6 @@ namespace thenar {
 [[nodiscard]] Eigen::VectorXd net_torque(const Net& net, const Tree<double>& tree,
                                          const TreeState<double>& state, const NetEquilibrium& rest,
                                          int coordinates);
-
-/// Wrench of the net on a link, world axes, moments about the world origin.
-struct LinkWrench {
-  int link;           // -1: the base
-  Eigen::Vector3d m;  // moment [N m] (3)
-  Eigen::Vector3d f;  // force [N] (3)
-};
 
 /// Wrenches on all links that the net touches, the base included. They sum to zero up to the exits
 /// of muscles given by tension, whose bodies are links as well.

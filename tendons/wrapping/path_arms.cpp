@@ -96,18 +96,17 @@ void add_path(const Tree<double>& tree, const TreeState<double>& state, const Pa
 /// Sums wrenches by link.
 class PathWrenches {
  public:
-  void add(int link, const Vector3d& at, const Vector3d& f) { add(link, {link, at.cross(f), f}); }
-  void add(int link, const PathWrench& wrench) {
+  void add(int link, const Vector3d& at, const Vector3d& f) { add(link, wrench_of_force(at, f)); }
+  void add(int link, const Wrench& wrench) {
     // Add to the link's sum if it has one.
-    for (PathWrench& sum : all)
+    for (LinkWrench& sum : all)
       if (sum.link == link) {
-        sum.m += wrench.m;
-        sum.f += wrench.f;
+        sum.wrench += wrench;
         return;
       }
-    all.push_back(wrench);
+    all.push_back({link, wrench});
   }
-  std::vector<PathWrench> all;
+  std::vector<LinkWrench> all;
 };
 
 using Spatial = Eigen::Matrix<double, 6, 1>;
@@ -154,7 +153,7 @@ void add_arc(const TreeState<double>& state, const PathSet& set, const PathArc& 
   const Pose<double> X =
       surface.link < 0 ? surface.X : state[static_cast<std::size_t>(surface.link)].X * surface.X;
   const Vector3d f = X.R * w.tail<3>();
-  wrenches.add(surface.link, {surface.link, X.R * w.head<3>() + X.p.cross(f), f});
+  wrenches.add(surface.link, Wrench{X.R * w.head<3>() + X.p.cross(f), f});
 }
 
 /// The first `spans` runs of a tendon under a tension; `cut`: the last of them ends in the air.
@@ -189,7 +188,7 @@ void path_arms(const Tree<double>& tree, const TreeState<double>& state, const P
     add_path(tree, state, set, shapes, k, R.row(static_cast<Eigen::Index>(k)));
 }
 
-std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
+std::vector<LinkWrench> path_wrenches(const TreeState<double>& state, const PathSet& set,
                                       const std::vector<PathShape>& shapes, std::size_t path) {
   // The tendon itself.
   PathWrenches wrenches;
@@ -205,19 +204,6 @@ std::vector<PathWrench> path_wrenches(const TreeState<double>& state, const Path
   const auto spans = static_cast<std::size_t>(ride.span - ride.carrier->spans.data()) + 1;
   add_part(state, set, *ride.carrier, spans, -along, true, wrenches);
   return wrenches.all;
-}
-
-Eigen::RowVectorXd torque_of(const Tree<double>& tree, const TreeState<double>& state,
-                             const std::vector<PathWrench>& wrenches, int coordinates) {
-  // About each hinge, sum the wrenches of all links beyond it.
-  Eigen::RowVectorXd torque = Eigen::RowVectorXd::Zero(coordinates);
-  for (const PathWrench& wrench : wrenches)
-    for_each_hinge_to_base(tree, wrench.link, [&](int i) {
-      const auto& at = state[static_cast<std::size_t>(i)];
-      const auto& hinge = tree[static_cast<std::size_t>(i)];
-      torque[hinge.coordinate] += hinge.ratio * at.axis.dot(wrench.m - at.point.cross(wrench.f));
-    });
-  return torque;
 }
 
 double path_velocity(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "hand/link_wrench.h"
 #include "tendons/wrapping/path_solver.h"
 
 namespace thenar {
@@ -19,24 +20,12 @@ namespace thenar {
 void path_arms(const Tree<double>& tree, const TreeState<double>& state, const PathSet& set,
                const std::vector<PathShape>& shapes, Eigen::Ref<Eigen::MatrixXd> R);
 
-/// Wrench per unit tension on one link, world axes, about the world origin.
-struct PathWrench {
-  int link;           // -1: the base
-  Eigen::Vector3d m;  // moment [N m/N] (3)
-  Eigen::Vector3d f;  // force [N/N] (3)
-};
-
 /// What a tendon under unit tension does to the bones: pulls at its ends, kinks at its points, and
 /// the normal pressure  T dt/ds  integrated along every arc. The links' wrenches sum to zero.
-[[nodiscard]] std::vector<PathWrench> path_wrenches(const TreeState<double>& state,
+[[nodiscard]] std::vector<LinkWrench> path_wrenches(const TreeState<double>& state,
                                                     const PathSet& set,
                                                     const std::vector<PathShape>& shapes,
                                                     std::size_t path);
-
-/// Joint torque of wrenches on links: about each hinge, of all links that it moves (coordinates).
-[[nodiscard]] Eigen::RowVectorXd torque_of(const Tree<double>& tree, const TreeState<double>& state,
-                                           const std::vector<PathWrench>& wrenches,
-                                           int coordinates);
 
 /// Rate of a path's length,  dL/dt = sum of  u . (v_b - v_a)  over its straight runs [m/s].
 /// @param q_dot  joint velocities [rad/s] (coordinates)

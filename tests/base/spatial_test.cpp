@@ -95,5 +95,15 @@ TEST(Tangents, AreExactAtThePoles) {
   }
 }
 
+// By hand: 2 N along y, 3 m along x; and the opposite force at the origin leaves a couple.
+TEST(Wrench, OfForcesAddsToACouple) {
+  Wrench sum = wrench_of_force({3, 0, 0}, {0, 2, 0});
+  EXPECT_EQ(sum.moment, Vector3d(0, 0, 6));
+  EXPECT_EQ(sum.force, Vector3d(0, 2, 0));
+  sum += wrench_of_force({0, 0, 0}, {0, -2, 0});
+  EXPECT_EQ(sum.moment, Vector3d(0, 0, 6));
+  EXPECT_EQ(sum.force, Vector3d(0, 0, 0));
+}
+
 }  // namespace
 }  // namespace thenar

@@ -54,7 +54,7 @@ class PublishedIndex : public testing::TestWithParam<Published> {};
 
 TEST_P(PublishedIndex, LargestWrenchAgrees) {
   const Published& p = GetParam();
-  const MaxTipWrench result = max_tip_wrench(published_index(), p.moment, p.force);
+  const MaxTipWrench result = max_tip_wrench(published_index(), {p.moment, p.force});
   EXPECT_EQ(result.status, Status::kSolved);
   EXPECT_NEAR(result.multiple, p.largest, 0.0006);  // half a unit of the last printed digit
 }
@@ -202,12 +202,12 @@ TEST(MaxTipForce, RefusesBadCalls) {
 }
 
 TEST(MaxTipWrench, MomentNeedsRotationJacobian) {
-  EXPECT_THROW((void)max_tip_wrench(cross(), kAlongX, kNone), InputError);
+  EXPECT_THROW((void)max_tip_wrench(cross(), {kX, kNone}), InputError);
 }
 
 TEST(MaxTipWrench, AgreesWithLargestForceWhereNoMomentIsAsked) {
-  EXPECT_NEAR(max_tip_wrench(published_index(), kNone, 2 * kAlongY).multiple,
-              max_tip_force(published_index(), kAlongY).magnitude / 2, 1e-12);
+  EXPECT_NEAR(max_tip_wrench(published_index(), {kNone, 2 * kY}).multiple,
+              max_tip_force(published_index(), kY).magnitude / 2, 1e-12);
 }
 
 // Stability. F0 from 1e-3 to 1e3 N: the weakest tendon of each axis decides, to full precision.

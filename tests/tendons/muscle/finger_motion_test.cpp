@@ -225,8 +225,10 @@ TEST_P(NetMotion, WrenchesOnBonesMoveThemAsTorquesDo) {
   for (const LinkWrench& w : net_wrenches(net().net().net, state, rest)) {
     if (w.link < 0) continue;
     const Pose<double> to_reference = state[static_cast<std::size_t>(w.link)].X.inverse();
-    const Eigen::Vector3d r = 0.01 * w.m.unitOrthogonal(), pair = w.m.cross(r) / r.squaredNorm();
-    loads.forces.push_back({w.link, to_reference * Eigen::Vector3d(0, 0, 0), w.f - pair});
+    const Eigen::Vector3d r = 0.01 * w.wrench.moment.unitOrthogonal();
+    const Eigen::Vector3d pair = w.wrench.moment.cross(r) / r.squaredNorm();
+    loads.forces.push_back(
+        {w.link, to_reference * Eigen::Vector3d(0, 0, 0), w.wrench.force - pair});
     loads.forces.push_back({w.link, to_reference * r, pair});
   }
   Multibody bones(tendons_->digit().skeleton);

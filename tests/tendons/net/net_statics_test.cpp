@@ -81,12 +81,12 @@ TEST(NetTorque, IsMinusTheSlopeOfTheMinimisedEnergy) {
 TEST(NetWrenches, SumToZeroOverAllLinks) {
   for (bool bones : {false, true})
     for (const SampleNet& sample : held_nets(bones, 4)) {
-      Eigen::Vector3d m(0, 0, 0), f(0, 0, 0);
+      Wrench sum;
       for (const LinkWrench& w : net_wrenches(sample.net, sample.state(), rest_of(sample)))
-        m += w.m, f += w.f;
+        sum += w.wrench;
       // Each of at most 5 free nodes, within 0.1 m of the origin, is balanced to 1e-10 N.
-      EXPECT_LT(f.norm(), 5e-10);  // [N]
-      EXPECT_LT(m.norm(), 5e-11);  // [N m]
+      EXPECT_LT(sum.force.norm(), 5e-10);   // [N]
+      EXPECT_LT(sum.moment.norm(), 5e-11);  // [N m]
     }
 }
 

@@ -66,20 +66,17 @@ TEST_P(PathArmsOver, AreThoseOfTheContactForces) {
   const PathSet set = sample::extensor(GetParam());
   const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 0);
-  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(0)),
-                          torque_of(sample::finger(), posed.state, wrenches, 3), 1e-12));
+  EXPECT_TRUE(matrix_near(VectorXd(posed.R.row(0).transpose()),
+                          joint_torque(sample::finger(), posed.state, wrenches, 3), 1e-12));
 }
 
 TEST_P(PathArmsOver, PushTheBonesWithoutPushingTheHand) {
   const PathSet set = sample::extensor(GetParam());
   const PosedPath posed = pose(sample::finger(), set, kBentFinger);
-  Vector3d f = Vector3d::Zero(), m = Vector3d::Zero();
-  for (const PathWrench& wrench : path_wrenches(posed.state, set, posed.shapes, 0)) {
-    f += wrench.f;
-    m += wrench.m;
-  }
-  EXPECT_LT(f.norm(), 1e-12);
-  EXPECT_LT(m.norm(), 1e-13);
+  Wrench sum;
+  for (const LinkWrench& on : path_wrenches(posed.state, set, posed.shapes, 0)) sum += on.wrench;
+  EXPECT_LT(sum.force.norm(), 1e-12);
+  EXPECT_LT(sum.moment.norm(), 1e-13);
 }
 
 INSTANTIATE_TEST_SUITE_P(EveryShape, PathArmsOver,
@@ -99,8 +96,8 @@ TEST(PathArms, OfALumbricalAreThoseOfTheContactForces) {
   const PathSet set = lumbrical();
   const PosedPath posed = pose(sample::finger(), set, kBentFinger);
   const auto wrenches = path_wrenches(posed.state, set, posed.shapes, 1);
-  EXPECT_TRUE(matrix_near(RowVectorXd(posed.R.row(1)),
-                          torque_of(sample::finger(), posed.state, wrenches, 3), 1e-14));
+  EXPECT_TRUE(matrix_near(VectorXd(posed.R.row(1).transpose()),
+                          joint_torque(sample::finger(), posed.state, wrenches, 3), 1e-14));
 }
 
 // A lumbrical crosses neither distal joint, yet turns them: it takes tension off the deep flexor.

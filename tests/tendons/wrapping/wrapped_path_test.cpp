@@ -119,10 +119,10 @@ TEST(WrappedPath, OfAWholeHandAgreesWithItsForcesAndItsLengths) {
   const Eigen::MatrixXd R = arms_of(skeleton, set, q);
   for (std::size_t k = 0; k < set.paths.size(); ++k) {
     ASSERT_EQ(shapes[k].status, PathStatus::kTaut) << set.paths[k].name;
-    const Eigen::RowVectorXd row = R.row(static_cast<Eigen::Index>(k));
+    const VectorXd row = R.row(static_cast<Eigen::Index>(k)).transpose();
     EXPECT_TRUE(matrix_near(row,
-                            torque_of(skeleton.tree, state, path_wrenches(state, set, shapes, k),
-                                      skeleton.coordinates()),
+                            joint_torque(skeleton.tree, state, path_wrenches(state, set, shapes, k),
+                                         skeleton.coordinates()),
                             1e-14))
         << set.paths[k].name;
     // Fourth-order differences over 1e-3 rad.
