@@ -2,8 +2,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "hand/fast_kinematics.h"
 #include "hand/multibody.h"
+#include "tests/hand/fast_kinematics.h"
 #include "tests/hand/sample_subjects.h"
 
 namespace thenar {

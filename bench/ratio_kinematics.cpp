@@ -3,7 +3,7 @@
 #include <Simbody.h>
 
 #include "bench/ratios.h"
-#include "hand/fast_kinematics.h"
+#include "tests/hand/fast_kinematics.h"
 #include "tests/hand/sample_subjects.h"
 
 namespace thenar::bench {

@@ -1,6 +1,6 @@
-// Tests for hand/fast_kinematics.cpp and the sine of base/simd.h.
+// Tests for tests/hand/fast_kinematics.cpp and the sine of base/simd.h.
 
-#include "hand/fast_kinematics.h"
+#include "tests/hand/fast_kinematics.h"
 
 #include <cmath>
 #include <limits>

@@ -5,9 +5,9 @@
 
 #include <Simbody.h>
 
-#include "hand/simd_pair.h"
-#include "tendons/forces/force_map.h"
 #include "tests/hand/sample_subjects.h"
+#include "tests/hand/simd_pair.h"
+#include "tests/tendons/forces/force_map.h"
 
 namespace thenar::sample {
 

@@ -1,12 +1,12 @@
-// Tests for tendons/forces/force_map.h and hand/simd_pair.h; here, because Simbody is the oracle.
+// Tests for force_map.h and tests/hand/simd_pair.h; Simbody is the oracle.
 
-#include "tendons/forces/force_map.h"
+#include "tests/tendons/forces/force_map.h"
 
 #include <ceres/jet.h>
 #include <gtest/gtest.h>
 #include <Eigen/QR>
 
-#include "hand/simd_pair.h"
+#include "tests/hand/simd_pair.h"
 #include "tests/hand/thumb_axes.h"
 #include "tests/matrix_near.h"
 

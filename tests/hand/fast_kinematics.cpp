@@ -1,4 +1,4 @@
-#include "hand/fast_kinematics.h"
+#include "tests/hand/fast_kinematics.h"
 
 #include <cmath>
 
