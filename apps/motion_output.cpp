@@ -28,6 +28,7 @@ std::string name_of(MotionStatus status) {
       return "done";
     case MotionStatus::kStopped:
       return "stopped";
+    case MotionStatus::kLimit:
     case MotionStatus::kIntegratorFailed:
       return "stuck";
     case MotionStatus::kNoProgress:

@@ -119,11 +119,16 @@ Trajectory trajectory_of(const SimulateArguments& options, const Subject& subjec
   return simulate(model, excitation_of(options, muscles), start, how);
 }
 
+/// Whether the integration ended early, other than on request and for want of progress.
+bool is_stuck(const Trajectory& trajectory) {
+  return trajectory.status == MotionStatus::kIntegratorFailed ||
+         trajectory.status == MotionStatus::kLimit;
+}
+
 /// Refuses what has been printed or written already, but must not be taken for the answer.
 void require_end(const Trajectory& trajectory) {
   const EnergyBalance& balance = trajectory.balance;
-  require(trajectory.status != MotionStatus::kIntegratorFailed, "the motion is stuck: {}",
-          trajectory.warning);
+  require(!is_stuck(trajectory), "the motion is stuck: {}", trajectory.warning);
   require(trajectory.status != MotionStatus::kNoProgress, "the motion does not get on: {}",
           trajectory.warning);
   require(trajectory.status != MotionStatus::kUnbalanced,
@@ -157,8 +162,8 @@ void run_simulate(const SimulateArguments& options) {
   else
     print_text(motion);
   if (!options.output.empty() && !options.json) fmt::print("wrote {}\n", options.output);
-  const bool told = trajectory.status == MotionStatus::kIntegratorFailed ||
-                    trajectory.status == MotionStatus::kNoProgress;  // by require_end()
+  const bool told =
+      is_stuck(trajectory) || trajectory.status == MotionStatus::kNoProgress;  // by require_end()
   if (!trajectory.warning.empty() && !told)
     fmt::print(stderr, "thenar: warning: {}\n", trajectory.warning);
   require_end(trajectory);

@@ -42,10 +42,17 @@ struct ShapeSpec {
   Pose<double> X_BS;                // the shape's frame in its body's
 };
 
-/// "sphere", "tapered capsule"... as in data files.
-[[nodiscard]] std::string name_of(ShapeKind kind);
+/// All names as in data files, in the order of ShapeKind.
+[[nodiscard]] inline const std::vector<std::string>& shape_names() {
+  static const std::vector<std::string> names{
+      "sphere",          "box",       "cylinder",       "capsule",
+      "tapered capsule", "ellipsoid", "superellipsoid", "mesh"};
+  return names;
+}
 
-/// All names, in the order of ShapeKind.
-[[nodiscard]] const std::vector<std::string>& shape_names();
+/// "sphere", "tapered capsule"... as in data files.
+[[nodiscard]] inline std::string name_of(ShapeKind kind) {
+  return shape_names()[static_cast<std::size_t>(kind)];
+}
 
 }  // namespace thenar

@@ -1,11 +1,12 @@
 #pragma once
 
-/// Joint torques of weights and external forces, by virtual work on the chain.
+/// Joint torques of weights, external forces and wrenches on links, by virtual work on the chain.
 
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "base/spatial.h"
 #include "hand/skeleton.h"
 
 namespace thenar {
@@ -32,5 +33,18 @@ struct Loads {
 [[nodiscard]] Eigen::VectorXd load_torque(const Skeleton& skeleton,
                                           const Eigen::Ref<const Eigen::VectorXd>& q,
                                           const Loads& loads);
+
+/// Wrench on one link, world axes, moment about the world origin.
+struct LinkWrench {
+  int link = -1;  // -1: the base
+  Wrench wrench;  // per unit tension where it is a tendon's [N m], [N]
+};
+
+/// Joint torques of wrenches on links: about each hinge, the sum over all links that it moves.
+/// Coupled joints share a coordinate by their ratios.
+/// @return (coordinates) [N m]
+[[nodiscard]] Eigen::VectorXd joint_torque(const Tree<double>& tree, const TreeState<double>& state,
+                                           const std::vector<LinkWrench>& wrenches,
+                                           int coordinates);
 
 }  // namespace thenar

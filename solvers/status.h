@@ -3,6 +3,8 @@
 /// How a numerical method ended: one enumeration for every solver and every question that a solver
 /// answers.
 
+#include <array>
+#include <cstddef>
 #include <string>
 
 namespace thenar {
@@ -18,9 +20,14 @@ enum class Status {
 };
 
 /// "solved", "infeasible", "unbounded", "limit", "stopped" or "stalled".
-[[nodiscard]] std::string name_of(Status status);
+[[nodiscard]] inline std::string name_of(Status status) {
+  constexpr std::array kNames{"solved", "infeasible", "unbounded", "limit", "stopped", "stalled"};
+  return kNames[static_cast<std::size_t>(status)];
+}
 
 /// Whether a method ended without an answer and without a proof that there is none.
-[[nodiscard]] bool is_undecided(Status status);
+[[nodiscard]] inline bool is_undecided(Status status) {
+  return status == Status::kLimit || status == Status::kStopped || status == Status::kStalled;
+}
 
 }  // namespace thenar

@@ -28,7 +28,7 @@ OdeStatus status_of(int flag) {
     case CV_WARNING:
       return OdeStatus::kStepped;
     case CV_TOO_MUCH_WORK:
-      return OdeStatus::kTooMany;
+      return OdeStatus::kLimit;
     case CV_ERR_FAILURE:
     case CV_CONV_FAILURE:
       return OdeStatus::kTooStiff;
@@ -160,7 +160,7 @@ StiffOde& StiffOde::operator=(StiffOde&&) noexcept = default;
 OdeStatus StiffOde::step(double stop) {
   require(stop > parts_->time, "cannot step from {} s to {} s", parts_->time, stop);
   // One step, not beyond `stop`.
-  if (counts().steps >= parts_->max_steps) return OdeStatus::kTooMany;
+  if (counts().steps >= parts_->max_steps) return OdeStatus::kLimit;
   CVodeSetStopTime(parts_->cvode, stop);
   const int flag = CVode(parts_->cvode, stop, parts_->state, &parts_->time, CV_ONE_STEP);
   if (parts_->thrown) std::rethrow_exception(std::exchange(parts_->thrown, nullptr));

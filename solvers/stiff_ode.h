@@ -28,7 +28,7 @@ struct StiffOdeOptions {
 /// What became of a step; every answer of CVODE is one of them.
 enum class OdeStatus {
   kStepped,     // one step further
-  kTooMany,     // max_steps done
+  kLimit,       // max_steps done
   kTooStiff,    // no step is short enough: f jumps, or Newton's steps do not converge
   kNotFinite,   // f is not finite, here or at every step that was tried
   kSingular,    // the matrix of Newton's steps could not be set up or solved with

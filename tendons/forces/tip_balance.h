@@ -9,9 +9,6 @@
 
 namespace thenar {
 
-/// Whether W is known. A TipStatics without it has a W of 3 x 0.
-[[nodiscard]] inline bool has_rotation(const TipStatics& statics) { return statics.W.cols() > 0; }
-
 namespace internal {
 
 /// Unit-vector components below this are rounding, not geometry.

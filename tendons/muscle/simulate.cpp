@@ -143,7 +143,7 @@ const char* reason(OdeStatus status) {
   switch (status) {
     case OdeStatus::kStepped:
       return "";
-    case OdeStatus::kTooMany:
+    case OdeStatus::kLimit:
       return "more steps than allowed";
     case OdeStatus::kTooStiff:
       return "no step is short enough";
@@ -255,7 +255,9 @@ Trajectory integrate(const MotionModel& model, const std::vector<ExcitationPiece
     while (ode.time() < piece->end) {
       const OdeStatus status = ode.step(piece->end);
       if (status != OdeStatus::kStepped)
-        return take(MotionStatus::kIntegratorFailed, reason(status));
+        return take(
+            status == OdeStatus::kLimit ? MotionStatus::kLimit : MotionStatus::kIntegratorFailed,
+            reason(status));
       // Instants to keep lie within the last step.
       for (; recorder.next() <= ode.time();)
         recorder.keep(motion.unpack(ode.state_at(recorder.next())), piece->at(recorder.next()));

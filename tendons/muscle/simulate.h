@@ -36,6 +36,7 @@ inline constexpr double kEnergyShare = 1e-4, kNoEnergy = 1e-9;
 enum class MotionStatus {
   kCompleted,         // all the time that was asked for, and its energy balances
   kStopped,           // the caller asked to stop; holds all up to then
+  kLimit,             // max_steps are done; holds all up to then
   kIntegratorFailed,  // the integrator found no step; holds all up to then, `warning` says why
   kNoProgress,        // see SimulateOptions::stall_steps; holds all up to then
   kUnbalanced         // all the time, but energy is not conserved: not to be believed

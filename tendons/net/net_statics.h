@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "hand/chain.h"
-#include "hand/link_wrench.h"
+#include "hand/statics.h"
 #include "tendons/net/solve_net.h"
 
 namespace thenar {

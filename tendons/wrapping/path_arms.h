@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "hand/link_wrench.h"
+#include "hand/statics.h"
 #include "tendons/wrapping/path_solver.h"
 
 namespace thenar {

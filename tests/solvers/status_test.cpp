@@ -1,4 +1,4 @@
-// Tests for solvers/status.cpp.
+// Tests for solvers/status.h.
 
 #include "solvers/status.h"
 

@@ -233,7 +233,7 @@ TEST(Simulate, SaysWhyItIsStuck) {
   options.max_steps = 20;
   const Trajectory path = simulate(mover.model(), constant_excitation(mover.excited(0.1)),
                                    {VectorXd::Zero(1), {}, {}}, options);
-  EXPECT_EQ(path.status, MotionStatus::kIntegratorFailed);
+  EXPECT_EQ(path.status, MotionStatus::kLimit);
   EXPECT_EQ(path.warning.rfind("more steps than allowed", 0), 0u) << path.warning;
 }
 
