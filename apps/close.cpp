@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/data_folder.h"
+#include "api/data_folders.h"
 #include "apps/grasp_measures.h"
 #include "apps/grasp_output.h"
 #include "apps/output_ending.h"
-#include "apps/progress_bar.h"
+#include "apps/terminal.h"
 #include "apps/schedule.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
-#include "viewer/grasp_words.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

@@ -5,13 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "apps/json_line.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "data/io/json_node.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/provenance.h"
-#include "viewer/compare_words.h"
+#include "report/answers/comparison.h"
 
 namespace thenar {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/data_folder.h"
-#include "apps/read_source.h"
+#include "api/data_folders.h"
+#include "api/files.h"
 #include "base/error.h"
 #include "base/provenance.h"
 #include "data/io/file_kind.h"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/compare_file.h"
-#include "apps/print_table.h"
-#include "viewer/compare_words.h"
+#include "report/table.h"
+#include "report/answers/comparison.h"
 
 namespace thenar {
 namespace {

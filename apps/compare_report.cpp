@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "viewer/compare_page.h"
-#include "viewer/report_page.h"
+#include "report/pages/comparison.h"
+#include "report/page.h"
 
 namespace thenar {
 

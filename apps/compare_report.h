@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "apps/hand_by_name.h"
+#include "api/hands.h"
 #include "grasp/compare/comparison.h"
 
 namespace thenar {

@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"

@@ -8,7 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/contact_doubts.h"
-#include "apps/json_line.h"
+#include "data/io/json_node.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/file_guard.h"

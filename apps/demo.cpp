@@ -13,21 +13,21 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/data_folder.h"
+#include "api/data_folders.h"
 #include "apps/demo_hands.h"
 #include "apps/demo_posteriors.h"
-#include "apps/net_file.h"
-#include "apps/progress_bar.h"
-#include "apps/provenance_json.h"
-#include "apps/read_source.h"
+#include "api/digits.h"
+#include "apps/terminal.h"
+#include "report/provenance.h"
+#include "api/files.h"
 #include "base/file_io.h"
 #include "base/units.h"
 #include "tendons/net/build_tendons.h"
-#include "viewer/fit_pages.h"
-#include "viewer/hood_page.h"
-#include "viewer/report_page.h"
-#include "viewer/thumb_page.h"
-#include "viewer/thumb_study_page.h"
+#include "report/pages/fit.h"
+#include "report/pages/hood.h"
+#include "report/page.h"
+#include "report/pages/thumbs.h"
+#include "report/pages/thumb_study.h"
 
 namespace thenar {
 namespace {

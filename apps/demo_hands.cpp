@@ -6,8 +6,8 @@
 #include "apps/compare_inputs.h"
 #include "apps/compare_report.h"
 #include "grasp/compare/compare_hands.h"
-#include "viewer/blocks.h"
-#include "viewer/compare_tables.h"
+#include "report/blocks.h"
+#include "report/pages/comparison_tables.h"
 
 namespace thenar {
 namespace {

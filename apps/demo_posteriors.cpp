@@ -6,7 +6,7 @@
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/posterior_summary.h"
 #include "posterior/run/predict_draws.h"
-#include "viewer/posterior_picture.h"
+#include "report/pages/posterior_picture.h"
 
 namespace thenar {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/progress.h"
 #include "kinematics_fit/fit_study.h"
-#include "viewer/blocks.h"
+#include "report/blocks.h"
 
 namespace thenar {
 

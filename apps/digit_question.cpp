@@ -6,9 +6,9 @@
 #include <numeric>
 
 #include "apps/path_option.h"
-#include "apps/posture_options.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "api/posture.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "hand/tip_manipulability.h"
 #include "tendons/forces/tip_map.h"

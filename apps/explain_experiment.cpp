@@ -8,7 +8,7 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
-#include "apps/posture_options.h"
+#include "api/posture.h"
 
 namespace thenar {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "apps/explanation.h"
-#include "apps/posture_options.h"
+#include "api/posture.h"
 #include "base/provenance.h"
 #include "kinematics_fit/prediction.h"
 

@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "apps/print_table.h"
+#include "report/table.h"
 #include "data/io/experiment.h"
 #include "data/io/net_description.h"
 #include "data/io/robot/robot.h"

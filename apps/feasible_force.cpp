@@ -8,9 +8,9 @@
 
 #include "apps/commands.h"
 #include "apps/feasible_report.h"
-#include "apps/posture_options.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "api/posture.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 
 namespace thenar {

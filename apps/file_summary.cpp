@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/print_table.h"
-#include "apps/read_source.h"
+#include "report/table.h"
+#include "api/files.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"

@@ -12,9 +12,9 @@
 
 #include "apps/commands.h"
 #include "apps/fit_posterior.h"
-#include "apps/progress_bar.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "apps/terminal.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/prediction.h"

@@ -9,9 +9,9 @@
 
 #include "apps/output_ending.h"
 #include "apps/posterior_summary.h"
-#include "apps/progress_bar.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "apps/terminal.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "posterior/run/posterior_file.h"
 #include "sampling/run/communicator.h"

@@ -6,7 +6,7 @@
 
 #include "apps/schedule.h"
 #include "grasp/contact/friction_pyramid.h"
-#include "viewer/grasp_words.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

@@ -4,9 +4,9 @@
 #include "apps/grasp_output.h"
 #include "apps/grasp_report.h"
 #include "apps/grasp_robustness.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "grasp/quality/wrench_set_mesh.h"
-#include "viewer/grasp_words.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

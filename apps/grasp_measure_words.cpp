@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "apps/grasp_measures.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
-#include "viewer/grasp_words.h"
+#include "report/table.h"
+#include "report/json.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "apps/print_table.h"
+#include "report/table.h"
 #include "apps/schedule.h"
 #include "base/error.h"
 #include "data/io/world/world.h"
 #include "grasp/quality/task_margin.h"
-#include "viewer/grasp_words.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

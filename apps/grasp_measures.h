@@ -12,7 +12,7 @@
 #include "grasp/quality/grasp_stiffness.h"
 #include "grasp/quality/inscribed_ball.h"
 #include "grasp/quality/volume.h"
-#include "viewer/grasp_page.h"
+#include "report/pages/grasp.h"
 
 namespace thenar {
 

@@ -1,6 +1,6 @@
 #include "apps/grasp_question.h"
 
-#include "apps/data_folder.h"
+#include "api/data_folders.h"
 #include "base/error.h"
 #include "data/io/file_kind.h"
 #include "grasp/closing/closing_drives.h"

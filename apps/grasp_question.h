@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/world_hand.h"
+#include "api/worlds.h"
 #include "grasp/closing/grasp.h"
 
 namespace thenar {

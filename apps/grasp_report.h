@@ -3,7 +3,7 @@
 /// Tables and the page of a grasp.
 
 #include "apps/grasp_output.h"
-#include "apps/print_table.h"
+#include "report/table.h"
 
 namespace thenar {
 

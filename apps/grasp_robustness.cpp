@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "apps/schedule.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/units.h"
 #include "grasp/closing/approach_sampling.h"
-#include "viewer/grasp_words.h"
+#include "report/answers/grasp_words.h"
 
 namespace thenar {
 namespace {

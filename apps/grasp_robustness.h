@@ -7,7 +7,7 @@
 #include "apps/grasp_answer.h"
 #include "base/progress.h"
 #include "grasp/quality/robustness.h"
-#include "viewer/grasp_page.h"
+#include "report/pages/grasp.h"
 
 namespace thenar {
 

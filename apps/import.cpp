@@ -15,7 +15,7 @@
 #include "apps/commands.h"
 #include "apps/import_report.h"
 #include "apps/output_ending.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_kind.h"

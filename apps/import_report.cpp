@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/world/world.h"

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/progress_bar.h"
+#include "apps/terminal.h"
 #include "base/cache.h"
 #include "base/error.h"
 #include "base/nearest_name.h"

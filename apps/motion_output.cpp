@@ -4,18 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "apps/print_table.h"
-#include "apps/provenance_json.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "report/table.h"
+#include "report/provenance.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
 #include "tendons/muscle/trajectory_table.h"
-#include "viewer/motion_page.h"
-#include "viewer/report_page.h"
+#include "report/pages/motion.h"
+#include "report/page.h"
 
 namespace thenar {
 namespace {

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/data_folder.h"
-#include "apps/hand_by_name.h"
+#include "api/data_folders.h"
+#include "api/hands.h"
 #include "apps/pose_report.h"
-#include "apps/posture_options.h"
+#include "api/posture.h"
 #include "apps/robot_pose.h"
 #include "base/error.h"
 #include "base/file_io.h"

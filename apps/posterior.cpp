@@ -10,16 +10,16 @@
 #include "apps/output_ending.h"
 #include "apps/posterior_summary.h"
 #include "apps/print_prediction.h"
-#include "apps/progress_bar.h"
-#include "apps/provenance_json.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "apps/terminal.h"
+#include "report/provenance.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "base/file_io.h"
 #include "kinematics_fit/experiment_plan.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
-#include "viewer/posterior_picture.h"
-#include "viewer/report_page.h"
+#include "report/pages/posterior_picture.h"
+#include "report/page.h"
 
 namespace thenar {
 namespace {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "apps/posterior_advice.h"
-#include "apps/print_table.h"
+#include "report/table.h"
 #include "base/error.h"
 #include "posterior/run/posterior_summary.h"
 

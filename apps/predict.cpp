@@ -10,8 +10,8 @@
 
 #include "apps/commands.h"
 #include "apps/print_prediction.h"
-#include "apps/read_source.h"
-#include "apps/to_json.h"
+#include "api/files.h"
+#include "report/json.h"
 #include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/prediction.h"
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "apps/pose_report.h"
-#include "apps/posture_options.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "api/posture.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/units.h"
 
 namespace thenar {

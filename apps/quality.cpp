@@ -14,7 +14,7 @@
 
 #include "apps/commands.h"
 #include "apps/contact_answer.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 

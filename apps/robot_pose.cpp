@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/named_numbers.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "apps/options.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "apps/progress_bar.h"
+#include "apps/terminal.h"
 
 namespace thenar {
 

@@ -7,16 +7,16 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
-#include "apps/data_folder.h"
+#include "api/data_folders.h"
 #include "apps/output_ending.h"
-#include "apps/print_table.h"
-#include "apps/progress_bar.h"
-#include "apps/provenance_json.h"
-#include "apps/to_json.h"
+#include "report/table.h"
+#include "apps/terminal.h"
+#include "report/provenance.h"
+#include "report/json.h"
 #include "base/file_io.h"
 #include "base/units.h"
-#include "viewer/report_page.h"
-#include "viewer/thumb_study_page.h"
+#include "report/page.h"
+#include "report/pages/thumb_study.h"
 
 namespace thenar {
 namespace {

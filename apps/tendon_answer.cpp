@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/units.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/band_course.h"

@@ -12,23 +12,23 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/commands.h"
-#include "apps/net_file.h"
+#include "api/digits.h"
 #include "apps/output_ending.h"
 #include "apps/path_option.h"
-#include "apps/print_table.h"
-#include "apps/progress_bar.h"
-#include "apps/provenance_json.h"
-#include "apps/read_source.h"
+#include "report/table.h"
+#include "apps/terminal.h"
+#include "report/provenance.h"
+#include "api/files.h"
 #include "apps/tendon_commands.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/file_io.h"
 #include "kinematics_fit/net_records.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/search_nets.h"
 #include "tendons/topology/select_bands.h"
-#include "viewer/blocks.h"
-#include "viewer/report_page.h"
+#include "report/blocks.h"
+#include "report/page.h"
 
 namespace thenar {
 namespace {

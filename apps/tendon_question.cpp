@@ -1,12 +1,12 @@
 #include "apps/tendon_question.h"
 
 #include "apps/digit_question.h"
-#include "apps/named_numbers.h"
-#include "apps/net_file.h"
+#include "apps/options.h"
+#include "api/digits.h"
 #include "apps/path_option.h"
-#include "apps/posture_options.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "api/posture.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "tendons/net/build_tendons.h"
 

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/provenance_json.h"
-#include "apps/read_source.h"
-#include "viewer/report_page.h"
+#include "report/provenance.h"
+#include "api/files.h"
+#include "report/page.h"
 
 namespace thenar {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "apps/tendon_question.h"
-#include "viewer/net_page.h"
+#include "report/pages/tendons.h"
 
 namespace thenar {
 

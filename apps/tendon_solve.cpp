@@ -11,7 +11,7 @@
 #include "apps/tendon_answer.h"
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 

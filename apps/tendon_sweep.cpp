@@ -8,15 +8,15 @@
 
 #include <fmt/format.h>
 
-#include "apps/named_numbers.h"
+#include "apps/options.h"
 #include "apps/output_ending.h"
-#include "apps/posture_options.h"
-#include "apps/progress_bar.h"
+#include "api/posture.h"
+#include "apps/terminal.h"
 #include "apps/tendon_answer.h"
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
 #include "apps/tendon_table.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "apps/varied_joints.h"
 #include "base/error.h"
 #include "base/file_io.h"

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/tendon_answer.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/units.h"
 
 namespace thenar {

@@ -10,9 +10,9 @@
 
 #include "apps/commands.h"
 #include "apps/digit_question.h"
-#include "apps/named_numbers.h"
-#include "apps/print_table.h"
-#include "apps/to_json.h"
+#include "apps/options.h"
+#include "report/table.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "tendons/forces/posture_sensitivity.h"

@@ -10,7 +10,7 @@
 
 #include "apps/commands.h"
 #include "apps/file_summary.h"
-#include "apps/to_json.h"
+#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "apps/named_numbers.h"
-#include "apps/posture_options.h"
-#include "apps/print_table.h"
+#include "apps/options.h"
+#include "api/posture.h"
+#include "report/table.h"
 #include "base/error.h"
 #include "base/units.h"
 

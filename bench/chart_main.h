@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <exception>
 
-#include "viewer/blocks.h"
-#include "viewer/report_page.h"
+#include "report/blocks.h"
+#include "report/page.h"
 
 namespace thenar::bench {
 

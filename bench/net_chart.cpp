@@ -11,7 +11,7 @@
 #include "bench/net_rivals/point_masses.h"
 #include "bench/net_sweep.h"
 #include "bench/ratios.h"
-#include "viewer/blocks.h"
+#include "report/blocks.h"
 
 namespace thenar::bench {
 namespace {

@@ -13,7 +13,7 @@
 #include "grasp/quality/epsilon.h"
 #include "tests/grasp/quality/qhull_hull.h"
 #include "tests/grasp/quality/random_grasps.h"
-#include "viewer/blocks.h"
+#include "report/blocks.h"
 
 namespace thenar::bench {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "bench/chart_main.h"
 #include "bench/sampler_task.h"
-#include "viewer/blocks.h"
-#include "viewer/posterior_page.h"
+#include "report/blocks.h"
+#include "report/pages/posterior.h"
 
 namespace thenar::bench {
 namespace {

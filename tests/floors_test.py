@@ -64,7 +64,7 @@ MAY_SEE |= {
     "apps": LIBRARIES + ["viewer"],
     "python": LIBRARIES,
     "bench": LIBRARIES + ["tests", "viewer"],  # the sample scenes; charts
-    "tests": LIBRARIES + ["viewer", "apps/contact_file.h", "apps/compare_file.h", "apps/json_line.h"],
+    "tests": LIBRARIES + ["viewer", "apps/contact_file.h", "apps/compare_file.h", "data/io/json_node.h"],
 }
 WITH_SUBFOLDERS = ["sampling/run", "viewer", "apps", "bench", "tests"]  # folders that are one floor
 

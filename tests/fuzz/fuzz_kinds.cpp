@@ -7,7 +7,7 @@
 
 #include "apps/compare_file.h"
 #include "apps/contact_file.h"
-#include "apps/json_line.h"
+#include "data/io/json_node.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/anthropometry.h"

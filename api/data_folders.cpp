@@ -1,0 +1,92 @@
+#include "api/data_folders.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where `cmake --install` puts data, seen from the program; "" if the system does not tell.
+std::string installed_data() {
+  std::error_code unknown;
+  const fs::path program = fs::read_symlink("/proc/self/exe", unknown);
+  if (unknown) return "";
+  return (program.parent_path().parent_path() / "share" / "thenar").string();
+}
+
+}  // namespace
+
+std::vector<std::string> data_folders(const std::string& given, const std::string& near) {
+  std::error_code none;
+  require(given.empty() || fs::is_directory(given, none), "--data: there is no folder {}", given);
+  const char* named = std::getenv("THENAR_DATA");
+  std::vector<std::string> places;
+  for (const std::string& place :
+       {given, std::string(named == nullptr ? "" : named), std::string("data"), near,
+        installed_data(), std::string(THENAR_SOURCE_DATA)})
+    if (!place.empty() && std::find(places.begin(), places.end(), place) == places.end())
+      places.push_back(place);
+  return places;
+}
+
+std::string find_in(const std::vector<std::string>& places, const std::string& what) {
+  std::error_code none;
+  for (const std::string& place : places)
+    if (fs::exists(fs::path(place) / what, none)) return (fs::path(place) / what).string();
+  return "";
+}
+
+std::string data_with(const std::string& what, const std::string& given) {
+  const std::vector<std::string> places = data_folders(given);
+  std::error_code none;
+  for (const std::string& place : places)
+    if (fs::is_directory(fs::path(place) / what, none)) return place;
+  throw InputError(
+      fmt::format("there is no folder with {}/: {}; name one with --data or "
+                  "THENAR_DATA",
+                  what, places_words(places)));
+}
+
+std::vector<std::string> names_in(const std::vector<std::string>& places, const std::string& folder,
+                                  const std::string& ending) {
+  std::vector<std::string> names;
+  for (const std::string& place : places) {
+    const fs::path here = fs::path(place) / folder;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::directory_iterator(here, none))
+      if (entry.path().extension() == ending) names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+std::string named_file(const std::string& what, const std::string& name, const std::string& folder,
+                       const std::string& ending, const std::vector<std::string>& places) {
+  if (is_file(name)) return name;
+  if (name.find('/') == std::string::npos) {
+    std::string found = find_in(places, (fs::path(folder) / (name + ending)).string());
+    if (!found.empty()) return found;
+  }
+  const std::vector<std::string> known = names_in(places, folder, ending);
+  const std::string meant = did_you_mean(name, known);
+  throw InputError(fmt::format("there is no {} '{}'{} is neither a file nor one of {}/; {}", what,
+                               name, meant.empty() ? ": it" : meant + " It", folder,
+                               places_words(places)));
+}
+
+std::string places_words(const std::vector<std::string>& places) {
+  return fmt::format("looked in {}", fmt::join(places, ", "));
+}
+
+}  // namespace thenar

@@ -1,0 +1,280 @@
+#include "api/worlds.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "api/data_folders.h"
+#include "base/error.h"
+#include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "data/io/robot/import_robot.h"
+#include "grasp/closing/closing_drives.h"
+#include "grasp/robot/infer_hand.h"
+#include "grasp/robot/robot_hand.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Places = std::vector<std::string>;  // where data is looked for
+
+constexpr double kOutside = 1e-9;  // of limits that is still inside, as closing has it
+
+std::string beside(const WorldSpec& world, const std::string& file) {
+  return (fs::path(world.folder) / file).string();
+}
+
+/// By which name hand_by_name() knows a placed hand: a subject's file with its tier.
+std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
+  if (placed.file.empty()) return placed.name;
+  const std::size_t tier = placed.name.rfind(":tier");
+  return beside(world, placed.file) + (tier == std::string::npos ? "" : placed.name.substr(tier));
+}
+
+/// The robot's file, for mounting. @throws InputError if it is no robot.
+std::string file_of(const WorldSpec& world, const PlacedHand& placed, const Places& data) {
+  if (!placed.file.empty()) return beside(world, placed.file);
+  std::string library = robot_file(placed.name, data);
+  require(!library.empty(), "hand '{}' is mounted, or carries another: it must be a robot; {}",
+          placed.name, places_words(data));
+  return library;
+}
+
+std::size_t index_of(const WorldSpec& world, const std::string& name) {
+  for (std::size_t i = 0; i < world.hands.size(); ++i)
+    if (world.hands[i].name == name) return i;
+  return world.hands.size();
+}
+
+std::vector<std::string> names_of(const WorldSpec& world) {
+  std::vector<std::string> names;
+  for (const PlacedHand& hand : world.hands) names.push_back(hand.name);
+  return names;
+}
+
+bool carries(const WorldSpec& world, const std::string& name) {
+  return std::any_of(world.hands.begin(), world.hands.end(),
+                     [&](const PlacedHand& hand) { return hand.carrier == name; });
+}
+
+std::size_t chosen(const WorldSpec& world, const std::string& name, const std::string& path) {
+  const std::string listed = fmt::format("{}", fmt::join(names_of(world), ", "));
+  if (!name.empty()) {
+    const std::size_t index = index_of(world, name);
+    require(index < world.hands.size(), "{}: the world has no hand '{}'{}; it has {}", path, name,
+            did_you_mean(name, names_of(world)), world.hands.empty() ? "none" : listed);
+    return index;
+  }
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < world.hands.size(); ++i)
+    if (!carries(world, world.hands[i].name)) free.push_back(i);
+  require(!free.empty(), "{}: the world has no hand; name one with --hand", path);
+  require(free.size() == 1, "{}: the world has the hands {}; choose one with --hand", path, listed);
+  return free.front();
+}
+
+/// The hand, then everything that carries it.
+std::vector<std::size_t> parts_of(const WorldSpec& world, std::size_t index) {
+  std::vector<std::size_t> parts{index};
+  while (!world.hands[parts.back()].carrier.empty()) {
+    parts.push_back(index_of(world, world.hands[parts.back()].carrier));
+    require(parts.size() <= world.hands.size(), "hand '{}' is carried by itself",
+            world.hands[index].name);
+  }
+  return parts;
+}
+
+/// Locks the motors of a carrier that stand still and whose efforts are unknown; notes that there
+/// were some.
+RobotSpec locked_where_unknown(RobotSpec carrier, std::vector<std::string>& locked) {
+  bool found = false;
+  for (RobotDof& dof : carrier.dofs) {
+    if (dof.speed != 0 || (dof.max_effort > 0 && !dof.nominal_effort)) continue;
+    dof.backdrivable = false;
+    found = true;
+  }
+  if (found) locked.push_back(carrier.name);
+  return carrier;
+}
+
+/// One robot of a hand and its carriers, from the last of them to the hand.
+void mount(const WorldSpec& world, const Places& data, WorldHand& mounted) {
+  const std::vector<std::size_t>& parts = mounted.parts;
+  const PlacedHand& last = world.hands[parts.back()];
+  std::vector<std::string> locked;
+  RobotSpec robot = locked_where_unknown(import_robot(file_of(world, last, data)), locked);
+  require_closed_loops(robot);
+  NamedHand& hand = mounted.named;
+  hand.name = world.hands[parts.front()].name + " on " + last.name;
+  hand.file = file_of(world, world.hands[parts.front()], data);
+  for (std::size_t i = parts.size() - 1; i-- > 0;) {
+    const PlacedHand& placed = world.hands[parts[i]];
+    RobotSpec tool = import_robot(file_of(world, placed, data));
+    tool = i == 0 ? graspable(std::move(tool)) : locked_where_unknown(std::move(tool), locked);
+    if (i == 0)
+      mounted.carrier_surfaces = static_cast<int>(
+          std::count_if(robot.links.begin(), robot.links.end(),
+                        [](const RobotLink& link) { return !link.shapes.empty(); }));
+    robot = attach(robot, placed.carrier_link, tool, placed.X_WH);
+  }
+  robot = with_materials(std::move(robot));
+  hand.hand = std::make_shared<RobotHand>(robot);
+  hand.warnings = robot.warnings;
+  if (!locked.empty())
+    hand.warnings.push_back(fmt::format(
+        "motors of {} whose efforts are unknown are taken for locked: what they would bear is not "
+        "part of any load",
+        fmt::join(locked, " and ")));
+}
+
+/// Where the coordinates of a part of a mounted hand went: under their own name, or with the
+/// robot's before it where a carrier has that name too.
+std::vector<int> places_of(const std::vector<std::string>& part, const std::string& robot,
+                           const std::vector<std::string>& whole, std::vector<bool>& taken) {
+  std::vector<int> places;
+  for (const std::string& name : part) {
+    auto found = std::find(whole.begin(), whole.end(), robot + "/" + name);
+    // A robot may carry another of its own kind, whose coordinates these are then.
+    const auto index = static_cast<std::size_t>(found - whole.begin());
+    if (index == whole.size() || taken[index]) found = std::find(whole.begin(), whole.end(), name);
+    const auto at = static_cast<std::size_t>(found - whole.begin());
+    require(at < whole.size() && !taken[at], "coordinate '{}' of '{}' is not to be found", name,
+            robot);
+    taken[at] = true;
+    places.push_back(static_cast<int>(at));
+  }
+  return places;
+}
+
+void add_names(const WorldSpec& world, WorldHand& hand, const Places& data) {
+  const std::vector<std::string>& whole = hand.named.hand->layout().coordinates;
+  std::vector<bool> taken(whole.size(), false);
+  for (const std::size_t part : hand.parts) {
+    std::vector<std::string> names = whole;
+    std::string robot;
+    if (hand.parts.size() > 1) {
+      const RobotSpec spec = import_robot(file_of(world, world.hands[part], data));
+      names = RobotHand(spec).layout().coordinates;
+      robot = spec.name;
+    }
+    hand.places.push_back(places_of(names, robot, whole, taken));
+    hand.names.push_back(std::move(names));
+  }
+}
+
+/// Sets what a degree of freedom of a robot drives; false: there is none of that name.
+bool set_dof(const WorldSpec& world, const PlacedHand& placed, const std::vector<int>& places,
+             const std::string& name, double value, const Places& data, Eigen::VectorXd& q) {
+  if (placed.name.rfind("human", 0) == 0 && placed.file.empty()) return false;
+  const std::string file = file_of(world, placed, data);
+  const RobotSpec robot = import_robot(file);
+  Eigen::VectorXd dofs = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(robot.dofs.size()));
+  bool found = false;
+  for (std::size_t d = 0; d < robot.dofs.size(); ++d) {
+    if (robot.dofs[d].name != name) continue;
+    dofs[static_cast<Eigen::Index>(d)] = 1;
+    found = true;
+  }
+  if (!found) return false;
+  const Eigen::VectorXd moved = RobotHand(robot).posture(dofs);
+  for (std::size_t c = 0; c < places.size(); ++c)
+    if (moved[static_cast<Eigen::Index>(c)] != 0)
+      q[places[c]] = moved[static_cast<Eigen::Index>(c)] * value;
+  return true;
+}
+
+/// Bodies of which no material is known are taken for kDefaultMaterial, and named.
+void name_bare_bodies(const WorldSpec& world, std::vector<std::string>& warnings) {
+  for (const PlacedBody& placed : world.bodies)
+    if (placed.body.material.empty())
+      warnings.push_back(fmt::format("no material is stated of body '{}': {} is taken",
+                                     placed.body.name, kDefaultMaterial));
+}
+
+void require_within(const WorldHand& hand, const std::string& path) {
+  const HandLayout& layout = hand.named.hand->layout();
+  for (int c = 0; c < hand.q.size(); ++c)
+    require(hand.q[c] >= layout.lower[c] - kOutside && hand.q[c] <= layout.upper[c] + kOutside,
+            "{}: hand '{}': {} is {:.6g}, outside its limits {:.6g} .. {:.6g} (rad or m)", path,
+            hand.named.name, layout.coordinates[static_cast<std::size_t>(c)], hand.q[c],
+            layout.lower[c], layout.upper[c]);
+}
+
+void set_posture(const WorldSpec& world, const std::string& path, const Places& data,
+                 WorldHand& hand) {
+  hand.q = open_posture(hand.named.hand->layout());
+  for (std::size_t i = 0; i < hand.parts.size(); ++i) {
+    const PlacedHand& placed = world.hands[hand.parts[i]];
+    for (const auto& [name, value] : placed.posture) {
+      const auto found = std::find(hand.names[i].begin(), hand.names[i].end(), name);
+      const auto at = static_cast<std::size_t>(found - hand.names[i].begin());
+      if (found != hand.names[i].end()) {
+        hand.q[hand.places[i][at]] = value;
+        continue;
+      }
+      require(set_dof(world, placed, hand.places[i], name, value, data, hand.q),
+              "{}: hand '{}' has no coordinate '{}'{}; it has {}", path, placed.name, name,
+              did_you_mean(name, hand.names[i]), fmt::join(hand.names[i], ", "));
+    }
+  }
+  require_within(hand, path);
+}
+
+std::string rebased(const std::string& file, const fs::path& from, const fs::path& to) {
+  if (file.empty() || fs::path(file).is_absolute()) return file;
+  return fs::proximate(fs::absolute(from / file).lexically_normal(), fs::absolute(to))
+      .generic_string();
+}
+
+}  // namespace
+
+std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
+  return data_folders(given, fs::path(folder).lexically_normal().parent_path().string());
+}
+
+WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const std::string& path,
+                        const std::vector<std::string>& data, const HumanHandOptions& human) {
+  WorldHand hand;
+  hand.parts = parts_of(world, chosen(world, name, path));
+  const PlacedHand& placed = world.hands[hand.parts.front()];
+  if (hand.parts.size() > 1) {
+    mount(world, data, hand);
+  } else {
+    hand.named = hand_by_name(name_to_build(world, placed), data, human);
+    hand.named.name = placed.name;
+  }
+  hand.X_WH = world.hands[hand.parts.back()].X_WH;
+  add_names(world, hand, data);
+  set_posture(world, path, data, hand);
+  name_bare_bodies(world, hand.named.warnings);
+  return hand;
+}
+
+WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand, const Pose<double>& X_WH,
+                       const Eigen::VectorXd& q) {
+  for (std::size_t i = 0; i < hand.parts.size(); ++i) {
+    PlacedHand& placed = world.hands[hand.parts[i]];
+    placed.posture.clear();
+    for (std::size_t c = 0; c < hand.names[i].size(); ++c)
+      placed.posture[hand.names[i][c]] = q[hand.places[i][c]];
+  }
+  if (!hand.parts.empty()) world.hands[hand.parts.back()].X_WH = X_WH;
+  return world;
+}
+
+void save_world(WorldSpec world, const std::string& path) {
+  const fs::path from = world.folder, to = "." / fs::path(path).parent_path();
+  for (PlacedHand& hand : world.hands) hand.file = rebased(hand.file, from, to);
+  for (PlacedBody& body : world.bodies) {
+    body.file = rebased(body.file, from, to);
+    for (ShapeSpec& shape : body.body.shapes) shape.mesh_file = rebased(shape.mesh_file, from, to);
+  }
+  world.materials_file = rebased(world.materials_file, from, to);
+  write_file(path, world_toml(world));
+}
+
+}  // namespace thenar

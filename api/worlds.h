@@ -1,0 +1,52 @@
+#pragma once
+
+/// The hand of a world file, built, with the arms that carry it.
+
+#include <string>
+#include <vector>
+
+#include "api/hands.h"
+#include "data/io/world/world.h"
+
+namespace thenar {
+
+/// A hand of a world, in its place.
+struct WorldHand {
+  NamedHand named;
+  Pose<double> X_WH;               // of its frame; of a mounted hand that of the last carrier
+  Eigen::VectorXd q;               // as the world says, else where closing begins (coordinates)
+  std::vector<std::size_t> parts;  // of WorldSpec::hands: the hand, what carries it, what carries
+                                   // that..; empty: not of the world
+  int carrier_surfaces = 0;        // the first of Hand::surfaces() are of what carries it
+  std::vector<std::vector<std::string>> names;  // coordinates of each part, as worlds call them
+  std::vector<std::vector<int>> places;         // and as entries of q
+};
+
+/// Builds the hand called `name`; "": the only one that carries no other.
+///
+/// A hand that is mounted becomes one robot with its carriers, which stand still while it closes if
+/// nothing closes them; those of their motors whose efforts are unknown are locked, with a warning.
+/// Coordinates that the world does not name are where closing begins. Besides coordinates a posture
+/// may name degrees of freedom, each of which sets the joints it drives.
+/// @param path   of the world, for messages
+/// @param data   folders with robots/, as data_for()
+/// @param human  how to build a human hand
+/// @throws InputError if there is no such hand or more than one to choose from, if a posture names
+///         what the hand has not or leaves its limits, or if a human hand is mounted.
+[[nodiscard]] WorldHand hand_of_world(const WorldSpec& world, const std::string& name,
+                                      const std::string& path, const std::vector<std::string>& data,
+                                      const HumanHandOptions& human = {});
+
+/// data_folders() for a world read from `folder`: beside worlds/ there may be robots/.
+[[nodiscard]] std::vector<std::string> data_for(const std::string& folder,
+                                                const std::string& given);
+
+/// The world with the hand where it is found, in its posture.
+[[nodiscard]] WorldSpec with_hand_at(WorldSpec world, const WorldHand& hand,
+                                     const Pose<double>& X_WH, const Eigen::VectorXd& q);
+
+/// Writes a world so that what its files are relative to is the folder of `path`.
+/// @throws InputError if it cannot be written.
+void save_world(WorldSpec world, const std::string& path);
+
+}  // namespace thenar

@@ -1,0 +1,47 @@
+#pragma once
+
+/// Shapes of chains that a page draws: counts of ranks, correlations, thinned traces.
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// How many draws of each chain fall into each of equal parts of all ranks  (bins, chains).
+/// @param x  (draws, chains)
+[[nodiscard]] Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins);
+
+/// Steps that a chain needs to forget: 1 + 2 sum of its autocorrelations, as long as sums of
+/// neighbouring ones are positive; at least 1. NaN if its draws are alike or not finite.
+/// @param rho  autocorrelations at lags 0, 1, ... (any)
+/// Source: [Geyer1992] sec. 3.3, the initial positive sequence.
+[[nodiscard]] double correlation_time(const Eigen::Ref<const Eigen::VectorXd>& rho);
+
+/// Correlations of a chain with itself at lags 0, 1, ... (draws); NaN as above.
+[[nodiscard]] Eigen::VectorXd autocorrelation(const Eigen::Ref<const Eigen::VectorXd>& x);
+
+/// Where a count lies with 95 % probability.
+struct CountBand {
+  double low, high;
+};
+
+/// Counts of one bin of one of several chains of one distribution. A count of independent draws is
+/// hypergeometric, of variance  n p (1 - p) (N - n) / (N - 1)  with n of N draws and p = 1/bins;
+/// correlated ones have tau times that. Normal approximation.
+/// @param draws  of one chain
+/// @param tau    steps that a chain needs to forget [1]
+[[nodiscard]] CountBand rank_band(double draws, double chains, int bins, double tau);
+
+/// Indices 0 .. count - 1, at most `most` of them, evenly spread.
+[[nodiscard]] std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most);
+
+/// A list of numbers, with no more digits than matter at this scale: four of `scale` itself.
+[[nodiscard]] Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
+
+/// Whether R-hat a stands before b where the worst comes first; NaN is the worst.
+[[nodiscard]] bool worse(double a, double b);
+
+}  // namespace thenar

@@ -1,0 +1,133 @@
+#include "report/draws/draws.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "report/draws/chains.h"
+
+namespace thenar {
+namespace {
+
+constexpr Eigen::Index kCornerDraws = 800, kCornerPrior = 400;  // a quantity
+constexpr std::size_t kCornerShown = 6;
+
+/// "deg"; nothing for numbers without unit.
+std::string shown_unit(const Quantity& quantity) {
+  return quantity.unit == "1" ? "" : quantity.unit;
+}
+
+double sd_of(const Eigen::Ref<const Eigen::VectorXd>& x) {
+  if (x.size() < 2) return 0;
+  return std::sqrt((x.array() - x.mean()).square().sum() / static_cast<double>(x.size() - 1));
+}
+
+Eigen::VectorXd all_draws(const Quantity& quantity) {
+  return Eigen::Map<const Eigen::VectorXd>(quantity.draws.data(), quantity.draws.size());
+}
+
+Eigen::VectorXd some(const Eigen::VectorXd& x, Eigen::Index most) {
+  const std::vector<Eigen::Index> chosen = spread(x.size(), most);
+  Eigen::VectorXd out(static_cast<Eigen::Index>(chosen.size()));
+  for (std::size_t k = 0; k < chosen.size(); ++k) out[static_cast<Eigen::Index>(k)] = x[chosen[k]];
+  return out;
+}
+
+/// What the draws taught: 1 - sd / prior sd. Nothing without a prior.
+double learnt(const Quantity& quantity) {
+  const double before = sd_of(quantity.prior);
+  return before > 0 ? 1 - sd_of(all_draws(quantity)) / before : 0;
+}
+
+Json corner_quantity(const Quantity& quantity) {
+  const Eigen::VectorXd draws = all_draws(quantity);
+  const double sd = sd_of(draws);
+  Json out{{"name", quantity.name}, {"draws", rounded(some(draws, kCornerDraws), sd)}};
+  if (!shown_unit(quantity).empty()) out["unit"] = shown_unit(quantity);
+  if (quantity.prior.size() > 1) out["prior"] = rounded(some(quantity.prior, kCornerPrior), sd);
+  if (quantity.truth) out["truth"] = *quantity.truth;
+  return out;
+}
+
+/// Indices of the quantities named, or of those that most was learnt about.
+std::vector<std::size_t> shown_first(const std::vector<Quantity>& quantities,
+                                     const std::vector<std::string>& names) {
+  std::vector<std::size_t> order(quantities.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (names.empty()) {
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return learnt(quantities[a]) > learnt(quantities[b]);
+    });
+    order.resize(std::min(order.size(), kCornerShown));
+    std::sort(order.begin(), order.end());
+    return order;
+  }
+  std::vector<std::size_t> shown;
+  for (const std::string& name : names) {
+    const auto at = std::find_if(order.begin(), order.end(),
+                                 [&](std::size_t i) { return quantities[i].name == name; });
+    require(at != order.end(), "there is no quantity {} to show", name);
+    shown.push_back(*at);
+  }
+  return shown;
+}
+
+/// A number without the digits that an error of this size leaves open, two of the error's own kept.
+double to_error(double value, double error) {
+  if (!std::isfinite(value) || !(error > 0)) return value;
+  const double step = std::pow(10, std::floor(std::log10(error)) - 1);
+  return std::stod(fmt::format("{:.12g}", std::round(value / step) * step));
+}
+
+Json estimate_row(const Quantity& quantity) {
+  const Estimate& e = quantity.estimate;
+  const std::string unit = shown_unit(quantity);
+  Json row = Json::array({unit.empty() ? quantity.name : quantity.name + " [" + unit + "]"});
+  for (const double value : {e.mean, e.mcse_mean}) row.push_back(to_error(value, e.mcse_mean));
+  for (const double value : {e.sd, e.mcse_sd}) row.push_back(to_error(value, e.mcse_sd));
+  for (const double value : {e.q05, e.median, e.q95}) row.push_back(to_error(value, e.mcse_mean));
+  for (const double value : {e.r_hat, e.bulk_ess, e.tail_ess}) row.push_back(value);
+  return row;
+}
+
+}  // namespace
+
+Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,
+                  const std::vector<std::string>& shown) {
+  Json list = Json::array();
+  for (const Quantity& quantity : quantities) list.push_back(corner_quantity(quantity));
+  return {{"type", "corner"},
+          {"caption", caption},
+          {"shown", shown_first(quantities, shown)},
+          {"quantities", list}};
+}
+
+Json estimate_table(const std::vector<Quantity>& quantities, const std::string& caption) {
+  std::vector<const Quantity*> order;
+  for (const Quantity& quantity : quantities) order.push_back(&quantity);
+  std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
+    return worse(a->estimate.r_hat, b->estimate.r_hat);
+  });
+  Json rows = Json::array();
+  for (const Quantity* quantity : order) rows.push_back(estimate_row(*quantity));
+  Json table = table_block(caption,
+                           {{"quantity", ""},
+                            {"mean", ""},
+                            {"MCSE", ""},
+                            {"sd", ""},
+                            {"MCSE", ""},
+                            {"5 %", ""},
+                            {"median", ""},
+                            {"95 %", ""},
+                            {"R-hat", "", 3},
+                            {"bulk ESS", "", 0},
+                            {"tail ESS", "", 0}},
+                           rows);
+  table["search"] = true;
+  return table;
+}
+
+}  // namespace thenar

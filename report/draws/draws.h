@@ -1,0 +1,51 @@
+#pragma once
+
+/// Draws of a posterior as blocks: traces with ranks, marginals by pairs, and intervals. Any number
+/// of draws may be given: what the page shows of them is thinned, so that 60 quantities of 4 chains
+/// take about 1 MB; ranks, correlations and intervals are of all draws.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sampling/diagnostics/convergence.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// One quantity of a posterior, in the unit that people read it in.
+struct Quantity {
+  std::string name;             // "axis/CMC1_FE/direction/1"
+  std::string unit;             // "deg"; empty or "1": none
+  Eigen::MatrixXd draws;        // after warm-up [unit] (draws, chains)
+  std::vector<int> group;       // of each chain, as Draws::group; empty: each its own (chains)
+  Estimate estimate;            // [unit]; name is not used
+  Eigen::VectorXd prior;        // draws from the prior [unit] (any); empty: not known
+  std::optional<double> truth;  // that the data were made with [unit]
+};
+
+/// Traces, rank histograms and autocorrelations, the quantity with the largest R-hat first; the
+/// reader chooses. More than 8 chains are shown by one chain of each group, ranks by groups.
+///
+/// The band of ranks holds 95 % of the counts of one bin if all chains draw from one distribution,
+/// each as correlated within itself as it is: a chain of n draws is worth n / tau, tau by Geyer's
+/// initial positive sequence. Source: [Vehtari2021] for rank plots, [Geyer1992].
+[[nodiscard]] Json chains_block(const std::vector<Quantity>& quantities,
+                                const std::string& caption);
+
+/// Densities of single quantities and of pairs, 50 and 90 % regions, the prior as a light outline.
+/// @param shown  names to start with, at most 8; empty: those most was learnt about
+[[nodiscard]] Json corner_block(const std::vector<Quantity>& quantities, const std::string& caption,
+                                const std::vector<std::string>& shown = {});
+
+/// Posterior 50 and 90 % intervals beside the prior's, in units of the prior's sd about its mean,
+/// sorted by what was learnt: 1 - sd / prior sd. Quantities without a prior are left out.
+/// @param most  rows; where there are more, the best known and the four least known are kept
+[[nodiscard]] Json forest_block(const std::vector<Quantity>& quantities, const std::string& caption,
+                                std::size_t most = 40);
+
+/// Mean, sd, Monte Carlo errors, quantiles, R-hat and ESS of everything; worst R-hat first.
+[[nodiscard]] Json estimate_table(const std::vector<Quantity>& quantities,
+                                  const std::string& caption);
+
+}  // namespace thenar

@@ -1,0 +1,91 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "sampling/diagnostics/order_statistics.h"
+#include "report/draws/chains.h"
+#include "report/pages/posterior.h"
+
+namespace thenar {
+namespace {
+
+const char* const kDirections[] = {"proximal", "dorsal", "radial"};
+const char* const kOpposite[] = {"distal", "palmar", "ulnar"};
+
+/// "dorsal" of a component that is one direction of the digit, else its number.
+std::string component_name(const Experiment& experiment, int component) {
+  const Eigen::RowVector3i row = experiment.axes_of_digit.row(component);
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(row[k]) == 1 && row.cwiseAbs().sum() == 1)
+      return row[k] > 0 ? kDirections[k] : kOpposite[k];
+  return fmt::format("component {}", component + 1);
+}
+
+/// Muscles that a trial loads.
+std::string loads_of(const Trial& trial) {
+  std::string text;
+  for (const auto& [muscle, tension] : trial.tension)
+    if (tension != 0) text += (text.empty() ? "" : " + ") + muscle;
+  return text.empty() ? "no load" : text;
+}
+
+/// What one component may read, and what it read; counts itself if that lies within.
+struct Counts {
+  int all = 0, within_50 = 0, within_95 = 0;
+};
+
+Json value_of(double measured, const Eigen::VectorXd& replicated, Counts& coverage) {
+  const Eigen::VectorXd rising = sorted(replicated);
+  Eigen::VectorXd q(6);
+  q << measured, quantile(rising, 0.025), quantile(rising, 0.25), quantile(rising, 0.5),
+      quantile(rising, 0.75), quantile(rising, 0.975);
+  ++coverage.all;
+  if (measured >= q[2] && measured <= q[4]) ++coverage.within_50;
+  if (measured >= q[1] && measured <= q[5]) ++coverage.within_95;
+  const Json r = rounded(q, 1);
+  return {{"measured", r[0]}, {"low", r[1]},        {"inner_low", r[2]},
+          {"median", r[3]},   {"inner_high", r[4]}, {"high", r[5]}};
+}
+
+/// The group of a posture, made if there is none.
+Json& group_of(const std::string& posture, Json& groups) {
+  for (Json& group : groups)
+    if (group["name"] == posture) return group;
+  groups.push_back({{"name", posture}, {"rows", Json::array()}});
+  return groups.back();
+}
+
+}  // namespace
+
+Json predictive_block(const PredictedForces& predicted) {
+  const Experiment& experiment = predicted.experiment;
+  const auto trials = static_cast<Eigen::Index>(experiment.trials.size());
+  require(predicted.replicated.rows() == 3 * trials && predicted.replicated.cols() > 0,
+          "{} trials want {} rows of replicated forces, got {} x {}", trials, 3 * trials,
+          predicted.replicated.rows(), predicted.replicated.cols());
+  Counts coverage;
+  Json groups = Json::array();
+  for (Eigen::Index i = 0; i < trials; ++i) {
+    const Trial& trial = experiment.trials[static_cast<std::size_t>(i)];
+    Json values = Json::array();
+    for (int c = 0; c < 3; ++c)
+      values.push_back(value_of(trial.force[c], predicted.replicated.row(3 * i + c), coverage));
+    group_of(trial.posture, groups)["rows"].push_back(
+        {{"name", loads_of(trial)}, {"values", values}});
+  }
+  Json components = Json::array();
+  for (int c = 0; c < 3; ++c) components.push_back(component_name(experiment, c));
+  return {
+      {"type", "predictive"},
+      {"caption",
+       fmt::format("{}. Measured force components (dots) over posterior predictive 50 % (thick) "
+                   "and 95 % (thin) intervals, noise included. Of {} components {} lie within "
+                   "50 %, {} within 95 %",
+                   predicted.what, coverage.all, coverage.within_50, coverage.within_95)},
+      {"unit", "N"},
+      {"components", components},
+      {"groups", groups}};
+}
+
+}  // namespace thenar

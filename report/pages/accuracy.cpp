@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/pages/fit.h"
+#include "report/pages/forces.h"
+
+namespace thenar {
+namespace {
+
+Json error_row(const std::string& specimen, const std::string& what, const std::string& seen,
+               const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  return Json::array({specimen, what,
+                      prediction.calibrated_on_specimen ? "all rows, in its calibration" : seen,
+                      error.relative, error.relative_flexion, error.rms, degrees(error.direction)});
+}
+
+/// All predictions of one specimen, best known first.
+Json rows_of(const SpecimenStudy& study) {
+  const std::string specimen = study.fit.problem.specimens().front();
+  Json rows = Json::array();
+  rows.push_back(error_row(specimen, "Fit, in sample", "all rows", study.in_sample));
+  rows.push_back(error_row(specimen, "Fit, posture left out", "other postures",
+                           study.postures.experiments.front()));
+  rows.push_back(error_row(specimen, "Fit, tendon left out", "other tendons",
+                           study.tendons.experiments.front()));
+  for (const BaselinePrediction& baseline : study.baselines)
+    rows.push_back(error_row(specimen, baseline.name, baseline.data_seen, baseline.prediction));
+  return rows;
+}
+
+Json bars(const std::vector<SpecimenStudy>& studies) {
+  Json groups = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    Json values = Json::array();
+    for (const Json& row : rows_of(study)) {
+      values.push_back(
+          {{"series", row[1]}, {"value", std::round(1000 * row[3].get<double>()) / 1000}});
+    }
+    groups.push_back({{"name", study.fit.problem.specimens().front()}, {"values", values}});
+  }
+  return {{"type", "bars"},
+          {"caption", "Relative error of predicted fingertip forces: RMS residual over RMS force"},
+          {"x_label", "relative error"},
+          {"groups", groups},
+          {"reference_lines", Json::array({{{"value", 0.106}, {"label", "noise floor"}}})}};
+}
+
+}  // namespace
+
+Json accuracy_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (const SpecimenStudy& study : studies)
+    for (const Json& row : rows_of(study)) rows.push_back(row);
+  Json table = table_block(
+      "Errors on the same 24 force vectors of each specimen: in space, in the flexion plane alone, "
+      "and the median angle between predicted and measured",
+      {{"specimen", ""},
+       {"prediction", ""},
+       {"has seen", ""},
+       {"relative error", "", 3},
+       {"in plane", "", 3},
+       {"RMS error", "N", 3},
+       {"angle", "deg", 1}},
+      rows);
+  return section(
+      "accuracy", "How well the forces are predicted",
+      "Six tendons were loaded one at a time in four postures, and the force of the clamped "
+      "fingertip was measured [Synek2019]. A fit moves path points, hood fractions, axes, the load "
+      "cell and the postures within anatomical priors. What counts is the error on postures and "
+      "tendons that the fit has not seen.\n\nThe noise floor is the mean error of linearity of the "
+      "same data: no linear map can honestly do better on unseen loads. The published calibrated "
+      "model was calibrated on these specimens, so its error is in sample. The normative finger is "
+      "the average of many hands [An1979]; the last row predicts a force by the mean of the same "
+      "tendon's forces in the other postures, without any model.\n\nMuscles: FDS and FDP, the "
+      "superficial and deep flexors; EDC, the extensor; LU, lumbrical; RI and UI, radial and ulnar "
+      "interosseous. Bands of the extensor hood: LE, long extensor at the knuckle; ES, central "
+      "slip; RB and UB, radial and ulnar lateral band; TE, terminal slip.",
+      Json::array({bars(studies), table}));
+}
+
+Json force_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    blocks.push_back(force_panels(
+        study.in_sample, fmt::format("{}, in sample. Measured solid, predicted dashed; ellipses "
+                                     "hold 95 % of the predictive distribution",
+                                     specimen)));
+    blocks.push_back(force_panels(
+        study.postures.experiments.front(),
+        fmt::format("{}, each posture predicted by a fit to the other three", specimen)));
+  }
+  return section("forces", "Measured and predicted forces",
+                 "Forces of the fingertip on the load cell, in the axes of the distal phalanx.",
+                 blocks);
+}
+
+Json solver_page(const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array(), series = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    const std::string specimen = study.fit.problem.specimens().front();
+    double best = study.fit.solution.cost;
+    for (const SolverRun& run : study.runs) best = std::min(best, run.solution.cost);
+    for (const SolverRun& run : study.runs) {
+      const Solution& s = run.solution;
+      rows.push_back({specimen, name_of(run.method), convergence_word(s), s.cost,
+                      run.error.relative, s.evaluations, s.seconds});
+      series.push_back({{"name", fmt::format("{} {}", specimen, name_of(run.method))},
+                        {"style", "points"},
+                        {"x", {s.seconds}},
+                        {"y", {std::max(s.cost / best - 1, 1e-12)}}});
+    }
+  }
+  return section(
+      "solvers", "Speed and accuracy of the solvers",
+      "Every solver minimises the same function from the same start. Ceres and Ipopt use exact "
+      "derivatives; the two of NLopt use none.",
+      Json::array(
+          {table_block("Solvers on the same problem",
+                       {{"specimen", ""},
+                        {"method", ""},
+                        {"status", ""},
+                        {"cost", "", 4},
+                        {"relative error", "", 3},
+                        {"evaluations", "", 0},
+                        {"time", "s", 3}},
+                       rows),
+           {{"type", "lines"},
+            {"caption", "Cost above the best known, over wall time (1e-12 stands for none)"},
+            {"x_label", "wall time [s]"},
+            {"y_label", "relative excess of cost"},
+            {"log_x", true},
+            {"log_y", true},
+            {"series", series}}}));
+}
+
+}  // namespace thenar

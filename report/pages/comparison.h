@@ -1,0 +1,33 @@
+#pragma once
+
+/// A comparison of hands as sections of a report.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grasp/compare/comparison.h"
+#include "report/scene/hand_picture.h"
+
+namespace thenar {
+
+/// A hand as the page draws it.
+struct ComparePicture {
+  std::string hand;  // its name in the comparison
+  std::shared_ptr<const Hand> drawn;
+  std::vector<SkinPatch> patches;
+};
+
+/// Sections "At a glance", "Grasps", "How good", "Best grasps", "Abilities", "How to read this".
+///
+/// @param objects   those of the comparison, unscaled; others are not drawn
+/// @param pictures  hands without one are not drawn
+/// @param progress  hears of pictures; what a stop leaves is no page
+[[nodiscard]] Json compare_page(const Comparison& comparison, const std::vector<BodySpec>& objects,
+                                const std::vector<ComparePicture>& pictures, MeshTable& meshes,
+                                const Progress& progress = {});
+
+/// Every hand by itself, with its joints where closing begins: a look at what is compared.
+[[nodiscard]] Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshes);
+
+}  // namespace thenar

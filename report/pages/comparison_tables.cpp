@@ -1,0 +1,323 @@
+#include "report/pages/comparison_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include <fmt/format.h>
+
+#include "sampling/diagnostics/order_statistics.h"
+#include "report/answers/comparison.h"
+
+namespace thenar {
+namespace {
+
+using Cells = std::vector<const HandOnObject*>;
+
+Cells cells_of(const Comparison& comparison, const std::string& hand) {
+  Cells cells;
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.hand == hand) cells.push_back(&cell);
+  return cells;
+}
+
+const HandOnObject* cell_of(const Comparison& comparison, const std::string& hand,
+                            const std::string& object) {
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.hand == hand && cell.object == object) return &cell;
+  return nullptr;
+}
+
+/// A number as the page has it; none of what is not finite.
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(); }
+
+/// A load, which may be borne without limit.
+Json load(double value) { return std::isinf(value) ? Json("no limit") : finite(value); }
+
+/// Of the finite numbers among some; NaN of none.
+double median(std::vector<double> values) {
+  values.erase(std::remove_if(values.begin(), values.end(),
+                              [](double value) { return !std::isfinite(value); }),
+               values.end());
+  if (values.empty()) return NAN;
+  std::sort(values.begin(), values.end());
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
+
+const HandAbilities* abilities_of(const Comparison& comparison, const std::string& hand) {
+  for (const HandAbilities& each : comparison.abilities)
+    if (each.hand == hand) return &each;
+  return nullptr;
+}
+
+Json glance_row(const Comparison& comparison, const std::string& hand) {
+  std::vector<double> best, limited;
+  int closures = 0, approaches = 0, held = 0;
+  for (const HandOnObject* cell : cells_of(comparison, hand)) {
+    closures += cell->closures;
+    approaches += cell->approaches;
+    held += cell->closures > 0 ? 1 : 0;
+    best.push_back(cell->quantile(1));
+    limited.push_back(cell->best_hand_epsilon().max);
+  }
+  const HandAbilities* abilities = abilities_of(comparison, hand);
+  return {hand,
+          approaches > 0 ? Json(100.0 * closures / approaches) : Json(),
+          held,
+          finite(median(best)),
+          finite(median(limited)),
+          abilities == nullptr ? Json() : Json(abilities->types.size())};
+}
+
+Json banner(const Comparison& comparison) {
+  const std::string title =
+      comparison.complete
+          ? fmt::format("{} hands on {} objects, {} approaches each", comparison.hands.size(),
+                        comparison.objects.size(), comparison.approaches)
+          : fmt::format("Not finished: {} of {} cells", comparison.cells.size(),
+                        comparison.hands.size() * comparison.objects.size());
+  return {{"type", "banner"}, {"ok", comparison.complete}, {"title", title}};
+}
+
+/// Hands down, objects across.
+Json matrix(const Comparison& comparison, const std::string& caption, int digits,
+            const std::function<Json(const HandOnObject&)>& value) {
+  std::vector<Column> columns{{"hand", "", -1}};
+  for (const std::string& object : comparison.objects) columns.push_back({object, "", digits});
+  Json rows = Json::array();
+  for (const std::string& hand : comparison.hands) {
+    Json row = Json::array({hand});
+    for (const std::string& object : comparison.objects) {
+      const HandOnObject* cell = cell_of(comparison, hand, object);
+      row.push_back(cell == nullptr ? Json() : value(*cell));
+    }
+    rows.push_back(std::move(row));
+  }
+  return table_block(caption, columns, rows);
+}
+
+/// Tasks with a load, and how it counts.
+std::vector<Column> load_columns(const Comparison& comparison) {
+  std::vector<Column> columns;
+  for (const std::string& name : comparison.tasks) {
+    const GraspTask task = grasp_task(name);
+    if (task == GraspTask::kHoldWeight) columns.push_back({name, "weights", 1});
+    if (task == GraspTask::kPull) columns.push_back({name, "N", 2});
+    if (task == GraspTask::kTurn) columns.push_back({name, "N m", 3});
+  }
+  return columns;
+}
+
+Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
+  Json row = Json::array(
+      {cell.hand, cell.object, 100 * cell.success,
+       fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
+       finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
+       finite(cell.min_grasp_force())});
+  for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).max));
+  return row;
+}
+
+Json all_cells(const Comparison& comparison) {
+  std::vector<Column> columns{{"hand", "", -1},
+                              {"object", "", -1},
+                              {"closed", "%", 0},
+                              {"95 % interval", "%", -1},
+                              {"epsilon, median", "", 3},
+                              {"epsilon, best", "", 3},
+                              {"of the hand, best", "N", 2},
+                              {"squeeze to hold", "N", 2}};
+  const std::vector<Column> loads = load_columns(comparison);
+  columns.insert(columns.end(), loads.begin(), loads.end());
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));
+  Json table = table_block(
+      "Every hand on every object. Closed: share of approaches that end in force closure. Of the "
+      "hand: epsilon with its own efforts. Squeeze: sum of normal forces by which friction alone "
+      "holds the weight. Loads after it: withstood by the hand's own efforts. " +
+          load_rule(),
+      columns, rows);
+  table["search"] = true;
+  return table;
+}
+
+/// How approaches ended where none of them closed.
+Json outcome_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells)
+    if (cell.closures == 0) rows.push_back({cell.hand, cell.object, outcome_words(cell)});
+  return rows;
+}
+
+/// Pairs with loads that are not known.
+Json unknown_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandOnObject& cell : comparison.cells)
+    if (const std::string words = unknown_words(cell, comparison.tasks); !words.empty())
+      rows.push_back({cell.hand, cell.object, words});
+  return rows;
+}
+
+/// Why loads of the best grasps are zero or unknown, and how often.
+Json reason_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const std::string& hand : comparison.hands) {
+    std::map<std::pair<std::string, std::string>, int> counts;
+    for (const HandOnObject* cell : cells_of(comparison, hand))
+      for (const BestGrasp& best : cell->best)
+        for (const auto& [load, reason] : best.reasons) ++counts[{load, reason}];
+    for (const auto& [why, count] : counts)
+      rows.push_back(
+          {hand, why.first == "epsilon" ? "epsilon of the hand" : why.first, why.second, count});
+  }
+  return rows;
+}
+
+Json digit_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandAbilities& hand : comparison.abilities)
+    for (const DigitAbility& digit : hand.digits) {
+      const double error = 1e6 * digit.workspace_error;  // [cm^3]
+      const bool solid = digit.dimension == 3;
+      rows.push_back({hand.hand, digit.digit, digit.dimension,
+                      solid ? finite(rounded_to(1e6 * digit.workspace, error)) : Json(),
+                      solid ? finite(rounded_to(error, error)) : Json(),
+                      finite(digit.closing_force), finite(digit.max_tip_force)});
+    }
+  return rows;
+}
+
+Json ability_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandAbilities& hand : comparison.abilities) {
+    double strongest = NAN;
+    for (const DigitAbility& digit : hand.digits)
+      strongest = std::fmax(strongest, digit.closing_force);
+    const bool kapandji = is_kapandji(hand);
+    const std::string met = kapandji
+                                ? fmt::format("{} of 10 places", hand.reached.size())
+                                : fmt::format("{} of {} tips", hand.reached.size(),
+                                              std::max<std::size_t>(hand.digits.size(), 1) - 1);
+    rows.push_back({hand.hand, 1000 * hand.reach, kapandji ? finite(hand.opposition) : Json(), met,
+                    in_two_digits(1e6 * hand.overlap), finite(strongest), hand.types.size()});
+  }
+  return rows;
+}
+
+Json type_rows(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const HandAbilities& hand : comparison.abilities) {
+    std::map<std::string, int> counts;
+    for (const HandOnObject* cell : cells_of(comparison, hand.hand))
+      for (const auto& [type, count] : cell->types) counts[type] += count;
+    for (const auto& [type, count] : counts) rows.push_back({hand.hand, type, count});
+  }
+  return rows;
+}
+
+}  // namespace
+
+double quantile_of(const Eigen::VectorXd& ascending, double p) {
+  return ascending.size() == 0 ? NAN : quantile(ascending, p);
+}
+
+Json glance_section(const Comparison& comparison) {
+  Json rows = Json::array();
+  for (const std::string& hand : comparison.hands) rows.push_back(glance_row(comparison, hand));
+  Json table = table_block(
+      "Over all objects. Best epsilon: of each object, and the median of these; "
+      "of the hand: with its own efforts.",
+      {{"hand", "", -1},
+       {"force closure", "%", 1},
+       {"objects held", "", 0},
+       {"best epsilon, median", "", 3},
+       {"of the hand, best, median", "N", 2},
+       {"types of grasp", "", 0}},
+      rows);
+  table["highlight_best"] = 1;
+  table["best"] = "highest";
+  Json blocks = Json::array({banner(comparison), table});
+  for (const std::string& line : version_lines(comparison)) blocks.push_back(text_block(line));
+  return section("glance", "At a glance",
+                 "Every hand went at every object in the same drawn directions, closed until it "
+                 "could close no farther, and its contacts were measured.",
+                 std::move(blocks));
+}
+
+Json cells_section(const Comparison& comparison) {
+  const auto success = [](const HandOnObject& cell) { return Json(100 * cell.success); };
+  const auto best = [](const HandOnObject& cell) { return finite(cell.quantile(1)); };
+  const auto limited = [](const HandOnObject& cell) {
+    return finite(cell.best_hand_epsilon().max);
+  };
+  Json blocks =
+      Json::array({matrix(comparison, "Approaches that end in force closure [%].", 0, success),
+                   matrix(comparison, "Largest epsilon reached; n/a: no force closure.", 3, best),
+                   matrix(comparison,
+                          "Largest epsilon with the hand's own efforts [N]; n/a: no force closure, "
+                          "or efforts unknown.",
+                          2, limited),
+                   all_cells(comparison)});
+  const Json outcomes = outcome_rows(comparison);
+  if (!outcomes.empty())
+    blocks.push_back(table_block("Where no approach ended in force closure: how they ended.",
+                                 {{"hand", "", -1}, {"object", "", -1}, {"approaches", "", -1}},
+                                 outcomes));
+  const Json unknown = unknown_rows(comparison);
+  if (!unknown.empty())
+    blocks.push_back(table_block(
+        "Loads that are not known, of how many grasps; the numbers above are of the others.",
+        {{"hand", "", -1}, {"object", "", -1}, {"not known", "", -1}}, unknown));
+  const Json reasons = reason_rows(comparison);
+  if (!reasons.empty())
+    blocks.push_back(table_block(
+        "Why loads of the best grasps are zero or unknown.",
+        {{"hand", "", -1}, {"load", "", -1}, {"why", "", -1}, {"grasps", "", 0}}, reasons));
+  return section("grasps", "Hands by objects", "", std::move(blocks));
+}
+
+Json abilities_section(const Comparison& comparison) {
+  Json blocks = Json::array();
+  blocks.push_back(table_block(
+      "What each hand can do without an object. Kapandji: the highest of ten places on the hand "
+      "that the thumb's pad meets; robots have no such places, so of them only the tips count that "
+      "the thumb's (or that of the best digit) meets. Workspace shared: of the opposing tip and "
+      "all others, to two digits. Strongest tip: in its way of closing, digits half bent.",
+      {{"hand", "", -1},
+       {"reach", "mm", 0},
+       {"Kapandji", "of 10", 0},
+       {"thumb meets", "", -1},
+       {"workspace shared", "cm\u00b3", 0},
+       {"strongest tip", "N", 1},
+       {"types of grasp", "", 0}},
+      ability_rows(comparison)));
+  blocks.push_back(
+      table_block("Digits. Workspaces of tips that move in a plane or on a curve have "
+                  "no volume.",
+                  {{"hand", "", -1},
+                   {"digit", "", -1},
+                   {"dimension", "", 0},
+                   {"workspace", "cm\u00b3", -1},
+                   {"error", "cm\u00b3", -1},
+                   {"force in closing", "N", 1},
+                   {"largest force", "N", 1}},
+                  digit_rows(comparison)));
+  const Json types = type_rows(comparison);
+  if (!types.empty())
+    blocks.push_back(table_block("Types of the grasps with force closure, over all objects.",
+                                 {{"hand", "", -1}, {"type", "", -1}, {"grasps", "", 0}}, types));
+  return section("abilities", "What the hands can do", "", blocks);
+}
+
+Json reading_section(const Comparison& comparison) {
+  Json blocks = Json::array();
+  if (!comparison.warnings.empty()) {
+    Json rows = Json::array();
+    for (const std::string& warning : comparison.warnings) rows.push_back(Json::array({warning}));
+    blocks.push_back(table_block("Warnings.", {{"warning", "", -1}}, rows));
+  }
+  return section("reading", "How to read this", reading_words(comparison), blocks);
+}
+
+}  // namespace thenar

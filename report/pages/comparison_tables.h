@@ -1,0 +1,28 @@
+#pragma once
+
+/// Tables, charts and words of a comparison of hands.
+
+#include "grasp/compare/comparison.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// A quantile by linear interpolation; NaN of no values. @param p  in [0, 1]
+[[nodiscard]] double quantile_of(const Eigen::VectorXd& ascending, double p);
+
+/// A line for every hand over all objects, and whether the comparison is whole.
+[[nodiscard]] Json glance_section(const Comparison& comparison);
+
+/// Success and best epsilon, hands by objects; every cell; why loads are zero or unknown.
+[[nodiscard]] Json cells_section(const Comparison& comparison);
+
+/// Quantiles of epsilon of every hand on every object, by geometry and with the hand's own efforts.
+[[nodiscard]] Json distribution_section(const Comparison& comparison);
+
+/// What hands can do without an object.
+[[nodiscard]] Json abilities_section(const Comparison& comparison);
+
+/// What the numbers mean, and with which settings they came about.
+[[nodiscard]] Json reading_section(const Comparison& comparison);
+
+}  // namespace thenar

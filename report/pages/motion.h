@@ -1,0 +1,13 @@
+#pragma once
+
+/// A digit in motion: its angles, tensions and energy over time, and itself at some instants.
+
+#include "tendons/muscle/simulate.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// Sections of a report. @param tendons  what was simulated
+[[nodiscard]] Json motion_page(const DigitTendons& tendons, const Trajectory& trajectory);
+
+}  // namespace thenar

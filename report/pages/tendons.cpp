@@ -1,0 +1,259 @@
+#include "report/pages/tendons.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/scene/digit_layers.h"
+#include "report/scene/net_layers.h"
+
+namespace thenar {
+namespace {
+
+const TendonNames& names_of(const TendonSweep& sweep) { return sweep.tendons.digit().names; }
+
+std::string coordinate_name(const TendonSweep& sweep, int coordinate) {
+  return names_of(sweep).coordinates[static_cast<std::size_t>(coordinate)];
+}
+
+/// "PIP3 = 30" of the coordinates given [deg].
+std::string angles(const TendonSweep& sweep, const DigitPoint& point,
+                   const std::vector<int>& coordinates) {
+  std::string text;
+  for (const int c : coordinates)
+    text += fmt::format("{}{} = {:.4g}\u00b0", text.empty() ? "" : ", ", coordinate_name(sweep, c),
+                        point.q[c] / kDegree);
+  return text;
+}
+
+/// All coordinates that are not zero.
+std::string posture(const TendonSweep& sweep, const DigitPoint& point) {
+  std::vector<int> bent;
+  for (int c = 0; c < point.q.size(); ++c)
+    if (point.q[c] != 0) bent.push_back(c);
+  return bent.empty() ? "straight" : angles(sweep, point, bent);
+}
+
+/// What sets a point apart from the others.
+std::string title(const TendonSweep& sweep, const DigitPoint& point) {
+  return sweep.points.size() > 1 ? angles(sweep, point, sweep.varied) : posture(sweep, point);
+}
+
+/// One line for every row of the sweep, its name that of the row if there are several; null is a
+/// gap.
+template <typename Value>
+void add_series(const TendonSweep& sweep, const std::string& name, const Value& value,
+                Json& series) {
+  const int along = sweep.varied.back();
+  const std::vector<int> others(sweep.varied.begin(), sweep.varied.end() - 1);
+  for (std::size_t begin = 0; begin < sweep.points.size(); begin += sweep.row) {
+    const std::size_t end = std::min(begin + sweep.row, sweep.points.size());
+    Json x = Json::array(), y = Json::array();
+    for (std::size_t i = begin; i < end; ++i) {
+      x.push_back(sweep.points[i].q[along] / kDegree);
+      y.push_back(value(sweep.points[i]));
+    }
+    const std::string row = angles(sweep, sweep.points[begin], others);
+    series.push_back({{"name", name.empty() ? (row.empty() ? "net" : row)
+                                            : name + (row.empty() ? "" : ", " + row)},
+                      {"x", x},
+                      {"y", y}});
+  }
+}
+
+Json chart(const TendonSweep& sweep, const std::string& caption, const std::string& y_label,
+           Json series) {
+  return {{"type", "lines"},
+          {"caption", caption},
+          {"x_label", coordinate_name(sweep, sweep.varied.back()) + " [deg]"},
+          {"y_label", y_label},
+          {"series", std::move(series)}};
+}
+
+/// Points to draw, spread over the sweep, the first and the last among them.
+std::vector<std::size_t> shown_points(std::size_t count, std::size_t most) {
+  std::vector<std::size_t> shown;
+  const std::size_t wanted = std::min(count, most);
+  for (std::size_t k = 0; k < wanted; ++k)
+    shown.push_back(wanted == 1 ? 0 : (k * (count - 1) + (wanted - 1) / 2) / (wanted - 1));
+  return shown;
+}
+
+/// The next of 1, 2, 3, 5, 10 times a power of ten.
+double round_up(double value) {
+  if (value <= 0) return 1;
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double step : {1., 1.5, 2., 3., 5., 7., 10.})
+    if (step * power >= value * (1 - 1e-9)) return step * power;
+  return 10 * power;
+}
+
+Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint& point,
+              double highest) {
+  const TreeState<double> state = pose_tree(net.digit().model.tree, point.q);
+  Json layers = Json::array({finger_layer(net, state), surface_layer(net, state)});
+  for (const Json& bands : band_layers(net, state, point.rest)) layers.push_back(bands);
+  layers.push_back(muscle_layer(net, state, sweep.t));
+  const FingerBone& palm = net.net().frame.bone(BoneRole::kMetacarpal);
+  const Eigen::Vector3d view = 0.75 * palm.dorsal + palm.radial - 0.2 * palm.along;
+  return {{"type", "scene"},
+          {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
+                          (point.pull.warning.empty() ? "" : "; " + point.pull.warning)},
+          {"up", list(palm.dorsal)},
+          {"view", list(view)},
+          {"link", "net"},
+          {"color_scale",
+           {{"label", "tension [N]"}, {"low", 0}, {"high", highest}, {"dashed", "slack"}}},
+          {"layers", layers}};
+}
+
+Json arm_charts(const TendonSweep& sweep) {
+  Json charts = Json::array();
+  const std::vector<std::string>& muscles = names_of(sweep).muscles;
+  for (int c = 0; c < sweep.points.front().q.size(); ++c) {
+    Json series = Json::array();
+    for (Eigen::Index m = 0; m < sweep.t.size(); ++m) {
+      if (sweep.t[m] == 0) continue;
+      add_series(
+          sweep, muscles[static_cast<std::size_t>(m)],
+          [&](const DigitPoint& point) { return 1e3 * point.pull.R(m, c); }, series);
+    }
+    charts.push_back(chart(sweep, "Moment arms about " + coordinate_name(sweep, c),
+                           "arm, flexion positive [mm]", series));
+  }
+  return charts;
+}
+
+Json tip_chart(const TendonSweep& sweep) {
+  const TendonModel<double>& model = sweep.tendons.digit().model;
+  const char* const names[] = {"proximal", "dorsal", "radial"};
+  Json series = Json::array();
+  for (int k = 0; k < 3; ++k)
+    add_series(
+        sweep, names[k],
+        [&](const DigitPoint& point) -> Json {
+          if (point.tip.rank < 3) return nullptr;
+          const TreeState<double> state = pose_tree(model.tree, point.q);
+          const auto link = static_cast<std::size_t>(model.tip_link);
+          return (state[link].X.R * model.tip_axes.col(k)).dot(point.tip.f_W);
+        },
+        series);
+  return chart(
+      sweep, "Force of the pinned tip on the world, along its own axes; none at singular postures",
+      "force [N]", series);
+}
+
+/// A tension, or 0 below what a search for rest leaves [N].
+double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
+
+/// Bands by posture.
+Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std::size_t>& shown) {
+  std::vector<Column> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
+  for (const std::size_t i : shown) columns.push_back({title(sweep, sweep.points[i]), "N", 3});
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < net.bands.size(); ++k) {
+    const NetBand& band = net.bands[k];
+    Json row = Json::array({band.name, net.nodes[static_cast<std::size_t>(band.a)].name,
+                            net.nodes[static_cast<std::size_t>(band.b)].name});
+    for (const std::size_t i : shown)
+      row.push_back(above_rounding(sweep.points[i].rest.tension[static_cast<Eigen::Index>(k)]));
+    rows.push_back(row);
+  }
+  Json table = table_block("Tension of every band; 0 is slack.", columns, rows);
+  table["search"] = true;
+  return table;
+}
+
+/// Where not to trust the sweep, in one line; empty: nowhere.
+std::string trouble_line(const TendonSweep& sweep) {
+  const auto troubled = [](const DigitPoint& point) { return !point.pull.warning.empty(); };
+  const auto first = std::find_if(sweep.points.begin(), sweep.points.end(), troubled);
+  if (first == sweep.points.end()) return "";
+  return fmt::format("{} of {} postures, first {}: {}.",
+                     std::count_if(first, sweep.points.end(), troubled), sweep.points.size(),
+                     title(sweep, *first), first->pull.warning);
+}
+
+Json net_section(const TendonSweep& sweep, const NetTendons& net) {
+  Json blocks = net_scenes(sweep);
+  if (sweep.row > 1)
+    for (const Json& block : slip_charts(sweep)) blocks.push_back(block);
+  blocks.push_back(band_table(sweep, net.net().net, shown_points(sweep.points.size(), 4)));
+  return section(
+      "net", "The net at rest",
+      "Bands are coloured by their tension; slack ones are dashed. Surfaces on which the "
+      "net slides are translucent. Every net was brought to its posture from the "
+      "neighbouring one, so that it lies where a finger moved this way would have it. "
+      "First posture: " +
+          posture(sweep, sweep.points.front()) + ".",
+      blocks);
+}
+
+}  // namespace
+
+Json net_scenes(const TendonSweep& sweep, std::size_t most) {
+  const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
+  if (net == nullptr) return Json::array();
+  const std::vector<std::size_t> shown = shown_points(sweep.points.size(), most);
+  double highest = 0;
+  for (const std::size_t i : shown)
+    highest = std::max(highest, sweep.points[i].rest.tension.maxCoeff());
+  Json rows = Json::array(), row = Json::array();
+  for (const std::size_t i : shown) {
+    row.push_back(scene_of(sweep, *net, sweep.points[i], round_up(highest)));
+    if (row.size() < 2) continue;
+    rows.push_back(row_block(row));
+    row = Json::array();
+  }
+  if (!row.empty()) rows.push_back(row.front());
+  return rows;
+}
+
+Json slip_charts(const TendonSweep& sweep) {
+  Json ratio = Json::array(), slips = Json::array();
+  add_series(
+      sweep, "",
+      [](const DigitPoint& point) {
+        const SlipTension& s = point.pull.slips;
+        return s.central > 1e-3 * (s.central + s.terminal) ? Json(s.terminal / s.central) : Json();
+      },
+      ratio);
+  const std::pair<const char*, double SlipTension::*> kSlips[] = {
+      {"central", &SlipTension::central},
+      {"terminal", &SlipTension::terminal},
+      {"radial", &SlipTension::radial},
+      {"ulnar", &SlipTension::ulnar}};
+  for (const auto& [name, slip] : kSlips)
+    add_series(
+        sweep, name, [&, s = slip](const DigitPoint& point) { return point.pull.slips.*s; }, slips);
+  return Json::array({row_block(
+      Json::array({chart(sweep, "Tension of the terminal slip per that of the central one",
+                         "terminal / central [1]", ratio),
+                   chart(sweep, "Tension of the slips", "tension [N]", slips)}))});
+}
+
+Json tendon_page(const TendonSweep& sweep) {
+  Json sections = Json::array();
+  const std::string warning = trouble_line(sweep);
+  if (!warning.empty())
+    sections.push_back(
+        section("trouble", "Not to be trusted", "", Json::array({text_block(warning)})));
+  const auto* net = dynamic_cast<const NetTendons*>(&sweep.tendons);
+  if (net != nullptr) sections.push_back(net_section(sweep, *net));
+  if (sweep.row < 2) return sections;
+  if (net == nullptr && sweep.tendons.digit().model.hood)
+    sections.push_back(section("slips", "Slips of the hood", "", slip_charts(sweep)));
+  sections.push_back(section(
+      "arms", "Moment arms",
+      net == nullptr ? ""
+                     : "Of a net, an arm is the change of joint torque with a muscle's tension at "
+                       "these tensions: it depends on what the others pull. Muscles that do not "
+                       "pull are left out.",
+      arm_charts(sweep)));
+  sections.push_back(section("tip", "Tip force", "", Json::array({tip_chart(sweep)})));
+  return sections;
+}
+
+}  // namespace thenar

@@ -1,0 +1,259 @@
+#include "report/pages/thumb_study.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/scene/axis_cloud.h"
+#include "report/pages/posterior.h"
+
+namespace thenar {
+namespace {
+
+const char* const kIntroduction =
+    "The forces of a skewed thumb are made up, as a load cell would read them, and explained by "
+    "two "
+    "models that start from the same mechanic's thumb: one keeps its axes in orthogonal crossing "
+    "pairs, which move as wholes, the other lets each of the five axes tilt and shift by itself "
+    "[GraspIt]. The true thumb is that of [McFarland2023] with a fifth axis [Hollister1995]; 10 N "
+    "pull one of nine muscles at a time, tip pinned, in key and opposition pinch (two postures) "
+    "and "
+    "up to four. Arms are known to both models, or free with the same wide prior.\n\n"
+    "Tasks are 80 pinches as of [ValeroCuevas2003]: eight people push in five directions in two "
+    "postures, their muscles read by electromyography to 0.05 of full activation; unless a row "
+    "says "
+    "so they are predicted, not fitted. A task is explained if the measured force is within the 95 "
+    "% "
+    "region of noise and activation errors. [ValeroCuevas2003] reports, of orthogonal thumbs that "
+    "were not fitted to forces: misdirection 74.3 \u00b1 24.5 degrees, torque 0.64 \u00b1 0.28 N "
+    "m, "
+    "and at most half of 80 patterns.";
+
+Json scores(const TaskScores& tasks) {
+  return {degrees(tasks.direction), degrees(tasks.direction_sd), tasks.torque, tasks.torque_sd,
+          100 * tasks.explained};
+}
+
+Json joined(Json a, const Json& b) {
+  for (const Json& cell : b) a.push_back(cell);
+  return a;
+}
+
+/// The orthogonal fit of the same data.
+const ThumbFit* rival_of(const ThumbStudy& study, const ThumbFit& fit) {
+  const ThumbFitSettings& s = fit.settings;
+  for (const ThumbFit& other : study.fits) {
+    const ThumbFitSettings& o = other.settings;
+    if (!o.skewed && s.skewed && o.arms == s.arms && o.noise == s.noise &&
+        o.postures == s.postures && o.skewness == s.skewness && o.with_tasks == s.with_tasks &&
+        o.prior_width == s.prior_width)
+      return &other;
+  }
+  return nullptr;
+}
+
+Json fit_row(const ThumbStudy& study, const ThumbFit& fit) {
+  Json row{describe_fit(fit.settings), degrees(fit.direction), degrees(fit.direction_sd),
+           100 * fit.relative_error};
+  row = joined(std::move(row), scores(fit.tasks));
+  const ThumbFit* rival = rival_of(study, fit);
+  if (rival != nullptr) {
+    const ElpdDifference gain = compare_elpd(fit.left_out, rival->left_out);
+    row = joined(std::move(row), {gain.elpd, gain.se});
+  } else {
+    row = joined(std::move(row), {nullptr, nullptr});
+  }
+  row.push_back((fit.left_out.k.array() > fit.left_out.good_k).count());
+  row.push_back(fit.run.convergence.worst_r_hat);
+  row.push_back(fit.converged() ? "yes" : "NO");
+  return row;
+}
+
+Json reference_row(const char* name, const ThumbReference& reference, const Json& pulls,
+                   const TaskScores& tasks) {
+  Json row{
+      fmt::format("{}, {:.0f} % noise{}", name, 100 * reference.noise,
+                  reference.skewness == 1 ? "" : fmt::format(", {} x skew", reference.skewness))};
+  row = joined(joined(std::move(row), pulls), scores(tasks));
+  return joined(std::move(row), {nullptr, nullptr, nullptr, nullptr, "not fitted"});
+}
+
+Json convergence_block(const ThumbStudy& study) {
+  Json warnings = Json::array();
+  for (const ThumbFit& fit : study.fits)
+    for (const std::string& reason : fit.run.convergence.warnings)
+      warnings.push_back(describe_fit(fit.settings) + ": " + reason);
+  if (!study.complete) warnings.push_back("the study was stopped: some fits are missing");
+  const bool ok = warnings.empty();
+  return {{"type", "banner"},
+          {"ok", ok},
+          {"title", ok ? "The chains of all fits agree" : "Some fits are NOT to be relied on"},
+          {"reasons", warnings},
+          {"text", fmt::format("{} fits by NUTS, 4 chains each, R-hat below 1.01 asked of every "
+                               "number",
+                               study.fits.size())}};
+}
+
+/// Both models' clouds of one fit at 10 % noise, with the true axes.
+Json clouds_block(const ThumbStudy& study) {
+  std::vector<AxisCloud> clouds;
+  for (const ThumbFit& fit : study.fits) {
+    const ThumbFitSettings& s = fit.settings;
+    if (s.arms != Arms::kFixed || s.noise != 0.1 || s.postures != 2 || s.skewness != 1 ||
+        s.with_tasks || s.prior_width != 1)
+      continue;
+    const HandPosterior& posterior = *fit.run.posterior;
+    clouds.push_back(axis_cloud(s.skewed ? "skewed" : "orthogonal", posterior.problem().digit(),
+                                posterior.problem().parameters(), posterior.moving_parameters(),
+                                posterior.values(pooled(fit.run.draws)).specimens.front()));
+  }
+  if (clouds.empty()) return Json::array();
+  return Json::array({axis_cloud_scene(
+      study.start, Eigen::VectorXd::Zero(study.start.model.coordinates), clouds, study.truth.model,
+      "Axes of the thumb at draws of the posteriors of both models, 10 % noise, two postures, arms "
+      "known; the axes of the start by name, and the true ones")});
+}
+
+}  // namespace
+
+Json thumb_comparison_table(const ThumbStudy& study) {
+  const std::vector<Column> columns{{"thumb", ""},
+                                    {"pulls misdirected", "deg", 1},
+                                    {"sd", "deg", 1},
+                                    {"off the truth", "%", 1},
+                                    {"tasks misdirected", "deg", 1},
+                                    {"sd", "deg", 1},
+                                    {"torque left", "N m", 3},
+                                    {"sd", "N m", 3},
+                                    {"explained", "%", 0},
+                                    {"elpd gained", "", 1},
+                                    {"se", "", 1},
+                                    {"Pareto k too large", "", 0},
+                                    {"R-hat", "", 4},
+                                    {"chains agree", ""}};
+  Json rows = Json::array();
+  for (const ThumbReference& reference : study.references) {
+    rows.push_back(reference_row(
+        "orthogonal, as it stands", reference,
+        {degrees(reference.direction), degrees(reference.direction_sd), nullptr}, reference.start));
+    rows.push_back(reference_row("the truth", reference, {nullptr, nullptr, 0}, reference.truth));
+  }
+  for (const ThumbFit& fit : study.fits) rows.push_back(fit_row(study, fit));
+  return table_block(
+      "How well each model explains forces of one muscle at a time (pulls) and of whole "
+      "coordination (tasks). Off the truth: rms of posterior mean less true force of pulls, over "
+      "the rms force. elpd gained: expected log predictive density of left-out pulls over that of "
+      "the orthogonal model on the same data, by PSIS; where Pareto k is too large for some "
+      "trials it is a rough one",
+      columns, std::move(rows));
+}
+
+Json learnt_chart(const ThumbStudy& study, Over over, Arms arms) {
+  struct Point {
+    double x, ratio;
+    int count;
+  };
+  std::vector<std::pair<std::string, std::vector<Point>>> series;
+  for (const ThumbFit& fit : study.fits) {
+    const ThumbFitSettings& s = fit.settings;
+    if (!s.skewed || s.arms != arms || s.skewness != 1 || s.with_tasks || s.prior_width != 1)
+      continue;
+    if (over == Over::kNoise ? s.postures != 2 : s.noise != 0.1) continue;
+    const double x = over == Over::kNoise ? 100 * s.noise : s.postures;
+    for (const LearntNumber& number : fit.learnt) {
+      if (number.name.rfind("axis/", 0) != 0) continue;
+      // "axis/IP1/point/2" counts for "IP1 point".
+      const std::size_t joint = number.name.find('/', 5), end = number.name.rfind('/');
+      const std::string name =
+          number.name.substr(5, joint - 5) + " " + number.name.substr(joint + 1, end - joint - 1);
+      auto of = std::find_if(series.begin(), series.end(),
+                             [&](const auto& one) { return one.first == name; });
+      if (of == series.end()) of = series.insert(series.end(), {name, {}});
+      auto at = std::find_if(of->second.begin(), of->second.end(),
+                             [&](const Point& p) { return p.x == x; });
+      if (at == of->second.end()) at = of->second.insert(at, {x, 0, 0});
+      at->ratio += number.sd / number.prior_sd;
+      ++at->count;
+    }
+  }
+  Json lines = Json::array();
+  for (auto& [name, points] : series) {
+    std::sort(points.begin(), points.end(),
+              [](const Point& a, const Point& b) { return a.x < b.x; });
+    Json line{{"name", name}, {"style", "both"}, {"x", Json::array()}, {"y", Json::array()}};
+    for (const Point& point : points) {
+      line["x"].push_back(point.x);
+      line["y"].push_back(point.ratio / point.count);
+    }
+    lines.push_back(std::move(line));
+  }
+  return {{"type", "lines"},
+          {"caption",
+           fmt::format("What is left of the prior's sd of each axis of the skewed thumb, over the "
+                       "{}; arms {}. 1: nothing was learnt",
+                       over == Over::kNoise ? "noise of the load cell, two postures"
+                                            : "number of postures, 10 % noise",
+                       arms == Arms::kFixed ? "known" : "free")},
+          {"x_label", over == Over::kNoise ? "noise [%]" : "postures"},
+          {"y_label", "posterior sd / prior sd [1]"},
+          {"series", lines},
+          {"reference_lines", Json::array({{{"value", 1}, {"label", "nothing learnt"}}})}};
+}
+
+Json thumb_mode_table(const ThumbStudy& study) {
+  Json rows = Json::array();
+  for (const ThumbFit& fit : study.fits)
+    for (std::size_t m = 0; m < fit.run.mode_table.modes.size(); ++m) {
+      const ModeMass& mode = fit.run.mode_table.modes[m];
+      const bool known = mode.known >= 0;
+      const Mode* found = known ? &fit.run.modes[static_cast<std::size_t>(mode.known)] : nullptr;
+      rows.push_back(
+          {describe_fit(fit.settings), m + 1, known ? Json(found->cost) : Json(nullptr),
+           known ? Json(found->hits) : Json(nullptr),
+           known ? Json(100 * found->laplace_mass) : Json(nullptr), 100 * mode.mass,
+           100 * mode.mcse, mode.crossings,
+           fit.run.mode_table.warnings.empty() ? "" : fit.run.mode_table.warnings.front()});
+    }
+  return table_block(
+      "Modes of every posterior: searches from many starts that ended there, the share that "
+      "Laplace's approximation gives it, and the share of the draws. One row a fit: one mode",
+      {{"fit", ""},
+       {"mode", "", 0},
+       {"cost", "", 2},
+       {"searches", "", 0},
+       {"Laplace", "%", 1},
+       {"share of draws", "%", 1},
+       {"MCSE", "%", 1},
+       {"crossings", "", 0},
+       {"doubt", ""}},
+      std::move(rows));
+}
+
+Json thumb_study_section(const ThumbStudy& study,
+                         const std::optional<ThumbCalibration>& calibration) {
+  Json blocks = Json::array({convergence_block(study), thumb_comparison_table(study)});
+  for (const Arms arms : {Arms::kFixed, Arms::kFree}) {
+    Json charts = Json::array();
+    for (const Over over : {Over::kNoise, Over::kPostures}) {
+      Json chart = learnt_chart(study, over, arms);
+      if (!chart["series"].empty()) charts.push_back(std::move(chart));
+    }
+    if (!charts.empty()) blocks.push_back(row_block(std::move(charts)));
+  }
+  blocks = joined(std::move(blocks), clouds_block(study));
+  blocks.push_back(thumb_mode_table(study));
+  if (calibration && !calibration->judged.parameters.empty()) {
+    if (!calibration->judged.warnings.empty())
+      blocks.push_back({{"type", "banner"},
+                        {"ok", false},
+                        {"title", "The sampler is not calibrated on thumbs"},
+                        {"reasons", calibration->judged.warnings}});
+    blocks.push_back(calibration_chart({calibration->names, calibration->rank, calibration->ranked,
+                                        calibration->judged.warnings}));
+  }
+  return section("thumb-study", "What forces tell of a thumb's axes", kIntroduction,
+                 std::move(blocks));
+}
+
+}  // namespace thenar

@@ -1,0 +1,139 @@
+#include "report/pages/wrench_blocks.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "grasp/limits/force_set.h"
+#include "grasp/quality/wrench_set_mesh.h"
+
+namespace thenar {
+namespace {
+
+constexpr int kPieces = 6;           // of each edge of the octahedron of directions
+constexpr int kFrictions = 24;       // points of the curve
+constexpr double kMostFriction = 2;  // times the contacts' own
+constexpr const char* kSlice = "#0072b2";
+constexpr const char* kShadow = "#8a8f99";
+const Eigen::Vector3d kSlanted(1, -1, 0.7);  // eye on wrenches, which are in the object's frame
+
+std::string enclosed(const Epsilon& e) {
+  return fmt::format("between {:.5g} and {:.5g}", e.lower, e.upper);
+}
+
+Json number_table(const GraspStory& story) {
+  const Epsilon& e = story.grasp.quality;
+  Json rows = Json::array();
+  rows.push_back({"signed epsilon", enclosed(e)});
+  rows.push_back({"force closure", e.force_closure ? "yes" : "no"});
+  rows.push_back({"rank of the wrenches", fmt::format("{} of 6", e.rank)});
+  rows.push_back({"limit of forces", story.limit == ForceNorm::kL1
+                                         ? "normal forces sum up to 1 (L1)"
+                                         : "each normal force is at most 1 (L-infinity)"});
+  rows.push_back({"torques divided by",
+                  fmt::format("{:.1f} mm, the object's reach", 1000 * story.scene.object.reach)});
+  if (e.has_missing_direction)
+    rows.push_back({"cannot make", direction_words(e.missing_direction)});
+  rows.push_back({e.has_missing_direction ? "not withstood" : "withstood least",
+                  direction_words(e.worst_wrench)});
+  return table_block("Directions in the object's frame, torques about its centre of mass.",
+                     {{"measure", "", -1}, {"value", "", -1}}, rows);
+}
+
+/// The caps with all friction, torsion too, times a factor.
+WrenchSet with_friction(const WrenchSet& set, double factor) {
+  WrenchSet scaled = set;
+  for (WrenchCap& cap : scaled.caps) cap.A *= factor;
+  return scaled;
+}
+
+Json friction_chart(const GraspStory& story) {
+  EpsilonOptions options;
+  options.limit = story.limit;
+  Json x = Json::array(), y = Json::array(), low = Json::array(), high = Json::array();
+  for (int i = 0; i <= kFrictions; ++i) {
+    const double factor = kMostFriction * i / kFrictions;
+    const Epsilon e = epsilon(with_friction(story.wrenches, factor), options);
+    x.push_back(factor);
+    y.push_back((e.lower + e.upper) / 2);
+    low.push_back(e.lower);
+    high.push_back(e.upper);
+  }
+  return {
+      {"type", "lines"},
+      {"caption", "Signed epsilon of the same contacts with less and more friction."},
+      {"x_label", "friction, times that of the materials [1]"},
+      {"y_label", "epsilon [1]"},
+      {"series",
+       Json::array(
+           {{{"name", "epsilon"}, {"x", x}, {"y", y}, {"band_low", low}, {"band_high", high}}})},
+      {"reference_lines", Json::array({{{"value", 0}, {"label", "force closure above"}},
+                                       {{"axis", "x"}, {"value", 1}, {"label", "as it is"}}})}};
+}
+
+Json mesh_layer(const std::string& name, const std::string& color, double opacity,
+                const WrenchSetMesh& picture, MeshTable& meshes) {
+  TriangleMesh mesh = picture.mesh;
+  mesh.vertices /= 1000;          // the table counts in mm, the scene in N
+  constexpr double kCrease = 20;  // [deg]
+  return {
+      {"name", name},
+      {"color", color},
+      {"items",
+       Json::array(
+           {{{"kind", "mesh"}, {"mesh", meshes.add(mesh, {kCrease, {}})}, {"opacity", opacity}}})}};
+}
+
+Json axes_layer() {
+  Json items = Json::array();
+  for (int k = 0; k < 3; ++k)
+    items.push_back({{"kind", "arrow"},
+                     {"from", Json::array({0, 0, 0})},
+                     {"vector", list(1.15 * Eigen::Vector3d::Unit(k))},
+                     {"radius", 0.008},
+                     {"label", std::string(1, "xyz"[k])}});
+  return {{"name", "axes"}, {"color", kShadow}, {"items", items}};
+}
+
+/// Three coordinates of the set: those of all wrenches, and of those without the other three.
+Json set_scene(const GraspStory& story, int first, const std::string& caption, MeshTable& meshes) {
+  const ForceSet forces = unit_forces(story.wrenches, story.limit);
+  const std::array<int, 3> coordinates{first, first + 1, first + 2};
+  const auto draw = [&](PictureKind kind) {
+    return wrench_set_mesh(forces, coordinates, kind, kPieces);
+  };
+  Json layers = Json::array({axes_layer()});
+  layers.push_back(
+      mesh_layer("all wrenches", kShadow, 0.25, draw(PictureKind::kProjection), meshes));
+  const WrenchSetMesh slice = draw(PictureKind::kSlice);
+  if (story.grasp.quality.force_closure && slice.failed == 0)
+    layers.push_back(
+        mesh_layer(first == 0 ? "without torque" : "without force", kSlice, 0.75, slice, meshes));
+  Json block = picture_block(caption, kSlanted, std::move(layers));
+  block["unit"] = "N";
+  block["link"] = "wrenches";
+  return block;
+}
+
+}  // namespace
+
+Json quality_section(const GraspStory& story) {
+  return section(
+      "quality", "Quality",
+      "Epsilon is the largest wrench that the grasp withstands from whatever direction, in units "
+      "of its own contact forces; below zero it is how far the grasp is from force closure. The "
+      "true value is certified to lie between the bounds.",
+      Json::array({number_table(story), friction_chart(story)}));
+}
+
+Json wrench_section(const GraspStory& story, MeshTable& meshes) {
+  return section(
+      "wrenches", "What the contacts can make",
+      "Pale: forces (left) and torques over the object's reach (right) of all wrenches within the "
+      "limit of forces. Blue: those that come without torque, or without force.",
+      Json::array({row_block(Json::array(
+          {set_scene(story, 0, "Forces on the object, for unit contact forces.", meshes),
+           set_scene(story, 3, "Torques on the object over its reach.", meshes)}))}));
+}
+
+}  // namespace thenar

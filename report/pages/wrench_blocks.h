@@ -1,0 +1,16 @@
+#pragma once
+
+/// The wrenches of a grasp: how good, drawn, and with other friction.
+
+#include "report/pages/grasp.h"
+
+namespace thenar {
+
+/// Signed epsilon with its bounds, the wrench withstood least or the direction that is missing, and
+/// epsilon with less and more friction.
+[[nodiscard]] Json quality_section(const GraspStory& story);
+
+/// Forces and torques of the wrench set in 3D.
+[[nodiscard]] Json wrench_section(const GraspStory& story, MeshTable& meshes);
+
+}  // namespace thenar

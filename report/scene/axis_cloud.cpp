@@ -1,0 +1,80 @@
+#include "report/scene/axis_cloud.h"
+
+#include "base/error.h"
+#include "kinematics_fit/predict_forces.h"
+#include "kinematics_fit/specimen_model.h"
+#include "report/draws/chains.h"
+#include "report/scene/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kLength = 0.03;   // of an axis as drawn [m]
+constexpr double kOpacity = 0.12;  // of one line of a cloud [1]
+const char* const kColors[] = {"#0072b2", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9"};
+
+/// Ends of one axis of a digit, a tenth of a millimetre exact.
+Json ends(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
+  const auto end = [&](double s) {
+    const Eigen::Vector3d p = 1000 * (point + s * kLength * axis);
+    return rounded(p, 100);
+  };
+  return Json::array({end(-0.5), end(0.5)});
+}
+
+/// One item for each hinge: a line for each draw.
+Json cloud_layer(const TendonDigit& start, const Eigen::VectorXd& q, const AxisCloud& cloud,
+                 const std::string& color) {
+  std::vector<Json> positions(start.names.hinges.size(), Json::array());
+  for (const TendonModel<double>& drawn : cloud.drawn) {
+    const TreeState<double> state = pose_tree(drawn.tree, q);
+    require(state.size() == positions.size(), "a draw of {} has {} hinges, the digit has {}",
+            cloud.name, state.size(), positions.size());
+    const std::vector<Eigen::Vector3d> points = axis_points(drawn, state);
+    for (std::size_t i = 0; i < state.size(); ++i)
+      for (const Json& end : ends(points[i], state[i].axis)) positions[i].push_back(end);
+  }
+  Json items = Json::array();
+  for (const Json& of_hinge : positions)
+    items.push_back({{"kind", "lines"}, {"positions", of_hinge}, {"opacity", kOpacity}});
+  return {{"name", cloud.name}, {"color", color}, {"items", items}};
+}
+
+}  // namespace
+
+AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
+                     const FitParameters& parameters, const std::vector<int>& moving,
+                     const Eigen::Ref<const Eigen::MatrixXd>& values, Eigen::Index most) {
+  require(static_cast<Eigen::Index>(moving.size()) == values.rows(),
+          "{} parameters move, but there are values of {}", moving.size(), values.rows());
+  AxisCloud cloud{name, {}};
+  for (const Eigen::Index j : spread(values.cols(), most)) {
+    std::vector<double> all;
+    for (const Parameter& parameter : parameters.all) all.push_back(parameter.mean);
+    for (std::size_t k = 0; k < moving.size(); ++k)
+      all[static_cast<std::size_t>(moving[k])] = values(static_cast<Eigen::Index>(k), j);
+    cloud.drawn.push_back(specimen_model(digit, parameters, all).digit);
+  }
+  return cloud;
+}
+
+Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
+                      const std::vector<AxisCloud>& clouds,
+                      const std::optional<TendonModel<double>>& truth, const std::string& caption) {
+  Json layers = Json::array({bone_layer(start, q, "#b8a48a"),
+                             axis_layer(start, q, "axes before", "#777777", kLength, true)});
+  for (std::size_t k = 0; k < clouds.size(); ++k)
+    layers.push_back(cloud_layer(start, q, clouds[k], kColors[k % std::size(kColors)]));
+  if (truth) {
+    TendonDigit true_digit = start;
+    true_digit.model = *truth;
+    layers.push_back(axis_layer(true_digit, q, "true axes", "#009e73", 1.2 * kLength, false));
+  }
+  return {{"type", "scene"},
+          {"caption", caption},
+          {"link", "axis-clouds"},
+          {"up", {0, 1, 0}},
+          {"layers", layers}};
+}
+
+}  // namespace thenar

@@ -1,0 +1,38 @@
+#pragma once
+
+/// Joint axes of many draws as a cloud about the bones.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "kinematics_fit/fit_parameters.h"
+#include "tendons/tendon_model.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// Digits of one kind of draws: of the population, or of one specimen.
+struct AxisCloud {
+  std::string name;                        // "population", "H01"
+  std::vector<TendonModel<double>> drawn;  // one a draw; 100 to 300 look well
+};
+
+/// The digits at some of the draws, evenly spread.
+/// @param moving  indices in parameters.all of the rows of `values`; all others stay at their means
+/// @param values  [SI] (moving, draws)
+[[nodiscard]] AxisCloud axis_cloud(const std::string& name, const TendonDigit& digit,
+                                   const FitParameters& parameters, const std::vector<int>& moving,
+                                   const Eigen::Ref<const Eigen::MatrixXd>& values,
+                                   Eigen::Index most = 150);
+
+/// A scene: bones, the axes before the fit by name, the clouds, and the true axes if known.
+/// @param start  the digit before the fit
+/// @param truth  the digit that simulated data were made with
+/// @param q      posture [rad]
+[[nodiscard]] Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
+                                    const std::vector<AxisCloud>& clouds,
+                                    const std::optional<TendonModel<double>>& truth,
+                                    const std::string& caption);
+
+}  // namespace thenar

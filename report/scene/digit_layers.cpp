@@ -1,0 +1,87 @@
+#include "report/scene/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+Eigen::Vector3d tip_of(const TendonModel<double>& model, const TreeState<double>& state) {
+  return moved(state, model.tip_link, model.tip);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
+                                         const TreeState<double>& state) {
+  std::vector<Eigen::Vector3d> points;
+  for (const LinkState<double>& link : state) points.push_back(link.point);
+  const std::vector<Eigen::Vector3d> given = points;
+  const Eigen::Vector3d tip = tip_of(model, state);
+  constexpr int kRounds = 50;  // each joint slides to the middle of its neighbours
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Eigen::Vector3d& next = i + 1 < points.size() ? points[i + 1] : tip;
+      const Eigen::Vector3d wanted = i > 0 ? Eigen::Vector3d((points[i - 1] + next) / 2) : given[0];
+      points[i] = given[i] + state[i].axis * state[i].axis.dot(wanted - given[i]);
+    }
+  return points;
+}
+
+Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& color) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const std::vector<Eigen::Vector3d> points = axis_points(digit.model, state);
+  Json items = Json::array();
+  const auto bone = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    if ((b - a).norm() > 1e-6)
+      items.push_back({{"kind", "segment"}, {"a", in_mm(a)}, {"b", in_mm(b)}, {"radius", 2.5}});
+  };
+  for (std::size_t i = 1; i < points.size(); ++i) bone(points[i - 1], points[i]);
+  if (!points.empty()) bone(points.back(), tip_of(digit.model, state));
+  return layer("bones", color, items);
+}
+
+Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
+                const std::string& color, double length, bool labelled) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const std::vector<Eigen::Vector3d> points = axis_points(digit.model, state);
+  Json items = Json::array();
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    Json item{{"kind", "axis"},
+              {"point", in_mm(points[i])},
+              {"direction", list(state[i].axis)},
+              {"length", 1000 * length}};
+    if (labelled) item["label"] = digit.names.hinges[i];
+    items.push_back(std::move(item));
+  }
+  return layer(name, color, items);
+}
+
+Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::string& name,
+                  const std::string& color, bool labelled) {
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  Json items = Json::array();
+  for (std::size_t s = 0; s < digit.model.paths.size(); ++s) {
+    Json positions = Json::array();
+    for (const PathNode<double>& node : digit.model.paths[s]) {
+      positions.push_back(in_mm(moved(state, node.link, node.p)));
+      if (node.link < 0) break;  // the muscle's way up the forearm turns no joint of the digit
+    }
+    if (positions.size() < 2) continue;
+    Json item{{"kind", "line"}, {"positions", positions}};
+    if (labelled) item["label"] = digit.names.strands[s];
+    items.push_back(std::move(item));
+  }
+  return layer(name, color, items);
+}
+
+Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                     const FeasibleForceSet& set, double mm_per_N, const std::string& color) {
+  const Eigen::Vector3d tip = tip_of(digit.model, pose_tree(digit.model.tree, q));
+  Json vertices = Json::array(), faces = Json::array();
+  for (Eigen::Index i = 0; i < set.vertices.rows(); ++i)
+    vertices.push_back(list(1000 * tip + mm_per_N * set.vertices.row(i).transpose()));
+  for (Eigen::Index i = 0; i < set.triangles.rows(); ++i)
+    faces.push_back({set.triangles(i, 0), set.triangles(i, 1), set.triangles(i, 2)});
+  return layer("feasible forces", color,
+               Json::array({{{"kind", "hull"}, {"vertices", vertices}, {"faces", faces}}}));
+}
+
+}  // namespace thenar

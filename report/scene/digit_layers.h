@@ -1,0 +1,35 @@
+#pragma once
+
+/// A digit as layers of a 3D scene: bones, joint axes, tendons, forces.
+
+#include "tendons/forces/feasible_force_set.h"
+#include "tendons/tendon_model.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// The point of each axis nearest to a straight way from the first axis to the tip: where a bone
+/// would cross it. Any point of an axis is as good for kinematics; this one is fit to look at.
+/// @return world frame [m] (3, of each hinge)
+[[nodiscard]] std::vector<Eigen::Vector3d> axis_points(const TendonModel<double>& model,
+                                                       const TreeState<double>& state);
+
+/// Bones from joint to joint to the tip. @param q  posture [rad]
+[[nodiscard]] Json bone_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                              const std::string& color);
+
+/// Joint axes by name. @param length  of each [m]
+[[nodiscard]] Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                              const std::string& name, const std::string& color, double length,
+                              bool labelled);
+
+/// One layer of all tendon paths as lines. Empty array of items if arms are constants.
+[[nodiscard]] Json tendon_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                                const std::string& name, const std::string& color, bool labelled);
+
+/// The feasible force set at the tip, drawn with `mm_per_N`.
+[[nodiscard]] Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
+                                   const FeasibleForceSet& set, double mm_per_N,
+                                   const std::string& color);
+
+}  // namespace thenar

@@ -1,0 +1,159 @@
+#include "report/scene/hand_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace thenar {
+namespace {
+
+constexpr const char* kSkin = "#dfab8f";
+constexpr const char* kBone = "#e6dcc3";
+constexpr const char* kPalm = "#7d8794";
+constexpr const char* kCarrier = "#a3abb5";
+constexpr const char* kObject = "#e6a83c";
+constexpr const char* kObstacle = "#b9c0c9";
+constexpr const char* kContact = "#b3261e";
+const MeshColor kSkinColor(0xdf, 0xab, 0x8f), kNailColor(0xf0, 0xd3, 0xc6);
+constexpr double kCrease = 35;          // [deg]
+constexpr double kObjectOpacity = 0.6;  // [1]
+constexpr double kArrow = 0.25;         // of the object's reach [1]
+constexpr double kLongest = 12e-3;      // arrows and sides of cones, of small objects shorter [m]
+
+/// Colours of digits that tell them apart, paler than those of charts.
+const char* digit_color(std::size_t index) {
+  static constexpr const char* kColors[] = {"#6fa8cf", "#8dbb95", "#c7a6d1",
+                                            "#d3a15f", "#7cc0c4", "#b0a37a"};
+  return kColors[index % std::size(kColors)];
+}
+
+std::vector<std::string> digits_of(const Hand& hand) {
+  std::vector<std::string> digits;
+  for (const LinkSurface& surface : hand.surfaces())
+    if (std::find(digits.begin(), digits.end(), surface.digit) == digits.end())
+      digits.push_back(surface.digit);
+  return digits;
+}
+
+std::string color_of(const Hand& hand, const std::string& digit, std::size_t index) {
+  for (const LinkSurface& surface : hand.surfaces()) {
+    if (surface.digit != digit) continue;
+    if (surface.material == "skin") return kSkin;
+    if (surface.material == "bone") return kBone;
+  }
+  return digit.empty() ? kPalm : digit_color(index);
+}
+
+/// The look of a surface: nails on skin.
+MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patches) {
+  if (surface.material == "bone") return {};
+  if (surface.material != "skin") return {kCrease, {}};
+  MeshLook look;
+  for (const SkinPatch& patch : patches) {
+    if (patch.kind != PatchKind::kNail || patch.middle.digit != surface.digit ||
+        patch.middle.link != surface.link)
+      continue;
+    const Eigen::Matrix3Xd& vertices = surface.solid->picture.vertices;
+    for (Eigen::Index i = 0; i < vertices.cols(); ++i)
+      look.colors.push_back(on_patch(patch, vertices.col(i)) ? kNailColor : kSkinColor);
+    return look;
+  }
+  return look;
+}
+
+Json rows_of(const Eigen::Matrix3d& R) {
+  return Json::array({list(R.row(0)), list(R.row(1)), list(R.row(2))});
+}
+
+Json mesh_item(const std::string& mesh, const Pose<double>& X) {
+  return {{"kind", "mesh"}, {"mesh", mesh}, {"rotation", rows_of(X.R)}, {"position", in_mm(X.p)}};
+}
+
+/// A layer that the view need not hold.
+Json out_of_fit(Json layer) {
+  layer["fit"] = false;
+  return layer;
+}
+
+Json body_item(const SceneBody& body, MeshTable& meshes) {
+  return mesh_item(meshes.add(body.solid.picture, {kCrease, {}}), body.X_WB);
+}
+
+}  // namespace
+
+Json hand_layers(const HandPicture& picture, MeshTable& meshes) {
+  const Hand& hand = picture.hand;
+  const std::vector<Pose<double>> links = hand.pose(picture.q);
+  const std::vector<std::string> digits = digits_of(hand);
+  Json layers = Json::array();
+  Json carriers = Json::array();
+  for (std::size_t d = 0; d < digits.size(); ++d) {
+    Json items = Json::array();
+    for (std::size_t s = 0; s < hand.surfaces().size(); ++s) {
+      const LinkSurface& surface = hand.surfaces()[s];
+      if (surface.digit != digits[d] || surface.solid->picture.empty()) continue;
+      const Pose<double> X = surface.link < 0
+                                 ? picture.X_WH
+                                 : picture.X_WH * links[static_cast<std::size_t>(surface.link)];
+      const MeshLook look = look_of(surface, picture.patches);
+      (s < static_cast<std::size_t>(picture.carrier_surfaces) ? carriers : items)
+          .push_back(mesh_item(meshes.add(surface.solid->picture, look), X));
+    }
+    if (items.empty()) continue;
+    const std::string name = digits[d].empty() ? "palm" : digits[d];
+    layers.push_back(layer(name, color_of(hand, digits[d], d), std::move(items)));
+  }
+  if (!carriers.empty()) layers.push_back(out_of_fit(layer("carrier", kCarrier, carriers)));
+  return layers;
+}
+
+Json scene_layers(const Scene& scene, MeshTable& meshes) {
+  Json item = body_item(scene.object, meshes);
+  item["opacity"] = kObjectOpacity;
+  Json layers = Json::array({layer(scene.object.name, kObject, Json::array({item}))});
+  Json items = Json::array();
+  for (const SceneBody& body : scene.obstacles) items.push_back(body_item(body, meshes));
+  if (items.empty()) return layers;
+  layers.push_back(out_of_fit(layer("obstacles", kObstacle, std::move(items))));
+  return layers;
+}
+
+Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>& X_WO,
+                    double reach) {
+  const double length = std::min(kArrow * reach, kLongest);
+  Json points = Json::array(), normals = Json::array(), cones = Json::array();
+  for (const HandContact& found : contacts) {
+    const Contact contact = seen_from(X_WO, found.contact);
+    points.push_back(in_mm(contact.p));
+    normals.push_back({{"kind", "arrow"},
+                       {"from", in_mm(contact.p)},
+                       {"vector", in_mm(length * contact.n)},
+                       {"radius", 25 * length}});
+    const double height = length / std::hypot(1, contact.friction);
+    cones.push_back({{"kind", "cone"},
+                     {"tip", in_mm(contact.p)},
+                     {"axis", in_mm(height * contact.n)},
+                     {"radius", 1000 * height * contact.friction}});
+  }
+  if (contacts.empty()) return Json::array();
+  normals.push_back({{"kind", "points"}, {"positions", points}, {"radius", 70 * length}});
+  return Json::array({layer("contacts", kContact, std::move(normals)),
+                      layer("friction cones", kContact, std::move(cones))});
+}
+
+Json picture_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {
+  return {
+      {"type", "scene"}, {"caption", caption}, {"view", list(view)}, {"layers", std::move(layers)}};
+}
+
+Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {
+  Json block = picture_block(caption, view, std::move(layers));
+  block["compact"] = true;
+  return block;
+}
+
+Json joined(Json layers, const Json& more) {
+  for (const Json& each : more) layers.push_back(each);
+  return layers;
+}
+
+}  // namespace thenar

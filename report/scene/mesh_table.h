@@ -1,0 +1,43 @@
+#pragma once
+
+/// Triangle meshes as reports carry them: each once, named by the scenes that show it.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "geometry/triangle_mesh.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// A colour as bytes of red, green, blue.
+using MeshColor = Eigen::Matrix<unsigned char, 3, 1>;
+
+/// How a mesh is to look.
+struct MeshLook {
+  double crease = -1;             // sharper edges look sharp [deg]; negative: all are smooth
+  std::vector<MeshColor> colors;  // of every vertex; empty: that of its layer
+};
+
+/// The `meshes` of a report. Corners are rounded to a 65534th of the mesh's largest side, 3 um for
+/// 0.2 m.
+class MeshTable {
+ public:
+  /// The name by which items show the mesh; one that is there already is not added again.
+  /// @throws InputError if the mesh is empty, not finite, or has not a colour for every vertex.
+  [[nodiscard]] std::string add(const TriangleMesh& mesh, const MeshLook& look = {});
+
+  [[nodiscard]] const Json& json() const { return meshes_; }
+
+ private:
+  Json meshes_ = Json::object();
+  std::map<std::string, std::string> names_;  // of a mesh as text
+};
+
+/// Bytes in base64 (RFC 4648, padded).
+[[nodiscard]] std::string base64(const unsigned char* bytes, std::size_t count);
+
+}  // namespace thenar
