@@ -24,6 +24,33 @@ std::string installed_data() {
   return (program.parent_path().parent_path() / "share" / "thenar").string();
 }
 
+/// What the files of a folder are, and which command asks about them.
+struct KnownFolder {
+  const char* folder;
+  const char* kind;
+  const char* command;
+};
+constexpr KnownFolder kKnownFolders[] = {{"subjects", "subject", "thenar pose"},
+                                         {"robots", "hand", "thenar pose"},
+                                         {"worlds", "world", "thenar grasp"},
+                                         {"objects", "object", "thenar explain"},
+                                         {"experiments", "experiment", "thenar fit"},
+                                         {"contacts", "file of contacts", "thenar quality"}};
+
+/// "it is a hand: thenar pose barrett", where another folder has that name; else "".
+std::string kind_elsewhere(const std::string& name, const std::string& folder,
+                           const std::vector<std::string>& places) {
+  for (const KnownFolder& known : kKnownFolders) {
+    if (known.folder == folder) continue;
+    for (const char* ending : {".toml", ".json", ".jsonl"})
+      if (!find_in(places, (fs::path(known.folder) / (name + ending)).string()).empty())
+        return fmt::format("it is a{} {}: {} {}",
+                           known.kind[0] == 'o' || known.kind[0] == 'e' ? "n" : "", known.kind,
+                           known.command, name);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::vector<std::string> data_folders(const std::string& given, const std::string& near) {
@@ -78,6 +105,8 @@ std::string named_file(const std::string& what, const std::string& name, const s
     std::string found = find_in(places, (fs::path(folder) / (name + ending)).string());
     if (!found.empty()) return found;
   }
+  const std::string elsewhere = kind_elsewhere(name, folder, places);
+  require(elsewhere.empty(), "there is no {} '{}'; {}", what, name, elsewhere);
   const std::vector<std::string> known = names_in(places, folder, ending);
   const std::string meant = did_you_mean(name, known);
   throw InputError(fmt::format("there is no {} '{}'{} is neither a file nor one of {}/; {}", what,

@@ -1,14 +1,11 @@
 #pragma once
 
-/// Where the data that comes with thenar is found: one answer for every command.
+/// Where the data that comes with thenar is found: one answer for every question.
 
 #include <string>
 #include <vector>
 
 namespace thenar {
-
-inline constexpr const char* kDataHelp =
-    "Folder with robots/, objects/.., before THENAR_DATA, ./data and what came with the program";
 
 /// Folders with robots/, objects/, worlds/, contacts/, subjects/.. in the order of search:
 ///   `given` (--data), the environment's THENAR_DATA, ./data, `near`, what was installed with the
@@ -32,7 +29,8 @@ inline constexpr const char* kDataHelp =
 
 /// A file, or by its name one that comes with thenar: "barrett_bobbin" of "worlds".
 /// @param what  for messages: "world";  @param folder  "worlds";  @param ending  ".toml"
-/// @throws InputError if there is neither, with the places looked in and the nearest name.
+/// @throws InputError if there is neither, with the places looked in and the nearest name, or what
+/// else has that name: "it is a hand: thenar pose barrett".
 [[nodiscard]] std::string named_file(const std::string& what, const std::string& name,
                                      const std::string& folder, const std::string& ending,
                                      const std::vector<std::string>& places);

@@ -1,17 +1,197 @@
 #include "api/digits.h"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
-#include <map>
 #include <string_view>
+#include <utility>
 
-#include "report/table.h"
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "api/data_folders.h"
 #include "api/files.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "hand/tip_manipulability.h"
+#include "tendons/forces/tip_map.h"
+#include "tendons/net/build_tendons.h"
+#include "tendons/vanishing_arms.h"
 
 namespace thenar {
 namespace internal {
 const std::map<std::string, std::string_view>& nets();  // data/nets, by file name
+}
+
+namespace {
+
+/// Digits with bones, then those with nothing but a tip map.
+std::vector<std::string> digit_names(const Subject& subject) {
+  std::vector<std::string> names;
+  for (const Digit& digit : subject.digits) names.push_back(digit.name);
+  for (const TipMap& map : subject.tip_maps)
+    if (std::count(names.begin(), names.end(), map.digit) == 0) names.push_back(map.digit);
+  return names;
+}
+
+bool has_bones(const Subject& subject, const std::string& digit) {
+  return std::any_of(subject.digits.begin(), subject.digits.end(),
+                     [&](const Digit& each) { return each.name == digit; });
+}
+
+/// Digits whose joints some muscle crosses.
+std::vector<std::string> digits_with_tendons(const Subject& subject) {
+  std::vector<std::string> names;
+  for (const Digit& digit : subject.digits)
+    if (!build_tendon_digit(subject, digit.name).names.muscles.empty()) names.push_back(digit.name);
+  return names;
+}
+
+/// Which rungs were asked for; the hood is that of the net where one is named.
+TendonOptions rungs_of(const DigitRequest& request, const Subject& subject, Hood hood) {
+  TendonOptions rungs;
+  rungs.hood = hood;
+  rungs.path = request.path.value_or(Path::kViaPoint);
+  rungs.frozen = frozen_joints(subject, request.frozen);
+  return rungs;
+}
+
+/// Tendons on the rungs that are asked for; adds the text of a net to the sources.
+void build_tendons_of(const DigitRequest& request, Hood default_hood, DigitCase& at) {
+  const std::optional<Hood> hood =
+      request.hood || !request.net.empty() ? request.hood : std::optional<Hood>(default_hood);
+  const std::string name = net_meant(hood, request.net);
+  if (name.empty()) {
+    at.tendons = build_digit_tendons(at.subject, at.digit, rungs_of(request, at.subject, *hood));
+  } else {
+    const TendonOptions rungs = rungs_of(request, at.subject, Hood::kFloatingNet);
+    at.sources.push_back(net_source(name));
+    const NetDescription net = parse_net(at.sources.back().text, at.sources.back().path);
+    at.tendons = build_digit_tendons(at.subject, at.digit, rungs, &net);
+  }
+  at.net = dynamic_cast<const NetTendons*>(at.tendons.get());
+  require(!at.bones().names.muscles.empty(),
+          "no muscle of subject '{}' crosses a free joint of digit '{}'; digits with muscles: {}",
+          at.subject.name, at.digit, listed(digits_with_tendons(at.subject)));
+}
+
+/// Limits of all postures, and arms that collapse where the joints that vary are not moved yet.
+void add_warnings(const DigitRequest& request, DigitCase& at) {
+  at.warnings = at.grid.warnings;
+  const DigitTendons& linear = at.net != nullptr ? at.net->linear() : *at.tendons;
+  const Eigen::VectorXd q = posture_of(at.bones().skeleton, request.posture);
+  for (std::string& warning : collapse_warnings(linear, q))
+    at.warnings.push_back(std::move(warning));
+}
+
+DigitAtPosture at_map(const DigitCase& at) {
+  const TipMap& map = find_tip_map(at.subject, at.digit, at.map);
+  DigitAtPosture found{
+      at.subject.name, at.digit, map.name, "", {"Fx", "Fy", "Fz"}, {}, {}, {}, {}, 1, {}};
+  found.built = fmt::format("published tip map '{}', in its own x, y, z", map.name);
+  for (const std::string& moment : moment_rows(map)) found.rows.push_back(moment);
+  found.statics = statics_from_tip_map(at.subject, map);
+  return found;
+}
+
+}  // namespace
+
+SourceText subject_source(const std::string& name_or_path, const std::string& data) {
+  // A folder, a pipe or a device of that name is refused by the reader, which says what it is.
+  std::error_code none;
+  if (std::filesystem::exists(name_or_path, none)) return read_source(name_or_path);
+  return read_source(named_file("subject", name_or_path, "subjects", ".toml", data_folders(data)));
+}
+
+DigitCase build_digit(const DigitRequest& request, Hood default_hood) {
+  DigitCase at;
+  at.sources = {subject_source(request.subject, request.data)};
+  at.subject = parse_subject(at.sources.front().text, at.sources.front().path);
+  at.digit = choose_digit(at.subject, request.digit);
+  if (!request.map.empty() || !has_bones(at.subject, at.digit)) {
+    at.map = find_tip_map(at.subject, at.digit, request.map).name;
+    require(
+        request.posture.empty() && request.frozen.empty() && request.vary.empty() && !request.path,
+        "tip map '{}' stands for one posture of its own; leave out --posture, --frozen and "
+        "--path",
+        at.map);
+    return at;
+  }
+  build_tendons_of(request, default_hood, at);
+  at.grid = posture_grid(at.bones().skeleton, request.posture, request.vary);
+  add_warnings(request, at);
+  return at;
+}
+
+DigitAtPosture digit_at(const DigitCase& at, const Eigen::VectorXd& q) {
+  if (!at.map.empty()) return at_map(at);
+  require(at.net == nullptr, "wanted tendons whose torque is linear in tensions, got a net");
+  const TendonDigit& digit = at.bones();
+  const TendonTorque pull = at.tendons->pull(
+      q, Eigen::VectorXd::Zero(static_cast<Eigen::Index>(digit.names.muscles.size())));
+  require(trusted(pull.status), "tendon paths are not to be trusted here: {}", pull.warning);
+  const TipStatics statics = tip_statics(*at.tendons, q);
+  const TreeState<double> state = pose_tree(digit.model.tree, q);
+  const int link = digit.model.tip_link;
+  const Eigen::Matrix3d turned =
+      link < 0 ? Eigen::Matrix3d::Identity() : state[static_cast<std::size_t>(link)].X.R;
+  DigitAtPosture found{at.subject.name,
+                       at.digit,
+                       "",
+                       describe(digit.fidelity),
+                       digit.names.coordinates,
+                       q,
+                       turned * digit.model.tip_axes,
+                       statics,
+                       statics_derivatives(*at.tendons, q),
+                       tip_manipulability(statics.J).condition,
+                       {}};
+  if (!pull.warning.empty()) found.warnings.push_back(pull.warning);
+  return found;
+}
+
+Eigen::VectorXd tensions(const DigitCase& at, const std::map<std::string, double>& named) {
+  const std::vector<std::string> muscles =
+      at.map.empty() ? at.bones().names.muscles : digit_at(at, {}).statics.muscles;
+  Eigen::VectorXd t = in_order(named, muscles, "muscle");
+  for (Eigen::Index i = 0; i < t.size(); ++i)
+    require(t[i] >= 0, "wanted a tension >= 0 of '{}', got {} N",
+            muscles[static_cast<std::size_t>(i)], t[i]);
+  return t;
+}
+
+std::string choose_digit(const Subject& subject, const std::string& asked) {
+  const std::vector<std::string> names = digit_names(subject);
+  require(!asked.empty() || names.size() == 1, "wanted --digit; subject '{}' has {}", subject.name,
+          listed(names));
+  if (asked.empty()) return names.front();
+  const std::string meant = did_you_mean(asked, names);
+  require(std::count(names.begin(), names.end(), asked) > 0,
+          "subject '{}' has no digit '{}'{} there are {}", subject.name, asked,
+          meant.empty() ? ";" : meant, listed(names));
+  return asked;
+}
+
+std::vector<std::string> unlimited_muscles(const TipStatics& statics) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < statics.muscles.size(); ++i)
+    if (std::isinf(statics.max_tension[static_cast<Eigen::Index>(i)]))
+      names.push_back(statics.muscles[i]);
+  return names;
+}
+
+std::vector<std::string> collapse_warnings(const DigitTendons& linear, const Eigen::VectorXd& q) {
+  std::vector<std::string> arms;
+  for (const VanishingArm& arm : vanishing_arms(linear, q))
+    arms.push_back(fmt::format("{} at {}: {:.2g} mm, {:.2g} mm elsewhere in its range", arm.muscle,
+                               arm.joint, 1e3 * arm.arm, 1e3 * arm.most));
+  if (arms.empty()) return {};
+  const bool via = linear.digit().fidelity.path == Path::kViaPoint;
+  return {fmt::format(
+      "tendons run too close to a joint here: arms of {}; {}", fmt::join(arms, "; "),
+      via ? "straight runs cut through it, and --path wrapped helps where the subject has a surface"
+          : "the subject has no surface there")};
 }
 
 std::vector<std::string> known_nets() {
@@ -24,16 +204,18 @@ std::vector<std::string> known_nets() {
 SourceText net_source(const std::string& name_or_path) {
   if (is_file(name_or_path)) return read_source(name_or_path);
   const auto found = internal::nets().find(name_or_path + ".toml");
+  const std::string meant = did_you_mean(name_or_path, known_nets());
   require(found != internal::nets().end(),
-          "there is no net '{}', nor a file of that name; nets: {}", name_or_path,
-          listed(known_nets()));
+          "there is no net '{}', nor a file of that name{} nets: {}", name_or_path,
+          meant.empty() ? ";" : meant, listed(known_nets()));
   return {found->first, std::string(found->second)};
 }
 
-std::string net_meant(const std::string& hood, const std::string& net) {
-  if (net.empty()) return hood == "net" ? "winslow" : "";
-  require(hood.empty() || hood == "net",
-          "--net {} needs a hood that is a net, got --hood {}; leave one of them out", net, hood);
+std::string net_meant(const std::optional<Hood>& hood, const std::string& net) {
+  if (net.empty()) return hood == Hood::kFloatingNet ? "winslow" : "";
+  require(!hood || hood == Hood::kFloatingNet,
+          "--net {} needs a hood that is a net, got --hood {}; leave one of them out", net,
+          hood == Hood::kSeparate ? "separate" : "fractions");
   return net;
 }
 

@@ -12,9 +12,9 @@ namespace thenar {
 
 SourceText read_source(const std::string& path) { return {path, read_text_file(path)}; }
 
-void warn_unchecked(const std::string& path) {
-  if (has_hdf5_start(path) && !has_checksum(path))
-    fmt::print(stderr, "{}: warning: it has no checksum, so that damage cannot be noticed\n", path);
+std::vector<std::string> checksum_warnings(const std::string& path) {
+  if (!has_hdf5_start(path) || has_checksum(path)) return {};
+  return {path + ": it has no checksum, so that damage cannot be noticed"};
 }
 
 void require_result_path(const std::string& path) {

@@ -7,11 +7,11 @@
 #include <fmt/ranges.h>
 
 #include "api/data_folders.h"
-#include "apps/path_option.h"
-#include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/interrupt.h"
 #include "base/nearest_name.h"
+#include "base/rung_names.h"
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
@@ -96,7 +96,7 @@ std::string robot_file(const std::string& name, const std::vector<std::string>& 
 
 HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
   const auto [base, tier, path] = split_name(name);
-  (void)path_meant(path);  // refuses others
+  if (!path.empty()) (void)path_named(path);  // refuses others
   if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier, path};
   if (is_file(base)) return file_source(base, tier, path);
   const std::string library = robot_file(base, places);
@@ -115,7 +115,7 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   if (!source.human) return robot(name, source.file);
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
   HumanHandOptions human_options = options;
-  human_options.path = path_meant(source.path);
+  if (!source.path.empty()) human_options.path = path_named(source.path);
   NamedHand hand = human(name, subject, source.tier, human_options);
   hand.file = source.file;
   return hand;

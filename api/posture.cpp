@@ -1,63 +1,140 @@
 #include "api/posture.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
-#include "apps/options.h"
-#include "report/table.h"
+#include <fmt/format.h>
+
 #include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/units.h"
 
 namespace thenar {
 namespace {
 
-Eigen::VectorXd parse_plain_angles(const std::vector<std::string>& joints,
-                                   const std::vector<std::string>& texts) {
-  require(texts.size() == joints.size(), "wanted {} angles [deg], of {}, got {}", joints.size(),
-          listed(joints), texts.size());
-  Eigen::VectorXd q(static_cast<Eigen::Index>(texts.size()));
-  for (std::size_t i = 0; i < texts.size(); ++i)
-    q[static_cast<Eigen::Index>(i)] = kDegree * parse_number(texts[i], "an angle [deg]");
-  return q;
+constexpr std::size_t kMaxPostures = 1000000;
+
+/// [rad] in one unit of the request.
+double unit_of(const PostureRequest& request) {
+  return request.unit == PostureUnit::kTyped ? kDegree : 1;
+}
+
+/// [deg] in one unit of the request.
+double degrees_of(const PostureRequest& request) {
+  return request.unit == PostureUnit::kTyped ? 1 : 1 / kDegree;
+}
+
+/// One joint and its angles.
+struct AngleRange {
+  int joint;
+  std::vector<double> angles;  // [rad]
+};
+
+/// @param request  whose unit it has
+AngleRange range_of(const Skeleton& skeleton, const Vary& vary, const PostureRequest& request) {
+  const auto joint =
+      static_cast<int>(index_of_name(vary.joint, skeleton.coordinate_names, "free joint"));
+  const double unit = degrees_of(request);
+  const double from = unit * vary.from, to = unit * vary.to, step = unit * vary.step;  // [deg]
+  require(step != 0 && (to - from) / step >= 0, "steps of {} deg do not lead from {} to {} deg",
+          step, from, to);
+
+  // The end is met where rounding alone would miss it.
+  const double count = std::floor((to - from) / step * (1 + 1e-12) + 1e-9);
+  require(count < kMaxPostures, "{} deg is too small a step from {} to {} deg", step, from, to);
+  AngleRange range{joint, {}};
+  for (int k = 0; k <= static_cast<int>(count); ++k)
+    range.angles.push_back(unit_of(request) * (vary.from + k * vary.step));
+  return range;
 }
 
 }  // namespace
 
-Eigen::VectorXd parse_posture(const Skeleton& skeleton, const std::vector<std::string>& texts) {
-  const auto& joints = skeleton.coordinate_names;
-  const bool named = texts.empty() || std::any_of(texts.begin(), texts.end(), [](const auto& text) {
-                       return text.find('=') != std::string::npos;
-                     });
-  if (!named) return parse_plain_angles(joints, texts);
-  return kDegree * in_order(parse_named_numbers(texts, "JOINT=degrees"), joints, "free joint");
+Eigen::VectorXd in_order(const std::map<std::string, double>& named,
+                         const std::vector<std::string>& names, const std::string& kind) {
+  Eigen::VectorXd values = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(names.size()));
+  for (const auto& [name, value] : named)
+    values[static_cast<Eigen::Index>(index_of_name(name, names, kind))] = value;
+  return values;
 }
 
-std::map<std::string, double> parse_frozen(const Subject& subject,
-                                           const std::vector<std::string>& texts) {
-  std::map<std::string, double> frozen = parse_named_numbers(texts, "JOINT=degrees");
-  std::vector<std::string> names;
-  for (const JointAxis& joint : subject.joints) names.push_back(joint.name);
-  (void)in_order(frozen, names, "joint");  // refuses unknown names
-  for (const JointAxis& joint : subject.joints) {
-    const auto angle = frozen.find(joint.name);
-    if (angle == frozen.end()) continue;
-    const double lower = joint.lower / kDegree, upper = joint.upper / kDegree;
-    require(angle->second >= lower && angle->second <= upper,
-            "joint '{}' can be frozen at {:.4g} .. {:.4g} deg, got {:.4g} deg", joint.name, lower,
-            upper, angle->second);
-    angle->second = std::clamp(angle->second * kDegree, joint.lower, joint.upper);
+Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& request) {
+  const std::vector<std::string>& joints = skeleton.coordinate_names;
+  require(request.named.empty() || request.in_order.empty(),
+          "wanted angles by name or in the order of the joints, got both");
+  if (request.in_order.empty())
+    return unit_of(request) * in_order(request.named, joints, "free joint");
+  require(request.in_order.size() == joints.size(), "wanted {} angles [{}], of {}, got {}",
+          joints.size(), request.unit == PostureUnit::kTyped ? "deg" : "rad", listed(joints),
+          request.in_order.size());
+  Eigen::VectorXd q(static_cast<Eigen::Index>(joints.size()));
+  for (Eigen::Index i = 0; i < q.size(); ++i)
+    q[i] = unit_of(request) * request.in_order[static_cast<std::size_t>(i)];
+  return q;
+}
+
+PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
+                         const std::vector<Vary>& vary) {
+  PostureGrid grid;
+  grid.postures = {posture_of(skeleton, request)};
+  for (const Vary& each : vary) {
+    const AngleRange range = range_of(skeleton, each, request);
+    require(std::count(grid.varied.begin(), grid.varied.end(), range.joint) == 0,
+            "joint '{}' varies twice", each.joint);
+    require(grid.postures.size() * range.angles.size() <= kMaxPostures, "more than {} postures",
+            kMaxPostures);
+    grid.varied.push_back(range.joint);
+    grid.row = range.angles.size();
+
+    // Every posture so far, at every angle of this joint.
+    std::vector<Eigen::VectorXd> postures;
+    for (const Eigen::VectorXd& posture : grid.postures)
+      for (const double angle : range.angles) {
+        postures.push_back(posture);
+        postures.back()[range.joint] = angle;
+      }
+    grid.postures = std::move(postures);
   }
-  return frozen;
+
+  // All others lie between the first and the last.
+  grid.warnings = limit_warnings(skeleton, grid.postures.front());
+  if (grid.postures.size() > 1)
+    for (const std::string& warning : limit_warnings(skeleton, grid.postures.back()))
+      if (std::count(grid.warnings.begin(), grid.warnings.end(), warning) == 0)
+        grid.warnings.push_back(warning);
+  return grid;
 }
 
-void warn_of_limits(const Skeleton& skeleton, const Eigen::VectorXd& q) {
+std::vector<std::string> limit_warnings(const Skeleton& skeleton, const Eigen::VectorXd& q) {
   constexpr double kSameAngle = 1e-9;  // [rad]
+  std::vector<std::string> warnings;
   for (int i = 0; i < skeleton.coordinates(); ++i) {
     const CoordinateLimits& limits = skeleton.limits[static_cast<std::size_t>(i)];
     if (q[i] >= limits.lower - kSameAngle && q[i] <= limits.upper + kSameAngle) continue;
-    fmt::print(stderr,
-               "thenar: warning: joint '{}' at {:.4g} deg is outside {:.4g} .. {:.4g} deg\n",
-               skeleton.coordinate_names[static_cast<std::size_t>(i)], q[i] / kDegree,
-               limits.lower / kDegree, limits.upper / kDegree);
+    warnings.push_back(fmt::format("joint '{}' at {:.4g} deg is outside {:.4g} .. {:.4g} deg",
+                                   skeleton.coordinate_names[static_cast<std::size_t>(i)],
+                                   q[i] / kDegree, limits.lower / kDegree, limits.upper / kDegree));
   }
+  return warnings;
+}
+
+std::map<std::string, double> frozen_joints(const Subject& subject, const PostureRequest& request) {
+  require(request.in_order.empty(), "wanted JOINT=degrees, got plain numbers");
+  std::vector<std::string> names;
+  for (const JointAxis& joint : subject.joints) names.push_back(joint.name);
+  std::map<std::string, double> frozen;
+  for (const auto& [name, value] : request.named) {
+    const JointAxis& joint = subject.joints[index_of_name(name, names, "joint")];
+    // Compared in degrees: a limit that is typed is not outside of itself by rounding.
+    const double asked = degrees_of(request) * value;
+    const double lower = joint.lower / kDegree, upper = joint.upper / kDegree;
+    require(asked >= lower && asked <= upper,
+            "joint '{}' can be frozen at {:.4g} .. {:.4g} deg, got {:.4g} deg", joint.name, lower,
+            upper, asked);
+    frozen[name] = std::clamp(unit_of(request) * value, joint.lower, joint.upper);
+  }
+  return frozen;
 }
 
 }  // namespace thenar

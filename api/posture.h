@@ -1,29 +1,74 @@
 #pragma once
 
-/// Postures as people type them, in degrees.
+/// Postures that a question asks about: one, or a grid of them.
 
+#include <cstddef>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "base/units.h"
+#include <Eigen/Core>
+
 #include "data/io/subject.h"
 #include "hand/skeleton.h"
 
 namespace thenar {
 
-/// Coordinates from `JOINT=degrees` pairs, or from plain degrees in the order of the joints.
-/// @return q (coordinates) [rad]; joints not named stay at the reference posture
-/// @throws InputError for an unknown joint, a wrong count, or what is no number.
-[[nodiscard]] Eigen::VectorXd parse_posture(const Skeleton& skeleton,
-                                            const std::vector<std::string>& texts);
+/// In which units the numbers of a posture are.
+enum class PostureUnit {
+  kSI,    // [rad], of slides [m]
+  kTyped  // as people type them: [deg], of slides [mm]
+};
 
-/// Angles of frozen joints from `JOINT=degrees` pairs [rad].
+/// Angles of joints, by name or in the order of the joints: one of both. The rest is 0.
+struct PostureRequest {
+  std::map<std::string, double> named;  // joint -> value
+  std::vector<double> in_order;         // of every joint
+  PostureUnit unit = PostureUnit::kSI;
+
+  [[nodiscard]] bool empty() const { return named.empty() && in_order.empty(); }
+};
+
+/// One joint that varies from `from` in steps; `to` is met or not passed. In the unit of the
+/// posture that it goes with.
+struct Vary {
+  std::string joint;
+  double from, to, step;
+};
+
+/// Postures that a question is asked at.
+struct PostureGrid {
+  std::vector<int> varied;                // coordinates, the last one varies fastest; empty: none
+  std::size_t row = 1;                    // postures that differ in the last one only
+  std::vector<Eigen::VectorXd> postures;  // all, row after row [rad] (coordinates)
+  std::vector<std::string> warnings;      // of angles outside their limits
+};
+
+/// Numbers in the order of `names`, zero where not given (names).
+/// @param kind  how messages call a name: "muscle"
+/// @throws InputError for a name that is not among `names`, with the nearest one and all others.
+[[nodiscard]] Eigen::VectorXd in_order(const std::map<std::string, double>& named,
+                                       const std::vector<std::string>& names,
+                                       const std::string& kind);
+
+/// Coordinates of a skeleton [rad] (coordinates).
+/// @throws InputError for an unknown joint or a wrong count.
+[[nodiscard]] Eigen::VectorXd posture_of(const Skeleton& skeleton, const PostureRequest& request);
+
+/// The posture and all that differ from it in the joints that vary; `varied` joints override it.
+/// @throws InputError for an unknown joint, one that varies twice, steps that do not lead to the
+/// end, or more than a million postures.
+[[nodiscard]] PostureGrid posture_grid(const Skeleton& skeleton, const PostureRequest& request,
+                                       const std::vector<Vary>& vary = {});
+
+/// "joint 'PIP3' at 120 deg is outside -10 .. 110 deg", a sentence for each.
+/// @param q  [rad] (coordinates)
+[[nodiscard]] std::vector<std::string> limit_warnings(const Skeleton& skeleton,
+                                                      const Eigen::VectorXd& q);
+
+/// Angles at which joints are frozen, by name [rad].
 /// @throws InputError for an unknown joint or an angle outside its limits.
-[[nodiscard]] std::map<std::string, double> parse_frozen(const Subject& subject,
-                                                         const std::vector<std::string>& texts);
-
-/// Says on stderr which angles are outside their limits.
-void warn_of_limits(const Skeleton& skeleton, const Eigen::VectorXd& q);
+[[nodiscard]] std::map<std::string, double> frozen_joints(const Subject& subject,
+                                                          const PostureRequest& request);
 
 }  // namespace thenar

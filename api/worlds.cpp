@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/nearest_name.h"
+#include "data/io/file_kind.h"
 #include "data/io/robot/import_robot.h"
 #include "grasp/closing/closing_drives.h"
 #include "grasp/robot/infer_hand.h"
@@ -22,7 +23,24 @@ namespace fs = std::filesystem;
 
 using Places = std::vector<std::string>;  // where data is looked for
 
+constexpr int kSmooth = 2500;      // triangles of a link that look smooth
 constexpr double kOutside = 1e-9;  // of limits that is still inside, as closing has it
+
+HumanHandOptions human_of(const WorldRequest& request, const Progress& progress) {
+  HumanHandOptions human;
+  human.skin.drawn = request.pictures ? kSmooth : 0;
+  human.skin.progress = progress;
+  return human;
+}
+
+std::string world_file(const WorldRequest& request) {
+  std::string file =
+      named_file("world", request.world, "worlds", ".toml", data_folders(request.data));
+  const FileKind kind = find_file_kind(file);
+  require(kind == FileKind::kWorld, "'{}' is a file of kind '{}': wanted a world", file,
+          name_of(kind));
+  return file;
+}
 
 std::string beside(const WorldSpec& world, const std::string& file) {
   return (fs::path(world.folder) / file).string();
@@ -231,6 +249,28 @@ std::string rebased(const std::string& file, const fs::path& from, const fs::pat
 }
 
 }  // namespace
+
+WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
+                     const Progress& progress) {
+  WorldCase found;
+  found.path = world_file(request);
+  found.world = read_world(found.path);
+  found.data = data_for(found.world.folder, request.data);
+  found.scene = build_scene(found.world, request.object);
+  if (!hand_from_elsewhere) {
+    found.hand = hand_of_world(found.world, request.hand, found.path, found.data,
+                               human_of(request, progress));
+    return found;
+  }
+  found.hand.named = hand_by_name(request.hand, found.data, human_of(request, progress));
+  found.hand.q = open_posture(found.hand.named.hand->layout());
+  return found;
+}
+
+bool has_hand(const WorldRequest& request) {
+  const std::vector<std::string> names = names_of(read_world(world_file(request)));
+  return std::find(names.begin(), names.end(), request.hand) != names.end();
+}
 
 std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
   return data_folders(given, fs::path(folder).lexically_normal().parent_path().string());

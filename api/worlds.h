@@ -1,12 +1,14 @@
 #pragma once
 
-/// The hand of a world file, built, with the arms that carry it.
+/// Worlds by name, and their hands, built, with the arms that carry them.
 
 #include <string>
 #include <vector>
 
 #include "api/hands.h"
+#include "base/progress.h"
 #include "data/io/world/world.h"
+#include "grasp/closing/grasp.h"
 
 namespace thenar {
 
@@ -21,6 +23,33 @@ struct WorldHand {
   std::vector<std::vector<std::string>> names;  // coordinates of each part, as worlds call them
   std::vector<std::vector<int>> places;         // and as entries of q
 };
+
+/// Which world, and which of its things.
+struct WorldRequest {
+  std::string world;         // a file, or the name of one of worlds/
+  std::string hand, object;  // names; empty: the only ones
+  std::string data;          // folder with worlds/, robots/ ..; empty: the usual ones
+  bool pictures = false;     // whether it will be drawn: human hands finer than they touch
+};
+
+/// A world with one of its hands, ready to be asked.
+struct WorldCase {
+  std::string path;               // of the world
+  std::vector<std::string> data;  // folders where hands are found by name
+  WorldSpec world;
+  WorldHand hand;
+  Scene scene;
+};
+
+/// Reads a world and builds the hand and the scene that are asked for.
+/// @param hand_from_elsewhere  the hand is not one of the world's: it is built by its name, its
+///                             joints are where closing begins, and it has no place yet
+/// @throws InputError or DataError where something is not to be found.
+[[nodiscard]] WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
+                                   const Progress& progress = {});
+
+/// Whether the world has the hand that is named. @throws as open_world()
+[[nodiscard]] bool has_hand(const WorldRequest& request);
 
 /// Builds the hand called `name`; "": the only one that carries no other.
 ///

@@ -9,23 +9,23 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "api/data_folders.h"
+#include "apps/commands.h"
 #include "apps/grasp_measures.h"
 #include "apps/grasp_output.h"
-#include "apps/output_ending.h"
+#include "apps/options.h"
 #include "apps/terminal.h"
-#include "apps/schedule.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/progress_parts.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
 
 struct CloseArguments {
-  WorldChoice choice;
+  WorldRequest choice;
   std::string out;
   bool json = false;
 };
@@ -34,8 +34,8 @@ void run_close(const CloseArguments& options) {
   require_ending(options.out, {".html"});
   if (!options.out.empty()) require_writable(options.out);
   constexpr double kHand = 3, kClose = 0.3, kMeasures = 0.6;  // roughly, of a human hand [s]
-  Schedule schedule(terminal_progress(), kHand + kClose + kMeasures);
-  const GraspQuestion question = ask_world(options.choice, schedule.next(kHand));
+  ProgressParts schedule(terminal_progress(), kHand + kClose + kMeasures);
+  const GraspQuestion question = ask_world(options.choice, false, schedule.next(kHand));
   require(!question.hand.named.hand->surfaces().empty(),
           "hand '{}' has no surface that could touch", question.hand.named.name);
   const CollisionHand touching =
@@ -66,7 +66,7 @@ void add_close(CLI::App& app) {
       ->required();
   command->add_option("--hand", options->choice.hand, "Which hand, where there are several");
   command->add_option("--object", options->choice.object, "Which object, where there are several");
-  command->add_option("--data", options->choice.data, kDataHelp);
+  add_data_option(*command, options->choice.data);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--report,--out", options->out, "Also write a report (.html)");
   command->callback([options] {

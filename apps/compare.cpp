@@ -9,24 +9,22 @@
 
 #include <fmt/format.h>
 
-#include "apps/at_least.h"
+#include "api/data_folders.h"
 #include "apps/commands.h"
 #include "apps/compare_file.h"
 #include "apps/compare_inputs.h"
 #include "apps/compare_print.h"
 #include "apps/compare_report.h"
-#include "api/data_folders.h"
-#include "apps/output_ending.h"
+#include "apps/options.h"
 #include "apps/terminal.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/progress_parts.h"
 #include "grasp/compare/compare_hands.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 struct CompareArguments {
   CompareQuestion question;
@@ -114,8 +112,8 @@ void run_compare(const CompareArguments& options) {
                              : fmt::format("finished pairs are kept in '{}'", options.output));
   const Comparison comparison = run_comparison(options, inputs, named, progress);
   if (!comparison.complete)
-    throw Interrupted("stopped; " + kept_words(options, comparison) +
-                      (options.report.empty() ? "" : "; the page is drawn when all is compared"));
+    throw Stopped("stopped; " + kept_words(options, comparison) +
+                  (options.report.empty() ? "" : "; the page is drawn when all is compared"));
   if (options.json)
     fmt::print("{}\n", json_text(comparison_json(comparison), 1));
   else
@@ -125,7 +123,7 @@ void run_compare(const CompareArguments& options) {
   const bool drawn = write_compare_report(comparison, objects_of(options.question), named,
                                           compare_provenance(inputs), options.report, progress);
   if (!drawn)
-    throw Interrupted("stopped before the page was drawn; " + kept_words(options, comparison));
+    throw Stopped("stopped before the page was drawn; " + kept_words(options, comparison));
 }
 
 }  // namespace
@@ -152,7 +150,7 @@ void add_compare(CLI::App& app) {
       ->check(at_least(1));
   command->add_flag("--normalise-size", options->question.normalise,
                     "Scale objects by the reach of the digits over the first hand's");
-  command->add_option("--data", options->question.data, kDataHelp);
+  add_data_option(*command, options->question.data);
   command->add_option("-o,--output,--out", options->output,
                       "Result (JSON); one that is there is gone on with");
   command->add_option("--report", options->report, "Also write a page with pictures (.html)");

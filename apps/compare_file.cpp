@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "data/io/json_node.h"
 #include "api/files.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/provenance.h"
+#include "data/io/json_text.h"
 #include "report/answers/comparison.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kInfinite = "infinite";
 

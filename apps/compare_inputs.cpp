@@ -19,7 +19,6 @@ namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr int kFine = 2500;  // triangles of each link of a human hand: many hands share a page
 constexpr const char* kProgram = "/proc/self/exe";  // of this process, on Linux

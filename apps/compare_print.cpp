@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "apps/compare_file.h"
-#include "report/table.h"
 #include "report/answers/comparison.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -85,14 +85,16 @@ Table hand_table(const Comparison& comparison) {
 }  // namespace
 
 void print_comparison(const Comparison& comparison) {
-  print_table("Grasps: share with force closure, its 95 % interval, and loads",
-              cell_table(comparison));
+  fmt::print("{}", titled("Grasps: share with force closure, its 95 % interval, and loads",
+                          cell_table(comparison)));
   fmt::print("{}\n", load_rule());
   fmt::print(
       "-: nothing closed, or not known. 0: nothing is borne, why is in the page and in "
       "JSON.\ninf: stops or drives that hold bear it.\n\n");
-  print_table("Where nothing closed: how the approaches ended", outcome_table(comparison));
-  print_table("Hands by themselves; closing_force: of the strongest tip", hand_table(comparison));
+  fmt::print("{}",
+             titled("Where nothing closed: how the approaches ended", outcome_table(comparison)));
+  fmt::print("{}", titled("Hands by themselves; closing_force: of the strongest tip",
+                          hand_table(comparison)));
   for (const std::string& warning : comparison.warnings) fmt::print("warning: {}\n", warning);
 }
 

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "report/pages/comparison.h"
 #include "report/page.h"
+#include "report/pages/comparison.h"
 
 namespace thenar {
 

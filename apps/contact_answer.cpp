@@ -8,8 +8,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "report/table.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/units.h"
@@ -17,11 +15,11 @@
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/limits/wrench_support.h"
 #include "grasp/quality/planar_grasp.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 constexpr double kPolytopeGap = 1e-10;  // of the largest wrench: exact at little cost [1]
 constexpr double kNothing = 1e-9;       // a load below this part of the largest wrench is none [1]

@@ -8,10 +8,10 @@
 #include <fmt/ranges.h>
 
 #include "apps/contact_doubts.h"
-#include "data/io/json_node.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "data/io/file_guard.h"
+#include "data/io/json_text.h"
 
 namespace thenar {
 namespace {

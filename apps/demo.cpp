@@ -12,22 +12,25 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "api/data_folders.h"
+#include "api/digits.h"
+#include "api/files.h"
+#include "apps/commands.h"
 #include "apps/demo_hands.h"
 #include "apps/demo_posteriors.h"
-#include "api/digits.h"
+#include "apps/options.h"
 #include "apps/terminal.h"
-#include "report/provenance.h"
-#include "api/files.h"
 #include "base/file_io.h"
+#include "base/interrupt.h"
+#include "base/progress_parts.h"
 #include "base/units.h"
-#include "tendons/net/build_tendons.h"
+#include "report/page.h"
 #include "report/pages/fit.h"
 #include "report/pages/hood.h"
-#include "report/page.h"
-#include "report/pages/thumbs.h"
 #include "report/pages/thumb_study.h"
+#include "report/pages/thumbs.h"
+#include "report/provenance.h"
+#include "tendons/net/build_tendons.h"
 
 namespace thenar {
 namespace {
@@ -121,7 +124,7 @@ void run_demo(const DemoArguments& options) {
   thumbs.progress = progress;
   const ThumbStudy thumb_study = study_thumb(thumb_study_inputs(options.data), thumbs);
   const Json hands = compare_hands(options.data, options.output, progress);
-  if (interrupted()) throw Interrupted("stopped before the report was complete");
+  if (interrupted()) throw Stopped("stopped before the report was complete");
   for (const SpecimenStudy& study : studies)
     write_fit(study.fit, fmt::format("{}/{}.h5", options.output, study.in_sample.experiment));
   write_fit(population.fit, options.output + "/population.h5");
@@ -153,7 +156,7 @@ void run_demo(const DemoArguments& options) {
 void add_demo(CLI::App& app) {
   auto options = std::make_shared<DemoArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("demo", "Fit real data and write a report");
-  command->add_option("--data", options->data, kDataHelp);
+  add_data_option(*command, options->data);
   command->add_option("-o,--output", options->output, "Folder for the report");
   command->callback([options] {
     options->data = data_with("fits", options->data);

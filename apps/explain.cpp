@@ -6,23 +6,26 @@
 
 #include <fmt/format.h>
 
+#include "api/digits.h"
+#include "api/files.h"
 #include "apps/commands.h"
-#include "apps/digit_question.h"
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
-#include "apps/path_option.h"
-#include "api/files.h"
-#include "report/json.h"
+#include "apps/options.h"
+#include "apps/terminal.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "data/io/file_kind.h"
 #include "data/io/result_file.h"
 #include "data/io/toml_node.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
 
 struct ExplainArguments {
-  std::string file, digit, settings, path;
+  std::string file, digit, settings;
+  std::optional<Path> path;
   bool json = false;
 };
 
@@ -32,12 +35,12 @@ Explanation explain_subject_file(const ExplainArguments& options) {
   const SourceText settings = options.settings.empty()
                                   ? built_in_settings(digit)
                                   : SourceText{options.settings, read_text_file(options.settings)};
-  return explain(subject, digit, settings, path_meant(options.path));
+  return explain(subject, digit, settings, options.path.value_or(Path::kViaPoint));
 }
 
 Explanation explain_fit_file(const std::string& path) {
   Explanation explanation = explain(read_fit(path));
-  warn_unchecked(path);
+  print_warnings(checksum_warnings(path));
   Section section{"versions", "Written by", {}, {{"program", "version"}, {}}};
   const std::string prefix = "provenance/versions/";
   for (const auto& [key, texts] : read_result(path).texts)
@@ -50,7 +53,7 @@ Explanation explain_fit_file(const std::string& path) {
 Explanation explain_file(const ExplainArguments& options) {
   const FileKind kind = find_file_kind(options.file);
   if (kind == FileKind::kSubject) return explain_subject_file(options);
-  require(options.digit.empty() && options.settings.empty() && options.path.empty(),
+  require(options.digit.empty() && options.settings.empty() && !options.path,
           "--digit, --settings and --path explain subjects; '{}' is of kind: {}", options.file,
           name_of(kind));
   if (kind == FileKind::kExperiment) return explain(read_experiment(options.file));

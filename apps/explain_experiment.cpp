@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "api/posture.h"
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
-#include "api/posture.h"
 
 namespace thenar {
 namespace {

@@ -2,8 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "apps/explanation.h"
 #include "api/posture.h"
+#include "apps/explanation.h"
+#include "base/nearest_name.h"
 #include "base/provenance.h"
 #include "kinematics_fit/prediction.h"
 

@@ -4,7 +4,9 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
+#include "base/nearest_name.h"
 #include "base/units.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {

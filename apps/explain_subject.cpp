@@ -6,6 +6,7 @@
 
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
+#include "base/nearest_name.h"
 #include "tendons/explain_digit.h"
 #include "tendons/linear_tendons.h"
 

@@ -5,6 +5,7 @@
 #include "apps/explanation.h"
 #include "apps/file_summary.h"
 #include "base/units.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {

@@ -7,13 +7,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "report/table.h"
 #include "data/io/experiment.h"
 #include "data/io/net_description.h"
 #include "data/io/robot/robot.h"
 #include "data/io/subject.h"
 #include "data/io/world/world.h"
 #include "kinematics_fit/fit.h"
+#include "report/table.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {

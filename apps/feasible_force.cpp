@@ -6,18 +6,20 @@
 
 #include <memory>
 
+#include "api/posture.h"
 #include "apps/commands.h"
 #include "apps/feasible_report.h"
-#include "api/posture.h"
-#include "report/table.h"
-#include "report/json.h"
+#include "apps/options.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
 
 struct FeasibleForceArguments {
-  DigitQuestion question;
+  DigitRequest question;
   std::vector<double> direction;
   double tolerance_deg = 0;
   std::string axes = "world";
@@ -83,7 +85,7 @@ void add_feasible_force(CLI::App& app) {
   auto options = std::make_shared<FeasibleForceArguments>();
   CLI::App* command =
       app.add_subcommand("feasible-force", "The largest force of a fingertip, or all of them");
-  add_options(*command, options->question);
+  add_digit_options(*command, options->question);
   command->add_option("--direction", options->direction, "x y z of the wanted force")->expected(3);
   command->add_option("--tolerance-deg", options->tolerance_deg,
                       "Half angle of the cone the force may lie in [deg]");

@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
-#include "report/json.h"
 #include "base/units.h"
+#include "report/json.h"
+#include "report/table.h"
 #include "tendons/forces/posture_sensitivity.h"
 
 namespace thenar {

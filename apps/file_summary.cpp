@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
 #include "api/files.h"
+#include "base/nearest_name.h"
 #include "data/io/anthropometry.h"
 #include "data/io/experiment.h"
 #include "data/io/file_kind.h"
@@ -17,6 +17,7 @@
 #include "data/io/world/world.h"
 #include "geometry/solid.h"
 #include "kinematics_fit/fit.h"
+#include "report/table.h"
 #include "tendons/tendon_model.h"
 
 namespace thenar {
@@ -122,12 +123,9 @@ std::string summary(const RobotSpec& robot) {
 
 }  // namespace
 
-std::string counted(std::size_t count, const std::string& thing) {
-  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
-}
-
 std::string summarise_file(const std::string& path) {
-  warn_unchecked(path);
+  for (const std::string& warning : checksum_warnings(path))
+    fmt::print(stderr, "thenar: warning: {}\n", warning);
   switch (find_file_kind(path)) {
     case FileKind::kSubject:
       return summary(read_subject(path));

@@ -11,7 +11,4 @@ namespace thenar {
 /// @throws Error with what is wrong.
 [[nodiscard]] std::string summarise_file(const std::string& path);
 
-/// "1 joint", "2 joints".
-[[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
-
 }  // namespace thenar

@@ -10,14 +10,16 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "api/files.h"
 #include "apps/commands.h"
 #include "apps/fit_posterior.h"
 #include "apps/terminal.h"
-#include "api/files.h"
-#include "report/json.h"
 #include "base/error.h"
+#include "base/interrupt.h"
+#include "base/progress_parts.h"
 #include "kinematics_fit/cross_validation.h"
 #include "kinematics_fit/prediction.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
@@ -164,9 +166,9 @@ void run_fit(const FitArguments& options) {
     fmt::print("{}\n", json_text(summary(fit, validations)));
   else
     print_summary(fit, validations, options.output);
-  require(!fit.solution.failed, "the fit failed: {}; the file holds the best point found",
-          fit.solution.message);
-  if (interrupted()) throw Interrupted("stopped; the file holds the best point so far");
+  require(fit.solution.status != SolveStatus::kFailed,
+          "the fit failed: {}; the file holds the best point found", fit.solution.message);
+  if (interrupted()) throw Stopped("stopped; the file holds the best point so far");
 }
 
 }  // namespace

@@ -7,13 +7,14 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/output_ending.h"
+#include "api/files.h"
+#include "apps/options.h"
 #include "apps/posterior_summary.h"
 #include "apps/terminal.h"
-#include "api/files.h"
-#include "report/json.h"
 #include "base/error.h"
+#include "base/progress_parts.h"
 #include "posterior/run/posterior_file.h"
+#include "report/json.h"
 #include "sampling/run/communicator.h"
 #include "sampling/run/durable_file.h"
 
@@ -76,9 +77,9 @@ PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
 void tell(const PosteriorRun& run, const ChainOptions& options, const std::string& output,
           bool json) {
   const std::string& folder = run.settings.run.folder;
-  if (run.modes.empty()) throw Interrupted("stopped in the search for modes; nothing was written");
+  if (run.modes.empty()) throw Stopped("stopped in the search for modes; nothing was written");
   if (run.draws.draws() == 0)
-    throw Interrupted(fmt::format(
+    throw Stopped(fmt::format(
         "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
   write_posterior(run, output);
   if (json)
@@ -88,7 +89,7 @@ void tell(const PosteriorRun& run, const ChainOptions& options, const std::strin
   std::fflush(stdout);
   fmt::print(stderr, "wrote {}\n", output);
   if (!run.draws.complete)
-    throw Interrupted(fmt::format(
+    throw Stopped(fmt::format(
         "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on", output,
         run.draws.draws(), folder));
   // Chains that have not converged may be asked for more draws.

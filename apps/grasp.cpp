@@ -11,25 +11,26 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "api/data_folders.h"
+#include "apps/commands.h"
 #include "apps/grasp_measures.h"
 #include "apps/grasp_output.h"
 #include "apps/grasp_robustness.h"
-#include "apps/output_ending.h"
+#include "apps/options.h"
 #include "apps/terminal.h"
-#include "apps/schedule.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/interrupt.h"
+#include "base/progress_parts.h"
 #include "grasp/closing/closing_drives.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
 
 struct GraspArguments {
-  WorldChoice choice;
+  WorldRequest choice;
   std::string norm = "l1", out, save;
   bool approach = true, json = false, wrenches = false;
   int random = 0, edges = 0, robustness = 0;
@@ -65,7 +66,7 @@ double seconds(const GraspArguments& options) {
 GraspQuestion ask(const GraspArguments& options, const Progress& progress) {
   const bool stranger =
       !options.choice.hand.empty() && options.random > 0 && !has_hand(options.choice);
-  return stranger ? ask_stranger(options.choice, progress) : ask_world(options.choice, progress);
+  return ask_world(options.choice, stranger, progress);
 }
 
 void save(const GraspQuestion& question, const GraspAnswer& found, const std::string& path) {
@@ -84,7 +85,7 @@ void save(const GraspQuestion& question, const GraspAnswer& found, const std::st
 }
 
 void add_measures(const GraspArguments& options, const GraspQuestion& question,
-                  const CollisionHand& touching, Schedule& schedule, GraspAnswer& found) {
+                  const CollisionHand& touching, ProgressParts& schedule, GraspAnswer& found) {
   if (found.grasp.outcome != GraspOutcome::kGrasped) return;
   found.measures = std::make_shared<const GraspMeasures>(
       measure(question, touching, found, schedule.next(kMeasures)));
@@ -109,7 +110,7 @@ void warn_of_tendons(const GraspAnswer& found, NamedHand& hand) {
 
 void run_grasp(const GraspArguments& options) {
   check(options);
-  Schedule schedule(terminal_progress(), seconds(options));
+  ProgressParts schedule(terminal_progress(), seconds(options));
   GraspQuestion question = ask(options, schedule.next(kHand));
   question.limit = options.norm == "l1" ? ForceNorm::kL1 : ForceNorm::kLinf;
   question.gap = options.gap;
@@ -130,7 +131,7 @@ void run_grasp(const GraspArguments& options) {
           outcome_words(found.grasp));
   try {
     add_measures(options, question, touching, schedule, found);
-  } catch (const Interrupted&) {  // what was found until then is told
+  } catch (const Stopped&) {  // what was found until then is told
   }
   found.cpu = cpu_since(start);
   warn_of_tendons(found, question.hand.named);
@@ -143,7 +144,7 @@ void run_grasp(const GraspArguments& options) {
                        ? json_text(grasp_json(question, touching, found, options.wrenches)) + "\n"
                        : grasp_text(question, touching, found));
   if (!options.save.empty()) save(question, found, options.save);
-  if (interrupted()) throw Interrupted("stopped: this is what was found by then");
+  if (interrupted()) throw Stopped("stopped: this is what was found by then");
 }
 
 }  // namespace
@@ -161,7 +162,7 @@ void add_grasp(CLI::App& app) {
   command->add_option("--object", options->choice.object, "Which object, where there are several");
   command->add_flag("--approach,!--no-approach", options->approach,
                     "Go along the palm's direction first (default), or close where the hand is");
-  command->add_option("--data", options->choice.data, kDataHelp);
+  add_data_option(*command, options->choice.data);
   command->add_option("--way", options->way, "Farthest approach [m]");
   command->add_option("--random", options->random,
                       "Best of so many starts, drawn as in 'thenar compare'");

@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/schedule.h"
+#include "base/progress_parts.h"
 #include "grasp/contact/friction_pyramid.h"
 #include "report/answers/grasp_words.h"
 

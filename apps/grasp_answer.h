@@ -43,7 +43,7 @@ struct GraspAnswer {
 /// at it.
 /// @param way  farthest approach from the world's own start [m]; 0: the hand stays there
 /// Where progress says stop it is the best of the starts until then.
-/// @throws Interrupted where that is before the first
+/// @throws Stopped where that is before the first
 [[nodiscard]] GraspAnswer answer(const GraspQuestion& question, const CollisionHand& touching,
                                  double way, const Progress& progress = {});
 

@@ -4,14 +4,12 @@
 #include "apps/grasp_output.h"
 #include "apps/grasp_report.h"
 #include "apps/grasp_robustness.h"
-#include "report/json.h"
 #include "grasp/quality/wrench_set_mesh.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson stopped_json(const GraspQuestion& question, const CollisionHand& touching,
                          const std::vector<JointRow>& rows) {

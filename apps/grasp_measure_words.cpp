@@ -3,14 +3,12 @@
 #include <fmt/format.h>
 
 #include "apps/grasp_measures.h"
-#include "report/table.h"
-#include "report/json.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 template <typename Value, typename ToJson>
 void put(OrderedJson& json, OrderedJson& reasons, const char* key, const Measured<Value>& measured,

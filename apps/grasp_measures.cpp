@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
-#include "apps/schedule.h"
 #include "base/error.h"
+#include "base/progress_parts.h"
 #include "data/io/world/world.h"
 #include "grasp/quality/task_margin.h"
 #include "report/answers/grasp_words.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {

@@ -43,7 +43,7 @@ inline constexpr double kPadForce = 1;  // on every contact, for the stiffness o
 
 /// Measures a grasp that is one. Friction is of true cones, but for the volume, which is of the
 /// answer's wrenches. Pads are springs of pad_stiffness() under kPadForce.
-/// @throws Interrupted where progress says stop
+/// @throws Stopped where progress says stop
 [[nodiscard]] GraspMeasures measure(const GraspQuestion& question, const CollisionHand& touching,
                                     const GraspAnswer& answer, const Progress& progress = {});
 

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 #include <Eigen/SVD>
 
-#include "report/json.h"
 #include "grasp/quality/grasp_matrix.h"
 #include "grasp/quality/manipulability.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {

@@ -8,8 +8,8 @@
 #include "apps/grasp_measures.h"
 #include "apps/grasp_report.h"
 #include "apps/grasp_robustness.h"
-#include "report/table.h"
 #include "report/answers/grasp_words.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {

@@ -6,9 +6,9 @@
 #include "apps/grasp_robustness.h"
 #include "base/provenance.h"
 #include "data/io/toml_node.h"
+#include "report/page.h"
 #include "report/pages/grasp.h"
 #include "report/scene/grasp_view.h"
-#include "report/page.h"
 
 namespace thenar {
 namespace {

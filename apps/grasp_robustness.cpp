@@ -4,16 +4,14 @@
 
 #include <fmt/format.h>
 
-#include "apps/schedule.h"
-#include "report/json.h"
+#include "base/progress_parts.h"
 #include "base/units.h"
 #include "grasp/closing/approach_sampling.h"
 #include "report/answers/grasp_words.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 /// Three normal numbers of standard deviation 1, by Box and Muller.
 Eigen::Vector3d draw_normal(std::mt19937& random) {

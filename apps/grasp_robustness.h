@@ -33,7 +33,7 @@ struct GraspRobustness {
 /// turn about their line, and epsilon is near zero; real jaws would turn it flush. So of flat faces
 /// the second says how sure the grasp is before it settles. Pyramids and the gap are the
 /// question's.
-/// @throws Interrupted where progress says stop
+/// @throws Stopped where progress says stop
 [[nodiscard]] GraspRobustness robustness_of(const GraspQuestion& question,
                                             const CollisionHand& touching,
                                             const GraspAnswer& answer,

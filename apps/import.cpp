@@ -14,8 +14,7 @@
 
 #include "apps/commands.h"
 #include "apps/import_report.h"
-#include "apps/output_ending.h"
-#include "report/json.h"
+#include "apps/options.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_kind.h"
@@ -29,12 +28,12 @@
 #include "geometry/mesh_check.h"
 #include "geometry/repair_to_solid.h"
 #include "grasp/robot/infer_hand.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
 
 namespace fs = std::filesystem;
-using OrderedJson = nlohmann::ordered_json;
 
 struct ImportArguments {
   std::string file, out;

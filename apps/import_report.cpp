@@ -5,18 +5,16 @@
 
 #include <fmt/format.h>
 
-#include "report/json.h"
 #include "base/error.h"
 #include "data/io/robot/link_poses.h"
 #include "data/io/world/world.h"
 #include "geometry/mesh_check.h"
 #include "geometry/mesh_parts.h"
 #include "geometry/shape_mass.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 OrderedJson vector_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 

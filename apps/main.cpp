@@ -1,11 +1,7 @@
 // thenar: the human hand, fitted to forces. `thenar --help` lists the subcommands.
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <exception>
-#include <iostream>
 #include <string>
 #include <vector>
 
@@ -15,7 +11,9 @@
 #include "apps/terminal.h"
 #include "base/cache.h"
 #include "base/error.h"
+#include "base/interrupt.h"
 #include "base/nearest_name.h"
+#include "base/progress_parts.h"
 
 namespace thenar {
 namespace {
@@ -29,17 +27,6 @@ void require_command(const CLI::App& app, int argc, char** argv) {
   require(std::find(names.begin(), names.end(), name) != names.end(),
           "there is no command '{}'{}; `thenar --help` lists them", name,
           did_you_mean(name, names));
-}
-
-/// What was printed must have arrived: a full disk may show only now. @return the exit code
-int after_output(int code) {
-  std::cout.flush();
-  errno = 0;
-  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
-  if (written) return code;
-  const char* why = errno == 0 ? "is the disk full?" : std::strerror(errno);
-  fmt::print(stderr, "thenar: cannot write to standard output: {}\n", why);
-  return code == 0 ? 1 : code;
 }
 
 int run_command(int argc, char** argv) {
@@ -71,7 +58,7 @@ int run_command(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::RuntimeError& silent) {
     return silent.get_exit_code();
-  } catch (const Interrupted& e) {
+  } catch (const Stopped& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return exit_code_of_interruption();
   } catch (const std::exception& e) {

@@ -4,18 +4,18 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
-#include "report/provenance.h"
 #include "api/files.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "base/provenance.h"
 #include "base/units.h"
 #include "data/io/result_file.h"
-#include "tendons/muscle/trajectory_table.h"
-#include "report/pages/motion.h"
+#include "report/json.h"
 #include "report/page.h"
+#include "report/pages/motion.h"
+#include "report/provenance.h"
+#include "report/table.h"
+#include "tendons/muscle/trajectory_table.h"
 
 namespace thenar {
 namespace {
@@ -116,7 +116,7 @@ void print_text(const MotionAnswer& motion) {
                            shown(angle[last], 2), shown(angle.minCoeff(), 2),
                            shown(angle.maxCoeff(), 2), shown(t.speed(last, j) / kDegree, 2)});
   }
-  print_table("Joints", joints);
+  fmt::print("{}", titled("Joints", joints));
   Table muscles{{"muscle", "last_activation", "last_tension_N", "largest_tension_N",
                  "last_excursion_mm", "last_fibre"},
                 {}};
@@ -125,7 +125,7 @@ void print_text(const MotionAnswer& motion) {
                             shown(t.tension(last, m), 3), shown(t.tension.col(m).maxCoeff(), 3),
                             shown(t.excursion(last, m) / kMm, 3),
                             t.fibre.size() > 0 ? shown(t.fibre(last, m), 3) : "-"});
-  print_table("Muscles", muscles);
+  fmt::print("{}", titled("Muscles", muscles));
   fmt::print("tip at the end: ({}) mm\n",
              fmt::join(cells(Eigen::Vector3d(t.tip.row(last).transpose() / kMm), 2), ", "));
   fmt::print("work {:.4g} mJ, lost {:.4g} mJ; out of nothing {:.2g} mJ of {:.4g} mJ turned over\n",

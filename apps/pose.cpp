@@ -9,12 +9,14 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "api/data_folders.h"
 #include "api/hands.h"
-#include "apps/pose_report.h"
 #include "api/posture.h"
+#include "apps/commands.h"
+#include "apps/options.h"
+#include "apps/pose_report.h"
 #include "apps/robot_pose.h"
+#include "apps/terminal.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/file_kind.h"
@@ -25,7 +27,8 @@ namespace {
 
 struct PoseArguments {
   std::string subject, data;
-  std::vector<std::string> digits, posture, frozen;
+  std::vector<std::string> digits, posture;
+  PostureRequest frozen;
   bool json = false;
 };
 
@@ -41,22 +44,22 @@ void run_robot(const std::string& file, const PoseArguments& options) {
   require(options.digits.empty() && options.frozen.empty(),
           "--digit and --frozen are for subjects, '{}' is a robot", file);
   const RobotPose pose = pose_robot(import_robot(file), options.posture);
-  for (const std::string& warning : pose.warnings)
-    fmt::print(stderr, "thenar: warning: {}\n", warning);
+  print_warnings(pose.warnings);
   options.json ? print_json(pose) : print_text(pose);
 }
 
 void run_pose(const PoseArguments& options) {
   if (const std::string robot = robot_of(options); !robot.empty()) return run_robot(robot, options);
-  const Subject subject = read_subject(options.subject);
+  const SourceText source = subject_source(options.subject, options.data);
+  const Subject subject = parse_subject(source.text, source.path);
   require(!subject.joints.empty(),
           "subject '{}' has no joints to pose, only maps from tendon tensions to tip forces; ask "
           "tip-force or feasible-force",
           subject.name);
   const Skeleton skeleton =
-      build_skeleton(subject, {options.digits, parse_frozen(subject, options.frozen)});
-  const Eigen::VectorXd q = parse_posture(skeleton, options.posture);
-  warn_of_limits(skeleton, q);
+      build_skeleton(subject, {options.digits, frozen_joints(subject, options.frozen)});
+  const Eigen::VectorXd q = posture_of(skeleton, parse_posture(options.posture));
+  print_warnings(limit_warnings(skeleton, q));
   const PoseReport report = pose_report(subject, skeleton, q);
   options.json ? print_json(report) : print_text(report);
 }
@@ -74,8 +77,8 @@ void add_pose(CLI::App& app) {
   command->add_option("--posture", options->posture,
                       "JOINT=degrees ..., or degrees in joint order; others stay at 0. Of a robot "
                       "degrees of freedom or joints, slides in mm");
-  command->add_option("--frozen", options->frozen, "JOINT=degrees ...: joints welded there");
-  command->add_option("--data", options->data, kDataHelp);
+  add_frozen_option(*command, options->frozen);
+  add_data_option(*command, options->data);
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options] { run_pose(*options); });
 }

@@ -6,20 +6,20 @@
 
 #include <fmt/format.h>
 
+#include "api/files.h"
 #include "apps/commands.h"
-#include "apps/output_ending.h"
+#include "apps/options.h"
 #include "apps/posterior_summary.h"
 #include "apps/print_prediction.h"
 #include "apps/terminal.h"
-#include "report/provenance.h"
-#include "api/files.h"
-#include "report/json.h"
 #include "base/file_io.h"
 #include "kinematics_fit/experiment_plan.h"
 #include "posterior/run/posterior_file.h"
 #include "posterior/run/predict_draws.h"
-#include "report/pages/posterior_picture.h"
+#include "report/json.h"
 #include "report/page.h"
+#include "report/pages/posterior_picture.h"
+#include "report/provenance.h"
 
 namespace thenar {
 namespace {
@@ -34,7 +34,7 @@ struct PosteriorArguments {
 
 void summary(const PosteriorArguments& options) {
   const PosteriorRun run = read_posterior(options.posterior);
-  warn_unchecked(options.posterior);
+  print_warnings(checksum_warnings(options.posterior));
   if (options.json)
     fmt::print("{}\n", json_text(summary_json(run)));
   else
@@ -54,7 +54,7 @@ void plot(const PosteriorArguments& options) {
   require_ending(options.output, {".html"});
   require_writable(options.output);
   const PosteriorRun run = read_posterior(options.posterior);
-  warn_unchecked(options.posterior);
+  print_warnings(checksum_warnings(options.posterior));
   std::string title;
   for (const std::string& specimen : run.posterior->problem().specimens())
     title += (title.empty() ? "" : ", ") + specimen;
@@ -69,7 +69,7 @@ void plot(const PosteriorArguments& options) {
 
 void predict(const PosteriorArguments& options) {
   const PosteriorRun run = read_posterior(options.posterior);
-  warn_unchecked(options.posterior);
+  print_warnings(checksum_warnings(options.posterior));
   nlohmann::json out = nlohmann::json::array();
   for (const std::string& path : options.experiments) {
     const Experiment experiment = read_experiment(path);

@@ -3,17 +3,16 @@
 #include "apps/posterior_advice.h"
 #include "apps/posterior_summary.h"
 #include "posterior/run/posterior_summary.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
 
-using PlainJson = nlohmann::json;
-
-PlainJson vector_json(const Eigen::VectorXd& values) {
+Json vector_json(const Eigen::VectorXd& values) {
   return std::vector<double>(values.data(), values.data() + values.size());
 }
 
-PlainJson convergence_json(const PosteriorRun& run) {
+Json convergence_json(const PosteriorRun& run) {
   const Convergence& c = run.convergence;
   return {{"sampler", name_of(run.settings.run.method)},
           {"chains", run.draws.chains()},
@@ -34,7 +33,7 @@ PlainJson convergence_json(const PosteriorRun& run) {
           {"temper", vector_json(run.draws.beta)}};
 }
 
-PlainJson estimate_json(const PosteriorQuantity& q, const Estimate& e) {
+Json estimate_json(const PosteriorQuantity& q, const Estimate& e) {
   return {{"name", q.name},          {"unit", q.unit},
           {"mean", e.mean},          {"sd", e.sd},
           {"prior_sd", prior_sd(q)}, {"mcse_mean", e.mcse_mean},
@@ -44,8 +43,8 @@ PlainJson estimate_json(const PosteriorQuantity& q, const Estimate& e) {
           {"tail_ess", e.tail_ess}};
 }
 
-PlainJson modes_json(const PosteriorRun& run) {
-  PlainJson out = PlainJson::array();
+Json modes_json(const PosteriorRun& run) {
+  Json out = Json::array();
   for (const ModeMass& mode : run.mode_table.modes) {
     out.push_back({{"mass", mode.mass},
                    {"mcse", mode.mcse},
@@ -60,39 +59,39 @@ PlainJson modes_json(const PosteriorRun& run) {
   return out;
 }
 
-PlainJson directions_json(const LearntDirections& found) {
-  PlainJson out{{"decided", found.decided},
-                {"effective_parameters", found.effective_parameters},
-                {"directions", PlainJson::array()}};
+Json directions_json(const LearntDirections& found) {
+  Json out{{"decided", found.decided},
+           {"effective_parameters", found.effective_parameters},
+           {"directions", Json::array()}};
   for (const LearntDirection& direction : found.directions)
     out["directions"].push_back({{"sd_ratio", direction.sd_ratio}, {"text", direction.text}});
   return out;
 }
 
-PlainJson check_json(const ExperimentCheck& of) {
-  PlainJson out{{"experiment", of.prediction.experiment},
-                {"rms_error_N", of.prediction.error.rms},
-                {"relative_error", of.prediction.error.relative},
-                {"chi_square", of.check.mean_chi_square},
-                {"numbers", of.check.rank_share.size()},
-                {"p", of.check.p},
-                {"trial_p", vector_json(of.check.trial_p)},
-                {"doubts", of.check.warnings},
-                {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
+Json check_json(const ExperimentCheck& of) {
+  Json out{{"experiment", of.prediction.experiment},
+           {"rms_error_N", of.prediction.error.rms},
+           {"relative_error", of.prediction.error.relative},
+           {"chi_square", of.check.mean_chi_square},
+           {"numbers", of.check.rank_share.size()},
+           {"p", of.check.p},
+           {"trial_p", vector_json(of.check.trial_p)},
+           {"doubts", of.check.warnings},
+           {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
   for (const Coverage& coverage : of.check.coverage)
     out["coverage"].push_back(
         {{"level", coverage.level}, {"share", coverage.share}, {"error", coverage.error}});
   return out;
 }
 
-PlainJson left_out_json(const LeftOutObservations& of) {
-  PlainJson out{{"elpd", of.result.elpd},
-                {"se", of.result.se},
-                {"effective_parameters", of.result.effective_parameters},
-                {"good_k", of.result.good_k},
-                {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
-                {"doubts", of.result.warnings},
-                {"observations", PlainJson::array()}};
+Json left_out_json(const LeftOutObservations& of) {
+  Json out{{"elpd", of.result.elpd},
+           {"se", of.result.se},
+           {"effective_parameters", of.result.effective_parameters},
+           {"good_k", of.result.good_k},
+           {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
+           {"doubts", of.result.warnings},
+           {"observations", Json::array()}};
   for (std::size_t i = 0; i < of.observations.size(); ++i)
     out["observations"].push_back({{"name", of.observations[i]},
                                    {"elpd", of.result.pointwise[static_cast<Eigen::Index>(i)]},
@@ -102,10 +101,10 @@ PlainJson left_out_json(const LeftOutObservations& of) {
 
 }  // namespace
 
-PlainJson summary_json(const PosteriorRun& run) {
+Json summary_json(const PosteriorRun& run) {
   const PosteriorSummary summary = summarise_posterior(run);
-  PlainJson out = convergence_json(run);
-  out["swap_rates"] = PlainJson::array();  // of each group, coldest pair first
+  Json out = convergence_json(run);
+  out["swap_rates"] = Json::array();  // of each group, coldest pair first
   for (const auto& group : run.draws.swap_rate.colwise())
     out["swap_rates"].push_back(vector_json(group));
   for (std::size_t i = 0; i < summary.quantities.size(); ++i)

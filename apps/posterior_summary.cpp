@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 
 #include "apps/posterior_advice.h"
-#include "report/table.h"
 #include "base/error.h"
 #include "posterior/run/posterior_summary.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -64,7 +64,7 @@ void print_checks(const PosteriorSummary& summary) {
                                     fmt::format("{}", check.rank_share.size()), shown(check.p, 3)})
       table.rows.back().push_back(cell);
   }
-  print_table("forces as they would be measured again, beside those measured", table);
+  fmt::print("{}", titled("forces as they would be measured again, beside those measured", table));
   for (const ExperimentCheck& experiment : summary.experiments)
     print_doubts(experiment.prediction.experiment, experiment.check.warnings);
   fmt::print("\n");
@@ -98,7 +98,8 @@ void print_quantities(const PosteriorSummary& summary, std::size_t rows) {
                           shown(e.q05), shown(e.median), shown(e.q95), shown(e.mcse_mean),
                           shown(e.r_hat, 3), shown(e.bulk_ess, 0), shown(e.tail_ess, 0)});
   }
-  print_table(fmt::format("learnt most ({} of {})", table.rows.size(), order.size()), table);
+  fmt::print("{}",
+             titled(fmt::format("learnt most ({} of {})", table.rows.size(), order.size()), table));
 }
 
 void print_directions(const PosteriorSummary& summary, std::size_t rows) {
@@ -126,7 +127,7 @@ void print_modes(const PosteriorRun& run) {
          {shown(found.cost, 2), fmt::format("{}", found.hits), shown(found.laplace_mass, 3)})
       row.push_back(cell);
   }
-  print_table("modes, by the draws in each and by the search before", table);
+  fmt::print("{}", titled("modes, by the draws in each and by the search before", table));
   print_doubts("modes", run.mode_table.warnings);
 }
 

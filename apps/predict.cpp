@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "api/files.h"
 #include "apps/commands.h"
 #include "apps/print_prediction.h"
-#include "api/files.h"
-#include "report/json.h"
+#include "apps/terminal.h"
 #include "kinematics_fit/experiment_plan.h"
 #include "kinematics_fit/prediction.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
@@ -29,8 +30,8 @@ void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n",
 
 void run_predict(const PredictArguments& options) {
   const Fit fit = read_fit(options.fit);
-  warn_unchecked(options.fit);
-  if (fit.solution.status != Status::kSolved)
+  print_warnings(checksum_warnings(options.fit));
+  if (fit.solution.status != SolveStatus::kConverged)
     warn(fmt::format("the fit in '{}' did not converge: {}", options.fit,
                      convergence_word(fit.solution)));
   nlohmann::json out = nlohmann::json::array();

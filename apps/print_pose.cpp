@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "apps/pose_report.h"
 #include "api/posture.h"
-#include "report/table.h"
-#include "report/json.h"
+#include "apps/pose_report.h"
 #include "base/units.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -22,7 +22,7 @@ void print_joints(const PoseReport& report) {
                               cells(joint.axis, 4),
                               cells(joint.point / kMm, 2)}));
   }
-  print_table("Joints, axes in world directions", table);
+  fmt::print("{}", titled("Joints, axes in world directions", table));
 }
 
 void print_segments(const PoseReport& report) {
@@ -34,7 +34,7 @@ void print_segments(const PoseReport& report) {
         row({{segment.name, shown(Eigen::AngleAxisd(segment.X.R).angle() / kDegree, 2)},
              cells(segment.proximal / kMm, 2),
              cells(segment.distal / kMm, 2)}));
-  print_table("Segments, turned from the reference posture", table);
+  fmt::print("{}", titled("Segments, turned from the reference posture", table));
 }
 
 void print_jacobian(const TipNow& tip) {
@@ -42,7 +42,9 @@ void print_jacobian(const TipNow& tip) {
   for (std::size_t j = 0; j < tip.joints.size(); ++j)
     table.rows.push_back(
         row({{tip.joints[j]}, cells(tip.J.col(static_cast<Eigen::Index>(j)) / kMm, 2)}));
-  print_table(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table);
+  fmt::print(
+      "{}",
+      titled(fmt::format("How the {} tip moves: {}", tip.digit, mobility_in_words(tip)), table));
 }
 
 nlohmann::ordered_json json_of(const TipNow& tip) {
@@ -68,7 +70,7 @@ void print_text(const PoseReport& report) {
   Table tips{{"digit", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
   for (const TipNow& tip : report.tips)
     tips.rows.push_back(row({{tip.digit}, cells(tip.p / kMm, 2)}));
-  print_table("Tips", tips);
+  fmt::print("{}", titled("Tips", tips));
   for (const TipNow& tip : report.tips) print_jacobian(tip);
 }
 

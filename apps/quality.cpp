@@ -14,14 +14,12 @@
 
 #include "apps/commands.h"
 #include "apps/contact_answer.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 struct QualityArguments {
   std::vector<std::string> files;

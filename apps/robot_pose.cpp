@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 
 #include "apps/options.h"
-#include "report/table.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/nearest_name.h"
 #include "base/units.h"
 #include "data/io/robot/link_poses.h"
 #include "grasp/robot/infer_hand.h"
 #include "grasp/robot/robot_tips.h"
+#include "report/json.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -177,7 +177,7 @@ void print_text(const RobotPose& pose) {
     joints.rows.push_back(
         row({{name, value_text(joint)}, cells(joint.axis, 4), cells(joint.point / kMm, 2)}));
   }
-  print_table("Joints, axes in directions of the base link", joints);
+  fmt::print("{}", titled("Joints, axes in directions of the base link", joints));
   Table links{{"link", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz"}, {}};
   for (const RobotLinkNow& link : pose.links) {
     const Eigen::Quaterniond q(link.X_BL.R);
@@ -186,11 +186,11 @@ void print_text(const RobotPose& pose) {
                               {shown(q.w(), 5)},
                               cells(Eigen::Vector3d(q.vec()), 5)}));
   }
-  print_table("Links, frames in the base link", links);
+  fmt::print("{}", titled("Links, frames in the base link", links));
   Table tips{{"digit", "link", "tip_x_mm", "tip_y_mm", "tip_z_mm"}, {}};
   for (const RobotTipNow& tip : pose.tips)
     tips.rows.push_back(row({{tip.digit, tip.link}, cells(tip.p / kMm, 2)}));
-  if (!pose.tips.empty()) print_table("Tips", tips);
+  if (!pose.tips.empty()) fmt::print("{}", titled("Tips", tips));
 }
 
 void print_json(const RobotPose& pose) {

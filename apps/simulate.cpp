@@ -9,42 +9,34 @@
 #include <algorithm>
 #include <memory>
 
+#include "api/digits.h"
+#include "api/files.h"
+#include "api/posture.h"
 #include "apps/commands.h"
-#include "apps/digit_question.h"
 #include "apps/motion_output.h"
 #include "apps/options.h"
-#include "api/digits.h"
-#include "apps/path_option.h"
-#include "api/posture.h"
-#include "report/table.h"
 #include "apps/terminal.h"
-#include "api/files.h"
-#include "report/json.h"
 #include "base/error.h"
+#include "base/nearest_name.h"
+#include "base/progress_parts.h"
+#include "base/rung_names.h"
+#include "report/json.h"
+#include "report/table.h"
 #include "tendons/net/build_tendons.h"
 
 namespace thenar {
 namespace {
 
 struct SimulateArguments {
-  std::string subject, digit, net, excitation_file, output;
-  std::vector<std::string> posture, frozen, excitation, tendon_slack;
-  std::string muscle = "rigid-tendon", hood, path;
+  DigitRequest digit;
+  std::string excitation_file, output;
+  std::vector<std::string> excitation, tendon_slack;
+  Muscle muscle = Muscle::kRigidTendon;
   std::vector<double> gravity;
   double seconds = 1, sample_ms = 5, tolerance = 1e-6;
   double damping = JointResistance().damping, blend = kBlend;
   bool json = false;
 };
-
-const std::map<std::string, Muscle> kMuscles{{"bounds", Muscle::kBounds},
-                                             {"rigid-tendon", Muscle::kRigidTendon},
-                                             {"elastic-tendon", Muscle::kElasticTendon}};
-template <typename Rung>
-std::vector<std::string> names_of(const std::map<std::string, Rung>& rungs) {
-  std::vector<std::string> names;
-  for (const auto& [name, rung] : rungs) names.push_back(name);
-  return names;
-}
 
 /// Slack lengths of tendons that the subject does not state, or others.
 void set_slack(Subject& subject, const std::vector<std::string>& texts) {
@@ -63,15 +55,13 @@ void set_slack(Subject& subject, const std::vector<std::string>& texts) {
 
 /// A net that is named means that the hood is one.
 std::unique_ptr<DigitTendons> tendons_of(const Subject& subject, const SimulateArguments& options) {
+  const DigitRequest& request = options.digit;
   TendonOptions rungs;
-  const std::string name = net_meant(options.hood, options.net);
-  if (!name.empty())
-    rungs.hood = Hood::kFloatingNet;
-  else if (!options.hood.empty())
-    rungs.hood = kHoods.at(options.hood);
-  rungs.frozen = parse_frozen(subject, options.frozen);
-  rungs.path = path_meant(options.path);
-  const std::string digit = choose_digit(subject, options.digit);
+  const std::string name = net_meant(request.hood, request.net);
+  rungs.hood = name.empty() ? request.hood.value_or(rungs.hood) : Hood::kFloatingNet;
+  rungs.frozen = frozen_joints(subject, request.frozen);
+  rungs.path = request.path.value_or(Path::kViaPoint);
+  const std::string digit = choose_digit(subject, request.digit);
   if (name.empty()) return build_digit_tendons(subject, digit, rungs);
   const NetDescription net = find_net(name);
   return build_digit_tendons(subject, digit, rungs, &net);
@@ -99,17 +89,17 @@ Trajectory trajectory_of(const SimulateArguments& options, const Subject& subjec
   const std::vector<std::string>& muscles = digit.names.muscles;
   require(!muscles.empty(), "no muscle of subject '{}' crosses a free joint of this digit",
           subject.name);
-  const Muscle rung = kMuscles.at(options.muscle);
+  const Muscle rung = options.muscle;
   const auto contraction = build_contraction(musculotendons(subject, digit, rung), rung);
   MotionModel model{tendons, *contraction};
   model.gravity = gravity_of(options);
   model.resistance.damping = options.damping;
   model.blend = options.blend;
 
-  const MotionStart start{parse_posture(digit.skeleton, options.posture),
+  const MotionStart start{posture_of(digit.skeleton, options.digit.posture),
                           {},
                           Eigen::VectorXd::Zero(static_cast<Eigen::Index>(muscles.size()))};
-  warn_of_limits(digit.skeleton, start.q);
+  print_warnings(limit_warnings(digit.skeleton, start.q));
   SimulateOptions how;
   how.seconds = options.seconds;
   how.sample = 1e-3 * options.sample_ms;
@@ -137,20 +127,20 @@ void require_end(const Trajectory& trajectory) {
 
 void run_simulate(const SimulateArguments& options) {
   if (!options.output.empty()) require_motion_path(options.output);
-  const SourceText source = read_source(options.subject);
+  const SourceText source = subject_source(options.digit.subject, options.digit.data);
   Subject subject = parse_subject(source.text, source.path);
   set_slack(subject, options.tendon_slack);
   const std::unique_ptr<DigitTendons> tendons = tendons_of(subject, options);
   const Trajectory trajectory = trajectory_of(options, subject, *tendons);
 
   MotionAnswer motion{subject.name,
-                      choose_digit(subject, options.digit),
+                      choose_digit(subject, options.digit.digit),
                       *tendons,
                       trajectory,
                       {{source.path, source.text}}};
   if (!options.excitation_file.empty())
     motion.inputs[options.excitation_file] = read_source(options.excitation_file).text;
-  const std::string net_name = net_meant(options.hood, options.net);
+  const std::string net_name = net_meant(options.digit.hood, options.digit.net);
   if (!net_name.empty()) {
     const SourceText net = net_source(net_name);
     motion.inputs[net.path] = net.text;
@@ -167,18 +157,14 @@ void run_simulate(const SimulateArguments& options) {
     fmt::print(stderr, "thenar: warning: {}\n", trajectory.warning);
   require_end(trajectory);
   if (trajectory.status == MotionStatus::kStopped)
-    throw Interrupted(fmt::format("stopped; all up to then is {}",
-                                  options.output.empty() ? "above" : "in " + options.output));
+    throw Stopped(fmt::format("stopped; all up to then is {}",
+                              options.output.empty() ? "above" : "in " + options.output));
 }
 
 void add_rungs(CLI::App& command, SimulateArguments& options) {
-  command.add_option("--muscle", options.muscle, "bounds, rigid-tendon or elastic-tendon")
-      ->check(CLI::IsMember(names_of(kMuscles)));
-  command.add_option("--hood", options.hood, "separate, fractions (default) or net")
-      ->check(CLI::IsMember(names_of(kHoods)));
-  add_path_option(command, options.path);
-  command.add_option("--net", options.net,
-                     "Name or file (TOML) of a net, winslow if left out; means --hood net");
+  command.add_option_function<std::string>(
+      "--muscle", [&options](const std::string& name) { options.muscle = muscle_named(name); },
+      "Muscles: " + listed(muscle_names()) + "; rigid-tendon if left out");
   command.add_option("--tendon-slack", options.tendon_slack,
                      "MUSCLE=mm ...: slack lengths of tendons, for elastic ones");
   command
@@ -199,11 +185,7 @@ void add_rungs(CLI::App& command, SimulateArguments& options) {
 void add_simulate(CLI::App& app) {
   auto options = std::make_shared<SimulateArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("simulate", "How a digit moves when muscles are excited");
-  command->add_option("subject", options->subject, "Subject file (TOML)")->required();
-  command->add_option("--digit", options->digit, "thumb, index, middle, ring or little");
-  command->add_option("--posture", options->posture,
-                      "Where it starts: JOINT=degrees ..., or degrees in joint order");
-  command->add_option("--frozen", options->frozen, "JOINT=degrees ...: joints welded there");
+  add_tendon_options(*command, options->digit, "fractions");
   command->add_option("--excitation", options->excitation, "MUSCLE=0..1 ..., from the start on");
   command->add_option("--excitation-file", options->excitation_file,
                       "CSV time_s,MUSCLE,...: straight lines between its rows");

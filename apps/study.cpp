@@ -6,17 +6,19 @@
 
 #include <fmt/format.h>
 
-#include "apps/commands.h"
 #include "api/data_folders.h"
-#include "apps/output_ending.h"
-#include "report/table.h"
+#include "apps/commands.h"
+#include "apps/options.h"
 #include "apps/terminal.h"
-#include "report/provenance.h"
-#include "report/json.h"
 #include "base/file_io.h"
+#include "base/interrupt.h"
+#include "base/progress_parts.h"
 #include "base/units.h"
+#include "report/json.h"
 #include "report/page.h"
 #include "report/pages/thumb_study.h"
+#include "report/provenance.h"
+#include "report/table.h"
 
 namespace thenar {
 namespace {
@@ -97,7 +99,7 @@ void print_study(const ThumbStudy& study) {
          shown(fit.tasks.torque, 3), shown(100 * fit.tasks.explained, 0),
          shown(fit.left_out.elpd, 1), fmt::format("{}", fit.run.modes.size()),
          shown(fit.run.convergence.worst_r_hat, 4), fit.converged() ? "yes" : "NO"});
-  print_table("Thumbs fitted to forces of a skewed one", table);
+  fmt::print("{}", titled("Thumbs fitted to forces of a skewed one", table));
 }
 
 Json provenance(const ThumbStudy& study, const StudyArguments& options) {
@@ -139,8 +141,7 @@ void run_thumb(const StudyArguments& options) {
     fmt::print("{}\n", json_text(study_json(study, calibration)));
   else
     print_study(study);
-  if (!study.complete || interrupted())
-    throw Interrupted("stopped; what was finished by then is kept");
+  if (!study.complete || interrupted()) throw Stopped("stopped; what was finished by then is kept");
   std::size_t doubtful = 0;
   for (const ThumbFit& fit : study.fits)
     if (!fit.converged()) ++doubtful;
@@ -158,7 +159,7 @@ void add_study(CLI::App& app) {
   CLI::App* thumb = study->add_subcommand(
       "thumb", "Do forces tell skewed thumb axes from orthogonal ones, and which of them?");
   thumb->add_option("-o,--output", options->output, "Report (HTML)");
-  thumb->add_option("--data", options->data, kDataHelp);
+  add_data_option(*thumb, options->data);
   thumb->add_option("--draws", options->draws, "Of each of 4 chains, and warm-up (0: as set)")
       ->check(CLI::NonNegativeNumber);
   thumb

@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
-#include "report/table.h"
-#include "report/json.h"
 #include "base/units.h"
+#include "report/json.h"
+#include "report/table.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/net/band_course.h"
 
@@ -77,7 +77,7 @@ void print_net(const TendonCase& at, const DigitPoint& point) {
     bands.rows.push_back({row.name, row.from, row.to, shown(row.length, 3),
                           std::isfinite(row.slack) ? shown(row.slack, 3) : "-",
                           shown(row.tension, 4), row.state});
-  print_table("Bands", bands);
+  fmt::print("{}", titled("Bands", bands));
 
   Table nodes{{"floating_node", "x_mm", "y_mm", "z_mm"}, {}};
   for (std::size_t i = 0; i < net.nodes.size(); ++i)
@@ -85,14 +85,14 @@ void print_net(const TendonCase& at, const DigitPoint& point) {
       nodes.rows.push_back(
           row({{net.nodes[i].name},
                cells((point.rest.x.col(static_cast<Eigen::Index>(i)) / kMm).eval(), 3)}));
-  print_table("Where the net lies, subject's frame", nodes);
+  fmt::print("{}", titled("Where the net lies, subject's frame", nodes));
 
   Table contacts{{"node", "surface", "force_N"}, {}};
   for (const NetContact& contact : point.rest.contacts)
     contacts.rows.push_back({net.nodes[static_cast<std::size_t>(contact.node)].name,
                              net.surfaces[static_cast<std::size_t>(contact.surface)].name,
                              shown(contact.force, 4)});
-  print_table("Nodes pressed on bone", contacts);
+  fmt::print("{}", titled("Nodes pressed on bone", contacts));
 }
 
 }  // namespace
@@ -150,32 +150,35 @@ nlohmann::ordered_json json_of(const TendonCase& at, const DigitPoint& point) {
 void print_text(const TendonCase& at, const DigitPoint& point) {
   const TendonNames& names = at.bones().names;
   Table posture{names.coordinates, {cells((point.q / kDegree).eval(), 2)}};
-  print_table("Posture [deg]", posture);
+  fmt::print("{}", titled("Posture [deg]", posture));
   if (at.net != nullptr) print_net(at, point);
 
   const SlipTension& slips = point.pull.slips;
   const double ratio = slip_ratio(slips);
   if (at.net != nullptr || at.bones().model.hood)
-    print_table("Slips of the hood",
-                {{"central_N", "radial_N", "ulnar_N", "terminal_N", "terminal/central"},
-                 {{shown(slips.central, 4), shown(slips.radial, 4), shown(slips.ulnar, 4),
-                   shown(slips.terminal, 4), std::isfinite(ratio) ? shown(ratio, 4) : "-"}}});
+    fmt::print(
+        "{}", titled("Slips of the hood",
+                     {{"central_N", "radial_N", "ulnar_N", "terminal_N", "terminal/central"},
+                      {{shown(slips.central, 4), shown(slips.radial, 4), shown(slips.ulnar, 4),
+                        shown(slips.terminal, 4), std::isfinite(ratio) ? shown(ratio, 4) : "-"}}}));
 
   Table torque{{"joint", "N_mm", "left_N_mm"}, {}};
   for (std::size_t i = 0; i < names.coordinates.size(); ++i)
     torque.rows.push_back({names.coordinates[i],
                            shown(point.pull.tau[static_cast<Eigen::Index>(i)] / kNmm, 4),
                            shown(point.tip.tau_residual[static_cast<Eigen::Index>(i)] / kNmm, 4)});
-  print_table(
-      "Joint torque of all tendons, flexion positive; left: what no force of the tip balances",
-      torque);
+  fmt::print(
+      "{}",
+      titled(
+          "Joint torque of all tendons, flexion positive; left: what no force of the tip balances",
+          torque));
 
   Table force{{"axes", "1_N", "2_N", "3_N", "magnitude_N"}, {}};
   const double size = point.tip.f_W.norm();
   force.rows.push_back(row({{"world x y z"}, cells(point.tip.f_W, 4), {shown(size, 4)}}));
   force.rows.push_back(
       row({{"proximal dorsal radial"}, cells(force_in_tip_axes(at, point), 4), {shown(size, 4)}}));
-  print_table("Force of the tip on the world, hold pinned", force);
+  fmt::print("{}", titled("Force of the tip on the world, hold pinned", force));
   fmt::print("condition: {:.4g}\n", point.tip.condition);
   if (const std::string note = tip_note(point.tip); !note.empty()) fmt::print("note: {}\n", note);
   if (at.net != nullptr)

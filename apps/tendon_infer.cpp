@@ -11,31 +11,34 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "apps/commands.h"
 #include "api/digits.h"
-#include "apps/output_ending.h"
-#include "apps/path_option.h"
-#include "report/table.h"
-#include "apps/terminal.h"
-#include "report/provenance.h"
 #include "api/files.h"
+#include "apps/commands.h"
+#include "apps/options.h"
 #include "apps/tendon_commands.h"
-#include "report/json.h"
+#include "apps/terminal.h"
 #include "base/file_io.h"
+#include "base/interrupt.h"
+#include "base/nearest_name.h"
+#include "base/progress_parts.h"
 #include "kinematics_fit/net_records.h"
+#include "report/blocks.h"
+#include "report/json.h"
+#include "report/page.h"
+#include "report/provenance.h"
+#include "report/table.h"
 #include "tendons/net/build_tendons.h"
 #include "tendons/net/net_tendons.h"
 #include "tendons/topology/search_nets.h"
 #include "tendons/topology/select_bands.h"
-#include "report/blocks.h"
-#include "report/page.h"
 
 namespace thenar {
 namespace {
 
 struct TendonInferArguments {
   std::string experiment, subject, output;
-  std::string net = "winslow", path;
+  std::string net = "winslow";
+  std::optional<Path> path;
   std::string method = "sparse";
   int propose = 3;
   unsigned seed = 1;
@@ -67,7 +70,7 @@ Case read_case(const TendonInferArguments& options) {
   const Subject subject = parse_subject(person.text, person.path);
   TendonOptions tendons;
   tendons.hood = Hood::kFloatingNet;
-  tendons.path = path_meant(options.path);
+  tendons.path = options.path.value_or(Path::kViaPoint);
   const NetDescription net = parse_net(bands.text, bands.path);
   const auto built = build_digit_tendons(subject, at.experiment.digit, tendons, &net);
   const auto& netted = dynamic_cast<const NetTendons&>(*built);
@@ -181,7 +184,7 @@ void print_text(const Case& at, const NetAnswer& answer, const TendonInferArgume
   fmt::print("{} topologies tried, {} fit alike, {} directions of stiffness are not felt\n\n",
              net.tried, net.alike.size(), net.blind.size());
   if (!answer.stop.empty()) fmt::print("the search ended: {}\n\n", answer.stop);
-  print_table("Bands", table_of(net));
+  fmt::print("{}", titled("Bands", table_of(net)));
   for (const std::string& doubt : doubts_of(answer)) fmt::print("{}\n", doubt);
   for (const BandGroup& group : net.groups) {
     std::vector<std::string> names;
@@ -191,7 +194,7 @@ void print_text(const Case& at, const NetAnswer& answer, const TendonInferArgume
   Table next{{"test", "disagreement"}, {}};
   for (int i = 0; i < std::min<int>(options.propose, static_cast<int>(answer.next.size())); ++i)
     next.rows.push_back({at.pool[answer.next[i].test].name, shown(answer.next[i].disagreement, 2)});
-  print_table("Measure next (tensions in N)", next);
+  fmt::print("{}", titled("Measure next (tensions in N)", next));
 }
 
 void write_page(const Case& at, const NetAnswer& answer, const TendonInferArguments& options) {
@@ -242,7 +245,7 @@ void run_tendon_infer(const TendonInferArguments& options) {
   else
     print_text(at, answer, options);
   if (!options.output.empty()) write_page(at, answer, options);
-  if (interrupted()) throw Interrupted("stopped: these are the verdicts of what was tried so far");
+  if (interrupted()) throw Stopped("stopped: these are the verdicts of what was tried so far");
 }
 
 }  // namespace

@@ -7,13 +7,13 @@
 
 #include <fmt/format.h>
 
-#include "apps/output_ending.h"
+#include "apps/options.h"
 #include "apps/tendon_answer.h"
 #include "apps/tendon_commands.h"
 #include "apps/tendon_report.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
@@ -28,10 +28,10 @@ void run_tendon_solve(const TendonSolveArguments& options) {
   require_ending(options.output, {".html"});
   if (!options.output.empty()) require_writable(options.output);
   const TendonCase at = find_tendons(options.question);
-  const std::vector<DigitPoint> points = sweep_digit(*at.tendons, {at.q}, at.t);
+  const std::vector<DigitPoint> points = sweep_digit(*at.tendons, at.grid.postures, at.t);
   const DigitPoint& point = points.front();
   if (options.json) {
-    nlohmann::ordered_json json = json_header(at);
+    OrderedJson json = json_header(at);
     json.update(json_of(at, point));
     fmt::print("{}\n", json_text(json));
   } else {

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "apps/tendon_answer.h"
-#include "report/json.h"
 #include "base/units.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {

@@ -1,38 +1,27 @@
 #include "apps/terminal.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
-#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <memory>
-#include <string>
 
 #include <fmt/format.h>
 #include <unistd.h>
+
+#include "base/interrupt.h"
 
 namespace thenar {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// A signal handler can reach nothing but globals, and call hardly more than write().
-volatile std::sig_atomic_t g_signal = 0;
-char g_answer[1024];
-std::size_t g_answer_size = 0;
-
-void on_interrupt(int signal) {
-  if (g_signal == 0 && write(STDERR_FILENO, g_answer, g_answer_size) < 0) {
-    // Nobody reads: there is nothing else to do about it here.
-  }
-  g_signal = signal;
-  std::signal(signal, SIG_DFL);
-}
-
 /// What a signal is answered with.
-void prepare_answer(const std::string& kept) {
-  const std::string text =
-      fmt::format("{}thenar: stopping{}{}; Ctrl-C again ends at once\n",
-                  isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
-  g_answer_size = text.copy(g_answer, sizeof(g_answer));
+std::string answer_to_signal(const std::string& kept) {
+  return fmt::format("{}thenar: stopping{}{}; Ctrl-C again ends at once\n",
+                     isatty(STDERR_FILENO) == 0 ? "" : "\r\033[K", kept.empty() ? "" : ": ", kept);
 }
 
 /// Draws at most ten times a second, and wipes its line when it goes.
@@ -82,8 +71,7 @@ class Bar {
 }  // namespace
 
 Progress terminal_progress(const std::string& kept) {
-  prepare_answer(kept);
-  for (const int signal : {SIGINT, SIGTERM}) std::signal(signal, on_interrupt);
+  catch_interrupts(answer_to_signal(kept));
   Progress progress;
   progress.stop_requested = interrupted;
   if (isatty(STDERR_FILENO) == 0) return progress;
@@ -93,8 +81,18 @@ Progress terminal_progress(const std::string& kept) {
   return progress;
 }
 
-bool interrupted() { return g_signal != 0; }
+void print_warnings(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "thenar: warning: {}\n", warning);
+}
 
-int exit_code_of_interruption() { return 128 + (interrupted() ? g_signal : SIGINT); }
+int after_output(int code) {
+  std::cout.flush();
+  errno = 0;
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  if (written) return code;
+  const char* why = errno == 0 ? "is the disk full?" : std::strerror(errno);
+  fmt::print(stderr, "thenar: cannot write to standard output: {}\n", why);
+  return code == 0 ? 1 : code;
+}
 
 }  // namespace thenar

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <csignal>
-#include <string>
+/// What the command says beside its answer: a progress bar, warnings, the end of its output.
 
-#include "base/error.h"
+#include <string>
+#include <vector>
+
 #include "base/progress.h"
 
 namespace thenar {
@@ -14,36 +15,11 @@ namespace thenar {
 ///              kept; empty: nothing is said of it
 [[nodiscard]] Progress terminal_progress(const std::string& kept = "");
 
-/// For as long as it lives, Ctrl-C and SIGTERM end the program at once, whatever
-/// terminal_progress() had asked for; then as before. For work that keeps nothing and asks nobody
-/// whether to stop.
-class SignalsEndAtOnce {
- public:
-  SignalsEndAtOnce()
-      : interrupt_(std::signal(SIGINT, SIG_DFL)), terminate_(std::signal(SIGTERM, SIG_DFL)) {}
-  ~SignalsEndAtOnce() {
-    if (interrupt_ != SIG_ERR) std::signal(SIGINT, interrupt_);
-    if (terminate_ != SIG_ERR) std::signal(SIGTERM, terminate_);
-  }
-  SignalsEndAtOnce(const SignalsEndAtOnce&) = delete;
-  SignalsEndAtOnce& operator=(const SignalsEndAtOnce&) = delete;
+/// A line "thenar: warning: .." on stderr for each; to be called before the answer is printed.
+void print_warnings(const std::vector<std::string>& warnings);
 
- private:
-  using Handler = void (*)(int);
-  Handler interrupt_, terminate_;
-};
-
-/// Was Ctrl-C pressed, or SIGTERM sent?
-[[nodiscard]] bool interrupted();
-
-/// As shells say of a program that a signal ended: 130 after Ctrl-C, also where another process of
-/// the run was told to stop; 143 after SIGTERM.
-[[nodiscard]] int exit_code_of_interruption();
-
-/// Thrown by a command that a signal cut short, after it has saved what it had.
-class Interrupted : public Error {
- public:
-  using Error::Error;
-};
+/// What was printed must have arrived: a full disk may show only now.
+/// @param code  the exit code so far  @return the exit code
+[[nodiscard]] int after_output(int code);
 
 }  // namespace thenar

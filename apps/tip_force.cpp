@@ -11,10 +11,10 @@
 #include "apps/commands.h"
 #include "apps/digit_question.h"
 #include "apps/options.h"
-#include "report/table.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "report/json.h"
+#include "report/table.h"
 #include "tendons/forces/posture_sensitivity.h"
 #include "tendons/forces/tip_wrench.h"
 
@@ -22,7 +22,7 @@ namespace thenar {
 namespace {
 
 struct TipForceArguments {
-  DigitQuestion question;
+  DigitRequest question;
   std::vector<std::string> tension;
   std::string hold = "pinned";
   double hold_length_mm = 1e3 * TipWrenchOptions().length;
@@ -100,20 +100,21 @@ void print_text(const TipForceArguments& options, const DigitAtPosture& at,
   };
   add(at.map.empty() ? "world x y z" : "map x y z", answer.force);
   if (at.tip_axes) add("proximal dorsal radial", at.tip_axes->transpose() * answer.force);
-  print_table(at.map.empty() ? fmt::format("Force of the tip on the world, hold {}", options.hold)
-                             : "Force of the tip on the world",
-              force);
+  fmt::print("{}", titled(at.map.empty()
+                              ? fmt::format("Force of the tip on the world, hold {}", options.hold)
+                              : "Force of the tip on the world",
+                          force));
 
   if (options.hold == "rigid")
-    print_table("Moment of the tip on the world, about the tip, world axes",
-                {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(answer.moment / kNmm, 3)}});
+    fmt::print("{}", titled("Moment of the tip on the world, about the tip, world axes",
+                            {{"x_N_mm", "y_N_mm", "z_N_mm"}, {cells(answer.moment / kNmm, 3)}}));
   // A map's first rows are forces, balanced exactly; the rest are moments the tip must pass on.
   Table left{{at.map.empty() ? "joint" : "moment", "N_mm"}, {}};
   for (std::size_t i = at.map.empty() ? 0 : 3; i < at.rows.size(); ++i)
     left.rows.push_back({at.rows[i], shown(answer.left[static_cast<Eigen::Index>(i)] / kNmm, 4)});
-  print_table(at.map.empty() ? "Joint torque left over, that no tip load balances"
-                             : "Moment at the tip, that the hold must carry",
-              left);
+  fmt::print("{}", titled(at.map.empty() ? "Joint torque left over, that no tip load balances"
+                                         : "Moment at the tip, that the hold must carry",
+                          left));
   if (at.map.empty())
     fmt::print("condition: {:.4g}\nsize of the force's change, {}\n", answer.condition,
                change_line(at, answer.change));
@@ -139,7 +140,7 @@ void run_tip_force(const TipForceArguments& options) {
 void add_tip_force(CLI::App& app) {
   auto options = std::make_shared<TipForceArguments>();
   CLI::App* command = app.add_subcommand("tip-force", "Force of a fingertip from tendon tensions");
-  add_options(*command, options->question);
+  add_digit_options(*command, options->question);
   command->add_option("--tension", options->tension, "MUSCLE=newton ...; others are slack")
       ->required();
   command->add_option("--hold", options->hold, "pinned: no moment; rigid: clamped")

@@ -10,9 +10,9 @@
 
 #include "apps/commands.h"
 #include "apps/file_summary.h"
-#include "report/json.h"
 #include "base/error.h"
 #include "base/file_io.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {

@@ -4,6 +4,9 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
 
 namespace thenar {
 
@@ -39,6 +42,19 @@ std::string nearest_name(const std::string& wanted, const std::vector<std::strin
 std::string did_you_mean(const std::string& wanted, const std::vector<std::string>& names) {
   const std::string best = nearest_name(wanted, names);
   return best.empty() ? "" : fmt::format(", did you mean '{}'?", best);
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::size_t index_of_name(const std::string& name, const std::vector<std::string>& names,
+                          const std::string& kind) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const std::string meant = did_you_mean(name, names);
+  throw InputError(fmt::format("no {} '{}'{} there are {}", kind, name, meant.empty() ? ";" : meant,
+                               listed(names)));
 }
 
 }  // namespace thenar

@@ -1,7 +1,8 @@
 #pragma once
 
-/// Suggestions for misspelt names.
+/// Names that were typed: looked up in a list, and what a misspelt one was meant to be.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -18,5 +19,15 @@ namespace thenar {
 /// ", did you mean 'x'?" with the nearest name, or "" if nothing is alike.
 [[nodiscard]] std::string did_you_mean(const std::string& wanted,
                                        const std::vector<std::string>& names);
+
+/// "a, b, c", or "none".
+[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+
+/// Where `name` stands in `names`.
+/// @param kind  how the message calls a name: "muscle"
+/// @throws InputError "no muscle 'FPD', did you mean 'FDP'? there are FDP, FDS" if it is not there.
+[[nodiscard]] std::size_t index_of_name(const std::string& name,
+                                        const std::vector<std::string>& names,
+                                        const std::string& kind);
 
 }  // namespace thenar

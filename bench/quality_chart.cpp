@@ -11,9 +11,9 @@
 #include "bench/chart_main.h"
 #include "grasp/contact/friction_pyramid.h"
 #include "grasp/quality/epsilon.h"
+#include "report/blocks.h"
 #include "tests/grasp/quality/qhull_hull.h"
 #include "tests/grasp/quality/random_grasps.h"
-#include "report/blocks.h"
 
 namespace thenar::bench {
 namespace {

@@ -1,5 +1,11 @@
 #include "report/blocks.h"
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
 namespace thenar {
 
 Json section(const std::string& id, const std::string& title, const std::string& text,
@@ -11,9 +17,9 @@ Json text_block(const std::string& text) { return {{"type", "text"}, {"text", te
 
 Json row_block(Json blocks) { return {{"type", "row"}, {"blocks", std::move(blocks)}}; }
 
-Json table_block(const std::string& caption, const std::vector<Column>& columns, Json rows) {
+Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns, Json rows) {
   Json heads = Json::array();
-  for (const Column& column : columns) {
+  for (const BlockColumn& column : columns) {
     Json head{{"name", column.name}};
     if (!column.unit.empty()) head["unit"] = column.unit;
     if (column.digits >= 0) head["digits"] = column.digits;
@@ -26,8 +32,28 @@ Json layer(const std::string& name, const std::string& color, Json items) {
   return {{"name", name}, {"color", color}, {"items", std::move(items)}};
 }
 
-Json in_mm(const Eigen::Vector3d& p) { return list(1000 * p); }
+Json in_mm(const Eigen::Vector3d& p) { return numbers3(1000 * p); }
 
-Json list(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json numbers3(const Eigen::Vector3d& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most) {
+  std::vector<Eigen::Index> chosen;
+  const Eigen::Index wanted = std::min(count, most);
+  for (Eigen::Index k = 0; k < wanted; ++k) chosen.push_back(k * count / wanted);
+  return chosen;
+}
+
+Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale) {
+  const bool usable = std::isfinite(scale) && scale > 0;
+  const int decimals =
+      usable ? std::clamp(3 - static_cast<int>(std::floor(std::log10(scale))), 0, 15) : 6;
+  Json list = Json::array();
+  for (const double value : values)
+    if (std::isfinite(value))
+      list.push_back(std::stod(fmt::format("{:.{}f}", value, decimals)));
+    else
+      list.push_back(nullptr);
+  return list;
+}
 
 }  // namespace thenar

@@ -2,24 +2,17 @@
 
 /// The blocks of a report as JSON; what each may hold is in viewer/README.md.
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
-#include <nlohmann/json.hpp>
+
+#include "report/json.h"
 
 namespace thenar {
 
-using Json = nlohmann::json;
-
-/// The number; null where it is not finite.
-[[nodiscard]] inline Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
-
 /// A column of a table.
-struct Column {
+struct BlockColumn {
   std::string name;
   std::string unit;  // empty: none
   int digits = -1;   // after the point; -1: four significant
@@ -29,7 +22,7 @@ struct Column {
                            Json blocks);
 [[nodiscard]] Json text_block(const std::string& text);
 [[nodiscard]] Json row_block(Json blocks);
-[[nodiscard]] Json table_block(const std::string& caption, const std::vector<Column>& columns,
+[[nodiscard]] Json table_block(const std::string& caption, const std::vector<BlockColumn>& columns,
                                Json rows);
 
 /// A layer of a scene: what is drawn in one colour, and shown and hidden as one.
@@ -38,6 +31,12 @@ struct Column {
 /// [x, y, z] in millimetres, from metres.
 [[nodiscard]] Json in_mm(const Eigen::Vector3d& p);
 /// [x, y, z] as it is.
-[[nodiscard]] Json list(const Eigen::Vector3d& v);
+[[nodiscard]] Json numbers3(const Eigen::Vector3d& v);
+
+/// Indices 0 .. count - 1, at most `most` of them, evenly spread.
+[[nodiscard]] std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most);
+
+/// A list of numbers, with no more digits than matter at this scale: four of `scale` itself.
+[[nodiscard]] Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
 
 }  // namespace thenar

@@ -2,6 +2,7 @@
 
 /// Vectors, matrices and named numbers as JSON, and JSON as text. Infinite numbers become null.
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,18 @@
 
 namespace thenar {
 
+using Json = nlohmann::json;                 // members in alphabetic order: pages
+using OrderedJson = nlohmann::ordered_json;  // members in the order they were added: answers
+
+/// The number; null where it is not finite.
+[[nodiscard]] inline Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json();
+}
+
 /// A vector as a list, a matrix as a list of rows.
 template <typename Derived>
-[[nodiscard]] nlohmann::json to_json(const Eigen::MatrixBase<Derived>& values) {
-  nlohmann::json list = nlohmann::json::array();
+[[nodiscard]] Json to_json(const Eigen::MatrixBase<Derived>& values) {
+  Json list = Json::array();
   if constexpr (Derived::IsVectorAtCompileTime) {
     for (Eigen::Index i = 0; i < values.size(); ++i) list.push_back(values(i));
   } else {
@@ -24,9 +33,9 @@ template <typename Derived>
 
 /// {"FDP": 10, ...} in the order of the names.
 template <typename Derived>
-[[nodiscard]] nlohmann::ordered_json to_json(const std::vector<std::string>& names,
-                                             const Eigen::MatrixBase<Derived>& values) {
-  nlohmann::ordered_json object = nlohmann::ordered_json::object();
+[[nodiscard]] OrderedJson to_json(const std::vector<std::string>& names,
+                                  const Eigen::MatrixBase<Derived>& values) {
+  OrderedJson object = OrderedJson::object();
   for (std::size_t i = 0; i < names.size(); ++i)
     object[names[i]] = values(static_cast<Eigen::Index>(i));
   return object;
@@ -34,9 +43,9 @@ template <typename Derived>
 
 /// JSON as text. Bytes that are not UTF-8, as in names of files of others, become U+FFFD.
 /// @param indent  spaces a level; -1: all on one line
-template <typename Json>
-[[nodiscard]] std::string json_text(const Json& json, int indent = 2) {
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+template <typename AnyJson>
+[[nodiscard]] std::string json_text(const AnyJson& json, int indent = 2) {
+  return json.dump(indent, ' ', false, AnyJson::error_handler_t::replace);
 }
 
 }  // namespace thenar

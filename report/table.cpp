@@ -39,6 +39,14 @@ void add_line(const std::vector<std::string>& cells, const std::vector<TextColum
   text += line + "\n";
 }
 
+/// A cell as it is, or between quotes, with its own quotes doubled.
+std::string csv_cell(const std::string& cell) {
+  if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? "\"\"" : std::string(1, c);
+  return quoted + "\"";
+}
+
 }  // namespace
 
 std::string aligned(const Table& table) {
@@ -50,9 +58,19 @@ std::string aligned(const Table& table) {
   return text;
 }
 
-void print_table(const std::string& title, const Table& table) {
-  if (table.rows.empty()) return;
-  fmt::print("{}\n{}\n", title, aligned(table));
+std::string titled(const std::string& title, const Table& table) {
+  return table.rows.empty() ? "" : fmt::format("{}\n{}\n", title, aligned(table));
+}
+
+std::string csv(const Table& table) {
+  std::string text;
+  const auto add = [&text](const std::vector<std::string>& cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c) text += (c > 0 ? "," : "") + csv_cell(cells[c]);
+    text += "\n";
+  };
+  add(table.header);
+  for (const auto& cells : table.rows) add(cells);
+  return text;
 }
 
 std::string shown(double value, int decimals) {
@@ -70,8 +88,8 @@ std::vector<std::string> row(const std::vector<std::vector<std::string>>& parts)
   return result;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  return names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "));
+std::string counted(std::size_t count, const std::string& thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
 }
 
 }  // namespace thenar

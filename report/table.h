@@ -1,7 +1,8 @@
 #pragma once
 
-/// Plain aligned text for people.
+/// Tables as plain aligned text for people, and as CSV.
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,12 @@ struct Table {
 /// The table with columns two blanks apart; columns of numbers are flush right.
 [[nodiscard]] std::string aligned(const Table& table);
 
-/// aligned() on stdout, with a title above and an empty line below; nothing if there are no rows.
-void print_table(const std::string& title, const Table& table);
+/// aligned() with a title above and an empty line below; "" if there are no rows.
+[[nodiscard]] std::string titled(const std::string& title, const Table& table);
+
+/// The table as CSV: commas, one line a row, cells with commas, quotes or line ends in quotes.
+/// Source: RFC 4180, but for line ends, which are LF.
+[[nodiscard]] std::string csv(const Table& table);
 
 /// A number with so many decimals: never "-0.00"; "inf" where infinite.
 [[nodiscard]] std::string shown(double value, int decimals);
@@ -42,7 +47,7 @@ template <typename Vector>
   return text.empty() ? "-" : text;
 }
 
-/// "a, b, c", or "none".
-[[nodiscard]] std::string listed(const std::vector<std::string>& names);
+/// "1 thing", "2 things".
+[[nodiscard]] std::string counted(std::size_t count, const std::string& thing);
 
 }  // namespace thenar

@@ -59,14 +59,24 @@ MAY_SEE |= {
 }
 LIBRARIES = list(MAY_SEE)
 MAY_SEE["thenar"] = LIBRARIES  # the header of all public headers
+# The questions that a person asks, and their answers as words, tables, JSON and pages.
+REPORT = LIBRARIES + ["api", "report"]
+PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]
 MAY_SEE |= {
-    "viewer": LIBRARIES,
-    "apps": LIBRARIES + ["viewer"],
-    "python": LIBRARIES,
-    "bench": LIBRARIES + ["tests", "viewer"],  # the sample scenes; charts
-    "tests": LIBRARIES + ["viewer", "apps/contact_file.h", "apps/compare_file.h", "data/io/json_node.h"],
+    "api": LIBRARIES,
+    "report": LIBRARIES + ["api"],
+    "report/scene": REPORT,
+    "report/draws": REPORT,
+    "report/answers": REPORT,
+    "report/explain": REPORT,
+    "report/pages": PAGES,
+    "apps": PAGES + ["report/explain", "report/pages"],  # of LIBRARIES only base, once all ask api
+    "python": LIBRARIES + ["api"],
+    "server": LIBRARIES + ["api"],
+    "bench": PAGES + ["report/pages", "tests"],  # charts; the sample scenes
+    "tests": PAGES + ["report/explain", "report/pages", "apps/contact_file.h", "apps/compare_file.h"],
 }
-WITH_SUBFOLDERS = ["sampling/run", "viewer", "apps", "bench", "tests"]  # folders that are one floor
+WITH_SUBFOLDERS = ["sampling/run", "apps", "bench", "tests"]  # folders that are one floor
 
 # Third parties, and the only files that may include them. A folder's name allows the folder.
 FENCES = {
@@ -94,7 +104,7 @@ FENCES = {
     r"openssl/.*": ["base/provenance.cpp"],
     r"unsupported/Eigen/FFT": ["sampling/diagnostics/autocovariance.cpp"],
     r"unsupported/Eigen/SpecialFunctions": ["base/special_functions.cpp"],
-    r"nlohmann/.*": ["viewer/", "apps/", "tests/"],
+    r"nlohmann/.*": ["report/", "apps/", "data/io/json_text", "data/io/json_node.cpp", "tests/", "bench/"],
     r"CLI/.*": ["apps/"],
     r"benchmark/.*": ["bench/"],
     r"mujoco/.*": ["bench/peers/"],

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
-
-#include <fmt/format.h>
 
 #include "base/numbers.h"
 #include "sampling/diagnostics/autocovariance.h"
 #include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
+
 Eigen::MatrixXd rank_counts(const Eigen::Ref<const Eigen::MatrixXd>& x, int bins) {
   const Eigen::MatrixXd ranks = average_ranks(x);  // 1 .. N
   const auto total = static_cast<double>(x.size());
@@ -47,26 +45,6 @@ CountBand rank_band(double draws, double chains, int bins, double tau) {
       total > 1 ? tau * draws * p * (1 - p) * (total - draws) / (total - 1) : 0.0;
   const double mean = draws * p, reach = 1.96 * std::sqrt(variance);
   return {std::max(0.0, mean - reach), std::min(draws, mean + reach)};
-}
-
-std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most) {
-  std::vector<Eigen::Index> chosen;
-  const Eigen::Index wanted = std::min(count, most);
-  for (Eigen::Index k = 0; k < wanted; ++k) chosen.push_back(k * count / wanted);
-  return chosen;
-}
-
-Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale) {
-  const bool usable = std::isfinite(scale) && scale > 0;
-  const int decimals =
-      usable ? std::clamp(3 - static_cast<int>(std::floor(std::log10(scale))), 0, 15) : 6;
-  Json list = Json::array();
-  for (const double value : values)
-    if (std::isfinite(value))
-      list.push_back(std::stod(fmt::format("{:.{}f}", value, decimals)));
-    else
-      list.push_back(nullptr);
-  return list;
 }
 
 bool worse(double a, double b) { return std::isnan(a) ? !std::isnan(b) : a > b; }

@@ -35,12 +35,6 @@ struct CountBand {
 /// @param tau    steps that a chain needs to forget [1]
 [[nodiscard]] CountBand rank_band(double draws, double chains, int bins, double tau);
 
-/// Indices 0 .. count - 1, at most `most` of them, evenly spread.
-[[nodiscard]] std::vector<Eigen::Index> spread(Eigen::Index count, Eigen::Index most);
-
-/// A list of numbers, with no more digits than matter at this scale: four of `scale` itself.
-[[nodiscard]] Json rounded(const Eigen::Ref<const Eigen::VectorXd>& values, double scale);
-
 /// Whether R-hat a stands before b where the worst comes first; NaN is the worst.
 [[nodiscard]] bool worse(double a, double b);
 

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "sampling/diagnostics/split_chains.h"
 #include "report/draws/chains.h"
 #include "report/draws/draws.h"
+#include "sampling/diagnostics/split_chains.h"
 
 namespace thenar {
 namespace {

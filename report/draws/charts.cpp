@@ -1,12 +1,13 @@
+#include "report/draws/charts.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "report/blocks.h"
 #include "sampling/diagnostics/uniform_ranks.h"
-#include "report/draws/chains.h"
-#include "report/pages/posterior.h"
 
 namespace thenar {
 namespace {

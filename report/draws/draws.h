@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "sampling/diagnostics/convergence.h"
 #include "report/blocks.h"
+#include "sampling/diagnostics/convergence.h"
 
 namespace thenar {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "sampling/diagnostics/order_statistics.h"
 #include "report/draws/draws.h"
+#include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
 namespace {

@@ -1,3 +1,5 @@
+#include "report/draws/modes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -5,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "report/pages/posterior.h"
 
 namespace thenar {
 namespace {
@@ -59,11 +60,11 @@ Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities,
                    [](const ModeMeans& a, const ModeMeans& b) { return a.apart > b.apart; });
   means.resize(std::min(most, means.size()));
 
-  std::vector<Column> columns{{"mode", "", 0},
-                              {"share of draws", "%", 1},
-                              {"MCSE", "%", 1},
-                              {"of each chain", "%"},
-                              {"crossings", "", 0}};
+  std::vector<BlockColumn> columns{{"mode", "", 0},
+                                   {"share of draws", "%", 1},
+                                   {"MCSE", "%", 1},
+                                   {"of each chain", "%"},
+                                   {"crossings", "", 0}};
   for (const ModeMeans& of : means)
     columns.push_back({of.quantity->name, of.quantity->unit == "1" ? "" : of.quantity->unit});
   Json rows = Json::array();

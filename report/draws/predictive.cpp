@@ -1,11 +1,12 @@
+#include "report/draws/predictive.h"
+
 #include <algorithm>
 
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "report/blocks.h"
 #include "sampling/diagnostics/order_statistics.h"
-#include "report/draws/chains.h"
-#include "report/pages/posterior.h"
 
 namespace thenar {
 namespace {

@@ -66,7 +66,7 @@ Json best_picture(const HandOnObject& cell, const Scene& scene, const ComparePic
   const Eigen::Vector3d eye =
       view_of_contacts(hand, scene, best.contacts, {eye_for(*picture.drawn, best), up, -kPi / 2});
   Json block = thumbnail_block(caption, eye, std::move(layers));
-  block["up"] = list(up);
+  block["up"] = numbers3(up);
   return block;
 }
 
@@ -133,7 +133,7 @@ Json hands_section(const std::vector<ComparePicture>& pictures, MeshTable& meshe
         fmt::format("{}: {} coordinates, {} actuators", picture.hand,
                     hand.layout().coordinates.size(), hand.layout().actuators.size()),
         palm + 0.35 * up + 0.25 * palm.cross(up), hand_layers(shown, meshes));
-    block["up"] = list(up);  // the side of the light: else palms that look down are dark
+    block["up"] = numbers3(up);  // the side of the light: else palms that look down are dark
     blocks.push_back(std::move(block));
   }
   Json row = row_block(std::move(blocks));

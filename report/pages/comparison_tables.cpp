@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "sampling/diagnostics/order_statistics.h"
 #include "report/answers/comparison.h"
+#include "sampling/diagnostics/order_statistics.h"
 
 namespace thenar {
 namespace {
@@ -83,7 +83,7 @@ Json banner(const Comparison& comparison) {
 /// Hands down, objects across.
 Json matrix(const Comparison& comparison, const std::string& caption, int digits,
             const std::function<Json(const HandOnObject&)>& value) {
-  std::vector<Column> columns{{"hand", "", -1}};
+  std::vector<BlockColumn> columns{{"hand", "", -1}};
   for (const std::string& object : comparison.objects) columns.push_back({object, "", digits});
   Json rows = Json::array();
   for (const std::string& hand : comparison.hands) {
@@ -98,8 +98,8 @@ Json matrix(const Comparison& comparison, const std::string& caption, int digits
 }
 
 /// Tasks with a load, and how it counts.
-std::vector<Column> load_columns(const Comparison& comparison) {
-  std::vector<Column> columns;
+std::vector<BlockColumn> load_columns(const Comparison& comparison) {
+  std::vector<BlockColumn> columns;
   for (const std::string& name : comparison.tasks) {
     const GraspTask task = grasp_task(name);
     if (task == GraspTask::kHoldWeight) columns.push_back({name, "weights", 1});
@@ -109,26 +109,27 @@ std::vector<Column> load_columns(const Comparison& comparison) {
   return columns;
 }
 
-Json success_row(const HandOnObject& cell, const std::vector<Column>& loads) {
+Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads) {
   Json row = Json::array(
       {cell.hand, cell.object, 100 * cell.success,
        fmt::format("{:.0f} to {:.0f}", 100 * cell.interval.lower, 100 * cell.interval.upper),
        finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
        finite(cell.min_grasp_force())});
-  for (const Column& column : loads) row.push_back(load(cell.load(grasp_task(column.name)).max));
+  for (const BlockColumn& column : loads)
+    row.push_back(load(cell.load(grasp_task(column.name)).most));
   return row;
 }
 
 Json all_cells(const Comparison& comparison) {
-  std::vector<Column> columns{{"hand", "", -1},
-                              {"object", "", -1},
-                              {"closed", "%", 0},
-                              {"95 % interval", "%", -1},
-                              {"epsilon, median", "", 3},
-                              {"epsilon, best", "", 3},
-                              {"of the hand, best", "N", 2},
-                              {"squeeze to hold", "N", 2}};
-  const std::vector<Column> loads = load_columns(comparison);
+  std::vector<BlockColumn> columns{{"hand", "", -1},
+                                   {"object", "", -1},
+                                   {"closed", "%", 0},
+                                   {"95 % interval", "%", -1},
+                                   {"epsilon, median", "", 3},
+                                   {"epsilon, best", "", 3},
+                                   {"of the hand, best", "N", 2},
+                                   {"squeeze to hold", "N", 2}};
+  const std::vector<BlockColumn> loads = load_columns(comparison);
   columns.insert(columns.end(), loads.begin(), loads.end());
   Json rows = Json::array();
   for (const HandOnObject& cell : comparison.cells) rows.push_back(success_row(cell, loads));

@@ -2,8 +2,8 @@
 
 /// A digit in motion: its angles, tensions and energy over time, and itself at some instants.
 
-#include "tendons/muscle/simulate.h"
 #include "report/blocks.h"
+#include "tendons/muscle/simulate.h"
 
 namespace thenar {
 

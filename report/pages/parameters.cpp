@@ -5,8 +5,8 @@
 
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/specimen_model.h"
-#include "report/scene/digit_layers.h"
 #include "report/pages/fit.h"
+#include "report/scene/digit_layers.h"
 
 namespace thenar {
 namespace {

@@ -9,35 +9,13 @@
 #include <string>
 #include <vector>
 
-#include "data/io/experiment.h"
-#include "posterior/run/posterior_summary.h"
-#include "sampling/diagnostics/modes.h"
-#include "report/scene/axis_cloud.h"
+#include "report/draws/charts.h"
 #include "report/draws/draws.h"
+#include "report/draws/modes.h"
+#include "report/draws/predictive.h"
+#include "report/scene/axis_cloud.h"
 
 namespace thenar {
-
-/// Simulation-based calibration: ranks of true values among draws of simulated data.
-struct CalibrationRanks {
-  std::vector<std::string> names;     // of the quantities (quantities)
-  Eigen::MatrixXi rank;               // 0 .. draws (quantities, simulations)
-  int draws = 0;                      // of each simulation
-  std::vector<std::string> warnings;  // to doubt the sampler, as RankCalibration::warnings
-};
-
-/// Predicted and measured forces of one experiment.
-struct PredictedForces {
-  Experiment experiment;
-  Eigen::MatrixXd replicated;  // with noise, one column a draw [N] (3 trials, draws)
-  std::string what;            // "H01, in sample": the caption starts with it
-};
-
-/// The error of one sampler as it runs.
-struct SamplerCourse {
-  std::string name;
-  std::vector<double> seconds;  // wall time, warm-up included [s] (points)
-  std::vector<double> error;    // of the posterior mean, in posterior sds, RMS over entries [1]
-};
 
 /// All that is known of a posterior.
 struct PosteriorPicture {
@@ -61,30 +39,6 @@ struct PosteriorPicture {
 
 /// A banner that cannot be overlooked if the run has not converged, and a quiet line if it has.
 [[nodiscard]] Json convergence_banner(const Convergence& convergence, const std::string& run);
-
-/// Share of the draws in each mode, how often chains cross, and means of the quantities that tell
-/// the modes apart best, in their units.
-/// @param quantities  of the same draws and chains as the table
-/// @param most        quantities shown
-/// @throws InputError if a quantity has other draws than the table.
-[[nodiscard]] Json mode_table(const ModeTable& modes, const std::vector<Quantity>& quantities,
-                              std::size_t most = 4);
-
-/// Measured components over posterior predictive 50 and 95 % intervals, by posture and tendon.
-/// @throws InputError if `replicated` has not three rows a trial.
-[[nodiscard]] Json predictive_block(const PredictedForces& predicted);
-
-/// Pareto k of every observation, those above the limit by name.
-/// @throws InputError if there is not one name for each.
-[[nodiscard]] Json pareto_chart(const LeftOutObservations& left_out);
-
-/// Empirical distribution of ranks less the uniform one, over the band that holds 95 % of such
-/// curves whole. Curves that leave it are named, the others are drawn alike.
-/// @throws InputError if names and ranks disagree.  Source: [Sailynoja2022].
-[[nodiscard]] Json calibration_chart(const CalibrationRanks& calibration);
-
-/// Error over time on logarithmic axes, one line a sampler.
-[[nodiscard]] Json sampler_chart(const std::vector<SamplerCourse>& samplers);
 
 /// The sections of a report. The first has the banner; if the run has not converged, all others say
 /// so too.

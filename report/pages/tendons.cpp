@@ -101,8 +101,8 @@ Json scene_of(const TendonSweep& sweep, const NetTendons& net, const DigitPoint&
   return {{"type", "scene"},
           {"caption", title(sweep, point) + (point.snapped ? "; the net has just snapped" : "") +
                           (point.pull.warning.empty() ? "" : "; " + point.pull.warning)},
-          {"up", list(palm.dorsal)},
-          {"view", list(view)},
+          {"up", numbers3(palm.dorsal)},
+          {"view", numbers3(view)},
           {"link", "net"},
           {"color_scale",
            {{"label", "tension [N]"}, {"low", 0}, {"high", highest}, {"dashed", "slack"}}},
@@ -150,7 +150,7 @@ double above_rounding(double tension) { return tension < 1e-6 ? 0 : tension; }
 
 /// Bands by posture.
 Json band_table(const TendonSweep& sweep, const Net& net, const std::vector<std::size_t>& shown) {
-  std::vector<Column> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
+  std::vector<BlockColumn> columns{{"band", "", -1}, {"from", "", -1}, {"to", "", -1}};
   for (const std::size_t i : shown) columns.push_back({title(sweep, sweep.points[i]), "N", 3});
   Json rows = Json::array();
   for (std::size_t k = 0; k < net.bands.size(); ++k) {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "tendons/net/posture_sweep.h"
 #include "report/blocks.h"
+#include "tendons/net/posture_sweep.h"
 
 namespace thenar {
 

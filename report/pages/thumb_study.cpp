@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "base/units.h"
-#include "report/scene/axis_cloud.h"
 #include "report/pages/posterior.h"
+#include "report/scene/axis_cloud.h"
 
 namespace thenar {
 namespace {
@@ -118,20 +118,20 @@ Json clouds_block(const ThumbStudy& study) {
 }  // namespace
 
 Json thumb_comparison_table(const ThumbStudy& study) {
-  const std::vector<Column> columns{{"thumb", ""},
-                                    {"pulls misdirected", "deg", 1},
-                                    {"sd", "deg", 1},
-                                    {"off the truth", "%", 1},
-                                    {"tasks misdirected", "deg", 1},
-                                    {"sd", "deg", 1},
-                                    {"torque left", "N m", 3},
-                                    {"sd", "N m", 3},
-                                    {"explained", "%", 0},
-                                    {"elpd gained", "", 1},
-                                    {"se", "", 1},
-                                    {"Pareto k too large", "", 0},
-                                    {"R-hat", "", 4},
-                                    {"chains agree", ""}};
+  const std::vector<BlockColumn> columns{{"thumb", ""},
+                                         {"pulls misdirected", "deg", 1},
+                                         {"sd", "deg", 1},
+                                         {"off the truth", "%", 1},
+                                         {"tasks misdirected", "deg", 1},
+                                         {"sd", "deg", 1},
+                                         {"torque left", "N m", 3},
+                                         {"sd", "N m", 3},
+                                         {"explained", "%", 0},
+                                         {"elpd gained", "", 1},
+                                         {"se", "", 1},
+                                         {"Pareto k too large", "", 0},
+                                         {"R-hat", "", 4},
+                                         {"chains agree", ""}};
   Json rows = Json::array();
   for (const ThumbReference& reference : study.references) {
     rows.push_back(reference_row(

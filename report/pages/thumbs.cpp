@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "report/scene/digit_layers.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/forces/max_tip_force.h"
 #include "tendons/tendon_model.h"
-#include "report/scene/digit_layers.h"
 
 namespace thenar {
 namespace {
@@ -70,7 +70,7 @@ Json thumb_page(const std::vector<ThumbCase>& cases) {
     scenes.push_back(scene(thumb));
     rows.push_back(row(thumb));
   }
-  std::vector<Column> columns{
+  std::vector<BlockColumn> columns{
       {"thumb", "", -1}, {"dimension", "", 0}, {"corners", "", 0}, {"volume", "N\u00b3", 0}};
   for (const char* direction : kDirectionNames) columns.push_back({direction, "N", 1});
   return section(

@@ -89,7 +89,7 @@ Json axes_layer() {
   for (int k = 0; k < 3; ++k)
     items.push_back({{"kind", "arrow"},
                      {"from", Json::array({0, 0, 0})},
-                     {"vector", list(1.15 * Eigen::Vector3d::Unit(k))},
+                     {"vector", numbers3(1.15 * Eigen::Vector3d::Unit(k))},
                      {"radius", 0.008},
                      {"label", std::string(1, "xyz"[k])}});
   return {{"name", "axes"}, {"color", kShadow}, {"items", items}};

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "kinematics_fit/predict_forces.h"
 #include "kinematics_fit/specimen_model.h"
-#include "report/draws/chains.h"
+#include "report/blocks.h"
 #include "report/scene/digit_layers.h"
 
 namespace thenar {
@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLength = 0.03;   // of an axis as drawn [m]
 constexpr double kOpacity = 0.12;  // of one line of a cloud [1]
-const char* const kColors[] = {"#0072b2", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9"};
+const char* const kCloudColors[] = {"#0072b2", "#d55e00", "#cc79a7", "#e69f00", "#56b4e9"};
 
 /// Ends of one axis of a digit, a tenth of a millimetre exact.
 Json ends(const Eigen::Vector3d& point, const Eigen::Vector3d& axis) {
@@ -64,7 +64,7 @@ Json axis_cloud_scene(const TendonDigit& start, const Eigen::VectorXd& q,
   Json layers = Json::array({bone_layer(start, q, "#b8a48a"),
                              axis_layer(start, q, "axes before", "#777777", kLength, true)});
   for (std::size_t k = 0; k < clouds.size(); ++k)
-    layers.push_back(cloud_layer(start, q, clouds[k], kColors[k % std::size(kColors)]));
+    layers.push_back(cloud_layer(start, q, clouds[k], kCloudColors[k % std::size(kCloudColors)]));
   if (truth) {
     TendonDigit true_digit = start;
     true_digit.model = *truth;

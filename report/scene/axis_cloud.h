@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "kinematics_fit/fit_parameters.h"
-#include "tendons/tendon_model.h"
 #include "report/blocks.h"
+#include "tendons/tendon_model.h"
 
 namespace thenar {
 

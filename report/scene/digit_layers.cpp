@@ -46,7 +46,7 @@ Json axis_layer(const TendonDigit& digit, const Eigen::VectorXd& q, const std::s
   for (std::size_t i = 0; i < state.size(); ++i) {
     Json item{{"kind", "axis"},
               {"point", in_mm(points[i])},
-              {"direction", list(state[i].axis)},
+              {"direction", numbers3(state[i].axis)},
               {"length", 1000 * length}};
     if (labelled) item["label"] = digit.names.hinges[i];
     items.push_back(std::move(item));
@@ -77,7 +77,7 @@ Json force_set_layer(const TendonDigit& digit, const Eigen::VectorXd& q,
   const Eigen::Vector3d tip = tip_of(digit.model, pose_tree(digit.model.tree, q));
   Json vertices = Json::array(), faces = Json::array();
   for (Eigen::Index i = 0; i < set.vertices.rows(); ++i)
-    vertices.push_back(list(1000 * tip + mm_per_N * set.vertices.row(i).transpose()));
+    vertices.push_back(numbers3(1000 * tip + mm_per_N * set.vertices.row(i).transpose()));
   for (Eigen::Index i = 0; i < set.triangles.rows(); ++i)
     faces.push_back({set.triangles(i, 0), set.triangles(i, 1), set.triangles(i, 2)});
   return layer("feasible forces", color,

@@ -2,9 +2,9 @@
 
 /// A digit as layers of a 3D scene: bones, joint axes, tendons, forces.
 
+#include "report/blocks.h"
 #include "tendons/forces/feasible_force_set.h"
 #include "tendons/tendon_model.h"
-#include "report/blocks.h"
 
 namespace thenar {
 

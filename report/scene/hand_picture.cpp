@@ -61,7 +61,7 @@ MeshLook look_of(const LinkSurface& surface, const std::vector<SkinPatch>& patch
 }
 
 Json rows_of(const Eigen::Matrix3d& R) {
-  return Json::array({list(R.row(0)), list(R.row(1)), list(R.row(2))});
+  return Json::array({numbers3(R.row(0)), numbers3(R.row(1)), numbers3(R.row(2))});
 }
 
 Json mesh_item(const std::string& mesh, const Pose<double>& X) {
@@ -141,8 +141,10 @@ Json contact_layers(const std::vector<HandContact>& contacts, const Pose<double>
 }
 
 Json picture_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {
-  return {
-      {"type", "scene"}, {"caption", caption}, {"view", list(view)}, {"layers", std::move(layers)}};
+  return {{"type", "scene"},
+          {"caption", caption},
+          {"view", numbers3(view)},
+          {"layers", std::move(layers)}};
 }
 
 Json thumbnail_block(const std::string& caption, const Eigen::Vector3d& view, Json layers) {

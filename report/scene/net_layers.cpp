@@ -56,9 +56,9 @@ Json surface_layer(const NetTendons& tendons, const TreeState<double>& state) {
     const Pose<double> X = surface_pose(surface, state);
     items.push_back({{"kind", "surface"},
                      {"shape", shape_name(surface.shape)},
-                     {"size", list(1e3 * surface.size)},
+                     {"size", numbers3(1e3 * surface.size)},
                      {"center", in_mm(X.p)},
-                     {"axes", {list(X.R.col(0)), list(X.R.col(1)), list(X.R.col(2))}}});
+                     {"axes", {numbers3(X.R.col(0)), numbers3(X.R.col(1)), numbers3(X.R.col(2))}}});
   }
   return layer("surfaces of bones", "#a08f70", items);
 }

@@ -2,8 +2,8 @@
 
 /// An extensor net at rest as layers of a 3D scene.
 
-#include "tendons/net/net_tendons.h"
 #include "report/blocks.h"
+#include "tendons/net/net_tendons.h"
 
 namespace thenar {
 

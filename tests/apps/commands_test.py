@@ -361,7 +361,7 @@ class Simulate(Near):
 
     def test_complaints_name_what_is_missing(self):
         self.assertEqual(complaint("simulate", INDEX, "--excitation", "FPL=1"),
-                         "thenar: no muscle 'FPL'; there are EDC, EIP, FDP, FDS, RI, LU, UI")
+                         "thenar: no muscle 'FPL', did you mean 'FDP'? there are EDC, EIP, FDP, FDS, RI, LU, UI")
         self.assertIn("muscle 'EDC' of subject 'an_chao_index' needs 'tendon_slack_mm'",
                       complaint("simulate", INDEX, "--excitation", "FDP=1", "--muscle",
                                 "elastic-tendon"))
@@ -502,7 +502,7 @@ class Tendon(Near):
             self.assertIn("color_scale", path.read_text())
 
     def test_complaints(self):
-        self.assertIn("there is no net 'winslo', nor a file of that name; nets: chao_an",
+        self.assertIn("there is no net 'winslo', nor a file of that name, did you mean 'winslow'? nets: chao_an",
                       complaint("tendon", "solve", SYNEK, "--net", "winslo", *self.EDC))
         self.assertIn("wanted from:to:step [deg], got '5'",
                       complaint("tendon", "sweep", SYNEK, *self.EDC, "--vary", "PIP3=5"))
@@ -672,7 +672,7 @@ class Complaints(unittest.TestCase):
         posed = ("pose", MIDDLE)
         cases = [
             (("pose", MIDDLE, "--posture", "PIP=3"),
-             "no free joint 'PIP'; there are MCP3_FE, MCP3_AA, PIP3, DIP3"),
+             "no free joint 'PIP', did you mean 'PIP3'? there are MCP3_FE, MCP3_AA, PIP3, DIP3"),
             ((*posed, "--posture", 1, 2),
              "wanted 4 angles [deg], of MCP3_FE, MCP3_AA, PIP3, DIP3, got 2"),
             ((*posed, "--posture", "PIP3=ten"), "wanted JOINT=degrees for 'PIP3', got 'ten'"),
@@ -683,7 +683,7 @@ class Complaints(unittest.TestCase):
              "subject 'valero_cuevas_index' has no joints to pose, only maps from tendon tensions "
              "to tip forces; ask tip-force or feasible-force"),
             (("tip-force", MIDDLE, "--tension", "FPD=1"),
-             "no muscle 'FPD'; there are EDC, FDP, FDS, RI, LU, UI"),
+             "no muscle 'FPD', did you mean 'FDP'? there are EDC, FDP, FDS, RI, LU, UI"),
             (("tip-force", MIDDLE, "--tension", "FDP=-1"),
              "wanted a tension >= 0 of 'FDP', got -1 N"),
             (("tip-force", WHOLE, "--tension", "FDP=1"),

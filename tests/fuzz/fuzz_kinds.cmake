@@ -4,7 +4,5 @@ add_library(thenar_fuzz_kinds INTERFACE)
 target_sources(thenar_fuzz_kinds INTERFACE
   ${CMAKE_CURRENT_LIST_DIR}/fuzz_kinds.cpp
   ${PROJECT_SOURCE_DIR}/apps/compare_file.cpp ${PROJECT_SOURCE_DIR}/apps/contact_doubts.cpp
-  ${PROJECT_SOURCE_DIR}/apps/contact_file.cpp ${PROJECT_SOURCE_DIR}/apps/json_line.cpp
-  ${PROJECT_SOURCE_DIR}/apps/read_source.cpp ${PROJECT_SOURCE_DIR}/viewer/compare_words.cpp)
-target_link_libraries(thenar_fuzz_kinds INTERFACE
-  thenar::mesh_io thenar::robot_io thenar::world_io thenar::compare)
+  ${PROJECT_SOURCE_DIR}/apps/contact_file.cpp)
+target_link_libraries(thenar_fuzz_kinds INTERFACE thenar::report_answers)

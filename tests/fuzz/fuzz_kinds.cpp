@@ -7,7 +7,6 @@
 
 #include "apps/compare_file.h"
 #include "apps/contact_file.h"
-#include "data/io/json_node.h"
 #include "base/error.h"
 #include "base/file_io.h"
 #include "data/io/anthropometry.h"
@@ -16,6 +15,7 @@
 #include "data/io/file_kind.h"
 #include "data/io/fit_settings.h"
 #include "data/io/inference_file.h"
+#include "data/io/json_text.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/net_description.h"
 #include "data/io/result_file.h"

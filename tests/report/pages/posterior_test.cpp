@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "tests/report/quantity_samples.h"
 #include "report/page.h"
+#include "tests/report/quantity_samples.h"
 
 namespace thenar {
 namespace {

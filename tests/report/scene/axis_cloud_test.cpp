@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "tests/kinematics_fit/fit_samples.h"
 #include "report/scene/digit_layers.h"
+#include "tests/kinematics_fit/fit_samples.h"
 
 namespace thenar {
 namespace {

@@ -1,15 +1,14 @@
-#include "apps/schedule.h"
+#include "base/progress_parts.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "apps/terminal.h"
-
 namespace thenar {
 
-Schedule::Schedule(Progress whole, double seconds) : whole_(std::move(whole)), seconds_(seconds) {}
+ProgressParts::ProgressParts(Progress whole, double seconds)
+    : whole_(std::move(whole)), seconds_(seconds) {}
 
-Progress Schedule::next(double seconds) {
+Progress ProgressParts::next(double seconds) {
   const double from = done_ / seconds_, share = seconds / seconds_;
   done_ += seconds;
   Progress part = whole_;
@@ -20,7 +19,7 @@ Progress Schedule::next(double seconds) {
 }
 
 void report_or_stop(const Progress& progress, double fraction, const std::string& what) {
-  if (progress.stop()) throw Interrupted("stopped before: " + what);
+  if (progress.stop()) throw Stopped("stopped before: " + what);
   progress(fraction, what);
 }
 

@@ -1,9 +1,11 @@
-#include "data/io/json_node.h"
+#include "data/io/json_text.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "data/io/file_guard.h"

@@ -1,11 +1,11 @@
 #pragma once
 
-/// Where in a JSON text a value stands, for messages about it.
+/// JSON texts, parsed strictly, and the lines on which their values stand, for messages about them.
 
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 namespace thenar {
 

@@ -1,0 +1,58 @@
+#include "base/run_record.h"
+
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "base/error.h"
+#include "base/source_commit.h"  // written by the build
+
+namespace thenar {
+namespace {
+
+/// Seconds since 1970 that the environment asks for; the clock's without.
+std::time_t time_of_run() {
+  const char* asked = std::getenv("SOURCE_DATE_EPOCH");
+  if (asked == nullptr || *asked == '\0') return std::time(nullptr);
+  constexpr std::size_t kLongest = 11;  // digits: some three thousand years
+  const std::string text = asked;
+  require(text.size() <= kLongest && text.find_first_not_of("0123456789") == std::string::npos,
+          "SOURCE_DATE_EPOCH: wanted whole seconds since 1970, got '{}'", text);
+  return static_cast<std::time_t>(std::stoll(text));
+}
+
+std::string utc(std::time_t time) {
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  return fmt::format("{:04d}-{:02d}-{:02d}T{:02d}:{:02d}:{:02d}Z", parts.tm_year + 1900,
+                     parts.tm_mon + 1, parts.tm_mday, parts.tm_hour, parts.tm_min, parts.tm_sec);
+}
+
+/// A word as a POSIX shell reads it back: plain, or between single quotes.
+std::string shell_word(const std::string& text) {
+  const char* plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_@%+=:,./-";
+  if (!text.empty() && text.find_first_not_of(plain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+RunRecord record_of_run(const std::vector<std::string>& arguments) {
+  std::error_code gone;  // of a folder that was removed: it stays empty
+  const std::filesystem::path folder = std::filesystem::current_path(gone);
+  return {arguments, folder.string(), source_commit(), utc(time_of_run())};
+}
+
+std::string command_line(const RunRecord& record) {
+  std::string line = "thenar";
+  for (const std::string& argument : record.arguments) line += " " + shell_word(argument);
+  return line;
+}
+
+std::string source_commit() { return kSourceCommit; }
+
+}  // namespace thenar

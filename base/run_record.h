@@ -1,0 +1,31 @@
+#pragma once
+
+/// Which run of the command wrote a file: what it was asked, where, by which sources, and when.
+
+#include <string>
+#include <vector>
+
+namespace thenar {
+
+/// One run of the command; a library that no command called leaves `arguments` empty.
+struct RunRecord {
+  std::vector<std::string> arguments;  // as typed, without the program: "fit", "H01.toml", ..
+  std::string folder;                  // where it ran, absolute
+  std::string commit;                  // of the sources, 40 hexadecimal digits; "": not known
+  std::string date;                    // when it began, UTC: "2026-01-31T12:00:00Z"
+};
+
+/// The record of a run that begins now. The environment's SOURCE_DATE_EPOCH, whole seconds since
+/// 1970, stands in for the clock, so that two builds of one document are the same to the byte.
+/// @param arguments  of the command, without the program's name
+/// @throws InputError if SOURCE_DATE_EPOCH is no whole number of seconds.
+/// Source: reproducible-builds.org/specs/source-date-epoch.
+[[nodiscard]] RunRecord record_of_run(const std::vector<std::string>& arguments);
+
+/// The arguments as a line for a shell: "thenar fit 'my hand.toml'".
+[[nodiscard]] std::string command_line(const RunRecord& record);
+
+/// The commit of the sources that this was built from; "" outside of a repository.
+[[nodiscard]] std::string source_commit();
+
+}  // namespace thenar

@@ -1,0 +1,25 @@
+#pragma once
+
+/// Rungs of the ladders of base/fidelity.h by the names that people type.
+
+#include <string>
+#include <vector>
+
+#include "base/fidelity.h"
+
+namespace thenar {
+
+/// "via", "fitted", "wrapped".
+[[nodiscard]] std::vector<std::string> path_names();
+/// @throws InputError with the nearest name and all others, as hood_named() and muscle_named().
+[[nodiscard]] Path path_named(const std::string& name);
+
+/// "separate", "fractions", "net".
+[[nodiscard]] std::vector<std::string> hood_names();
+[[nodiscard]] Hood hood_named(const std::string& name);
+
+/// "bounds", "rigid-tendon", "elastic-tendon".
+[[nodiscard]] std::vector<std::string> muscle_names();
+[[nodiscard]] Muscle muscle_named(const std::string& name);
+
+}  // namespace thenar

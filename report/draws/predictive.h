@@ -1,0 +1,25 @@
+#pragma once
+
+/// Forces that a posterior predicts beside those that were measured.
+
+#include <string>
+
+#include <Eigen/Core>
+
+#include "data/io/experiment.h"
+#include "report/json.h"
+
+namespace thenar {
+
+/// Predicted and measured forces of one experiment.
+struct PredictedForces {
+  Experiment experiment;
+  Eigen::MatrixXd replicated;  // with noise, one column a draw [N] (3 trials, draws)
+  std::string what;            // "H01, in sample": the caption starts with it
+};
+
+/// Measured components over posterior predictive 50 and 95 % intervals, by posture and tendon.
+/// @throws InputError if `replicated` has not three rows a trial.
+[[nodiscard]] Json predictive_block(const PredictedForces& predicted);
+
+}  // namespace thenar

@@ -1,0 +1,23 @@
+#pragma once
+
+/// Phrases that several answers share.
+
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace thenar {
+
+/// "MCP3_FE=10 PIP3=45 deg": angles of some joints.
+/// @param names   of all coordinates (coordinates)
+/// @param joints  which of them, in the order of the text
+/// @param q       [rad] (coordinates)
+[[nodiscard]] std::string angles_in_words(const std::vector<std::string>& names,
+                                          const std::vector<int>& joints, const Eigen::VectorXd& q);
+
+/// Angles of all joints, in the order of the coordinates.
+[[nodiscard]] std::string angles_in_words(const std::vector<std::string>& names,
+                                          const Eigen::VectorXd& q);
+
+}  // namespace thenar

@@ -1,0 +1,85 @@
+// Tests for api/digits.cpp.
+
+#include "api/digits.h"
+
+#include <gtest/gtest.h>
+
+#include "tendons/forces/tip_force.h"
+#include "tests/data_folder.h"
+#include "tests/matrix_near.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+DigitRequest middle_finger() {
+  DigitRequest request;
+  request.subject = kData + "/subjects/synek2019_middle.toml";
+  return request;
+}
+
+TEST(BuildDigit, FindsASubjectByItsName) {
+  DigitRequest request;
+  request.subject = "synek2019_middle";
+  request.data = kData;
+  EXPECT_EQ(build_digit(request, Hood::kFractions).digit, "middle");
+}
+
+TEST(BuildDigit, SaysWhatAnotherNameStandsFor) {
+  DigitRequest request;
+  request.subject = "barrett";
+  request.data = kData;
+  EXPECT_EQ(message_of([&] { (void)build_digit(request, Hood::kFractions); }),
+            "there is no subject 'barrett'; it is a hand: thenar pose barrett");
+}
+
+TEST(BuildDigit, BuildsANetWhereOneIsNamed) {
+  DigitRequest request = middle_finger();
+  EXPECT_EQ(build_digit(request, Hood::kFractions).net, nullptr);
+  request.net = "winslow";
+  const DigitCase at = build_digit(request, Hood::kFractions);
+  ASSERT_NE(at.net, nullptr);
+  EXPECT_EQ(at.sources.back().path, "winslow.toml");
+  request.hood = Hood::kSeparate;
+  EXPECT_THROW((void)build_digit(request, Hood::kFractions), InputError);
+}
+
+// Torque of the tendons and of the tip's force are the two sides of one balance:  J' f + left = R'
+// t.
+TEST(DigitAt, BalancesTorques) {
+  DigitRequest request = middle_finger();
+  request.posture.in_order = {0, 0.5, 0.7, 0.3};
+  const DigitCase digit = build_digit(request, Hood::kSeparate);
+  const DigitAtPosture at = digit_at(digit, digit.grid.postures.front());
+  const Eigen::VectorXd t = tensions(digit, {{at.statics.muscles.front(), 10}});
+  const TipForce tip = tip_force(at.statics, t);
+  const Eigen::VectorXd torque = at.statics.R.transpose() * t + at.statics.tau_0;
+  EXPECT_TRUE(matrix_near(at.statics.J.transpose() * tip.f_W + tip.tau_residual, torque, 1e-12));
+}
+
+TEST(Tensions, RefusesAPushAndGuessesANames) {
+  const DigitCase digit = build_digit(middle_finger(), Hood::kSeparate);
+  EXPECT_NE(message_of([&] {
+              (void)tensions(digit, {{"FDP", -1}});
+            }).find("tension >= 0"),
+            std::string::npos);
+  EXPECT_NE(message_of([&] {
+              (void)tensions(digit, {{"FPD", 1}});
+            }).find("no muscle 'FPD', did you mean 'FDP'?"),
+            std::string::npos);
+}
+
+TEST(NetMeant, FollowsTheHood) {
+  EXPECT_EQ(net_meant(Hood::kFloatingNet, ""), "winslow");
+  EXPECT_EQ(net_meant(Hood::kFractions, ""), "");
+  EXPECT_EQ(net_meant(std::nullopt, "chao_an"), "chao_an");
+  EXPECT_THROW((void)net_meant(Hood::kSeparate, "chao_an"), InputError);
+}
+
+TEST(NetSource, GuessesAName) {
+  EXPECT_NE(message_of([] { (void)net_source("winslo"); }).find("did you mean 'winslow'?"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace thenar
