@@ -166,8 +166,8 @@ void run_fit(const FitArguments& options) {
     fmt::print("{}\n", json_text(summary(fit, validations)));
   else
     print_summary(fit, validations, options.output);
-  require(fit.solution.status != SolveStatus::kFailed,
-          "the fit failed: {}; the file holds the best point found", fit.solution.message);
+  require(!fit.solution.failed, "the fit failed: {}; the file holds the best point found",
+          fit.solution.message);
   if (interrupted()) throw Stopped("stopped; the file holds the best point so far");
 }
 

@@ -31,7 +31,7 @@ void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n",
 void run_predict(const PredictArguments& options) {
   const Fit fit = read_fit(options.fit);
   print_warnings(checksum_warnings(options.fit));
-  if (fit.solution.status != SolveStatus::kConverged)
+  if (fit.solution.status != Status::kSolved)
     warn(fmt::format("the fit in '{}' did not converge: {}", options.fit,
                      convergence_word(fit.solution)));
   nlohmann::json out = nlohmann::json::array();

@@ -58,7 +58,7 @@ MAY_SEE |= {
     "grasp/compare": GRASP + ["grasp/contact", "grasp/limits", "grasp/quality", "grasp/closing"],
 }
 LIBRARIES = list(MAY_SEE)
-MAY_SEE["thenar"] = LIBRARIES  # the header of all public headers
+MAY_SEE["thenar"] = LIBRARIES + ["api"]  # the header of all public headers
 # The questions that a person asks, and their answers as words, tables, JSON and pages.
 REPORT = LIBRARIES + ["api", "report"]
 PAGES = REPORT + ["report/scene", "report/draws", "report/answers"]

@@ -262,3 +262,11 @@
 #include "grasp/compare/comparison.h"
 #include "grasp/compare/grasp_loads.h"
 #include "grasp/compare/pregrasp.h"
+
+// api: hands, subjects, objects, worlds by name, and the questions that people ask.
+#include "api/data_folders.h"
+#include "api/digits.h"
+#include "api/files.h"
+#include "api/hands.h"
+#include "api/posture.h"
+#include "api/worlds.h"

@@ -35,7 +35,7 @@ TEST(FitResiduals, RecoversPredictionsAndIdentifiableParametersWithoutNoise) {
   sample::simulate(setup, truth, 0, rng, experiment);
   const FitProblem problem = setup.problem();
   const Solution found = fit_precisely(problem);
-  ASSERT_EQ(found.status, SolveStatus::kConverged) << found.message;
+  ASSERT_EQ(found.status, Status::kSolved) << found.message;
 
   const Eigen::Matrix3Xd force = predict_trials(problem, found.z, 0, WithJacobian::kNo).force;
   EXPECT_LT((force - problem.plans()[0].force).cwiseAbs().maxCoeff(), 1e-8);  // [N]
@@ -121,7 +121,7 @@ TEST(FitResiduals, BlocksHaveTheDenseAnswer) {
   options.tolerance = 1e-15;
   const VectorXd start = VectorXd::Zero(problem.size());
   const Solution a = solve(blocks, start, options), b = solve(dense, start, options);
-  EXPECT_EQ(a.status, SolveStatus::kConverged) << a.message;
+  EXPECT_EQ(a.status, Status::kSolved) << a.message;
   EXPECT_NEAR(a.cost, b.cost, 1e-10 * b.cost);
   EXPECT_TRUE(matrix_near(a.z, b.z, 1e-4));
   EXPECT_LT(a.newton_step, 0.01);
