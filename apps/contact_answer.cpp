@@ -29,7 +29,7 @@ bool is_polytope(const WrenchSet& set) {
                      [](const WrenchCap& cap) { return cap.A.cols() == 0; });
 }
 
-double max_tip_wrench(const WrenchSet& set) {
+double largest_wrench_norm(const WrenchSet& set) {
   double largest = 0;
   for (const WrenchCap& cap : set.caps) largest = std::max(largest, cap.c.norm());
   return largest;
@@ -93,7 +93,7 @@ Epsilon epsilon_of(const WrenchSet& set, const ContactFile& file, const ContactQ
   EpsilonOptions wanted;
   wanted.limit = question.limit;
   wanted.gap = question.gap;
-  const double sharp = kPolytopeGap * max_tip_wrench(set);
+  const double sharp = kPolytopeGap * largest_wrench_norm(set);
   if (is_polytope(set) && sharp > 0) wanted.gap = std::min(question.gap, sharp);
   Epsilon found = epsilon(set, wanted);
   found.converged = found.upper - found.lower <= question.gap;
@@ -169,7 +169,7 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
     found.margin = {Status::kSolved, 0, 0, loads[0], 0};
     if (file.task.kind == FileTask::Kind::kLoads) found.squeezes.assign(loads.size(), kInfinity);
   } else if (file.task.kind == FileTask::Kind::kLoads) {
-    found = answer_loads(forces, loads, max_tip_wrench(set));
+    found = answer_loads(forces, loads, largest_wrench_norm(set));
   } else if (file.task.kind == FileTask::Kind::kBox) {
     found.margin = margin_of_box(forces, loads[0], loads[1]);
   } else {
@@ -180,7 +180,7 @@ std::optional<TaskAnswer> task_of(const WrenchSet& set, const ContactFile& file,
   }
   // Below this nothing is borne, but for the programmes' rounding.
   const double none =
-      kNothing * max_tip_wrench(set) / std::max(found.margin.worst_load.norm(), 1e-300);
+      kNothing * largest_wrench_norm(set) / std::max(found.margin.worst_load.norm(), 1e-300);
   if (found.margin.upper < none) found.margin.lower = found.margin.upper = 0;
   found.margin.worst_load.tail<3>() *= file.torque_scale;
   return found;

@@ -116,7 +116,7 @@ Json success_row(const HandOnObject& cell, const std::vector<BlockColumn>& loads
        finite(cell.quantile(0.5)), finite(cell.quantile(1)), finite(cell.best_hand_epsilon().max),
        finite(cell.min_grasp_force())});
   for (const BlockColumn& column : loads)
-    row.push_back(load(cell.load(grasp_task(column.name)).most));
+    row.push_back(load(cell.load(grasp_task(column.name)).max));
   return row;
 }
 

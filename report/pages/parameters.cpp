@@ -5,6 +5,7 @@
 
 #include "kinematics_fit/fit_residuals.h"
 #include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/specimen_prior.h"
 #include "report/pages/fit.h"
 #include "report/scene/digit_layers.h"
 
