@@ -126,7 +126,8 @@ TEST(WrappedPath, OfAWholeHandAgreesWithItsForcesAndItsLengths) {
                             1e-14))
         << set.paths[k].name;
     // Fourth-order differences over 1e-3 rad.
-    EXPECT_TRUE(matrix_near(row, sample::measured_arms(skeleton.tree, set, q, k), 1e-10))
+    EXPECT_TRUE(
+        matrix_near(row.transpose(), sample::measured_arms(skeleton.tree, set, q, k), 1e-10))
         << set.paths[k].name;
   }
 }
