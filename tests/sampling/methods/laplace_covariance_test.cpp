@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <gtest/gtest.h>
+#include <Eigen/LU>
 
 #include "tests/matrix_near.h"
 #include "tests/sampling/known_posteriors.h"
