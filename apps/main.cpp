@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "apps/commands.h"
+#include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/cache.h"
 #include "base/error.h"
@@ -29,9 +30,49 @@ void require_command(const CLI::App& app, int argc, char** argv) {
           did_you_mean(name, names));
 }
 
+/// The innermost command that was named.
+const CLI::App& named_command(const CLI::App& app) {
+  const std::vector<CLI::App*> named = app.get_subcommands();
+  return named.empty() ? app : named_command(*named.front());
+}
+
+/// The full name of a command: "tendon solve".
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  const std::string above = parent == nullptr ? "" : full_name(*parent);
+  return above.empty() ? command.get_name() : above + " " + command.get_name();
+}
+
+/// A sentence about an argument that a command does not know, with the nearest option.
+std::string unknown_argument(const CLI::App& command, const std::string& argument) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  const bool is_option = argument.size() > 1 && argument.front() == '-';
+  const std::string name = argument.substr(0, argument.find('='));
+  return fmt::format("{} '{}' means nothing here{}; `{} --help` lists what does",
+                     is_option ? "option" : "argument", argument,
+                     is_option ? did_you_mean(name, names) : "", full_name(command));
+}
+
+/// What was wrong with a command line, with a way out.
+int complain(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& command = named_command(app);
+  std::string text = error.what();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr) {
+    const std::vector<std::string> left = command.remaining();
+    if (!left.empty()) text = unknown_argument(command, left.front());
+  } else if (command.get_parent() != nullptr) {
+    text += fmt::format("; see `{} --help`", full_name(command));
+  }
+  fmt::print(stderr, "thenar: {}\n", text);
+  return 1;
+}
+
 int run_command(int argc, char** argv) {
   use_cache(cache_options_of_user());
   CLI::App app("thenar: models of the human hand, fitted to forces", "thenar");
+  app.option_defaults()->always_capture_default();
   app.require_subcommand(1);
   app.set_version_flag("--version", THENAR_VERSION);
   add_validate(app);
@@ -52,12 +93,15 @@ int run_command(int argc, char** argv) {
   add_import(app);
   add_demo(app);
   try {
+    begin_run(argc, argv);
     require_command(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::RuntimeError& silent) {
     return silent.get_exit_code();
+  } catch (const CLI::ParseError& error) {
+    return complain(app, error);
   } catch (const Stopped& e) {
     fmt::print(stderr, "thenar: {}\n", e.what());
     return exit_code_of_interruption();

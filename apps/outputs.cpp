@@ -1,0 +1,122 @@
+#include "apps/outputs.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "base/error.h"
+#include "base/file_io.h"
+#include "report/page.h"
+
+namespace thenar {
+namespace {
+
+std::string ending_of(const std::string& path) { return std::filesystem::path(path).extension(); }
+
+/// All endings that a command can write.
+std::vector<std::string> endings_of(const OutputKinds& kinds) {
+  std::vector<std::string> endings = kinds.own;
+  if (kinds.page) endings.emplace_back(".html");
+  if (kinds.csv) endings.emplace_back(".csv");
+  if (kinds.json) endings.emplace_back(".json");
+  return endings;
+}
+
+/// Refuses a file of another ending, and one that cannot be written.
+CLI::Validator writable_with(const std::vector<std::string>& endings) {
+  const auto complaint = [endings](const std::string& path) -> std::string {
+    if (std::find(endings.begin(), endings.end(), ending_of(path)) == endings.end())
+      return fmt::format("wanted an output that ends in {}, got '{}'", fmt::join(endings, " or "),
+                         path);
+    try {
+      require_writable(path);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  return {complaint, ""};
+}
+
+RunRecord& run_of_process() {
+  static RunRecord run;  // a process is one run; begin_run() alone writes it
+  return run;
+}
+
+/// Adds the run to what a page or a file says of its origin.
+template <typename AnyJson>
+void add_run(AnyJson& json) {
+  const RunRecord& run = this_run();
+  if (run.arguments.empty() || !json.is_object()) return;
+  AnyJson& provenance = json["provenance"];
+  provenance["command"] = command_line(run);
+  provenance["folder"] = run.folder;
+  provenance["date"] = run.date;
+  if (!run.commit.empty()) provenance["commit"] = run.commit;
+}
+
+}  // namespace
+
+std::vector<std::string> Outputs::with_ending(const std::vector<std::string>& endings) const {
+  std::vector<std::string> found;
+  for (const std::string& path : files)
+    if (std::find(endings.begin(), endings.end(), ending_of(path)) != endings.end())
+      found.push_back(path);
+  return found;
+}
+
+std::string Outputs::one(const std::string& ending) const {
+  const std::vector<std::string> found = with_ending({ending});
+  require(found.size() < 2, "wanted one output that ends in {}, got {}", ending,
+          fmt::join(found, ", "));
+  return found.empty() ? "" : found.front();
+}
+
+void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& kinds) {
+  if (kinds.json) command.add_flag("--json", outputs.json, "Print JSON");
+  if (kinds.csv) command.add_flag("--csv", outputs.csv, "Print a table (CSV)");
+  const auto add_file = [&outputs](const std::string& path) { outputs.files.push_back(path); };
+  const std::vector<std::string> endings = endings_of(kinds);
+  if (!endings.empty())
+    command
+        .add_option_function<std::string>(
+            "-o,--out,--output", add_file,
+            fmt::format("File to write; its ending says what: {}", fmt::join(endings, " ")))
+        ->check(writable_with(endings))
+        ->trigger_on_parse()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  if (kinds.page)
+    command.add_option_function<std::string>("--report", add_file, "Page to write (.html)")
+        ->check(writable_with({".html"}))
+        ->trigger_on_parse()
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+void begin_run(int argc, char** argv) {
+  run_of_process() = record_of_run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+}
+
+const RunRecord& this_run() { return run_of_process(); }
+
+void print_answer(const std::string& text) { fmt::print("{}", text); }
+
+void print_written(const Outputs& outputs) {
+  if (outputs.json || outputs.csv) return;
+  for (const std::string& path : outputs.files) fmt::print("wrote {}\n", path);
+}
+
+void write_page(Json page, const std::string& path) {
+  add_run(page);
+  write_report(page, path);
+}
+
+void write_json_file(OrderedJson json, const std::string& path) {
+  add_run(json);
+  write_file(path, json_text(json) + "\n");
+}
+
+void write_csv_file(const Table& table, const std::string& path) { write_file(path, csv(table)); }
+
+}  // namespace thenar

@@ -1,0 +1,95 @@
+#pragma once
+
+/// Where an answer goes: one set of flags for every command, and one way to hand an answer over.
+///
+///   --json, --csv      print JSON or a table instead of text
+///   -o FILE            write a file; its ending says what: .html a page, .csv a table, .json, or a
+///                      kind of the command's own (.h5, .nc, .toml ..); may be given several times
+///   --report FILE      the same as -o with a page (.html)
+
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "base/run_record.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// What of an answer is wanted.
+struct Outputs {
+  bool json = false, csv = false;  // printed instead of text
+  std::vector<std::string> files;  // of -o and --report
+
+  /// The files with one of these endings: ".h5". @returns them in the order they were given
+  [[nodiscard]] std::vector<std::string> with_ending(const std::vector<std::string>& endings) const;
+  /// The only file with the ending; "" if there is none. @throws InputError if there are several.
+  [[nodiscard]] std::string one(const std::string& ending) const;
+  [[nodiscard]] bool page() const { return !with_ending({".html"}).empty(); }
+};
+
+/// What a command can give beside text.
+struct OutputKinds {
+  bool json = true, csv = false, page = false;
+  std::vector<std::string> own = {};  // endings of its own files: ".h5"
+};
+
+/// Adds the flags of these kinds, old spellings (--out, --output) included. Files of other endings,
+/// and files that cannot be written, are refused before any work.
+void add_output_options(CLI::App& command, Outputs& outputs, const OutputKinds& kinds);
+
+/// Tells outputs which run they are of: called once, when the program starts.
+void begin_run(int argc, char** argv);
+/// The run of this process, as files record it.
+[[nodiscard]] const RunRecord& this_run();
+
+/// Prints all of the text to standard output.
+void print_answer(const std::string& text);
+/// A line "wrote FILE" for each file, where people read the answer: not behind JSON or CSV.
+void print_written(const Outputs& outputs);
+/// Writes a page, with the record of this run in its provenance. @throws InputError as
+/// write_report()
+void write_page(Json page, const std::string& path);
+/// Writes a JSON file, with the record of this run beside its provenance.
+/// @throws InputError if the file cannot be written.
+void write_json_file(OrderedJson json, const std::string& path);
+/// Writes a table as CSV. @throws InputError if the file cannot be written.
+void write_csv_file(const Table& table, const std::string& path);
+
+namespace internal {
+template <typename Result, typename = void>
+struct HasTable : std::false_type {};
+template <typename Result>
+struct HasTable<Result, std::void_t<decltype(table_of(std::declval<const Result&>()))>>
+    : std::true_type {};
+template <typename Result, typename = void>
+struct HasPage : std::false_type {};
+template <typename Result>
+struct HasPage<Result, std::void_t<decltype(page_of(std::declval<const Result&>()))>>
+    : std::true_type {};
+}  // namespace internal
+
+/// Prints the answer, and writes it to the files that were asked for. Words come from the overloads
+/// of report/answers and report/pages: text_of, json_of, and table_of and page_of where they exist.
+template <typename Result>
+void deliver(const Outputs& outputs, const Result& result) {
+  for (const std::string& path : outputs.with_ending({".json"}))
+    write_json_file(OrderedJson(json_of(result)), path);
+  if constexpr (internal::HasTable<Result>::value)
+    for (const std::string& path : outputs.with_ending({".csv"}))
+      write_csv_file(table_of(result), path);
+  if constexpr (internal::HasPage<Result>::value)
+    for (const std::string& path : outputs.with_ending({".html"}))
+      write_page(page_of(result), path);
+  if (outputs.json) return print_answer(json_text(json_of(result)) + "\n");
+  if constexpr (internal::HasTable<Result>::value)
+    if (outputs.csv) return print_answer(csv(table_of(result)));
+  print_answer(text_of(result));
+  print_written(outputs);
+}
+
+}  // namespace thenar
