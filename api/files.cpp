@@ -1,14 +1,174 @@
 #include "api/files.h"
 
+#include <algorithm>
 #include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "base/error.h"
 #include "base/file_io.h"
+#include "base/nearest_name.h"
+#include "base/run_record.h"
 #include "data/io/checked_file.h"
+#include "data/io/file_guard.h"
 #include "data/io/file_kind.h"
+#include "data/io/graspit/xml_file.h"
+#include "data/io/hdf5_guard.h"
+#include "data/io/mesh/mesh_file.h"
+#include "data/io/robot/import_robot.h"
 #include "data/io/toml_node.h"
 
 namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Command lines that take a file of a kind; @ stands for the file.
+struct KindCommands {
+  const char* kind;
+  std::vector<std::string> lines;
+};
+
+const std::vector<KindCommands>& commands_by_kind() {
+  static const std::vector<KindCommands> table{
+      {"subject", {"thenar explain @", "thenar pose @", "thenar fit EXPERIMENT --subject @"}},
+      {"experiment", {"thenar explain @", "thenar fit @ --subject SUBJECT"}},
+      {"fit settings", {"thenar explain SUBJECT --settings @"}},
+      {"proportions", {"thenar validate @"}},
+      {"net", {"thenar explain @", "thenar tendon solve SUBJECT --net @"}},
+      {"materials", {"thenar explain @"}},
+      {"robot", {"thenar pose @", "thenar explain @", "thenar import @"}},
+      {"object", {"thenar explain @", "thenar import @"}},
+      {"world", {"thenar grasp @", "thenar close @", "thenar explain @"}},
+      {"mesh", {"thenar import @"}},
+      {"fit", {"thenar predict @ EXPERIMENT", "thenar explain @"}},
+      {"posterior",
+       {"thenar posterior summary @", "thenar posterior predict @ EXPERIMENT",
+        "thenar posterior plot @ -o PAGE.html"}},
+      {"motion", {"thenar validate @"}},
+      {"contacts", {"thenar quality @"}},
+      {"comparison", {"thenar compare --hands .. --objects .. -o @"}},
+  };
+  return table;
+}
+
+std::vector<std::string> commands_for(const std::string& kind, const std::string& path) {
+  const std::string word = shell_word(path);
+  for (const KindCommands& known : commands_by_kind()) {
+    if (known.kind != kind) continue;
+    std::vector<std::string> lines = known.lines;
+    for (std::string& line : lines) line.replace(line.find('@'), 1, word);
+    return lines;
+  }
+  return {};
+}
+
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// By the names of what an HDF5 file holds; none of its values is read.
+FileContents of_hdf5(const std::string& path) {
+  std::vector<std::string> keys;
+  try {
+    std::string bytes = read_guarded(path, GuardedKind::kResult);
+    try_in_fork(path, seconds_to_read(bytes.size()), [&] { (void)guard_hdf5(bytes, path); });
+    keys = guard_hdf5(bytes, path);
+  } catch (const Error&) {
+    return {"", "HDF5", {}};  // damaged
+  }
+  const auto has = [&](const std::string& start) {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](const std::string& key) { return starts_with(key, start); });
+  };
+  if (has("fit/z")) return {"fit", "HDF5", {}};
+  if (has("unconstrained_posterior/") || has("posterior/")) return {"posterior", "netCDF", {}};
+  if (has("excitation") && has("excursion")) return {"motion", "HDF5", {}};
+  return {"", "HDF5", {}};
+}
+
+FileContents of_robot(const std::string& path) {
+  try {
+    return {"robot", name_of(find_robot_kind(path)), {}};
+  } catch (const DataError&) {
+    return {"", "XML", {}};
+  }
+}
+
+FileContents of_xml(const std::string& path, const std::string& start) {
+  std::string root;
+  try {
+    root = XmlFile(path).root_name();
+  } catch (const DataError&) {
+    return {"", "XML", {}};  // broken
+  }
+  if (root == "world") return {"world", "GraspIt! XML", {}};
+  if (root == "robot" || root == "mujoco" || root == "mujocoinclude") return of_robot(path);
+  if (start.find("<geometryFile") != std::string::npos) return {"object", "GraspIt! XML", {}};
+  return {"", "XML", {}};
+}
+
+/// By names that members of its first part have.
+FileContents of_json(const std::string& start) {
+  const auto has = [&](const char* member) {
+    return start.find(fmt::format("\"{}\"", member)) != std::string::npos;
+  };
+  if (has("contacts") && (has("torque_scale") || has("position") || has("wrenches")))
+    return {"contacts", "JSON", {}};
+  if (has("inputs") && has("approaches") && has("objects")) return {"comparison", "JSON", {}};
+  if (has("provenance")) return {"answer", "JSON", {}};
+  return {"", "JSON", {}};
+}
+
+FileContents of_html(const std::string& path) {
+  const std::string text = read_source(path).text;
+  const bool page = text.find("id=\"thenar-report\"") != std::string::npos;
+  return {page ? "page" : "", "HTML", {}};
+}
+
+/// The first character that is no blank; 0 in an empty text.
+char first_sign(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
+  return first == std::string::npos ? '\0' : text[first];
+}
+
+FileContents look_into(const std::string& path) {
+  constexpr std::size_t kStart = 1 << 16;  // [bytes]
+  if (has_hdf5_start(path)) return of_hdf5(path);
+  const std::string ending = fs::path(path).extension();
+  if (ending == ".toml") return {name_of(find_file_kind(path)), "TOML", {}};
+  if (is_mesh_file(path)) return {"mesh", ending.substr(1), {}};
+  const std::string start = read_start(path, kStart);
+  if (ending == ".html" || ending == ".htm") return of_html(path);
+  if (first_sign(start) == '<') return of_xml(path, start);
+  if (first_sign(start) == '{') return of_json(start);
+  try {
+    return {name_of(find_file_kind(path)), "TOML", {}};
+  } catch (const DataError&) {
+    return {"", "", {}};
+  }
+}
+
+/// "there is no file 'fit1.h5', did you mean 'fit.h5'?"
+std::string absent(const std::string& path) {
+  const fs::path folder = fs::path(path).has_parent_path() ? fs::path(path).parent_path() : ".";
+  std::vector<std::string> beside;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    beside.push_back(entry.path().filename().string());
+  return fmt::format("there is no file '{}'{}", path,
+                     did_you_mean(fs::path(path).filename().string(), beside));
+}
+
+std::string with_article(const std::string& kind) {
+  const bool none =
+      kind == "materials" || kind == "contacts" || kind == "fit settings" || kind == "proportions";
+  const bool vowel = std::string("aeiou").find(kind.front()) != std::string::npos;
+  return (none ? "" : vowel ? "an " : "a ") + kind;
+}
+
+}  // namespace
 
 SourceText read_source(const std::string& path) { return {path, read_text_file(path)}; }
 
@@ -26,9 +186,32 @@ void require_result_path(const std::string& path) {
     }
   };
   std::error_code none;
-  require(!std::filesystem::exists(path, none) || is_result(),
+  require(!fs::exists(path, none) || is_result(),
           "'{}' exists and is no result file of thenar; it is not overwritten", path);
   require_writable(path);
+}
+
+FileContents contents_of(const std::string& path) {
+  std::error_code none;
+  require(fs::exists(path, none), "{}", absent(path));
+  if (fs::is_directory(path, none)) return {"folder", "", {}};
+  if (!is_file(path)) return {};  // a pipe or a device: whoever reads it says so
+  FileContents found = look_into(path);
+  found.commands = commands_for(found.kind, path);
+  return found;
+}
+
+void require_kind(const std::string& path, const std::vector<std::string>& kinds) {
+  const FileContents found = contents_of(path);
+  if (found.kind.empty() || std::count(kinds.begin(), kinds.end(), found.kind) > 0) return;
+  std::vector<std::string> wanted;
+  for (const std::string& kind : kinds) wanted.push_back(with_article(kind));
+  std::string ways;
+  if (!found.commands.empty())
+    ways = fmt::format("; {}: {}", found.commands.size() == 1 ? "ask" : "commands that take it",
+                       fmt::join(found.commands, ", "));
+  throw InputError(fmt::format("'{}' is {}, wanted {}{}", path, with_article(found.kind),
+                               fmt::join(wanted, " or "), ways));
 }
 
 }  // namespace thenar

@@ -1,6 +1,7 @@
 #pragma once
 
-/// Files that a question reads or writes: their text, and whether they are of the right kind.
+/// Files that a question reads or writes: their text, what they are, and whether they are of the
+/// right kind.
 
 #include <string>
 #include <vector>
@@ -19,5 +20,28 @@ namespace thenar {
 /// Refuses to write a result over anything that is not a result, and where no file can be made.
 /// @throws InputError saying which.
 void require_result_path(const std::string& path);
+
+/// What a file is, as a person calls it.
+struct FileContents {
+  // "subject", "experiment", "fit settings", "proportions", "net", "materials", "robot", "object",
+  // "world", "mesh", "fit", "posterior", "motion", "contacts", "comparison", "page", "answer",
+  // "folder"; "": none that is known
+  std::string kind;
+  std::string format;                 // "TOML", "HDF5", "netCDF", "URDF", "JSON", ..; "": not known
+  std::vector<std::string> commands;  // lines that take it: "thenar explain hand.toml"
+};
+
+/// What a file is, by its content; of meshes by the ending of its name. A damaged binary file may
+/// stay unknown: whoever reads it says what is wrong.
+/// @throws InputError if there is no file of that name, with the nearest one beside it; DataError
+/// if a TOML file is wrong or of no kind.
+[[nodiscard]] FileContents contents_of(const std::string& path);
+
+/// Refuses a file that is known to be of another kind:
+/// "'P.nc' is a posterior, wanted a fit; commands that take it: thenar posterior summary P.nc, ..".
+/// A file of unknown kind is left to its reader.
+/// @param kinds  those that are wanted, as FileContents::kind
+/// @throws InputError so; DataError as contents_of()
+void require_kind(const std::string& path, const std::vector<std::string>& kinds);
 
 }  // namespace thenar

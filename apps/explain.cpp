@@ -51,6 +51,7 @@ Explanation explain_fit_file(const std::string& path) {
 }
 
 Explanation explain_file(const ExplainArguments& options) {
+  (void)contents_of(options.file);  // says what is not there
   const FileKind kind = find_file_kind(options.file);
   if (kind == FileKind::kSubject) return explain_subject_file(options);
   require(options.digit.empty() && options.settings.empty() && !options.path,

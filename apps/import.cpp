@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "api/files.h"
 #include "apps/commands.h"
 #include "apps/import_report.h"
 #include "apps/options.h"
@@ -262,6 +263,7 @@ Imported import_toml(const ImportArguments& options) {
 
 Imported import_file(const ImportArguments& options) {
   const std::string& path = options.file;
+  require_kind(path, {"robot", "object", "world", "mesh"});
   if (is_mesh_file(path)) return import_mesh(options);
   require(options.scale == 1 && options.units.empty(),
           "--scale and --units are for meshes, '{}' is none", path);

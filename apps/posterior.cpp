@@ -33,6 +33,7 @@ struct PosteriorArguments {
 };
 
 void summary(const PosteriorArguments& options) {
+  require_kind(options.posterior, {"posterior"});
   const PosteriorRun run = read_posterior(options.posterior);
   print_warnings(checksum_warnings(options.posterior));
   if (options.json)
@@ -53,6 +54,7 @@ Json provenance(const PosteriorRun& run) {
 void plot(const PosteriorArguments& options) {
   require_ending(options.output, {".html"});
   require_writable(options.output);
+  require_kind(options.posterior, {"posterior"});
   const PosteriorRun run = read_posterior(options.posterior);
   print_warnings(checksum_warnings(options.posterior));
   std::string title;
@@ -68,6 +70,7 @@ void plot(const PosteriorArguments& options) {
 }
 
 void predict(const PosteriorArguments& options) {
+  require_kind(options.posterior, {"posterior"});
   const PosteriorRun run = read_posterior(options.posterior);
   print_warnings(checksum_warnings(options.posterior));
   nlohmann::json out = nlohmann::json::array();

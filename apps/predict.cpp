@@ -29,6 +29,7 @@ struct PredictArguments {
 void warn(const std::string& what) { fmt::print(stderr, "thenar: warning: {}\n", what); }
 
 void run_predict(const PredictArguments& options) {
+  require_kind(options.fit, {"fit"});
   const Fit fit = read_fit(options.fit);
   print_warnings(checksum_warnings(options.fit));
   if (fit.solution.status != Status::kSolved)

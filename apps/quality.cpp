@@ -12,6 +12,7 @@
 
 #include <fmt/format.h>
 
+#include "api/files.h"
 #include "apps/commands.h"
 #include "apps/contact_answer.h"
 #include "base/error.h"
@@ -32,6 +33,7 @@ constexpr int kMostEdges = 1000;  // of a pyramid: finer ones take minutes and c
 
 /// Prints the answer about a file. @return it as a line of JSON
 std::string answer_file(const std::string& path, const QualityArguments& options) {
+  require_kind(path, {"contacts"});
   const ContactFile file = read_contact_file(path);
   const ContactAnswer found = answer(file, options.question);
   std::string line = json_text(json_of(path, file, found), -1) + "\n";

@@ -25,6 +25,9 @@ struct RunRecord {
 /// The arguments as a line for a shell: "thenar fit 'my hand.toml'".
 [[nodiscard]] std::string command_line(const RunRecord& record);
 
+/// A word as a POSIX shell reads it back: plain, or between single quotes.
+[[nodiscard]] std::string shell_word(const std::string& text);
+
 /// The commit of the sources that this was built from; "" outside of a repository.
 [[nodiscard]] std::string source_commit();
 

@@ -426,7 +426,7 @@ class Quality(unittest.TestCase):
         result = subprocess.run([PROGRAM, "quality", missing], capture_output=True, text=True,
                                 check=False)
         self.assertEqual((result.returncode, result.stderr),
-                         (1, f"thenar: {missing}:1: cannot be read: No such file or directory\n"))
+                         (1, f"thenar: there is no file '{missing}'\n"))
 
 
 if __name__ == "__main__":
