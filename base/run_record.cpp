@@ -52,6 +52,32 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+std::vector<std::string> arguments_of(const std::string& command_line) {
+  if (command_line.empty()) return {};
+  // Words as a shell splits them: blanks part words but within single quotes, \' is a quote.
+  std::vector<std::string> words;
+  bool quoted = false, within = false;
+  for (std::size_t i = 0; i < command_line.size(); ++i) {
+    const char c = command_line[i];
+    if (c == ' ' && !quoted) {
+      within = false;
+      continue;
+    }
+    if (!within) words.emplace_back();
+    within = true;
+    if (c == '\'')
+      quoted = !quoted;
+    else if (c == '\\' && !quoted && i + 1 < command_line.size())
+      words.back() += command_line[++i];
+    else
+      words.back() += c;
+  }
+  require(!quoted && !words.empty() && words.front() == "thenar",
+          "wanted a command line of thenar, got '{}'", command_line);
+  words.erase(words.begin());
+  return words;
+}
+
 std::string source_commit() { return kSourceCommit; }
 
 }  // namespace thenar

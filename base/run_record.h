@@ -28,6 +28,10 @@ struct RunRecord {
 /// A word as a POSIX shell reads it back: plain, or between single quotes.
 [[nodiscard]] std::string shell_word(const std::string& text);
 
+/// The arguments of such a line; "" gives none. The inverse of command_line().
+/// @throws InputError if the line does not begin with "thenar", or a quote is left open.
+[[nodiscard]] std::vector<std::string> arguments_of(const std::string& command_line);
+
 /// The commit of the sources that this was built from; "" outside of a repository.
 [[nodiscard]] std::string source_commit();
 

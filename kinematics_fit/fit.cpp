@@ -200,6 +200,18 @@ void add_provenance(const Fit& fit, ResultFile& file) {
   file.add("provenance/fidelity", describe(fit.problem.digit().fidelity));
   file.add("provenance/method", name_of(fit.method));
   file.add("provenance/seed", fit.seed, "1");
+  if (fit.run.arguments.empty()) return;
+  file.add("provenance/command", command_line(fit.run));
+  file.add("provenance/folder", fit.run.folder);
+  file.add("provenance/date", fit.run.date);
+  file.add("provenance/commit", fit.run.commit);
+}
+
+/// The record of the run; empty where the file has none.
+RunRecord run_of(const ResultFile& file) {
+  if (file.texts.count("provenance/command") == 0) return {};
+  return {arguments_of(file.text("provenance/command")), file.text("provenance/folder"),
+          file.text("provenance/commit"), file.text("provenance/date")};
 }
 
 /// A solution that ended as the word of convergence_word() says; all else is empty.
@@ -241,7 +253,8 @@ Fit fit_of(const ResultFile& file) {
           least_squares_method(file.text("provenance/method")),
           static_cast<unsigned>(file.number("provenance/seed")),
           std::move(solution),
-          std::move(covariance)};
+          std::move(covariance),
+          run_of(file)};
 }
 
 }  // namespace

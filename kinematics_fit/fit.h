@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run_record.h"
 #include "data/io/result_file.h"
 #include "kinematics_fit/covariance.h"
 #include "kinematics_fit/fit_problem.h"
@@ -33,6 +34,7 @@ struct Fit {
   unsigned seed;
   Solution solution;
   Covariance covariance;
+  RunRecord run = {};  // of the command that fitted it; empty in a program, and in older files
 };
 
 /// The built-in settings for a digit: data/fits/thumb.toml or data/fits/finger.toml.
@@ -55,7 +57,8 @@ struct FittedValues {
 /// @param specimen  index in fit.problem.specimens(), or kPopulation
 [[nodiscard]] FittedValues fitted_values(const Fit& fit, int specimen);
 
-/// Writes inputs, estimate, covariance, predictions and provenance; see docs/data_format.md.
+/// Writes inputs, estimate, covariance, predictions and provenance with the record of the run; see
+/// docs/data_format.md.
 void write_fit(const Fit& fit, const std::string& path);
 
 /// @throws DataError if the file is not a fit.

@@ -61,6 +61,20 @@ void add_settings(const PosteriorSettings& settings, Attributes& to) {
   add("sphere_priors", int{options.sphere_priors});
 }
 
+void add_record(const RunRecord& run, Attributes& to) {
+  if (run.arguments.empty()) return;
+  to["run_command"] = command_line(run);
+  to["run_folder"] = run.folder;
+  to["run_date"] = run.date;
+  to["run_commit"] = run.commit;
+}
+
+RunRecord record_of(const AttributeReader& given) {
+  if (!given.has("run_command")) return {};
+  return {arguments_of(given.text("run_command")), given.text("run_folder"),
+          given.text("run_commit"), given.text("run_date")};
+}
+
 FitInputs inputs_of(const AttributeReader& given) {
   // Experiments are numbered until one is missing.
   FitInputs inputs{given.source("input_subject"), given.source("input_settings"), {}, {}};
@@ -144,7 +158,7 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
   file.attributes = {{"thenar_format", internal::kPosteriorFormat},
                      {"inference_library", "thenar"},
                      {"inference_library_version", versions().at("thenar")},
-                     {"created_at", now()},
+                     {"created_at", run.run.date.empty() ? now() : run.run.date},
                      {"fidelity", describe(posterior.problem().digit().fidelity)},
                      {"complete", run.draws.complete ? "yes" : "no"},
                      {"converged", run.convergence.warnings.empty() ? "yes" : "no"},
@@ -152,6 +166,7 @@ InferenceFile describe_posterior(const PosteriorRun& run) {
   for (const auto& [name, version] : versions()) file.attributes["version_" + name] = version;
   internal::add_inputs(run.inputs, file.attributes);
   internal::add_settings(run.settings, file.attributes);
+  internal::add_record(run.run, file.attributes);
 
   // Groups, by the names of ArviZ.
   using namespace internal;
@@ -281,6 +296,7 @@ PosteriorRun run_of(const InferenceFile& file) {
   run.posterior =
       std::make_shared<const HandPosterior>(build_problem(run.inputs), run.settings.posterior);
   // What was found; convergence and masses are judged again.
+  run.run = internal::record_of(given);
   run.modes = modes_of(file, *run.posterior);
   run.draws = draws_of(file, given, run.posterior->size());
   assess_run(run);

@@ -17,6 +17,7 @@ inline constexpr const char* kPosteriorFormat = "thenar posterior 1";
 
 void add_inputs(const FitInputs& inputs, Attributes& to);
 void add_settings(const PosteriorSettings& settings, Attributes& to);
+void add_record(const RunRecord& run, Attributes& to);
 
 /// Reads attributes by name; refers to `attributes`, which must outlive it.
 class AttributeReader {
@@ -44,6 +45,7 @@ class AttributeReader {
 
 [[nodiscard]] FitInputs inputs_of(const AttributeReader& given);
 [[nodiscard]] PosteriorSettings settings_of(const AttributeReader& given);
+[[nodiscard]] RunRecord record_of(const AttributeReader& given);  // empty in older files
 
 }  // namespace thenar::internal
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/run_record.h"
 #include "kinematics_fit/fit.h"
 #include "posterior/find_modes.h"
 #include "posterior/hand_posterior.h"
@@ -36,6 +37,7 @@ struct PosteriorRun {
   Draws draws;
   Convergence convergence;
   ModeTable mode_table;  // masses of the modes, from the draws
+  RunRecord run;         // of the command that sampled it; empty in a program, and in older files
 };
 
 /// Finds the modes, starts chains at overdispersed points about them, samples, and assesses the

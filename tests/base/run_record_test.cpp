@@ -47,5 +47,14 @@ TEST(RunRecord, ReadsBackInAShell) {
             "thenar fit 'my hand.toml' 'it'\\''s' ''");
 }
 
+TEST(RunRecord, TakesALineApartAsItWasPutTogether) {
+  const std::vector<std::string> typed{"fit",  "my hand.toml", "it's", "",
+                                       "a\\b", "--tension",    "A=1"};
+  EXPECT_EQ(arguments_of(command_line({typed, "", "", ""})), typed);
+  EXPECT_TRUE(arguments_of("").empty());
+  EXPECT_EQ(message_of([] { (void)arguments_of("thenar fit 'x"); }),
+            "wanted a command line of thenar, got 'thenar fit 'x'");
+}
+
 }  // namespace
 }  // namespace thenar

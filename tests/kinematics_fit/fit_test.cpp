@@ -39,10 +39,14 @@ TEST_F(FitFile, ReadsBackWhatWasWritten) {
   SolveOptions options;
   options.method = LeastSquaresMethod::kIpopt;
   options.seed = 5;
-  const Fit fit = run_fit(small_inputs(), options);
+  Fit fit = run_fit(small_inputs(), options);
+  EXPECT_TRUE(fit.run.arguments.empty());
+  fit.run = {{"fit", "my H01.toml"}, "/work", "abc", "2001-09-09T01:46:40Z"};
   const std::string path = (folder_ / "fit.h5").string();
   write_fit(fit, path);
   const Fit back = read_fit(path);
+  EXPECT_EQ(command_line(back.run), command_line(fit.run));
+  EXPECT_EQ(back.run.folder + back.run.commit + back.run.date, "/workabc2001-09-09T01:46:40Z");
   EXPECT_EQ(back.solution.z, fit.solution.z);  // to the last bit
   EXPECT_EQ(predict_trials(back.problem, back.solution.z, 0, WithJacobian::kNo).force,
             predict_trials(fit.problem, fit.solution.z, 0, WithJacobian::kNo).force);

@@ -31,6 +31,21 @@ TEST(PosteriorFile, ComesBackWithEveryDrawAndVerdict) {
   EXPECT_EQ(back.settings.run.sampler.max_depth, 9);
 }
 
+TEST(PosteriorFile, KeepsTheRecordOfItsRun) {
+  const std::string path = temporary_path("thenar_posterior_record.nc");
+  PosteriorRun run = sampled();
+  EXPECT_EQ(describe_posterior(run).attributes.count("run_command"), 0U);
+  run.run = {{"fit", "my H01.toml"}, "/work", "abc", "2001-09-09T01:46:40Z"};
+  write_posterior(run, path);
+  const PosteriorRun back = read_posterior(path);
+  std::filesystem::remove(path);
+  EXPECT_EQ(back.run.arguments, run.run.arguments);
+  EXPECT_EQ(back.run.folder, "/work");
+  EXPECT_EQ(back.run.commit, "abc");
+  EXPECT_EQ(back.run.date, "2001-09-09T01:46:40Z");
+  EXPECT_EQ(describe_posterior(run).attributes.at("created_at"), "2001-09-09T01:46:40Z");
+}
+
 TEST(PosteriorFile, RefusesOtherFiles) {
   const std::string path = temporary_path("thenar_not_a_posterior.nc");
   InferenceFile other;
