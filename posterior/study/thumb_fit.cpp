@@ -162,7 +162,8 @@ PosteriorRun sample_with_retries(const FitInputs& inputs, PosteriorSettings sett
     settings.run.sampler.target_acceptance =
         kAcceptance[static_cast<std::size_t>(std::min(attempt, 2))];
     PosteriorRun run = sample_posterior(inputs, settings);
-    if (attempt == retries || !run.draws.complete || run.convergence.warnings.empty()) return run;
+    const bool good = run.convergence.warnings.empty() && run.convergence.divergent == 0;
+    if (attempt == retries || !run.draws.complete || good) return run;
     // Chains do not agree: twice as long.
     settings.run.draws *= 2;
     settings.run.sampler.warm_up *= 2;

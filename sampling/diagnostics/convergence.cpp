@@ -197,13 +197,19 @@ void judge_size(const std::vector<Estimate>& estimates, const char* what, double
                                    few.worst->name, -few.figure, least, few.more()));
 }
 
-void judge_steps(const Convergence& result, long steps, double allowed,
-                 std::vector<std::string>& warnings) {
-  if (double(result.divergent) > allowed * double(steps))
-    warnings.push_back(fmt::format(
-        "{} of {} draws ended a divergent trajectory ({:.3g} %, allowed {:.3g} %): the sampler "
-        "cannot follow the density there",
-        result.divergent, steps, 100 * double(result.divergent) / double(steps), 100 * allowed));
+/// To be called last: a few divergent draws are a caution where nothing else is wrong.
+void judge_steps(long steps, double allowed, Convergence& result) {
+  if (result.divergent == 0) return;
+  const double share = double(result.divergent) / double(steps);
+  const std::string sentence = fmt::format("{} of {} draws ended a divergent trajectory ({:.3g} %",
+                                           result.divergent, steps, 100 * share);
+  if (share <= allowed && result.warnings.empty())
+    result.cautions.push_back(sentence +
+                              "): a narrow part of the density there may have too few draws");
+  else
+    result.warnings.push_back(
+        fmt::format("{}, allowed {:.3g} %): the sampler cannot follow the density there", sentence,
+                    100 * allowed));
 }
 
 void judge_swaps(const Draws& draws, double least, std::vector<std::string>& warnings) {
@@ -268,8 +274,8 @@ Convergence assess(const Draws& draws, const std::vector<std::string>& names,
   judge_agreement(result.estimates, limits.r_hat, result.warnings);
   judge_size(result.estimates, "bulk", &Estimate::bulk_ess, least, result.warnings);
   judge_size(result.estimates, "tail", &Estimate::tail_ess, least, result.warnings);
-  judge_steps(result, draws.draws() * draws.chains(), limits.divergent_share, result.warnings);
   judge_swaps(draws, limits.swap_rate, result.warnings);
+  judge_steps(draws.draws() * draws.chains(), limits.divergent_share, result);
   return result;
 }
 

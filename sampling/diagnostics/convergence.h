@@ -59,19 +59,21 @@ struct Estimate {
 
 /// Limits that a converged run keeps.
 struct ConvergenceLimits {
-  double r_hat = 1.01;         // largest allowed [1]
-  double ess_per_chain = 100;  // least bulk and tail ESS, to be multiplied by the groups [1]
-  double divergent_share = 0;  // largest share of divergent draws [1]
-  double swap_rate = 0.05;     // least between neighbours [1]
-  int max_depth = 10;          // of trees of NUTS: steps that reach it are counted [1]
+  double r_hat = 1.01;            // largest allowed [1]
+  double ess_per_chain = 100;     // least bulk and tail ESS, to be multiplied by the groups [1]
+  double divergent_share = 0.01;  // largest share of divergent draws that is a caution [1]
+  double swap_rate = 0.05;        // least between neighbours [1]
+  int max_depth = 10;             // of trees of NUTS: steps that reach it are counted [1]
 };
 
 /// Figures of a run and its warnings; without warnings no diagnostic speaks against convergence.
+/// Divergent draws are a warning if they are many, or if anything else is wrong, else a caution.
 struct Convergence {
   std::vector<Estimate> estimates;  // of every entry of x, as named
   double worst_r_hat = 0, min_bulk_ess = 0, min_tail_ess = 0;
   long divergent = 0, non_finite = 0, depth_limit = 0;  // steps [1]
   std::vector<std::string> warnings;  // each a sentence with the figure and its limit
+  std::vector<std::string> cautions;  // for readers of converged draws: a few divergent ones
 };
 
 /// Computes all diagnostics and compares them with their limits.

@@ -59,7 +59,7 @@ TEST(Assess, ShortRunsAreNotEnough) {
   EXPECT_THAT(warnings, testing::Contains(testing::HasSubstr("below 400 (as is that of 1 more)")));
 }
 
-TEST(Assess, DivergencesAreCountedAndNotAllowed) {
+TEST(Assess, FewDivergencesAreACautionAndManyAreNotAllowed) {
   Draws draws = good_draws();
   draws.stats[2][7].divergent = draws.stats[0][1].divergent = true;
   draws.stats[1][3].non_finite = 5;
@@ -69,11 +69,16 @@ TEST(Assess, DivergencesAreCountedAndNotAllowed) {
   EXPECT_EQ(result.divergent, 2);
   EXPECT_EQ(result.non_finite, 5);
   EXPECT_EQ(result.depth_limit, 1);
-  EXPECT_THAT(result.warnings,
+  EXPECT_THAT(result.warnings, IsEmpty());
+  EXPECT_THAT(result.cautions,
+              ElementsAre("2 of 4000 draws ended a divergent trajectory (0.05 %): a narrow part of "
+                          "the density there may have too few draws"));
+  limits.divergent_share = 0;
+  const Convergence strict = assess(draws, {"a", "b"}, limits);
+  EXPECT_THAT(strict.warnings,
               ElementsAre("2 of 4000 draws ended a divergent trajectory (0.05 %, allowed 0 %): the "
                           "sampler cannot follow the density there"));
-  limits.divergent_share = 0.001;
-  EXPECT_THAT(assess(draws, {"a", "b"}, limits).warnings, IsEmpty());
+  EXPECT_THAT(strict.cautions, IsEmpty());
 }
 
 TEST(Assess, BrokenAndStillQuantitiesAreNamed) {
