@@ -26,11 +26,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kHuman = "human";
-constexpr const char* kTendons = "tier4";  // whose hands close by their tendons
+constexpr const char* kTendons = "tendons";  // the version whose hands close by their tendons
+constexpr const char* kSkewed = "skewed";    // the richest version that needs no tendons
 
-NamedHand human(const std::string& name, const Subject& subject, const std::string& tier,
+NamedHand human(const std::string& name, const Subject& subject, const std::string& version,
                 const HumanHandOptions& options) {
-  HumanHand built = build_human_hand(subject, human_tier(tier), options);
+  HumanHand built = build_human_hand(subject, human_version(version), options);
   NamedHand hand;
   hand.name = name;
   hand.hand = std::move(built.hand);
@@ -38,7 +39,7 @@ NamedHand human(const std::string& name, const Subject& subject, const std::stri
   hand.patches = std::move(built.patches);
   hand.targets = std::move(built.targets);
   hand.warnings = std::move(built.warnings);
-  if (tier == kTendons)
+  if (version == kTendons)
     hand.rates = tendon_closing_rates(*hand.hand, max_flexor_tensions(*hand.hand));
   return hand;
 }
@@ -59,32 +60,42 @@ NamedHand robot(const std::string& name, const std::string& file) {
   return hand;
 }
 
-/// Of a file with or without a tier. @throws InputError if it is neither a subject nor a robot
-HandSource file_source(const std::string& file, const std::string& tier, const std::string& path) {
+/// Of a file, with or without a version. @throws InputError if it is neither a subject nor a robot
+HandSource file_source(const std::string& file, const std::string& version,
+                       const std::string& path) {
   require(
       !is_mesh_file(file),
       "'{}' is a mesh and no hand: wanted a robot (TOML, URDF, MJCF, GraspIt! XML) or a subject",
       file);
   if (fs::path(file).extension() == ".toml") {
     const FileKind kind = find_file_kind(file);
-    if (kind == FileKind::kSubject) return {true, file, tier.empty() ? "tier2" : tier, path};
+    if (kind == FileKind::kSubject) return {true, file, version.empty() ? kSkewed : version, path};
     require(kind == FileKind::kRobot, "'{}' is a file of kind '{}': wanted a robot or a subject",
             file, name_of(kind));
   }
-  require(tier.empty(), "'{}' is a robot and has no {}", file, tier);
+  require(version.empty(), "'{}' is a robot and has no version '{}'", file, version);
   return {false, file, "", ""};
 }
 
-/// A name, its tier and its tendon paths; the last two may be empty.
+/// The version by its name of today; "" stays.
+std::string current_version(const std::string& version) {
+  return version.empty() ? "" : human_versions()[static_cast<std::size_t>(human_version(version))];
+}
+
+/// A name, its version and its tendon paths; the last two may be empty.
 struct HandName {
-  std::string base, tier, path;
+  std::string base, version, path;
 };
 HandName split_name(const std::string& name) {
-  const std::size_t tier = name.rfind(":tier");
-  if (tier == std::string::npos) return {name, "", ""};
-  const std::size_t path = name.find(':', tier + 1);
-  if (path == std::string::npos) return {name.substr(0, tier), name.substr(tier + 1), ""};
-  return {name.substr(0, tier), name.substr(tier + 1, path - tier - 1), name.substr(path + 1)};
+  // The last word between colons that is a version: files may have colons in their names.
+  for (std::size_t at = name.rfind(':'); at != std::string::npos && at > 0;
+       at = name.rfind(':', at - 1)) {
+    const std::size_t path = name.find(':', at + 1);
+    const std::string word = name.substr(at + 1, path == std::string::npos ? path : path - at - 1);
+    if (!is_human_version(word)) continue;
+    return {name.substr(0, at), word, path == std::string::npos ? "" : name.substr(path + 1)};
+  }
+  return {name, "", ""};
 }
 
 }  // namespace
@@ -95,18 +106,33 @@ std::string robot_file(const std::string& name, const std::vector<std::string>& 
 }
 
 HandSource find_hand(const std::string& name, const std::vector<std::string>& places) {
-  const auto [base, tier, path] = split_name(name);
+  const auto [base, typed, path] = split_name(name);
+  const std::string version = current_version(typed);
   if (!path.empty()) (void)path_named(path);  // refuses others
-  if (base == kHuman) return {true, "", tier.empty() ? kTendons : tier, path};
-  if (is_file(base)) return file_source(base, tier, path);
+  if (base == kHuman) return {true, "", version.empty() ? kTendons : version, path};
+  if (is_file(base)) return file_source(base, version, path);
   const std::string library = robot_file(base, places);
-  if (!library.empty()) return file_source(library, tier, path);
+  if (!library.empty()) return file_source(library, version, path);
+  // A hand that there is, with a version that there is not.
+  if (const std::size_t colon = name.rfind(':'); colon != std::string::npos)
+    if (const std::string whose = name.substr(0, colon); whose == kHuman || is_file(whose))
+      (void)human_version(name.substr(colon + 1));
   std::vector<std::string> known = names_in(places, "robots");
-  for (const char* each : {"human:tier1", "human:tier2", "human:tier3", "human:tier4"})
-    known.push_back(each);
+  for (const std::string& each : human_versions())
+    known.push_back(std::string(kHuman) + ":" + each);
   throw InputError(fmt::format("there is no hand '{}'{}; there are {}, and files; {}", name,
                                did_you_mean(name, known), fmt::join(known, ", "),
                                places_words(places)));
+}
+
+std::string current_hand_name(const std::string& name) {
+  const auto [base, version, path] = split_name(name);
+  if (version.empty()) return name;
+  return base + ":" + current_version(version) + (path.empty() ? "" : ":" + path);
+}
+
+std::string version_of_hand(const std::string& name) {
+  return name.substr(split_name(name).base.size());
 }
 
 NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& places,
@@ -116,7 +142,7 @@ NamedHand hand_by_name(const std::string& name, const std::vector<std::string>& 
   const Subject subject = source.file.empty() ? default_human() : read_subject(source.file);
   HumanHandOptions human_options = options;
   if (!source.path.empty()) human_options.path = path_named(source.path);
-  NamedHand hand = human(name, subject, source.tier, human_options);
+  NamedHand hand = human(current_hand_name(name), subject, source.version, human_options);
   hand.file = source.file;
   return hand;
 }

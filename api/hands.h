@@ -14,7 +14,7 @@ namespace thenar {
 
 /// A hand and what is known of it beyond Hand. Of robots there are no patches and no targets.
 struct NamedHand {
-  std::string name;  // as asked for
+  std::string name;  // as asked for, versions of a human hand by their names of today
   std::string file;  // that it was built from; empty: the built-in human
   std::shared_ptr<const Hand> hand;
   ContactModel contact = ContactModel::kHardPoint;
@@ -26,20 +26,22 @@ struct NamedHand {
 
 /// What builds a hand of a name.
 struct HandSource {
-  bool human = false;  // of a subject; else a robot
-  std::string file;    // empty: the built-in human
-  std::string tier;    // of a human hand: "tier1" .. "tier4"
-  std::string path;    // of its tendons: "via", "fitted" or "wrapped"; empty: via
+  bool human = false;   // of a subject; else a robot
+  std::string file;     // empty: the built-in human
+  std::string version;  // of a human hand: one of human_versions()
+  std::string path;     // of its tendons: "via", "fitted" or "wrapped"; empty: via
 };
 
 /// The hand called
-///   "human:tier1" .. "human:tier4"  a version of default_human(); "human" is tier 4
-///   "FILE.toml:tier1" ..            the same of a subject file; without a tier it is tier 2, which
-///                                   needs no tendons
-///   "human:tier4:wrapped" ..        the same on another model of tendon paths: via (if left out),
-///                                   fitted or wrapped
-///   "barrett"                       robots/barrett.toml of the first place that has it
-///   a path                          a robot of any kind that import_robot() reads
+///   "human:orthogonal", "human:skewed", "human:soft", "human:tendons"
+///                            a version of default_human(); "human" is "human:tendons"
+///   "FILE.toml:skewed" ..    the same of a subject file; without a version it is "skewed", which
+///                            needs no tendons
+///   "human:tendons:wrapped"  the same on another model of tendon paths: via (if left out), fitted
+///                            or wrapped
+///   "human:tier1" ..         the old names of the four versions, in this order
+///   "barrett"                robots/barrett.toml of the first place that has it
+///   a path                   a robot of any kind that import_robot() reads
 /// @param places  folders with robots/, as data_folders()
 /// @throws InputError naming the hands there are, if there is none of that name, or what a file is
 ///         that is no hand; DataError where a file is wrong.
@@ -49,6 +51,14 @@ struct HandSource {
 [[nodiscard]] NamedHand hand_by_name(const std::string& name,
                                      const std::vector<std::string>& places,
                                      const HumanHandOptions& human = {});
+
+/// The name of a hand with the version by its name of today: "human:tier4:wrapped" becomes
+/// "human:tendons:wrapped". Other names stay as they are.
+[[nodiscard]] std::string current_hand_name(const std::string& name);
+
+/// The end of a name that says which version of a human hand is meant, and which tendon paths:
+/// ":tendons:wrapped"; "" if it says none.
+[[nodiscard]] std::string version_of_hand(const std::string& name);
 
 /// The file of the robot of that name, PLACE/robots/NAME.toml; "" if there is none.
 [[nodiscard]] std::string robot_file(const std::string& name,

@@ -46,11 +46,10 @@ std::string beside(const WorldSpec& world, const std::string& file) {
   return (fs::path(world.folder) / file).string();
 }
 
-/// By which name hand_by_name() knows a placed hand: a subject's file with its tier.
+/// By which name hand_by_name() knows a placed hand: a subject's file with its version.
 std::string name_to_build(const WorldSpec& world, const PlacedHand& placed) {
   if (placed.file.empty()) return placed.name;
-  const std::size_t tier = placed.name.rfind(":tier");
-  return beside(world, placed.file) + (tier == std::string::npos ? "" : placed.name.substr(tier));
+  return beside(world, placed.file) + version_of_hand(placed.name);
 }
 
 /// The robot's file, for mounting. @throws InputError if it is no robot.
@@ -63,14 +62,15 @@ std::string file_of(const WorldSpec& world, const PlacedHand& placed, const Plac
 }
 
 std::size_t index_of(const WorldSpec& world, const std::string& name) {
+  const std::string wanted = current_hand_name(name);
   for (std::size_t i = 0; i < world.hands.size(); ++i)
-    if (world.hands[i].name == name) return i;
+    if (current_hand_name(world.hands[i].name) == wanted) return i;
   return world.hands.size();
 }
 
 std::vector<std::string> names_of(const WorldSpec& world) {
   std::vector<std::string> names;
-  for (const PlacedHand& hand : world.hands) names.push_back(hand.name);
+  for (const PlacedHand& hand : world.hands) names.push_back(current_hand_name(hand.name));
   return names;
 }
 
@@ -269,7 +269,7 @@ WorldCase open_world(const WorldRequest& request, bool hand_from_elsewhere,
 
 bool has_hand(const WorldRequest& request) {
   const std::vector<std::string> names = names_of(read_world(world_file(request)));
-  return std::find(names.begin(), names.end(), request.hand) != names.end();
+  return std::find(names.begin(), names.end(), current_hand_name(request.hand)) != names.end();
 }
 
 std::vector<std::string> data_for(const std::string& folder, const std::string& given) {
@@ -285,7 +285,7 @@ WorldHand hand_of_world(const WorldSpec& world, const std::string& name, const s
     mount(world, data, hand);
   } else {
     hand.named = hand_by_name(name_to_build(world, placed), data, human);
-    hand.named.name = placed.name;
+    hand.named.name = current_hand_name(placed.name);
   }
   hand.X_WH = world.hands[hand.parts.back()].X_WH;
   add_names(world, hand, data);

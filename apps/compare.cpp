@@ -1,4 +1,4 @@
-// thenar compare --hands human:tier1,barrett,... --objects sphere_70,mug,... -o OUT.json
+// thenar compare --hands human:skewed,barrett,... --objects sphere_70,mug,... -o OUT.json
 //
 // Hands compared: the same approaches to the same objects, and what each hand can do by itself.
 
@@ -131,7 +131,9 @@ void run_compare(const CompareArguments& options) {
 void add_compare(CLI::App& app) {
   auto options = std::make_shared<CompareArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("compare", "Hands on the same objects and tasks");
-  command->add_option("--hands", options->question.hands, "human:tier1 .. tier4, robots, files")
+  command
+      ->add_option("--hands", options->question.hands,
+                   "human:orthogonal, human:skewed, human:soft, human:tendons; robots; files")
       ->delimiter(',');
   command->add_option("--objects", options->question.objects, "Of DATA/objects, or files")
       ->delimiter(',');

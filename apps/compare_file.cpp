@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "api/files.h"
+#include "api/hands.h"
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/provenance.h"
@@ -259,6 +260,25 @@ OrderedJson abilities_json(const HandAbilities& hand) {
   return out;
 }
 
+/// Hands by their names of today: files of older versions call the human's tier1 .. tier4.
+void rename_hands(nlohmann::json& file) {
+  const auto rename = [](nlohmann::json& name) {
+    if (name.is_string()) name = current_hand_name(name);
+  };
+  nlohmann::json& inputs = file["inputs"];
+  if (!inputs.is_object()) return;
+  if (inputs.contains("hands"))
+    for (nlohmann::json& hand : inputs["hands"]) rename(hand);
+  if (inputs.contains("contents")) {
+    nlohmann::json contents = nlohmann::json::object();
+    for (const auto& [name, hash] : inputs["contents"].items())
+      contents[name.rfind("hand ", 0) == 0 ? current_hand_name(name) : name] = hash;
+    inputs["contents"] = contents;
+  }
+  for (nlohmann::json& cell : file["cells"])
+    if (cell.is_object() && cell.contains("hand")) rename(cell["hand"]);
+}
+
 }  // namespace
 
 std::string load_key(GraspTask task) {
@@ -307,7 +327,7 @@ std::vector<HandOnObject> parse_cells(const nlohmann::json& list, const std::str
 std::vector<HandOnObject> read_cells(const std::string& path, const OrderedJson& inputs) {
   std::error_code none;
   if (!std::filesystem::exists(path, none)) return {};
-  const nlohmann::json file = parse_json(path, read_source(path).text);
+  nlohmann::json file = parse_json(path, read_source(path).text);
   require(file.is_object() && file.contains("inputs") && file.contains("cells"),
           "'{}' is no comparison of hands: name another file", path);
   if (const auto sum = file.find("sha256"); sum == file.end())
@@ -316,6 +336,7 @@ std::vector<HandOnObject> read_cells(const std::string& path, const OrderedJson&
                     "version; remove it, or name another file");
   else if (*sum != comparison_checksum(file))
     throw DataError(path, 1, "its checksum (SHA-256) does not hold: it was damaged or changed");
+  rename_hands(file);
   for (const auto& [name, value] : inputs.items()) {
     const bool same =
         file["inputs"].contains(name) && file["inputs"][name] == nlohmann::json(value);

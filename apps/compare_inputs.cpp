@@ -14,6 +14,7 @@
 #include "data/io/file_kind.h"
 #include "data/io/mesh/mesh_file.h"
 #include "data/io/robot/import_robot.h"
+#include "report/json.h"
 
 namespace thenar {
 namespace {
@@ -136,10 +137,12 @@ OrderedJson compare_inputs(const CompareQuestion& question) {
   OrderedJson contents = OrderedJson::object();
   for (const std::string& hand : question.hands)
     if (const std::string hash = hand_hash(hand, question.data); !hash.empty())
-      contents["hand " + hand] = hash;
+      contents["hand " + current_hand_name(hand)] = hash;
   for (const BodySpec& object : objects_of(question))
     contents["object " + object.name] = object_hash(object);
-  return {{"hands", question.hands},
+  std::vector<std::string> hands;
+  for (const std::string& hand : question.hands) hands.push_back(current_hand_name(hand));
+  return {{"hands", hands},
           {"objects", question.objects},
           {"tasks", question.tasks},
           {"approaches", question.approaches},

@@ -14,9 +14,10 @@ namespace thenar {
 
 /// As given on the command line.
 struct CompareQuestion {
-  std::vector<std::string> hands{"human:tier1", "human:tier2", "human:tier3",  "human:tier4",
-                                 "barrett",     "dlr",         "shadow",       "allegro",
-                                 "leap",        "robonaut",    "parallel_jaw", "robotiq_2f85"};
+  std::vector<std::string> hands{"human:orthogonal", "human:skewed", "human:soft",
+                                 "human:tendons",    "barrett",      "dlr",
+                                 "shadow",           "allegro",      "leap",
+                                 "robonaut",         "parallel_jaw", "robotiq_2f85"};
   std::vector<std::string> objects{"sphere_70", "cube_50", "can", "box",
                                    "pen",       "mug",     "egg", "jar_lid"};
   std::vector<std::string> tasks{"force-closure", "hold-weight"};

@@ -184,7 +184,7 @@ void require_numbers(const CompareOptions& options) {
           options.threads);
 }
 
-/// Lines like "human:tier1, human:tier2: assumption": each warning once, with its hands.
+/// Lines like "human:skewed, human:soft: assumption": each warning once, with its hands.
 std::vector<std::string> folded_warnings(const std::vector<ComparedHand>& hands) {
   std::vector<std::pair<std::string, std::string>> whose;  // warning, hands
   for (const ComparedHand& hand : hands)

@@ -8,6 +8,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "api/hands.h"
+
 namespace thenar {
 namespace {
 
@@ -53,12 +55,11 @@ std::string why_unknown(const HandOnObject& cell) {
 
 std::vector<std::string> version_lines(const Comparison& comparison) {
   std::vector<std::string> lines;
-  for (std::size_t tier = 0; tier < kVersions.size(); ++tier) {
-    const std::string ending = fmt::format(":tier{}", tier + 1);
+  for (std::size_t version = 0; version < kVersions.size(); ++version) {
+    const std::string ending = ":" + human_versions()[version];
     for (const std::string& hand : comparison.hands)
-      if (hand.size() > ending.size() &&
-          hand.compare(hand.size() - ending.size(), ending.size(), ending) == 0)
-        lines.push_back(fmt::format("{}: {}.", hand, kVersions[tier]));
+      if (version_of_hand(hand).rfind(ending, 0) == 0)
+        lines.push_back(fmt::format("{}: {}.", hand, kVersions[version]));
   }
   return lines;
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "data/io/net_description.h"
 #include "hand/skin/hand_anatomy.h"
 #include "tendons/human/closing_synergy.h"
@@ -179,10 +180,20 @@ std::vector<LinkSurface> covered(const Subject& subject, const Skeleton& skeleto
   return {};
 }
 
+/// Place of a version in human_versions(), by its name or its old one; -1: it is none.
+int find_version(const std::string& name) {
+  const std::vector<std::string>& names = human_versions();
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (name == names[i] || name == fmt::format("tier{}", i + 1)) return static_cast<int>(i);
+  return -1;
+}
+
 }  // namespace
 
-HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHandOptions& options) {
-  const Subject subject = tier == HumanTier::kOrthogonalThumb ? orthogonal_thumb(given) : given;
+HumanHand build_human_hand(const Subject& given, HumanVersion version,
+                           const HumanHandOptions& options) {
+  const Subject subject =
+      version == HumanVersion::kOrthogonalThumb ? orthogonal_thumb(given) : given;
   // Skin lies around the joints as measured, whatever becomes of the thumb's axes.
   const HandAnatomy anatomy = find_anatomy(given);
   // Bones, contact model, patches and targets.
@@ -190,13 +201,13 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   const Skeleton skeleton = build_skeleton(subject, {{}, frozen});
   HumanHand human;
   human.contact =
-      tier < HumanTier::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
+      version < HumanVersion::kSoftPads ? ContactModel::kHardPoint : ContactModel::kSoftFinger;
   human.patches = skin_patches(anatomy, skeleton);
   human.targets = kapandji_targets(anatomy, skeleton);
   human.warnings = anatomy.warnings;
   std::vector<LinkSurface> surfaces = covered(given, skeleton, options);
   // Tendons: digit by digit, through nets where they can be carried.
-  if (tier == HumanTier::kTendonNet) {
+  if (version == HumanVersion::kTendonNet) {
     require(has_tendons(subject), "subject '{}' has no tendons for the fourth version",
             subject.name);
     HandTendons tendons =
@@ -224,11 +235,18 @@ HumanHand build_human_hand(const Subject& given, HumanTier tier, const HumanHand
   return human;
 }
 
-HumanTier human_tier(const std::string& name) {
-  const std::vector<std::string> names{"tier1", "tier2", "tier3", "tier4"};
-  const auto found = std::find(names.begin(), names.end(), name);
-  require(found != names.end(), "no human '{}'; there are tier1, tier2, tier3, tier4", name);
-  return static_cast<HumanTier>(found - names.begin());
+const std::vector<std::string>& human_versions() {
+  static const std::vector<std::string> names{"orthogonal", "skewed", "soft", "tendons"};
+  return names;
+}
+
+bool is_human_version(const std::string& name) { return find_version(name) >= 0; }
+
+HumanVersion human_version(const std::string& name) {
+  const int found = find_version(name);
+  require(found >= 0, "no version '{}' of the human hand{}; there are {}", name,
+          did_you_mean(name, human_versions()), listed(human_versions()));
+  return static_cast<HumanVersion>(found);
 }
 
 const Subject& default_human() {

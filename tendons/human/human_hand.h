@@ -17,7 +17,7 @@ namespace thenar {
 
 /// The version. Source of the four steps: [Miller2005], in the order in which they are compared
 /// here.
-enum class HumanTier {
+enum class HumanVersion {
   kOrthogonalThumb,  // rigid, thumb axes crossing at right angles, hard points
   kSkewedThumb,      // rigid, thumb axes as measured, hard points
   kSoftPads,         // and pads that resist twisting
@@ -42,7 +42,7 @@ struct HumanHandOptions {
 /// A hand with all that comparisons need.
 struct HumanHand {
   std::unique_ptr<Hand> hand;
-  ContactModel contact;                   // hard points, or soft fingers from tier 3 on
+  ContactModel contact;                   // hard points, or soft fingers from kSoftPads on
   std::vector<SkinPatch> patches;         // pads and nails
   std::vector<OppositionTarget> targets;  // of Kapandji's score
   std::vector<std::string> warnings;      // what was assumed, left out or put on a lower rung
@@ -56,11 +56,18 @@ struct HumanHand {
 /// fourth lays the net "winslow" on every finger that can carry it, and takes separate tendons
 /// elsewhere, with a warning; it wants tendons at every digit.
 /// @throws InputError naming what the subject lacks.
-[[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanTier tier,
+[[nodiscard]] HumanHand build_human_hand(const Subject& subject, HumanVersion version,
                                          const HumanHandOptions& options = {});
 
-/// The tier called "tier1" .. "tier4". @throws InputError listing these.
-[[nodiscard]] HumanTier human_tier(const std::string& name);
+/// Names of the versions, in the order of HumanVersion: "orthogonal", "skewed", "soft", "tendons".
+[[nodiscard]] const std::vector<std::string>& human_versions();
+
+/// Whether a word names a version, by its name or its old one.
+[[nodiscard]] bool is_human_version(const std::string& name);
+
+/// The version of that name, or of its old one, "tier1" .. "tier4".
+/// @throws InputError listing the names.
+[[nodiscard]] HumanVersion human_version(const std::string& name);
 
 /// The human of comparisons, [Mirakhorlo2016].
 [[nodiscard]] const Subject& default_human();

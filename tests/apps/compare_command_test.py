@@ -91,12 +91,12 @@ class Compare(unittest.TestCase):
 
     # Places of ten that a thumb reaches are no share of tips: 10 of jaws once stood beside 8 of a hand.
     def test_opposition_of_jaws_and_thumbs_is_on_two_scales(self):
-        jaws, human = self.keep(hands="parallel_jaw,human:tier1")["abilities"]
+        jaws, human = self.keep(hands="parallel_jaw,human:orthogonal")["abilities"]
         self.assertEqual((jaws["kapandji_of_10"], jaws["tips_met_share"]), (None, 1))
         self.assertIsNone(human["tips_met_share"])
         self.assertTrue(0 < human["kapandji_of_10"] <= 10, human["kapandji_of_10"])
         self.out.unlink()
-        table = self.run_it(hands="parallel_jaw,human:tier1").stdout.split("Hands by themselves")[1]
+        table = self.run_it(hands="parallel_jaw,human:orthogonal").stdout.split("Hands by themselves")[1]
         header, *rows = [line.split() for line in table.splitlines()[1:4]]
         for row in rows:
             places, share = (row[header.index(key)] for key in ("kapandji_of_10", "tips_met_percent"))
@@ -165,6 +165,15 @@ class Compare(unittest.TestCase):
         robot.write_text(robot.read_text() + "# a comment changes nothing\n")
         self.keep()
 
+    def test_goes_on_with_a_file_that_has_the_old_names_of_human_hands(self):
+        kept = self.keep(hands="human:tier1")
+        self.assertEqual(kept["inputs"]["hands"], ["human:orthogonal"])
+        self.assertEqual([cell["hand"] for cell in kept["cells"]], ["human:orthogonal"])
+        old = json.loads(self.out.read_text().replace("human:orthogonal", "human:tier1"))
+        self.write_sealed(old)
+        again = self.keep(hands="human:orthogonal")
+        self.assertEqual(again["cells"], kept["cells"])
+
     def test_does_not_go_on_with_another_mesh(self):
         (self.folder / "objects" / "wedge.toml").write_text(OBJECT)
         mesh = self.folder / "objects" / "wedge.obj"
@@ -173,15 +182,19 @@ class Compare(unittest.TestCase):
         mesh.write_text(MESH.format(x=61))
         self.assertIn("another 'contents'", self.refusal(objects="wedge"))
 
+    def write_sealed(self, kept):
+        """Writes a comparison with the checksum that belongs to it."""
+        del kept["sha256"]
+        words = json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+        kept["sha256"] = hashlib.sha256(words.encode()).hexdigest()
+        self.out.write_text(json.dumps(kept))
+
     def sealed(self, change):
         """What it says of a file whose first cell was changed, and its checksum with it."""
         kept = json.loads(self.out.read_text())
         change(kept["cells"][0])
-        del kept["sha256"]
-        words = json.dumps(kept, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
-        kept["sha256"] = hashlib.sha256(words.encode()).hexdigest()
         before = self.out.read_bytes()
-        self.out.write_text(json.dumps(kept))
+        self.write_sealed(kept)
         words = self.refusal()
         self.out.write_bytes(before)
         return words

@@ -45,7 +45,7 @@ struct PlacedBody {
 
 /// A hand at its pose.
 struct PlacedHand {
-  std::string name;                       // "barrett", "human:tier4"; api/ builds hands by name
+  std::string name;                       // "barrett", "human:tendons"; api/ builds hands by name
   std::string file;                       // robot or subject, as written; empty: by name
   Pose<double> X_WH;                      // of its base link, in the world or on carrier_link
   std::map<std::string, double> posture;  // coordinate -> [rad] or [m]

@@ -22,8 +22,8 @@ const ShapeSpec kLargeBall = sample::shape(ShapeKind::kSphere, {0.035, 0, 0});
 Scene nothing() { return sample::scene({sample::placed("ball", kLargeBall, {0, 0, 1})}); }
 
 /// Built once, with coarse skin.
-const HumanHand& human_of(HumanTier tier) {
-  static std::map<HumanTier, HumanHand> built;
+const HumanHand& human_of(HumanVersion tier) {
+  static std::map<HumanVersion, HumanHand> built;
   const auto found = built.find(tier);
   if (found != built.end()) return found->second;
   HumanHandOptions options;
@@ -31,9 +31,9 @@ const HumanHand& human_of(HumanTier tier) {
   return built.emplace(tier, build_human_hand(default_human(), tier, options)).first->second;
 }
 
-CloseOptions options_of(const Hand& hand, HumanTier tier) {
+CloseOptions options_of(const Hand& hand, HumanVersion tier) {
   CloseOptions options;
-  if (tier == HumanTier::kTendonNet)
+  if (tier == HumanVersion::kTendonNet)
     options.rates = tendon_closing_rates(hand, max_flexor_tensions(hand));
   return options;
 }
@@ -67,7 +67,7 @@ double deepest(const CollisionHand& hand, const Eigen::VectorXd& q, const std::s
   return depth;
 }
 
-class HumanClosing : public testing::TestWithParam<HumanTier> {};
+class HumanClosing : public testing::TestWithParam<HumanVersion> {};
 
 // Thumbs are left out, which end on the fingers. What stops the others is their own limit, or the
 // palm with the thumb's eminence.
@@ -88,13 +88,13 @@ TEST_P(HumanClosing, MakesAFist) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, HumanClosing,
-                         testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
-                                         HumanTier::kSoftPads, HumanTier::kTendonNet));
+                         testing::Values(HumanVersion::kOrthogonalThumb, HumanVersion::kSkewedThumb,
+                                         HumanVersion::kSoftPads, HumanVersion::kTendonNet));
 
 // Not abducted, it runs onto its side: both layers of skin are pressed flat, 3 mm each, and it is
 // stopped at the first look after that, at most a millimetre of sliding later.
 TEST(HumanClosing, StopsTheThumbOnTheIndexFinger) {
-  const HumanHand& human = human_of(HumanTier::kSkewedThumb);
+  const HumanHand& human = human_of(HumanVersion::kSkewedThumb);
   const Hand& hand = *human.hand;
   const CollisionHand touching = collision_hand(hand);
   const int root = coordinate(hand, "CMC1_FE");
@@ -120,12 +120,12 @@ Scene ball_in(const Hand& hand) {
 // A joint that still moved a link against the ball would go on: each of them is stopped by contact.
 // The thumb meets it from the other side.
 TEST(HumanClosing, CurlsRoundABallByTendons) {
-  const HumanHand& human = human_of(HumanTier::kTendonNet);
+  const HumanHand& human = human_of(HumanVersion::kTendonNet);
   const Hand& hand = *human.hand;
   const CollisionHand touching = collision_hand(hand);
   const Scene scene = ball_in(hand);
   const ClosedHand closed = close_hand(touching, {}, open_posture(hand.layout()), scene,
-                                       options_of(hand, HumanTier::kTendonNet));
+                                       options_of(hand, HumanVersion::kTendonNet));
   ASSERT_TRUE(closed.overlaps.empty());
   ASSERT_TRUE(closed.finished);
   for (std::size_t j = 0; j < closed.stopped.size(); ++j)
@@ -143,7 +143,7 @@ TEST(HumanClosing, CurlsRoundABallByTendons) {
 }
 
 TEST(OpenPosture, OfAHumanIsStraightWithTheThumbAbducted) {
-  const HumanHand& human = human_of(HumanTier::kSkewedThumb);
+  const HumanHand& human = human_of(HumanVersion::kSkewedThumb);
   const Eigen::VectorXd q = open_posture(human.hand->layout());
   const int abduction = coordinate(*human.hand, "CMC1_AA");
   for (Eigen::Index j = 0; j < q.size(); ++j)
@@ -156,7 +156,7 @@ TEST(OpenPosture, OfAHumanIsStraightWithTheThumbAbducted) {
 
 // A layout that states none opens what it drives to the limit it comes from.
 TEST(OpenPosture, IsTheLimitsThatDrivesComeFromWhereAHandStatesNone) {
-  HandLayout layout = human_of(HumanTier::kSkewedThumb).hand->layout();
+  HandLayout layout = human_of(HumanVersion::kSkewedThumb).hand->layout();
   layout.open.resize(0);
   const Eigen::VectorXd q = open_posture(layout), rates = ClosingDrives(layout).rates();
   for (Eigen::Index j = 0; j < q.size(); ++j)

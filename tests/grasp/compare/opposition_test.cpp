@@ -18,7 +18,7 @@ namespace {
 TEST(HumanOpposition, MeetsAllFingertips) {
   HumanHandOptions options;
   options.cover = Cover::kNone;
-  HumanHand human = build_human_hand(default_human(), HumanTier::kSkewedThumb, options);
+  HumanHand human = build_human_hand(default_human(), HumanVersion::kSkewedThumb, options);
   ComparedHand compared;
   compared.hand = std::move(human.hand);
   for (const OppositionTarget& target : human.targets)

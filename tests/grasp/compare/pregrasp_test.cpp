@@ -1,5 +1,6 @@
-// Every robot that is compared by default, and tier 1 of the human hand, holds a ball of 70 mm in
-// one of its first 20 approaches; so do the other tiers where THENAR_ALL_HANDS is set: long_hands.
+// Every robot that is compared by default, and the human hand with an orthogonal thumb, holds a
+// ball of 70 mm in one of its first 20 approaches; so do the other tiers where THENAR_ALL_HANDS is
+// set: long_hands.
 
 #include <cstdlib>
 
@@ -49,13 +50,14 @@ class HumanOnBall : public testing::TestWithParam<const char*> {};
 
 // A hand takes seconds to build: the others, which differ in pads and tendons alone, where asked.
 TEST_P(HumanOnBall, ClosesWithForceClosure) {
-  if (GetParam() != std::string("tier1") && std::getenv("THENAR_ALL_HANDS") == nullptr)
+  if (GetParam() != std::string("orthogonal") && std::getenv("THENAR_ALL_HANDS") == nullptr)
     GTEST_SKIP() << "set THENAR_ALL_HANDS to try it";
-  const HumanHand human = build_human_hand(default_human(), human_tier(GetParam()));
+  const HumanHand human = build_human_hand(default_human(), human_version(GetParam()));
   EXPECT_LT(first_closure(*human.hand, human.contact), 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Default, HumanOnBall, testing::Values("tier1", "tier2", "tier3", "tier4"),
+INSTANTIATE_TEST_SUITE_P(Default, HumanOnBall,
+                         testing::Values("orthogonal", "skewed", "soft", "tendons"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 }  // namespace

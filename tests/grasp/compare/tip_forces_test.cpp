@@ -160,7 +160,7 @@ TEST(TipForces, OfARobotiqAreHalfOfItsEffortByArm) {
 TEST(TipForces, OfAHumanIndexAreOfTheOrderOfAPinch) {
   HumanHandOptions bare;
   bare.cover = Cover::kNone;
-  const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare);
+  const HumanHand human = build_human_hand(default_human(), HumanVersion::kTendonNet, bare);
   const std::vector<std::string>& tips = human.hand->layout().tips;
   const auto index = std::find(tips.begin(), tips.end(), "index") - tips.begin();
   const TipForces forces = in_the_middle(*human.hand, static_cast<int>(index));

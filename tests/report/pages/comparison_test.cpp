@@ -128,12 +128,12 @@ TEST(ComparePage, TakesTheBestOfTheLoadsThatAreKnown) {
 
 TEST(ComparePage, TellsVersionsOfTheHumanHandApart) {
   Comparison comparison = sample();
-  comparison.hands = {"human:tier2", "jaws", "human:tier4"};
+  comparison.hands = {"human:skewed", "jaws", "human:tendons"};
   MeshTable meshes;
   const Json blocks = section_of(compare_page(comparison, {}, {}, meshes), "glance")["blocks"];
   ASSERT_EQ(blocks.size(), 4U);
   EXPECT_NE(blocks[2]["text"].get<std::string>().find("strength of its own"), std::string::npos);
-  EXPECT_NE(blocks[3]["text"].get<std::string>().find("human:tier4: "), std::string::npos);
+  EXPECT_NE(blocks[3]["text"].get<std::string>().find("human:tendons: "), std::string::npos);
 }
 
 TEST(ComparePage, SaysWhatIsMissingOfOneThatWasStopped) {

@@ -43,9 +43,9 @@ const Drive& drive_of(const Hand& hand, const std::string& name) {
   throw InputError("no drive " + name);
 }
 
-class HumanTiers : public testing::TestWithParam<HumanTier> {};
+class HumanVersions : public testing::TestWithParam<HumanVersion> {};
 
-TEST_P(HumanTiers, ObeysTheLawsOfHands) {
+TEST_P(HumanVersions, ObeysTheLawsOfHands) {
   const HumanHand human = build_human_hand(default_human(), GetParam(), bare());
   expect_hand_laws(*human.hand, 5);
   const HandLayout& layout = human.hand->layout();
@@ -58,7 +58,7 @@ TEST_P(HumanTiers, ObeysTheLawsOfHands) {
 }
 
 // Every coordinate belongs to exactly one drive; flexion joints move inwards, others stand.
-TEST_P(HumanTiers, DrivesEveryDigit) {
+TEST_P(HumanVersions, DrivesEveryDigit) {
   const HumanHand human = build_human_hand(default_human(), GetParam(), bare());
   const HandLayout& layout = human.hand->layout();
   std::vector<int> moved(layout.coordinates.size(), 0);
@@ -72,9 +72,9 @@ TEST_P(HumanTiers, DrivesEveryDigit) {
   for (const int times : moved) EXPECT_EQ(times, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, HumanTiers,
-                         testing::Values(HumanTier::kOrthogonalThumb, HumanTier::kSkewedThumb,
-                                         HumanTier::kSoftPads, HumanTier::kTendonNet));
+INSTANTIATE_TEST_SUITE_P(All, HumanVersions,
+                         testing::Values(HumanVersion::kOrthogonalThumb, HumanVersion::kSkewedThumb,
+                                         HumanVersion::kSoftPads, HumanVersion::kTendonNet));
 
 const JointAxis& joint_of(const Subject& subject, const std::string& name) {
   for (const JointAxis& joint : subject.joints)
@@ -107,10 +107,10 @@ TEST(DefaultHuman, CountsTheThumbsRangesFromItsNeutralPosture) {
 
 // Each step changes one thing.
 TEST(HumanHand, GrowsRicherByOneThingAtATime) {
-  const HumanHand a = build_human_hand(default_human(), HumanTier::kOrthogonalThumb, bare());
-  const HumanHand b = build_human_hand(default_human(), HumanTier::kSkewedThumb, bare());
-  const HumanHand c = build_human_hand(default_human(), HumanTier::kSoftPads, bare());
-  const HumanHand d = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const HumanHand a = build_human_hand(default_human(), HumanVersion::kOrthogonalThumb, bare());
+  const HumanHand b = build_human_hand(default_human(), HumanVersion::kSkewedThumb, bare());
+  const HumanHand c = build_human_hand(default_human(), HumanVersion::kSoftPads, bare());
+  const HumanHand d = build_human_hand(default_human(), HumanVersion::kTendonNet, bare());
   const Eigen::VectorXd q = Eigen::VectorXd::Constant(20, 0.1);
   const auto tip = [&](const HumanHand& human, int digit) {
     const HandTip& at = human.hand->layout().tip_points[digit];
@@ -130,8 +130,8 @@ TEST(HumanHand, GrowsRicherByOneThingAtATime) {
 // Motors can do at the reference posture whatever the tendons can, and no joint more.
 TEST(HumanHand, HasMotorsAsStrongAsItsTendons) {
   const Eigen::VectorXd q = Eigen::VectorXd::Zero(20);
-  const HumanHand motors = build_human_hand(default_human(), HumanTier::kSoftPads, bare());
-  const HumanHand tendons = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const HumanHand motors = build_human_hand(default_human(), HumanVersion::kSoftPads, bare());
+  const HumanHand tendons = build_human_hand(default_human(), HumanVersion::kTendonNet, bare());
   const Actuation box = motors.hand->actuation(q), pull = tendons.hand->actuation(q);
   sample::Draw draw(9);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -149,7 +149,7 @@ TEST(HumanHand, HasMotorsAsStrongAsItsTendons) {
 }
 
 TEST(HumanHand, CarriesNetsOnAllFingers) {
-  const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const HumanHand human = build_human_hand(default_human(), HumanVersion::kTendonNet, bare());
   for (const std::string& warning : human.warnings)
     EXPECT_THAT(warning, testing::Not(HasSubstr("no net")));
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
@@ -163,7 +163,7 @@ TEST(HumanHand, RunsTendonsOnThePathsThatWereAsked) {
   for (const Path path : {Path::kViaPoint, Path::kFitted}) {
     HumanHandOptions options = bare();
     options.path = path;
-    const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, options);
+    const HumanHand human = build_human_hand(default_human(), HumanVersion::kTendonNet, options);
     TendonOptions alone;
     alone.path = path;
     const auto finger = build_linear_tendons(default_human(), "index", alone);
@@ -187,10 +187,10 @@ TEST(HumanHand, TouchesWithSkinOrBones) {
   HumanHandOptions options;
   options.cover = Cover::kBones;
   const HumanHand bones =
-      build_human_hand(sample::subject("arms_thumb"), HumanTier::kSkewedThumb, options);
+      build_human_hand(sample::subject("arms_thumb"), HumanVersion::kSkewedThumb, options);
   ASSERT_EQ(bones.hand->surfaces().size(), 3U);
   EXPECT_EQ(bones.hand->surfaces().front().material, "bone");
-  const HumanHand skin = build_human_hand(sample::subject("arms_thumb"), HumanTier::kSoftPads);
+  const HumanHand skin = build_human_hand(sample::subject("arms_thumb"), HumanVersion::kSoftPads);
   ASSERT_EQ(skin.hand->surfaces().size(), 3U);
   EXPECT_EQ(skin.hand->surfaces().front().material, "skin");
 }
@@ -199,7 +199,7 @@ TEST(HumanHand, TouchesWithSkinOrBones) {
 TEST(HumanHand, BorrowsStrengthByTheCubeOfLength) {
   const auto strength = [](double scale) {
     const Subject subject = sample::scaled({0.195 * scale, 0.085 * scale});
-    const HumanHand human = build_human_hand(subject, HumanTier::kSkewedThumb, bare());
+    const HumanHand human = build_human_hand(subject, HumanVersion::kSkewedThumb, bare());
     EXPECT_THAT(human.warnings, testing::Contains(HasSubstr("'mirakhorlo2016' times")));
     return human.hand->actuation(Eigen::VectorXd::Zero(20)).upper;
   };
@@ -209,18 +209,20 @@ TEST(HumanHand, BorrowsStrengthByTheCubeOfLength) {
 }
 
 TEST(HumanHand, RefusesTendonsWhereThereAreNone) {
-  EXPECT_EQ(
-      message_of([] { (void)build_human_hand(sample::scaled(), HumanTier::kTendonNet, bare()); }),
-      "subject 'buchholz1992' has no tendons for the fourth version");
+  EXPECT_EQ(message_of(
+                [] { (void)build_human_hand(sample::scaled(), HumanVersion::kTendonNet, bare()); }),
+            "subject 'buchholz1992' has no tendons for the fourth version");
   // Its fingers have no muscles: motors borrow, tendons cannot.
   const Subject thumb_only = sample::subject("graspit_skewed_thumb");
-  EXPECT_NO_THROW((void)build_human_hand(thumb_only, HumanTier::kSkewedThumb, bare()));
-  EXPECT_EQ(message_of([&] { (void)build_human_hand(thumb_only, HumanTier::kTendonNet, bare()); }),
-            "no muscle of 'graspit_skewed_thumb' moves its index; the fourth version wants tendons "
-            "at every digit");
-  EXPECT_EQ(human_tier("tier3"), HumanTier::kSoftPads);
-  EXPECT_EQ(message_of([] { (void)human_tier("tier5"); }),
-            "no human 'tier5'; there are tier1, tier2, tier3, tier4");
+  EXPECT_NO_THROW((void)build_human_hand(thumb_only, HumanVersion::kSkewedThumb, bare()));
+  EXPECT_EQ(
+      message_of([&] { (void)build_human_hand(thumb_only, HumanVersion::kTendonNet, bare()); }),
+      "no muscle of 'graspit_skewed_thumb' moves its index; the fourth version wants tendons "
+      "at every digit");
+  EXPECT_EQ(human_version("soft"), HumanVersion::kSoftPads);
+  EXPECT_EQ(human_version("tier3"), HumanVersion::kSoftPads);  // its old name
+  EXPECT_EQ(message_of([] { (void)human_version("tier5"); }),
+            "no version 'tier5' of the human hand; there are orthogonal, skewed, soft, tendons");
 }
 
 // -- Strength and closing ---------------------------------------------------------------------
@@ -283,7 +285,7 @@ TEST(ClosingSynergy, PullsFlexorsAlone) {
 
 // Ratios of the flexors' torques at their largest tensions, by the hand's own B.
 TEST(ClosingSynergy, ClosesByTheTendonsTorques) {
-  const HumanHand human = build_human_hand(default_human(), HumanTier::kTendonNet, bare());
+  const HumanHand human = build_human_hand(default_human(), HumanVersion::kTendonNet, bare());
   const HandLayout& layout = human.hand->layout();
   const Actuation actuation = human.hand->actuation(Eigen::VectorXd::Zero(20));
   const Drive& index = drive_of(*human.hand, "index");
@@ -299,7 +301,7 @@ TEST(ClosingSynergy, ClosesByTheTendonsTorques) {
 }
 
 TEST(ClosingSynergy, CurlsMotorFingersByConvention) {
-  const HumanHand human = build_human_hand(sample::scaled(), HumanTier::kSkewedThumb, bare());
+  const HumanHand human = build_human_hand(sample::scaled(), HumanVersion::kSkewedThumb, bare());
   const Drive& index = drive_of(*human.hand, "index");
   EXPECT_EQ(index.coupled, DriveCoupling::kBreakaway);
   ASSERT_EQ(index.moves.size(), 3U);

@@ -1,0 +1,45 @@
+// Tests for api/hands.cpp.
+
+#include "api/hands.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "tests/data_folder.h"
+
+namespace thenar {
+namespace {
+
+TEST(FindHand, KnowsVersionsByTheirNamesAndByTheOldOnes) {
+  const HandSource found = find_hand("human:soft", {kData});
+  EXPECT_TRUE(found.human);
+  EXPECT_EQ(found.version, "soft");
+  EXPECT_EQ(find_hand("human:tier3", {kData}).version, "soft");
+  EXPECT_EQ(find_hand("human", {kData}).version, "tendons");
+  EXPECT_EQ(find_hand("human:tier4:wrapped", {kData}).path, "wrapped");
+}
+
+TEST(FindHand, TakesSubjectsFromFiles) {
+  const std::string file = std::string(kData) + "/subjects/mirakhorlo2016.toml";
+  EXPECT_EQ(find_hand(file, {kData}).version, "skewed");  // which wants no tendons
+  EXPECT_EQ(find_hand(file + ":tendons", {kData}).version, "tendons");
+  EXPECT_EQ(find_hand(file + ":tendons", {kData}).file, file);
+}
+
+TEST(FindHand, RefusesWhatIsNoVersion) {
+  EXPECT_THROW((void)find_hand("human:tier5", {kData}), InputError);
+  EXPECT_THROW((void)find_hand("barrett:soft", {kData}), InputError);
+  EXPECT_THROW((void)find_hand("human:soft:curved", {kData}), InputError);
+}
+
+TEST(CurrentHandName, RenamesVersionsAlone) {
+  EXPECT_EQ(current_hand_name("human:tier1"), "human:orthogonal");
+  EXPECT_EQ(current_hand_name("a/b.toml:tier4:wrapped"), "a/b.toml:tendons:wrapped");
+  EXPECT_EQ(current_hand_name("human:skewed"), "human:skewed");
+  EXPECT_EQ(current_hand_name("barrett"), "barrett");
+  EXPECT_EQ(version_of_hand("human:tendons:wrapped"), ":tendons:wrapped");
+  EXPECT_EQ(version_of_hand("barrett"), "");
+}
+
+}  // namespace
+}  // namespace thenar
