@@ -111,21 +111,19 @@ Json estimate_table(const std::vector<Quantity>& quantities, const std::string& 
   std::stable_sort(order.begin(), order.end(), [](const Quantity* a, const Quantity* b) {
     return worse(a->estimate.r_hat, b->estimate.r_hat);
   });
+  std::vector<BlockColumn> columns{{"quantity", ""},    {"mean", ""},       {"MCSE", ""},
+                                   {"sd", ""},          {"MCSE", ""},       {"5 %", ""},
+                                   {"median", ""},      {"95 %", ""},       {"R-hat", "", 3},
+                                   {"bulk ESS", "", 0}, {"tail ESS", "", 0}};
+  const bool known = std::any_of(quantities.begin(), quantities.end(),
+                                 [](const Quantity& q) { return !q.meaning.empty(); });
+  if (known) columns.push_back({"meaning", ""});
   Json rows = Json::array();
-  for (const Quantity* quantity : order) rows.push_back(estimate_row(*quantity));
-  Json table = table_block(caption,
-                           {{"quantity", ""},
-                            {"mean", ""},
-                            {"MCSE", ""},
-                            {"sd", ""},
-                            {"MCSE", ""},
-                            {"5 %", ""},
-                            {"median", ""},
-                            {"95 %", ""},
-                            {"R-hat", "", 3},
-                            {"bulk ESS", "", 0},
-                            {"tail ESS", "", 0}},
-                           rows);
+  for (const Quantity* quantity : order) {
+    rows.push_back(estimate_row(*quantity));
+    if (known) rows.back().push_back(quantity->meaning);
+  }
+  Json table = table_block(caption, columns, rows);
   table["search"] = true;
   return table;
 }

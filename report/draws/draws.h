@@ -22,6 +22,7 @@ struct Quantity {
   Estimate estimate;            // [unit]; name is not used
   Eigen::VectorXd prior;        // draws from the prior [unit] (any); empty: not known
   std::optional<double> truth;  // that the data were made with [unit]
+  std::string meaning;          // "CMC flexion axis: tilt about the digit's length"; may be empty
 };
 
 /// Traces, rank histograms and autocorrelations, the quantity with the largest R-hat first; the
@@ -44,7 +45,8 @@ struct Quantity {
 [[nodiscard]] Json forest_block(const std::vector<Quantity>& quantities, const std::string& caption,
                                 std::size_t most = 40);
 
-/// Mean, sd, Monte Carlo errors, quantiles, R-hat and ESS of everything; worst R-hat first.
+/// Mean, sd, Monte Carlo errors, quantiles, R-hat and ESS of everything, and the meaning of
+/// each where any is known; worst R-hat first.
 [[nodiscard]] Json estimate_table(const std::vector<Quantity>& quantities,
                                   const std::string& caption);
 
