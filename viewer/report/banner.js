@@ -18,12 +18,19 @@ function listed(reasons) {
   ];
 }
 
-/// `ok` false: a red bar over the whole width, with every reason.
-export const drawBanner = ({ ok, title, text, reasons = [] }) =>
+const classOf = (ok, caution) => (caution ? "caution" : ok ? "good" : "bad");
+
+/// `ok` false: a red bar over the whole width, with every reason. `caution`: a yellow one.
+export const drawBanner = ({ ok, caution = false, title, text, reasons = [] }) =>
   el(
     "div",
-    { class: `banner ${ok ? "good" : "bad"}`, role: ok ? "status" : "alert" },
-    el("p", { class: "banner-title" }, el("span", { "aria-hidden": "true" }, MARK[ok]), title),
+    { class: `banner ${classOf(ok, caution)}`, role: ok || caution ? "status" : "alert" },
+    el(
+      "p",
+      { class: "banner-title" },
+      el("span", { "aria-hidden": "true" }, MARK[ok && !caution]),
+      title,
+    ),
     ...listed(reasons),
     text ? el("p", {}, text) : null,
   );

@@ -104,6 +104,7 @@ const NEEDS = {
   interval: { rows: [list(shape({ name: isText })), "a list of {name, estimate, low, high}"] },
   banner: {
     ok: [(v) => typeof v === "boolean", "true or false"],
+    caution: [(v) => v === undefined || typeof v === "boolean", "true or false"],
     title: [isText, "a string"],
     reasons: [(v) => v === undefined || list(isText)(v), "a list of strings"],
   },

@@ -135,6 +135,7 @@ test("a cloud of lines has two ends for each", () => {
 
 test("a banner says whether all is well", () => {
   assert.deepEqual(faults({ type: "banner", ok: true, title: "t" }), []);
+  assert.deepEqual(faults({ type: "banner", ok: true, caution: true, title: "t" }), []);
   assert.equal(faults({ type: "banner", title: "t" }).length, 1);
 });
 
