@@ -1,174 +1,163 @@
-// thenar fit EXPERIMENT.toml... --subject SUBJECT.toml -o FIT.h5
+// thenar fit EXPERIMENT... --subject SUBJECT -o FIT.h5
 //
 // Fits the parameters of a digit to measured fingertip forces. Several specimens are fitted
 // together, as people who differ from their population. With --method mcmc the whole posterior is
 // sampled instead: under mpirun by all ranks, and an interrupted run goes on where it stopped.
 
 #include <algorithm>
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "api/files.h"
+#include "api/fit.h"
+#include "api/posterior.h"
 #include "apps/commands.h"
-#include "apps/fit_posterior.h"
+#include "apps/options.h"
+#include "apps/outputs.h"
 #include "apps/terminal.h"
 #include "base/error.h"
-#include "base/interrupt.h"
+#include "base/nearest_name.h"
 #include "base/progress_parts.h"
-#include "kinematics_fit/cross_validation.h"
-#include "kinematics_fit/prediction.h"
-#include "report/json.h"
+#include "report/answers/fit.h"
+#include "report/answers/posterior.h"
+#include "report/pages/fit.h"
+#include "report/pages/posterior.h"
 
 namespace thenar {
 namespace {
 
+constexpr const char* kSampling = "mcmc";
+
 struct FitArguments {
-  std::vector<std::string> experiments;
-  std::string subject, settings, output, method = "ceres";
-  std::vector<std::string> free, leave_out;
-  unsigned seed = 1;
-  int max_evaluations = 0;
-  bool json = false;
-  ChainOptions chains;
+  std::string method = "ceres", sampler = "nuts";
+  std::vector<std::string> leave_out;
+  FitRequest fit;
+  SampleRequest chains;
+  bool allow_unconverged = false;
+  Outputs outputs;
 };
 
-FitInputs inputs_of(const FitArguments& options) {
-  FitInputs inputs;
-  inputs.subject = read_source(options.subject);
-  for (const std::string& path : options.experiments)
-    inputs.experiments.push_back(read_source(path));
-  const SourceText& first = inputs.experiments.front();
-  inputs.settings = options.settings.empty()
-                        ? built_in_settings(parse_experiment(first.text, first.path).digit)
-                        : read_source(options.settings);
-  inputs.also_free = options.free;
-  return inputs;
+void require_method(const std::string& method) {
+  const std::vector<std::string> known{"ceres", "nlopt", "nlopt-global", "ipopt", kSampling};
+  require(std::find(known.begin(), known.end(), method) != known.end(),
+          "no fit method '{}'{}; there are {}", method, did_you_mean(method, known), listed(known));
 }
 
-LeaveOut leave_out(const std::string& name) {
-  if (name == "posture") return LeaveOut::kPosture;
-  if (name == "tendon") return LeaveOut::kTendon;
-  if (name == "specimen") return LeaveOut::kSpecimen;
-  throw InputError(
-      fmt::format("cannot leave out a '{}'; wanted posture, tendon or specimen", name));
+/// Whether a page of the answer can be written says the ending; this says whether a result can.
+void require_endings(const Outputs& outputs, bool sampling) {
+  const std::string other = outputs.one(sampling ? ".h5" : ".nc");
+  require(other.empty(), "wanted an output that ends in {}, got '{}'", sampling ? ".nc" : ".h5",
+          other);
 }
 
-nlohmann::json error_json(const Prediction& prediction) {
-  return {{"experiment", prediction.experiment},
-          {"rms_error_N", prediction.error.rms},
-          {"relative_error", prediction.error.relative},
-          {"relative_error_flexion_plane", prediction.error.relative_flexion},
-          {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
+void fit_best(FitArguments& options) {
+  FitRequest& request = options.fit;
+  request.method = least_squares_method(options.method);
+  request.leave_out.clear();
+  for (const std::string& name : options.leave_out)
+    request.leave_out.push_back(leave_out_named(name));
+  request.output = options.outputs.one(".h5");
+  request.run = this_run();
+  const FitResult result = fit_forces(request, terminal_progress());
+  print_warnings(result.warnings);
+  deliver(options.outputs, result);
+  require(!result.fit.solution.failed, "the fit failed: {}; the file holds the best point found",
+          result.fit.solution.message);
+  if (result.stopped) throw Stopped("stopped; the file holds the best point so far");
 }
 
-/// Says behind an error that it is of no stranger.
-const char* mark(const Prediction& prediction) {
-  return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
+/// Why there are no draws, or fewer than asked for.
+void require_complete(const PosteriorResult& result) {
+  const PosteriorRun& run = result.run;
+  if (run.modes.empty()) throw Stopped("stopped in the search for modes; nothing was written");
+  const std::string& folder = run.settings.run.folder;
+  if (run.draws.draws() == 0)
+    throw Stopped(fmt::format(
+        "stopped before the first draw; '{}' holds the state: the same command goes on", folder));
+  if (!run.draws.complete)
+    throw Stopped(fmt::format(
+        "stopped; '{}' holds the {} draws so far, '{}' the state: the same command goes on",
+        result.file, run.draws.draws(), folder));
 }
 
-nlohmann::json summary(const Fit& fit, const std::vector<CrossValidation>& validations) {
-  nlohmann::json out{{"status", convergence_word(fit.solution)},
-                     {"message", fit.solution.message},
-                     {"cost", fit.solution.cost},
-                     {"evaluations", fit.solution.evaluations},
-                     {"seconds", fit.solution.seconds},
-                     {"free_coordinates", fit.problem.size()},
-                     {"effective_parameters", fit.covariance.effective_parameters},
-                     {"warnings", fit.problem.warnings()}};
-  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e)
-    out["in_sample"].push_back(
-        error_json(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e))));
-  for (const NullDirection& null : fit.covariance.null_directions)
-    out["not_identifiable"].push_back(null.text);
-  for (const CrossValidation& validation : validations)
-    for (const Prediction& prediction : validation.experiments) {
-      out["left_out"].push_back(error_json(prediction));
-      out["left_out"].back()["what"] = name_of(validation.what);
-      out["left_out"].back()["folds_done"] = validation.folds_done;
-      out["left_out"].back()["folds"] = validation.folds.size();
-    }
-  return out;
+void sample_posterior_of(FitArguments& options) {
+  require(options.leave_out.empty(),
+          "--cross-validate is for fits; a posterior's file says how well it would predict each "
+          "trial unseen (`thenar posterior summary`)");
+  SampleRequest& request = options.chains;
+  request.sources = options.fit.sources;
+  request.method = sampling_method(options.sampler);
+  request.seed = options.fit.seed;
+  request.keep_unconverged = !options.allow_unconverged;
+  request.output = options.outputs.one(".nc");
+  require(!request.output.empty(), "--method mcmc needs a file for its draws: -o P.nc");
+  request.run = this_run();
+  const std::optional<PosteriorResult> result = sample_fit(request, terminal_progress());
+  if (!result) return;  // another rank answers
+  if (result->run.draws.draws() > 0) deliver(options.outputs, *result);
+  std::fflush(stdout);
+  require_complete(*result);
+  print_warnings(convergence_cautions(result->run));
+  const std::string complaint = convergence_complaint(result->run, options.allow_unconverged);
+  if (complaint.empty()) return;
+  if (!options.allow_unconverged) throw Error(complaint);
+  print_warnings({complaint});
 }
 
-/// The coordinates that the data moved or pinned down most.
-void print_learnt(const Fit& fit, std::size_t count) {
-  const std::vector<int> order = sorted_by_sd(fit.covariance);
-  fmt::print("\nlearnt most (estimate and sd in units of the prior sd):\n");
-  for (std::size_t k = 0; k < std::min(count, order.size()); ++k) {
-    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
-    fmt::print("  {:<34} {:+6.2f} +- {:.2f}{}\n", learnt.name, learnt.z, learnt.sd,
-               learnt.at_bound ? ", at its bound" : "");
-  }
-}
-
-void print_nulls(const Fit& fit, std::size_t count) {
-  const auto& null_directions = fit.covariance.null_directions;
-  if (null_directions.empty()) return;
-  fmt::print("\n{} of {} directions are known from the prior alone:\n", null_directions.size(),
-             fit.problem.size());
-  for (std::size_t i = 0; i < std::min(count, null_directions.size()); ++i)
-    fmt::print("  {}\n", null_directions[i].text);
-  if (null_directions.size() > count)
-    fmt::print("  ... all are in the result file (--json lists them)\n");
-}
-
-void print_summary(const Fit& fit, const std::vector<CrossValidation>& validations,
-                   const std::string& output) {
-  fmt::print("{}: {} after {} evaluations, {:.2f} s; {} coordinates, {:.1f} learnt\n",
-             name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
-             fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
-  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
-    const Prediction p = predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e));
-    fmt::print("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
-               p.error.rms, p.error.relative);
-  }
-  for (const CrossValidation& validation : validations) {
-    for (const Prediction& p : validation.experiments)
-      if (!p.trials.empty())
-        fmt::print("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
-                   name_of(validation.what), p.error.rms, p.error.relative, mark(p));
-    if (validation.stopped)
-      fmt::print("  {}: stopped after {} of {} folds; the errors are of those alone\n",
-                 name_of(validation.what), validation.folds_done, validation.folds.size());
-  }
-  if (fit.solution.status == Status::kSolved) print_learnt(fit, 8);
-  print_nulls(fit, 4);
-  fmt::print("\nwrote {}\n", output);
-}
-
-void run_fit(const FitArguments& options) {
-  if (options.method == "mcmc") {
-    require(options.leave_out.empty(),
-            "--cross-validate is for fits; a posterior's file says how well it would predict each "
-            "trial unseen (`thenar posterior summary`)");
-    fit_posterior(inputs_of(options), options.chains, options.seed, options.output, options.json);
-    return;
-  }
-  SolveOptions solve_options;
-  solve_options.method = least_squares_method(options.method);
-  solve_options.seed = options.seed;
-  solve_options.max_evaluations = options.max_evaluations;
-  solve_options.progress = terminal_progress();
-  std::vector<LeaveOut> left_out;
-  for (const std::string& name : options.leave_out) left_out.push_back(leave_out(name));
-
-  require_result_path(options.output);
-  const Fit fit = run_fit(inputs_of(options), solve_options);
-  for (const std::string& warning : fit.problem.warnings())
-    fmt::print(stderr, "thenar: warning: {}\n", warning);
-  write_fit(fit, options.output);
-  std::vector<CrossValidation> validations;
-  for (const LeaveOut what : left_out)
-    if (!interrupted()) validations.push_back(cross_validate(fit.problem, what, solve_options));
-  if (options.json)
-    fmt::print("{}\n", json_text(summary(fit, validations)));
+void run_fit(FitArguments& options) {
+  require_method(options.method);
+  const bool sampling = options.method == kSampling;
+  require_endings(options.outputs, sampling);
+  if (sampling)
+    sample_posterior_of(options);
   else
-    print_summary(fit, validations, options.output);
-  require(!fit.solution.failed, "the fit failed: {}; the file holds the best point found",
-          fit.solution.message);
-  if (interrupted()) throw Stopped("stopped; the file holds the best point so far");
+    fit_best(options);
+}
+
+void add_chain_options(CLI::App& command, FitArguments& options) {
+  const std::string group = "With --method mcmc";
+  SampleRequest& chains = options.chains;
+  const auto add = [&](const char* name, auto& value, const char* text) {
+    return command.add_option(name, value, text)->group(group);
+  };
+  add("--sampler", options.sampler, "nuts|hmc|adaptive-metropolis|dream-zs|stretch");
+  add("--chains", chains.chains, "Independent chains, or ensembles")->check(CLI::PositiveNumber);
+  add("--walkers", chains.walkers, "Chains of one ensemble (0: as the sampler needs)")
+      ->check(CLI::NonNegativeNumber);
+  add("--target-acceptance", chains.target_acceptance,
+      "Of nuts and hmc: higher takes smaller steps, against divergent ones")
+      ->check(CLI::Range(0.05, 0.999));
+  add("--max-depth", chains.max_depth, "Of trees of nuts: 2^depth steps at most")
+      ->check(CLI::Range(1, 30));
+  add("--warm-up", chains.warm_up, "Steps that adapt and are thrown away")
+      ->check(CLI::NonNegativeNumber);
+  add("--draws", chains.draws, "Draws of each chain (1000, of stretch 100)")
+      ->check(CLI::PositiveNumber)
+      ->default_str("");
+  add("--thin", chains.thin, "Steps a draw (1, of stretch 10)")
+      ->check(CLI::PositiveNumber)
+      ->default_str("");
+  add("--temperatures", chains.temperatures, "Rungs of parallel tempering (1: none)")
+      ->check(CLI::PositiveNumber);
+  add("--least-temper", chains.min_beta, "Power of the likelihood on the hottest rung")
+      ->check(CLI::Range(0.0, 1.0));
+  add("--swap-every", chains.swap_every, "Steps between swaps of temperatures")
+      ->check(CLI::PositiveNumber);
+  add("--mode-starts", chains.mode_starts, "Starts of the search for modes")
+      ->check(CLI::PositiveNumber);
+  add("--checkpoint-every-s", chains.checkpoint_every,
+      "Seconds between checkpoints: what a kill may cost")
+      ->check(CLI::NonNegativeNumber);
+  add("--threads", chains.threads, "0: as many as there are processors")
+      ->check(CLI::NonNegativeNumber);
+  const auto flag = [&](const char* name, bool& value, const char* text) {
+    command.add_flag(name, value, text)->group(group);
+  };
+  flag("--fixed-noise", chains.fixed_noise, "Believe the stated noise");
+  flag("--allow-unconverged", options.allow_unconverged,
+       "Do not fail if the chains have not converged");
+  flag("--fresh", chains.fresh, "Forget an interrupted run of this output");
 }
 
 }  // namespace
@@ -176,21 +165,42 @@ void run_fit(const FitArguments& options) {
 void add_fit(CLI::App& app) {
   auto options = std::make_shared<FitArguments>();  // lives as long as the callback
   CLI::App* command = app.add_subcommand("fit", "Fit a digit to measured fingertip forces");
-  command->add_option("experiments", options->experiments, "Experiment files")->required();
-  command->add_option("--subject", options->subject, "Subject file to start from")->required();
-  command->add_option("-o,--output", options->output, "Result file: .h5, of mcmc .nc")->required();
-  command->add_option("--method", options->method,
-                      "ceres|nlopt|nlopt-global|ipopt, or mcmc: draws from the posterior");
-  command->add_option("--settings", options->settings,
-                      "Which parameters move (default: built in, see `thenar explain`)");
-  command->add_option("--free", options->free, "Also free the parameters matching these globs");
-  command->add_option("--cross-validate", options->leave_out,
-                      "Also leave out one posture|tendon|specimen at a time");
-  command->add_option("--seed", options->seed, "Of the global search, or of the chains");
-  command->add_option("--max-evaluations", options->max_evaluations, "0: the method's own limit")
+  FitSources& sources = options->fit.sources;
+  command->add_option("experiments", sources.experiments, "Experiments: names, or files (TOML)")
+      ->required()
+      ->default_str("");
+  command
+      ->add_option("--subject", sources.subject,
+                   "Subject to start from: its name, or its file (TOML)")
+      ->required();
+  command->add_option(
+      "--method", options->method,
+      "ceres, ipopt: by derivatives; nlopt, nlopt-global: without; mcmc: draws from "
+      "the posterior instead of one best point");
+  command->add_option("--settings", sources.settings,
+                      "Which parameters move: name or file (built in for the digit if left out; "
+                      "`thenar explain SUBJECT` lists them)");
+  command
+      ->add_option("--free", sources.also_free,
+                   "Also free the parameters matching these globs (none)")
+      ->default_str("");
+  command
+      ->add_option("--cross-validate", options->leave_out,
+                   "Also leave out one posture|tendon|specimen at a time (nothing)")
+      ->default_str("");
+  command->add_option("--seed", options->fit.seed, "Of the global search, or of the chains");
+  command
+      ->add_option("--max-evaluations", options->fit.max_evaluations, "0: the method's own limit")
       ->check(CLI::NonNegativeNumber);
-  command->add_flag("--json", options->json, "Print JSON");
-  add_chain_options(*command, options->chains);
+  add_data_option(*command, sources.data);
+  add_output_options(*command, options->outputs, {true, true, true, {".h5", ".nc"}});
+  add_chain_options(*command, *options);
+  add_examples(
+      *command,
+      {"fit synek2019_H01 synek2019_H02 --subject an_chao_middle -o out/fit.h5 --report "
+       "out/fit.html",
+       "fit synek2019_H01 --subject synek2019_middle --cross-validate posture -o out/fit.html",
+       "fit synek2019_H01 --subject synek2019_middle --method mcmc -o out/P.nc"});
   command->callback([options] { run_fit(*options); });
 }
 

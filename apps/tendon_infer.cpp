@@ -111,8 +111,8 @@ NetAnswer by_search(const Case& at, unsigned seed, const Progress& progress) {
   return {std::move(found.net), std::move(found.next), to_string(found.stop)};
 }
 
-nlohmann::ordered_json to_json(const Case& at, const NetAnswer& answer,
-                               const TendonInferArguments& options) {
+nlohmann::ordered_json infer_json(const Case& at, const NetAnswer& answer,
+                                  const TendonInferArguments& options) {
   nlohmann::ordered_json bands = nlohmann::ordered_json::array(), next = bands, groups = bands;
   for (const BandVerdict& band : answer.net.verdicts)
     bands.push_back(
@@ -241,7 +241,7 @@ void run_tendon_infer(const TendonInferArguments& options) {
   require(answer.net.found, "no topology of net {} carries the loads of {}", at.candidate.net.name,
           at.experiment.name);
   if (options.json)
-    fmt::print("{}\n", json_text(to_json(at, answer, options)));
+    fmt::print("{}\n", json_text(infer_json(at, answer, options)));
   else
     print_text(at, answer, options);
   if (!options.output.empty()) write_page(at, answer, options);

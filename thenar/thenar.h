@@ -265,8 +265,13 @@
 
 // api: hands, subjects, objects, worlds by name, and the questions that people ask.
 #include "api/data_folders.h"
+#include "api/demo.h"
 #include "api/digits.h"
 #include "api/files.h"
+#include "api/fit.h"
 #include "api/hands.h"
+#include "api/posterior.h"
 #include "api/posture.h"
+#include "api/predict.h"
+#include "api/study.h"
 #include "api/worlds.h"

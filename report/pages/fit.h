@@ -1,29 +1,30 @@
 #pragma once
 
-#include <vector>
+/// The page of a fit, and its parts.
 
-#include "kinematics_fit/fit_study.h"
+#include <string>
+
+#include "api/fit.h"
 #include "report/blocks.h"
 
 namespace thenar {
 
-/// Relative errors of everything beside everything: the first page.
-[[nodiscard]] Json accuracy_page(const std::vector<SpecimenStudy>& studies);
+/// The page of a fit: how it ended, errors in sample and left out, forces, what the data tell of
+/// each parameter, what the prior alone decides, and the digit in space.
+[[nodiscard]] Json page_of(const FitResult& result);
 
-/// Every solver: cost reached, error, time; and both on one chart.
-[[nodiscard]] Json solver_page(const std::vector<SpecimenStudy>& studies);
+/// Intervals of the coordinates that the data tell most about, and of four that they tell least
+/// about, in prior sds. @param shown  rows of the former
+[[nodiscard]] Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown = 24);
 
-/// Measured against predicted force vectors, in sample and left out.
-[[nodiscard]] Json force_page(const std::vector<SpecimenStudy>& studies);
+/// Directions along which no measured force changes.
+[[nodiscard]] Json open_directions(const Fit& fit, const std::string& whose);
 
-/// What the data taught about each parameter, and what they cannot.
-[[nodiscard]] Json parameter_page(const std::vector<SpecimenStudy>& studies);
+/// Bones, axes and tendons of a specimen before and after the fit, in the first posture of its
+/// experiments. @param specimen  index in fit.problem.specimens()
+[[nodiscard]] Json fitted_scene(const Fit& fit, int specimen);
 
-/// Several specimens as one population, and specimens that it has not seen.
-[[nodiscard]] Json population_page(const PopulationStudy& study,
-                                   const std::vector<SpecimenStudy>& studies);
-
-/// The fitted finger in 3D, its axes before and after.
-[[nodiscard]] Json finger_page(const std::vector<SpecimenStudy>& studies);
+/// What the paths of parameters mean, for the text of a section.
+[[nodiscard]] std::string name_rules();
 
 }  // namespace thenar

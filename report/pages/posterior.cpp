@@ -1,8 +1,16 @@
 #include "report/pages/posterior.h"
 
+#include <algorithm>
 #include <cctype>
+#include <numeric>
 
 #include <fmt/format.h>
+
+#include "kinematics_fit/prediction.h"
+#include "posterior/run/predict_draws.h"
+#include "report/answers/sampling_advice.h"
+#include "report/pages/prediction.h"
+#include "report/parameter_words.h"
 
 namespace thenar {
 namespace {
@@ -35,6 +43,7 @@ void add_doubts(const std::string& title, const std::vector<std::string>& warnin
 
 Json convergence_blocks(const PosteriorPicture& picture) {
   Json blocks = Json::array({convergence_banner(picture.convergence, picture.run)});
+  for (const std::string& advice : picture.advice) blocks.push_back(text_block(advice));
   add_doubts("Before trusting the predictions", picture.warnings, blocks);
   if (picture.quantities.empty()) return blocks;
   blocks.push_back(chains_block(
@@ -98,27 +107,129 @@ Json calibration_blocks(const PosteriorPicture& picture) {
   return blocks;
 }
 
+constexpr long kPredictiveDraws = 2000;
+constexpr std::size_t kDoubtful = 8;  // quantities shown for their R-hat
+
+/// Which quantities to show, in their order: the most doubtful, and those most was learnt about.
+std::vector<std::size_t> chosen(const std::vector<PosteriorQuantity>& quantities,
+                                const std::vector<Estimate>& estimates, std::size_t most) {
+  std::vector<std::size_t> order(quantities.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (order.size() <= most) return order;
+  const auto sort_from = [&](std::size_t first, auto&& figure) {
+    std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+                     [&](std::size_t a, std::size_t b) { return figure(a) < figure(b); });
+  };
+  sort_from(0, [&](std::size_t i) { return -estimates[i].r_hat; });
+  sort_from(std::min(kDoubtful, most),
+            [&](std::size_t i) { return estimates[i].sd / prior_sd(quantities[i]); });
+  order.resize(most);
+  std::sort(order.begin(), order.end());
+  return order;
+}
+
+/// Adds the quantities, and says which of all they are.
+void add_quantities(const PosteriorRun& run, const PictureOptions& options,
+                    PosteriorPicture& picture) {
+  const std::vector<PosteriorQuantity> read = posterior_quantities(run);
+  const std::vector<Estimate> estimates = estimates_of(read, run.draws.group);
+  const TendonDigit& digit = run.posterior->problem().digit();
+  for (const std::size_t i : chosen(read, estimates, options.most)) {
+    picture.quantities.push_back({read[i].name,
+                                  read[i].unit,
+                                  read[i].draws,
+                                  run.draws.group,
+                                  estimates[i],
+                                  read[i].prior,
+                                  {},
+                                  meaning_of(read[i].name, digit)});
+    if (const auto known = options.truth.find(read[i].name); known != options.truth.end())
+      picture.quantities.back().truth = known->second;
+  }
+  picture.run = describe_run(run);
+  if (picture.quantities.size() < read.size())
+    picture.run += fmt::format(
+        ". Of {} quantities the {} are shown that most was learnt about, or that have the largest "
+        "R-hat",
+        read.size(), picture.quantities.size());
+}
+
+std::vector<AxisCloud> clouds_of(const PosteriorRun& run) {
+  const FitProblem& problem = run.posterior->problem();
+  const PosteriorValues values = run.posterior->values(pooled(run.draws));
+  const std::vector<int> moving = run.posterior->moving_parameters();
+  std::vector<AxisCloud> clouds;
+  const auto add = [&](const std::string& name, const Eigen::MatrixXd& drawn) {
+    clouds.push_back(axis_cloud(name, problem.digit(), problem.parameters(), moving, drawn));
+  };
+  if (problem.specimens().size() > 1) add("population", values.population);
+  for (std::size_t s = 0; s < problem.specimens().size(); ++s)
+    add(problem.specimens()[s], values.specimens[s]);
+  return clouds;
+}
+
+std::vector<PredictedForces> predicted_of(const PosteriorRun& run) {
+  std::vector<PredictedForces> predicted;
+  for (const Experiment& experiment : run.posterior->problem().experiments()) {
+    const int specimen = find_specimen(run.posterior->problem(), experiment.specimen);
+    predicted.push_back({experiment,
+                         predict_draws(run, experiment, specimen, kPredictiveDraws).replicated,
+                         experiment.name + ", in sample" +
+                             (calibrated_on_specimen(run.posterior->problem().digit(), experiment)
+                                  ? "; the subject of the prior has seen this specimen"
+                                  : "")});
+  }
+  return predicted;
+}
+
 }  // namespace
 
+PosteriorPicture posterior_picture(const PosteriorRun& run, const PictureOptions& options) {
+  const FitProblem& problem = run.posterior->problem();
+  PosteriorPicture picture;
+  picture.title = options.title;
+  picture.prefix = options.prefix;
+  picture.convergence = run.convergence;
+  picture.warnings = problem.warnings();
+  for (const SamplingAdvice& one : advise(run))
+    picture.advice.push_back("What may help: " + one.remedy +
+                             (one.command.empty() ? "" : ": " + one.command));
+  add_quantities(run, options, picture);
+  picture.digit = problem.digit();
+  picture.posture = problem.plans().front().postures.front();
+  picture.clouds = clouds_of(run);
+  picture.predicted = predicted_of(run);
+  picture.modes = run.mode_table;
+  picture.left_out = leave_out_observations(run);
+  return picture;
+}
+
 Json convergence_banner(const Convergence& convergence, const std::string& run) {
-  const bool ok = convergence.warnings.empty();
+  const std::string figures =
+      fmt::format("Largest R-hat {:.4f}, least bulk ESS {:.0f}, least tail ESS {:.0f}. {}",
+                  convergence.worst_r_hat, convergence.min_bulk_ess, convergence.min_tail_ess, run);
+  if (!convergence.warnings.empty())
+    return {{"type", "banner"},
+            {"ok", false},
+            {"title", kNotConverged},
+            {"reasons", convergence.warnings},
+            {"text",
+             "No number of this posterior may be relied on: chains that disagree, or remember too "
+             "long, do not describe the distribution they were sent to. " +
+                 run}};
+  const bool caution = !convergence.cautions.empty();
   Json banner{{"type", "banner"},
-              {"ok", ok},
-              {"title", ok ? "The chains agree" : kNotConverged},
-              {"reasons", convergence.warnings}};
-  banner["text"] =
-      ok ? fmt::format("Largest R-hat {:.4f}, least bulk ESS {:.0f}, least tail ESS {:.0f}. {}",
-                       convergence.worst_r_hat, convergence.min_bulk_ess, convergence.min_tail_ess,
-                       run)
-         : "No number of this posterior may be relied on: chains that disagree, or remember too "
-           "long, do not describe the distribution they were sent to. " +
-               run;
+              {"ok", true},
+              {"title", caution ? "The chains agree, with a caution" : "The chains agree"},
+              {"reasons", convergence.cautions},
+              {"text", figures}};
+  if (caution) banner["caution"] = true;
   return banner;
 }
 
 Json posterior_sections(const PosteriorPicture& picture) {
   Json sections = Json::array();
-  add(picture, "convergence", "may the draws be believed?", "", convergence_blocks(picture),
+  add(picture, "convergence", "has the sampler converged?", "", convergence_blocks(picture),
       sections);
   if (picture.modes) add(picture, "modes", "modes", "", mode_blocks(picture), sections);
   add(picture, "learnt", "what was learnt", "", learnt_blocks(picture), sections);
@@ -132,6 +243,28 @@ Json posterior_sections(const PosteriorPicture& picture) {
     add(picture, "samplers", "speed and accuracy of the samplers", "",
         Json::array({sampler_chart(picture.samplers)}), sections);
   return sections;
+}
+
+Json page_of(const PosteriorResult& result) {
+  const PosteriorRun& run = result.run;
+  const FitProblem& problem = run.posterior->problem();
+  std::string title;
+  for (const std::string& specimen : problem.specimens())
+    title += (title.empty() ? "" : ", ") + specimen;
+  Json provenance = fit_provenance(run.inputs, {}, problem.digit().fidelity, run.run);
+  provenance["seed"] = fmt::format("{}", run.settings.run.sampler.seed);
+  return {{"title", "thenar: posterior of " + title},
+          {"subtitle", describe_run(run)},
+          {"provenance", provenance},
+          {"sections", posterior_sections(posterior_picture(run))}};
+}
+
+Json page_of(const PosteriorPrediction& result) {
+  const PosteriorRun& run = result.posterior.run;
+  Json page = page_of(result.predicted);
+  Json& blocks = page["sections"][0]["blocks"];
+  blocks.insert(blocks.begin(), convergence_banner(run.convergence, describe_run(run)));
+  return page;
 }
 
 }  // namespace thenar

@@ -5,10 +5,12 @@
 /// Everything is plain numbers, so that any sampler, study or file can fill it; what is left empty
 /// is left out of the page.
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "api/posterior.h"
 #include "report/draws/charts.h"
 #include "report/draws/draws.h"
 #include "report/draws/modes.h"
@@ -23,6 +25,7 @@ struct PosteriorPicture {
   std::string prefix;  // of section ids, where a page shows several
   std::vector<Quantity> quantities;
   std::vector<std::string> warnings;  // of the experiments and of the subject
+  std::vector<std::string> advice;    // what may help, sentences
   Convergence convergence;            // its estimates are not used: quantities have them
   std::string run;                    // one sentence: sampler, chains, draws, seconds
   std::vector<std::string> corner;    // quantities to start the corner plot with
@@ -37,11 +40,31 @@ struct PosteriorPicture {
   std::vector<SamplerCourse> samplers;
 };
 
-/// A banner that cannot be overlooked if the run has not converged, and a quiet line if it has.
+/// How a sampled posterior becomes a picture.
+struct PictureOptions {
+  std::string title;                    // heads the sections
+  std::string prefix;                   // of section ids, where a page shows several posteriors
+  std::map<std::string, double> truth;  // by quantity, if the data were made with it [display unit]
+  std::size_t most = 64;                // quantities shown: those learnt most about, and the eight
+                                        // with the largest R-hat
+};
+
+/// A sampled posterior as the picture that posterior_sections() draws.
+[[nodiscard]] PosteriorPicture posterior_picture(const PosteriorRun& run,
+                                                 const PictureOptions& options = {});
+
+/// A banner that cannot be overlooked if the run has not converged, a yellow one with cautions, and
+/// a quiet line if all is well.
 [[nodiscard]] Json convergence_banner(const Convergence& convergence, const std::string& run);
 
 /// The sections of a report. The first has the banner; if the run has not converged, all others say
 /// so too.
 [[nodiscard]] Json posterior_sections(const PosteriorPicture& picture);
+
+/// The page of a posterior.
+[[nodiscard]] Json page_of(const PosteriorResult& result);
+
+/// The page of what draws predict; it says first of all whether they may be used.
+[[nodiscard]] Json page_of(const PosteriorPrediction& result);
 
 }  // namespace thenar

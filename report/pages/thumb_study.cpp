@@ -6,6 +6,7 @@
 
 #include "base/units.h"
 #include "report/pages/posterior.h"
+#include "report/provenance.h"
 #include "report/scene/axis_cloud.h"
 
 namespace thenar {
@@ -254,6 +255,17 @@ Json thumb_study_section(const ThumbStudy& study,
   }
   return section("thumb-study", "What forces tell of a thumb's axes", kIntroduction,
                  std::move(blocks));
+}
+
+Json page_of(const ThumbStudyResult& result) {
+  const ThumbStudyInputs& inputs = result.study.inputs;
+  Json provenance = provenance_json({inputs.truth, inputs.start, inputs.orthogonal, inputs.skewed},
+                                    result.study.truth.fidelity);
+  provenance["seed"] = fmt::format("{}", result.seed);
+  return {{"title", "thenar: what forces tell of a thumb"},
+          {"subtitle", "Orthogonal and skewed axes on made-up forces of a skewed thumb"},
+          {"provenance", provenance},
+          {"sections", Json::array({thumb_study_section(result.study, result.calibration)})}};
 }
 
 }  // namespace thenar

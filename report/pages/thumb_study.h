@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "posterior/study/thumb_calibration.h"
+#include "api/study.h"
 #include "report/blocks.h"
 
 namespace thenar {
@@ -24,5 +24,8 @@ enum class Over { kNoise, kPostures };
 
 /// Modes of every fit: what the search found, and the share of the draws in each.
 [[nodiscard]] Json thumb_mode_table(const ThumbStudy& study);
+
+/// The page of the study.
+[[nodiscard]] Json page_of(const ThumbStudyResult& result);
 
 }  // namespace thenar

@@ -33,6 +33,15 @@ TEST(ConvergenceBanner, IsQuietIfTheyAgree) {
   EXPECT_NE(banner["text"].get<std::string>().find("1.0042"), std::string::npos);
 }
 
+TEST(ConvergenceBanner, IsYellowForAFewDivergentDraws) {
+  Convergence convergence;
+  convergence.cautions = {"2 of 4000 draws ended a divergent trajectory"};
+  const Json banner = convergence_banner(convergence, "");
+  EXPECT_EQ(banner["ok"], true);
+  EXPECT_EQ(banner["caution"], true);
+  EXPECT_EQ(banner["reasons"][0], convergence.cautions[0]);
+}
+
 /// One trial whose replicates are 0, 1 .. 100 in every component.
 PredictedForces one_trial(const Eigen::Vector3d& measured) {
   PredictedForces predicted;

@@ -1,3 +1,5 @@
+#include "report/pages/fit_study.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -5,7 +7,7 @@
 
 #include "base/units.h"
 #include "report/pages/fit.h"
-#include "report/pages/forces.h"
+#include "report/pages/prediction.h"
 
 namespace thenar {
 namespace {
@@ -47,6 +49,35 @@ Json bars(const std::vector<SpecimenStudy>& studies) {
           {"x_label", "relative error"},
           {"groups", groups},
           {"reference_lines", Json::array({{{"value", 0.106}, {"label", "noise floor"}}})}};
+}
+
+/// Rise of the cost while one parameter is held and all others make up for it.
+Json profiles(const SpecimenStudy& study) {
+  Json series = Json::array();
+  for (const Profile& profile : study.profiles) {
+    Json x = Json::array(), y = Json::array();
+    for (const ProfilePoint& point : profile.points) {
+      x.push_back(point.z);
+      y.push_back(point.rise);
+    }
+    series.push_back({{"name", profile.name}, {"style", "both"}, {"x", x}, {"y", y}});
+  }
+  return {{"type", "lines"},
+          {"caption", fmt::format("{}: profiles of the best known parameters, priors included; a "
+                                  "profile is inside the line within its 95 % interval",
+                                  study.fit.problem.specimens().front())},
+          {"x_label", "held at [prior sds]"},
+          {"y_label", "rise of the cost"},
+          {"series", series},
+          {"reference_lines", Json::array({{{"value", 1.92}, {"label", "95 %"}}})}};
+}
+
+Json population_row(const std::string& specimen, const std::string& what,
+                    const Prediction& prediction) {
+  const ForceError& error = prediction.error;
+  return Json::array({specimen, what, prediction.calibrated_on_specimen ? "yes" : "no",
+                      error.relative, error.relative_flexion, error.rms,
+                      error.covered ? Json(100 * *error.covered) : Json(nullptr)});
 }
 
 }  // namespace
@@ -136,6 +167,74 @@ Json solver_page(const std::vector<SpecimenStudy>& studies) {
             {"log_x", true},
             {"log_y", true},
             {"series", series}}}));
+}
+
+Json parameter_page(const std::vector<SpecimenStudy>& studies) {
+  Json blocks = Json::array();
+  for (const SpecimenStudy& study : studies) {
+    blocks.push_back(learnt_forest(study.fit, study.fit.problem.specimens().front()));
+    blocks.push_back(profiles(study));
+    blocks.push_back(open_directions(study.fit, study.fit.problem.specimens().front()));
+  }
+  return section("parameters", "What the forces tell about the finger",
+                 "Every parameter has a prior from anatomy; its sd is the unit here, and an "
+                 "interval as wide as the prior means that nothing was learnt. Directions along "
+                 "which no measured force changes are named, not hidden.\n\n" +
+                     name_rules(),
+                 blocks);
+}
+
+Json finger_page(const std::vector<SpecimenStudy>& studies) {
+  Json scenes = Json::array();
+  for (const SpecimenStudy& study : studies) scenes.push_back(fitted_scene(study.fit, 0));
+  return section("finger", "The fitted finger",
+                 "Joint axes and straight tendon runs; the layers can be switched. The scenes turn "
+                 "together.",
+                 Json::array({row_block(scenes)}));
+}
+
+Json population_page(const PopulationStudy& study, const std::vector<SpecimenStudy>& studies) {
+  Json rows = Json::array();
+  for (std::size_t e = 0; e < study.own.size(); ++e) {
+    const std::string& specimen = study.fit.problem.experiments()[e].specimen;
+    rows.push_back(population_row(specimen, "by its own parameters, in sample", study.own[e]));
+    rows.push_back(population_row(specimen, "by the population, in sample", study.as_unseen[e]));
+    rows.push_back(population_row(specimen, "by the other specimens, left out",
+                                  study.specimens.experiments[e]));
+    for (const BaselinePrediction& baseline : studies[e].baselines)
+      rows.push_back(population_row(specimen, baseline.name, baseline.prediction));
+  }
+  for (const UnseenSpecimen& unseen : study.unseen) {
+    rows.push_back(
+        population_row(unseen.specimen, "by the population, never fitted", unseen.prediction));
+    for (const BaselinePrediction& baseline : unseen.baselines)
+      rows.push_back(population_row(unseen.specimen, baseline.name, baseline.prediction));
+  }
+  Json blocks = Json::array({table_block("Specimens predicted by what others have taught",
+                                         {{"specimen", ""},
+                                          {"prediction", ""},
+                                          {"subject has seen it", ""},
+                                          {"relative error", "", 3},
+                                          {"in plane", "", 3},
+                                          {"RMS error", "N", 3},
+                                          {"in 95 % interval", "%", 0}},
+                                         rows)});
+  for (const UnseenSpecimen& unseen : study.unseen)
+    blocks.push_back(force_panels(
+        unseen.prediction,
+        fmt::format("{}, never fitted; ellipses hold 95 % of the predictive distribution",
+                    unseen.specimen)));
+  return section(
+      "population", "A population, and a specimen that was not fitted",
+      "All specimens are fitted together as people who differ from their population; an unseen "
+      "specimen is predicted by the population alone, and its interval holds what is not known of "
+      "the population, how people differ, and the noise.\n\nThe population starts from the "
+      "published calibrated model, which was calibrated on all three specimens: its left-out "
+      "errors, and those of the bonobo, are not errors of unseen hands. Fitted together, a "
+      "specimen's own error differs a little from that of its fit alone, because it borrows from "
+      "the other. B01 is the hand of a bonobo: it shows how far the model carries to another "
+      "species.",
+      blocks);
 }
 
 }  // namespace thenar

@@ -1,0 +1,161 @@
+#include "api/demo.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "api/files.h"
+#include "base/error.h"
+#include "base/units.h"
+#include "posterior/run/posterior_file.h"
+#include "posterior/run/predict_draws.h"
+#include "tendons/net/build_tendons.h"
+
+namespace thenar {
+namespace {
+
+constexpr double kTargetAcceptance = 0.9;  // of the chains [1]
+
+StudyInputs inputs_of(const std::string& data) {
+  const auto read = [&](const std::string& file) { return read_source(data + "/" + file); };
+  StudyInputs inputs;
+  inputs.specimen.subject = read("subjects/an_chao_middle.toml");
+  inputs.specimen.settings = read("fits/finger.toml");
+  inputs.specimen.experiments = {read("experiments/synek2019_H01.toml"),
+                                 read("experiments/synek2019_H02.toml")};
+  inputs.population_subject = read("subjects/synek2019_middle.toml");
+  inputs.unseen = {read("experiments/synek2019_B01.toml")};
+  inputs.baselines = {{"Published calibrated model", inputs.population_subject},
+                      {"Normative finger", inputs.specimen.subject}};
+  inputs.methods = {LeastSquaresMethod::kCeres, LeastSquaresMethod::kIpopt,
+                    LeastSquaresMethod::kNloptLocal, LeastSquaresMethod::kNloptGlobal};
+  return inputs;
+}
+
+/// Thumbs that differ in their axes, bent alike, and a measured one as it was digitised.
+std::vector<DemoThumb> thumbs_of(const std::string& data) {
+  const double bent = radians(30);
+  const std::map<std::string, double> pinch{{"MCP1_FE", bent}, {"IP1", bent}};
+  const auto read = [&](const char* file) { return read_subject(data + "/subjects/" + file); };
+  return {{"Orthogonal axes", read("graspit_orthogonal_thumb.toml"), pinch},
+          {"Skewed axes", read("graspit_skewed_thumb.toml"), pinch},
+          {"Measured axes and tendons", read("mirakhorlo2016.toml"), {}}};
+}
+
+DemoHood bend_hood(const StudyInputs& inputs) {
+  // The finger with Winslow's net.
+  const Subject subject =
+      parse_subject(inputs.population_subject.text, inputs.population_subject.path);
+  const NetDescription net = find_net("winslow");
+  TendonOptions options;
+  options.hood = Hood::kFloatingNet;
+  DemoHood hood;
+  hood.tendons = build_digit_tendons(subject, "middle", options, &net);
+  const TendonNames& names = hood.tendons->digit().names;
+  const auto index = [](const std::vector<std::string>& list, const char* name) {
+    return std::find(list.begin(), list.end(), name) - list.begin();
+  };
+
+  // Bent at PIP and DIP under constant tensions.
+  const Eigen::Index pip = index(names.coordinates, "PIP3"), dip = index(names.coordinates, "DIP3");
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(hood.tendons->digit().model.coordinates), bent = q;
+  bent[pip] = radians(60);
+  bent[dip] = radians(40);
+  hood.t = Eigen::VectorXd::Zero(hood.tendons->digit().max_tension.size());
+  hood.t[index(names.muscles, "EDC")] = 2.9;
+  hood.t[index(names.muscles, "LU")] = 0.4;
+  hood.t[index(names.muscles, "UI")] = 0.4;
+  hood.varied = static_cast<int>(pip);
+  hood.points = sweep_digit(*hood.tendons, postures_between(q, bent, 24), hood.t);
+
+  // All rungs of hood beside the measured forces.
+  for (const SourceText& source : inputs.specimen.experiments)
+    hood.rungs.push_back(compare_hoods(subject, parse_experiment(source.text, source.path), {net}));
+  return hood;
+}
+
+PosteriorRun sampled(const FitInputs& inputs, long draws, const Progress& progress) {
+  PosteriorSettings settings;
+  settings.posterior = posterior_options(inputs.settings);
+  settings.mode_starts = 8;
+  settings.run.sampler.warm_up = draws;
+  settings.run.sampler.target_acceptance = kTargetAcceptance;
+  settings.run.draws = draws;
+  settings.run.progress = progress;
+  return sample_posterior(inputs, settings);
+}
+
+/// Errors on every experiment, seen or not.
+void judge(const std::vector<Experiment>& unseen, DemoPosterior& posterior) {
+  const FitProblem& problem = posterior.run.posterior->problem();
+  const auto predict = [&](const Experiment& experiment) {
+    return summarise(
+        predict_draws(posterior.run, experiment, find_specimen(problem, experiment.specimen)));
+  };
+  for (const Experiment& experiment : problem.experiments())
+    posterior.fitted.push_back(predict(experiment));
+  for (const Experiment& experiment : unseen) posterior.unseen.push_back(predict(experiment));
+  auto left_out = leave_out_observations(posterior.run);
+  require(left_out.has_value(), "a likelihood of the posterior of '{}' is not finite",
+          posterior.name);
+  posterior.left_out = std::move(*left_out);
+}
+
+void sample_all(const DemoRequest& request, const Progress& progress, DemoResult& demo) {
+  std::vector<Experiment> unseen;
+  for (const SourceText& source : demo.inputs.unseen)
+    unseen.push_back(parse_experiment(source.text, source.path));
+  const auto add = [&](const std::string& name, const FitInputs& of, long draws) {
+    if (progress.stop()) return;
+    progress(0, "posterior of " + name);
+    DemoPosterior posterior{name, sampled(of, draws, progress), {}, {}, {}};
+    if (!posterior.run.draws.complete) return;
+    posterior.run.run = request.run;
+    demo.files.push_back(fmt::format("{}/{}.nc", request.output, name));
+    write_posterior(posterior.run, demo.files.back());
+    judge(unseen, posterior);
+    demo.posteriors.push_back(std::move(posterior));
+  };
+  for (const SourceText& experiment : demo.inputs.specimen.experiments) {
+    FitInputs alone = demo.inputs.specimen;
+    alone.experiments = {experiment};
+    add(parse_experiment(experiment.text, experiment.path).name, alone, 1000);
+  }
+  FitInputs together = demo.inputs.specimen;
+  together.subject = demo.inputs.population_subject;
+  add("population", together, 600);
+}
+
+/// Fits are kept once all is done.
+void write_fits(const DemoRequest& request, DemoResult& demo) {
+  const auto write = [&](Fit& fit, const std::string& name) {
+    fit.run = request.run;
+    demo.files.push_back(fmt::format("{}/{}.h5", request.output, name));
+    write_fit(fit, demo.files.back());
+  };
+  for (SpecimenStudy& study : demo.specimens) write(study.fit, study.in_sample.experiment);
+  write(demo.population.fit, "population");
+}
+
+}  // namespace
+
+DemoResult run_demo_study(const DemoRequest& request, const Progress& progress) {
+  const StudyInputs inputs = inputs_of(request.data);
+  std::vector<SpecimenStudy> specimens = study_specimens(inputs, progress);
+  DemoResult demo{inputs, std::move(specimens), study_population(inputs, progress), {}, {}, {}, {},
+                  {}};
+  sample_all(request, progress, demo);
+  ThumbStudyRequest thumb;
+  thumb.data = request.data;
+  thumb.quick = true;
+  demo.thumb_study = ask_thumb_study(thumb, progress);
+  demo.stopped = progress.stop();
+  if (demo.stopped) return demo;
+  write_fits(request, demo);
+  demo.hood = bend_hood(inputs);
+  demo.thumbs = thumbs_of(request.data);
+  return demo;
+}
+
+}  // namespace thenar

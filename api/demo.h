@@ -1,0 +1,66 @@
+#pragma once
+
+/// The main job on real data: middle fingers of two hands fitted to measured forces.
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/digits.h"
+#include "api/study.h"
+#include "base/progress.h"
+#include "kinematics_fit/fit_study.h"
+#include "kinematics_fit/hood_comparison.h"
+#include "posterior/run/posterior_summary.h"
+#include "tendons/net/posture_sweep.h"
+
+namespace thenar {
+
+struct DemoRequest {
+  std::string data;    // folder with subjects/, fits/ and experiments/
+  std::string output;  // folder for results: NAME.h5 of fits, NAME.nc of posteriors
+  RunRecord run;       // for the files
+};
+
+/// A posterior that the demo sampled.
+struct DemoPosterior {
+  std::string name;  // of the experiment, or "population"
+  PosteriorRun run;
+  std::vector<Prediction> fitted, unseen;  // of each experiment of the run; of each other one
+  LeftOutObservations left_out;
+};
+
+/// The extensor hood of the middle finger while it bends, DIP by two thirds of PIP.
+struct DemoHood {
+  std::shared_ptr<const DigitTendons> tendons;
+  Eigen::VectorXd t;                  // tension of each muscle [N] (muscles)
+  std::vector<DigitPoint> points;     // of the sweep
+  int varied = 0;                     // coordinate that varies
+  std::vector<HoodComparison> rungs;  // every rung of hood beside each experiment
+};
+
+/// A thumb at a posture of its own.
+struct DemoThumb {
+  std::string title;
+  Subject subject;
+  std::map<std::string, double> posture;  // joint -> angle [rad]
+};
+
+struct DemoResult {
+  StudyInputs inputs;
+  std::vector<SpecimenStudy> specimens;   // each alone
+  PopulationStudy population;             // both together
+  std::vector<DemoPosterior> posteriors;  // of each alone, and of both
+  ThumbStudyResult thumb_study;
+  DemoHood hood;
+  std::vector<DemoThumb> thumbs;
+  std::vector<std::string> files;  // that were written
+  bool stopped = false;            // by request: parts are missing, no fit was written
+};
+
+/// Fits by every solver, cross-validates, predicts what was not seen, samples posteriors, asks what
+/// forces tell of a thumb's axes, and bends a finger with its hood. Some minutes.
+/// @throws InputError if data are missing or the folder cannot be written.
+[[nodiscard]] DemoResult run_demo_study(const DemoRequest& request, const Progress& progress = {});
+
+}  // namespace thenar

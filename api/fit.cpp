@@ -1,0 +1,93 @@
+#include "api/fit.h"
+
+#include <fmt/format.h>
+
+#include "api/data_folders.h"
+#include "api/digits.h"
+#include "api/files.h"
+#include "base/error.h"
+#include "kinematics_fit/specimen_model.h"
+#include "kinematics_fit/specimen_prior.h"
+
+namespace thenar {
+namespace {
+
+/// The experiments of a fit as it was fitted to them, with predictive sds.
+std::vector<Prediction> predict_own(const Fit& fit) {
+  std::vector<Prediction> predictions;
+  for (std::size_t e = 0; e < fit.problem.experiments().size(); ++e) {
+    const Experiment& experiment = fit.problem.experiments()[e];
+    predictions.push_back(predict_fitted(fit.problem, fit.solution.z, static_cast<int>(e)));
+    const Prediction sure =
+        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
+                           find_specimen(fit.problem, experiment.specimen));
+    for (std::size_t i = 0; i < sure.trials.size(); ++i)
+      predictions.back().trials[i].sd = sure.trials[i].sd;
+    predictions.back().error.covered = sure.error.covered;
+  }
+  return predictions;
+}
+
+}  // namespace
+
+LeaveOut leave_out_named(const std::string& name) {
+  if (name == "posture") return LeaveOut::kPosture;
+  if (name == "tendon") return LeaveOut::kTendon;
+  if (name == "specimen") return LeaveOut::kSpecimen;
+  throw InputError(
+      fmt::format("cannot leave out a '{}'; wanted posture, tendon or specimen", name));
+}
+
+std::string experiment_file(const std::string& name_or_path, const std::string& data) {
+  return named_file("experiment", name_or_path, "experiments", ".toml", data_folders(data));
+}
+
+FitInputs read_fit_inputs(const FitSources& sources) {
+  require(!sources.experiments.empty(), "a fit needs at least one experiment");
+  FitInputs inputs;
+  inputs.subject = subject_source(sources.subject, sources.data);
+  for (const std::string& name : sources.experiments)
+    inputs.experiments.push_back(read_source(experiment_file(name, sources.data)));
+  const SourceText& first = inputs.experiments.front();
+  inputs.settings = sources.settings.empty()
+                        ? built_in_settings(parse_experiment(first.text, first.path).digit)
+                        : read_source(named_file("file of fit settings", sources.settings, "fits",
+                                                 ".toml", data_folders(sources.data)));
+  inputs.also_free = sources.also_free;
+  return inputs;
+}
+
+FitResult fit_forces(const FitRequest& request, const Progress& progress) {
+  // The fit, kept at once: leaving out takes longer.
+  if (!request.output.empty()) require_result_path(request.output);
+  SolveOptions options;
+  options.method = request.method;
+  options.seed = request.seed;
+  options.max_evaluations = request.max_evaluations;
+  options.progress = progress;
+  FitResult result{run_fit(read_fit_inputs(request.sources), options), {}, {}, {}};
+  result.fit.run = request.run;
+  result.warnings = result.fit.problem.warnings();
+  if (!request.output.empty()) write_fit(result.fit, request.output);
+
+  // What it predicts, and what fits predict that have not seen it.
+  result.in_sample = predict_own(result.fit);
+  for (const LeaveOut what : request.leave_out)
+    if (!progress.stop())
+      result.left_out.push_back(cross_validate(result.fit.problem, what, options));
+  result.stopped = progress.stop();
+  return result;
+}
+
+TendonDigit fitted_digit(const Fit& fit, int specimen) {
+  TendonDigit digit = fit.problem.digit();
+  const FitParameters& parameters = fit.problem.parameters();
+  digit.model =
+      specimen_model(digit, parameters,
+                     parameter_values<double>(parameters, displacements(fit.problem.coordinates(),
+                                                                        fit.solution.z, specimen)))
+          .digit;
+  return digit;
+}
+
+}  // namespace thenar

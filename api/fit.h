@@ -1,0 +1,62 @@
+#pragma once
+
+/// Which parameters of a digit explain measured fingertip forces?
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/run_record.h"
+#include "kinematics_fit/cross_validation.h"
+#include "kinematics_fit/fit.h"
+
+namespace thenar {
+
+/// What is fitted to what, by name or file.
+struct FitSources {
+  std::vector<std::string> experiments;  // files, or names of experiments/
+  std::string subject;                   // that the fit starts from: a file, or a name of subjects/
+  std::string settings;                  // file, or name of fits/; empty: the digit's built-in ones
+  std::vector<std::string> also_free;    // globs of further parameters that move
+  std::string data;                      // folder with subjects/ ..; empty: the usual ones
+};
+
+struct FitRequest {
+  FitSources sources;
+  LeastSquaresMethod method = LeastSquaresMethod::kCeres;
+  unsigned seed = 1;                // of a global search
+  int max_evaluations = 0;          // 0: the method's own limit [1]
+  std::vector<LeaveOut> leave_out;  // what is also predicted by fits that have not seen it
+  std::string output;               // result file (.h5), written before anything is left out; or ""
+  RunRecord run;                    // for the file
+};
+
+struct FitResult {
+  Fit fit;
+  std::vector<Prediction> in_sample;      // of each experiment, by its specimen's own parameters,
+                                          // with predictive sds
+  std::vector<CrossValidation> left_out;  // in the order of the request; fewer if stopped
+  std::vector<std::string> warnings;      // of the experiments and the subject
+  bool stopped = false;                   // by request; the fit is the best point so far
+};
+
+/// The texts of the inputs. Without settings those that are built in for the digit.
+/// @throws InputError or DataError for a source that is not there or cannot be read.
+[[nodiscard]] FitInputs read_fit_inputs(const FitSources& sources);
+
+/// Fits, writes the result file, and cross-validates.
+/// @throws InputError or DataError as the readers and builders do.
+[[nodiscard]] FitResult fit_forces(const FitRequest& request, const Progress& progress = {});
+
+/// "posture", "tendon" or "specimen". @throws InputError naming these for anything else.
+[[nodiscard]] LeaveOut leave_out_named(const std::string& name);
+
+/// An experiment by its file or its name. @throws InputError with the places looked in.
+[[nodiscard]] std::string experiment_file(const std::string& name_or_path, const std::string& data);
+
+/// The digit with the fitted parameters of a specimen.
+/// @param specimen  index in fit.problem.specimens()
+[[nodiscard]] TendonDigit fitted_digit(const Fit& fit, int specimen);
+
+}  // namespace thenar

@@ -1,0 +1,153 @@
+#include "api/posterior.h"
+
+#include <exception>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "api/files.h"
+#include "base/error.h"
+#include "posterior/run/posterior_file.h"
+#include "posterior/run/predict_draws.h"
+#include "sampling/run/communicator.h"
+#include "sampling/run/durable_file.h"
+
+namespace thenar {
+namespace {
+
+namespace fs = std::filesystem;
+
+PosteriorSettings settings_of(const SampleRequest& request, const FitInputs& inputs,
+                              const Progress& progress) {
+  PosteriorSettings settings;
+  settings.posterior = posterior_options(inputs.settings);
+  if (request.fixed_noise) settings.posterior.learn_noise = false;
+  settings.mode_starts = request.mode_starts;
+  RunOptions& run = settings.run;
+  run.method = request.method;
+  run.sampler.seed = request.seed;
+  run.sampler.warm_up = request.warm_up;
+  run.sampler.max_depth = request.max_depth;
+  if (run.method == SamplingMethod::kNuts || run.method == SamplingMethod::kHmc)
+    run.sampler.target_acceptance = request.target_acceptance;
+  run.groups = request.chains;
+  run.walkers = request.walkers;
+  run.temperatures = request.temperatures;
+  run.min_beta = request.min_beta;
+  run.swap_every = request.swap_every;
+  // An ensemble has more than twice as many walkers as parameters, all of which draw.
+  const int sparse = run.method == SamplingMethod::kStretchMove ? 10 : 1;
+  run.thin = request.thin > 0 ? request.thin : sparse;
+  run.draws = request.draws > 0 ? request.draws : 1000 / sparse;
+  run.threads = request.threads;
+  run.folder = request.output + ".chains";
+  run.checkpoint_every = request.checkpoint_every;
+  run.progress = progress;
+  return settings;
+}
+
+/// Forgets a run. Its state goes first: what is left if we are killed here begins anew.
+/// @throws InputError if another process is sampling there.
+void forget_run(const std::string& folder) {
+  std::error_code none;
+  if (!fs::exists(folder, none)) return;
+  internal::AppendFile lock(folder + "/lock");
+  require(lock.lock(), "another process is sampling in '{}'", folder);
+  fs::remove(folder + "/state.bin");
+  fs::remove_all(folder);
+}
+
+PosteriorRun sample(const FitInputs& inputs, const PosteriorSettings& settings,
+                    const Communicator& ranks) try {
+  return sample_posterior(inputs, settings, ranks);
+} catch (const CheckpointError& refusal) {
+  const bool damaged = refusal.kind() == CheckpointError::Kind::kDamaged;
+  throw InputError(fmt::format(
+      "{}\n{} --fresh forgets it and begins anew.", refusal.what(),
+      damaged ? "No command can go on with it." : "The command that began it can go on with it;"));
+}
+
+/// What the first rank does with draws: they are kept, and the state of a finished run goes.
+void keep(const PosteriorResult& result, const SampleRequest& request) {
+  const PosteriorRun& run = result.run;
+  if (run.draws.draws() == 0) return;
+  write_posterior(run, result.file);
+  // Chains that have not converged may be asked for more draws.
+  if (run.draws.complete && (run.convergence.warnings.empty() || !request.keep_unconverged))
+    forget_run(run.settings.run.folder);
+}
+
+/// All that ranks do together; whatever it throws, it throws on all of them.
+PosteriorResult sample_together(const SampleRequest& request, const Progress& progress,
+                                const Communicator& ranks) {
+  FitInputs inputs;
+  PosteriorSettings settings;
+  collective_call(ranks, [&] {
+    inputs = read_fit_inputs(request.sources);
+    settings = settings_of(request, inputs, progress);
+    if (ranks.rank() > 0) settings.run.progress.report = nullptr;
+    if (ranks.rank() == 0) require_result_path(request.output);
+    if (ranks.rank() == 0 && request.fresh) forget_run(settings.run.folder);
+  });
+  PosteriorResult result{request.output, sample(inputs, settings, ranks), {}, {}};
+  result.run.run = request.run;
+  collective_call(ranks, [&] {
+    if (ranks.rank() == 0) keep(result, request);
+  });
+  return result;
+}
+
+}  // namespace
+
+std::optional<PosteriorResult> sample_fit(const SampleRequest& request, const Progress& progress) {
+  std::optional<PosteriorResult> result;
+  std::exception_ptr failure;
+  {
+    const std::unique_ptr<Communicator> ranks = world_communicator();
+    try {
+      PosteriorResult found = sample_together(request, progress, *ranks);
+      if (ranks->rank() == 0) result = std::move(found);
+    } catch (const std::exception&) {
+      if (ranks->rank() == 0) failure = std::current_exception();
+    }
+  }  // MPI ends in peace before the first rank fails alone
+  if (failure) std::rethrow_exception(failure);
+  if (result && result->run.draws.draws() > 1) result->summary = summarise_posterior(result->run);
+  return result;
+}
+
+PosteriorResult open_posterior(const std::string& path) {
+  require_kind(path, {"posterior"});
+  PosteriorResult result{path, read_posterior(path), {}, checksum_warnings(path)};
+  result.summary = summarise_posterior(result.run);
+  return result;
+}
+
+PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request) {
+  require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_kind(request.posterior, {"posterior"});
+  PosteriorPrediction out{
+      {request.posterior, {}, {}, {}, {}, {}, checksum_warnings(request.posterior)},
+      {request.posterior, read_posterior(request.posterior), {}, {}}};
+  const PosteriorRun& run = out.posterior.run;
+  const FitProblem& problem = run.posterior->problem();
+  PredictResult& result = out.predicted;
+  result.inputs = run.inputs;
+  result.fitted_by = run.run;
+  result.fidelity = problem.digit().fidelity;
+  for (const std::string& name : request.experiments) {
+    const SourceText source = read_source(experiment_file(name, request.data));
+    const Experiment experiment = parse_experiment(source.text, source.path);
+    for (const std::string& warning : prediction_warnings(problem, experiment))
+      result.warnings.push_back(warning);
+    const int fitted = find_specimen(problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, request.population);
+    Prediction prediction = summarise(predict_draws(
+        run, experiment, by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen, request.draws));
+    result.sources.push_back(source);
+    result.experiments.push_back({experiment, std::move(prediction), by});
+  }
+  return out;
+}
+
+}  // namespace thenar

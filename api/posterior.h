@@ -1,0 +1,80 @@
+#pragma once
+
+/// What does everything that priors and measured forces allow look like? Draws from the posterior.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "api/fit.h"
+#include "api/predict.h"
+#include "base/progress.h"
+#include "posterior/run/posterior_summary.h"
+#include "posterior/run/sample_posterior.h"
+
+namespace thenar {
+
+struct SampleRequest {
+  FitSources sources;
+  SamplingMethod method = SamplingMethod::kNuts;
+  unsigned seed = 1;
+  int chains = 4;                  // independent chains, or ensembles [1]
+  int walkers = 0;                 // chains of one ensemble; 0: as the sampler needs [1]
+  long warm_up = 1000;             // steps that adapt and are thrown away [1]
+  long draws = 0;                  // of each chain; 0: 1000 steps in all [1]
+  int thin = 0;                    // steps a draw; 0: 1, of ensembles of many walkers 10 [1]
+  double target_acceptance = 0.9;  // of nuts and hmc: thumbs bend more than textbook posteriors [1]
+  int max_depth = 10;              // of trees of nuts: 2^depth steps at most [1]
+  int temperatures = 1;            // of parallel tempering; 1: none [1]
+  double min_beta = 0;             // power of the likelihood on the hottest rung [1]
+  int swap_every = 1;              // steps between swaps of temperatures [1]
+  int mode_starts = 16;            // of the search for modes [1]
+  bool fixed_noise = false;        // believe the stated noise
+  int threads = 0;                 // 0: as many as there are processors
+  double checkpoint_every = 10;    // what a kill may cost [s]
+  bool fresh = false;              // forget an interrupted run of this output
+  bool keep_unconverged = true;    // keep the state of chains that have not converged: they may be
+                                   // asked for more draws
+  std::string output;              // posterior file (.nc); its chains lie in OUTPUT.chains
+  RunRecord run;                   // for the file
+};
+
+/// A posterior with everything that is said of it.
+struct PosteriorResult {
+  std::string file;                         // that holds it
+  PosteriorRun run;                         // no draws: stopped before the first
+  std::optional<PosteriorSummary> summary;  // absent without draws
+  std::vector<std::string> warnings;        // of the file
+  std::size_t rows = 20;                    // parameters that words list, the best known first
+};
+
+/// Samples, and writes the file. Under mpirun all ranks call it together; the first alone writes.
+/// A run that was stopped goes on with the same request, to the same draws.
+/// @returns nothing on all ranks but the first
+/// @throws InputError if another process is sampling there, or if the state that an interrupted run
+/// left is damaged or of other settings; as the readers and samplers do.
+[[nodiscard]] std::optional<PosteriorResult> sample_fit(const SampleRequest& request,
+                                                        const Progress& progress = {});
+
+/// The posterior of a file. @throws InputError if it is something else; DataError if it is damaged.
+[[nodiscard]] PosteriorResult open_posterior(const std::string& path);
+
+struct PosteriorPredictRequest {
+  std::string posterior;                 // file of sample_fit() (.nc)
+  std::vector<std::string> experiments;  // files, or names of experiments/
+  bool population = false;               // predict a fitted specimen as if it had never been seen
+  long draws = 2000;                     // to predict with [1]
+  std::string data;                      // folder with experiments/; empty: the usual ones
+};
+
+/// What draws predict, and the posterior that they are of.
+struct PosteriorPrediction {
+  PredictResult predicted;    // means of the draws
+  PosteriorResult posterior;  // without a summary
+};
+
+/// Predicts every experiment by draws, and compares with what was measured.
+/// @throws as predict_forces(), of a posterior
+[[nodiscard]] PosteriorPrediction predict_by_draws(const PosteriorPredictRequest& request);
+
+}  // namespace thenar

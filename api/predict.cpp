@@ -1,0 +1,57 @@
+#include "api/predict.h"
+
+#include <fmt/format.h>
+
+#include "api/files.h"
+#include "api/fit.h"
+#include "base/error.h"
+#include "kinematics_fit/experiment_plan.h"
+
+namespace thenar {
+namespace {
+
+/// Everything of an answer but the experiments.
+PredictResult answer_of(const PredictRequest& request, const Fit& fit) {
+  PredictResult result{request.fit, fit.inputs, fit.run, fit.problem.digit().fidelity, {}, {}, {}};
+  result.warnings = checksum_warnings(request.fit);
+  if (fit.solution.status != Status::kSolved)
+    result.warnings.push_back(fmt::format("the fit in '{}' did not converge: {}", request.fit,
+                                          convergence_word(fit.solution)));
+  return result;
+}
+
+}  // namespace
+
+PredictedBy predicted_by(int specimen, bool population) {
+  if (specimen < 0) return PredictedBy::kStranger;
+  return population ? PredictedBy::kOwnPopulation : PredictedBy::kOwn;
+}
+
+std::vector<std::string> prediction_warnings(const FitProblem& fitted,
+                                             const Experiment& experiment) {
+  return experiment_warnings(
+      fitted.digit(), plan_experiment(fitted.digit(), fitted.parameters(), experiment), experiment);
+}
+
+PredictResult predict_forces(const PredictRequest& request) {
+  require(!request.experiments.empty(), "wanted at least one experiment to predict");
+  require_kind(request.fit, {"fit"});
+  const Fit fit = read_fit(request.fit);
+  PredictResult result = answer_of(request, fit);
+  for (const std::string& name : request.experiments) {
+    const SourceText source = read_source(experiment_file(name, request.data));
+    const Experiment experiment = parse_experiment(source.text, source.path);
+    for (const std::string& warning : prediction_warnings(fit.problem, experiment))
+      result.warnings.push_back(warning);
+    const int fitted = find_specimen(fit.problem, experiment.specimen);
+    const PredictedBy by = predicted_by(fitted, request.population);
+    Prediction prediction =
+        predict_experiment(fit.problem, fit.solution.z, fit.covariance.C, experiment,
+                           by == PredictedBy::kOwn ? fitted : kUnfittedSpecimen);
+    result.sources.push_back(source);
+    result.experiments.push_back({experiment, std::move(prediction), by});
+  }
+  return result;
+}
+
+}  // namespace thenar

@@ -1,0 +1,58 @@
+#pragma once
+
+/// What forces does a fit predict, also of specimens that it has never seen?
+
+#include <string>
+#include <vector>
+
+#include "base/fidelity.h"
+#include "base/run_record.h"
+#include "kinematics_fit/fit.h"
+#include "kinematics_fit/prediction.h"
+
+namespace thenar {
+
+/// Which parameters predict, and whether the fit has seen the specimen.
+enum class PredictedBy {
+  kOwn,            // its own, which were fitted
+  kOwnPopulation,  // the population's, which it was a part of
+  kStranger        // the population's; it was not fitted
+};
+
+struct PredictRequest {
+  std::string fit;                       // result of a fit (.h5)
+  std::vector<std::string> experiments;  // files, or names of experiments/
+  bool population = false;               // predict a fitted specimen as if it had never been seen
+  std::string data;                      // folder with experiments/; empty: the usual ones
+};
+
+/// One experiment with its prediction.
+struct PredictedExperiment {
+  Experiment experiment;
+  Prediction prediction;  // with predictive sds
+  PredictedBy by = PredictedBy::kStranger;
+};
+
+struct PredictResult {
+  std::string file;                 // that predicted
+  FitInputs inputs;                 // of the fit
+  RunRecord fitted_by;              // the run that wrote the file; empty in older files
+  Fidelity fidelity;                // of the digit
+  std::vector<SourceText> sources;  // of the experiments
+  std::vector<PredictedExperiment> experiments;
+  std::vector<std::string> warnings;  // of the fit and of each experiment
+};
+
+/// Predicts every experiment by a fit, and compares with what was measured.
+/// @throws DataError or InputError if the file is no fit, or an experiment does not suit its digit.
+[[nodiscard]] PredictResult predict_forces(const PredictRequest& request);
+
+/// @param specimen    index in fitted.specimens(), or kUnfittedSpecimen
+/// @param population  asked for, also of a fitted specimen
+[[nodiscard]] PredictedBy predicted_by(int specimen, bool population);
+
+/// What to know before trusting a prediction of the experiment by this fit.
+[[nodiscard]] std::vector<std::string> prediction_warnings(const FitProblem& fitted,
+                                                           const Experiment& experiment);
+
+}  // namespace thenar

@@ -1,0 +1,43 @@
+#include "api/study.h"
+
+#include <algorithm>
+
+#include "api/data_folders.h"
+
+namespace thenar {
+namespace {
+
+ThumbStudySettings settings_of(const ThumbStudyRequest& request, const Progress& progress) {
+  ThumbStudySettings settings = request.quick ? quick_thumb_study() : full_thumb_study();
+  if (request.draws > 0) settings.draws = settings.warm_up = request.draws;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return settings;
+}
+
+ThumbCalibrationSettings calibration_of(const ThumbStudyRequest& request,
+                                        const Progress& progress) {
+  ThumbCalibrationSettings settings;
+  settings.simulations = request.simulations;
+  settings.seed = request.seed;
+  settings.progress = progress;
+  return settings;
+}
+
+}  // namespace
+
+ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request, const Progress& progress) {
+  const ThumbStudyInputs inputs = thumb_study_inputs(data_with("fits", request.data));
+  ThumbStudyResult result{study_thumb(inputs, settings_of(request, progress)), {}, request.seed};
+  if (request.simulations > 0 && !progress.stop())
+    result.calibration = calibrate_thumb(inputs, calibration_of(request, progress));
+  result.stopped = !result.study.complete || progress.stop();
+  return result;
+}
+
+std::size_t unconverged_fits(const ThumbStudy& study) {
+  return static_cast<std::size_t>(std::count_if(
+      study.fits.begin(), study.fits.end(), [](const ThumbFit& fit) { return !fit.converged(); }));
+}
+
+}  // namespace thenar

@@ -1,0 +1,37 @@
+#pragma once
+
+/// What do forces tell of a thumb's axes? A made-up experiment whose answer is known.
+
+#include <optional>
+#include <string>
+
+#include "base/progress.h"
+#include "posterior/study/thumb_calibration.h"
+#include "posterior/study/thumb_study.h"
+
+namespace thenar {
+
+struct ThumbStudyRequest {
+  std::string data;     // folder with fits/ and subjects/; empty: the usual ones
+  bool quick = false;   // arms known, one skewness: seconds instead of minutes
+  long draws = 0;       // of each of 4 chains, and of warm-up; 0: as the study has them [1]
+  int simulations = 0;  // thumbs that the sampler is calibrated with; 0: it is not [1]
+  unsigned seed = 1;    // of noise and chains
+};
+
+struct ThumbStudyResult {
+  ThumbStudy study;
+  std::optional<ThumbCalibration> calibration;  // absent unless asked for
+  unsigned seed = 1;
+  bool stopped = false;  // by request; what was finished by then is here
+};
+
+/// Fits orthogonal and skewed thumbs to forces of a skewed one. Same request, same bits.
+/// @throws InputError if no data folder has fits/.
+[[nodiscard]] ThumbStudyResult ask_thumb_study(const ThumbStudyRequest& request,
+                                               const Progress& progress = {});
+
+/// Fits whose chains have not converged.
+[[nodiscard]] std::size_t unconverged_fits(const ThumbStudy& study);
+
+}  // namespace thenar

@@ -1,0 +1,133 @@
+#include "report/answers/fit.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "report/parameter_words.h"
+
+namespace thenar {
+namespace {
+
+constexpr std::size_t kLearntShown = 8, kOpenShown = 4;  // lines of the text
+
+Json error_json(const Prediction& prediction) {
+  return {{"experiment", prediction.experiment},
+          {"rms_error_N", prediction.error.rms},
+          {"relative_error", prediction.error.relative},
+          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"start_has_seen_specimen", prediction.calibrated_on_specimen}};
+}
+
+/// Every coordinate with what it means, best known first.
+Json learnt_json(const Fit& fit) {
+  Json learnt = Json::array();
+  for (const int i : sorted_by_sd(fit.covariance)) {
+    const CoordinateEstimate& one = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    learnt.push_back({{"name", one.name},
+                      {"meaning", meaning_of(one.name, fit.problem.digit())},
+                      {"estimate_prior_sds", one.z},
+                      {"sd_prior_sds", one.sd},
+                      {"at_bound", one.at_bound}});
+  }
+  return learnt;
+}
+
+std::string learnt_text(const Fit& fit) {
+  std::string text =
+      "\nthe data tell most about (estimate and sd in prior sds; sd 1: nothing was learnt):\n";
+  const std::vector<int> order = sorted_by_sd(fit.covariance);
+  for (std::size_t k = 0; k < std::min(kLearntShown, order.size()); ++k) {
+    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(order[k])];
+    text += fmt::format("  {:<34} {:+6.2f} +- {:.2f}  {}{}\n", learnt.name, learnt.z, learnt.sd,
+                        meaning_of(learnt.name, fit.problem.digit()),
+                        learnt.at_bound ? "; at its bound" : "");
+  }
+  return text;
+}
+
+std::string open_text(const Fit& fit) {
+  const auto& open = fit.covariance.null_directions;
+  if (open.empty()) return "";
+  std::string text =
+      fmt::format("\n{} of {} directions are not in the data: the prior alone decides them\n",
+                  open.size(), fit.problem.size());
+  for (std::size_t i = 0; i < std::min(kOpenShown, open.size()); ++i)
+    text += fmt::format("  {}\n", open[i].text);
+  if (open.size() > kOpenShown) text += "  ... all are in the result file (--json lists them)\n";
+  return text;
+}
+
+std::string left_out_text(const CrossValidation& validation) {
+  std::string text;
+  for (const Prediction& p : validation.experiments)
+    if (!p.trials.empty())
+      text += fmt::format("  {:<20} {}: RMS error {:.3f} N, relative {:.3f}{}\n", p.experiment,
+                          name_of(validation.what), p.error.rms, p.error.relative, seen_words(p));
+  if (validation.stopped)
+    text += fmt::format("  {}: stopped after {} of {} folds; the errors are of those alone\n",
+                        name_of(validation.what), validation.folds_done, validation.folds.size());
+  return text;
+}
+
+}  // namespace
+
+std::string seen_words(const Prediction& prediction) {
+  return prediction.calibrated_on_specimen ? " (the subject has seen this specimen)" : "";
+}
+
+OrderedJson json_of(const FitResult& result) {
+  const Fit& fit = result.fit;
+  Json out{{"status", convergence_word(fit.solution)},
+           {"message", fit.solution.message},
+           {"cost", fit.solution.cost},
+           {"evaluations", fit.solution.evaluations},
+           {"seconds", fit.solution.seconds},
+           {"free_coordinates", fit.problem.size()},
+           {"effective_parameters", fit.covariance.effective_parameters},
+           {"warnings", result.warnings}};
+  if (fit.solution.status == Status::kSolved) out["learnt"] = learnt_json(fit);
+  for (const Prediction& prediction : result.in_sample)
+    out["in_sample"].push_back(error_json(prediction));
+  for (const NullDirection& null : fit.covariance.null_directions)
+    out["not_identifiable"].push_back(null.text);
+  for (const CrossValidation& validation : result.left_out)
+    for (const Prediction& prediction : validation.experiments) {
+      out["left_out"].push_back(error_json(prediction));
+      out["left_out"].back()["what"] = name_of(validation.what);
+      out["left_out"].back()["folds_done"] = validation.folds_done;
+      out["left_out"].back()["folds"] = validation.folds.size();
+    }
+  return OrderedJson(out);
+}
+
+std::string text_of(const FitResult& result) {
+  const Fit& fit = result.fit;
+  std::string text = fmt::format(
+      "{}: {} after {} evaluations, {:.2f} s; {} coordinates move, the data determine {:.1f} "
+      "parameters\n",
+      name_of(fit.method), convergence_word(fit.solution), fit.solution.evaluations,
+      fit.solution.seconds, fit.problem.size(), fit.covariance.effective_parameters);
+  for (const Prediction& p : result.in_sample)
+    text += fmt::format("  {:<20} in sample: RMS error {:.3f} N, relative {:.3f}\n", p.experiment,
+                        p.error.rms, p.error.relative);
+  for (const CrossValidation& validation : result.left_out) text += left_out_text(validation);
+  if (fit.solution.status == Status::kSolved) text += learnt_text(fit);
+  return text + open_text(fit) + "\n";
+}
+
+Table table_of(const FitResult& result) {
+  const Fit& fit = result.fit;
+  Table table{{"coordinate", "meaning", "estimate_prior_sds", "sd_prior_sds", "at_bound",
+               "not_identifiable_share"},
+              {}};
+  for (const int i : sorted_by_sd(fit.covariance)) {
+    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    table.rows.push_back({learnt.name, meaning_of(learnt.name, fit.problem.digit()),
+                          shown(learnt.z, 6), shown(learnt.sd, 6), learnt.at_bound ? "yes" : "no",
+                          shown(learnt.null_share, 6)});
+  }
+  return table;
+}
+
+}  // namespace thenar

@@ -1,0 +1,27 @@
+#pragma once
+
+/// A fit as words, JSON and rows.
+
+#include <string>
+
+#include "api/fit.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// How it ended, errors in sample and left out, what the data tell most about, and what the prior
+/// alone decides.
+[[nodiscard]] std::string text_of(const FitResult& result);
+
+/// The same in full, numbers as they are.
+[[nodiscard]] OrderedJson json_of(const FitResult& result);
+
+/// One row for each coordinate of the fit, best known first: its meaning, and estimate and sd in
+/// prior sds.
+[[nodiscard]] Table table_of(const FitResult& result);
+
+/// "; the subject has seen this specimen" behind an error that is not of a stranger, else "".
+[[nodiscard]] std::string seen_words(const Prediction& prediction);
+
+}  // namespace thenar

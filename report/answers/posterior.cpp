@@ -1,0 +1,323 @@
+#include "report/answers/posterior.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "report/answers/prediction.h"
+#include "report/answers/sampling_advice.h"
+#include "report/parameter_words.h"
+
+namespace thenar {
+namespace {
+
+/// Quantities from the one that was learnt most about to the least, by sd over the prior's.
+std::vector<std::size_t> sorted_by_sd(const PosteriorSummary& summary) {
+  std::vector<double> left;
+  for (std::size_t i = 0; i < summary.quantities.size(); ++i)
+    left.push_back(summary.estimates[i].sd / prior_sd(summary.quantities[i]));
+  std::vector<std::size_t> order(left.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return left[a] < left[b]; });
+  return order;
+}
+
+std::string doubts_text(const std::string& about, const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& doubt : warnings) text += fmt::format("  ! {}: {}\n", about, doubt);
+  return text;
+}
+
+std::string banner_text(const PosteriorRun& run) {
+  const Convergence& c = run.convergence;
+  if (c.warnings.empty()) return doubts_text("converged, with a caution", c.cautions);
+  const std::string line(78, '!');
+  std::string text = line + "\n!! NOT CONVERGED: do not use these draws.\n";
+  for (const std::string& reason : run.convergence.warnings)
+    text += fmt::format("!!  * {}\n", reason);
+  return text + line + "\n";
+}
+
+std::string figures_text(const PosteriorRun& run) {
+  const Convergence& c = run.convergence;
+  std::string text = fmt::format(
+      "{}\nworst R-hat {:.4f}, least ESS {:.0f} (bulk) and {:.0f} (tail), {} divergent, "
+      "{} broken densities\n",
+      describe_run(run), c.worst_r_hat, c.min_bulk_ess, c.min_tail_ess, c.divergent, c.non_finite);
+  if (run.draws.swap_rate.size() > 0) {
+    std::string rates;
+    for (const double rate : run.draws.swap_rate.rowwise().mean())
+      rates += fmt::format("{}{:.0f}", rates.empty() ? "" : ", ", 100 * rate);
+    text += fmt::format("temperatures swap with the next hotter one in {} % of attempts\n", rates);
+  }
+  return text;
+}
+
+std::string checks_text(const PosteriorSummary& summary) {
+  Table table{{"experiment", "rms_error_N", "relative", "within_50_pct", "within_80_pct",
+               "within_95_pct", "chi_square", "numbers", "p"},
+              {}};
+  for (const auto& [prediction, check] : summary.experiments) {
+    table.rows.push_back({prediction.experiment, shown(prediction.error.rms, 3),
+                          shown(prediction.error.relative, 3)});
+    for (const Coverage& coverage : check.coverage)
+      table.rows.back().push_back(shown(100 * coverage.share, 0));
+    for (const std::string& cell : {shown(check.mean_chi_square, 1),
+                                    fmt::format("{}", check.rank_share.size()), shown(check.p, 3)})
+      table.rows.back().push_back(cell);
+  }
+  std::string text = titled("forces as they would be measured again, beside those measured", table);
+  for (const ExperimentCheck& experiment : summary.experiments)
+    text += doubts_text(experiment.prediction.experiment, experiment.check.warnings);
+  return text + "\n";
+}
+
+std::string left_out_text(const PosteriorSummary& summary) {
+  if (!summary.left_out) return "";
+  const LeaveOneOut& loo = summary.left_out->result;
+  std::string text = fmt::format(
+      "left out one by one (PSIS): elpd {:.1f} +- {:.1f}, {:.1f} effective parameters, "
+      "{} of {} observations with k above {:.2f}\n",
+      loo.elpd, loo.se, loo.effective_parameters, (loo.k.array() > loo.good_k).count(),
+      loo.k.size(), loo.good_k);
+  text += doubts_text("leave-one-out", loo.warnings);
+  Eigen::Index worst;
+  if (loo.k.maxCoeff(&worst) > loo.good_k)
+    text += fmt::format("  ! number {} is {}\n", worst + 1,
+                        summary.left_out->observations[static_cast<std::size_t>(worst)]);
+  return text + "\n";
+}
+
+std::string quantities_text(const PosteriorResult& result) {
+  const PosteriorSummary& summary = *result.summary;
+  Table table{{"parameter", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95", "mcse",
+               "r_hat", "bulk_ess", "tail_ess", "meaning"},
+              {}};
+  const std::vector<std::size_t> order = sorted_by_sd(summary);
+  for (std::size_t k = 0; k < std::min(result.rows, order.size()); ++k) {
+    const Estimate& e = summary.estimates[order[k]];
+    const PosteriorQuantity& q = summary.quantities[order[k]];
+    table.rows.push_back({q.name, q.unit, shown(e.mean), shown(e.sd), shown(prior_sd(q)),
+                          shown(e.q05), shown(e.median), shown(e.q95), shown(e.mcse_mean),
+                          shown(e.r_hat, 3), shown(e.bulk_ess, 0), shown(e.tail_ess, 0),
+                          meaning_of(q.name, result.run.posterior->problem().digit())});
+  }
+  return titled(fmt::format("parameters that the data tell most about ({} of {})",
+                            table.rows.size(), order.size()),
+                table);
+}
+
+std::string directions_text(const PosteriorSummary& summary, std::size_t rows) {
+  const LearntDirections& found = summary.directions;
+  std::string text =
+      fmt::format("{} of {} directions are decided by the data, {:.1f} parameters in effect\n",
+                  found.decided, found.directions.size(), found.effective_parameters);
+  for (std::size_t i = 0; i < std::min(rows, found.directions.size()); ++i)
+    if (found.directions[i].sd_ratio < 1) text += fmt::format("  {}\n", found.directions[i].text);
+  return text + "\n";
+}
+
+/// Masses by the draws beside those of Laplace's approximation before sampling.
+std::string modes_text(const PosteriorRun& run) {
+  Table table{{"mode", "mass", "mcse", "crossings", "cost", "searches", "laplace_mass"}, {}};
+  for (const ModeMass& mode : run.mode_table.modes) {
+    table.rows.push_back({fmt::format("{}", table.rows.size() + 1), shown(mode.mass, 3),
+                          shown(mode.mcse, 3), fmt::format("{}", mode.crossings)});
+    std::vector<std::string>& row = table.rows.back();
+    if (mode.known < 0) {
+      row.insert(row.end(), 3, "-");
+      continue;
+    }
+    const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
+    for (const std::string& cell :
+         {shown(found.cost, 2), fmt::format("{}", found.hits), shown(found.laplace_mass, 3)})
+      row.push_back(cell);
+  }
+  return titled("modes, by the draws in each and by the search before", table) +
+         doubts_text("modes", run.mode_table.warnings);
+}
+
+// As JSON.
+
+Json vector_json(const Eigen::VectorXd& values) {
+  return std::vector<double>(values.data(), values.data() + values.size());
+}
+
+Json advice_json(const PosteriorRun& run) {
+  Json out = Json::array();
+  for (const SamplingAdvice& one : advise(run))
+    out.push_back(one.command.empty() ? one.remedy : one.remedy + ": " + one.command);
+  return out;
+}
+
+Json convergence_json(const PosteriorRun& run) {
+  const Convergence& c = run.convergence;
+  return {{"sampler", name_of(run.settings.run.method)},
+          {"chains", run.draws.chains()},
+          {"draws", run.draws.draws()},
+          {"warm_up", run.draws.warm_up},
+          {"complete", run.draws.complete},
+          {"seconds", run.draws.seconds},
+          {"converged", c.warnings.empty()},
+          {"reasons", c.warnings},
+          {"cautions", c.cautions},
+          {"advice", advice_json(run)},
+          {"warnings", run.posterior->problem().warnings()},
+          {"worst_r_hat", c.worst_r_hat},
+          {"least_bulk_ess", c.min_bulk_ess},
+          {"least_tail_ess", c.min_tail_ess},
+          {"divergent", c.divergent},
+          {"depth_limit", c.depth_limit},
+          {"broken", c.non_finite},
+          {"temper", vector_json(run.draws.beta)}};
+}
+
+Json estimate_json(const PosteriorQuantity& q, const Estimate& e, const std::string& meaning) {
+  return {{"name", q.name},
+          {"meaning", meaning},
+          {"unit", q.unit},
+          {"mean", e.mean},
+          {"sd", e.sd},
+          {"prior_sd", prior_sd(q)},
+          {"mcse_mean", e.mcse_mean},
+          {"mcse_sd", e.mcse_sd},
+          {"q05", e.q05},
+          {"median", e.median},
+          {"q95", e.q95},
+          {"r_hat", e.r_hat},
+          {"bulk_ess", e.bulk_ess},
+          {"tail_ess", e.tail_ess}};
+}
+
+Json modes_json(const PosteriorRun& run) {
+  Json out = Json::array();
+  for (const ModeMass& mode : run.mode_table.modes) {
+    out.push_back({{"mass", mode.mass},
+                   {"mcse", mode.mcse},
+                   {"crossings", mode.crossings},
+                   {"visits", vector_json(mode.visits)}});
+    if (mode.known < 0) continue;
+    const Mode& found = run.modes[static_cast<std::size_t>(mode.known)];
+    out.back()["cost"] = found.cost;
+    out.back()["searches"] = found.hits;
+    out.back()["laplace_mass"] = found.laplace_mass;
+  }
+  return out;
+}
+
+Json directions_json(const LearntDirections& found) {
+  Json out{{"decided", found.decided},
+           {"effective_parameters", found.effective_parameters},
+           {"directions", Json::array()}};
+  for (const LearntDirection& direction : found.directions)
+    out["directions"].push_back({{"sd_ratio", direction.sd_ratio}, {"text", direction.text}});
+  return out;
+}
+
+Json check_json(const ExperimentCheck& of) {
+  Json out{{"experiment", of.prediction.experiment},
+           {"rms_error_N", of.prediction.error.rms},
+           {"relative_error", of.prediction.error.relative},
+           {"chi_square", of.check.mean_chi_square},
+           {"numbers", of.check.rank_share.size()},
+           {"p", of.check.p},
+           {"trial_p", vector_json(of.check.trial_p)},
+           {"doubts", of.check.warnings},
+           {"start_has_seen_specimen", of.prediction.calibrated_on_specimen}};
+  for (const Coverage& coverage : of.check.coverage)
+    out["coverage"].push_back(
+        {{"level", coverage.level}, {"share", coverage.share}, {"error", coverage.error}});
+  return out;
+}
+
+Json left_out_json(const LeftOutObservations& of) {
+  Json out{{"elpd", of.result.elpd},
+           {"se", of.result.se},
+           {"effective_parameters", of.result.effective_parameters},
+           {"good_k", of.result.good_k},
+           {"above_good_k", (of.result.k.array() > of.result.good_k).count()},
+           {"doubts", of.result.warnings},
+           {"observations", Json::array()}};
+  for (std::size_t i = 0; i < of.observations.size(); ++i)
+    out["observations"].push_back({{"name", of.observations[i]},
+                                   {"elpd", of.result.pointwise[static_cast<Eigen::Index>(i)]},
+                                   {"k", of.result.k[static_cast<Eigen::Index>(i)]}});
+  return out;
+}
+
+}  // namespace
+
+std::string text_of(const PosteriorResult& result) {
+  const PosteriorRun& run = result.run;
+  std::string text = banner_text(run) + figures_text(run) +
+                     doubts_text("warning", run.posterior->problem().warnings()) + "\n";
+  if (!result.summary) return text;
+  const PosteriorSummary& summary = *result.summary;
+  return text + checks_text(summary) + left_out_text(summary) + quantities_text(result) +
+         directions_text(summary, std::min<std::size_t>(result.rows, 8)) + modes_text(run);
+}
+
+OrderedJson json_of(const PosteriorResult& result) {
+  const PosteriorRun& run = result.run;
+  Json out = convergence_json(run);
+  out["swap_rates"] = Json::array();  // of each group, coldest pair first
+  for (const auto& group : run.draws.swap_rate.colwise())
+    out["swap_rates"].push_back(vector_json(group));
+  out["modes"] = modes_json(run);
+  out["mode_doubts"] = run.mode_table.warnings;
+  if (!result.summary) return OrderedJson(out);
+  const PosteriorSummary& summary = *result.summary;
+  const TendonDigit& digit = run.posterior->problem().digit();
+  for (std::size_t i = 0; i < summary.quantities.size(); ++i)
+    out["parameters"].push_back(estimate_json(summary.quantities[i], summary.estimates[i],
+                                              meaning_of(summary.quantities[i].name, digit)));
+  out["learnt"] = directions_json(summary.directions);
+  for (const ExperimentCheck& experiment : summary.experiments)
+    out["experiments"].push_back(check_json(experiment));
+  if (summary.left_out) out["leave_one_out"] = left_out_json(*summary.left_out);
+  return OrderedJson(out);
+}
+
+Table table_of(const PosteriorResult& result) {
+  Table table{{"parameter", "meaning", "unit", "mean", "sd", "prior_sd", "q05", "median", "q95",
+               "mcse_mean", "mcse_sd", "r_hat", "bulk_ess", "tail_ess"},
+              {}};
+  if (!result.summary) return table;
+  const PosteriorSummary& summary = *result.summary;
+  for (const std::size_t i : sorted_by_sd(summary)) {
+    const Estimate& e = summary.estimates[i];
+    const PosteriorQuantity& q = summary.quantities[i];
+    table.rows.push_back(
+        {q.name, meaning_of(q.name, result.run.posterior->problem().digit()), q.unit});
+    for (const double value : {e.mean, e.sd, prior_sd(q), e.q05, e.median, e.q95, e.mcse_mean,
+                               e.mcse_sd, e.r_hat, e.bulk_ess, e.tail_ess})
+      table.rows.back().push_back(fmt::format("{:.8g}", value));
+  }
+  return table;
+}
+
+std::string text_of(const PosteriorPrediction& result) { return text_of(result.predicted); }
+
+OrderedJson json_of(const PosteriorPrediction& result) { return json_of(result.predicted); }
+
+Table table_of(const PosteriorPrediction& result) { return table_of(result.predicted); }
+
+std::string convergence_complaint(const PosteriorRun& run, bool allowed) {
+  if (run.convergence.warnings.empty()) return "";
+  std::string text = "the chains have NOT converged; do not use these draws";
+  if (!allowed) text += " (--allow-unconverged to exit without error)";
+  text += ":";
+  for (const std::string& reason : run.convergence.warnings) text += "\n  * " + reason;
+  return text + "\nWhat may help:" + advice_text(advise(run));
+}
+
+std::vector<std::string> convergence_cautions(const PosteriorRun& run) {
+  if (!run.convergence.warnings.empty() || run.convergence.cautions.empty()) return {};
+  std::string text = "the chains have converged, with a caution:";
+  for (const std::string& caution : run.convergence.cautions) text += "\n  * " + caution;
+  return {text + "\nTo be sure:" + advice_text(advise(run))};
+}
+
+}  // namespace thenar

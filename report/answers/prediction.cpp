@@ -1,0 +1,110 @@
+#include "report/answers/prediction.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+
+namespace thenar {
+namespace {
+
+std::string experiment_text(const PredictedExperiment& one) {
+  const Prediction& prediction = one.prediction;
+  std::string text = fmt::format("{}: specimen {} {}\n", prediction.experiment,
+                                 one.experiment.specimen, in_words(one.by));
+  if (prediction.calibrated_on_specimen)
+    text += "  the subject that the fit started from has seen this specimen\n";
+  text += fmt::format("  forces are ({}) of {}\n", component_names(one.experiment),
+                      one.experiment.force_segment);
+  text += fmt::format("  {:<12} {:<10} {:>24} {:>24} {:>20} {:>7} {:>6}\n", "posture", "loads",
+                      "measured [N]", "predicted [N]", "sd [N]", "err [N]", "deg");
+  for (const PredictedTrial& t : prediction.trials)
+    text += fmt::format(
+        "  {:<12} {:<10} {:8.3f}{:8.3f}{:8.3f} {:8.3f}{:8.3f}{:8.3f}   {:6.2f}{:6.2f}{:6.2f} "
+        "{:7.3f} {:6.1f}\n",
+        t.posture, t.loads, t.measured.x(), t.measured.y(), t.measured.z(), t.predicted.x(),
+        t.predicted.y(), t.predicted.z(), t.sd.x(), t.sd.y(), t.sd.z(),
+        (t.predicted - t.measured).norm(), degrees(direction_error(t)));
+  text += fmt::format(
+      "  RMS error {:.3f} N, relative error {:.3f}, median direction error "
+      "{:.1f} deg\n",
+      prediction.error.rms, prediction.error.relative, degrees(prediction.error.direction));
+  if (prediction.error.covered)
+    text += fmt::format("  {:.0f} % of components within the 95 % interval\n",
+                        100 * *prediction.error.covered);
+  return text;
+}
+
+Json experiment_json(const PredictedExperiment& one) {
+  const Prediction& prediction = one.prediction;
+  Json vectors = Json::array();
+  for (const PredictedTrial& trial : prediction.trials)
+    vectors.push_back({{"posture", trial.posture},
+                       {"loads", trial.loads},
+                       {"measured_N", to_json(trial.measured)},
+                       {"predicted_N", to_json(trial.predicted)},
+                       {"sd_N", to_json(trial.sd)},
+                       {"error_N", (trial.predicted - trial.measured).norm()},
+                       {"direction_error_deg", degrees(direction_error(trial))}});
+  return {{"experiment", prediction.experiment},
+          {"specimen", one.experiment.specimen},
+          {"specimen_was_fitted", one.by != PredictedBy::kStranger},
+          {"predicted_by", one.by == PredictedBy::kOwn ? "own parameters" : "population"},
+          {"start_has_seen_specimen", prediction.calibrated_on_specimen},
+          {"rms_error_N", prediction.error.rms},
+          {"relative_error", prediction.error.relative},
+          {"relative_error_flexion_plane", prediction.error.relative_flexion},
+          {"direction_error_deg", degrees(prediction.error.direction)},
+          {"covered_95", prediction.error.covered ? Json(*prediction.error.covered) : Json()},
+          {"vectors", vectors}};
+}
+
+}  // namespace
+
+std::string component_names(const Experiment& experiment) {
+  constexpr const char* kNames[] = {"proximal", "dorsal", "radial"};
+  std::string names;
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k)
+      if (experiment.axes_of_digit(i, k) != 0)
+        names += fmt::format("{}{}{}", i > 0 ? " " : "",
+                             experiment.axes_of_digit(i, k) < 0 ? "-" : "", kNames[k]);
+  return names;
+}
+
+std::string in_words(PredictedBy by) {
+  if (by == PredictedBy::kOwn) return "was fitted; its own parameters predict";
+  if (by == PredictedBy::kOwnPopulation)
+    return "was fitted; the population, of which it is a part, predicts";
+  return "was never fitted; the population predicts";
+}
+
+std::string text_of(const PredictResult& result) {
+  std::string text;
+  for (const PredictedExperiment& one : result.experiments) text += experiment_text(one);
+  return text;
+}
+
+OrderedJson json_of(const PredictResult& result) {
+  Json all = Json::array();
+  for (const PredictedExperiment& one : result.experiments) all.push_back(experiment_json(one));
+  return OrderedJson(all.size() == 1 ? all[0] : all);
+}
+
+Table table_of(const PredictResult& result) {
+  Table table{{"experiment", "specimen", "posture", "loads", "components", "measured_1_N",
+               "measured_2_N", "measured_3_N", "predicted_1_N", "predicted_2_N", "predicted_3_N",
+               "sd_1_N", "sd_2_N", "sd_3_N", "error_N", "direction_error_deg"},
+              {}};
+  for (const PredictedExperiment& one : result.experiments)
+    for (const PredictedTrial& trial : one.prediction.trials)
+      table.rows.push_back(row({{one.prediction.experiment, one.experiment.specimen, trial.posture,
+                                 trial.loads, component_names(one.experiment)},
+                                cells(trial.measured, 6),
+                                cells(trial.predicted, 6),
+                                cells(trial.sd, 6),
+                                {shown((trial.predicted - trial.measured).norm(), 6),
+                                 shown(degrees(direction_error(trial)), 3)}}));
+  return table;
+}
+
+}  // namespace thenar

@@ -1,0 +1,29 @@
+#pragma once
+
+/// Predicted forces beside the measured ones, as words, JSON and rows.
+
+#include <string>
+
+#include "api/predict.h"
+#include "report/json.h"
+#include "report/table.h"
+
+namespace thenar {
+
+/// For each experiment who predicts, every trial, and the errors.
+[[nodiscard]] std::string text_of(const PredictResult& result);
+
+/// An object for one experiment, a list of such for several.
+[[nodiscard]] OrderedJson json_of(const PredictResult& result);
+
+/// One row for each trial of each experiment. Columns 1, 2 and 3 are the components in the order of
+/// the column "components".
+[[nodiscard]] Table table_of(const PredictResult& result);
+
+/// "proximal dorsal -radial": what the three components of a force are.
+[[nodiscard]] std::string component_names(const Experiment& experiment);
+
+/// "was never fitted; the population predicts".
+[[nodiscard]] std::string in_words(PredictedBy by);
+
+}  // namespace thenar

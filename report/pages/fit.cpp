@@ -1,0 +1,297 @@
+#include "report/pages/fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "kinematics_fit/fit_residuals.h"
+#include "report/answers/fit.h"
+#include "report/pages/prediction.h"
+#include "report/parameter_words.h"
+#include "report/scene/digit_layers.h"
+
+namespace thenar {
+namespace {
+
+/// The coordinate that an entry of z moves, of the population or as a deviation from it.
+struct MovedCoordinate {
+  int coordinate = 0;
+  bool deviation = false;
+};
+
+MovedCoordinate moved_by(const Fit& fit, int entry) {
+  const FitCoordinates& all = fit.problem.coordinates();
+  for (int c = 0; c < all.parameters().coordinates(); ++c) {
+    const CoordinateEntries& of = all.entries(c);
+    if (of.population == entry) return {c, false};
+    if (of.deviation >= 0 && entry >= of.deviation &&
+        (entry - of.deviation) % std::max(1, all.deviations()) == 0)
+      return {c, true};
+  }
+  return {};
+}
+
+/// The value in its own unit; "" of a deviation from a population, which bounds may bend.
+std::string value_in_unit(const Fit& fit, int entry) {
+  const MovedCoordinate moved = moved_by(fit, entry);
+  const bool alone = fit.problem.specimens().size() == 1;
+  if (moved.deviation && !alone) return "";
+  const FitParameters& parameters = fit.problem.parameters();
+  const Parameter& p =
+      parameters.all[static_cast<std::size_t>(parameters.leader[moved.coordinate])];
+  const double unit = (alone ? std::hypot(p.sd, p.between_sd) : p.sd) * display_scale(p);
+  const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(entry)];
+  return fmt::format("{:+.2f} \u00b1 {:.2f} {}", p.mean * display_scale(p) + unit * learnt.z,
+                     unit * learnt.sd, display_unit(p) == "1" ? "" : display_unit(p));
+}
+
+Json interval_row(const Fit& fit, int entry) {
+  const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(entry)];
+  Json row{{"name", learnt.name},
+           {"estimate", learnt.z},
+           {"low", learnt.z - 1.96 * learnt.sd},
+           {"high", learnt.z + 1.96 * learnt.sd},
+           {"prior_low", -1.96},
+           {"prior_high", 1.96},
+           {"null", learnt.null_share > 0.99}};
+  const std::string value = value_in_unit(fit, entry);
+  if (!value.empty()) row["display"] = value;
+  return row;
+}
+
+Json coordinate_table(const Fit& fit) {
+  Json rows = Json::array();
+  for (const int i : sorted_by_sd(fit.covariance)) {
+    const CoordinateEstimate& learnt = fit.covariance.learnt[static_cast<std::size_t>(i)];
+    rows.push_back({learnt.name, meaning_of(learnt.name, fit.problem.digit()), learnt.z, learnt.sd,
+                    value_in_unit(fit, i), learnt.at_bound ? "yes" : ""});
+  }
+  Json table = table_block(
+      "Every coordinate of the fit, the best known first; sd 1: nothing was learnt about it",
+      {{"coordinate", ""},
+       {"meaning", ""},
+       {"estimate", "prior sd", 2},
+       {"sd", "prior sd", 2},
+       {"value", ""},
+       {"at its bound", ""}},
+      rows);
+  table["search"] = true;
+  return table;
+}
+
+/// How the fit ended, and what to know before trusting it.
+Json ending_blocks(const FitResult& result) {
+  const Solution& found = result.fit.solution;
+  const bool ok = found.status == Status::kSolved && !found.failed;
+  Json blocks = Json::array();
+  blocks.push_back(
+      {{"type", "banner"},
+       {"ok", ok},
+       {"title", ok ? "The fit has converged" : "The fit has NOT converged"},
+       {"text", fmt::format("{} by {} after {} evaluations, {:.2f} s: {}. {} coordinates move; the "
+                            "data determine as much as {:.1f} parameters",
+                            convergence_word(found), name_of(result.fit.method), found.evaluations,
+                            found.seconds, found.message, result.fit.problem.size(),
+                            result.fit.covariance.effective_parameters)}});
+  if (!result.warnings.empty())
+    blocks.push_back({{"type", "banner"},
+                      {"ok", false},
+                      {"caution", true},
+                      {"title", "Before trusting the predictions"},
+                      {"reasons", result.warnings}});
+  return blocks;
+}
+
+Json error_row(const Prediction& prediction, const std::string& what) {
+  const ForceError& error = prediction.error;
+  return {prediction.experiment + seen_words(prediction),
+          what,
+          error.trials,
+          error.rms,
+          error.relative,
+          error.relative_flexion,
+          degrees(error.direction),
+          error.covered ? Json(100 * *error.covered) : Json(nullptr)};
+}
+
+Json error_table(const FitResult& result) {
+  Json rows = Json::array();
+  for (const Prediction& prediction : result.in_sample)
+    rows.push_back(error_row(prediction, "in sample"));
+  for (const CrossValidation& validation : result.left_out) {
+    std::string what = name_of(validation.what);
+    if (validation.stopped)
+      what += fmt::format(", {} of {} folds", validation.folds_done, validation.folds.size());
+    for (const Prediction& prediction : validation.experiments)
+      if (!prediction.trials.empty()) rows.push_back(error_row(prediction, what));
+  }
+  return table_block(
+      "Errors of predicted forces: in space, in the flexion plane alone, and the median angle "
+      "between predicted and measured",
+      {{"experiment", ""},
+       {"predicted", ""},
+       {"trials", "", 0},
+       {"RMS error", "N", 3},
+       {"relative error", "", 3},
+       {"in plane", "", 3},
+       {"angle", "deg", 1},
+       {"within 95 % band", "%", 0}},
+      rows);
+}
+
+Json force_section(const FitResult& result) {
+  Json blocks = Json::array();
+  const std::vector<Experiment>& experiments = result.fit.problem.experiments();
+  for (std::size_t e = 0; e < result.in_sample.size(); ++e)
+    blocks.push_back(
+        force_panels(in_digit_axes(result.in_sample[e], experiments[e]),
+                     result.in_sample[e].experiment +
+                         ", in sample. Measured solid, predicted dashed; ellipses hold 95 % of the "
+                         "predictive distribution"));
+  for (const CrossValidation& validation : result.left_out)
+    for (std::size_t e = 0; e < validation.experiments.size(); ++e)
+      if (!validation.experiments[e].trials.empty())
+        blocks.push_back(force_panels(
+            in_digit_axes(validation.experiments[e], experiments[e]),
+            fmt::format("{}, {}: each predicted by a fit that has not seen it",
+                        validation.experiments[e].experiment, name_of(validation.what))));
+  return section("forces", "Measured and predicted forces",
+                 "Forces of the fingertip in the axes of the distal phalanx.", blocks);
+}
+
+/// "synek2019_H01, synek2019_H02".
+std::string names_of(const FitResult& result) {
+  std::string text;
+  for (const Prediction& prediction : result.in_sample)
+    text += (text.empty() ? "" : ", ") + prediction.experiment;
+  return text;
+}
+
+/// "thumb", "middle finger".
+std::string digit_words(const Fit& fit) {
+  const std::string& digit = fit.problem.experiments().front().digit;
+  return digit == "thumb" ? digit : digit + " finger";
+}
+
+std::string introduction(const FitResult& result) {
+  const Fit& fit = result.fit;
+  const std::string text = fmt::format(
+      "The {} of {} was fitted to {} measured force components of {}. A fit moves the "
+      "parameters of the digit within their priors until the predicted forces agree with the "
+      "measured ones.",
+      digit_words(fit), fit.inputs.subject.path, data_rows(fit.problem), names_of(result));
+  return text + (result.left_out.empty()
+                     ? " All errors are in sample: of forces that the fit has seen. "
+                       "--cross-validate posture, tendon or specimen asks for errors of forces "
+                       "that it has not seen."
+                     : " What counts is the error of forces that a fit has not seen.");
+}
+
+Json digit_section(const Fit& fit) {
+  Json scenes = Json::array();
+  for (int s = 0; s < static_cast<int>(fit.problem.specimens().size()); ++s)
+    scenes.push_back(fitted_scene(fit, s));
+  return section("digit", "The fitted digit",
+                 "Joint axes and tendon runs; the layers can be switched. Scenes turn together.",
+                 Json::array({row_block(scenes)}));
+}
+
+}  // namespace
+
+std::string name_rules() {
+  return "Names: path/RI/2/dorsal is how far the second point of the radial interosseous, counted "
+         "from its insertion, lies dorsal of where the subject file has it; axis/DIP3/direction/1 "
+         "tilts a joint axis; hood/EDC/central and /slope say how much of a tension goes to the "
+         "central slip, and how that changes as the knuckle bends (both on the logit scale); "
+         "angle/DIP3/Hook is the error of one joint in one posture; sensor/ tilts the load cell.";
+}
+
+Json learnt_forest(const Fit& fit, const std::string& whose, std::size_t shown) {
+  const std::vector<int> order = sorted_by_sd(fit.covariance);
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < std::min(shown, order.size()); ++k)
+    rows.push_back(interval_row(fit, order[k]));
+  for (std::size_t k = order.size() - std::min<std::size_t>(4, order.size()); k < order.size(); ++k)
+    if (k >= shown) rows.push_back(interval_row(fit, order[k]));
+  const std::string which =
+      order.size() <= shown
+          ? fmt::format("all {} parameters, the best known first", order.size())
+          : fmt::format(
+                "the {} parameters that the forces tell most about, and four that they "
+                "tell least about",
+                shown);
+  return {{"type", "interval"},
+          {"caption", fmt::format("{}: {}. Bars are 95 % intervals in prior sds; at the right "
+                                  "estimate and sd",
+                                  whose, which)},
+          {"x_label", "estimate in prior standard deviations"},
+          {"rows", rows}};
+}
+
+Json open_directions(const Fit& fit, const std::string& whose) {
+  Json rows = Json::array();
+  for (const NullDirection& null : fit.covariance.null_directions) rows.push_back({null.text});
+  return table_block(
+      fmt::format("{}: along {} of {} directions no measured force changes, and the prior alone "
+                  "decides them ({} force components were measured)",
+                  whose, rows.size(), fit.problem.size(), data_rows(fit.problem)),
+      {{"direction, in prior sds", ""}}, rows);
+}
+
+Json fitted_scene(const Fit& fit, int specimen) {
+  const TendonDigit& before = fit.problem.digit();
+  const TendonDigit after = fitted_digit(fit, specimen);
+  const std::string& name = fit.problem.specimens()[static_cast<std::size_t>(specimen)];
+  // The first posture of an experiment of the specimen.
+  const std::vector<Experiment>& experiments = fit.problem.experiments();
+  const auto own = std::find_if(experiments.begin(), experiments.end(),
+                                [&](const Experiment& e) { return e.specimen == name; });
+  const ExperimentPlan& plan =
+      fit.problem.plans()[static_cast<std::size_t>(own - experiments.begin())];
+  const Eigen::VectorXd q = plan.postures.front();
+  return {
+      {"type", "scene"},
+      {"caption",
+       fmt::format("{} in posture {}: grey before the fit; tendons orange and axes blue after it",
+                   name, plan.posture_names.front())},
+      {"link", "fingers"},
+      {"up", {0, 1, 0}},
+      {"layers", Json::array({bone_layer(before, q, "#b8a48a"),
+                              axis_layer(before, q, "axes before", "#999999", 0.03, false),
+                              axis_layer(after, q, "axes fitted", "#0072b2", 0.03, true),
+                              tendon_layer(before, q, "tendons before", "#999999", false),
+                              tendon_layer(after, q, "tendons fitted", "#d55e00", true)})}};
+}
+
+Json page_of(const FitResult& result) {
+  const Fit& fit = result.fit;
+  const std::string whose = names_of(result);
+  Json first = ending_blocks(result);
+  first.push_back(error_table(result));
+  Json sections = Json::array(
+      {section("fit", "How well the fit explains the forces", introduction(result), first),
+       force_section(result),
+       section("learnt", "What the forces tell about the digit",
+               "Every parameter has a prior from anatomy; its sd is the unit here, and an interval "
+               "as wide as the prior means that nothing was learnt.\n\n" +
+                   name_rules(),
+               Json::array({learnt_forest(fit, whose), coordinate_table(fit)}))});
+  if (!fit.covariance.null_directions.empty())
+    sections.push_back(section("open", "What the prior alone decides",
+                               "Directions along which no measured force changes are named, not "
+                               "hidden.",
+                               Json::array({open_directions(fit, whose)})));
+  sections.push_back(digit_section(fit));
+  // write_page() adds the run that fitted and wrote the page.
+  Json provenance = fit_provenance(fit.inputs, {}, fit.problem.digit().fidelity, {});
+  provenance["seed"] = fmt::format("{}", fit.seed);
+  return {
+      {"title", "thenar: fit of " + whose},
+      {"subtitle", fmt::format("{}, started from {}", digit_words(fit), fit.inputs.subject.path)},
+      {"provenance", provenance},
+      {"sections", sections}};
+}
+
+}  // namespace thenar

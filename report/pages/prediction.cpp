@@ -1,0 +1,162 @@
+#include "report/pages/prediction.h"
+
+#include <fmt/format.h>
+
+#include "base/units.h"
+#include "report/answers/prediction.h"
+#include "report/provenance.h"
+
+namespace thenar {
+namespace {
+
+/// The two components of a force that one plane shows; [horizontal, vertical].
+struct Plane {
+  const char* name;
+  const char* x_label;
+  const char* y_label;
+  int x, y;  // components
+};
+constexpr Plane kPlanes[] = {
+    {"flexion plane", "distal \u2190 \u2192 proximal [N]", "palmar \u2190 \u2192 dorsal [N]", 0, 1},
+    {"lateral plane", "ulnar \u2190 \u2192 radial [N]", "palmar \u2190 \u2192 dorsal [N]", 2, 1}};
+
+Json arrow(const PredictedTrial& trial, const Plane& plane) {
+  const auto pick = [&](const Eigen::Vector3d& v) { return Json::array({v[plane.x], v[plane.y]}); };
+  Json out{{"group", trial.loads},
+           {"measured", pick(trial.measured)},
+           {"predicted", pick(trial.predicted)}};
+  if (trial.sd.minCoeff() > 0) out["predicted_sd"] = pick(trial.sd);
+  return out;
+}
+
+/// Panels in the order in which postures first appear.
+Json panels(const Prediction& prediction, const Plane& plane) {
+  Json out = Json::array();
+  for (const PredictedTrial& trial : prediction.trials) {
+    Json* panel = nullptr;
+    for (Json& known : out)
+      if (known["title"] == trial.posture) panel = &known;
+    if (panel == nullptr) {
+      out.push_back({{"title", trial.posture}, {"arrows", Json::array()}});
+      panel = &out.back();
+    }
+    (*panel)["arrows"].push_back(arrow(trial, plane));
+  }
+  return out;
+}
+
+Json error_table(const PredictedExperiment& one) {
+  const ForceError& error = one.prediction.error;
+  return table_block(
+      "Errors of all trials: in space, in the flexion plane alone, and the median angle between "
+      "predicted and measured",
+      {{"trials", "", 0},
+       {"RMS error", "N", 3},
+       {"relative error", "", 3},
+       {"in plane", "", 3},
+       {"angle", "deg", 1},
+       {"within 95 % band", "%", 0}},
+      Json::array({{error.trials, error.rms, error.relative, error.relative_flexion,
+                    degrees(error.direction),
+                    error.covered ? Json(100 * *error.covered) : Json(nullptr)}}));
+}
+
+Json trial_table(const PredictedExperiment& one) {
+  Json rows = Json::array();
+  for (const PredictedTrial& t : one.prediction.trials) {
+    Json cells = Json::array({t.posture, t.loads});
+    for (const Eigen::Vector3d& v : {t.measured, t.predicted, t.sd})
+      for (const double value : v) cells.push_back(value);
+    cells.push_back((t.predicted - t.measured).norm());
+    cells.push_back(degrees(direction_error(t)));
+    rows.push_back(std::move(cells));
+  }
+  std::vector<BlockColumn> columns{{"posture", ""}, {"loads", ""}};
+  for (const char* what : {"measured", "predicted", "sd"})
+    for (const char* component : {"1", "2", "3"})
+      columns.push_back({fmt::format("{} {}", what, component), "N", 3});
+  columns.push_back({"error", "N", 3});
+  columns.push_back({"angle", "deg", 1});
+  Json table =
+      table_block(fmt::format("Every trial; components 1, 2 and 3 are ({}) of {}",
+                              component_names(one.experiment), one.experiment.force_segment),
+                  columns, rows);
+  table["search"] = true;
+  return table;
+}
+
+}  // namespace
+
+Json force_panels(const Prediction& prediction, const std::string& caption) {
+  Json planes = Json::array();
+  for (const Plane& plane : kPlanes)
+    planes.push_back({{"name", plane.name},
+                      {"x_label", plane.x_label},
+                      {"y_label", plane.y_label},
+                      {"panels", panels(prediction, plane)}});
+  return {{"type", "vectors"}, {"caption", caption}, {"planes", planes}};
+}
+
+Prediction in_digit_axes(Prediction prediction, const Experiment& experiment) {
+  const Eigen::Matrix3d to_digit = experiment.axes_of_digit.cast<double>().transpose();
+  for (PredictedTrial& trial : prediction.trials) {
+    trial.measured = to_digit * trial.measured;
+    trial.predicted = to_digit * trial.predicted;
+    trial.sd = to_digit.cwiseAbs() * trial.sd;
+  }
+  return prediction;
+}
+
+Json prediction_sections(const PredictResult& result, const std::string& prefix) {
+  Json sections = Json::array();
+  for (const PredictedExperiment& one : result.experiments) {
+    std::string text = fmt::format("Specimen {} {}.", one.experiment.specimen, in_words(one.by));
+    if (one.prediction.calibrated_on_specimen)
+      text +=
+          " The subject that the fit started from has seen this specimen: the error is not "
+          "that of a stranger.";
+    sections.push_back(section(
+        fmt::format("{}prediction-{}", prefix, sections.size() + 1),
+        one.prediction.experiment + ": measured and predicted forces", text,
+        Json::array({error_table(one),
+                     force_panels(in_digit_axes(one.prediction, one.experiment),
+                                  one.prediction.experiment +
+                                      ". Measured solid, predicted dashed; ellipses hold 95 % of "
+                                      "the predictive distribution: what is not known of the "
+                                      "parameters, and the noise"),
+                     trial_table(one)})));
+  }
+  return sections;
+}
+
+Json page_of(const PredictResult& result) {
+  Json sections = prediction_sections(result);
+  if (!result.warnings.empty())
+    sections[0]["blocks"].insert(sections[0]["blocks"].begin(),
+                                 Json{{"type", "banner"},
+                                      {"ok", false},
+                                      {"caution", true},
+                                      {"title", "Before trusting the predictions"},
+                                      {"reasons", result.warnings}});
+  return {{"title", "thenar: predicted fingertip forces"},
+          {"subtitle", "by " + result.file},
+          {"provenance",
+           fit_provenance(result.inputs, result.sources, result.fidelity, result.fitted_by)},
+          {"sections", sections}};
+}
+
+Json fit_provenance(const FitInputs& inputs, const std::vector<SourceText>& more,
+                    const Fidelity& fidelity, const RunRecord& fitted_by) {
+  std::vector<SourceText> sources = inputs.experiments;
+  sources.insert(sources.end(), {inputs.subject, inputs.settings});
+  sources.insert(sources.end(), more.begin(), more.end());
+  Json out = provenance_json(sources, fidelity);
+  if (fitted_by.arguments.empty()) return out;
+  out["fitted by"] = command_line(fitted_by);
+  out["fitted in"] = fitted_by.folder;
+  out["fitted on"] = fitted_by.date;
+  if (!fitted_by.commit.empty()) out["fitted with commit"] = fitted_by.commit;
+  return out;
+}
+
+}  // namespace thenar

@@ -1,0 +1,32 @@
+#pragma once
+
+/// Measured and predicted forces as arrows, and the page of a prediction.
+
+#include <string>
+
+#include "api/predict.h"
+#include "report/blocks.h"
+
+namespace thenar {
+
+/// Measured against predicted forces as arrows, one panel a posture, in the finger's flexion plane
+/// and in the plane of its proximal and radial directions. Components must be proximal, dorsal,
+/// radial. @param caption  says which predictions these are
+[[nodiscard]] Json force_panels(const Prediction& prediction, const std::string& caption);
+
+/// The prediction with the components of its forces turned into proximal, dorsal and radial.
+[[nodiscard]] Prediction in_digit_axes(Prediction prediction, const Experiment& experiment);
+
+/// One section for each experiment: who predicts, errors, arrows with their bands, and every trial.
+/// @param prefix  of the sections' ids
+[[nodiscard]] Json prediction_sections(const PredictResult& result, const std::string& prefix = "");
+
+/// The page of what a fit predicts.
+[[nodiscard]] Json page_of(const PredictResult& result);
+
+/// Hashes of the inputs of a fit and of other sources, versions, fidelity, and the run that fitted
+/// it, if that is known.
+[[nodiscard]] Json fit_provenance(const FitInputs& inputs, const std::vector<SourceText>& more,
+                                  const Fidelity& fidelity, const RunRecord& fitted_by);
+
+}  // namespace thenar

@@ -1,0 +1,74 @@
+// Tests for api/fit.cpp.
+
+#include "api/fit.h"
+
+#include "base/error.h"
+#include "tests/api/small_fit.h"
+#include "tests/message_of.h"
+
+namespace thenar {
+namespace {
+
+using FitQuestion = sample::SmallFit;
+
+TEST_F(FitQuestion, TakesSubjectsAndExperimentsByName) {
+  const FitInputs inputs = read_fit_inputs(sources());
+  EXPECT_EQ(inputs.subject.path, THENAR_DATA_DIR "/subjects/synek2019_middle.toml");
+  EXPECT_EQ(inputs.experiments[0].path, THENAR_DATA_DIR "/experiments/synek2019_H01.toml");
+  FitSources other = sources();
+  other.settings.clear();
+  EXPECT_EQ(read_fit_inputs(other).settings.path, "built-in finger.toml");
+  other.experiments = {"synek2019_H1"};
+  EXPECT_THROW((void)read_fit_inputs(other), InputError);
+}
+
+// A fit cannot be worse on what it has seen than where it started, priors included.
+TEST_F(FitQuestion, WritesItsFileWithTheRunAndPredictsWhatItHasSeen) {
+  FitRequest request;
+  request.sources = sources();
+  request.output = path("fit.h5");
+  request.leave_out = {LeaveOut::kTendon};
+  request.run = {{"fit", "synek2019_H01"}, "/work", "", "2001-09-09T01:46:40Z"};
+  const FitResult result = fit_forces(request);
+  ASSERT_EQ(result.in_sample.size(), 1U);
+  ASSERT_EQ(result.left_out.size(), 1U);
+  EXPECT_FALSE(result.stopped);
+  EXPECT_LT(result.in_sample[0].error.rms, result.left_out[0].experiments[0].error.rms);
+  EXPECT_GT(result.in_sample[0].trials[0].sd.minCoeff(), 0);
+  const Fit back = read_fit(request.output);
+  EXPECT_EQ(command_line(back.run), "thenar fit synek2019_H01");
+  EXPECT_EQ(back.solution.z, result.fit.solution.z);
+}
+
+TEST_F(FitQuestion, StopsWithTheBestPointSoFar) {
+  FitRequest request;
+  request.sources = sources();
+  request.leave_out = {LeaveOut::kPosture};
+  Progress progress;
+  progress.stop_requested = [] { return true; };
+  const FitResult result = fit_forces(request, progress);
+  EXPECT_TRUE(result.stopped);
+  EXPECT_TRUE(result.left_out.empty());
+}
+
+// At z = 0 all shifts are zero: the digit is that of the subject.
+TEST_F(FitQuestion, FittedDigitIsTheSubjectsWhereNothingMoved) {
+  FitRequest request;
+  request.sources = sources();
+  FitResult result = fit_forces(request);
+  result.fit.solution.z.setZero();
+  const TendonDigit digit = fitted_digit(result.fit, 0);
+  const TendonDigit& before = result.fit.problem.digit();
+  for (std::size_t i = 0; i < before.model.tree.size(); ++i)
+    EXPECT_EQ(digit.model.tree[i].point, before.model.tree[i].point);
+  EXPECT_EQ(digit.model.tip, before.model.tip);
+}
+
+TEST(LeaveOutNamed, KnowsThreeNames) {
+  EXPECT_EQ(leave_out_named("tendon"), LeaveOut::kTendon);
+  EXPECT_EQ(message_of([] { (void)leave_out_named("hand"); }),
+            "cannot leave out a 'hand'; wanted posture, tendon or specimen");
+}
+
+}  // namespace
+}  // namespace thenar

@@ -1,0 +1,43 @@
+// Tests for report/answers/fit.cpp.
+
+#include "report/answers/fit.h"
+
+#include <fmt/format.h>
+
+#include "tests/api/small_fit.h"
+
+namespace thenar {
+namespace {
+
+using FitAnswer = sample::SmallFit;
+
+TEST_F(FitAnswer, SaysTheSameInWordsAndNumbers) {
+  FitRequest request;
+  request.sources = sources();
+  const FitResult result = fit_forces(request);
+  const OrderedJson json = json_of(result);
+  EXPECT_EQ(json["status"], "converged");
+  EXPECT_EQ(json["free_coordinates"], result.fit.problem.size());
+  EXPECT_EQ(json["learnt"].size(), static_cast<std::size_t>(result.fit.problem.size()));
+  EXPECT_EQ(json["learnt"][0]["meaning"].get<std::string>().empty(), false);
+  EXPECT_DOUBLE_EQ(json["in_sample"][0]["rms_error_N"], result.in_sample[0].error.rms);
+  const std::string text = text_of(result);
+  EXPECT_NE(text.find(fmt::format("in sample: RMS error {:.3f} N", result.in_sample[0].error.rms)),
+            std::string::npos);
+
+  // The best known first: sds rise from row to row.
+  const Table table = table_of(result);
+  ASSERT_EQ(table.rows.size(), json["learnt"].size());
+  for (std::size_t i = 1; i < table.rows.size(); ++i)
+    EXPECT_LE(std::stod(table.rows[i - 1][3]), std::stod(table.rows[i][3]));
+}
+
+TEST(SeenWords, MarkWhatIsNotOfAStranger) {
+  Prediction prediction;
+  EXPECT_EQ(seen_words(prediction), "");
+  prediction.calibrated_on_specimen = true;
+  EXPECT_EQ(seen_words(prediction), " (the subject has seen this specimen)");
+}
+
+}  // namespace
+}  // namespace thenar
